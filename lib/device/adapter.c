@@ -1,4 +1,4 @@
-/* Calling the host's functions, and the structs that pass through them. */
+/* Calls the functions of adapters, and defines the structs that are passed to them. */
 #include <string.h>
 
 #include "base/check.h"
@@ -63,13 +63,13 @@ vbss_result vbss_device_export_adapter(vbss_context *context, const vbss_device_
     return VBSS_OK;
 }
 
-/* What an adapter finds behind a struct that it knows longer than this library is zero. */
+/* An adapter with a newer header reads zeros in fields that this library does not know. */
 static void *clear_buffer(device_source *s)
 {
     return memset(s->buffer, 0, DEVICE_BUFFER_BYTES);
 }
 
-/* ---- texts */
+/* ---- names and explanations */
 
 void vbss_device_copy_text(char *to, size_t capacity, const char *from)
 {
@@ -79,7 +79,6 @@ void vbss_device_copy_text(char *to, size_t capacity, const char *from)
     to[bytes] = '\0';
 }
 
-/* What an adapter says of its failure, as far as it ends within the room it was given. */
 void vbss_device_record_failure(vbss_context *context, device_source *s, vbss_result result)
 {
     s->last_failure = result;
@@ -88,7 +87,7 @@ void vbss_device_record_failure(vbss_context *context, device_source *s, vbss_re
         bool outer = vbss_callback_begin(context);
         s->adapter.explain(s->adapter.user, s->text, DEVICE_TEXT_BYTES);
         vbss_callback_end(context, outer);
-        s->text[DEVICE_TEXT_BYTES - 1] = '\0';
+        s->text[DEVICE_TEXT_BYTES - 1] = '\0'; /* the adapter may not have terminated it */
     }
 }
 
@@ -100,7 +99,7 @@ static vbss_result fail_source(vbss_context *context, device_source *s, vbss_res
                      s->text[0] == '\0' ? "no reason is given" : s->text);
 }
 
-/* ---- life */
+/* ---- opening and closing */
 
 static vbss_result call_open(vbss_context *context, device_source *s)
 {
@@ -180,7 +179,7 @@ void vbss_device_close_source(vbss_context *context, device_source *s)
     }
 }
 
-/* ---- in a step */
+/* ---- reading and writing */
 
 vbss_result vbss_device_read_source(vbss_context *context, device_source *s, double now,
                                     const vbss_device_sample **sample)
@@ -197,7 +196,6 @@ vbss_result vbss_device_read_source(vbss_context *context, device_source *s, dou
     return result;
 }
 
-/* The coupling goes to the one that has the force, if it can do something with it. */
 static vbss_result call_write(device_source *s, double now, const vbss_device_coupling *coupling)
 {
     const vbss_output_result *output = (const vbss_output_result *)s->buffer;
@@ -213,7 +211,7 @@ bool vbss_device_write_source(vbss_context *context, device_source *s, double no
         return true;
     }
     if (s->adapter.couple == NULL || (outputs & VBSS_DEVICE_OUT_FORCE) == 0) {
-        coupling = NULL;
+        coupling = NULL; /* only an adapter with forces and a servo of its own gets it */
     }
     const double zero[3] = {0.0, 0.0, 0.0};
     vbss_output_result own = *output;

@@ -1,4 +1,4 @@
-/* From the device's frame to the world's, and forces the other way. */
+/* Maps poses from the device's frame to the world, and forces from the world to the device. */
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
@@ -99,7 +99,8 @@ vbss_result vbss_device_check_calibration(vbss_context *context, const vbss_devi
 
 /* ---- the frame */
 
-/* Right to rounding, so that forces go back the way that positions came. */
+/* Removes the error that a rotation may have (1e-6). The transpose, which maps forces, is then the
+ * inverse to rounding. */
 static mat3 orthonormalise(mat3 r)
 {
     vec3 x = vec3_unit_or(vec3_load(r.m[0]), vec3_make(1.0, 0.0, 0.0)), y = vec3_load(r.m[1]);
@@ -128,7 +129,7 @@ vec3 vbss_device_velocity_to_world(const vbss_device_calibration *c, const devic
     return mat3_mul_vec3(f->rotation, vec3_scale(v, c->scale));
 }
 
-/* Axes of turns change sign in a mirror. */
+/* An angular velocity is an axial vector: a mirrored frame reverses it. */
 vec3 vbss_device_spin_to_world(const device_frame *f, vec3 omega)
 {
     return vec3_scale(mat3_mul_vec3(f->rotation, omega), f->parity);

@@ -1,4 +1,5 @@
-/* What a host does with a device between its steps: stop, clutch, re-centre, calibrate. */
+/* Public functions that change a device between reads: emergency stop, clutch, re-centring and
+ * calibration. */
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
@@ -19,8 +20,10 @@ vbss_result vbss_device_release(vbss_device *device)
     return VBSS_OK;
 }
 
-/* ---- clutch and re-centring: a shift in the world, a turn in the tool's frame, so that movements of the hand
- * keep their directions */
+/* ---- clutch and re-centring
+ *
+ * The offset of the position is in the world, that of the orientation in the tool's frame. The tool
+ * therefore still moves and turns in the directions in which the hand does. */
 
 static void set_position_offset(device_object *d, vec3 position)
 {

@@ -1,4 +1,5 @@
-/* How devices begin and end: adapters opened, described, and what follows from what they can do. */
+/* Creation and destruction of devices. The limits of a device follow from its configuration and
+ * from the capabilities of its adapters. */
 #include <string.h>
 
 #include "device/device.h"
@@ -46,7 +47,7 @@ static vbss_result check_config(vbss_context *context, const vbss_device_config 
     return vbss_check_range(context, c->max_damping, 0.0, 1e6, "max_damping");
 }
 
-/* ---- what the adapters can do together */
+/* ---- signals, outputs and limits of the adapters together */
 
 uint32_t vbss_device_routed_signals(const device_object *d, uint32_t source)
 {
@@ -55,13 +56,14 @@ uint32_t vbss_device_routed_signals(const device_object *d, uint32_t source)
     }
     const uint32_t groups[] = {DEVICE_POSE_SIGNALS | DEVICE_MOTION_SIGNALS, DEVICE_JAW_SIGNALS};
     uint32_t second = d->config.second_signals;
-    for (int i = 0; i < 2; i++) { /* what belongs together comes from one */
+    for (int i = 0; i < 2; i++) { /* one adapter gives all signals of a group */
         second |= (second & groups[i]) != 0 ? groups[i] : 0u;
     }
     return source == 1 ? second : DEVICE_SIGNALS & ~second;
 }
 
-/* Forces belong to the arm, which comes first; the solenoid to the handle's electronics, which come second. */
+/* If both adapters can do it, forces go to the first (the arm), and the solenoid is driven by the
+ * second (the electronics of the handle). */
 uint32_t vbss_device_driven_outputs(const device_object *d, uint32_t source)
 {
     uint32_t own = d->sources[source].capabilities.outputs;
@@ -107,7 +109,7 @@ static void set_limits(device_object *d)
     d->jaw_timeout = effective_timeout(d->config.jaw_timeout, &d->sources[jaw].capabilities);
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 static void free_device(vbss_context *context, device_object *d)
 {
@@ -174,7 +176,7 @@ static vbss_result create_device(vbss_context *context, const device_object *wan
     if (result == VBSS_OK) {
         result = vbss_slot_reserve(context, &vbss_device_kind, slot);
     }
-    if (result == VBSS_OK) { /* last, as it touches the world outside */
+    if (result == VBSS_OK) { /* last, because it acts on hardware */
         result = open_sources(d);
     }
     if (result != VBSS_OK) {
@@ -214,7 +216,7 @@ static vbss_result read_configs(device_object *d, const vbss_device_config *conf
         VBSS_TRY(
             vbss_config_read(context, &vbss_output_config_layout, d->config.output, &d->limits));
     }
-    d->config.calibration = NULL; /* the host's, no longer needed */
+    d->config.calibration = NULL; /* the host may free them after this call */
     d->config.output = NULL;
     VBSS_TRY(vbss_device_check_calibration(context, &d->calibration));
     d->frame = vbss_device_make_frame(&d->calibration);

@@ -1,4 +1,4 @@
-/* Libraries of vendors, loaded when they are asked for. */
+/* Loads libraries of vendors at run time. */
 #include <string.h>
 
 #include "device/platform.h"
@@ -17,7 +17,7 @@ void *vbss_device_load_library(const char *name, char *text, size_t room)
     return (void *)library;
 }
 
-/* Threads of the vendor's may still run in it. */
+/* Keeps the library loaded: threads of the vendor may still run its code. */
 void vbss_device_unload_library(void *library)
 {
     (void)library;
@@ -36,7 +36,7 @@ static bool find(void *library, const device_symbol *symbol)
 
 void *vbss_device_load_library(const char *name, char *text, size_t room)
 {
-    /* threads of the vendor's may still run in it after the end: its code stays */
+    /* RTLD_NODELETE: threads of the vendor may still run its code after dlclose */
     void *library = dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (library == NULL) {
         const char *reason = dlerror();
@@ -55,7 +55,7 @@ void vbss_device_unload_library(void *library)
 static bool find(void *library, const device_symbol *symbol)
 {
     void *found = dlsym(library, symbol->name);
-    memcpy(symbol->address, &found, sizeof found); /* C has no cast from data to functions */
+    memcpy(symbol->address, &found, sizeof found); /* C cannot cast a data pointer to a function */
     return found != NULL;
 }
 

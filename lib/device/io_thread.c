@@ -1,11 +1,11 @@
-/* A thread for lines that make one wait, and its clock. */
+/* A thread for hardware whose calls block, with its clock. */
 #include "device/platform.h"
 
 #ifdef _WIN32
 
 #include <windows.h>
 
-#ifndef CREATE_WAITABLE_TIMER_HIGH_RESOLUTION /* in headers that are older than it */
+#ifndef CREATE_WAITABLE_TIMER_HIGH_RESOLUTION /* missing in older headers */
 #define CREATE_WAITABLE_TIMER_HIGH_RESOLUTION 0x00000002
 #endif
 
@@ -36,12 +36,13 @@ double vbss_device_time(void)
     return (double)count.QuadPart / (double)frequency.QuadPart;
 }
 
-/* Sleep wakes up every 15.6 ms unless somebody asks for more: later than solenoids may be. Timers of high resolution do not,
- * from Windows 10 1803 on; before that a core is kept busy. */
+/* Sleep() has a resolution of 15.6 ms by default, which is too coarse for solenoids.
+ * High-resolution timers exist from Windows 10 1803 on; without them the loop at the end polls the
+ * clock. */
 void vbss_device_sleep(double seconds)
 {
     const double end = vbss_device_time() + seconds;
-    const LARGE_INTEGER due = {.QuadPart = -(LONGLONG)(seconds * 1e7)}; /* from now on, 100 ns */
+    const LARGE_INTEGER due = {.QuadPart = -(LONGLONG)(seconds * 1e7)}; /* relative, in 100 ns */
     HANDLE timer =
         CreateWaitableTimerExW(NULL, NULL, CREATE_WAITABLE_TIMER_HIGH_RESOLUTION, TIMER_ALL_ACCESS);
     if (timer != NULL) {

@@ -1,7 +1,8 @@
-/* How far the handle is open: range, filter, play, and when the jaws count as closed. */
+/* Opening of the handle: calibrated range, low-pass filter, play, and when the jaws count as
+ * closed. */
 #include "device/device.h"
 
-/* 0 at the closed end, 1 at the open one, and beyond. */
+/* 0 at the closed end of the calibrated range, 1 at the open end; not clamped. */
 static double range_fraction(const vbss_device_calibration *c, double raw)
 {
     return (raw - c->jaw_closed) / (c->jaw_open - c->jaw_closed);
@@ -18,7 +19,8 @@ double vbss_device_opening_from_raw(const vbss_device_calibration *c, double raw
     return vbss_min(vbss_max(range_fraction(c, raw), 0.0), 1.0);
 }
 
-/* The opening goes through both ends although the play swallows half of itself at each. */
+/* The value behind the play stays half of the play away from either end. This stretches it so that
+ * the opening still reaches 0 and 1. */
 static double compensate_play(double play, double half)
 {
     return vbss_min(vbss_max((play - half) / (1.0 - 2.0 * half), 0.0), 1.0);
@@ -28,7 +30,7 @@ void vbss_device_update_jaw(device_jaw *jaw, const vbss_device_calibration *c, d
                             double h)
 {
     double half = 0.5 * c->jaw_play;
-    if (!jaw->is_known) { /* from where it is, not from closed */
+    if (!jaw->is_known) { /* the filter starts at the first opening */
         jaw->is_known = true;
         jaw->filtered = opening;
         jaw->after_play = half + (1.0 - 2.0 * half) * opening;

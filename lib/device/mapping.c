@@ -1,4 +1,4 @@
-/* Mouse, keyboard and gamepad as devices: what was moved, added to a sample. Pure functions. */
+/* Mouse, keyboard and gamepad as devices: pure functions that add a motion to a sample. */
 #include <string.h>
 
 #include "base/check.h"
@@ -78,7 +78,7 @@ static vbss_result check_sample(const vbss_device_sample *s)
     return vbss_check_range(NULL, s->time, -1e9, 1e9, "time");
 }
 
-/* What all three begin with. */
+/* Reads and checks the arguments that all mappings have. */
 static vbss_result begin_mapping(const vbss_mapping_config *config, const double *motion, int count,
                                  double limit, double h, const vbss_device_sample *sample,
                                  vbss_mapping_config *c, vbss_device_sample *s)
@@ -98,7 +98,7 @@ static vbss_result begin_mapping(const vbss_mapping_config *config, const double
 
 /* ---- moving a sample */
 
-/* Along right, up and towards the user. */
+/* The vector with these components along right, up and towards the user. */
 static vec3 view_vector(const vbss_mapping_config *c, double right, double up, double towards)
 {
     vec3 x = vec3_load(c->right), y = vec3_load(c->up);
@@ -115,7 +115,6 @@ static void translate_sample(const vbss_mapping_config *c, vec3 by, vbss_device_
     }
 }
 
-/* By whole turns less where a thousand presses come at once. */
 static void rotate_sample(vec3 by, vbss_device_sample *s)
 {
     quat q = quat_make(s->orientation[0], s->orientation[1], s->orientation[2], s->orientation[3]);
@@ -129,7 +128,7 @@ static void open_jaw(double by, vbss_device_sample *s)
     s->jaw = vbss_min(vbss_max(s->jaw + by, 0.0), 1.0);
 }
 
-/* Hands it back as far as the caller knows it. */
+/* Copies the sample back, as many bytes as the caller's struct has. */
 static void finish_mapping(double h, const vbss_device_sample *s, vbss_device_sample *sample)
 {
     vbss_device_sample own = *s;
@@ -139,7 +138,7 @@ static void finish_mapping(double h, const vbss_device_sample *s, vbss_device_sa
     memcpy(sample, &own, sizeof own < own.struct_size ? sizeof own : own.struct_size);
 }
 
-/* ---- the three */
+/* ---- mappings */
 
 vbss_result vbss_mapping_mouse(const vbss_mapping_config *config, const double motion[3],
                                uint32_t buttons, double h, vbss_device_sample *sample)
@@ -178,7 +177,8 @@ vbss_result vbss_mapping_keyboard(const vbss_mapping_config *config, const doubl
     return VBSS_OK;
 }
 
-/* Nothing within the dead zone, all at full deflection, in between a power of what is left. */
+/* 0 in the dead zone and 1 at full deflection; in between, a power of the deflection beyond the
+ * dead zone. */
 static double shape_deflection(const vbss_mapping_config *c, double axis)
 {
     double fraction = (vbss_min(fabs(axis), 1.0) - c->pad_dead) / (1.0 - c->pad_dead);

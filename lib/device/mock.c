@@ -1,4 +1,5 @@
-/* An adapter without hardware: what a function of time or the host says goes in, what is written is kept. */
+/* An adapter without hardware. Its samples come from the host or from a function of time; its
+ * writes are recorded. */
 #include <string.h>
 
 #include "device/mock.h"
@@ -18,7 +19,7 @@ static const vbss_layout config_layout = {"vbss_mock_config", &config_defaults, 
 static const uint32_t statistics_sizes[] = {40, 0};
 static const vbss_layout statistics_layout = {"vbss_mock_statistics", NULL, statistics_sizes};
 
-/* About a haptic arm with three driven axes; its continuous force stays unknown. */
+/* Similar to a haptic arm with three driven axes, but its continuous force is unknown. */
 static const vbss_device_capabilities default_capabilities = {
     .struct_size = sizeof(vbss_device_capabilities),
     .signals = DEVICE_SIGNALS,
@@ -38,7 +39,7 @@ vbss_result vbss_mock_config_init(vbss_mock_config *config, uint32_t struct_size
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 static void free_mock(vbss_context *context, void *object)
 {
@@ -49,7 +50,7 @@ static void free_mock(vbss_context *context, void *object)
     vbss_release(context, m, 1, sizeof *m);
 }
 
-/* A mock is the world outside, which does not go back; what can be told is what it went through. */
+/* A mock acts as hardware, which cannot be restored to an earlier state; only counts are saved. */
 static void visit_mock(vbss_stream *stream, void *object)
 {
     mock_object *m = object;
@@ -145,7 +146,10 @@ static vbss_result edit_mock(vbss_mock *handle, mock_object **mock)
     return VBSS_OK;
 }
 
-/* ---- the adapter. `user` is the handle, which outlives the mock: a device may be left behind. */
+/* ---- adapter
+ *
+ * `user` is the handle. Its memory stays valid after the mock is destroyed, so a device that still
+ * uses the adapter gets an error. */
 
 static vbss_result mock_open(void *user)
 {
@@ -187,7 +191,7 @@ static vbss_result mock_read(void *user, double now, vbss_device_sample *sample)
     m->statistics.reads++;
     if (m->config.measure != NULL) {
         sample->time = vbss_mock_sample_time(m, now);
-        bool outer = vbss_callback_begin(m->context); /* a host may read the adapter itself */
+        bool outer = vbss_callback_begin(m->context); /* the host may read without a device */
         m->config.measure(m->config.user, sample->time, sample);
         vbss_callback_end(m->context, outer);
     } else {
@@ -251,7 +255,7 @@ vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter *adapter)
     return vbss_device_export_adapter(m->context, &own, adapter);
 }
 
-/* ---- what hosts do with it */
+/* ---- public functions */
 
 vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sample *sample)
 {

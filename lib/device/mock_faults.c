@@ -1,4 +1,4 @@
-/* What goes wrong with a mock. All faults are functions of time and nothing else, so they repeat to the bit. */
+/* Faults of a mock. They depend on time only, so they repeat to the bit. */
 #include "base/check.h"
 #include "base/error.h"
 #include "device/mock.h"
@@ -32,7 +32,7 @@ vbss_result vbss_mock_check_fault(vbss_context *context, const mock_fault *f)
     return vbss_check_range(context, f->value, -1e9, 1e9, "value");
 }
 
-/* ---- when a sample is measured */
+/* ---- time of a sample */
 
 static double intervals_since(const mock_fault *f, double time)
 {
@@ -68,7 +68,7 @@ double vbss_mock_sample_time(const mock_object *m, double now)
     return time;
 }
 
-/* ---- what is in it */
+/* ---- contents of a sample */
 
 static void put_nan(double which, vbss_device_sample *sample)
 {

@@ -1,8 +1,8 @@
-/* Velocities of devices that give none.
+/* Estimates velocities for devices that do not measure them.
  *
- * The difference of two poses over that of their times, filtered with a time constant: v += (1 - exp(-h/T)) (d -
- * v). The first difference is taken as it is, so a constant velocity is told right, to rounding, from the second
- * sample on. */
+ * The difference quotient d of two poses that are h apart passes a low-pass filter with the time
+ * constant T: v += (1 - exp(-h/T)) (d - v). The first quotient is not filtered, so a constant
+ * velocity is exact to rounding from the second sample on. */
 #include "base/rotation.h"
 #include "device/device.h"
 

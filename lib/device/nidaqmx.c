@@ -1,4 +1,5 @@
-/* Handles and solenoids on the host's side: opened together, then adapters that exchange the newest with the rounds. */
+/* Instrument handles and solenoids on the host's side. All lines are opened together; the adapters
+ * then exchange the newest values with the cycle (nidaqmx_cycle.c). */
 #include <stdio.h>
 #include <string.h>
 
@@ -37,7 +38,7 @@ vbss_result vbss_nidaqmx_config_init(vbss_nidaqmx_config *config, uint32_t struc
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
-/* ---- the end: thread, solenoids off, tasks */
+/* ---- closing */
 
 static void end_task(const daq_functions *daq, daq_task task)
 {
@@ -65,7 +66,8 @@ static void free_lines(vbss_context *context, void *object)
 {
     nidaqmx_object *o = object;
     close_lines(o);
-    for (uint32_t i = 0; i < DAQ_HANDLES; i++) { /* devices that are left behind find them lost */
+    /* Devices that still use an adapter then find their hardware lost. */
+    for (uint32_t i = 0; i < DAQ_HANDLES; i++) {
         if (o->handles[i].is_slot_filled) {
             vbss_slot_empty(o->handles[i].slot);
         }
@@ -73,7 +75,7 @@ static void free_lines(vbss_context *context, void *object)
     vbss_release(context, o, 1, sizeof *o);
 }
 
-/* Lines are the world outside, which does not go back. */
+/* Hardware cannot be restored to an earlier state, so nothing else is saved. */
 static void visit_lines(vbss_stream *stream, void *object)
 {
     const nidaqmx_object *o = object;
@@ -83,7 +85,7 @@ static void visit_lines(vbss_stream *stream, void *object)
 static const vbss_kind kind = {"handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_lines,
                                visit_lines};
 
-/* A handle's own handle, for adapters; it ends with the lines. */
+/* The slot of an instrument handle owns nothing: the lines free the handle. */
 static void release_nothing(vbss_context *context, void *object)
 {
     (void)context;
@@ -99,7 +101,7 @@ static void visit_handle(vbss_stream *stream, void *object)
 static const vbss_kind handle_kind = {"handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1,
                                       release_nothing, visit_handle};
 
-/* ---- the begin */
+/* ---- opening */
 
 static vbss_result read_name(vbss_context *context, const char *from, char *to, const char *what)
 {
@@ -161,7 +163,7 @@ static vbss_result open_inputs(nidaqmx_object *o)
     return vbss_nidaqmx_check(o->context, &o->daq, code, "start of inputs");
 }
 
-/* One channel of all lines; off at once. */
+/* Makes one channel of all lines, and switches the solenoids off at once. */
 static vbss_result open_lines(nidaqmx_object *o)
 {
     char names[2 * DAQ_NAME_BYTES] = "";
@@ -216,7 +218,7 @@ static vbss_result reserve_slots(nidaqmx_object *o, vbss_slot **slot)
     for (uint32_t i = 0; i < o->handle_count; i++) {
         VBSS_TRY(vbss_slot_reserve(o->context, &handle_kind, &o->handles[i].slot));
     }
-    /* after those of the handles, so that a context that ends ends it first */
+    /* last, because a context destroys its newest object first */
     return vbss_slot_reserve(o->context, &kind, slot);
 }
 
@@ -238,7 +240,7 @@ vbss_result vbss_nidaqmx_create(vbss_context *context, const vbss_nidaqmx_config
     init_buffers(o);
     vbss_result result = read_config(o, config);
     result = result == VBSS_OK ? reserve_slots(o, &slot) : result;
-    result = result == VBSS_OK ? open_all(o) : result; /* last, as it touches the world outside */
+    result = result == VBSS_OK ? open_all(o) : result; /* last: acts on hardware */
     if (result != VBSS_OK) {
         free_lines(context, o);
         return result;
@@ -265,7 +267,10 @@ static vbss_result open_daq(const void *user, nidaqmx_object **o)
     return VBSS_OK;
 }
 
-/* ---- the adapters. `user` is the handle's own, which outlives it: a device may be left behind. */
+/* ---- adapters
+ *
+ * `user` is the slot of an instrument handle. Its memory stays valid after the lines are closed,
+ * so a device that still uses the adapter gets an error. */
 
 static const daq_report *newest_report(nidaqmx_object *o)
 {
@@ -381,7 +386,7 @@ vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
     return vbss_device_export_adapter(o->context, &own, adapter);
 }
 
-/* ---- the host's */
+/* ---- public functions */
 
 vbss_result vbss_nidaqmx_pump(vbss_nidaqmx *nidaqmx, double now)
 {

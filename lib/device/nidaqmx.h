@@ -1,8 +1,10 @@
-/* The inside of handles and solenoids by NI-DAQmx: the vendor's functions and numbers (nidaqmx_library.c, nidaqmx_list.c), a round of
- * write and read (nidaqmx_cycle.c) in a thread of its own or the host's, and life and adapters on the host's side
- * (nidaqmx.c).
+/* Internal interface of instrument handles and solenoids that are connected by NI-DAQmx.
  *
- * Types and numbers are facts of the vendor's documentation, written down anew. */
+ * nidaqmx_library.c and nidaqmx_list.c call the vendor's library. nidaqmx_cycle.c has the cycle of
+ * writing and reading, which runs in a thread of its own or in one of the host. nidaqmx.c has the
+ * host's side: creation and adapters.
+ *
+ * Types and constants follow the vendor's documentation; no header of the vendor is used. */
 #ifndef VBSS_DEVICE_NIDAQMX_H
 #define VBSS_DEVICE_NIDAQMX_H
 
@@ -10,13 +12,13 @@
 
 #include "device/platform.h"
 
-#ifdef _WIN32 /* of its own in 32 bits only */
+#ifdef _WIN32 /* matters in 32-bit builds only */
 #define DAQ_CALL __stdcall
 #else
 #define DAQ_CALL
 #endif
 
-/* ---- the vendor's numbers */
+/* ---- the vendor's constants and functions */
 
 enum {
     DAQ_VOLTS = 10348,
@@ -27,9 +29,10 @@ enum {
     DAQ_GROUP_BY_SCAN = 1
 };
 
-/* Results: 0 good, below an error, above a warning. A task is a pointer. */
+/* An opaque pointer. */
 typedef void *daq_task;
 
+/* Functions return 0, a negative error code, or a positive warning code. */
 typedef struct daq_functions {
     void *library;
     int32_t(DAQ_CALL *create_task)(const char *name, daq_task *task);
@@ -53,71 +56,84 @@ typedef struct daq_functions {
 } daq_functions;
 
 /* ---- nidaqmx_library.c */
+
+/* Loads the vendor's library and finds its functions. `name` is a path or file name; NULL: the
+ * usual name. Returns VBSS_OK or VBSS_ERROR_DEVICE; the caller unloads the library in both
+ * cases. */
 vbss_result vbss_nidaqmx_load(vbss_context *context, const char *name, daq_functions *daq);
+/* Description of an error code, never NULL. */
 const char *vbss_nidaqmx_error_name(int32_t code);
-/* Errors after which the hardware is not there any more. */
+/* Whether the hardware is lost after this error. */
 bool vbss_nidaqmx_is_lost(int32_t code);
-/* VBSS_ERROR_DEVICE with what the vendor's library says; warnings are VBSS_OK. */
+/* Returns VBSS_OK for success and warnings. For errors it returns VBSS_ERROR_DEVICE, with `what`
+ * and the vendor's description in the error text. */
 vbss_result vbss_nidaqmx_check(vbss_context *context, const daq_functions *daq, int32_t code,
                                const char *what);
 
-/* ---- what goes between the host and the rounds */
+/* ---- data exchanged between the host and the cycle */
 
 enum { DAQ_HANDLES = 2, DAQ_NAME_BYTES = 128 };
 
+/* Command of the host for the solenoid of a handle. */
 typedef struct handle_command {
     bool is_on;
-    double expires; /* s */
+    double expires; /* age from which the command counts as off, s */
 } handle_command;
 
+/* Result of a cycle. */
 typedef struct daq_report {
     bool has_sample;
-    double time, volts[DAQ_HANDLES];
+    double time, volts[DAQ_HANDLES]; /* last good read: clock of the cycle, s; V */
     vbss_nidaqmx_status status;
 } daq_report;
 
 typedef struct nidaqmx_object nidaqmx_object;
 
-/* One handle as the host sees it. */
+/* One instrument handle. */
 typedef struct daq_handle {
-    device_triple_buffer to_cycle;
+    device_triple_buffer to_cycle; /* says which of `commands` is whose */
     nidaqmx_object *owner;
-    vbss_slot *slot; /* handle of its own, for adapters */
+    vbss_slot *slot; /* the adapter's `user` */
     uint32_t handle_index;
-    bool is_slot_filled, is_attached; /* attached: a device stands on it */
-    char text[DEVICE_TEXT_BYTES];
+    bool is_slot_filled, is_attached; /* is_attached: a device uses the adapter */
+    char text[DEVICE_TEXT_BYTES];     /* explains the last failure */
     handle_command commands[3];
-    /* the round's alone */
-    double commanded_at;
+    /* Used by the cycle only. */
+    double commanded_at; /* when the cycle found the current command, s */
 } daq_handle;
 
+/* All handles; they share one analog and one digital task. */
 struct nidaqmx_object {
-    device_triple_buffer to_host;
+    device_triple_buffer to_host; /* says which of `reports` is whose */
     daq_handle handles[DAQ_HANDLES];
     vbss_context *context;
     daq_functions daq;
     vbss_nidaqmx_config config;
     char inputs[DAQ_HANDLES][DAQ_NAME_BYTES],
-        lines[DAQ_HANDLES][DAQ_NAME_BYTES]; /* line empty: there is no solenoid */
+        lines[DAQ_HANDLES][DAQ_NAME_BYTES]; /* channels per handle; line "": no solenoid */
     uint32_t handle_count;
-    bool has_lines, lines_open; /* driving: the lines are open */
-    daq_task analog, digital;
+    bool has_lines, lines_open; /* has_lines: a handle has a solenoid */
+    daq_task analog, digital;   /* NULL while not created */
     device_thread thread;
     bool has_thread;
     atomic_bool stop_requested;
     daq_report reports[3];
-    /* the round's alone */
-    bool levels_written, read_failed,
-        is_lost; /* written: `out` is what the lines have; failing: the last read did */
-    uint8_t levels[DAQ_HANDLES];
-    double cycle_start, cycle_interval; /* s; spacing: from the round before, a period at least */
+    /* Used by the cycle only. */
+    bool levels_written, read_failed, is_lost; /* levels_written: the lines have `levels` */
+    uint8_t levels[DAQ_HANDLES];               /* 0 or 1 per line */
+    /* Start of this cycle, and time since the start of the one before, at least a period, s. */
+    double cycle_start, cycle_interval;
     daq_report report;
 };
 
 /* ---- nidaqmx_cycle.c */
+
+/* Runs one cycle: writes the solenoids, reads the inputs and publishes a report. Blocks for as long
+ * as the hardware takes. `now` is the clock of the cycle, s. */
 void vbss_nidaqmx_cycle(nidaqmx_object *o, double now);
-/* Solenoids off. */
+/* Switches all solenoids off. Returns the vendor's code. */
 int32_t vbss_nidaqmx_switch_off(nidaqmx_object *o);
+/* Body of the thread: runs cycles until stop_requested. `user` is a nidaqmx_object. */
 void vbss_nidaqmx_run(void *user);
 
 #endif

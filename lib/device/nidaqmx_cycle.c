@@ -1,5 +1,6 @@
-/* A round of the lines: newest orders -> solenoids, then one sample of all inputs -> host. It waits for the hardware,
- * so it is never the host's step that runs it. */
+/* One cycle of the lines: writes the newest commands to the solenoids, then reads all inputs and
+ * reports them to the host. A cycle waits for the hardware, so it must not run inside a step of the
+ * host. */
 #include <string.h>
 
 #include "device/nidaqmx.h"
@@ -15,7 +16,8 @@ static void record_code(nidaqmx_object *o, int32_t code)
     }
 }
 
-/* One byte a line, 0 or 1 only. The first write starts the task, so a line is never driven before it has a value. */
+/* Writes 0 or 1 to each line. The first write starts the task, so a line is never driven before it
+ * has a value. */
 static int32_t write_lines(nidaqmx_object *o, const uint8_t *levels)
 {
     int32_t written = 0;
@@ -54,14 +56,15 @@ int32_t vbss_nidaqmx_switch_off(nidaqmx_object *o)
     return set_solenoids(o, 0);
 }
 
-/* An order may be a round old when it is found, and the next look comes a round later; rounds take as long as the hardware
- * does, so that is the last one's. Where it is long, what the last one had already is old. */
+/* A command may be one cycle old when it is found, and stays in force until the next cycle. Both
+ * cycles are assumed to take as long as the last one. If that is long, a command expires unless
+ * this cycle found it. */
 static bool is_expired(const nidaqmx_object *o, const handle_command *command, double age)
 {
     return age > vbss_max(command->expires - 2.0 * o->cycle_interval, 0.0);
 }
 
-/* What is wanted of the solenoids, unless the host was silent for too long. */
+/* Bits of the solenoids that are to be on. A command that has expired counts as off. */
 static uint32_t wanted_solenoids(nidaqmx_object *o, double now)
 {
     uint32_t wanted = 0;
@@ -99,7 +102,7 @@ static void read_inputs(nidaqmx_object *o, double now)
     o->report.time = now;
 }
 
-/* ---- a round */
+/* ---- cycle */
 
 static void publish_report(nidaqmx_object *o)
 {
@@ -124,7 +127,7 @@ void vbss_nidaqmx_cycle(nidaqmx_object *o, double now)
     if (!o->is_lost) {
         read_inputs(o, now);
     }
-    if (o->read_failed || o->is_lost) { /* nobody knows whether the jaws are closed */
+    if (o->read_failed || o->is_lost) { /* whether the jaws are closed is unknown */
         vbss_nidaqmx_switch_off(o);
     }
     publish_report(o);

@@ -1,4 +1,4 @@
-/* The vendor's library: its functions, and what its errors mean. */
+/* Loads the NI-DAQmx library and interprets its errors. */
 #include "base/error.h"
 #include "device/nidaqmx.h"
 
@@ -67,7 +67,7 @@ const char *vbss_nidaqmx_error_name(int32_t code)
     return code == 0 ? "no error" : code > 0 ? "a warning" : "an error without a name";
 }
 
-/* What we do not know is not gone on with. */
+/* After an unknown error the hardware counts as lost. */
 bool vbss_nidaqmx_is_lost(int32_t code)
 {
     for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
@@ -89,7 +89,7 @@ vbss_result vbss_nidaqmx_check(vbss_context *context, const daq_functions *daq, 
         text[0] = '\0';
     }
     text[sizeof text - 1] = '\0';
-    for (char *c = text; *c != '\0'; c++) { /* one line */
+    for (char *c = text; *c != '\0'; c++) { /* the message must be one line */
         if (*c == '\n' || *c == '\r') {
             *c = ' ';
         }

@@ -1,11 +1,11 @@
-/* Which devices the vendor's driver knows. */
+/* Lists the devices that the NI-DAQmx driver knows. */
 #include <string.h>
 
 #include "base/check.h"
 #include "base/error.h"
 #include "device/nidaqmx.h"
 
-/* Appends as much as there is room for. */
+/* Appends a text, truncated to the room that is left. */
 static void append(char *text, uint32_t bytes, const char *more)
 {
     size_t used = strlen(text);
@@ -19,7 +19,7 @@ static vbss_result list_devices(vbss_context *context, const daq_functions *daq,
     int32_t code = daq->get_device_names(names, sizeof names);
     VBSS_TRY(vbss_nidaqmx_check(context, daq, code, "devices"));
     names[sizeof names - 1] = '\0';
-    for (char *name = names; *name != '\0';) { /* separated by comma and blank */
+    for (char *name = names; *name != '\0';) { /* separated by a comma and a space */
         char *end = name;
         while (*end != '\0' && *end != ',') {
             end++;

@@ -1,5 +1,5 @@
-/* Haptic arms on the host's side: opened all together, as one servo serves them; then adapters that exchange the newest
- * with it. */
+/* Haptic arms on the host's side. All arms are opened together, because one servo drives them; the
+ * adapters then exchange the newest values with it. */
 #include <stdio.h>
 
 #include "device/openhaptics.h"
@@ -32,8 +32,9 @@ vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
-/* ---- the end: zeros out -> servo off -> arms closed */
+/* ---- closing */
 
+/* Waits until the servo has put out zero forces, and stops it. */
 static void end_servo(openhaptics_object *o)
 {
     atomic_store_explicit(&o->stop_requested, true, memory_order_release);
@@ -63,8 +64,8 @@ static void close_arms(openhaptics_object *o)
             o->hd.disable_device(a->device);
         }
     }
-    if (o->arm_count >
-        0) { /* what fails now is nobody's concern, but shall not wait for the next */
+    /* Clears errors from closing, so that the next object does not report them. */
+    if (o->arm_count > 0) {
         vbss_openhaptics_check(NULL, &o->hd, "the end");
     }
     vbss_device_unload_library(o->hd.library);
@@ -74,8 +75,8 @@ static void free_arms(vbss_context *context, void *object)
 {
     openhaptics_object *o = object;
     close_arms(o);
-    for (uint32_t i = 0; i < OPENHAPTICS_ARMS;
-         i++) { /* devices that are left behind find them lost */
+    /* Devices that still use an adapter then find their hardware lost. */
+    for (uint32_t i = 0; i < OPENHAPTICS_ARMS; i++) {
         if (o->arms[i].is_slot_filled) {
             vbss_slot_empty(o->arms[i].slot);
         }
@@ -83,7 +84,7 @@ static void free_arms(vbss_context *context, void *object)
     vbss_release(context, object, 1, sizeof(openhaptics_object));
 }
 
-/* Arms are the world outside, which does not go back. */
+/* Hardware cannot be restored to an earlier state, so nothing else is saved. */
 static void visit_arms(vbss_stream *stream, void *object)
 {
     openhaptics_object *o = object;
@@ -93,7 +94,7 @@ static void visit_arms(vbss_stream *stream, void *object)
 static const vbss_kind kind = {"haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_arms,
                                visit_arms};
 
-/* An arm's own handle, for adapters; it ends with the arms. */
+/* The slot of an arm owns nothing: the arms are freed together. */
 static void release_nothing(vbss_context *context, void *object)
 {
     (void)context;
@@ -109,7 +110,7 @@ static void visit_arm(vbss_stream *stream, void *object)
 static const vbss_kind arm_kind = {"haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, release_nothing,
                                    visit_arm};
 
-/* ---- the begin */
+/* ---- opening */
 
 static void copy_text(char *to, const char *from)
 {
@@ -121,7 +122,7 @@ static double positive_or_zero(double value, double limit)
     return isfinite(value) && value > 0.0 ? vbss_min(value, limit) : 0.0;
 }
 
-/* What the arm says of itself; what makes no sense is not known. */
+/* Gets name and capabilities from the vendor's library. Implausible numbers count as unknown. */
 static void describe_arm(openhaptics_object *o, haptic_arm *a)
 {
     double max_force = 0.0, continuous_force = 0.0, workspace_mm[6] = {0.0};
@@ -197,7 +198,7 @@ static vbss_result open_arm(openhaptics_object *o, haptic_arm *a, const char *na
     return vbss_openhaptics_check(o->context, &o->hd, what);
 }
 
-/* All arms, then the callback, then the scheduler that serves them. */
+/* Opens the arms, schedules the callback, then starts the scheduler. */
 static vbss_result open_arms(openhaptics_object *o)
 {
     const char *const names[OPENHAPTICS_ARMS] = {o->config.first_name, o->config.second_name};
@@ -262,14 +263,13 @@ vbss_result vbss_openhaptics_create(vbss_context *context, const vbss_openhaptic
          i++) {
         result = vbss_slot_reserve(context, &arm_kind, &o->arms[i].slot);
     }
-    if (result ==
-        VBSS_OK) { /* after those of the arms, so that a context that ends ends it first */
+    if (result == VBSS_OK) { /* last, because a context destroys its newest object first */
         result = vbss_slot_reserve(context, &kind, &slot);
     }
-    if (result == VBSS_OK) { /* last, as it touches the world outside */
+    if (result == VBSS_OK) { /* acts on hardware, so all else comes before */
         result = open_arms(o);
     }
-    /* texts of the host's are not looked at again */
+    /* the host may free its strings after this call */
     o->config.library = o->config.first_name = o->config.second_name = NULL;
     o->config.output = NULL;
     if (result != VBSS_OK) {
@@ -304,7 +304,10 @@ static vbss_result open_arm_at(const void *handle, uint32_t which, openhaptics_o
     return VBSS_OK;
 }
 
-/* ---- the adapters. `user` is the arm's own handle, which outlives it: a device may be left behind. */
+/* ---- adapters
+ *
+ * `user` is the slot of an arm. Its memory stays valid after the arms are closed, so a device that
+ * still uses the adapter gets an error. */
 
 static const arm_report *newest_report(haptic_arm *a)
 {
@@ -360,7 +363,7 @@ static vbss_result arm_describe(void *user, vbss_device_capabilities *capabiliti
     return VBSS_OK;
 }
 
-/* What somebody must do, or what the vendor's library said last. */
+/* Says what the user must do, or what the vendor's last error was. */
 static void explain_status(haptic_arm *a, const vbss_openhaptics_status *s)
 {
     if (s->ticks == 0) {
@@ -435,7 +438,7 @@ vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics, uint32_t
     return vbss_device_export_adapter(o->context, &own, adapter);
 }
 
-/* ---- looking at arms */
+/* ---- public functions */
 
 vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, uint32_t which,
                                         vbss_openhaptics_status *status, uint32_t struct_size)

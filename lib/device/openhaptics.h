@@ -1,7 +1,9 @@
-/* The inside of haptic arms by OpenHaptics: the vendor's functions and numbers (openhaptics_library.c), a tick of the
- * servo (openhaptics_servo.c), and life and adapters on the host's side (openhaptics.c).
+/* Internal interface of haptic arms that are connected by OpenHaptics.
  *
- * Types and numbers are facts of the vendor's documentation, written down anew. */
+ * openhaptics_library.c calls the vendor's library, openhaptics_servo.c is a tick of the servo, and
+ * openhaptics.c has the host's side: creation and adapters.
+ *
+ * Types and constants follow the vendor's documentation; no header of the vendor is used. */
 #ifndef VBSS_DEVICE_OPENHAPTICS_H
 #define VBSS_DEVICE_OPENHAPTICS_H
 
@@ -9,13 +11,13 @@
 
 #include "device/platform.h"
 
-#ifdef _WIN32 /* of its own in 32 bits only */
+#ifdef _WIN32 /* matters in 32-bit builds only */
 #define HD_CALL __stdcall
 #else
 #define HD_CALL
 #endif
 
-/* ---- the vendor's numbers */
+/* ---- the vendor's constants and functions */
 
 #define HD_NO_DEVICE 0xFFFFFFFFu
 enum {
@@ -47,7 +49,7 @@ enum {
     HD_STYLE_INKWELL = 4
 };
 
-/* Last in, first out; returned by value. */
+/* Entry of the vendor's error stack. */
 typedef struct hd_error {
     uint32_t code;
     int32_t internal;
@@ -57,7 +59,8 @@ _Static_assert(sizeof(hd_error) == 12, "as the vendor's library returns it");
 
 typedef uint32_t(HD_CALL *hd_callback)(void *user);
 
-/* Handles of the scheduler are `unsigned long`: of 8 bytes on 64-bit Linux, 4 on Windows. */
+/* Handles of the scheduler are `unsigned long`, which has 8 bytes on 64-bit Linux and 4 on
+ * Windows. */
 typedef struct hd_functions {
     void *library;
     uint32_t(HD_CALL *init_device)(const char *name);
@@ -84,19 +87,27 @@ typedef struct hd_functions {
 } hd_functions;
 
 /* ---- openhaptics_library.c */
+
+/* Loads the vendor's library and finds its functions. `name` is a path or file name; NULL: the
+ * usual name. Returns VBSS_OK or VBSS_ERROR_DEVICE; the caller unloads the library in both
+ * cases. */
 vbss_result vbss_openhaptics_load(vbss_context *context, const char *name, hd_functions *hd);
+/* Description of an error code, never NULL. */
 const char *vbss_openhaptics_error_name(uint32_t code);
-/* VBSS_ERROR_DEVICE with the oldest error that waits, or VBSS_OK; none waits afterwards. */
+/* Empties the vendor's error stack. Returns VBSS_OK if it was empty; otherwise VBSS_ERROR_DEVICE,
+ * with `what` and the oldest error in the error text. */
 vbss_result vbss_openhaptics_check(vbss_context *context, const hd_functions *hd, const char *what);
 
-/* ---- what goes between the host and the servo */
+/* ---- data exchanged between the host and the servo */
 
+/* Command of the host, in the device's frame. */
 typedef struct arm_command {
-    bool is_given, is_coupled;
-    vec3 force;
-    vbss_device_coupling coupling; /* device's frame */
+    bool is_given, is_coupled;     /* there was a command; `coupling` replaces `force` */
+    vec3 force;                    /* N */
+    vbss_device_coupling coupling; /* its `force` includes all other forces */
 } arm_command;
 
+/* Result of a tick. */
 typedef struct arm_report {
     vbss_device_sample sample;
     vbss_openhaptics_status status;
@@ -105,38 +116,44 @@ typedef struct arm_report {
 enum { OPENHAPTICS_ARMS = 2, ARM_NAME_BYTES = 64 };
 
 typedef struct haptic_arm {
-    device_triple_buffer to_servo, to_host;
-    vbss_slot *slot; /* handle of its own, for adapters */
-    uint32_t device;
-    bool is_slot_filled, is_open, is_attached; /* attached: a device stands on it */
-    int32_t calibration_style;                 /* of calibration */
+    device_triple_buffer to_servo, to_host;    /* say which of `commands` and `reports` is whose */
+    vbss_slot *slot;                           /* the adapter's `user` */
+    uint32_t device;                           /* the vendor's handle */
+    bool is_slot_filled, is_open, is_attached; /* is_attached: a device uses the adapter */
+    int32_t calibration_style;                 /* HD_STYLE_ constant */
     char model[ARM_NAME_BYTES], serial[ARM_NAME_BYTES];
-    char text[DEVICE_TEXT_BYTES]; /* what failed last, on the host's side */
+    char text[DEVICE_TEXT_BYTES]; /* explains the last failure, for the host */
     vbss_device_capabilities capabilities;
-    vbss_output_config limits; /* of the stage in the servo */
+    vbss_output_config limits; /* limits of the output stage in the servo */
     arm_command commands[3];
     arm_report reports[3];
-    /* the servo's alone */
+    /* Used by the servo only. */
     output_state output;
     vbss_device_sample sample;
     vbss_openhaptics_status status;
-    uint64_t command_tick, failed_tick, lost_until_tick, refused_until_tick; /* ticks, from 1 on */
+    /* Tick that found the current command; tick of the last failure; ends of being lost and of
+     * refusing forces. Ticks count from 1. */
+    uint64_t command_tick, failed_tick, lost_until_tick, refused_until_tick;
     bool is_calibrated;
 } haptic_arm;
 
+/* All arms; one servo drives them. */
 typedef struct openhaptics_object {
     vbss_context *context;
     hd_functions hd;
     vbss_openhaptics_config config;
     uint32_t arm_count;
     haptic_arm arms[OPENHAPTICS_ARMS];
-    unsigned long callback;
+    unsigned long callback; /* the scheduler's handle of the tick */
     bool is_scheduled, is_started;
-    uint64_t tick; /* the servo's */
+    uint64_t tick; /* number of the current tick; used by the servo only */
     atomic_bool stop_requested, has_stopped;
 } openhaptics_object;
 
-/* ---- openhaptics_servo.c: in the vendor's thread */
+/* ---- openhaptics_servo.c */
+
+/* Callback of the scheduler, in the vendor's thread. `user` is an openhaptics_object. Returns
+ * HD_CONTINUE, or HD_DONE after stop_requested. */
 uint32_t HD_CALL vbss_openhaptics_tick(void *user);
 
 #endif

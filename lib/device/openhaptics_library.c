@@ -1,4 +1,4 @@
-/* The vendor's library: its functions, and what its errors mean. */
+/* Loads the OpenHaptics library and describes its errors. */
 #include "base/error.h"
 #include "device/openhaptics.h"
 
@@ -88,7 +88,7 @@ const char *vbss_openhaptics_error_name(uint32_t code)
 vbss_result vbss_openhaptics_check(vbss_context *context, const hd_functions *hd, const char *what)
 {
     hd_error first = {0, 0, 0};
-    for (int i = 0; i < 64; i++) { /* the last comes out first */
+    for (int i = 0; i < 64; i++) { /* the newest error comes first */
         hd_error error = hd->get_error();
         if (error.code == 0) {
             break;

@@ -1,8 +1,9 @@
-/* A tick of the servo, in the vendor's thread: for each arm a frame,
+/* A tick of the servo, in the vendor's thread. It runs one frame for each arm,
  *
- *     measure -> errors -> coupling at the newest anchor -> output stage -> force out -> errors -> report
+ *     measure -> errors -> coupling -> output stage -> write force -> errors -> report
  *
- * then the host's function, if it steps in here. Nothing waits, allocates, prints, or touches the context. */
+ * and then calls the host's tick function, if there is one. The tick does not wait, allocate or
+ * print, and does not use the context. */
 #include <string.h>
 
 #include "device/openhaptics.h"
@@ -20,7 +21,7 @@ static uint64_t ticks_of(const openhaptics_object *o, double seconds)
     return (uint64_t)(seconds * o->config.rate + 0.5);
 }
 
-/* Whose error it is: the vendor has one stack for all arms. */
+/* The arm that an error belongs to. The vendor has one error stack for all arms. */
 static haptic_arm *owner_of(openhaptics_object *o, haptic_arm *current, uint32_t device)
 {
     for (uint32_t i = 0; i < o->arm_count; i++) {
@@ -38,16 +39,17 @@ static void record_error(openhaptics_object *o, haptic_arm *a, const hd_error *e
     a->status.internal_error = error->internal;
     if (error->code >= HD_WARM_MOTORS && error->code <= HD_FORCE_ERROR) {
         a->refused_until_tick = o->tick + ticks_of(o, REFUSED_TIME);
-    } else { /* the device's, or ours: neither goes on */
+    } else { /* a fault of the arm, or of our calls */
         a->lost_until_tick = o->tick + ticks_of(o, LOST_TIME);
         a->failed_tick = o->tick;
     }
 }
 
-/* True when what was measured in this tick is not to be believed. */
+/* Empties the error stack. Returns whether the arm failed in this tick, so that its measurements
+ * are invalid. */
 static bool collect_errors(openhaptics_object *o, haptic_arm *a)
 {
-    for (int i = 0; i < 64; i++) { /* a stack without an end is no reason to stay here */
+    for (int i = 0; i < 64; i++) { /* bounded, in case the stack never empties */
         hd_error error = o->hd.get_error();
         if (error.code == 0) {
             break;
@@ -57,9 +59,10 @@ static bool collect_errors(openhaptics_object *o, haptic_arm *a)
     return a->failed_tick == o->tick;
 }
 
-/* ---- what is measured */
+/* ---- measurement */
 
-/* A rotation by its columns; of the four forms the one with the largest divisor (Shepperd 1978). */
+/* Quaternion of a column-major rotation matrix, not normalised. Uses that of four formulas which
+ * has the largest divisor (Shepperd 1978). */
 static quat quat_from_matrix(const double m[16])
 {
     const double xx = m[0], yy = m[5], zz = m[10], trace = xx + yy + zz;
@@ -76,7 +79,8 @@ static quat quat_from_matrix(const double m[16])
     return q;
 }
 
-/* Of another length where the matrix was no rotation, so that this is told. */
+/* Stores a unit quaternion, scaled by 1 plus the deviation of the matrix from a rotation. The
+ * device refuses a sample whose scale is outside its tolerance. */
 static void store_orientation(const double m[16], double orientation[4])
 {
     const quat q = quat_from_matrix(m), unit = quat_unit(q);
@@ -87,14 +91,13 @@ static void store_orientation(const double m[16], double orientation[4])
     for (int i = 0; i < 9; i++) {
         max_error = vbss_max(max_error, fabs(rows[i] - columns[i]));
     }
-    const double length = 1.0 + max_error; /* a matrix that is not finite has no unit either */
+    const double length = 1.0 + max_error; /* `unit` has NaN if the matrix is not finite */
     orientation[0] = length * unit.w;
     orientation[1] = length * unit.x;
     orientation[2] = length * unit.y;
     orientation[3] = length * unit.z;
 }
 
-/* mm into m. */
 static void millimetres_to_metres(const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -108,7 +111,7 @@ static void read_slow_signals(openhaptics_object *o, haptic_arm *a)
     o->hd.get_doublev(HD_MOTOR_TEMPERATURE, motors);
     double hottest = 0.0;
     for (int i = 0; i < 8; i++) {
-        hottest = vbss_max_or_nan(hottest, motors[i]); /* one that is no number is told */
+        hottest = vbss_max_or_nan(hottest, motors[i]); /* keeps NaN, which the device refuses */
     }
     a->sample.temperature = hottest;
     uint32_t calibration = o->hd.check_calibration();
@@ -136,7 +139,7 @@ static void measure_arm(openhaptics_object *o, haptic_arm *a)
     }
 }
 
-/* ---- what goes out */
+/* ---- force */
 
 static vbss_hardware_state hardware_state(const openhaptics_object *o, const haptic_arm *a)
 {
@@ -149,7 +152,7 @@ static vbss_hardware_state hardware_state(const openhaptics_object *o, const hap
     return o->tick < a->refused_until_tick ? VBSS_HARDWARE_REFUSING : VBSS_HARDWARE_RUNNING;
 }
 
-/* The tool moves on while its next place is not known. */
+/* Force of a coupling of this age, s. The tool is extrapolated with constant velocity. */
 static vec3 coupled_force(const haptic_arm *a, const arm_command *command, double age)
 {
     vbss_device_coupling c = command->coupling;
@@ -168,7 +171,7 @@ static vec3 compute_force(openhaptics_object *o, haptic_arm *a)
     }
     const arm_command *command = &a->commands[a->to_servo.reader];
     const double age = (double)(o->tick - a->command_tick) * h;
-    /* the watchdog counts from the tick before: so old it may have been when it was found */
+    /* + h: the command may have been one tick old when it was found */
     output_demand demand = {.age = command->is_given ? age + h : OUTPUT_NEVER,
                             .temperature = a->sample.temperature,
                             .has_fault =
@@ -177,7 +180,7 @@ static vec3 compute_force(openhaptics_object *o, haptic_arm *a)
     if (command->is_given) {
         demand.force = command->is_coupled ? coupled_force(a, command, age) : command->force;
     }
-    if (!vec3_is_finite(vec3_load(a->sample.position))) { /* whatever was ordered */
+    if (!vec3_is_finite(vec3_load(a->sample.position))) { /* no force without a position */
         demand.has_fault = true;
     }
     uint32_t flags = vbss_output_advance(&a->limits, &a->output, h, &demand);
@@ -187,7 +190,7 @@ static vec3 compute_force(openhaptics_object *o, haptic_arm *a)
     return a->output.force;
 }
 
-/* ---- a tick */
+/* ---- tick */
 
 static void publish_report(const openhaptics_object *o, haptic_arm *a, bool measured)
 {
@@ -242,7 +245,7 @@ uint32_t HD_CALL vbss_openhaptics_tick(void *user)
     for (uint32_t i = 0; i < o->arm_count; i++) {
         tick_arm(o, &o->arms[i]);
     }
-    if (ending) { /* zeros have gone out */
+    if (ending) { /* the forces of this tick were zero */
         atomic_store_explicit(&o->has_stopped, true, memory_order_release);
         return HD_DONE;
     }

@@ -1,4 +1,4 @@
-/* The output stage behind a handle of its own, and its limits. */
+/* The output stage with a handle of its own: configuration, serialisation, public functions. */
 #include <string.h>
 
 #include "base/check.h"
@@ -128,7 +128,7 @@ static void visit_statistics(vbss_stream *stream, vbss_output_statistics *f)
     vbss_stream_f64(stream, 33, &f->solenoid_on, 1);
 }
 
-/* Numbers that no stage has: it would put out what its limits forbid. */
+/* Whether the state respects the limits. A corrupt state could put out forces above them. */
 static bool is_valid_state(const vbss_output_config *c, const output_state *s)
 {
     const double slack = 1.0 + 1e-9;

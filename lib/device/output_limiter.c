@@ -1,9 +1,9 @@
-/* What may go out: each part makes forces smaller or leaves them, and says what it did.
+/* Limits forces and torques. Each stage reduces them or leaves them, and sets a flag if it acts:
  *
  *     finite? -> magnitude -> continuous load -> temperature -> rise -> watchdog -> emergency stop
  *
- * docs/devices.md has the formulas. Nothing here knows a device or a context: adapters use it on threads of their
- * own. */
+ * docs/devices.md has the formulas. The code uses no device and no context, because adapters call
+ * it from threads of their own. */
 #include <string.h>
 
 #include "base/check.h"
@@ -16,12 +16,12 @@
 
 /* ---- one vector */
 
-/* Limits of a force or a torque. */
+/* Limits of a force or torque: peak, root mean square, and rise per second. */
 typedef struct vector_limits {
     double max, continuous, rise_rate;
 } vector_limits;
 
-/* No longer than the limit, in its own direction. */
+/* Shortens a vector to the limit, and sets the flag if it was longer. */
 static vec3 clamp_length(vec3 v, double limit, uint32_t flag, uint32_t *flags)
 {
     double x[3];
@@ -38,7 +38,8 @@ static vec3 clamp_length(vec3 v, double limit, uint32_t flag, uint32_t *flags)
     return vec3_scale(v, limit / n);
 }
 
-/* From the peak down to what lasts, as the mean square comes near to the square of that. */
+/* Falls from the peak to the continuous limit while the mean square approaches the square of the
+ * continuous limit. */
 static double continuous_limit(const vector_limits *l, double load)
 {
     double limit_squared = l->continuous * l->continuous;
@@ -59,8 +60,8 @@ static double thermal_limit(const vbss_output_config *c, const vector_limits *l,
     return fraction < 1.0 ? l->max * vbss_max(fraction, 0.0) : NO_LIMIT;
 }
 
-/* Falling along the last force is free; from there, towards what is wanted, only so far. What comes out is never
- * longer than what is wanted. */
+/* Limits the change from the last output, except where it shrinks along its own direction. The
+ * result is never longer than `wanted`. */
 static vec3 limit_rise(vec3 last, vec3 wanted, double max_change, uint32_t *flags)
 {
     double square = vec3_norm_squared(last);
@@ -84,7 +85,8 @@ static vec3 apply_limits(const vbss_output_config *c, const vector_limits *l, ve
     return limit_rise(last, v, l->rise_rate * vbss_min(h, OUTPUT_MAX_RISE_TIME), flags);
 }
 
-/* Mean square after h seconds of a constant v: (1 - exp(-h/T)) v^2 + exp(-h/T) of what it was. */
+/* Mean square after h seconds of a constant v: exp(-h/T) load + (1 - exp(-h/T)) v^2. `factor` is
+ * 1 - exp(-h/T). */
 static double update_load(double load, vec3 v, double factor)
 {
     return load + factor * (vec3_norm_squared(v) - load);
@@ -92,7 +94,7 @@ static double update_load(double load, vec3 v, double factor)
 
 /* ---- ages */
 
-/* NaN and infinity are old, too. */
+/* NaN and infinity count as old. */
 static double clamp_age(double age)
 {
     return age <= OUTPUT_NEVER ? vbss_max(age, 0.0) : OUTPUT_NEVER;
@@ -104,7 +106,7 @@ static bool is_finite(const output_demand *d)
            d->age == d->age && d->input_age == d->input_age;
 }
 
-/* With nothing in it that cannot be computed with. */
+/* The demand with bounded ages, and without forces and temperature if a number is not finite. */
 static output_demand sanitise_demand(const output_demand *d)
 {
     output_demand k = *d;
@@ -117,8 +119,10 @@ static output_demand sanitise_demand(const output_demand *d)
     return k;
 }
 
-/* ---- the watchdog: how much of the force at which it began is left */
+/* ---- watchdog */
 
+/* Fraction of the outputs at the start of the ramp that is still allowed. Sets flags for a stale
+ * pose or command. */
 static double ramp_fraction(const vbss_output_config *c, const output_demand *d, uint32_t *flags)
 {
     double input = d->input_age - c->input_timeout, command = d->age - c->command_timeout;
@@ -148,7 +152,7 @@ static void run_watchdog(const vbss_output_config *c, output_state *s, const out
     s->torque = clamp_length(s->torque, fraction * s->ramp_torque, 0, &shorter);
 }
 
-/* ---- the step */
+/* ---- step */
 
 static void count_flags(vbss_output_statistics *f, uint32_t flags)
 {
@@ -214,7 +218,7 @@ uint32_t vbss_output_advance(const vbss_output_config *c, output_state *s, doubl
 void vbss_output_init_state(const vbss_output_config *c, output_state *s)
 {
     memset(s, 0, sizeof *s);
-    s->last_demand.age = s->last_demand.input_age = OUTPUT_NEVER; /* nothing was wanted yet */
+    s->last_demand.age = s->last_demand.input_age = OUTPUT_NEVER; /* no command yet */
     s->solenoid.time_left = c->solenoid_time;
 }
 
@@ -239,7 +243,7 @@ void vbss_output_latch_stop(output_state *s)
     s->solenoid.is_on = false;
 }
 
-/* ---- what goes in and out of it */
+/* ---- commands and results */
 
 output_demand vbss_output_make_demand(const vbss_output_command *command)
 {

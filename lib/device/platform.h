@@ -1,5 +1,6 @@
-/* What the operating system gives to adapters of real hardware: libraries loaded at run time (dynamic_library.c), a
- * thread with a clock (io_thread.c), and what two threads share (here). Nothing of it is known to the simulation. */
+/* Services of the operating system for adapters of real hardware: libraries loaded at run time
+ * (dynamic_library.c), a thread with a clock (io_thread.c), and a triple buffer. The simulation
+ * uses none of them. */
 #ifndef VBSS_DEVICE_PLATFORM_H
 #define VBSS_DEVICE_PLATFORM_H
 
@@ -12,17 +13,19 @@
 
 /* ---- dynamic_library.c */
 
-/* A function to look for, and where its address goes. */
+/* A function of a library, and where to store its address. */
 typedef struct device_symbol {
     const char *name;
-    void *address; /* of a pointer to a function */
+    void *address; /* points to a function pointer */
 } device_symbol;
 
-/* NULL: there is none; `text` says why. */
+/* Loads a library by path or file name. Returns NULL on failure, with the reason in `text`, which
+ * has room for `room` bytes. */
 void *vbss_device_load_library(const char *name, char *text, size_t room);
-/* What does not end well when it is unloaded stays in memory; the handle is given back. */
+/* Releases the library, but keeps its code in memory: threads of the vendor may still run it. NULL
+ * does nothing. */
 void vbss_device_unload_library(void *library);
-/* The first that is not there; NULL: all are. */
+/* Stores the addresses of all symbols. Returns the name of the first missing one; NULL: none. */
 const char *vbss_device_find_symbols(void *library, const device_symbol *symbols, size_t count);
 
 /* ---- io_thread.c */
@@ -39,19 +42,25 @@ typedef struct device_thread {
 #endif
 } device_thread;
 
+/* `thread` must have `run` and `user`, and must stay valid until it is joined. Returns false if no
+ * thread could be started. */
 bool vbss_device_start_thread(device_thread *thread);
+/* Waits for the end of the thread. */
 void vbss_device_join_thread(device_thread *thread);
 void vbss_device_sleep(double seconds);
-/* Of any origin, never backwards, s. */
+/* Monotonic clock with an arbitrary origin, s. */
 double vbss_device_time(void);
 
-/* ---- the newest value from one thread to another, without waits on either side: of three copies the writer has one,
- * the reader one, and the third is swapped with theirs. Which copy is whose is all that is kept here. */
+/* ---- triple buffer
+ *
+ * Passes the newest value from one thread to another without locks. There are three copies: the
+ * writer owns one, the reader owns one, and each swaps its copy with the third. The struct has only
+ * the indices of the copies. */
 
 #define DEVICE_TRIPLE_BUFFER_NEW 4u
 
 typedef struct device_triple_buffer {
-    _Alignas(64) atomic_uint shared; /* index, and DEVICE_TRIPLE_BUFFER_NEW until it was taken */
+    _Alignas(64) atomic_uint shared; /* the third copy's index; flag until it is fetched */
     _Alignas(64) uint32_t writer;
     _Alignas(64) uint32_t reader;
 } device_triple_buffer;
@@ -63,7 +72,7 @@ static inline void device_triple_buffer_init(device_triple_buffer *e)
     atomic_init(&e->shared, 2u);
 }
 
-/* The writer's copy is the newest from now on; it goes on with another one. */
+/* Publishes the writer's copy. The writer then owns another one, with old contents. */
 static inline void device_triple_buffer_publish(device_triple_buffer *e)
 {
     unsigned was = atomic_exchange_explicit(&e->shared, e->writer | DEVICE_TRIPLE_BUFFER_NEW,
@@ -71,7 +80,8 @@ static inline void device_triple_buffer_publish(device_triple_buffer *e)
     e->writer = was & 3u;
 }
 
-/* True when the reader's copy is another than before. */
+/* Gets the newest value into the reader's copy. Returns false if there is none since the last
+ * fetch; the reader then keeps its copy. */
 static inline bool device_triple_buffer_fetch(device_triple_buffer *e)
 {
     if ((atomic_load_explicit(&e->shared, memory_order_relaxed) & DEVICE_TRIPLE_BUFFER_NEW) == 0) {

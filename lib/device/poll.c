@@ -1,15 +1,16 @@
-/* Asking one adapter: its sample judged, and taken part by part; then what it says about itself. */
+/* Polls one adapter: reads it, checks its sample, accepts the sample part by part, and handles the
+ * flags of the hardware. */
 #include "base/error.h"
 #include "device/device.h"
 
-/* ---- what a device says about itself */
+/* ---- flags of the hardware */
 
 static void warn(const device_object *d, uint32_t source, const char *what)
 {
     vbss_message(d->context, VBSS_LOG_WARNING, "%s %s", d->sources[source].name, what);
 }
 
-/* What comes next may count time anew: no filter looks back. */
+/* The clock of the next sample may be reset, so the filters start without earlier samples. */
 static void reset_filters(device_object *d, uint32_t source)
 {
     uint32_t routed = vbss_device_routed_signals(d, source);
@@ -43,7 +44,7 @@ static void handle_loss(device_object *d, uint32_t source)
                  s->text[0] == '\0' ? "no reason is given" : s->text);
 }
 
-/* A read that failed says nothing of what is over. */
+/* A failed read can begin a loss or a fault, but cannot end one. */
 static void handle_flags(device_object *d, uint32_t source, uint32_t flags)
 {
     device_source *s = &d->sources[source];
@@ -67,7 +68,7 @@ static void handle_flags(device_object *d, uint32_t source, uint32_t flags)
     s->has_fault = fault || (s->has_fault && s->read_failed);
 }
 
-/* ---- what a sample says */
+/* ---- parts of a sample */
 
 static void refresh_reading(device_reading *reading, double now, double time)
 {
@@ -212,5 +213,5 @@ void vbss_device_poll(device_object *d, uint32_t source, double now)
     } else if ((flags & VBSS_DEVICE_FLAG_LOST) == 0) {
         process_sample(d, source, sample, now);
     }
-    handle_flags(d, source, flags); /* last: a stop writes to where the sample is */
+    handle_flags(d, source, flags); /* last: a stop overwrites the sample's buffer */
 }

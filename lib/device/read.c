@@ -1,4 +1,4 @@
-/* A read: all adapters asked -> how old what they said is -> the world's frame. */
+/* A read of a device: poll all adapters -> update ages -> map the pose to the world. */
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
@@ -7,9 +7,10 @@ _Static_assert(sizeof(vbss_device_input) == 208, "published size");
 static const uint32_t input_sizes[] = {208, 0};
 static const vbss_layout input_layout = {"vbss_device_input", NULL, input_sizes};
 
-/* ---- how old it is */
+/* ---- ages */
 
-/* True while it is stale; events and count when that has changed. */
+/* Returns whether the reading is stale. Sets an event when that changes, and counts each time that
+ * it becomes stale. */
 static bool update_age(device_object *d, device_reading *reading, double now, double timeout,
                        uint32_t stale_event, uint32_t renewed_event, uint64_t *count)
 {
@@ -44,7 +45,7 @@ static void update_ages(device_object *d, double now)
     f->oldest_pose = vbss_max(f->oldest_pose, d->pose_reading.age);
 }
 
-/* ---- the world */
+/* ---- results, in the world's frame */
 
 pose vbss_device_calibrated_pose(const device_object *d)
 {
@@ -52,7 +53,7 @@ pose vbss_device_calibrated_pose(const device_object *d)
                      vbss_device_orientation_to_world(&d->frame, d->orientation));
 }
 
-/* What the clutch holds stays; the rest follows the hand. */
+/* While the clutch is engaged, the position stays, and the orientation if it is configured to. */
 static void fill_pose(device_object *d, vbss_device_input *in)
 {
     pose p = vbss_device_calibrated_pose(d);
@@ -71,7 +72,7 @@ static void fill_pose(device_object *d, vbss_device_input *in)
     }
     in->clamped = vbss_device_clamp_to_workspace(&d->calibration, &p.position);
     vec3_store(world_velocity, velocity);
-    for (int i = 0; i < 3; i++) { /* what is held does not move */
+    for (int i = 0; i < 3; i++) { /* no velocity along a clamped axis */
         in->velocity[i] = (in->clamped >> i & 1u) != 0 ? 0.0 : world_velocity[i];
     }
     vec3_store(in->position, p.position);

@@ -1,5 +1,5 @@
-/* What is wrong with a sample. One that is wrong anywhere is refused whole: what else it says is not to be
- * believed. */
+/* Checks samples. A sample with one invalid part is refused as a whole, because its other parts
+ * cannot be trusted. */
 #include "base/check.h"
 #include "device/device.h"
 
@@ -43,7 +43,7 @@ static bool is_in_range(const vbss_device_sample *s, uint32_t valid)
             (s->tool >= VBSS_DEVICE_TOOL_NONE && s->tool <= VBSS_DEVICE_TOOL_SHEARS));
 }
 
-/* The squares of huge numbers overflow to infinity, which is no length of 1 either. */
+/* Squares that overflow give an infinite length, which is refused as well. */
 static bool is_unit(const double q[4], double tolerance)
 {
     double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);

@@ -1,4 +1,5 @@
-/* The state of the device layer: saved, hashed and restored. What adapters keep is theirs. */
+/* Saves, restores and hashes the state of the device layer. The state of the adapters is not part
+ * of it. */
 #include "base/check.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
@@ -22,7 +23,7 @@ static void visit_quat(vbss_stream *stream, uint16_t tag, quat *q)
     }
 }
 
-/* At most so large: what is computed from it stays finite. */
+/* `bound` is for the components, so that results computed from them stay finite. */
 static void visit_vec3(vbss_stream *stream, uint16_t tag, vec3 *v, double bound)
 {
     double x[3];
@@ -33,7 +34,7 @@ static void visit_vec3(vbss_stream *stream, uint16_t tag, vec3 *v, double bound)
     }
 }
 
-/* ---- what a device was made with */
+/* ---- configuration and calibration */
 
 static void visit_config(vbss_stream *stream, const device_object *d)
 {
@@ -53,7 +54,7 @@ static void visit_config(vbss_stream *stream, const device_object *d)
     vbss_output_visit_config(stream, &d->limits);
 }
 
-/* Read into a copy: no frame can be made of a calibration that is none. */
+/* Reads into a copy, because only a valid calibration has a frame. */
 static void visit_calibration(vbss_stream *stream, device_object *d)
 {
     vbss_device_calibration c = d->calibration;
@@ -80,7 +81,7 @@ static void visit_calibration(vbss_stream *stream, device_object *d)
     d->frame = vbss_device_make_frame(&c);
 }
 
-/* ---- what came in */
+/* ---- input */
 
 static void visit_source(vbss_stream *stream, device_source *s)
 {
@@ -150,7 +151,7 @@ static void visit_sample(vbss_stream *stream, device_object *d)
     }
 }
 
-/* ---- figures */
+/* ---- statistics, and the whole state */
 
 static void visit_figures(vbss_stream *stream, vbss_device_statistics *f)
 {

@@ -1,8 +1,10 @@
-/* A solenoid that cannot burn: on for a limited time, and for a limited part of it. Off is the safe side.
+/* Protects a solenoid from overheating: limits the time that it is on, and its duty cycle. Off is
+ * the safe state.
  *
- * A store of on-time: full it holds solenoid_time; it runs out while the solenoid is on, and fills with d / (1 -
- * d) while it is off, so that in the long run the solenoid is on for the part d. Wanted for longer, it goes off
- * and stays off until it is not wanted for a moment. */
+ * The time left is at most solenoid_time. It falls at rate 1 while the solenoid is on, and rises at
+ * the rate d / (1 - d) while it is off; in the long run the duty cycle is thus at most d
+ * (solenoid_duty). When no time is left, the solenoid goes off, and stays off until a step does not
+ * want it. */
 #include "device/device.h"
 
 static void update_time_left(const vbss_output_config *c, output_solenoid *s, double h,
@@ -30,7 +32,7 @@ uint32_t vbss_output_switch_solenoid(const vbss_output_config *c, output_solenoi
     if (blocked) {
         return VBSS_OUTPUT_SOLENOID_OFF;
     }
-    /* The next step will be about as long as this one. */
+    /* The next step is assumed to be about as long as this one. */
     if (s->is_exhausted ||
         !(s->time_left > 0.0 && s->time_left >= vbss_min(h, OUTPUT_MAX_RISE_TIME))) {
         s->is_exhausted = true;

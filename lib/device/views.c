@@ -1,4 +1,4 @@
-/* Looking at what a device can do, has gone through, and has failed in. */
+/* Reports capabilities, failures and statistics of a device. */
 #include "base/error.h"
 #include "device/device.h"
 
@@ -6,7 +6,7 @@ _Static_assert(sizeof(vbss_device_statistics) == 256, "published size");
 static const uint32_t statistics_sizes[] = {256, 0};
 static const vbss_layout statistics_layout = {"vbss_device_statistics", NULL, statistics_sizes};
 
-/* Both together: signals from where they are taken, the rest within the limits in force. */
+/* Capabilities of the device as a whole: the signals that it takes, and the limits in force. */
 static vbss_device_capabilities merge_capabilities(const device_object *d)
 {
     vbss_device_capabilities all = d->sources[0].capabilities;

@@ -1,9 +1,9 @@
-/* A write: command -> device's frame -> output stage -> adapters. */
+/* A write to a device: command -> device's frame -> output stage -> adapters. */
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
 
-/* ---- to the adapters */
+/* ---- adapters */
 
 uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
                           const vbss_device_coupling *coupling)
@@ -28,7 +28,7 @@ void vbss_device_latch_stop(device_object *d)
     vbss_device_send(d, &zeros, NULL);
 }
 
-/* ---- what is wanted */
+/* ---- demand */
 
 static bool has_output(const device_object *d, uint32_t output)
 {
@@ -36,7 +36,8 @@ static bool has_output(const device_object *d, uint32_t output)
            (d->sources[1].capabilities.outputs & output) != 0;
 }
 
-/* A faulty sensor or line, or an opening nobody knows: then the solenoid is off. */
+/* The solenoid is off after a failure of an adapter, and while the opening is stale or the clutch
+ * is engaged. */
 static bool must_block_solenoid(const device_object *d)
 {
     return d->sources[0].read_failed || d->sources[1].read_failed || d->write_failed ||
@@ -44,7 +45,7 @@ static bool must_block_solenoid(const device_object *d)
            d->is_clutched;
 }
 
-/* What the device knows itself, added to what the command says. */
+/* Combines the demand with age, temperature and faults that the device knows. */
 static output_demand complete_demand(const device_object *d, output_demand demand)
 {
     double age =
@@ -66,9 +67,9 @@ static output_demand complete_demand(const device_object *d, output_demand deman
 static vbss_result read_demand(const device_object *d, double h, const vbss_output_command *command,
                                output_demand *demand)
 {
-    if (command == NULL) { /* in the device's frame already */
+    if (command == NULL) { /* the last one is in the device's frame already */
         *demand = vbss_output_repeat_demand(&d->output, h);
-        demand->input_age = 0.0; /* the device knows better */
+        demand->input_age = 0.0; /* complete_demand adds the age of the pose */
         return VBSS_OK;
     }
     vbss_output_command own;
@@ -80,15 +81,16 @@ static vbss_result read_demand(const device_object *d, double h, const vbss_outp
     return VBSS_OK;
 }
 
-/* ---- the coupling */
+/* ---- coupling */
 
-/* What stands against a force of the servo's own. */
+/* Flags with which a coupling is not passed on to an adapter. */
 #define COUPLING_OFF_FLAGS                                                                        \
     (VBSS_OUTPUT_NOT_FINITE | VBSS_OUTPUT_FAULT | VBSS_OUTPUT_STOPPED | VBSS_OUTPUT_INPUT_STALE | \
      VBSS_OUTPUT_COMMAND_STALE)
 
-/* From the world to the device, where the hand is as it was read last: what clutch, re-centring and workspace do to
- * the pose does not stretch the spring. Its force joins the demand's. */
+/* Maps a coupling to the device's frame and adds its force to the demand. The tool's position is
+ * taken relative to the last reported pose. Offsets of clutch, re-centring and workspace therefore
+ * do not stretch the spring. */
 static void couple_demand(const device_object *d, vbss_device_coupling *c, output_demand *demand)
 {
     const vbss_device_calibration *k = &d->calibration;
