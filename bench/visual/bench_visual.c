@@ -9,6 +9,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/hash.h"
+#include "drain/drain.h"
 #include "harness/bench.h"
 #include "visual/visual.h"
 

@@ -3,7 +3,9 @@
 #include <string.h>
 
 #include "base/check.h"
+#include "base/config.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "record/record.h"
 
 _Static_assert(sizeof(vbss_log_report) == 232, "published size");

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "record/record.h"
 
 #define CONFIG VBSS_CODE('C', 'O', 'N', 'F')
@@ -105,14 +106,14 @@ static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
     vbss_stream_close(stream, outer);
 }
 
-vbss_result vbss_log_compare_config(const log_header *header, const scene_object *s)
+vbss_result vbss_log_compare_config(const log_header *header, const scene_info *scene)
 {
     for (size_t i = 0; i < FIELDS; i++) {
         const char *wanted = (const char *)&header->scene + fields[i].offset;
-        const char *found = (const char *)&s->config + fields[i].offset;
+        const char *found = (const char *)scene->config + fields[i].offset;
         size_t size = fields[i].type == FIELD_U32 ? sizeof(uint32_t) : sizeof(double);
         if (!fields[i].is_capacity && memcmp(wanted, found, size * fields[i].count) != 0) {
-            return vbss_fail(s->context, VBSS_ERROR_CORRUPT,
+            return vbss_fail(scene->context, VBSS_ERROR_CORRUPT,
                              "the scene's %s is not that of the log", fields[i].name);
         }
     }

@@ -12,31 +12,14 @@ const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
     [VBSS_INPUT_EXCHANGE] = {2, 0},     [VBSS_INPUT_CUT] = {1, 1},
 };
 
-vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
-{
-    scene_object *s;
-    VBSS_TRY(vbss_scene_open(scene, &s));
-    const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_THREAD);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    *thread = (vbss_thread *)b->thread.slot;
-    return VBSS_OK;
-}
-
 vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper)
 {
-    scene_object *s;
-    VBSS_TRY(vbss_scene_open(scene, &s));
-    const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    if (b->rigid.grasper == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no grasper", body);
-    }
-    *grasper = (vbss_grasper *)b->rigid.slot;
-    return VBSS_OK;
+    scene_info info;
+    VBSS_TRY(vbss_scene_inspect(scene, &info));
+    *grasper = vbss_scene_inspect_body(scene, body).grasper;
+    return *grasper != NULL ? VBSS_OK
+                            : vbss_fail(info.context, VBSS_ERROR_OUT_OF_RANGE,
+                                        "body %u is no grasper of this scene", body);
 }
 
 static vbss_result attach(vbss_thread *thread, const vbss_log_input *input, uint32_t *id)
@@ -64,7 +47,7 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log
     vbss_grasper *grasper = NULL;
     uint32_t ignored, *new_id = id != NULL ? id : &ignored;
     if (kind >= VBSS_INPUT_ATTACH && kind <= VBSS_INPUT_DETACH) {
-        VBSS_TRY(vbss_log_find_thread(scene, w[0], &thread));
+        VBSS_TRY(vbss_scene_get_thread(scene, w[0], &thread));
     }
     if (kind >= VBSS_INPUT_MOVE_GRASPER) {
         VBSS_TRY(vbss_log_find_grasper(scene, w[0], &grasper));
@@ -91,20 +74,4 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log
     default: /* VBSS_INPUT_EXCHANGE: no other gets here */
         return vbss_grasper_exchange(grasper, (vbss_grasper_kind)w[1]);
     }
-}
-
-log_edit_counts vbss_log_count_edits(const scene_object *s)
-{
-    /* All of them only grow, and bodies come and go with a change of the scene's own. */
-    log_edit_counts edits = {s->generation, 0, 0, 0};
-    for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
-            edits.threads += s->bodies[i].thread.thread->generation;
-        } else if (s->bodies[i].kind == SCENE_BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
-            edits.graspers += s->bodies[i].rigid.grasper->generation;
-        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
-            edits.drains += s->bodies[i].drain.drain->generation;
-        }
-    }
-    return edits;
 }

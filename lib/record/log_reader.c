@@ -1,6 +1,8 @@
 /* Reading: a log is opened, tells about itself, and is read from step to step without a scene. */
 #include "base/check.h"
+#include "base/config.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "record/step_codec.h"
 
 _Static_assert(sizeof(vbss_replay_info) == 48, "published size");

@@ -1,6 +1,8 @@
 /* Writing: how records begin, what a step appends, and how they end. */
 #include <string.h>
 
+#include "base/config.h"
+#include "base/memory.h"
 #include "record/step_codec.h"
 
 #include "base/check.h"
@@ -47,16 +49,17 @@ vbss_result vbss_record_read_config(vbss_context *context, const vbss_record_con
 
 /* ---- the begin of a log */
 
-static vbss_result fill_header(const scene_object *s, const vbss_record_config *c,
+static vbss_result fill_header(const scene_info *scene, const vbss_record_config *c,
                                log_header *header)
 {
     const char *build_info = vbss_build_info();
     header->library_version = vbss_version();
     header->hash_interval = c->hash_interval;
     header->input_capacity = c->input_capacity;
-    header->scene = s->config;
-    VBSS_TRY(vbss_log_make_blob(s->context, &header->build_info, build_info, strlen(build_info)));
-    return vbss_log_make_blob(s->context, &header->note, c->note, c->note_bytes);
+    header->scene = *scene->config;
+    VBSS_TRY(
+        vbss_log_make_blob(scene->context, &header->build_info, build_info, strlen(build_info)));
+    return vbss_log_make_blob(scene->context, &header->note, c->note, c->note_bytes);
 }
 
 static size_t measure_header(log_header *header)
@@ -116,20 +119,20 @@ static const vbss_kind kind = {"record", VBSS_CODE('R', 'E', 'C', 'O'), 1, free_
 vbss_result vbss_record_make(vbss_scene *scene, uint32_t hash_interval, uint32_t input_capacity,
                              record_object **record)
 {
-    const vbss_slot *slot = (const vbss_slot *)scene;
-    const scene_object *s = slot->object;
-    record_object *r = vbss_allocate(slot->context, 1, sizeof *r, "record");
+    scene_info info;
+    VBSS_TRY(vbss_scene_inspect(scene, &info));
+    record_object *r = vbss_allocate(info.context, 1, sizeof *r, "record");
     if (r == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     *record = r;
-    r->context = slot->context;
+    r->context = info.context;
     r->scene = scene;
     r->hash_interval = hash_interval;
     r->step.input_capacity = input_capacity;
-    r->step.event_capacity = s->config.event_capacity;
-    r->max_event_bytes = (size_t)s->config.event_capacity * LOG_MAX_EVENT_BYTES;
-    r->known_edits = vbss_log_count_edits(s);
+    r->step.event_capacity = info.config->event_capacity;
+    r->max_event_bytes = (size_t)info.config->event_capacity * LOG_MAX_EVENT_BYTES;
+    r->known_edits = vbss_scene_inspect_edits(scene);
     VBSS_TRY(vbss_log_make_coder(r->context, input_capacity, &r->coder));
     return vbss_log_allocate_inputs(r->context, &r->step);
 }
@@ -160,12 +163,12 @@ vbss_result vbss_record_create_handle(record_object *r, vbss_result result, vbss
     return result;
 }
 
-static vbss_result begin_log(record_object *r, const vbss_record_config *c, log_header *header)
+static vbss_result begin_log(record_object *r, const scene_info *scene, const vbss_record_config *c,
+                             log_header *header)
 {
-    const vbss_slot *scene = (const vbss_slot *)r->scene;
     size_t snapshot = 0;
-    VBSS_TRY(fill_header(scene->object, c, header));
-    VBSS_TRY(vbss_snapshot_size(scene, &snapshot));
+    VBSS_TRY(fill_header(scene, c, header));
+    VBSS_TRY(vbss_snapshot_size((const vbss_slot *)r->scene, &snapshot));
     if (snapshot > LOG_MAX_SNAPSHOT_BYTES) {
         return vbss_fail(r->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
     }
@@ -178,20 +181,20 @@ static vbss_result begin_log(record_object *r, const vbss_record_config *c, log_
 vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *config,
                                vbss_record **record)
 {
-    vbss_slot *scene_slot;
+    scene_info info;
     vbss_record_config own;
     record_object *r = NULL;
     if (record == NULL) {
-        VBSS_TRY(vbss_slot_open(scene, &vbss_scene_kind, &scene_slot));
-        return vbss_check_pointer(scene_slot->context, record, "record");
+        VBSS_TRY(vbss_scene_inspect(scene, &info));
+        return vbss_check_pointer(info.context, record, "record");
     }
     *record = NULL;
-    VBSS_TRY(vbss_slot_edit(scene, &vbss_scene_kind, &scene_slot));
-    VBSS_TRY(vbss_record_read_config(scene_slot->context, config, &own));
+    VBSS_TRY(vbss_scene_inspect_for_edit(scene, &info));
+    VBSS_TRY(vbss_record_read_config(info.context, config, &own));
     vbss_result result = vbss_record_make(scene, own.hash_interval, own.input_capacity, &r);
     if (result == VBSS_OK) {
-        log_header header = {.context = scene_slot->context};
-        result = begin_log(r, &own, &header);
+        log_header header = {.context = info.context};
+        result = begin_log(r, &info, &own, &header);
         vbss_log_free_header(&header);
     }
     return vbss_record_create_handle(r, result, record);
@@ -212,24 +215,24 @@ vbss_result vbss_record_edit(vbss_record *handle, record_object **record)
 
 /* ---- growing */
 
-static bool knows_all_edits(const record_object *r, const scene_object *s)
+static bool knows_all_edits(const record_object *r)
 {
-    log_edit_counts now = vbss_log_count_edits(s);
+    scene_edit_counts now = vbss_scene_inspect_edits(r->scene);
     return now.scene == r->known_edits.scene && now.threads == r->known_edits.threads &&
            now.graspers == r->known_edits.graspers && now.drains == r->known_edits.drains;
 }
 
-vbss_result vbss_record_check_ready(const record_object *r, scene_object **scene)
+vbss_result vbss_record_check_ready(const record_object *r)
 {
     if (r->ended) {
         return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended");
     }
-    VBSS_TRY(vbss_scene_open(r->scene, scene));
-    return knows_all_edits(r, *scene)
-               ? VBSS_OK
-               : vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE,
-                           "the scene was changed past the record after step %llu",
-                           (unsigned long long)r->step.number);
+    scene_info info;
+    VBSS_TRY(vbss_scene_inspect(r->scene, &info));
+    return knows_all_edits(r) ? VBSS_OK
+                              : vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE,
+                                          "the scene was changed past the record after step %llu",
+                                          (unsigned long long)r->step.number);
 }
 
 /* A large step is written as fields, and so are the steps of logs that older libraries began. */
@@ -291,15 +294,16 @@ static void write_due_snapshot(record_object *r)
 vbss_result vbss_record_step(vbss_record *record, double h)
 {
     record_object *r;
-    scene_object *s = NULL;
+    scene_info info;
     VBSS_TRY(vbss_record_edit(record, &r));
-    VBSS_TRY(vbss_record_check_ready(r, &s));
+    VBSS_TRY(vbss_record_check_ready(r));
     log_step next = r->step;
     next.number++;
     next.h = h;
     VBSS_TRY(check_capacity(r, &next));
     vbss_result result = vbss_scene_step(r->scene, h);
-    r->known_edits = vbss_log_count_edits(s); /* a step that was undone may have left its mark */
+    r->known_edits =
+        vbss_scene_inspect_edits(r->scene); /* a step that was undone may have left its mark */
     if (result != VBSS_OK) {
         return result;
     }
@@ -308,7 +312,8 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     if (next.has_hash) {
         VBSS_TRY(vbss_scene_get_hash(r->scene, &next.hash));
     }
-    vbss_log_borrow_events(&next, s);
+    VBSS_TRY(vbss_scene_inspect(r->scene, &info));
+    vbss_log_borrow_events(&next, &info);
     VBSS_TRY(write_step(r, &next));
     next.input_count = next.event_count = 0;
     next.events = NULL; /* the scene may end before the record */
@@ -332,8 +337,7 @@ vbss_result vbss_record_end(vbss_record *record)
     const vbss_slot *scene = (const vbss_slot *)r->scene;
     log_step last = r->step;
     last.hash = 0;
-    last.has_hash =
-        scene->object != NULL && last.input_count == 0 && knows_all_edits(r, scene->object);
+    last.has_hash = scene->object != NULL && last.input_count == 0 && knows_all_edits(r);
     if (last.has_hash) {
         VBSS_TRY(vbss_snapshot_hash(scene, &last.hash));
     }

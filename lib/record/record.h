@@ -12,8 +12,7 @@
 
 #include "base/stream.h"
 #include "record/compression.h"
-#include "scene/api/api.h"
-#include "scene/world/world.h"
+#include "scene/api/inspect.h"
 
 /* ---- format.c: a front, then records, each with its length, one section and a checksum, which covers
  * the checksum before it: no record can be changed, lost or moved unseen. */
@@ -143,7 +142,7 @@ vbss_result vbss_log_make_blob(vbss_context *context, log_blob *blob, const void
                                size_t count);
 void vbss_log_free_header(log_header *header);
 /* Whether the scene has the configuration of the log, but for capacities; VBSS_ERROR_CORRUPT, told. */
-vbss_result vbss_log_compare_config(const log_header *header, const scene_object *s);
+vbss_result vbss_log_compare_config(const log_header *header, const scene_info *scene);
 
 /* ---- inputs.c: what a host tells a scene */
 
@@ -155,13 +154,7 @@ extern const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS];
 /* Tells it to the scene; id: of what came to be, may be NULL. */
 vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log_input *input,
                                  uint32_t *id);
-vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread);
 vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper);
-/* Changes whenever the scene or anything in it does. */
-typedef struct log_edit_counts {
-    uint64_t scene, threads, graspers, drains;
-} log_edit_counts;
-log_edit_counts vbss_log_count_edits(const scene_object *s);
 
 /* ---- step_record.c */
 
@@ -180,7 +173,7 @@ void vbss_log_visit_end(vbss_stream *stream, log_step *step);
 vbss_result vbss_log_allocate_inputs(vbss_context *context, log_step *step);
 void vbss_log_free_inputs(vbss_context *context, log_step *step);
 /* Those of the scene after its step; and room for those that are read. */
-void vbss_log_borrow_events(log_step *step, const scene_object *s);
+void vbss_log_borrow_events(log_step *step, const scene_info *scene);
 vbss_result vbss_log_allocate_events(vbss_context *context, log_step *step, uint32_t capacity);
 void vbss_log_free_events(vbss_context *context, log_step *step);
 
@@ -193,10 +186,10 @@ typedef struct record_object {
     uint32_t hash_interval;
     log_writer log;
     struct log_coder *coder;
-    size_t end_bytes;            /* kept free for the end */
-    log_step step;               /* the next, as far as it is known */
-    log_edit_counts known_edits; /* the scene as the record left it */
-    size_t max_event_bytes;      /* and for the events of a step, in either form */
+    size_t end_bytes;              /* kept free for the end */
+    log_step step;                 /* the next, as far as it is known */
+    scene_edit_counts known_edits; /* the scene as the record left it */
+    size_t max_event_bytes;        /* and for the events of a step, in either form */
     uint32_t snapshot_interval;
     bool snapshot_due, ended;
     bool snapshot_is_last; /* what was noted last of the scene is a snapshot */
@@ -213,7 +206,7 @@ vbss_result vbss_record_allocate_log(record_object *r, size_t start_bytes, size_
                                      const vbss_record_config *config);
 vbss_result vbss_record_create_handle(record_object *r, vbss_result result, vbss_record **record);
 /* Whether the scene is there and the record knows all that was done to it. */
-vbss_result vbss_record_check_ready(const record_object *r, scene_object **scene);
+vbss_result vbss_record_check_ready(const record_object *r);
 
 /* ---- log_reader.c and replay.c: reading */
 

@@ -13,24 +13,22 @@ static vbss_result check_input_capacity(const record_object *r)
                            r->step.input_capacity);
 }
 
-static void record_input(record_object *r, const scene_object *s, uint8_t kind,
-                         const vbss_log_input *input)
+static void record_input(record_object *r, uint8_t kind, const vbss_log_input *input)
 {
     uint32_t next = r->step.input_count++;
     r->step.kinds[next] = kind;
     r->step.inputs[next] = *input;
     r->step.inputs[next].kind = kind;
-    r->known_edits = vbss_log_count_edits(s);
+    r->known_edits = vbss_scene_inspect_edits(r->scene);
 }
 
 static vbss_result apply_and_record(record_object *r, uint8_t kind, const vbss_log_input *input,
                                     uint32_t *id)
 {
-    scene_object *s;
-    VBSS_TRY(vbss_record_check_ready(r, &s));
+    VBSS_TRY(vbss_record_check_ready(r));
     VBSS_TRY(check_input_capacity(r));
     VBSS_TRY(vbss_log_apply_input(r->scene, kind, input, id));
-    record_input(r, s, kind, input);
+    record_input(r, kind, input);
     return VBSS_OK;
 }
 
@@ -90,12 +88,11 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
                                const vbss_thread_attachment *attachment, uint32_t *id)
 {
     record_object *r;
-    scene_object *s;
     vbss_thread *handle;
     VBSS_TRY(vbss_record_edit(record, &r));
-    VBSS_TRY(vbss_record_check_ready(r, &s));
+    VBSS_TRY(vbss_record_check_ready(r));
     VBSS_TRY(check_input_capacity(r));
-    VBSS_TRY(vbss_log_find_thread(r->scene, thread, &handle));
+    VBSS_TRY(vbss_scene_get_thread(r->scene, thread, &handle));
     VBSS_TRY(vbss_thread_attach(handle, attachment, id));
     vbss_log_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
     memcpy(input.numbers, attachment->position, 3 * sizeof(double));
@@ -104,7 +101,7 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
     input.numbers[9] = attachment->stiffness;
     input.numbers[10] = attachment->damping;
     input.numbers[11] = attachment->mass;
-    record_input(r, s, VBSS_INPUT_ATTACH, &input);
+    record_input(r, VBSS_INPUT_ATTACH, &input);
     return VBSS_OK;
 }
 

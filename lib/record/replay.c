@@ -1,5 +1,6 @@
 /* Replaying: the scene is told what it was told, stepped, and compared. */
 #include "base/check.h"
+#include "base/config.h"
 #include "base/error.h"
 #include "record/record.h"
 
@@ -11,14 +12,14 @@ static const vbss_layout report_layout = {"vbss_replay_report", NULL, report_siz
 vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
 {
     replay_object *p;
-    scene_object *s;
+    scene_info info;
     VBSS_TRY(vbss_replay_edit(replay, &p));
-    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    if (s->context != p->context) {
+    VBSS_TRY(vbss_scene_inspect_for_edit(scene, &info));
+    if (info.context != p->context) {
         return vbss_fail(p->context, VBSS_ERROR_INVALID_HANDLE,
                          "the scene belongs to another context");
     }
-    VBSS_TRY(vbss_log_compare_config(&p->header, s));
+    VBSS_TRY(vbss_log_compare_config(&p->header, &info));
     VBSS_TRY(vbss_log_restore_scene(p->context, scene, &p->first_snapshot));
     if (p->header.library_version != vbss_version()) {
         vbss_message(p->context, VBSS_LOG_WARNING,

@@ -26,18 +26,18 @@ static vbss_result find_last_step(replay_object *p, uint64_t *steps, log_reader 
                            fault.problem);
 }
 
-static vbss_result check_compatible(const replay_object *p, const scene_object *s)
+static vbss_result check_compatible(const replay_object *p, const scene_info *scene)
 {
     if (p->header.library_version != vbss_version()) {
         return vbss_fail(p->context, VBSS_ERROR_DATA_VERSION,
                          "the log is of library version %u, this is %u", p->header.library_version,
                          vbss_version());
     }
-    return s->config.event_capacity <= p->header.scene.event_capacity
+    return scene->config->event_capacity <= p->header.scene.event_capacity
                ? VBSS_OK
                : vbss_fail(p->context, VBSS_ERROR_CAPACITY,
                            "the scene keeps %u events of a step, the log has room for %u",
-                           s->config.event_capacity, p->header.scene.event_capacity);
+                           scene->config->event_capacity, p->header.scene.event_capacity);
 }
 
 static vbss_result replay_to_end(replay_object *p, uint64_t steps)
@@ -64,7 +64,7 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
                                vbss_record **record, uint64_t *position)
 {
     replay_object *p;
-    scene_object *s;
+    scene_info info;
     vbss_record_config own;
     uint64_t steps;
     log_reader end;
@@ -77,8 +77,8 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     if (p->scene == NULL) {
         return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
     }
-    VBSS_TRY(vbss_scene_open_mutable(p->scene, &s));
-    VBSS_TRY(check_compatible(p, s));
+    VBSS_TRY(vbss_scene_inspect_for_edit(p->scene, &info));
+    VBSS_TRY(check_compatible(p, &info));
     VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_last_step(p, &steps, &end));
     VBSS_TRY(replay_to_end(p, steps));

@@ -1,5 +1,6 @@
 /* Snapshots of scenes and states of sessions in a log: written, packed where there is room for it, and unpacked. */
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/snapshot.h"
 #include "record/compression.h"
 #include "record/record.h"

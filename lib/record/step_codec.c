@@ -1,3 +1,4 @@
+#include "base/memory.h"
 #include "record/step_codec.h"
 
 #include <float.h>

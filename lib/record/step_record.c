@@ -1,4 +1,5 @@
 /* What a log says of each step, and how it ends. */
+#include "base/memory.h"
 #include "record/record.h"
 
 /* Inputs follow one another as they were told; tags of words from 16 on, of numbers from 32. */
@@ -65,10 +66,10 @@ void vbss_log_visit_end(vbss_stream *stream, log_step *step)
 
 /* ---- memory */
 
-void vbss_log_borrow_events(log_step *step, const scene_object *s)
+void vbss_log_borrow_events(log_step *step, const scene_info *scene)
 {
-    step->event_count = s->event_count;
-    step->events = s->events;
+    step->event_count = scene->event_count;
+    step->events = scene->events;
 }
 
 vbss_result vbss_log_allocate_events(vbss_context *context, log_step *step, uint32_t capacity)

@@ -1,5 +1,6 @@
 /* What a visual may be: defaults, and every number checked. */
 #include "base/check.h"
+#include "base/config.h"
 #include "base/error.h"
 #include "visual/visual.h"
 

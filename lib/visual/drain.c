@@ -6,7 +6,7 @@
 typedef struct wall {
     const visual_object *v;
     visual_frame *frame;
-    const drain_object *drain;
+    const scene_drain_info *drain;
     const vec3 *normals; /* at nodes */
     uint32_t divisions;
     uint32_t first_vertex,
@@ -16,15 +16,14 @@ typedef struct wall {
 
 /* Mean of the normals of a node's triangles with weights by which nodes on a sphere get its normals exactly: sin(angle) /
  * (|a| |b|) of the sides there (Max 1999). */
-static void compute_normals(const drain_object *d, vec3 *normals)
+static void compute_normals(const scene_drain_info *d, vec3 *normals)
 {
-    const drain_mesh *m = &d->mesh;
-    for (uint32_t i = 0; i < m->node_count; i++) {
+    for (uint32_t i = 0; i < d->node_count; i++) {
         normals[i] = vec3_zero();
     }
-    for (uint32_t t = 0; t < m->triangle_count; t++) {
-        const uint32_t *node = m->triangles[t];
-        const vec3 x[3] = {d->x[node[0]], d->x[node[1]], d->x[node[2]]};
+    for (uint32_t t = 0; t < d->triangle_count; t++) {
+        const uint32_t *node = d->triangles[t];
+        const vec3 x[3] = {d->positions[node[0]], d->positions[node[1]], d->positions[node[2]]};
         vec3 normal = vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]));
         double squared[3]; /* of the side from k to the next */
         for (int k = 0; k < 3; k++) {
@@ -35,14 +34,14 @@ static void compute_normals(const drain_object *d, vec3 *normals)
             normals[node[k]] = vec3_add_scaled(normals[node[k]], weight, normal);
         }
     }
-    for (uint32_t i = 0; i < m->node_count; i++) {
+    for (uint32_t i = 0; i < d->node_count; i++) {
         normals[i] = vec3_unit_or(normals[i], vec3_make(0.0, 1.0, 0.0));
     }
 }
 
 static visual_edge edge_between(const wall *w, uint32_t a, uint32_t b)
 {
-    const vec3 *x = w->drain->x;
+    const vec3 *x = w->drain->positions;
     const vec3 ends[2] = {x[a], x[b]}, normals[2] = {w->normals[a], w->normals[b]};
     return vbss_visual_make_edge(ends, normals);
 }
@@ -51,8 +50,8 @@ static visual_edge edge_between(const wall *w, uint32_t a, uint32_t b)
 static uint32_t count_divisions(const wall *w)
 {
     double chord_error = 0.0;
-    for (uint32_t i = 0; i < w->drain->mesh.edge_count; i++) {
-        const uint32_t *node = w->drain->mesh.edges[i].nodes;
+    for (uint32_t i = 0; i < w->drain->edge_count; i++) {
+        const uint32_t *node = w->drain->edges[i];
         const visual_edge edge = edge_between(w, node[0], node[1]);
         chord_error = vbss_max(chord_error, vbss_visual_edge_chord_error(&edge));
     }
@@ -70,9 +69,10 @@ typedef struct vertex_attributes {
 
 static vertex_attributes attributes_at(const wall *w, uint32_t node)
 {
-    const drain_mesh *m = &w->drain->mesh;
+    const scene_drain_info *d = w->drain;
     const vertex_attributes attributes = {
-        m->rest[node], {m->material_coordinates[node][1], fabs(m->material_coordinates[node][0])}};
+        d->rest_positions[node],
+        {d->material_coordinates[node][1], fabs(d->material_coordinates[node][0])}};
     return attributes;
 }
 
@@ -105,18 +105,18 @@ static void put_face_vertices(const wall *w, uint32_t index, vec3 middle, vec3 n
 
 static void put_node_vertices(const wall *w)
 {
-    for (uint32_t i = 0; i < w->drain->mesh.node_count; i++) {
+    for (uint32_t i = 0; i < w->drain->node_count; i++) {
         const vertex_attributes m = attributes_at(w, i);
-        put_face_vertices(w, i, w->drain->x[i], w->normals[i], &m);
+        put_face_vertices(w, i, w->drain->positions[i], w->normals[i], &m);
     }
 }
 
 static void put_edge_vertices(const wall *w)
 {
-    const drain_mesh *m = &w->drain->mesh;
+    const scene_drain_info *d = w->drain;
     const uint32_t inner = w->divisions - 1;
-    for (uint32_t i = 0; i < m->edge_count; i++) {
-        const uint32_t *node = m->edges[i].nodes;
+    for (uint32_t i = 0; i < d->edge_count; i++) {
+        const uint32_t *node = d->edges[i];
         const visual_edge edge = edge_between(w, node[0], node[1]);
         const vertex_attributes ends[2] = {attributes_at(w, node[0]), attributes_at(w, node[1])};
         for (uint32_t k = 0; k < inner; k++) {
@@ -124,7 +124,7 @@ static void put_edge_vertices(const wall *w)
             const double weights[2] = {1.0 - fraction, fraction};
             vec3 normal, x = vbss_visual_edge_point(&edge, fraction, &normal);
             const vertex_attributes attributes = interpolate_attributes(ends, weights, 2);
-            put_face_vertices(w, m->node_count + i * inner + k, x, normal, &attributes);
+            put_face_vertices(w, d->node_count + i * inner + k, x, normal, &attributes);
         }
     }
 }
@@ -137,11 +137,11 @@ static uint32_t interior_vertex_count(uint32_t divisions)
 
 static void put_interior_vertices(const wall *w)
 {
-    const drain_mesh *m = &w->drain->mesh;
+    const scene_drain_info *d = w->drain;
     const uint32_t n = w->divisions;
-    uint32_t index = m->node_count + m->edge_count * (n - 1);
-    for (uint32_t t = 0; t < m->triangle_count && n > 2; t++) {
-        const uint32_t *node = m->triangles[t];
+    uint32_t index = d->node_count + d->edge_count * (n - 1);
+    for (uint32_t t = 0; t < d->triangle_count && n > 2; t++) {
+        const uint32_t *node = d->triangles[t];
         const visual_edge edges[3] = {edge_between(w, node[0], node[1]),
                                       edge_between(w, node[1], node[2]),
                                       edge_between(w, node[2], node[0])};
@@ -162,12 +162,12 @@ static void put_interior_vertices(const wall *w)
 
 /* ---- triangles */
 
-static uint32_t find_edge(const drain_mesh *m, uint32_t a, uint32_t b)
+static uint32_t find_edge(const scene_drain_info *d, uint32_t a, uint32_t b)
 {
     const uint32_t low = a < b ? a : b, high = a < b ? b : a;
-    uint32_t edge = m->first_edge[low];
-    while (m->edges[edge].nodes[0] + m->edges[edge].nodes[1] != low + high) {
-        edge = m->next_edge[edge];
+    uint32_t edge = d->first_edge[low];
+    while (d->edges[edge][0] + d->edges[edge][1] != low + high) {
+        edge = d->next_edge[edge];
     }
     return edge;
 }
@@ -175,12 +175,12 @@ static uint32_t find_edge(const drain_mesh *m, uint32_t a, uint32_t b)
 /* The vertex k divisions from a toward b. */
 static uint32_t vertex_on_edge(const wall *w, uint32_t edge, uint32_t a, uint32_t b, uint32_t k)
 {
-    const drain_mesh *m = &w->drain->mesh;
+    const scene_drain_info *d = w->drain;
     if (k == 0 || k == w->divisions) {
         return k == 0 ? a : b;
     }
-    uint32_t from_first = m->edges[edge].nodes[0] == a ? k : w->divisions - k;
-    return m->node_count + edge * (w->divisions - 1) + from_first - 1;
+    uint32_t from_first = d->edges[edge][0] == a ? k : w->divisions - k;
+    return d->node_count + edge * (w->divisions - 1) + from_first - 1;
 }
 
 /* Of a triangle: its nodes, sides, and first vertex inside. */
@@ -215,13 +215,13 @@ static void add_face_triangles(const wall *w, uint32_t a, uint32_t b, uint32_t c
 
 static void add_triangles(const wall *w)
 {
-    const drain_mesh *m = &w->drain->mesh;
+    const scene_drain_info *d = w->drain;
     const uint32_t n = w->divisions;
-    lattice l = {NULL, {0, 0, 0}, m->node_count + m->edge_count * (n - 1)};
-    for (uint32_t t = 0; t < m->triangle_count; t++) {
-        l.node = m->triangles[t];
+    lattice l = {.first_interior = d->node_count + d->edge_count * (n - 1)};
+    for (uint32_t t = 0; t < d->triangle_count; t++) {
+        l.node = d->triangles[t];
         for (int k = 0; k < 3; k++) {
-            l.edge[k] = find_edge(m, l.node[k], l.node[(k + 1) % 3]);
+            l.edge[k] = find_edge(d, l.node[k], l.node[(k + 1) % 3]);
         }
         for (uint32_t i = 0; i < n; i++) {
             for (uint32_t k = 0; i + k < n; k++) {
@@ -258,10 +258,10 @@ static void put_rim_vertices(const wall *w, const visual_edge *edge, double frac
 
 static void draw_rims(const wall *w)
 {
-    const drain_mesh *m = &w->drain->mesh;
-    for (uint32_t i = 0; i < m->edge_count; i++) {
-        const uint32_t *node = m->edges[i].nodes;
-        if (m->edges[i].triangles[1] != DRAIN_NONE) {
+    const scene_drain_info *d = w->drain;
+    for (uint32_t i = 0; i < d->edge_count; i++) {
+        const uint32_t *node = d->edges[i];
+        if (d->edges[i][3] != SCENE_INSPECT_NONE) {
             continue;
         }
         const visual_edge edge = edge_between(w, node[0], node[1]);
@@ -284,23 +284,22 @@ static void draw_rims(const wall *w)
 
 static void add_mark_decals(const wall *w)
 {
-    const drain_mesh *m = &w->drain->mesh;
+    const scene_drain_info *d = w->drain;
     for (int k = 0; k < 2; k++) {
-        if (m->marks[k] != DRAIN_NONE) {
-            vbss_visual_add_decal(w->v, w->frame, VBSS_SPOT_MARK, m->rest[m->marks[k]],
+        if (d->marks[k] != SCENE_INSPECT_NONE) {
+            vbss_visual_add_decal(w->v, w->frame, VBSS_SPOT_MARK, d->rest_positions[d->marks[k]],
                                   w->v->config.mark_radius);
         }
     }
 }
 
-void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const drain_object *d)
+void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const scene_drain_info *d)
 {
-    const drain_mesh *m = &d->mesh;
-    wall w = {v, f, d, v->node_vectors, 1, f->vertex_count, 0, 0.5 * d->config.thickness};
+    wall w = {v, f, d, v->node_vectors, 1, f->vertex_count, 0, 0.5 * d->thickness};
     compute_normals(d, v->node_vectors);
     w.divisions = count_divisions(&w);
-    w.inner_face_offset = m->node_count + m->edge_count * (w.divisions - 1) +
-                          m->triangle_count * interior_vertex_count(w.divisions);
+    w.inner_face_offset = d->node_count + d->edge_count * (w.divisions - 1) +
+                          d->triangle_count * interior_vertex_count(w.divisions);
     f->vertex_count += 2 * w.inner_face_offset;
     put_node_vertices(&w);
     put_edge_vertices(&w);

@@ -24,12 +24,12 @@ vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to,
 }
 
 /* The first section is turned from frame to frame as little as can be. */
-static vec3 first_normal(const visual_object *v, const vbss_slot *slot, vec3 tangent)
+static vec3 first_normal(const visual_object *v, const vbss_thread *thread, vec3 tangent)
 {
     const visual_frame *shown = &v->frames[v->front];
     for (uint32_t i = 0; i < shown->tube_start_count; i++) {
         const visual_tube_start *start = &shown->tube_starts[i];
-        if (start->thread == slot) {
+        if (start->thread == thread) {
             vec3 turned = quat_rotate(quat_between(start->tangent, tangent), start->normal);
             turned = vec3_add_scaled(turned, -vec3_dot(turned, tangent), tangent);
             return vec3_unit_or(turned, vec3_any_normal(tangent));
@@ -49,9 +49,9 @@ static uint32_t count_divisions(const visual_object *v, const visual_segment *s,
     return (uint32_t)vbss_max(divisions + 0.999, 1.0);
 }
 
-static double tension_at(const thread_object *t, uint32_t node)
+static double tension_at(const scene_thread_info *t, uint32_t node)
 {
-    const double *tension = t->now.tension;
+    const double *tension = t->tensions;
     if (node == 0 || node + 1 == t->node_count) {
         return tension[node == 0 ? 0 : node - 1];
     }
@@ -64,7 +64,7 @@ typedef struct tube {
     bool has_ring;
 } tube;
 
-static void add_section(tube *w, visual_object *v, visual_frame *f, const vbss_slot *slot,
+static void add_section(tube *w, visual_object *v, visual_frame *f, const vbss_thread *thread,
                         vec3 centre, vec3 slope)
 {
     visual_ring *r = &w->ring;
@@ -72,12 +72,12 @@ static void add_section(tube *w, visual_object *v, visual_frame *f, const vbss_s
     vec3 tangent = vec3_unit_or(slope, fallback);
     r->normal = w->has_ring ? vbss_visual_transport_normal(r->centre, r->tangent, r->normal, centre,
                                                            tangent)
-                            : first_normal(v, slot, tangent);
+                            : first_normal(v, thread, tangent);
     r->centre = centre;
     r->tangent = tangent;
     if (!w->has_ring) {
         if (f->tube_start_count < v->config.part_capacity) {
-            f->tube_starts[f->tube_start_count++] = (visual_tube_start){slot, tangent, r->normal};
+            f->tube_starts[f->tube_start_count++] = (visual_tube_start){thread, tangent, r->normal};
         }
         vbss_visual_add_dome(&w->loft, r, true);
         w->has_ring = true;
@@ -85,27 +85,27 @@ static void add_section(tube *w, visual_object *v, visual_frame *f, const vbss_s
     vbss_visual_add_ring(&w->loft, r);
 }
 
-void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_slot *slot)
+void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_thread *thread)
 {
-    const thread_object *t = slot->object;
-    const uint32_t segments = t->node_count - 1;
-    const double radius = t->config.radius;
+    const scene_thread_info t = vbss_scene_inspect_thread(thread);
+    const uint32_t segments = t.node_count - 1;
+    const double radius = t.radius;
     visual_section section;
     vbss_visual_round_section(v, radius, &section);
-    vbss_visual_solve_spline(t->now.x, t->rest, t->node_count, v->node_vectors,
+    vbss_visual_solve_spline(t.positions, t.rest_lengths, t.node_count, v->node_vectors,
                              v->elimination_ratios);
     tube w = {vbss_visual_begin_loft(v, f, &section), {.radius = radius, .radial = 1.0}, false};
     double arc = 0.0;
     for (uint32_t i = 0; i < segments; i++) {
-        const visual_segment s = {t->now.x[i], t->now.x[i + 1], v->node_vectors[i],
-                                  v->node_vectors[i + 1], t->rest[i]};
+        const visual_segment s = {t.positions[i], t.positions[i + 1], v->node_vectors[i],
+                                  v->node_vectors[i + 1], t.rest_lengths[i]};
         const uint32_t divisions = count_divisions(v, &s, radius);
-        const double start_tension = tension_at(t, i), end_tension = tension_at(t, i + 1);
+        const double start_tension = tension_at(&t, i), end_tension = tension_at(&t, i + 1);
         for (uint32_t k = 0; k < divisions + (i + 1 == segments); k++) {
             double fraction = (double)k / (double)divisions;
             w.ring.arc_length = arc + fraction * s.length;
             w.ring.value = start_tension + fraction * (end_tension - start_tension);
-            add_section(&w, v, f, slot, vbss_visual_segment_point(&s, fraction),
+            add_section(&w, v, f, thread, vbss_visual_segment_point(&s, fraction),
                         vbss_visual_segment_derivative(&s, fraction));
         }
         arc += s.length;

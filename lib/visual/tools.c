@@ -3,23 +3,25 @@
 
 /* ---- needles: a wire from the swage to the tip, which becomes thin like an ogive */
 
-static visual_ring wire_ring(const needle_object *n, pose body_pose, double arc_length)
+static visual_ring wire_ring(const vbss_needle *needle, const scene_needle_info *n,
+                             double arc_length)
 {
-    vec3 point = vbss_needle_point(n, arc_length);
-    visual_ring ring = {
-        .centre = pose_apply(body_pose, point),
-        .tangent = quat_rotate(body_pose.orientation, vbss_needle_direction(n, arc_length)),
-        .normal = quat_rotate(body_pose.orientation, vec3_unit_or(point, vec3_make(1.0, 0.0, 0.0))),
-        .radius = n->config.wire_radius,
-        .radial = 1.0,
-        .arc_length = -arc_length};
+    const scene_line_point p = vbss_scene_inspect_needle_point(needle, arc_length);
+    const vec3 normal = vec3_unit_or(p.position, vec3_make(1.0, 0.0, 0.0));
+    visual_ring ring = {.centre = pose_apply(n->pose, p.position),
+                        .tangent = quat_rotate(n->pose.orientation, p.direction),
+                        .normal = quat_rotate(n->pose.orientation, normal),
+                        .radius = n->wire_radius,
+                        .radial = 1.0,
+                        .arc_length = -arc_length};
     return ring;
 }
 
 /* r = wire (1 - (1 - u)^2) at the share u of the tip's length: round at the tip, smooth where the wire begins. */
-static visual_ring tip_ring(const needle_object *n, pose body_pose, double tip, double fraction)
+static visual_ring tip_ring(const vbss_needle *needle, const scene_needle_info *n, double tip,
+                            double fraction)
 {
-    visual_ring ring = wire_ring(n, body_pose, fraction * tip);
+    visual_ring ring = wire_ring(needle, n, fraction * tip);
     double remaining = 1.0 - fraction, slope = 2.0 * ring.radius * remaining / tip;
     double scale = 1.0 / sqrt(1.0 + slope * slope);
     ring.radius *= 1.0 - remaining * remaining;
@@ -28,24 +30,23 @@ static visual_ring tip_ring(const needle_object *n, pose body_pose, double tip, 
     return ring;
 }
 
-void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const needle_object *n)
+void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss_needle *needle)
 {
     enum { TIP_RINGS = 8 };
-    const vbss_needle_config *c = &n->config;
-    const double length = vbss_needle_length(n), tip = vbss_min(v->config.tip_length, 0.5 * length);
-    const bool thin = tip > c->wire_radius;
+    const scene_needle_info n = vbss_scene_inspect_needle(needle);
+    const double length = n.length, tip = vbss_min(v->config.tip_length, 0.5 * length);
+    const bool thin = tip > n.wire_radius;
     const double body = thin ? length - tip : length;
-    const double outside = (1.0 + c->wire_radius / c->radius) / c->radius;
+    const double outside = (1.0 + n.wire_radius / n.arc_radius) / n.arc_radius;
     const double chord = vbss_visual_max_chord(outside, v->config.tube_tolerance);
     const uint32_t rings = (uint32_t)vbss_min(body / chord + 1.0, 1024.0);
-    const pose body_pose = vbss_needle_pose(n);
     visual_section section;
-    vbss_visual_round_section(v, c->wire_radius, &section);
+    vbss_visual_round_section(v, n.wire_radius, &section);
     visual_loft loft = vbss_visual_begin_loft(v, f, &section);
-    visual_ring ring = wire_ring(n, body_pose, length);
+    visual_ring ring = wire_ring(needle, &n, length);
     vbss_visual_add_dome(&loft, &ring, true);
     for (uint32_t i = 0; i <= rings; i++) {
-        ring = wire_ring(n, body_pose, length - body * ((double)i / (double)rings));
+        ring = wire_ring(needle, &n, length - body * ((double)i / (double)rings));
         vbss_visual_add_ring(&loft, &ring);
     }
     if (!thin) {
@@ -54,7 +55,7 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const need
     }
     for (int i = 1; i <= TIP_RINGS; i++) { /* closer where the tip is rounder */
         double remaining = 1.0 - (double)i / (double)TIP_RINGS;
-        ring = tip_ring(n, body_pose, tip, remaining * (0.4 + 0.6 * remaining));
+        ring = tip_ring(needle, &n, tip, remaining * (0.4 + 0.6 * remaining));
         if (i == TIP_RINGS) {
             vbss_visual_add_pole(&loft, &ring);
         } else {
@@ -68,13 +69,12 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const need
 enum { PIECE_SHAFT = 0, PIECE_NECK = 1, PIECE_JAW = 2 };
 
 /* What is round: shaft and neck. Both lie across the tool's x. */
-static void draw_cylinder(const visual_object *v, visual_frame *f, const grasper_object *g,
-                          const grasper_capsule *c, double value)
+static void draw_cylinder(const visual_object *v, visual_frame *f, const scene_grasper_info *g,
+                          const scene_capsule_info *c, double value)
 {
-    const pose body_pose = g->tool_pose;
+    const pose body_pose = g->pose;
     vec3 axis = vec3_sub(c->axis[0], c->axis[1]); /* toward the jaws */
-    vec3 forward = vec3_unit_or(
-        axis, quat_rotate(vbss_grasper_jaw_frame(g).orientation, vec3_make(0.0, 0.0, -1.0)));
+    vec3 forward = vec3_unit_or(axis, g->forward);
     visual_section section;
     vbss_visual_round_section(v, c->radius, &section);
     const visual_capsule capsule = {pose_apply(body_pose, c->axis[1]),
@@ -88,10 +88,10 @@ static void draw_cylinder(const visual_object *v, visual_frame *f, const grasper
 }
 
 /* Half round, flat toward the other jaw; blades become thin. `side` is 1 of the jaw at +x, else -1. */
-static void draw_jaw(const visual_object *v, visual_frame *f, const grasper_object *g,
-                     const grasper_capsule *c, double side)
+static void draw_jaw(const visual_object *v, visual_frame *f, const scene_grasper_info *g,
+                     const scene_capsule_info *c, double side)
 {
-    const pose body_pose = g->tool_pose;
+    const pose body_pose = g->pose;
     vec3 forward = vec3_unit_or(vec3_sub(c->axis[1], c->axis[0]), vec3_make(0.0, 0.0, -1.0));
     vec3 opening = vec3_make(side, 0.0, 0.0); /* the jaws' x is the tool's */
     vec3 outward = vec3_add_scaled(opening, -vec3_dot(opening, forward), forward);
@@ -108,33 +108,30 @@ static void draw_jaw(const visual_object *v, visual_frame *f, const grasper_obje
     vbss_visual_add_capsule(v, f, &section, &capsule);
 }
 
-void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const grasper_object *g)
+void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const scene_grasper_info *g)
 {
-    grasper_capsule capsules[GRASPER_CAPSULES];
-    vbss_grasper_compute_capsules(g, g->jaw_angle, capsules);
-    draw_cylinder(v, f, g, &capsules[GRASPER_SHAFT], PIECE_SHAFT);
-    draw_cylinder(v, f, g, &capsules[GRASPER_NECK], PIECE_NECK);
-    draw_jaw(v, f, g, &capsules[GRASPER_JAW], 1.0);
-    draw_jaw(v, f, g, &capsules[GRASPER_JAW + 1], -1.0);
+    draw_cylinder(v, f, g, &g->shaft, PIECE_SHAFT);
+    draw_cylinder(v, f, g, &g->neck, PIECE_NECK);
+    draw_jaw(v, f, g, &g->jaws[0], 1.0);
+    draw_jaw(v, f, g, &g->jaws[1], -1.0);
 }
 
 /* ---- other rigid bodies */
 
-void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const scene_object *s,
-                            const scene_rigid *body)
+void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const vbss_scene *scene,
+                            const scene_body_info *body)
 {
+    const quat orientation = body->pose.orientation;
     for (uint32_t i = 0; i < body->capsule_count; i++) {
-        const scene_capsule *c = &s->capsules[body->first_capsule + i];
-        vec3 axis[2];
-        vbss_scene_transform_capsule(c, body->body.now.pose, axis);
-        vec3 along = vec3_unit_or(vec3_sub(axis[1], axis[0]), vec3_make(0.0, 0.0, 1.0));
+        const scene_capsule_info c = vbss_scene_inspect_capsule(scene, body, i);
+        vec3 along = vec3_unit_or(vec3_sub(c.axis[1], c.axis[0]), vec3_make(0.0, 0.0, 1.0));
         visual_section section;
-        vbss_visual_round_section(v, c->radius, &section);
+        vbss_visual_round_section(v, c.radius, &section);
         /* Turned with the body, so that it is seen to turn. */
         vec3 across =
-            quat_rotate(body->body.now.pose.orientation,
-                        vec3_any_normal(quat_rotate_back(body->body.now.pose.orientation, along)));
-        const visual_capsule capsule = {axis[0], axis[1], along, across, c->radius, c->radius, 0.0};
+            quat_rotate(orientation, vec3_any_normal(quat_rotate_back(orientation, along)));
+        const visual_capsule capsule = {c.axis[0], c.axis[1], along, across,
+                                        c.radius,  c.radius,  0.0};
         vbss_visual_add_capsule(v, f, &section, &capsule);
     }
 }

@@ -62,97 +62,84 @@ static vbss_result check_node_count(const visual_object *v, uint32_t count, cons
 }
 
 static vbss_result draw_thread(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                               const vbss_slot *slot)
+                               const vbss_thread *thread)
 {
-    const thread_object *t = slot->object;
-    VBSS_TRY(check_node_count(v, t->node_count, "thread"));
+    uint32_t node_count = vbss_scene_inspect_thread(thread).node_count;
+    VBSS_TRY(check_node_count(v, node_count, "thread"));
     vbss_visual_begin_part(v, f, VBSS_VISUAL_THREAD, source, body);
-    vbss_visual_draw_thread(v, f, slot);
+    vbss_visual_draw_thread(v, f, thread);
     return VBSS_OK;
 }
 
 static vbss_result draw_drain(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                              const drain_object *d)
+                              const vbss_drain *drain)
 {
-    VBSS_TRY(check_node_count(v, d->mesh.node_count, "drain"));
+    const scene_drain_info d = vbss_scene_inspect_drain(drain);
+    VBSS_TRY(check_node_count(v, d.node_count, "drain"));
     vbss_visual_begin_part(v, f, VBSS_VISUAL_DRAIN, source, body);
-    vbss_visual_draw_drain(v, f, d);
+    vbss_visual_draw_drain(v, f, &d);
     return VBSS_OK;
 }
 
 static void draw_needle(const visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                        const needle_object *n)
+                        const vbss_needle *needle)
 {
     vbss_visual_begin_part(v, f, VBSS_VISUAL_NEEDLE, source, body);
-    vbss_visual_draw_needle(v, f, n);
+    vbss_visual_draw_needle(v, f, needle);
 }
 
 static void draw_grasper(const visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                         const grasper_object *g)
+                         const vbss_grasper *grasper)
 {
+    const scene_grasper_info g = vbss_scene_inspect_grasper(grasper);
     vbss_visual_begin_part(v, f,
-                           g->kind == VBSS_GRASPER_SHEARS ? VBSS_VISUAL_SHEARS : VBSS_VISUAL_DRIVER,
+                           g.kind == VBSS_GRASPER_SHEARS ? VBSS_VISUAL_SHEARS : VBSS_VISUAL_DRIVER,
                            source, body);
-    vbss_visual_draw_grasper(v, f, g);
+    vbss_visual_draw_grasper(v, f, &g);
 }
 
 /* ---- scenes */
 
-static void add_holes(const visual_object *v, visual_frame *f, const scene_object *s,
-                      const scene_body *body)
+/* A hole that no body goes through is not drawn. */
+static void add_holes(const visual_object *v, visual_frame *f, const vbss_scene *scene,
+                      uint32_t hole_capacity, uint32_t drain)
 {
-    const drain_object *d = body->drain.drain;
-    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        const suture_hole *hole = &s->holes[i];
-        if (hole->id == 0 || hole->drain != body->number) {
-            continue;
-        }
-        const scene_body *occupant =
-            vbss_scene_body(s, hole->needle != 0 ? hole->needle : hole->thread);
-        if (occupant != NULL) {
-            double radius = hole->needle != 0 ? occupant->rigid.needle->config.wire_radius
-                                              : occupant->thread.thread->config.radius;
-            vbss_visual_add_decal(
-                v, f, VBSS_SPOT_HOLE,
-                vbss_drain_point(d, d->mesh.rest, hole->triangle, hole->barycentric), radius);
+    for (uint32_t i = 0; i < hole_capacity; i++) {
+        const scene_hole_info hole = vbss_scene_inspect_hole(scene, i);
+        if (hole.id != 0 && hole.drain == drain && hole.radius > 0.0) {
+            vbss_visual_add_decal(v, f, VBSS_SPOT_HOLE, hole.rest_position, hole.radius);
         }
     }
 }
 
-static vbss_result draw_body(visual_object *v, visual_frame *f, uint32_t source, scene_object *s,
-                             const scene_body *body)
+static vbss_result draw_body(visual_object *v, visual_frame *f, uint32_t source,
+                             const vbss_scene *scene, const scene_body_info *body)
 {
-    const scene_rigid *rigid = &body->rigid;
-    switch (body->kind) {
-    case SCENE_BODY_THREAD:
-        return draw_thread(v, f, source, body->number, body->thread.slot);
-    case SCENE_BODY_DRAIN:
-        VBSS_TRY(draw_drain(v, f, source, body->number, body->drain.drain));
-        add_holes(v, f, s, body);
-        return VBSS_OK;
-    case SCENE_BODY_RIGID:
-        if (rigid->needle != NULL) {
-            draw_needle(v, f, source, body->number, rigid->needle);
-        } else if (rigid->grasper != NULL) {
-            draw_grasper(v, f, source, body->number, rigid->grasper);
-        } else {
-            vbss_visual_begin_part(v, f, VBSS_VISUAL_RIGID, source, body->number);
-            vbss_visual_draw_rigid(v, f, s, rigid);
-        }
-        return VBSS_OK;
-    default:
-        return VBSS_OK;
+    if (body->thread != NULL) {
+        return draw_thread(v, f, source, body->number, body->thread);
     }
+    if (body->drain != NULL) {
+        return draw_drain(v, f, source, body->number, body->drain);
+    }
+    if (body->needle != NULL) {
+        draw_needle(v, f, source, body->number, body->needle);
+    } else if (body->grasper != NULL) {
+        draw_grasper(v, f, source, body->number, body->grasper);
+    } else if (body->number != 0) {
+        vbss_visual_begin_part(v, f, VBSS_VISUAL_RIGID, source, body->number);
+        vbss_visual_draw_rigid(v, f, scene, body);
+    }
+    return VBSS_OK;
 }
 
 /* A square in the floor's plane, round the place that is nearest to the origin of vertices. */
 static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
-                       const scene_object *s)
+                       const scene_info *scene)
 {
     const double corners[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-    const vec3 up = s->floor_normal;
+    const vec3 up = scene->floor_normal;
     const vec3 across = vec3_any_normal(up), along = vec3_cross(up, across);
-    double height = vec3_dot(v->origin, up) - s->config.floor_height;
+    double height = vec3_dot(v->origin, up) - scene->config->floor_height;
     const vec3 centre = vec3_add_scaled(v->origin, -height, up);
     vbss_visual_begin_part(v, f, VBSS_VISUAL_FLOOR, source, 0);
     const uint32_t first = f->vertex_count;
@@ -170,41 +157,48 @@ static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
     visual_add_triangle(v, f, first, first + 2, first + 3);
 }
 
-static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source, scene_object *s)
+static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source,
+                              const vbss_scene *scene)
 {
-    for (uint32_t i = 0; i < s->body_count && vbss_visual_fits(v, f); i++) {
-        VBSS_TRY(draw_body(v, f, source, s, &s->bodies[i]));
+    scene_info info;
+    VBSS_TRY(vbss_scene_inspect(scene, &info));
+    for (uint32_t i = 0; i < info.entry_count && vbss_visual_fits(v, f); i++) {
+        const scene_body_info body = vbss_scene_inspect_entry(scene, i);
+        VBSS_TRY(draw_body(v, f, source, scene, &body));
+        if (body.drain != NULL) {
+            add_holes(v, f, scene, info.config->hole_capacity, body.number);
+        }
     }
-    if (s->config.floor) {
-        draw_floor(v, f, source, s);
+    if (info.config->floor) {
+        draw_floor(v, f, source, &info);
     }
     return VBSS_OK;
 }
 
 /* ---- sources */
 
-/* One that was destroyed shows nothing. */
+/* A source that was destroyed is skipped. */
 static vbss_result draw_source(visual_object *v, visual_frame *f, const visual_source *source)
 {
     vbss_slot *slot;
-    if (source->number == 0 || vbss_slot_open(source->handle, source->kind, &slot) != VBSS_OK) {
+    if (source->number == 0 ||
+        vbss_scene_inspect_handle(source->type, source->handle, &slot) != VBSS_OK) {
         return VBSS_OK;
     }
-    if (source->kind == &vbss_scene_kind) {
-        return draw_scene(v, f, source->number, slot->object);
+    switch (source->type) {
+    case SCENE_HANDLE_SCENE:
+        return draw_scene(v, f, source->number, source->handle);
+    case SCENE_HANDLE_THREAD:
+        return draw_thread(v, f, source->number, 0, source->handle);
+    case SCENE_HANDLE_DRAIN:
+        return draw_drain(v, f, source->number, 0, source->handle);
+    case SCENE_HANDLE_NEEDLE:
+        draw_needle(v, f, source->number, 0, source->handle);
+        return VBSS_OK;
+    default:
+        draw_grasper(v, f, source->number, 0, source->handle);
+        return VBSS_OK;
     }
-    if (source->kind == &vbss_thread_kind) {
-        return draw_thread(v, f, source->number, 0, slot);
-    }
-    if (source->kind == &vbss_drain_kind) {
-        return draw_drain(v, f, source->number, 0, slot->object);
-    }
-    if (source->kind == &vbss_needle_kind) {
-        draw_needle(v, f, source->number, 0, slot->object);
-    } else {
-        draw_grasper(v, f, source->number, 0, slot->object);
-    }
-    return VBSS_OK;
 }
 
 static vbss_result fail_capacity(const visual_object *v, const visual_frame *f)

@@ -1,4 +1,6 @@
 /* How visuals begin and end, what they are told to show, and what they hand out. */
+#include "base/config.h"
+#include "base/memory.h"
 #include "visual/visual.h"
 
 #include "base/check.h"
@@ -105,21 +107,21 @@ vbss_result vbss_visual_destroy(vbss_visual *visual)
 
 /* ---- what it shows */
 
-static vbss_result add_source(vbss_visual *visual, const void *handle, const vbss_kind *kind,
+static vbss_result add_source(vbss_visual *visual, const void *handle, scene_handle_type type,
                               uint32_t *number)
 {
     vbss_slot *slot, *shown;
     VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
     visual_object *v = slot->object;
-    VBSS_TRY(vbss_slot_open(handle, kind, &shown));
+    VBSS_TRY(vbss_scene_inspect_handle(type, handle, &shown));
     if (shown->context != v->context) {
         return vbss_fail(v->context, VBSS_ERROR_INVALID_HANDLE,
-                         "%s %llu belongs to another context", kind->name,
+                         "%s %llu belongs to another context", shown->kind->name,
                          (unsigned long long)shown->ordinal);
     }
     for (uint32_t i = 0; i < v->config.source_capacity; i++) {
         if (v->sources[i].number == 0) {
-            v->sources[i] = (visual_source){++v->last_source, kind, handle};
+            v->sources[i] = (visual_source){++v->last_source, type, handle};
             if (number != NULL) {
                 *number = v->last_source;
             }
@@ -132,27 +134,27 @@ static vbss_result add_source(vbss_visual *visual, const void *handle, const vbs
 
 vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scene, uint32_t *source)
 {
-    return add_source(visual, scene, &vbss_scene_kind, source);
+    return add_source(visual, scene, SCENE_HANDLE_SCENE, source);
 }
 
 vbss_result vbss_visual_add_thread(vbss_visual *visual, vbss_thread *thread, uint32_t *source)
 {
-    return add_source(visual, thread, &vbss_thread_kind, source);
+    return add_source(visual, thread, SCENE_HANDLE_THREAD, source);
 }
 
 vbss_result vbss_visual_add_drain(vbss_visual *visual, vbss_drain *drain, uint32_t *source)
 {
-    return add_source(visual, drain, &vbss_drain_kind, source);
+    return add_source(visual, drain, SCENE_HANDLE_DRAIN, source);
 }
 
 vbss_result vbss_visual_add_needle(vbss_visual *visual, vbss_needle *needle, uint32_t *source)
 {
-    return add_source(visual, needle, &vbss_needle_kind, source);
+    return add_source(visual, needle, SCENE_HANDLE_NEEDLE, source);
 }
 
 vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *grasper, uint32_t *source)
 {
-    return add_source(visual, grasper, &vbss_grasper_kind_of_slot, source);
+    return add_source(visual, grasper, SCENE_HANDLE_GRASPER, source);
 }
 
 vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
@@ -162,7 +164,7 @@ vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
     visual_object *v = slot->object;
     for (uint32_t i = 0; i < v->config.source_capacity; i++) {
         if (source != 0 && v->sources[i].number == source) {
-            v->sources[i] = (visual_source){0, NULL, NULL};
+            v->sources[i] = (visual_source){.number = 0};
             return VBSS_OK;
         }
     }

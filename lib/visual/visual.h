@@ -12,8 +12,7 @@
 
 #include "base/linear.h"
 #include "base/slot.h"
-#include "scene/api/api.h"
-#include "scene/world/world.h"
+#include "scene/api/inspect.h"
 
 /* Sides of a section; points of one, where a seam or creases double some. */
 enum { VISUAL_MAX_SIDES = 64, VISUAL_MAX_SECTION_POINTS = VISUAL_MAX_SIDES + 8 };
@@ -35,7 +34,7 @@ typedef struct visual_part {
 
 /* How the first section of a thread's tube was turned in the last frame. */
 typedef struct visual_tube_start {
-    const vbss_slot *thread;
+    const vbss_thread *thread;
     vec3 tangent, normal;
 } visual_tube_start;
 
@@ -51,7 +50,7 @@ typedef struct visual_frame {
 
 typedef struct visual_source {
     uint32_t number; /* 0: the place is free */
-    const vbss_kind *kind;
+    scene_handle_type type;
     const void *handle;
 } visual_source;
 
@@ -194,16 +193,16 @@ vec3 vbss_visual_segment_point(const visual_segment *s, double fraction);
 vec3 vbss_visual_segment_derivative(const visual_segment *s, double fraction);
 
 /* ---- thread.c */
-void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_slot *slot);
+void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_thread *thread);
 /* The normal of a frame at the next place of a line, turned as little as can be about it. */
 vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to,
                                   vec3 tangent_there);
 
 /* ---- tools.c */
-void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const needle_object *n);
-void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const grasper_object *g);
-void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const scene_object *s,
-                            const scene_rigid *body);
+void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss_needle *needle);
+void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const scene_grasper_info *g);
+void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const vbss_scene *scene,
+                            const scene_body_info *body);
 
 /* ---- patch.c: a curved patch over a triangle */
 /* A side: its curve's inner points, the middle of its normals. */
@@ -222,6 +221,6 @@ visual_patch vbss_visual_make_patch(const visual_edge edges[3]);
 vec3 vbss_visual_patch_point(const visual_patch *patch, const double weights[3], vec3 *normal);
 
 /* ---- drain.c */
-void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const drain_object *d);
+void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const scene_drain_info *d);
 
 #endif

@@ -1,5 +1,6 @@
 /* The wall of a drain: closed, smooth, as thick as it is, with marks where they are. */
 #include "base/elementary.h"
+#include "drain/drain.h"
 #include "fixture.h"
 
 static drain_object *inside(const vbss_drain *drain)

@@ -2,6 +2,7 @@
 #include "base/elementary.h"
 #include "base/rotation.h"
 #include "fixture.h"
+#include "thread/thread.h"
 
 static thread_object *inside(const vbss_thread *thread)
 {

@@ -1,6 +1,8 @@
 /* Needles, graspers and other rigid bodies: their shapes, and that they move. */
 #include "base/elementary.h"
 #include "fixture.h"
+#include "grasper/grasper.h"
+#include "needle/needle.h"
 
 static const double place[3] = {0.01, -0.02, 0.03};
 static const double turned[4] = {0.8, 0.0, 0.6, 0.0};

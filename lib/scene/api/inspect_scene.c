@@ -1,0 +1,150 @@
+/* Plain structs of a scene: itself, its bodies, its holes and grasps. */
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/api/inspect.h"
+#include "scene/world/world.h"
+
+static const scene_object *object_of(const vbss_scene *scene)
+{
+    return ((const vbss_slot *)scene)->object;
+}
+
+/* ---- the scene */
+
+static scene_info describe_scene(const scene_object *s)
+{
+    return (scene_info){.context = s->context,
+                        .config = &s->config,
+                        .floor_normal = s->floor_normal,
+                        .steps = s->statistics.steps,
+                        .entry_count = s->body_count,
+                        .event_count = s->event_count,
+                        .events = s->events};
+}
+
+vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    *info = describe_scene(s);
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    *info = describe_scene(s);
+    return VBSS_OK;
+}
+
+/* Each generation only grows, and the scene's own grows when bodies come and go: the sums never repeat. */
+scene_edit_counts vbss_scene_inspect_edits(const vbss_scene *scene)
+{
+    const scene_object *s = object_of(scene);
+    scene_edit_counts edits = {.scene = s->generation};
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            edits.threads += b->thread.thread->generation;
+        } else if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL) {
+            edits.graspers += b->rigid.grasper->generation;
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            edits.drains += b->drain.drain->generation;
+        }
+    }
+    return edits;
+}
+
+/* ---- bodies */
+
+static scene_body_info describe_rigid(uint32_t number, const scene_rigid *r)
+{
+    return (scene_body_info){.number = number,
+                             .needle = r->needle != NULL ? (vbss_needle *)r->slot : NULL,
+                             .grasper = r->grasper != NULL ? (vbss_grasper *)r->slot : NULL,
+                             .first_capsule = r->first_capsule,
+                             .capsule_count = r->capsule_count,
+                             .pose = r->body.now.pose};
+}
+
+static scene_body_info describe_body(const scene_body *b)
+{
+    switch (b->kind) {
+    case SCENE_BODY_THREAD:
+        return (scene_body_info){.number = b->number, .thread = (vbss_thread *)b->thread.slot};
+    case SCENE_BODY_DRAIN:
+        return (scene_body_info){.number = b->number, .drain = (vbss_drain *)b->drain.slot};
+    case SCENE_BODY_RIGID:
+        return describe_rigid(b->number, &b->rigid);
+    default:
+        return (scene_body_info){.number = 0};
+    }
+}
+
+scene_body_info vbss_scene_inspect_body(const vbss_scene *scene, uint32_t number)
+{
+    const scene_body *b = vbss_scene_body(object_of(scene), number);
+    return b != NULL ? describe_body(b) : (scene_body_info){.number = 0};
+}
+
+scene_body_info vbss_scene_inspect_entry(const vbss_scene *scene, uint32_t entry)
+{
+    return describe_body(&object_of(scene)->bodies[entry]);
+}
+
+scene_capsule_info vbss_scene_inspect_capsule(const vbss_scene *scene, const scene_body_info *body,
+                                              uint32_t index)
+{
+    const scene_capsule *c = &object_of(scene)->capsules[body->first_capsule + index];
+    scene_capsule_info info = {.radius = c->radius};
+    vbss_scene_transform_capsule(c, body->pose, info.axis);
+    return info;
+}
+
+/* ---- holes and grasps */
+
+/* 0 if the body has left the scene. */
+static double radius_in_hole(const scene_object *s, const suture_hole *h)
+{
+    const scene_body *b = vbss_scene_body(s, h->needle != 0 ? h->needle : h->thread);
+    if (b == NULL) {
+        return 0.0;
+    }
+    return h->needle != 0 ? b->rigid.needle->config.wire_radius : b->thread.thread->config.radius;
+}
+
+scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t place)
+{
+    const scene_object *s = object_of(scene);
+    const suture_hole *h = &s->holes[place];
+    const scene_body *drain = h->id != 0 ? vbss_scene_body(s, h->drain) : NULL;
+    if (drain == NULL) {
+        return (scene_hole_info){.id = 0};
+    }
+    const drain_object *d = drain->drain.drain;
+    return (scene_hole_info){.id = h->id,
+                             .needle = h->needle,
+                             .thread = h->thread,
+                             .drain = h->drain,
+                             .arc_length = h->arc,
+                             .radius = radius_in_hole(s, h),
+                             .position = vbss_hole_point(h, d, d->x),
+                             .rest_position = vbss_hole_point(h, d, d->mesh.rest)};
+}
+
+/* A grasp with a pin holds a node, not a point of the segment behind it. */
+scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t place)
+{
+    const scene_object *s = object_of(scene);
+    const scene_thread_grasp *g = &s->thread_grasps[place];
+    const scene_body *thread = g->id != 0 ? vbss_scene_body(s, g->thread) : NULL;
+    if (thread == NULL || g->is_released) {
+        return (scene_grasp_info){.tool = 0};
+    }
+    const thread_object *t = thread->thread.thread;
+    double offset = g->pin != 0 ? 0.0 : g->segment_offset;
+    return (scene_grasp_info){.tool = g->tool,
+                              .thread = g->thread,
+                              .arc_length = vbss_thread_arc_length(t, g->segment) + offset};
+}
