@@ -1,5 +1,6 @@
 /* How to make a session: defaults, and every number and part checked. */
 #include "base/check.h"
+#include "base/config.h"
 #include "base/error.h"
 #include "device/device.h"
 #include "knot/knot.h"

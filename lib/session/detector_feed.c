@@ -5,39 +5,52 @@
 
 /* ---- places on the thread's polyline, whose first point is at the needle */
 
-static double polyline_parameter(const thread_object *t, double arc)
+static double polyline_parameter(const scene_thread_info *t, double arc)
 {
     double segment_start = 0.0;
     uint32_t last = t->node_count - 2;
     for (uint32_t i = 0; i < last; i++) {
-        if (segment_start + t->rest[i] >= arc) {
-            return i + vbss_max((arc - segment_start) / t->rest[i], 0.0);
+        if (segment_start + t->rest_lengths[i] >= arc) {
+            return i + vbss_max((arc - segment_start) / t->rest_lengths[i], 0.0);
         }
-        segment_start += t->rest[i];
+        segment_start += t->rest_lengths[i];
     }
-    return last + vbss_min(vbss_max((arc - segment_start) / t->rest[last], 0.0), 1.0);
+    return last + vbss_min(vbss_max((arc - segment_start) / t->rest_lengths[last], 0.0), 1.0);
 }
 
-static double arc_length_at(const thread_object *t, double parameter)
+static double arc_length_at(const scene_thread_info *t, double parameter)
 {
-    uint32_t i = (uint32_t)vbss_max(parameter, 0.0);
-    i = i > t->node_count - 2 ? t->node_count - 2 : i;
-    return vbss_thread_arc_length(t, i) + (parameter - i) * t->rest[i];
+    uint32_t segment = (uint32_t)vbss_max(parameter, 0.0);
+    segment = segment > t->node_count - 2 ? t->node_count - 2 : segment;
+    double segment_start = 0.0;
+    for (uint32_t i = 0; i < segment; i++) {
+        segment_start += t->rest_lengths[i];
+    }
+    return segment_start + (parameter - segment) * t->rest_lengths[segment];
 }
 
 /* ---- what is shown */
 
-static vbss_knot_tool describe_tool(const thread_object *t, const grasper_object *g,
+/* Items of VBSS_GRASPER_VIEW_CAPSULES: two points of the axis, of which the second is farther from the tip, and the radius. */
+enum { CAPSULE_SHAFT = 0, CAPSULE_NECK = 3, CAPSULE_END = 3, CAPSULE_RADIUS = 6 };
+
+static vbss_knot_tool describe_tool(const scene_thread_info *t, vbss_grasper *grasper,
                                     const session_tool_observation *observed)
 {
     vbss_knot_tool tool = {.point_count = 3, .held = VBSS_KNOT_HELD_NOTHING};
-    for (int k = 0; k < 3; k++) {
-        tool.axis[0][k] = g->view_capsules[GRASPER_SHAFT][3 + k];
-        tool.axis[1][k] = g->view_capsules[GRASPER_NECK][3 + k]; /* the bend */
+    vbss_view view;
+    if (vbss_grasper_get_view(grasper, VBSS_GRASPER_VIEW_CAPSULES, &view, sizeof view) == VBSS_OK) {
+        const double *capsules = view.data;
+        const double *shaft = capsules + (size_t)CAPSULE_SHAFT * view.components;
+        const double *neck = capsules + (size_t)CAPSULE_NECK * view.components;
+        for (int k = 0; k < 3; k++) {
+            tool.axis[0][k] = shaft[CAPSULE_END + k];
+            tool.axis[1][k] = neck[CAPSULE_END + k]; /* the bend */
+        }
+        tool.radius[0] = shaft[CAPSULE_RADIUS];
+        tool.radius[1] = neck[CAPSULE_RADIUS];
     }
     vec3_store(tool.axis[2], observed->tip);
-    tool.radius[0] = g->config.shaft_radius;
-    tool.radius[1] = g->config.neck_radius;
     if (observed->has_needle) {
         tool.held = VBSS_KNOT_HELD_NEEDLE;
     } else if (observed->held_arc >= 0.0) {
@@ -47,17 +60,16 @@ static vbss_knot_tool describe_tool(const thread_object *t, const grasper_object
     return tool;
 }
 
-static uint32_t describe_tools(const session_object *s, const scene_object *scene,
-                               const thread_object *t, const session_observation *observed,
+static uint32_t describe_tools(const session_object *s, const scene_thread_info *t,
+                               const session_observation *observed,
                                vbss_knot_tool tools[SESSION_TOOLS])
 {
-    const uint32_t numbers[SESSION_TOOLS] = {s->config.tools[0], s->config.tools[1],
-                                             s->config.shears};
     uint32_t count = 0;
     for (uint32_t i = 0; i < SESSION_TOOLS; i++) {
-        if (numbers[i] != 0) {
-            const scene_body *b = vbss_scene_body(scene, numbers[i]);
-            tools[count++] = describe_tool(t, b->rigid.grasper, &observed->tools[i]);
+        uint32_t number = session_tool_number(s, i);
+        if (number != 0) {
+            vbss_grasper *grasper = vbss_scene_inspect_body(s->scene, number).grasper;
+            tools[count++] = describe_tool(t, grasper, &observed->tools[i]);
         }
     }
     return count;
@@ -65,11 +77,11 @@ static uint32_t describe_tools(const session_object *s, const scene_object *scen
 
 /* The needle's limb comes first, so the polyline is told from its other end. */
 static void fill_knot_input(const session_object *s, const session_observation *observed,
-                            const thread_object *t, vbss_knot_input *input)
+                            const scene_thread_info *t, vbss_knot_input *input)
 {
     (void)vbss_knot_input_init(input, sizeof *input);
-    input->points = &t->now.x[0].x;
-    input->stride_bytes = sizeof *t->now.x;
+    input->points = &t->positions[0].x;
+    input->stride_bytes = sizeof *t->positions;
     input->point_count = t->node_count;
     input->reversed = 1;
     input->hole_count = SESSION_SIDES;
@@ -83,7 +95,7 @@ static void fill_knot_input(const session_object *s, const session_observation *
         input->hole_places[k] = polyline_parameter(t, hole->arc);
     }
     vec3_store(input->away, observed->into_tissue);
-    input->may_have_passed = t->config.method == VBSS_METHOD_PAPER; /* it has no guard */
+    input->may_have_passed = t->method == VBSS_METHOD_PAPER; /* it has no guard */
 }
 
 /* ---- what it says */
@@ -100,7 +112,7 @@ static vbss_metrics_relation relation_of(const vbss_knot_throw *t, uint32_t numb
                                                               : VBSS_METRICS_RELATION_SQUARE;
 }
 
-static void extend_knot(session_knot_observation *knot, const thread_object *thread,
+static void extend_knot(session_knot_observation *knot, const scene_thread_info *thread,
                         const vbss_knot_throw *t)
 {
     double tail = arc_length_at(thread, vbss_max(t->tail_places[0], t->tail_places[1]));
@@ -112,7 +124,7 @@ static void extend_knot(session_knot_observation *knot, const thread_object *thr
     knot->is_located = true;
 }
 
-static vbss_result read_throws(vbss_knot_detector *detector, const thread_object *thread,
+static vbss_result read_throws(vbss_knot_detector *detector, const scene_thread_info *thread,
                                uint32_t count, session_knot_observation *knot)
 {
     knot->throw_count = 0;
@@ -134,7 +146,7 @@ static vbss_result read_throws(vbss_knot_detector *detector, const thread_object
 }
 
 /* A reading that is uncertain changes nothing that was known. */
-static vbss_result read_knot(const session_object *s, const thread_object *thread,
+static vbss_result read_knot(const session_object *s, const scene_thread_info *thread,
                              session_knot_observation *knot)
 {
     vbss_knot_state state;
@@ -149,7 +161,6 @@ static vbss_result read_knot(const session_object *s, const thread_object *threa
 
 vbss_result vbss_session_observe_knot(session_object *s, session_observation *observed)
 {
-    const scene_object *scene = ((const vbss_slot *)s->scene)->object;
     if (s->config.knots == NULL || observed->has_lost_body || s->cut_limbs != 0 ||
         vbss_session_is_over(s)) {
         return VBSS_OK;
@@ -161,14 +172,15 @@ vbss_result vbss_session_observe_knot(session_object *s, session_observation *ob
     if (s->steps % s->config.knot_interval != 0) {
         return VBSS_OK;
     }
-    const thread_object *t = vbss_scene_body(scene, observed->thread)->thread.thread;
+    const scene_thread_info t =
+        vbss_scene_inspect_thread(vbss_scene_inspect_body(s->scene, observed->thread).thread);
     vbss_knot_tool tools[SESSION_TOOLS];
     vbss_knot_input input;
-    fill_knot_input(s, observed, t, &input);
-    input.tool_count = describe_tools(s, scene, t, observed, tools);
+    fill_knot_input(s, observed, &t, &input);
+    input.tool_count = describe_tools(s, &t, observed, tools);
     input.tools = tools;
     VBSS_TRY(vbss_knot_detector_step(s->config.knots, &input));
-    VBSS_TRY(read_knot(s, t, &s->knot));
+    VBSS_TRY(read_knot(s, &t, &s->knot));
     observed->knot = s->knot;
     return VBSS_OK;
 }

@@ -9,11 +9,10 @@ _Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_NEEDLE_D
 /* Steps after which a tool that has refused to be exchanged is told again. */
 enum { EXCHANGE_RETRY_STEPS = 250 };
 
-static scene_body *tool_body(const session_object *s, uint32_t hand)
+/* NULL: it has left the scene. */
+static vbss_grasper *tool_of_hand(const session_object *s, uint32_t hand)
 {
-    const scene_object *scene = ((const vbss_slot *)s->scene)->object;
-    scene_body *b = vbss_scene_body(scene, s->config.tools[hand]);
-    return b != NULL && b->kind == SCENE_BODY_RIGID ? b : NULL;
+    return vbss_scene_inspect_body(s->scene, s->config.tools[hand]).grasper;
 }
 
 static vbss_result move_tool(const session_object *s, uint32_t hand, const vbss_device_input *input)
@@ -26,8 +25,7 @@ static vbss_result move_tool(const session_object *s, uint32_t hand, const vbss_
     }
     return s->config.record != NULL
                ? vbss_record_move_grasper(s->config.record, body, input->position, orientation)
-               : vbss_grasper_move((vbss_grasper *)tool_body(s, hand)->rigid.slot, input->position,
-                                   orientation);
+               : vbss_grasper_move(tool_of_hand(s, hand), input->position, orientation);
 }
 
 static vbss_result set_tool_opening(const session_object *s, uint32_t hand,
@@ -39,29 +37,33 @@ static vbss_result set_tool_opening(const session_object *s, uint32_t hand,
     }
     return s->config.record != NULL
                ? vbss_record_set_opening(s->config.record, s->config.tools[hand], input->jaw)
-               : vbss_grasper_set_opening((vbss_grasper *)tool_body(s, hand)->rigid.slot,
-                                          input->jaw);
+               : vbss_grasper_set_opening(tool_of_hand(s, hand), input->jaw);
 }
 
 /* The hand has taken another tool; one that refused to be exchanged is told again. */
 static vbss_result exchange_tool(const session_object *s, uint32_t hand,
                                  const vbss_device_input *input)
 {
-    const scene_body *b = tool_body(s, hand);
+    vbss_grasper *grasper = tool_of_hand(s, hand);
+    vbss_grasper_state state;
     bool is_due = (input->events & (uint32_t)VBSS_DEVICE_EVENT_TOOL) != 0 ||
                   s->steps % EXCHANGE_RETRY_STEPS == 0;
-    if (!is_due || input->tool == VBSS_DEVICE_TOOL_NONE || b->rigid.grasper->kind == input->tool) {
+    if (!is_due || input->tool == VBSS_DEVICE_TOOL_NONE) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_grasper_get_state(grasper, &state, sizeof state));
+    if (state.kind == input->tool) {
         return VBSS_OK;
     }
     return s->config.record != NULL
                ? vbss_record_exchange(s->config.record, s->config.tools[hand], input->tool)
-               : vbss_grasper_exchange((vbss_grasper *)b->rigid.slot, input->tool);
+               : vbss_grasper_exchange(grasper, input->tool);
 }
 
 static bool has_device(const session_object *s, uint32_t hand)
 {
     return s->config.devices[hand] != NULL && s->config.replay == NULL &&
-           tool_body(s, hand) != NULL;
+           tool_of_hand(s, hand) != NULL;
 }
 
 vbss_result vbss_session_read_devices(const session_object *s, double now)
@@ -88,11 +90,12 @@ vbss_result vbss_session_write_devices(const session_object *s, double now)
         if (!has_device(s, i)) {
             continue;
         }
-        const grasper_object *g = tool_body(s, i)->rigid.grasper;
+        vbss_grasper_state state;
+        VBSS_TRY(vbss_grasper_get_state(tool_of_hand(s, i), &state, sizeof state));
         VBSS_TRY(vbss_output_command_init(&command, sizeof command));
-        vec3_store(command.force, g->hand_force);
-        vec3_store(command.torque, g->hand_torque);
-        command.solenoid = g->solenoid;
+        vec3_store(command.force, vec3_load(state.hand_force));
+        vec3_store(command.torque, vec3_load(state.hand_torque));
+        command.solenoid = state.solenoid;
         VBSS_TRY(vbss_device_write(s->config.devices[i], now, &command, NULL,
                                    sizeof(vbss_output_result)));
     }

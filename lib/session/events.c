@@ -2,11 +2,6 @@
 #include "base/error.h"
 #include "session/session.h"
 
-_Static_assert(sizeof(vbss_session_event) == 120, "published size");
-
-static const uint32_t sizes[] = {120, 0};
-static const vbss_layout layout = {"vbss_session_event", NULL, sizes};
-
 vbss_session_event *vbss_session_event_at(const session_object *s, uint64_t index)
 {
     return &s->events[index % s->config.event_capacity];
@@ -51,20 +46,4 @@ void vbss_session_dispatch_events(session_object *s)
         s->config.listen(s->config.user, &e);
         vbss_callback_end(s->context, outer);
     }
-}
-
-vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_session_event *event,
-                                   uint32_t struct_size)
-{
-    session_object *s;
-    VBSS_TRY(vbss_session_open(session, &s));
-    uint64_t capacity = s->config.event_capacity;
-    if (index >= s->event_count || s->event_count - index > capacity) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "event %llu is not kept: there were %llu, with room for %llu",
-                         (unsigned long long)index, (unsigned long long)s->event_count,
-                         (unsigned long long)capacity);
-    }
-    return vbss_struct_write(s->context, &layout, vbss_session_event_at(s, index), event,
-                             struct_size);
 }

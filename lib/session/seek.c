@@ -1,14 +1,14 @@
 /* A session that follows a log goes to a step of it: scene and session are restored from their newest states there, and the
  * steps from there on are made. */
-#include "base/check.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/snapshot.h"
 #include "session/session.h"
 
 static vbss_result check_scene(const session_object *s, const replay_object *p)
 {
-    scene_object *scene;
-    VBSS_TRY(vbss_scene_open(s->scene, &scene));
+    scene_info scene;
+    VBSS_TRY(vbss_scene_inspect(s->scene, &scene));
     return p->scene == s->scene
                ? VBSS_OK
                : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
@@ -53,14 +53,10 @@ static vbss_result restore_or_roll_back(const vbss_slot *slot, const session_obj
     return result;
 }
 
-vbss_result vbss_session_seek(vbss_session *session, uint64_t step)
+vbss_result vbss_session_seek_step(const vbss_slot *slot, session_object *s, uint64_t step)
 {
-    const vbss_slot *slot = (const vbss_slot *)session;
-    session_object *s;
     replay_object *p;
     log_snapshot snapshot;
-    VBSS_TRY(vbss_session_edit(session, &s));
-    VBSS_TRY(vbss_check_arithmetic(s->context));
     if (s->config.replay == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the session follows no replay");
     }

@@ -2,18 +2,18 @@
  *
  * step.c reads
  *   devices -> scene step -> knots -> metrics -> forces out -> record
- * device_io.c is the first and the fifth arrow, scene.c the second, detector_feed.c shows the thread to the detector, metrics_feed.c tells the
- * metrics, log_sync.c writes marks and compares them. Between them observe.c puts what the task can see of a step into one struct, and
- * phase.c, throws.c and outcome.c find from that alone which facts hold, and so the phase; events.c keeps what they tell.
- * config.c checks, session.c makes and ends, snapshot.c saves, seek.c goes to a step of a log. */
+ * device_io.c is the first and the fifth arrow, log_sync.c the second and the last, detector_feed.c the third and metrics_feed.c the
+ * fourth. After the scene's step observe.c collects the observation of the task in one struct. From that struct alone phase.c,
+ * throws.c and outcome.c derive the facts and the phase; task_state.c answers what they share, and events.c keeps their events.
+ * The exported functions stand in create.c and api.c, the handle in session.c, snapshots in snapshot.c, and seek.c goes to a step
+ * of a log. A file calls only files that do not call it back. */
 #ifndef VBSS_SESSION_SESSION_H
 #define VBSS_SESSION_SESSION_H
 
 #include <vblast_ss/session.h>
 
 #include "record/record.h"
-#include "scene/api/api.h"
-#include "scene/world/world.h"
+#include "scene/api/inspect.h"
 
 enum { SESSION_HANDS = 2, SESSION_TOOLS = 3, SESSION_MAX_THROWS = 8, SESSION_MAX_STRAYS = 16 };
 /* Throws of the knot; transfers between them. */
@@ -80,9 +80,6 @@ typedef struct session_debounced_value {
     uint32_t value, candidate;
     double since; /* s: when `seen` was seen first */
 } session_debounced_value;
-/* True: it has changed. */
-bool vbss_session_debounce(session_debounced_value *debounced, uint32_t candidate, double now,
-                           double dwell);
 
 typedef struct session_throw {
     session_throw_observation value, candidate;
@@ -132,7 +129,17 @@ typedef struct session_object {
     session_observation observation;
 } session_object;
 
+/* The number in the scene of a tool, 0 to SESSION_TOOLS - 1; 0: the session has no such tool. */
+static inline uint32_t session_tool_number(const session_object *s, uint32_t tool)
+{
+    return tool < SESSION_HANDS ? s->config.tools[tool] : s->config.shears;
+}
+
+/* session.c */
 extern const vbss_kind vbss_session_kind;
+vbss_result vbss_session_allocate(vbss_context *context, const vbss_session_config *config,
+                                  session_object **session);
+void vbss_session_free(vbss_context *context, void *object);
 vbss_result vbss_session_open(const vbss_session *handle, session_object **session);
 vbss_result vbss_session_edit(vbss_session *handle, session_object **session);
 
@@ -149,6 +156,9 @@ vbss_result vbss_session_write_devices(const session_object *s, double now);
 /* step.c: a step of which nobody hears. */
 vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, double now, double h);
 
+/* seek.c: brings the scene and the session to that step of the replayed log. */
+vbss_result vbss_session_seek_step(const vbss_slot *slot, session_object *s, uint64_t step);
+
 /* log_sync.c: the scene's step, recorded or replayed; then the mark of the session, written or compared, and its state. */
 vbss_result vbss_session_step_scene(session_object *s, double h);
 vbss_result vbss_session_sync_log(const vbss_slot *slot, session_object *s);
@@ -162,6 +172,10 @@ vbss_result vbss_session_observe_knot(session_object *s, session_observation *ob
 
 /* phase.c: which facts hold, and what that comes to. */
 void vbss_session_update_progress(session_object *s, const session_observation *observed);
+
+/* task_state.c: true if the debounced value has changed. */
+bool vbss_session_debounce(session_debounced_value *debounced, uint32_t candidate, double now,
+                           double dwell);
 bool vbss_session_is_over(const session_object *s);
 /* The hole that the task calls in or out; NULL: it is not there. */
 const session_hole_observation *vbss_session_find_hole(const session_observation *observed,

@@ -233,14 +233,14 @@ static void clear_knot_events(const session_object *s)
 
 static void visit_scene(vbss_stream *stream, session_object *s)
 {
-    scene_object *scene;
-    if (vbss_scene_open(s->scene, &scene) != VBSS_OK) {
+    scene_info scene;
+    if (vbss_scene_inspect(s->scene, &scene) != VBSS_OK) {
         vbss_stream_refuse(stream, VBSS_ERROR_INVALID_HANDLE, "its scene was destroyed");
         return;
     }
     uint64_t steps = s->scene_steps;
     vbss_stream_u64(stream, 71, &steps, 1);
-    if (stream->mode == VBSS_STREAM_READ && !stream->trusted && steps != scene->statistics.steps) {
+    if (stream->mode == VBSS_STREAM_READ && !stream->trusted && steps != scene.steps) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "its scene is at another step");
     }
     s->scene_steps = steps;

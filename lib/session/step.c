@@ -1,30 +1,30 @@
 /* One step of the task:
  *   devices -> scene step -> knots -> metrics -> forces out -> record
  * After the scene's step nothing is taken back. */
-#include "base/check.h"
 #include "base/error.h"
 #include "session/session.h"
 
 static vbss_result check_scene_step(const session_object *s)
 {
-    scene_object *scene;
-    VBSS_TRY(vbss_scene_open(s->scene, &scene));
-    return scene->statistics.steps == s->scene_steps
+    scene_info scene;
+    VBSS_TRY(vbss_scene_inspect(s->scene, &scene));
+    return scene.steps == s->scene_steps
                ? VBSS_OK
                : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                            "the scene was stepped or restored past the session: it is after step "
                            "%llu, not %llu",
-                           (unsigned long long)scene->statistics.steps,
-                           (unsigned long long)s->scene_steps);
+                           (unsigned long long)scene.steps, (unsigned long long)s->scene_steps);
 }
 
-static void count_step(session_object *s)
+static vbss_result count_step(session_object *s)
 {
-    const scene_object *scene = ((const vbss_slot *)s->scene)->object;
-    s->scene_steps = scene->statistics.steps;
+    scene_info scene;
+    VBSS_TRY(vbss_scene_inspect(s->scene, &scene));
+    s->scene_steps = scene.steps;
     s->time += s->steps > 0 ? s->h : 0.0;
     s->steps++;
     s->events_before_step = s->event_count;
+    return VBSS_OK;
 }
 
 /* What the task can see of the step, with the knot; and what that comes to. */
@@ -46,23 +46,10 @@ vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, doubl
     VBSS_TRY(check_scene_step(s));
     VBSS_TRY(vbss_session_read_devices(s, now));
     VBSS_TRY(vbss_session_step_scene(s, h));
-    count_step(s);
+    VBSS_TRY(count_step(s));
     vbss_result result = observe_and_update(s);
     keep_first_error(&result, vbss_session_feed_metrics(s, &s->observation));
     keep_first_error(&result, vbss_session_write_devices(s, now));
     keep_first_error(&result, vbss_session_sync_log(slot, s));
-    return result;
-}
-
-vbss_result vbss_session_step(vbss_session *session, double now, double h)
-{
-    session_object *s;
-    VBSS_TRY(vbss_session_edit(session, &s));
-    VBSS_TRY(vbss_check_arithmetic(s->context));
-    uint64_t steps = s->steps;
-    vbss_result result = vbss_session_advance((const vbss_slot *)session, s, now, h);
-    if (s->steps > steps) {
-        vbss_session_dispatch_events(s);
-    }
     return result;
 }

@@ -1,6 +1,8 @@
 /* What is saved with its scene goes on to the same bits; what is no such state is refused. */
 #include "base/error.h"
+#include "base/memory.h"
 #include "rig.h"
+#include "scene/api/api.h"
 
 typedef struct tied_body {
     session_scene scene;

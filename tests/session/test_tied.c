@@ -2,6 +2,8 @@
 #include <math.h>
 
 #include "rig.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 typedef struct tied {
     harness_memory memory;

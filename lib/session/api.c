@@ -1,0 +1,130 @@
+/* The exported functions of a session that exists. They check everything before they change anything. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "base/snapshot.h"
+#include "session/session.h"
+
+_Static_assert(sizeof(vbss_session_status) == 136, "published size");
+_Static_assert(sizeof(vbss_session_event) == 120, "published size");
+
+static const uint32_t status_sizes[] = {136, 0};
+static const vbss_layout status_layout = {"vbss_session_status", NULL, status_sizes};
+static const uint32_t event_sizes[] = {120, 0};
+static const vbss_layout event_layout = {"vbss_session_event", NULL, event_sizes};
+
+/* ---- steps */
+
+vbss_result vbss_session_step(vbss_session *session, double now, double h)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_edit(session, &s));
+    VBSS_TRY(vbss_check_arithmetic(s->context));
+    uint64_t steps = s->steps;
+    vbss_result result = vbss_session_advance((const vbss_slot *)session, s, now, h);
+    if (s->steps > steps) {
+        vbss_session_dispatch_events(s);
+    }
+    return result;
+}
+
+vbss_result vbss_session_seek(vbss_session *session, uint64_t step)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_edit(session, &s));
+    VBSS_TRY(vbss_check_arithmetic(s->context));
+    return vbss_session_seek_step((const vbss_slot *)session, s, step);
+}
+
+vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_edit(session, &s));
+    VBSS_TRY(vbss_session_check_record(s, record));
+    VBSS_TRY(vbss_session_record_snapshot((const vbss_slot *)session, record));
+    s->config.record = record;
+    s->config.replay = NULL;
+    return VBSS_OK;
+}
+
+/* ---- progress and events */
+
+static uint32_t count_bits(uint32_t bits)
+{
+    return (bits & 1u) + (bits >> 1 & 1u);
+}
+
+vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *status,
+                                    uint32_t struct_size)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    uint64_t capacity = s->config.event_capacity;
+    vbss_session_status own = {
+        .struct_size = sizeof own,
+        .phase = s->phase,
+        .stage = (vbss_session_stage)(s->throw_stage.value % 8),
+        .failure = s->failure,
+        .holder = s->holding_tools.value == 0          ? VBSS_METRICS_NO_TOOL
+                  : (s->holding_tools.value & 1u) != 0 ? VBSS_METRICS_LEFT
+                                                       : VBSS_METRICS_RIGHT,
+        .tail_set = s->tail_set.value,
+        .throws = s->throw_count,
+        .seated = s->seated_count,
+        .transfers = count_bits(s->transferred),
+        .cut = s->cut_limbs,
+        .faults = s->knot_faults.value,
+        .metrics_lost = s->metrics_lost,
+        .steps = s->steps,
+        .first_event = s->event_count > capacity ? s->event_count - capacity : 0,
+        .event_count = s->event_count,
+        .time = vbss_session_is_over(s) ? s->end_time : s->time,
+        .tail = s->tail_length,
+        .gap = s->gap,
+    };
+    for (uint32_t k = 0; k < SESSION_SIDES; k++) {
+        const session_hole *hole = &s->holes[k];
+        own.punctured |= (uint32_t)(hole->id != 0) << k;
+        own.threaded |= hole->threaded << k;
+        own.tension[k] = s->tension[k];
+        own.deviation_mm[k] = hole->deviation_mm;
+    }
+    return vbss_struct_write(s->context, &status_layout, &own, status, struct_size);
+}
+
+vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_session_event *event,
+                                   uint32_t struct_size)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    uint64_t capacity = s->config.event_capacity;
+    if (index >= s->event_count || s->event_count - index > capacity) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "event %llu is not kept: there were %llu, with room for %llu",
+                         (unsigned long long)index, (unsigned long long)s->event_count,
+                         (unsigned long long)capacity);
+    }
+    return vbss_struct_write(s->context, &event_layout, vbss_session_event_at(s, index), event,
+                             struct_size);
+}
+
+/* ---- snapshots */
+
+vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, uint64_t capacity,
+                              uint64_t *written)
+{
+    return vbss_object_save(session, &vbss_session_kind, bytes, capacity, written);
+}
+
+vbss_result vbss_session_restore(vbss_session *session, const uint8_t *bytes, uint64_t count)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    VBSS_TRY(vbss_check_arithmetic(s->context)); /* a reading of the detector is done again */
+    return vbss_object_restore(session, &vbss_session_kind, bytes, count);
+}
+
+vbss_result vbss_session_get_hash(vbss_session *session, uint64_t *hash)
+{
+    return vbss_object_hash(session, &vbss_session_kind, hash);
+}

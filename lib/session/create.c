@@ -1,0 +1,134 @@
+/* Creates a session after checking the bodies and components that it is made over; destroys it. */
+#include "base/check.h"
+#include "base/error.h"
+#include "device/device.h"
+#include "knot/knot.h"
+#include "metrics/metrics.h"
+#include "session/session.h"
+
+/* ---- checks */
+
+static vbss_result require_body(vbss_context *context, uint32_t number, bool is_valid,
+                                const char *name)
+{
+    return is_valid
+               ? VBSS_OK
+               : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s: body %u is none", name, number);
+}
+
+static vbss_result check_tool(vbss_context *context, const vbss_scene *scene, uint32_t number,
+                              const char *name)
+{
+    return require_body(context, number, vbss_scene_inspect_body(scene, number).grasper != NULL,
+                        name);
+}
+
+static vbss_result check_bodies(vbss_context *context, const vbss_scene *scene,
+                                const vbss_session_config *c)
+{
+    VBSS_TRY(require_body(context, c->thread,
+                          vbss_scene_inspect_body(scene, c->thread).thread != NULL, "thread"));
+    VBSS_TRY(require_body(context, c->needle,
+                          vbss_scene_inspect_body(scene, c->needle).needle != NULL, "needle"));
+    VBSS_TRY(require_body(context, c->drain, vbss_scene_inspect_body(scene, c->drain).drain != NULL,
+                          "drain"));
+    VBSS_TRY(check_tool(context, scene, c->tools[0], "left tool"));
+    VBSS_TRY(check_tool(context, scene, c->tools[1], "right tool"));
+    VBSS_TRY(c->shears == 0 ? VBSS_OK : check_tool(context, scene, c->shears, "shears"));
+    bool is_repeated =
+        c->tools[0] == c->tools[1] || c->shears == c->tools[0] || c->shears == c->tools[1];
+    return is_repeated ? vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "a tool is given twice")
+                       : VBSS_OK;
+}
+
+static vbss_result check_context(const session_object *s, const void *handle, const char *name)
+{
+    return handle == NULL || ((const vbss_slot *)handle)->context == s->context
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE, "%s of another context", name);
+}
+
+static vbss_result check_detector(const session_object *s)
+{
+    const vbss_thread *thread = vbss_scene_inspect_body(s->scene, s->config.thread).thread;
+    uint32_t points = vbss_scene_inspect_thread(thread).node_capacity;
+    knot_detector *d;
+    VBSS_TRY(vbss_knot_open(s->config.knots, &d));
+    uint32_t tools = s->config.shears != 0 ? 3 : 2;
+    return points <= d->config.point_capacity && tools <= d->config.tool_capacity
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_CAPACITY,
+                           "the detector has room for %u points and %u tools, not for %u and %u",
+                           d->config.point_capacity, d->config.tool_capacity, points, tools);
+}
+
+static vbss_result check_replay(const session_object *s)
+{
+    replay_object *p;
+    VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
+    if (s->config.record != NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "both a record and a replay");
+    }
+    return p->scene == s->scene
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
+}
+
+static vbss_result check_components(const session_object *s)
+{
+    const vbss_session_config *c = &s->config;
+    for (int i = 0; i < SESSION_HANDS; i++) {
+        device_object *d;
+        VBSS_TRY(c->devices[i] == NULL ? VBSS_OK : vbss_device_open(c->devices[i], &d));
+        VBSS_TRY(check_context(s, c->devices[i], "a device"));
+    }
+    metrics_object *m;
+    VBSS_TRY(c->knots == NULL ? VBSS_OK : check_detector(s));
+    VBSS_TRY(check_context(s, c->knots, "a detector"));
+    VBSS_TRY(c->metrics == NULL ? VBSS_OK : vbss_metrics_open(c->metrics, &m));
+    VBSS_TRY(check_context(s, c->metrics, "a measurement"));
+    VBSS_TRY(vbss_session_check_record(s, c->record));
+    return c->replay == NULL ? VBSS_OK : check_replay(s);
+}
+
+/* ---- life */
+
+vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *config,
+                                vbss_session **session)
+{
+    scene_info info;
+    session_object *s = NULL;
+    vbss_session_config own;
+    vbss_slot *slot = NULL;
+    if (session == NULL) {
+        VBSS_TRY(vbss_scene_inspect(scene, &info));
+        return vbss_check_pointer(info.context, session, "session");
+    }
+    *session = NULL;
+    VBSS_TRY(vbss_scene_inspect_for_edit(scene, &info));
+    VBSS_TRY(vbss_session_read_config(info.context, config, &own));
+    VBSS_TRY(check_bodies(info.context, scene, &own));
+    VBSS_TRY(vbss_session_allocate(info.context, &own, &s));
+    s->scene = scene;
+    s->scene_steps = info.steps;
+    vbss_result result = check_components(s);
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(s->context, &vbss_session_kind, s, &slot);
+    }
+    if (result != VBSS_OK) {
+        vbss_session_free(s->context, s);
+        return result;
+    }
+    result = vbss_session_record_snapshot(slot, own.record);
+    if (result != VBSS_OK) {
+        (void)vbss_session_destroy((vbss_session *)slot);
+        return result;
+    }
+    *session = (vbss_session *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_session_destroy(vbss_session *session)
+{
+    return vbss_slot_destroy(session, &vbss_session_kind);
+}
