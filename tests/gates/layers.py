@@ -14,6 +14,9 @@ LEVEL = {folder: level for level, row in enumerate(LAYERS) for folder in row}
 SUBFOLDERS = {"scene": ["world", "tools", "tissue", "topology", "contacts", "solve", "ccd", "step", "snapshot", "api"]}
 # Contact works on features of any body and so must know none; metrics are fed by any simulator.
 ONLY = {"contact": {"base", "collision", "solver"}, "metrics": {"base"}}
+# Of scene, and of what lies below it, the folders after scene include base and this header alone: the task layer shall need no
+# more than a host can get, and a change inside a scene shall not rebuild it. The header itself shows no other private header.
+INSPECT = "scene/api/inspect.h"
 STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
             "stdint.h", "stdio.h", "stdlib.h", "string.h"}
 SYSTEM = {"cpuid.h",                     # which copy of the hot loops, on x86
@@ -40,6 +43,14 @@ def is_later(parts, than):
     return order.index(a) > order.index(b)
 
 
+def is_hidden(name, where, folder):
+    """Whether a private header is hidden from a file after scene, or from the one header that is not."""
+    target = name.split("/")[0]
+    if target in ("vblast_ss", "base") or LEVEL[target] > LEVEL["scene"]:
+        return False
+    return where == f"lib/{INSPECT}" or (LEVEL[folder] > LEVEL["scene"] and name != INSPECT)
+
+
 def check_file(path, folder, root):
     complaints = []
     where = path.relative_to(root)
@@ -58,6 +69,8 @@ def check_file(path, folder, root):
         elif target != folder and folder in ONLY and target not in ONLY[folder]:
             complaints.append(f"{where} includes {name}: {folder} may know only "
                               f"{', '.join(sorted(ONLY[folder]))}")
+        elif is_hidden(name, where.as_posix(), folder):
+            complaints.append(f"{where} includes {name}: of scene and below it may include only base and {INSPECT}")
         elif is_later(parts, where.parts[1:]):
             complaints.append(f"{where} includes {name}: {subfolder(where.parts[1:])} may not know {inner}")
         elif parts[0] != "vblast_ss" and not (root / "lib" / name).is_file():
@@ -127,6 +140,18 @@ CANARIES = [
      r"thread may not know drain"),
     ("contact includes a body", with_file("lib/contact/canary.c", '#include "thread/thread.h"\n'),
      r"contact may know only base, collision, solver"),
+    ("a session includes the inside of a scene",
+     with_file("lib/session/canary.c", '#include "scene/world/world.h"\n'),
+     r"lib/session/canary.c includes scene/world/world.h: of scene and below it may include only base and scene/api/inspect.h"),
+    ("a record includes the handles of a scene", with_file("lib/record/canary.c", '#include "scene/api/api.h"\n'),
+     r"lib/record/canary.c includes scene/api/api.h: of scene"),
+    ("a visual includes the inside of a drain", with_file("lib/visual/canary.c", '#include "drain/mesh.h"\n'),
+     r"lib/visual/canary.c includes drain/mesh.h: of scene"),
+    ("the header for inspecting shows the inside of a thread",
+     with_file("lib/scene/api/inspect.h", '#include "thread/thread.h"\n'),
+     r"lib/scene/api/inspect.h includes thread/thread.h: of scene"),
+    ("a session that inspects a scene",
+     with_file("lib/session/canary.c", '#include "scene/api/inspect.h"\n#include <vblast_ss/thread.h>\n'), None),
     ("a foreign header", with_file("lib/base/canary.c", "#include <pthread.h>\n"),
      r"includes pthread.h, which is neither"),
     ("a way out of the folders", with_file("lib/base/canary.c", '#include "../tests/scenes/rod.h"\n'),
