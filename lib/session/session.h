@@ -5,8 +5,8 @@
  * device_io.c is the first and the fifth arrow, log_sync.c the second and the last, detector_feed.c the third and metrics_feed.c the
  * fourth. After the scene's step observe.c collects the observation of the task in one struct. From that struct alone phase.c,
  * throws.c and outcome.c derive the facts and the phase; task_state.c answers what they share, and events.c keeps their events.
- * The exported functions stand in create.c and api.c, the handle in session.c, snapshots in snapshot.c, and seek.c goes to a step
- * of a log. A file calls only files that do not call it back. */
+ * create.c and api.c have the exported functions, session.c has the handle, snapshot.c the saved state; seek.c goes to a step of a
+ * log. A file calls only files that do not call it back. */
 #ifndef VBSS_SESSION_SESSION_H
 #define VBSS_SESSION_SESSION_H
 

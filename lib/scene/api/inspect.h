@@ -35,9 +35,9 @@ typedef struct scene_info {
     vec3 floor_normal;    /* unit */
     uint64_t steps;       /* calls of vbss_scene_step that succeeded */
     uint32_t entry_count; /* for vbss_scene_inspect_entry */
-    uint32_t event_count; /* of the last step */
-    uint32_t (
-        *events)[4]; /* as VBSS_SCENE_VIEW_EVENTS; read only, although streams take no const */
+    uint32_t event_count; /* events that the last step emitted */
+    /* The items of VBSS_SCENE_VIEW_EVENTS. They are not const because streams take none; callers only read them. */
+    uint32_t (*events)[4];
 } scene_info;
 
 /* VBSS_ERROR_INVALID_HANDLE if the scene was destroyed. */
@@ -60,8 +60,8 @@ typedef struct scene_body_info {
     vbss_drain *drain;
     vbss_needle *needle;
     vbss_grasper *grasper;
-    uint32_t first_capsule, capsule_count; /* of a rigid body */
-    pose pose; /* of a rigid body: its centre of mass and principal axes, body to world */
+    uint32_t first_capsule, capsule_count; /* only if the body is rigid */
+    pose pose; /* rigid bodies: centre of mass and principal axes, body to world */
 } scene_body_info;
 scene_body_info vbss_scene_inspect_body(const vbss_scene *scene, uint32_t number);
 /* The body at an entry of the scene's table, 0 to entry_count - 1. */
@@ -78,23 +78,23 @@ scene_capsule_info vbss_scene_inspect_capsule(const vbss_scene *scene, const sce
 /* ---- holes and grasps of a scene */
 
 typedef struct scene_hole_info {
-    uint32_t id;             /* ascending in the order of creation; 0: the place is free */
+    uint32_t id;             /* ascending in the order of creation; 0: the entry is free */
     uint32_t needle, thread; /* number of the body in the hole; the other is 0 */
     uint32_t drain;          /* number */
-    double arc_length;       /* of that body at the hole, from the tip or the first node, m */
-    double radius;           /* of that body, m; 0: it has left the scene */
-    vec3 position;           /* on the middle surface of the drain */
-    vec3 rest_position;      /* the same point of the drain at rest */
+    double arc_length; /* position of the hole along that body, from the tip or the first node, m */
+    double radius;     /* half the thickness of that body, m; 0: it has left the scene */
+    vec3 position;     /* on the middle surface of the drain */
+    vec3 rest_position; /* the same point of the drain at rest */
 } scene_hole_info;
-/* The hole at a place, 0 to hole_capacity - 1. */
-scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t place);
+/* The hole at an entry of the scene's table, 0 to hole_capacity - 1. */
+scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t entry);
 
 typedef struct scene_grasp_info {
     uint32_t tool, thread; /* numbers; tool 0: no tool holds a thread here */
-    double arc_length;     /* of the thread at the middle of the grasp, from the first node, m */
+    double arc_length;     /* middle of the grasp along the thread, from the first node, m */
 } scene_grasp_info;
-/* The grasp of a thread at a place, 0 to grasp_capacity - 1. */
-scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t place);
+/* The grasp of a thread at an entry of the scene's table, 0 to grasp_capacity - 1. */
+scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entry);
 
 /* ---- bodies by their handles, in a scene or alone */
 
@@ -102,23 +102,23 @@ typedef struct scene_thread_info {
     vbss_method method;
     uint32_t node_count, node_capacity;
     double radius, length;      /* m; the length is that at rest */
-    const vec3 *positions;      /* of the nodes */
-    const double *rest_lengths; /* of the segments, m */
-    const double *tensions;     /* of the segments, N */
+    const vec3 *positions;      /* one per node */
+    const double *rest_lengths; /* one per segment, m */
+    const double *tensions;     /* one per segment, N */
 } scene_thread_info;
 scene_thread_info vbss_scene_inspect_thread(const vbss_thread *thread);
 
 typedef struct scene_drain_info {
     vbss_method method;
-    double radius, thickness; /* of the tube's middle surface; of its wall, m */
-    vec3 centre;              /* of the tube, in the world */
+    double radius, thickness; /* radius: the tube's middle surface; thickness: its wall, m */
+    vec3 centre;              /* the tube's centre in the world */
     uint32_t node_count, triangle_count, edge_count;
     uint32_t anchor_count, torn_anchor_count;
     uint32_t marks[2];          /* nodes, left and right, or SCENE_INSPECT_NONE */
     uint32_t slit_middle[2];    /* nodes at the middle of the slit's edges, left and right */
-    const vec3 *positions;      /* of the nodes */
-    const vec3 *rest_positions; /* of the nodes, in the drain's frame */
-    const double (*material_coordinates)[2]; /* of the nodes: arc from the top, and x, m */
+    const vec3 *positions;      /* one per node, in the world */
+    const vec3 *rest_positions; /* one per node, in the drain's frame */
+    const double (*material_coordinates)[2]; /* per node: arc from the top, and x, m */
     const uint32_t (*triangles)[3];          /* nodes, counter-clockwise seen from outside */
     /* Two nodes and two triangles; the first triangle runs from the first node to the second. The second triangle is
      * SCENE_INSPECT_NONE at a free edge. */
@@ -130,7 +130,7 @@ scene_drain_info vbss_scene_inspect_drain(const vbss_drain *drain);
 
 typedef struct scene_needle_info {
     double wire_radius, arc_radius, length; /* the length is that of the middle line, m */
-    pose pose;                              /* of the needle's frame, body to world */
+    pose pose;                              /* the needle's frame, body to world */
 } scene_needle_info;
 scene_needle_info vbss_scene_inspect_needle(const vbss_needle *needle);
 
@@ -142,7 +142,7 @@ scene_line_point vbss_scene_inspect_needle_point(const vbss_needle *needle, doub
 
 typedef struct scene_grasper_info {
     vbss_grasper_kind kind;
-    pose pose;    /* of the tool's frame, tool to world */
+    pose pose;    /* the tool's frame, tool to world */
     vec3 forward; /* unit: where the jaws point, in the tool's frame */
     scene_capsule_info shaft, jaws[2],
         neck; /* in the tool's frame; the first jaw is the one at +x */

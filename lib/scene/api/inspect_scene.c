@@ -114,10 +114,10 @@ static double radius_in_hole(const scene_object *s, const suture_hole *h)
     return h->needle != 0 ? b->rigid.needle->config.wire_radius : b->thread.thread->config.radius;
 }
 
-scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t place)
+scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t entry)
 {
     const scene_object *s = object_of(scene);
-    const suture_hole *h = &s->holes[place];
+    const suture_hole *h = &s->holes[entry];
     const scene_body *drain = h->id != 0 ? vbss_scene_body(s, h->drain) : NULL;
     if (drain == NULL) {
         return (scene_hole_info){.id = 0};
@@ -134,10 +134,10 @@ scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t place)
 }
 
 /* A grasp with a pin holds a node, not a point of the segment behind it. */
-scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t place)
+scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entry)
 {
     const scene_object *s = object_of(scene);
-    const scene_thread_grasp *g = &s->thread_grasps[place];
+    const scene_thread_grasp *g = &s->thread_grasps[entry];
     const scene_body *thread = g->id != 0 ? vbss_scene_body(s, g->thread) : NULL;
     if (thread == NULL || g->is_released) {
         return (scene_grasp_info){.tool = 0};
