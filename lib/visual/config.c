@@ -1,4 +1,4 @@
-/* What a visual may be: defaults, and every number checked. */
+/* Configuration of visuals: defaults and range checks. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"

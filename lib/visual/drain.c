@@ -1,21 +1,24 @@
-/* A drain as a wall: curved patches over its triangles, divided alike everywhere, outer and inner face half a wall from them, and
- * rims where the mesh ends: at both ends of the tube and along the slit. Vertices are numbered as the mesh is: those of
- * nodes, then of sides, then inside triangles; so neighbours share them. */
+/* Draws a drain as a wall of finite thickness.
+ *
+ * Curved patches over the triangles are the middle surface. All edges have the same number of
+ * divisions. The outer and the inner face are half the thickness away from them. Rims close the
+ * wall where the mesh ends: at both ends of the tube and along the slit. The vertices of a face are
+ * numbered by node, then by edge, then by triangle, so neighbouring triangles share them. */
 #include "visual/visual.h"
 
 typedef struct wall {
     const visual_object *v;
     visual_frame *frame;
     const scene_drain_info *drain;
-    const vec3 *normals; /* at nodes */
-    uint32_t divisions;
-    uint32_t first_vertex,
-        inner_face_offset; /* vertex of node 0 on the outer face; from there to the inner one */
-    double half_thickness; /* of the wall, m */
+    const vec3 *normals; /* per node, unit */
+    uint32_t divisions;  /* per edge */
+    /* Vertex of node 0 on the outer face; offset from there to its vertex on the inner face. */
+    uint32_t first_vertex, inner_face_offset;
+    double half_thickness; /* m */
 } wall;
 
-/* Mean of the normals of a node's triangles with weights by which nodes on a sphere get its normals exactly: sin(angle) /
- * (|a| |b|) of the sides there (Max 1999). */
+/* The normal of a node is the weighted mean of the normals of its triangles. The weight is
+ * sin(angle) / (|a| |b|) for the edges a and b at the node; exact on a sphere (Max 1999). */
 static void compute_normals(const scene_drain_info *d, vec3 *normals)
 {
     for (uint32_t i = 0; i < d->node_count; i++) {
@@ -25,7 +28,7 @@ static void compute_normals(const scene_drain_info *d, vec3 *normals)
         const uint32_t *node = d->triangles[t];
         const vec3 x[3] = {d->positions[node[0]], d->positions[node[1]], d->positions[node[2]]};
         vec3 normal = vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]));
-        double squared[3]; /* of the side from k to the next */
+        double squared[3]; /* squared length of the edge from corner k to the next */
         for (int k = 0; k < 3; k++) {
             squared[k] = vbss_max(vec3_norm_squared(vec3_sub(x[(k + 1) % 3], x[k])), 1e-300);
         }
@@ -46,7 +49,7 @@ static visual_edge edge_between(const wall *w, uint32_t a, uint32_t b)
     return vbss_visual_make_edge(ends, normals);
 }
 
-/* As many as the side needs that is bent most. */
+/* Divisions that the most curved edge needs. */
 static uint32_t count_divisions(const wall *w)
 {
     double chord_error = 0.0;
@@ -61,7 +64,7 @@ static uint32_t count_divisions(const wall *w)
 
 /* ---- vertices */
 
-/* What a node has beside its place. */
+/* Attributes of a vertex that are interpolated linearly. */
 typedef struct vertex_attributes {
     vec3 rest;
     double texture[2];
@@ -129,7 +132,7 @@ static void put_edge_vertices(const wall *w)
     }
 }
 
-/* Vertices strictly inside of a divided triangle. */
+/* Number of vertices strictly inside a divided triangle. */
 static uint32_t interior_vertex_count(uint32_t divisions)
 {
     return divisions < 3 ? 0 : (divisions - 1) * (divisions - 2) / 2;
@@ -183,7 +186,7 @@ static uint32_t vertex_on_edge(const wall *w, uint32_t edge, uint32_t a, uint32_
     return d->node_count + edge * (w->divisions - 1) + from_first - 1;
 }
 
-/* Of a triangle: its nodes, sides, and first vertex inside. */
+/* The vertices of a divided triangle. */
 typedef struct lattice {
     const uint32_t *node;
     uint32_t edge[3], first_interior;
@@ -202,7 +205,7 @@ static uint32_t vertex_at(const wall *w, const lattice *l, uint32_t i, uint32_t 
     if (i + k == n) {
         return vertex_on_edge(w, l->edge[1], node[1], node[2], k);
     }
-    /* Rows 1 to i - 1 have n - 2, n - 3, ... vertices inside. */
+    /* Rows 1 to i - 1 have n - 2, n - 3, ... interior vertices. */
     return l->first_interior + (i - 1) * (2 * n - 2 - i) / 2 + k - 1;
 }
 
@@ -236,7 +239,7 @@ static void add_triangles(const wall *w)
     }
 }
 
-/* ---- rims: flat strips from face to face, with vertices of their own, as what is cut has sharp edges */
+/* ---- rims: flat strips between the faces, which share no vertices with them: rims are sharp */
 
 static void put_rim_vertices(const wall *w, const visual_edge *edge, double fraction,
                              const vertex_attributes *attributes)

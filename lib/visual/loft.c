@@ -1,10 +1,10 @@
-/* Lofts: a section carried along a line, ring by ring, with domes at its ends. */
+/* Lofts: surfaces made by moving a section along a line, ring by ring, with domes at the ends. */
 #include "base/elementary.h"
 #include "visual/visual.h"
 
 /* ---- sections */
 
-/* Between a circle and the polygon in it there are r (1 - cos(pi / n)) <= r (pi / n)^2 / 2. */
+/* A polygon with n sides deviates from its circle by r (1 - cos(pi / n)) <= r (pi / n)^2 / 2. */
 static uint32_t count_sides(const visual_object *v, double radius)
 {
     double sides = VISUAL_PI * sqrt(0.5 * radius / v->config.tube_tolerance);
@@ -31,7 +31,7 @@ void vbss_visual_round_section(const visual_object *v, double radius, visual_sec
     for (uint32_t i = 0; i <= sides; i++) {
         double fraction = (double)i / (double)sides, sine, cosine;
         vbss_sincos(i == sides ? 0.0 : 2.0 * VISUAL_PI * fraction, &sine, &cosine);
-        add_point(section, cosine, sine, cosine, sine, fraction); /* the seam is a point twice */
+        add_point(section, cosine, sine, cosine, sine, fraction); /* the seam has two points */
     }
     section->joins_next[sides] = false;
 }
@@ -79,7 +79,7 @@ static void connect_rings(const visual_loft *l, uint32_t ring)
     }
 }
 
-/* The ring comes behind the pole, or before it. */
+/* `ring_is_last`: the ring comes after the pole; otherwise before it. */
 static void connect_pole(const visual_loft *l, uint32_t pole, uint32_t ring, bool ring_is_last)
 {
     for (uint32_t i = 0; i + 1 < l->section->count; i++) {
@@ -143,7 +143,7 @@ void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool at_st
     const double sign = at_start ? -1.0 : 1.0;
     visual_ring r = *ring;
     for (uint32_t k = 0; k <= rings; k++) {
-        /* From the pole to the ring, or the other way; the ring itself is its maker's. */
+        /* From the pole to the ring, or from the ring to the pole. The caller adds the ring. */
         uint32_t step = at_start ? rings - k : k;
         double sine, cosine;
         vbss_sincos(0.5 * VISUAL_PI * ((double)step / (double)rings), &sine, &cosine);
@@ -171,7 +171,7 @@ void vbss_visual_add_capsule(const visual_object *v, visual_frame *f, const visu
     visual_loft loft = vbss_visual_begin_loft(v, f, section);
     visual_ring ring = {c->start, c->tangent, c->normal, c->radius, 1.0, 0.0, 0.0, c->value};
     vbss_visual_add_dome(&loft, &ring, true);
-    /* Where it becomes thinner, normals lean forward. */
+    /* If the capsule tapers, its normals lean forward. */
     double taper = length > 0.0 ? (c->radius - c->end_radius) / length : 0.0;
     double scale = 1.0 / sqrt(1.0 + taper * taper);
     ring.radial = scale;

@@ -1,9 +1,9 @@
-/* Curved patches over triangles that know their corners' normals (Vlachos, Peters, Boyd and Mitchell, Curved PN Triangles, 2001):
- * a cubic through the corners, and normals that vary as a quadratic. A side's curve follows from its own corners
- * only, so that neighbours share it. */
+/* Curved patches over triangles with normals at their corners (Vlachos, Peters, Boyd and Mitchell,
+ * Curved PN Triangles, 2001): a cubic surface with quadratic normals. The curve of an edge depends
+ * on its own corners only, so neighbouring patches share it. */
 #include "visual/visual.h"
 
-/* At a third of the way, in the plane of the corner's normal. */
+/* The point at a third of the edge, projected into the tangent plane of the corner. */
 static vec3 control_point(vec3 corner, vec3 other, vec3 normal)
 {
     vec3 chord = vec3_sub(other, corner);
@@ -19,7 +19,7 @@ visual_edge vbss_visual_make_edge(const vec3 x[2], const vec3 normals[2])
                      vec3_add(normals[0], normals[1])};
     vec3 chord = vec3_sub(x[1], x[0]);
     double length = vec3_norm_squared(chord);
-    if (length > 0.0) { /* mirrored in the plane between the corners, which follows an inflection */
+    if (length > 0.0) { /* reflected in the middle plane, so that an inflection is followed */
         s.middle_normal = vec3_add_scaled(s.middle_normal,
                                           -2.0 * vec3_dot(chord, s.middle_normal) / length, chord);
     }
@@ -30,7 +30,7 @@ visual_edge vbss_visual_make_edge(const vec3 x[2], const vec3 normals[2])
 vec3 vbss_visual_edge_point(const visual_edge *edge, double fraction, vec3 *normal)
 {
     double b = fraction, a = 1.0 - fraction;
-    if (a == 0.0 || b == 0.0) { /* to the bit what other sides have at this corner */
+    if (a == 0.0 || b == 0.0) { /* equal to the bit for all edges at this corner */
         *normal = edge->normal[a == 0.0];
         return edge->corner[a == 0.0];
     }
@@ -46,7 +46,7 @@ vec3 vbss_visual_edge_point(const visual_edge *edge, double fraction, vec3 *norm
 
 double vbss_visual_edge_chord_error(const visual_edge *edge)
 {
-    /* An eighth of the largest second derivative, which a cubic has at an end. */
+    /* An eighth of the largest second derivative. That of a cubic is largest at an end. */
     vec3 middle = vec3_sub(edge->control[1], edge->control[0]);
     vec3 start = vec3_sub(middle, vec3_sub(edge->control[0], edge->corner[0]));
     vec3 end = vec3_sub(vec3_sub(edge->corner[1], edge->control[1]), middle);

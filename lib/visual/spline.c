@@ -1,6 +1,6 @@
-/* The line of a thread: the natural cubic spline through its nodes (de Boor, A Practical Guide to Splines, chapter IV), whose
- * parameter is the unstretched length. So a short segment between long ones has its own share of the way, and the spline
- * moves evenly with the nodes. */
+/* The line of a thread: the natural cubic spline through its nodes (de Boor, A Practical Guide to
+ * Splines, chapter IV). Its parameter is the rest length. A short segment between long ones thus
+ * gets a short interval of the parameter, and the spline moves smoothly with the nodes. */
 #include "visual/visual.h"
 
 void vbss_visual_solve_spline(const vec3 *x, const double *lengths, uint32_t node_count,

@@ -1,8 +1,10 @@
-/* A thread as a tube: its spline, divided where it bends, with frames that do not turn about it. */
+/* Draws a thread as a tube about its spline, divided where it bends, with rotation-minimising
+ * frames. */
 #include "visual/visual.h"
 
-/* Double reflection (Wang, Juettler, Zheng and Liu 2008, Table I): in the plane between the two places, then in the one
- * between the tangents; of fourth order in the distance. */
+/* Double reflection (Wang, Juettler, Zheng and Liu 2008, Table I): first in the bisecting plane of
+ * the two points, then in that of the two tangents. The error is of fourth order in the
+ * distance. */
 vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to, vec3 tangent_there)
 {
     vec3 displacement = vec3_sub(to, from), mirrored = normal, mirrored_tangent = tangent;
@@ -18,12 +20,12 @@ vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to,
     if (turned > 1e-20) {
         mirrored = vec3_add_scaled(mirrored, -2.0 * vec3_dot(turn, mirrored) / turned, turn);
     }
-    /* What rounding has left along the tangent. */
+    /* Removes the component along the tangent that rounding has left. */
     mirrored = vec3_add_scaled(mirrored, -vec3_dot(mirrored, tangent_there), tangent_there);
     return vec3_unit_or(mirrored, vec3_any_normal(tangent_there));
 }
 
-/* The first section is turned from frame to frame as little as can be. */
+/* The first section turns as little as possible from one frame to the next. */
 static vec3 first_normal(const visual_object *v, const vbss_thread *thread, vec3 tangent)
 {
     const visual_frame *shown = &v->frames[v->front];
@@ -42,7 +44,7 @@ static uint32_t count_divisions(const visual_object *v, const visual_segment *s,
 {
     double curvature = sqrt(vbss_max(vec3_norm_squared(s->start_second_derivative),
                                      vec3_norm_squared(s->end_second_derivative)));
-    /* Outside, the tube bends with a longer chord than its line. */
+    /* The outer side of a bent tube has longer chords than its line. */
     double chord =
         vbss_visual_max_chord(curvature * (1.0 + curvature * radius), v->config.tube_tolerance);
     double divisions = vbss_min(s->length / chord, v->config.division_limit);
@@ -60,7 +62,7 @@ static double tension_at(const scene_thread_info *t, uint32_t node)
 
 typedef struct tube {
     visual_loft loft;
-    visual_ring ring; /* the last one */
+    visual_ring ring; /* the last ring */
     bool has_ring;
 } tube;
 

@@ -1,7 +1,7 @@
-/* What is rigid: needles, graspers, capsules of other bodies. */
+/* Draws rigid bodies: needles, graspers, and the capsules of other bodies. */
 #include "visual/visual.h"
 
-/* ---- needles: a wire from the swage to the tip, which becomes thin like an ogive */
+/* ---- needles: a wire from the swage to the tip, which has the shape of an ogive */
 
 static visual_ring wire_ring(const vbss_needle *needle, const scene_needle_info *n,
                              double arc_length)
@@ -17,7 +17,8 @@ static visual_ring wire_ring(const vbss_needle *needle, const scene_needle_info 
     return ring;
 }
 
-/* r = wire (1 - (1 - u)^2) at the share u of the tip's length: round at the tip, smooth where the wire begins. */
+/* Radius wire (1 - (1 - u)^2) at the fraction u of the length of the tip: round at the very tip,
+ * and smooth where the wire begins. */
 static visual_ring tip_ring(const vbss_needle *needle, const scene_needle_info *n, double tip,
                             double fraction)
 {
@@ -53,7 +54,7 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss
         vbss_visual_add_dome(&loft, &ring, false);
         return;
     }
-    for (int i = 1; i <= TIP_RINGS; i++) { /* closer where the tip is rounder */
+    for (int i = 1; i <= TIP_RINGS; i++) { /* closer toward the round end */
         double remaining = 1.0 - (double)i / (double)TIP_RINGS;
         ring = tip_ring(needle, &n, tip, remaining * (0.4 + 0.6 * remaining));
         if (i == TIP_RINGS) {
@@ -68,7 +69,7 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss
 
 enum { PIECE_SHAFT = 0, PIECE_NECK = 1, PIECE_JAW = 2 };
 
-/* What is round: shaft and neck. Both lie across the tool's x. */
+/* Draws the shaft or the neck. Both are perpendicular to the x axis of the tool. */
 static void draw_cylinder(const visual_object *v, visual_frame *f, const scene_grasper_info *g,
                           const scene_capsule_info *c, double value)
 {
@@ -87,13 +88,13 @@ static void draw_cylinder(const visual_object *v, visual_frame *f, const scene_g
     vbss_visual_add_capsule(v, f, &section, &capsule);
 }
 
-/* Half round, flat toward the other jaw; blades become thin. `side` is 1 of the jaw at +x, else -1. */
+/* Draws a jaw. The blades of shears taper. `side` is 1 for the jaw at +x, and -1 for the other. */
 static void draw_jaw(const visual_object *v, visual_frame *f, const scene_grasper_info *g,
                      const scene_capsule_info *c, double side)
 {
     const pose body_pose = g->pose;
     vec3 forward = vec3_unit_or(vec3_sub(c->axis[1], c->axis[0]), vec3_make(0.0, 0.0, -1.0));
-    vec3 opening = vec3_make(side, 0.0, 0.0); /* the jaws' x is the tool's */
+    vec3 opening = vec3_make(side, 0.0, 0.0); /* jaws and tool have the same x axis */
     vec3 outward = vec3_add_scaled(opening, -vec3_dot(opening, forward), forward);
     visual_section section;
     vbss_visual_jaw_section(v, c->radius, &section);
@@ -127,7 +128,7 @@ void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const vbss_
         vec3 along = vec3_unit_or(vec3_sub(c.axis[1], c.axis[0]), vec3_make(0.0, 0.0, 1.0));
         visual_section section;
         vbss_visual_round_section(v, c.radius, &section);
-        /* Turned with the body, so that it is seen to turn. */
+        /* The section turns with the body, so that its rotation is visible. */
         vec3 across =
             quat_rotate(orientation, vec3_any_normal(quat_rotate_back(orientation, along)));
         const visual_capsule capsule = {c.axis[0], c.axis[1], along, across,

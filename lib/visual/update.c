@@ -1,10 +1,10 @@
-/* A frame: a part for each body of what is shown. It is written beside the one that is seen, and takes its place when all of it
- * fits. */
+/* Writes a frame, with a part for each body. The frame is written to the back buffer, which becomes
+ * the front buffer if everything fits. */
 #include "base/check.h"
 #include "base/error.h"
 #include "visual/visual.h"
 
-/* ---- parts and spots */
+/* ---- parts and decals */
 
 static void end_part(const visual_object *v, visual_frame *f)
 {
@@ -132,7 +132,8 @@ static vbss_result draw_body(visual_object *v, visual_frame *f, uint32_t source,
     return VBSS_OK;
 }
 
-/* A square in the floor's plane, round the place that is nearest to the origin of vertices. */
+/* Draws a square in the plane of the floor, centred at the point nearest to the origin of the
+ * vertices. */
 static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
                        const scene_info *scene)
 {
@@ -177,7 +178,7 @@ static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source
 
 /* ---- sources */
 
-/* A source that was destroyed is skipped. */
+/* A source that was destroyed draws nothing. */
 static vbss_result draw_source(visual_object *v, visual_frame *f, const visual_source *source)
 {
     vbss_slot *slot;

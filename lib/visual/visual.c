@@ -1,4 +1,4 @@
-/* How visuals begin and end, what they are told to show, and what they hand out. */
+/* Public functions of visuals: creation, sources, views and statistics. */
 #include "base/config.h"
 #include "base/memory.h"
 #include "visual/visual.h"
@@ -15,7 +15,7 @@ _Static_assert(sizeof(vbss_visual_statistics) == 32, "published size");
 static const uint32_t statistics_sizes[] = {32, 0};
 static const vbss_layout statistics_layout = {"vbss_visual_statistics", NULL, statistics_sizes};
 
-/* ---- life */
+/* ---- creation and destruction */
 
 enum { ARRAYS_PER_FRAME = 5, ARRAY_COUNT = 2 * ARRAYS_PER_FRAME + 3 };
 
@@ -46,7 +46,7 @@ static void free_visual(vbss_context *context, void *object)
     vbss_release(context, v, 1, sizeof *v);
 }
 
-/* A picture is no state: there is nothing to save. */
+/* Frames are not part of the state, so there is nothing to save. */
 static void visit_nothing(vbss_stream *stream, void *object)
 {
     (void)stream;
@@ -105,7 +105,7 @@ vbss_result vbss_visual_destroy(vbss_visual *visual)
     return vbss_slot_destroy(visual, &vbss_visual_kind_of_slot);
 }
 
-/* ---- what it shows */
+/* ---- sources */
 
 static vbss_result add_source(vbss_visual *visual, const void *handle, scene_handle_type type,
                               uint32_t *number)
@@ -171,7 +171,7 @@ vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
     return vbss_fail(v->context, VBSS_ERROR_OUT_OF_RANGE, "the visual has no source %u", source);
 }
 
-/* ---- what it hands out */
+/* ---- views and statistics */
 
 vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field, vbss_view *view,
                                  uint32_t struct_size)

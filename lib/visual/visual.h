@@ -1,10 +1,15 @@
-/* The inside of a visual, shared by the files of lib/visual. Nobody looks into it, and it changes nothing of what it shows.
+/* Internal interface of visuals, shared by the files of lib/visual. A visual only reads the bodies
+ * that it draws.
  *
- * config.c says what a visual may be; visual.c makes, ends and shows it, and keeps the list of what it shows; update.c writes a
- * frame: a part for each body. Tubes, wires and jaws are lofts (loft.c): sections moved along a line. spline.c and thread.c make
- * the line of a thread, tools.c those of needles, graspers and capsules; patch.c makes curved patches of a drain's triangles,
- * drain.c a wall of them. Numbers are double until they are put into a vertex: renderers want floats, and a conversion
- * rounds to the same bits everywhere. */
+ * config.c has the configuration and visual.c the public object with its list of sources. update.c
+ * writes a frame, with one part per body. Threads, needles, graspers and capsules are lofts
+ * (loft.c): sections moved along a line. The line of a thread comes from spline.c and thread.c,
+ * those of rigid bodies from tools.c. patch.c makes curved patches from the triangles of a drain,
+ * and drain.c makes a wall from the patches.
+ *
+ * Units are SI, and points are in world coordinates unless the comment says otherwise. All numbers
+ * are double up to the vertex. Renderers want floats there, and a conversion rounds to the same
+ * bits on every machine. */
 #ifndef VBSS_VISUAL_VISUAL_H
 #define VBSS_VISUAL_VISUAL_H
 
@@ -18,6 +23,8 @@
 enum { VISUAL_MAX_SIDES = 64, VISUAL_MAX_SECTION_POINTS = VISUAL_MAX_SIDES + 8 };
 #define VISUAL_PI 3.14159265358979323846
 
+/* The next three structs have the layout of the public views. */
+
 typedef struct visual_vertex {
     float position[3], normal[3], texture[2], material[3], value;
 } visual_vertex;
@@ -26,19 +33,19 @@ typedef struct visual_decal {
     float part, kind, material[3], radius;
 } visual_decal;
 
-/* In the order of the view. */
 typedef struct visual_part {
     uint32_t kind, source, body, first_vertex, vertex_count, first_triangle, triangle_count,
         reserved;
 } visual_part;
 
-/* How the first section of a thread's tube was turned in the last frame. */
+/* Orientation of the first section of a thread's tube. The next frame starts from it. */
 typedef struct visual_tube_start {
     const vbss_thread *thread;
     vec3 tangent, normal;
 } visual_tube_start;
 
-/* One frame. Counts go on beyond what there is room for: then the frame is thrown away. */
+/* One frame. Items beyond a capacity are counted but not stored, and the frame is then
+ * discarded. */
 typedef struct visual_frame {
     visual_vertex *vertices;
     uint32_t (*triangles)[3];
@@ -48,8 +55,9 @@ typedef struct visual_frame {
     uint32_t vertex_count, triangle_count, part_count, decal_count, tube_start_count;
 } visual_frame;
 
+/* A scene or body that the visual shows. */
 typedef struct visual_source {
-    uint32_t number; /* 0: the place is free */
+    uint32_t number; /* as reported to the host; 0: the entry is free */
     scene_handle_type type;
     const void *handle;
 } visual_source;
@@ -59,30 +67,34 @@ typedef struct visual_object {
     vbss_visual_config config;
     vec3 origin;
     visual_source *sources;
-    uint32_t last_source;
+    uint32_t last_source; /* largest number given so far */
     visual_frame frames[2];
-    uint32_t front; /* of the two, the one that is shown */
+    uint32_t front; /* index of the frame that hosts see */
     uint64_t generation, updates;
 
-    /* room for an update: nothing here outlives it */
-    vec3 *node_vectors;         /* second derivatives at a thread's nodes; normals at a drain's */
-    double *elimination_ratios; /* of elimination */
+    /* Scratch, used within one update only. */
+    vec3 *node_vectors; /* per node: second derivatives of a thread, or normals of a drain */
+    double *elimination_ratios; /* per node: ratios of the elimination in spline.c */
 } visual_object;
 
-/* ---- config.c: the caller's over the defaults, every number checked */
+/* ---- config.c */
+
+/* Reads a configuration of the host; NULL: the defaults. Returns VBSS_OK, VBSS_ERROR_STRUCT_SIZE,
+ * VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE. */
 vbss_result vbss_visual_read_config(vbss_context *context, const vbss_visual_config *config,
                                     vbss_visual_config *own);
 
-/* ---- putting things into a frame */
+/* ---- vertices and triangles */
 
+/* A vertex before it is converted to floats. */
 typedef struct visual_point {
-    vec3 position, normal; /* in the world; unit */
+    vec3 position, normal; /* m; unit */
     double texture[2];
     vec3 material;
     double value;
 } visual_point;
 
-/* What is beyond any scene is drawn at its edge. */
+/* Clamps, so that the conversion cannot overflow. */
 static inline float visual_to_float(double x)
 {
     return (float)vbss_min(vbss_max(x, -1e30), 1e30);
@@ -95,6 +107,7 @@ static inline void visual_store(float out[3], vec3 v)
     out[2] = visual_to_float(v.z);
 }
 
+/* Stores vertex number `index` if there is room for it. */
 static inline void visual_set_vertex(const visual_object *v, visual_frame *f, uint32_t index,
                                      const visual_point *p)
 {
@@ -109,6 +122,7 @@ static inline void visual_set_vertex(const visual_object *v, visual_frame *f, ui
     }
 }
 
+/* Adds a triangle of three vertices, counter-clockwise seen from outside. */
 static inline void visual_add_triangle(const visual_object *v, visual_frame *f, uint32_t a,
                                        uint32_t b, uint32_t c)
 {
@@ -125,102 +139,128 @@ static inline void visual_add_triangle(const visual_object *v, visual_frame *f, 
 extern const vbss_kind vbss_visual_kind_of_slot;
 
 /* ---- update.c */
-/* A part begins, with what comes from here on; it ends where the next one begins. */
+
+/* Begins a part. All vertices and triangles belong to it until the next part begins. */
 void vbss_visual_begin_part(const visual_object *v, visual_frame *f, vbss_visual_kind kind,
                             uint32_t source, uint32_t body);
-/* On the part that was begun last. */
+/* Adds a decal to the current part. `material` is a position at rest, m; `radius` is in m. */
 void vbss_visual_add_decal(const visual_object *v, visual_frame *f, vbss_spot_kind kind,
                            vec3 material, double radius);
-/* Nothing is shown of what does not fit. */
+/* Whether the frame is within all capacities so far. */
 bool vbss_visual_fits(const visual_object *v, const visual_frame *f);
 
-/* ---- loft.c: a section, in shares of a ring's radius, counter-clockwise seen against the way of the line */
+/* ---- loft.c */
+
+/* A section of a loft, for a ring of radius 1. The axes are those of a ring: its normal, then
+ * tangent x normal. The points run counter-clockwise seen against the tangent. */
 typedef struct visual_section {
     uint32_t count;
     double position[VISUAL_MAX_SECTION_POINTS][2], normal[VISUAL_MAX_SECTION_POINTS][2],
         perimeter_fraction[VISUAL_MAX_SECTION_POINTS];
-    bool joins_next[VISUAL_MAX_SECTION_POINTS]; /* with the next point */
-    uint32_t dome_rings;                        /* rings of a quarter of a circle as fine as this */
+    bool joins_next[VISUAL_MAX_SECTION_POINTS]; /* the surface continues to the next point */
+    uint32_t dome_rings;                        /* rings of a dome of the same fineness */
 } visual_section;
-/* Round, as fine as the tolerance asks at that radius. */
+
+/* Makes a circular section that is as fine as tube_tolerance requires at this radius, m. */
 void vbss_visual_round_section(const visual_object *v, double radius, visual_section *section);
-/* Of a jaw: half round, and flat toward the other one. */
+/* Makes the section of a jaw: a semicircle with a flat side toward the other jaw. */
 void vbss_visual_jaw_section(const visual_object *v, double radius, visual_section *section);
 
-/* A place on the line, and the section there. */
+/* A position on the line, and the section there. */
 typedef struct visual_ring {
-    vec3 centre, tangent,
-        normal; /* unit; the section's first axis is the normal, the second tangent x normal */
-    double radius;
-    double radial, axial; /* of the surface's normal, across the line and along it */
-    double arc_length, value;
+    vec3 centre, tangent, normal; /* m; unit; unit, across the tangent: first axis of the section */
+    double radius;                /* m */
+    double radial, axial;         /* components of the surface's normal across and along the line */
+    double arc_length, value;     /* m; value of the vertices */
 } visual_ring;
 
+/* A surface under construction, ring by ring. */
 typedef struct visual_loft {
     const visual_object *v;
     visual_frame *frame;
     const visual_section *section;
-    uint32_t previous;                   /* first vertex of the ring before */
-    bool has_previous, previous_is_pole; /* there is one; it is a single point */
+    uint32_t previous;                   /* first vertex of the previous ring or pole */
+    bool has_previous, previous_is_pole; /* a pole is a single vertex */
 } visual_loft;
+
 visual_loft vbss_visual_begin_loft(const visual_object *v, visual_frame *f,
                                    const visual_section *section);
+/* Adds a ring and connects it to the previous one. */
 void vbss_visual_add_ring(visual_loft *loft, const visual_ring *ring);
-/* A single point, where the surface begins or ends. */
+/* Adds a single vertex, at which the surface begins or ends. */
 void vbss_visual_add_pole(visual_loft *loft, const visual_ring *ring);
-/* Half a ball before the ring that comes next, or behind the last one. */
+/* Adds a hemisphere: before `ring` at the start of the line, or after it at the end. */
 void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool at_start);
-/* A capsule: rings at both ends of its axis, and domes. `normal` is across the axis. */
+
+/* A capsule, which may taper. */
 typedef struct visual_capsule {
-    vec3 start, end, tangent, normal;
-    double radius, end_radius, value;
+    vec3 start, end, tangent, normal; /* m; along the axis, unit; across it, unit */
+    double radius, end_radius, value; /* m; value of the vertices */
 } visual_capsule;
+
 void vbss_visual_add_capsule(const visual_object *v, visual_frame *f, const visual_section *section,
                              const visual_capsule *capsule);
-/* Chords of a circle of that curvature that keep the tolerance: how long they may be. */
+/* Length of a chord that deviates from a circle of this curvature (1/m) by the tolerance, m. */
 double vbss_visual_max_chord(double curvature, double tolerance);
 
-/* ---- spline.c: the natural cubic spline through nodes, with rest lengths as its parameter */
-/* Second derivatives at the nodes, by elimination; `ratios` is room for as many numbers. */
+/* ---- spline.c: the natural cubic spline through the nodes of a thread */
+
+/* Computes the second derivatives at the nodes, 1/m. The parameter is the rest length: `lengths`
+ * has one per segment, m. `ratios` is scratch, one per node. */
 void vbss_visual_solve_spline(const vec3 *x, const double *lengths, uint32_t node_count,
                               vec3 *second_derivatives, double *ratios);
-/* Of a segment, at that share of its length: place, and derivative by length. At 0 and 1 the place is the node, to the bit. */
+
 typedef struct visual_segment {
-    vec3 start, end, start_second_derivative, end_second_derivative;
-    double length;
+    vec3 start, end, start_second_derivative, end_second_derivative; /* m; 1/m */
+    double length;                                                   /* at rest, m */
 } visual_segment;
+
+/* Point of the spline at a fraction of the segment. At 0 and 1 it is the node, to the bit. */
 vec3 vbss_visual_segment_point(const visual_segment *s, double fraction);
+/* Derivative of the point with respect to the rest length. */
 vec3 vbss_visual_segment_derivative(const visual_segment *s, double fraction);
 
 /* ---- thread.c */
+
 void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_thread *thread);
-/* The normal of a frame at the next place of a line, turned as little as can be about it. */
+/* Transports the normal of a rotation-minimising frame from one point of a line to another.
+ * Tangents and normals are unit vectors. */
 vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to,
                                   vec3 tangent_there);
 
 /* ---- tools.c */
+
 void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss_needle *needle);
 void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const scene_grasper_info *g);
 void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const vbss_scene *scene,
                             const scene_body_info *body);
 
-/* ---- patch.c: a curved patch over a triangle */
-/* A side: its curve's inner points, the middle of its normals. */
+/* ---- patch.c: curved patches over triangles */
+
+/* An edge of a patch: a cubic Bezier curve with end points (corners) and control points, m, and
+ * quadratic normals with a control normal in the middle, unit. */
 typedef struct visual_edge {
     vec3 corner[2], control[2], normal[2], middle_normal;
 } visual_edge;
+
 visual_edge vbss_visual_make_edge(const vec3 x[2], const vec3 normals[2]);
+/* Point and unit normal at a fraction of the edge. */
 vec3 vbss_visual_edge_point(const visual_edge *edge, double fraction, vec3 *normal);
-/* No chord is farther from its part of the curve than this divided by the square of the number of parts. */
+/* Bound of the chord error, m: with n equal divisions, no chord is farther from the curve than this
+ * divided by n^2. */
 double vbss_visual_edge_chord_error(const visual_edge *edge);
+
 typedef struct visual_patch {
-    visual_edge edges[3]; /* from corner k to the next one */
-    vec3 centre;
+    visual_edge edges[3]; /* edge k runs from corner k to the next one */
+    vec3 centre;          /* inner control point, m */
 } visual_patch;
+
 visual_patch vbss_visual_make_patch(const visual_edge edges[3]);
+/* Point and unit normal at barycentric coordinates. */
 vec3 vbss_visual_patch_point(const visual_patch *patch, const double weights[3], vec3 *normal);
 
 /* ---- drain.c */
+
 void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const scene_drain_info *d);
 
 #endif
