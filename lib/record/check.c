@@ -1,5 +1,5 @@
-/* What is wrong with a log and where, without a scene: all that is good is read, and beyond a fault only as far
- * as lengths and checksums tell. */
+/* Checks a log without a scene. Up to the first fault all records are read. After it, only lengths
+ * and checksums are checked. */
 #include <string.h>
 
 #include "base/check.h"
@@ -28,7 +28,7 @@ static void add_fault(vbss_log_report *report, const log_fault *fault)
     }
 }
 
-/* Everything up to the end, or to the first fault. */
+/* Reads all records up to the end or to the first fault. */
 static vbss_result read_intact_records(replay_object *p, vbss_log_report *report)
 {
     VBSS_TRY(vbss_replay_open_log(p));
@@ -51,7 +51,8 @@ static vbss_result read_intact_records(replay_object *p, vbss_log_report *report
     return VBSS_OK;
 }
 
-/* The record with a fault tells the checksum that the next one covers, if that was not what was hit. */
+/* Skips each faulty record and continues with the checksum that it stores. If that checksum is the
+ * damaged part, the next record counts as faulty, too. */
 static void find_more_faults(log_reader *log, log_fault *fault, vbss_log_report *report)
 {
     log_record found;

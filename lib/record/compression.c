@@ -1,7 +1,15 @@
-/* Sequences of literal words, each but the last followed by a run of words that stood before:
- *   u8 number of literals << 4 | length of the run - 2, a part of 15 goes on in bytes up to one below 255;
- *   the literals; u16 how many words before the run stood.
- * The last one to three bytes stand behind as they are. */
+/* Compression of four-byte words by literals and matches (LZ77).
+ *
+ * The compressed bytes are sequences of literal words and a match. Literals that end the words have
+ * no match after them.
+ *
+ *     u8   number of literals << 4 | length of the match - 2
+ *     the literals
+ *     u16  offset of the match: its distance back, in words
+ *
+ * A nibble of 15 is extended by bytes that are added to it, up to and including the first below
+ * 255. Extensions precede the literals and the offset, respectively. The last one to three bytes
+ * follow uncompressed. */
 #include "record/compression.h"
 
 #include <string.h>
@@ -10,7 +18,7 @@
 
 enum { WORD_BYTES = 4, MIN_MATCH = 2, NIBBLE_MAX = 15, EXTENSION_MAX = 255, MAX_OFFSET = 65535 };
 
-/* ---- packing */
+/* ---- compression */
 
 typedef struct compressor {
     uint8_t *compressed;
@@ -43,7 +51,7 @@ static void put_length_extension(compressor *p, size_t number)
     }
 }
 
-/* run: 0 for the last sequence */
+/* `match` is 0 in the last sequence. */
 static void put_sequence(compressor *p, const uint8_t *literals, size_t count, size_t match,
                          size_t offset)
 {
@@ -66,7 +74,7 @@ static uint32_t hash_words(const uint8_t *words)
     return (first * 0x9e3779b1u ^ second * 0x85ebca77u) >> 20;
 }
 
-/* Words from i on that stood the same from `before` on. */
+/* Number of words from i on that equal those from `candidate` on. */
 static size_t match_length(const uint8_t *raw, size_t words, size_t candidate, size_t i)
 {
     size_t match = 0;
@@ -82,12 +90,12 @@ size_t vbss_log_compress(uint32_t table[LOG_HASH_TABLE_SIZE], const uint8_t *raw
 {
     compressor p = {.capacity = capacity};
     const size_t words = count / WORD_BYTES < UINT32_MAX ? count / WORD_BYTES : 0;
-    size_t i = 0, literals = 0; /* those before i that no sequence has yet */
+    size_t i = 0, literals = 0; /* literals: words before i that are not written yet */
     p.compressed = compressed;
     memset(table, 0, LOG_HASH_TABLE_SIZE * sizeof table[0]);
     while (i + 1 < words && !p.is_full) {
         uint32_t *entry = &table[hash_words(raw + WORD_BYTES * i)];
-        size_t candidate = *entry, match = 0; /* one above */
+        size_t candidate = *entry, match = 0; /* index + 1; 0: none */
         if (candidate > 0 && i - (candidate - 1) <= MAX_OFFSET) {
             match = match_length(raw, words, candidate - 1, i);
         }
@@ -110,7 +118,7 @@ size_t vbss_log_compress(uint32_t table[LOG_HASH_TABLE_SIZE], const uint8_t *raw
     return p.is_full ? 0 : p.position;
 }
 
-/* ---- unpacking */
+/* ---- decompression */
 
 typedef struct decompressor {
     const uint8_t *compressed;
@@ -160,8 +168,8 @@ bool vbss_log_decompress(const uint8_t *compressed, size_t compressed_count, uin
             if (u.overrun || match > words - done || offset == 0 || offset > done) {
                 return false;
             }
-            for (size_t i = 0; raw != NULL && i < WORD_BYTES * match;
-                 i++) { /* the run may reach into itself */
+            /* Byte by byte, because a match may overlap its own copy. */
+            for (size_t i = 0; raw != NULL && i < WORD_BYTES * match; i++) {
                 raw[WORD_BYTES * done + i] = raw[WORD_BYTES * (done - offset) + i];
             }
             done += match;

@@ -1,10 +1,13 @@
-/* How a log is laid out, little-endian:
- *   front   "VBSL", u32 format
- *   record  u32 length, u32 its complement, a section of the stream (code, version, fields), u64 checksum
- *   or      u16 length, u16 its complement, a coded step (step_codec.c), u64 checksum; since format 3
- * The two highest bits of the first four bytes are set in the second kind only. The checksum is XXH64 of
- * the checksum before it (at first: the front) and all of the record before it. A record whose code begins
- * with a small letter may be passed over by who does not know it. */
+/* The layout of a log, which is little-endian:
+ *
+ *     preamble  "VBSL", u32 format
+ *     record    u32 length, u32 its complement, section (code, version, fields), u64 checksum
+ *     or        u16 length, u16 its complement, coded step (step_codec.c), u64 checksum
+ *
+ * The second form exists since format 3; only there the two highest bits of the first four bytes
+ * are set. The checksum is the XXH64 of the previous checksum and of the record up to its own; the
+ * first record takes the preamble as the previous checksum. A reader may skip a record that it does
+ * not know if the code begins with a lower-case letter. */
 #include <string.h>
 
 #include "base/error.h"
@@ -129,7 +132,7 @@ vbss_result vbss_log_read_preamble(log_reader *log)
     return VBSS_OK;
 }
 
-/* The length of the record at `at`; false: none begins there. */
+/* Reads the prefix at the position of the reader. Returns false if no record begins there. */
 static bool read_prefix(const log_reader *log, log_record *found)
 {
     const uint8_t *record = log->bytes + log->position;
@@ -146,8 +149,8 @@ static bool read_prefix(const log_reader *log, log_record *found)
            prefix >= MIN_SECTION_BYTES;
 }
 
-/* The record at `at`, whatever it is. No record is shorter than LOG_PREFIX_BYTES, so there are as many bytes or
- * it is cut off. */
+/* Finds the record at the position of the reader. No record is shorter than LOG_PREFIX_BYTES, so
+ * with fewer bytes the log is truncated. */
 static vbss_result find_record(const log_reader *log, log_record *found)
 {
     size_t remaining = log->count - log->position;
@@ -168,7 +171,7 @@ static vbss_result find_record(const log_reader *log, log_record *found)
     return VBSS_OK;
 }
 
-/* Of the record, all that its checksum covers but the checksum before. */
+/* Bytes of the record that its checksum covers. */
 static size_t covered_bytes(const log_record *found)
 {
     return (found->is_coded ? LOG_CODED_PREFIX_BYTES : LOG_PREFIX_BYTES) + found->length;
@@ -231,7 +234,7 @@ vbss_result vbss_log_check_all_read(const log_reader *log, const log_record *fou
                    ? VBSS_OK
                    : vbss_log_fail_corrupt(log, position, "data follow the fields");
     }
-    /* The record is all there: fields that need more were never written. */
+    /* The record is complete, so fields beyond its end mean corruption, not truncation. */
     bool is_overrun = result == VBSS_ERROR_TRUNCATED || result == VBSS_ERROR_CAPACITY;
     return fail_at(log, is_overrun ? VBSS_ERROR_CORRUPT : result, position, stream->problem);
 }

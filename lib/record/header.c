@@ -1,4 +1,5 @@
-/* How a log begins: who wrote it, the scene's configuration, and the snapshot. */
+/* The header record of a log: the library that wrote it, the host's note, and the configuration of
+ * the scene. */
 #include <string.h>
 
 #include "base/error.h"
@@ -33,7 +34,7 @@ typedef struct config_field {
 #name, offsetof(vbss_scene_config, name), FIELD_F64, 1, false \
     }
 
-/* The place in the table is the tag: new fields are appended. */
+/* The index in the table is the tag, so new fields are appended. */
 static const config_field fields[] = {
     WORD(method),
     WORD(mode),
@@ -41,7 +42,7 @@ static const config_field fields[] = {
     ROOM(node_capacity),
     ROOM(rigid_capacity),
     ROOM(capsule_capacity),
-    WORD(pin_capacity), /* the state has a place for each */
+    WORD(pin_capacity), /* part of the state */
     ROOM(contact_capacity),
     ROOM(candidate_capacity),
     ROOM(event_capacity),
@@ -66,8 +67,8 @@ static const config_field fields[] = {
     WORD(hole_capacity),
     WORD(slot_limit), /* since version 5 */
 };
-/* Of version 1, whose scenes had no graspers, 2, whose work had no limit, 3, which did not tell of drains and holes, and 4, whose
- * calls had no limit. */
+/* Of version 1, whose scenes had no graspers, 2, whose work had no limit, 3, which did not tell of
+ * drains and holes, and 4, whose calls had no limit. */
 enum {
     FIELDS = sizeof fields / sizeof fields[0],
     FIELDS_1 = 25,
@@ -120,7 +121,7 @@ vbss_result vbss_log_compare_config(const log_header *header, const scene_info *
     return VBSS_OK;
 }
 
-/* ---- bytes of any number */
+/* ---- blobs */
 
 vbss_result vbss_log_make_blob(vbss_context *context, log_blob *blob, const void *bytes,
                                size_t count)
@@ -157,7 +158,7 @@ static void visit_blob(vbss_stream *stream, uint16_t tag, vbss_context *context,
     vbss_stream_u8(stream, (uint16_t)(tag + 1), blob->bytes, count);
 }
 
-/* ---- records */
+/* ---- header record */
 
 void vbss_log_visit_header(vbss_stream *stream, log_header *header)
 {
@@ -171,7 +172,7 @@ void vbss_log_visit_header(vbss_stream *stream, log_header *header)
     vbss_stream_count(stream, 5, &header->input_capacity, 65536);
     visit_blob(stream, 6, header->context, &header->note);
     visit_scene_config(stream, &header->scene);
-    if (header->scene.event_capacity > 65536) { /* for which a reader needs room */
+    if (header->scene.event_capacity > 65536) { /* a reader allocates room for them */
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no scene keeps so many events");
     }
     vbss_stream_close(stream, outer);

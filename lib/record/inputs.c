@@ -1,4 +1,4 @@
-/* What a host tells a scene, told by the host itself or once more from a log. */
+/* Inputs: applies a recorded call of the host to a scene, both live and in a replay. */
 #include "base/error.h"
 #include "record/record.h"
 
@@ -71,7 +71,7 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log
         return vbss_grasper_move(grasper, n, w[1] != 0 ? n + 3 : NULL);
     case VBSS_INPUT_SET_OPENING:
         return vbss_grasper_set_opening(grasper, n[0]);
-    default: /* VBSS_INPUT_EXCHANGE: no other gets here */
+    default: /* VBSS_INPUT_EXCHANGE */
         return vbss_grasper_exchange(grasper, (vbss_grasper_kind)w[1]);
     }
 }

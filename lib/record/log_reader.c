@@ -1,4 +1,4 @@
-/* Reading: a log is opened, tells about itself, and is read from step to step without a scene. */
+/* Reads a log without a scene: opens it, reports its header, and reads its steps in order. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -15,7 +15,7 @@ _Static_assert(sizeof(vbss_log_step) == 72 && sizeof(vbss_log_input) == 128, "pu
 static const uint32_t scene_config_sizes[] = {160, 168, 176, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
-/* ---- life */
+/* ---- creation and destruction */
 
 static void free_replay(vbss_context *context, void *object)
 {
@@ -24,7 +24,7 @@ static void free_replay(vbss_context *context, void *object)
     vbss_release(context, p, 1, sizeof *p);
 }
 
-/* The state of a replay is the scene's; its own is how far it is. */
+/* The state is that of the scene; the replay itself has only its position. */
 static void visit_replay(vbss_stream *stream, void *object)
 {
     replay_object *p = object;
@@ -34,7 +34,7 @@ static void visit_replay(vbss_stream *stream, void *object)
 static const vbss_kind kind = {"replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_replay,
                                visit_replay};
 
-/* The next record, to be visited. */
+/* Finds the next record and begins a stream that reads its payload. */
 static vbss_result next_record(log_reader *log, log_record *found, vbss_stream *stream)
 {
     VBSS_TRY(vbss_log_next(log, found));
@@ -143,7 +143,7 @@ vbss_result vbss_replay_edit(vbss_replay *handle, replay_object **replay)
     return VBSS_OK;
 }
 
-/* ---- what it says about itself */
+/* ---- header */
 
 vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info, uint32_t struct_size)
 {
@@ -172,7 +172,7 @@ vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config 
     return vbss_struct_write(p->context, &scene_config_layout, &own, config, config->struct_size);
 }
 
-/* ---- from step to step */
+/* ---- steps */
 
 log_reader vbss_log_reader_at(const log_reader *start, log_coder *coder)
 {

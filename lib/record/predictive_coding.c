@@ -1,3 +1,4 @@
+/* Predictive coding: bits, varints, and numbers as Rice codes of the residual of a prediction. */
 #include "record/predictive_coding.h"
 
 #include <float.h>
@@ -82,7 +83,7 @@ bool vbss_log_bits_are_complete(log_bits *bits)
 
 /* ---- numbers */
 
-/* Ordered as the numbers are; neighbours differ by one, also across zero. */
+/* Integer with the order of the doubles. Neighbouring doubles differ by one, also across zero. */
 static uint64_t ordered_bits(double x)
 {
     uint64_t bits;
@@ -98,7 +99,7 @@ static double from_ordered_bits(uint64_t ordered)
     return x;
 }
 
-/* Small for small differences of either sign. */
+/* Maps small differences of either sign to small numbers. */
 static uint64_t zigzag_encode(uint64_t difference)
 {
     return difference << 1 ^ ((difference & SIGN) != 0 ? UINT64_MAX : 0);
@@ -121,13 +122,14 @@ static uint32_t bit_length(uint64_t value)
     return length + (uint32_t)value;
 }
 
-/* What overflows predicts nothing; processors differ in the NaNs that they make. */
+/* A sum that overflows predicts 0, because processors differ in the NaNs that they make. */
 static uint64_t ordered_prediction(double sum)
 {
     return ordered_bits(fabs(sum) <= DBL_MAX ? sum : 0.0);
 }
 
-/* The prediction of the order that was cheapest, and the bits below the quotient. */
+/* Prediction of the order with the lowest cost. `low_bits` receives the parameter of the Rice code:
+ * the number of bits below the quotient. */
 static uint64_t predict(const log_predictor *predictor, uint32_t *low_bits)
 {
     uint32_t best = 0;
@@ -156,7 +158,7 @@ void vbss_log_put_number(log_bits *bits, const log_predictor *predictor, double 
     uint32_t length = bit_length(zigzag);
     vbss_log_put_bits(bits, (1u << ESCAPE) - 1, ESCAPE);
     vbss_log_put_bits(bits, length - 1, LENGTH_BITS);
-    vbss_log_put_bits(bits, zigzag, length - 1); /* the highest is one */
+    vbss_log_put_bits(bits, zigzag, length - 1); /* the highest bit is 1 and is left out */
 }
 
 double vbss_log_get_number(log_bits *bits, const log_predictor *predictor)

@@ -1,4 +1,4 @@
-/* Writing: how records begin, what a step appends, and how they end. */
+/* Writes a log: its start, the steps that are appended, and its end. */
 #include <string.h>
 
 #include "base/config.h"
@@ -47,7 +47,7 @@ vbss_result vbss_record_read_config(vbss_context *context, const vbss_record_con
     return check_record_config(context, own);
 }
 
-/* ---- the begin of a log */
+/* ---- start of a log */
 
 static vbss_result fill_header(const scene_info *scene, const vbss_record_config *c,
                                log_header *header)
@@ -95,7 +95,7 @@ static size_t measure_end(log_step *step)
     return log_record_bytes(&stream);
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 static void free_record(vbss_context *context, void *object)
 {
@@ -106,7 +106,7 @@ static void free_record(vbss_context *context, void *object)
     vbss_release(context, r, 1, sizeof *r);
 }
 
-/* A log is no state to go back to; what can be told of it is how long it is. */
+/* A log cannot be set back, so only its number of steps is serialised. */
 static void visit_record(vbss_stream *stream, void *object)
 {
     record_object *r = object;
@@ -142,7 +142,8 @@ vbss_result vbss_record_allocate_log(record_object *r, size_t start_bytes, size_
 {
     r->end_bytes = measure_end(&r->step);
     r->snapshot_interval = c->snapshot_interval;
-    /* states grow: twice the first is room that spares others nearly always */
+    /* twice the first size, because states grow: later snapshots then nearly always have
+         * room */
     r->log.capacity =
         start_bytes + (size_t)c->buffer_bytes + r->end_bytes + r->max_event_bytes +
         (c->snapshot_interval > 0 ? 2 * vbss_log_max_snapshot_bytes(snapshot_bytes) : 0);
@@ -213,7 +214,7 @@ vbss_result vbss_record_edit(vbss_record *handle, record_object **record)
     return VBSS_OK;
 }
 
-/* ---- growing */
+/* ---- steps */
 
 static bool knows_all_edits(const record_object *r)
 {
@@ -235,14 +236,16 @@ vbss_result vbss_record_check_ready(const record_object *r)
                                           (unsigned long long)r->step.number);
 }
 
-/* A large step is written as fields, and so are the steps of logs that older libraries began. */
+/* Whether a step is written in coded form. Large steps, and steps of logs that older libraries
+ * began, are written as fields. */
 static bool fits_coded(const record_object *r, const log_step *step, size_t *max_bytes)
 {
     *max_bytes = vbss_log_max_coded_bytes(step, step->event_count);
     return r->log.format >= LOG_FORMAT_COMPRESSED && *max_bytes <= LOG_MAX_CODED_BYTES;
 }
 
-/* In either form, as its events decide between them; these come on top. */
+/* Largest size of a step in either form, without its events: they are not known yet, and decide the
+ * form. */
 static size_t max_step_bytes(log_step *step)
 {
     enum { EVENTS_HEADER = 8 };
@@ -280,7 +283,7 @@ static vbss_result check_capacity(const record_object *r, log_step *next)
                      (unsigned long long)vbss_log_free_bytes(&r->log), (unsigned long long)need);
 }
 
-/* A snapshot that is due and finds no room waits until after a later step. */
+/* Writes the snapshot that is due, if there is room for it. Otherwise it stays due. */
 static void write_due_snapshot(record_object *r)
 {
     size_t need = 0;
@@ -316,7 +319,7 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     vbss_log_borrow_events(&next, &info);
     VBSS_TRY(write_step(r, &next));
     next.input_count = next.event_count = 0;
-    next.events = NULL; /* the scene may end before the record */
+    next.events = NULL; /* the scene may be destroyed before the record */
     r->step = next;
     r->snapshot_is_last = false;
     r->snapshot_due |= r->snapshot_interval > 0 && next.number % r->snapshot_interval == 0;
@@ -333,7 +336,7 @@ vbss_result vbss_record_end(vbss_record *record)
     if (r->ended) {
         return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended before");
     }
-    /* The hash of what the steps have made, if that is still there. */
+    /* The end has the hash of the scene if it still is in the state after the last step. */
     const vbss_slot *scene = (const vbss_slot *)r->scene;
     log_step last = r->step;
     last.hash = 0;

@@ -1,4 +1,4 @@
-/* What a host tells the scene through its record: the same as without, and noted. */
+/* Public functions that apply an input to the scene and record it. */
 #include <string.h>
 
 #include "base/check.h"
@@ -83,7 +83,7 @@ vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double 
     return apply_and_record(r, VBSS_INPUT_CUT, &input, piece);
 }
 
-/* The thread reads the struct, as it may be one of another version. */
+/* The fields are read after vbss_thread_attach, which checks the struct and its version. */
 vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
                                const vbss_thread_attachment *attachment, uint32_t *id)
 {

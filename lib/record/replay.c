@@ -1,4 +1,4 @@
-/* Replaying: the scene is told what it was told, stepped, and compared. */
+/* Replays a log: applies its inputs to a scene, steps the scene and compares hashes. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -78,7 +78,7 @@ static vbss_result replay_next(replay_object *p)
     return compare_hash(p);
 }
 
-/* What becomes of a call that has gone on. */
+/* Stores the result of a call that may have changed the scene. */
 static vbss_result set_outcome(replay_object *p, vbss_result result)
 {
     p->stop_result = result;
@@ -111,16 +111,16 @@ vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, ui
     return p->stop_result;
 }
 
-/* ---- to a step */
+/* ---- seek */
 
-/* A place of the log with a snapshot, and the hash that was recorded with the step before it. */
+/* A snapshot in the log, the position after it, and the hash recorded with the step before it. */
 typedef struct location {
     log_reader reader;
     log_snapshot snapshot;
     uint64_t has_hash, hash;
 } place;
 
-/* The newest snapshot at or before that step, once the step itself has been found. */
+/* Finds the newest snapshot at or before a step. Fails if the log does not have the step. */
 static vbss_result find_seek_point(replay_object *p, uint64_t step, place *found)
 {
     log_reader log = vbss_log_reader_at(&p->start, p->scan_coder);
@@ -141,7 +141,8 @@ static vbss_result find_seek_point(replay_object *p, uint64_t step, place *found
         }
         number += record.code == LOG_STEP;
     }
-    /* the snapshot of the step itself stands behind it; what else stands there is read when it is its turn */
+    /* The snapshot of the step itself follows the step. A fault there is ignored until the
+         * replay reaches it. */
     log_reader probe = log;
     log_fault ignored;
     probe.fault = &ignored;
@@ -190,7 +191,7 @@ void vbss_replay_roll_back(replay_object *p, const replay_object *before)
     log_snapshot skipped;
     log_record found;
     uint64_t number = 0;
-    /* the coder learns once more what stands before that place, which has all been read before */
+    /* Rebuilds the history of the coder. All these records were read before. */
     while (log.position < before->log.position &&
            vbss_log_read_record(&log, number, &p->step, &skipped, &found) == VBSS_OK) {
         number += found.code == LOG_STEP;

@@ -1,9 +1,10 @@
-/* Going on with a log: the scene is brought to its end, and what it is told from there on is appended. */
+/* Continues a log: brings the scene to the last complete step, and makes a record that appends to
+ * the log. */
 #include "base/check.h"
 #include "base/error.h"
 #include "record/record.h"
 
-/* The last complete step, and the reader where the next one would begin. */
+/* Finds the number of complete steps, and the position after the last of them. */
 static vbss_result find_last_step(replay_object *p, uint64_t *steps, log_reader *end)
 {
     log_record found = {.code = LOG_STEP};

@@ -1,13 +1,14 @@
-/* What a session notes of itself behind a step: marks, and its state behind a snapshot of its scene. Who knows no sessions
- * passes over them. */
+/* The records of sessions in the log of a scene: hashes after steps, and snapshots after those of
+ * the scene. Readers that do not know sessions skip them. */
 #include "base/error.h"
 #include "base/snapshot.h"
 #include "record/record.h"
 
-/* A state is put in the log when that has grown by so many times its size: states are a third of it at most. */
+/* A state is put in the log when that has grown by so many times its size: states are a third of it
+ * at most. */
 enum { SNAPSHOT_GROWTH_FACTOR = 2 };
 
-/* ---- marks */
+/* ---- hashes */
 
 static void visit_session_hash(vbss_stream *stream, log_session_hash *entry)
 {
@@ -55,7 +56,7 @@ bool vbss_log_find_session_hash(const replay_object *p, log_session_hash *entry)
     return false;
 }
 
-/* ---- states */
+/* ---- snapshots */
 
 vbss_result vbss_log_write_session_snapshot(record_object *r, const vbss_slot *session)
 {
@@ -97,12 +98,12 @@ vbss_result vbss_log_find_session_snapshot(const replay_object *p, uint64_t step
                                            log_snapshot *snapshot)
 {
     log_reader log = p->start;
-    uint64_t steps = 0, scene_step = 0; /* scene: of its newest snapshot */
+    uint64_t steps = 0, scene_step = 0; /* scene_step: step of the scene's newest snapshot */
     log_fault ignored;
     *snapshot = (log_snapshot){.bytes = NULL};
     for (;;) {
         log_record found;
-        log.fault = steps == step ? &ignored : NULL; /* what follows the step is read in its turn */
+        log.fault = steps == step ? &ignored : NULL; /* a fault after the step does not matter */
         vbss_result result = vbss_log_next_any(&log, &found);
         bool has_more = result == VBSS_OK && found.code != LOG_END;
         if (steps == step && (!has_more || found.code == LOG_STEP)) {

@@ -1,4 +1,5 @@
-/* Snapshots of scenes and states of sessions in a log: written, packed where there is room for it, and unpacked. */
+/* Snapshots of scenes and sessions in a log: writes them, compressed if there is room for that, and
+ * reads them. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/snapshot.h"
@@ -63,8 +64,9 @@ size_t vbss_log_max_snapshot_bytes(size_t count)
     return log_record_bytes(&stream);
 }
 
-/* Saves at the end of the room and packs to where the record shall have it. The bytes that this takes; 0: there
- * is too little room, or it would be no shorter. */
+/* Saves a snapshot at the end of the free room, and compresses it to its place in the record.
+ * Returns the compressed size, or 0 if there is too little room or the snapshot does not become
+ * smaller. */
 static size_t write_compressed(record_object *r, uint32_t code, const vbss_slot *slot,
                                log_snapshot snapshot)
 {
@@ -113,7 +115,7 @@ vbss_result vbss_log_decompress_snapshot(vbss_context *context, const log_snapsh
     if (snapshot->compressed_bytes == 0) {
         return VBSS_OK;
     }
-    /* before memory is asked for, as the count may be any */
+    /* Checked before memory is allocated, because a corrupt count may be huge. */
     if (!vbss_log_decompress(snapshot->bytes, snapshot->compressed_bytes, NULL, snapshot->count)) {
         return vbss_fail(context, VBSS_ERROR_CORRUPT,
                          "log: the snapshot after step %llu cannot be unpacked",

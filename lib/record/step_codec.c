@@ -1,3 +1,4 @@
+/* Codes steps as bits: numbers of inputs as residuals, everything else as flags and varints. */
 #include "base/memory.h"
 #include "record/step_codec.h"
 
@@ -16,26 +17,26 @@ enum {
 };
 enum { KIND_BITS = 4, MAX_CHANNELS = 32, MAX_NUMBERS = 12, EVENT_WORDS = 4 };
 
-/* The past of the numbers of one kind of input to one body, or to one attachment. */
+/* History of the numbers of one kind of input to one body or attachment. */
 typedef struct log_channel {
     uint32_t kind, key[2];
     log_predictor numbers[MAX_NUMBERS];
 } log_channel;
 
 struct log_coder {
-    bool needs_standalone; /* the next step must stand alone */
-    double h;
+    bool needs_standalone; /* the next step must not depend on earlier ones */
+    double h;              /* length of the last step, s */
     uint32_t input_count, input_capacity;
-    uint8_t *kinds; /* of the last step's inputs, with their words and channels */
+    uint8_t *kinds; /* kind, words and channel of each input of the last step */
     uint32_t (*words)[4];
     uint8_t *channel_indices;
-    uint32_t channel_count, oldest; /* oldest: the one to give way when there is no room */
+    uint32_t channel_count, oldest; /* oldest: replaced when there is no room */
     log_channel channels[MAX_CHANNELS];
 };
 
 static const log_predictor empty_predictors[MAX_NUMBERS];
 
-/* ---- life */
+/* ---- memory and history */
 
 static void list_coder_arrays(log_coder *c, vbss_array arrays[3])
 {
@@ -83,14 +84,14 @@ void vbss_log_reset_coder(log_coder *coder)
 
 /* ---- channels */
 
-/* An attachment has a past of its own; the other second words say how, not what. */
+/* Each attachment has a history of its own. In other inputs the second word is not an object. */
 static void key_of(const vbss_log_input *input, uint32_t key[2])
 {
     key[0] = input->words[0];
     key[1] = input->kind == VBSS_INPUT_MOVE ? input->words[1] : 0;
 }
 
-/* CHANNELS: there is none. */
+/* Index of the channel, or MAX_CHANNELS if there is none. */
 static uint32_t find_channel(const log_coder *c, const vbss_log_input *input)
 {
     uint32_t key[2], i = 0;

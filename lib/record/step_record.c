@@ -1,4 +1,4 @@
-/* What a log says of each step, and how it ends. */
+/* Serialises the records of a step and of the end of a log. */
 #include "base/memory.h"
 #include "record/record.h"
 
