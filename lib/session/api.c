@@ -1,4 +1,4 @@
-/* The exported functions of a session that exists. They check everything before they change anything. */
+/* The exported functions of existing sessions. They check their arguments before any change. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -120,7 +120,7 @@ vbss_result vbss_session_restore(vbss_session *session, const uint8_t *bytes, ui
 {
     session_object *s;
     VBSS_TRY(vbss_session_open(session, &s));
-    VBSS_TRY(vbss_check_arithmetic(s->context)); /* a reading of the detector is done again */
+    VBSS_TRY(vbss_check_arithmetic(s->context)); /* the detector repeats an unfinished reading */
     return vbss_object_restore(session, &vbss_session_kind, bytes, count);
 }
 

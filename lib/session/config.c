@@ -1,4 +1,4 @@
-/* How to make a session: defaults, and every number and part checked. */
+/* Configuration of sessions: defaults and range checks. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"

@@ -1,4 +1,4 @@
-/* Creates a session after checking the bodies and components that it is made over; destroys it. */
+/* Creates and destroys sessions. Creation checks the bodies and components of the configuration. */
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
@@ -91,7 +91,7 @@ static vbss_result check_components(const session_object *s)
     return c->replay == NULL ? VBSS_OK : check_replay(s);
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *config,
                                 vbss_session **session)

@@ -1,9 +1,9 @@
-/* The thread and the tools as the knot detector wants them, and what it says. */
+/* Feeds the knot detector with the thread, the holes and the tools, and reads its result. */
 #include "base/error.h"
 #include "knot/knot.h"
 #include "session/session.h"
 
-/* ---- places on the thread's polyline, whose first point is at the needle */
+/* ---- conversion between arc length and place: number of a node plus a fraction of its segment */
 
 static double polyline_parameter(const scene_thread_info *t, double arc)
 {
@@ -29,7 +29,7 @@ static double arc_length_at(const scene_thread_info *t, double parameter)
     return segment_start + (parameter - segment) * t->rest_lengths[segment];
 }
 
-/* ---- what is shown */
+/* ---- input of the detector */
 
 /* Items of VBSS_GRASPER_VIEW_CAPSULES: two points of the axis, of which the second is farther from the tip, and the radius. */
 enum { CAPSULE_SHAFT = 0, CAPSULE_NECK = 3, CAPSULE_END = 3, CAPSULE_RADIUS = 6 };
@@ -75,7 +75,7 @@ static uint32_t describe_tools(const session_object *s, const scene_thread_info 
     return count;
 }
 
-/* The needle's limb comes first, so the polyline is told from its other end. */
+/* Nodes are numbered from the needle, but the detector counts from the tail: hence `reversed`. */
 static void fill_knot_input(const session_object *s, const session_observation *observed,
                             const scene_thread_info *t, vbss_knot_input *input)
 {
@@ -88,17 +88,18 @@ static void fill_knot_input(const session_object *s, const session_observation *
     for (int k = 0; k < SESSION_SIDES; k++) {
         const session_hole_observation *hole = vbss_session_find_hole(observed, s->holes[k].id);
         if (hole == NULL || hole->thread != observed->thread) {
-            input->hole_count = 0; /* it has just left the hole */
+            input->hole_count = 0; /* the thread has just left it */
             continue;
         }
         vec3_store(input->holes[k], hole->position);
         input->hole_places[k] = polyline_parameter(t, hole->arc);
     }
     vec3_store(input->away, observed->into_tissue);
-    input->may_have_passed = t->method == VBSS_METHOD_PAPER; /* it has no guard */
+    input->may_have_passed =
+        t->method == VBSS_METHOD_PAPER; /* that method lets bodies pass through */
 }
 
-/* ---- what it says */
+/* ---- result of the detector */
 
 static vbss_metrics_relation relation_of(const vbss_knot_throw *t, uint32_t number)
 {
@@ -145,7 +146,7 @@ static vbss_result read_throws(vbss_knot_detector *detector, const scene_thread_
     return VBSS_OK;
 }
 
-/* A reading that is uncertain changes nothing that was known. */
+/* An uncertain reading keeps the throws and faults of the last certain one. */
 static vbss_result read_knot(const session_object *s, const scene_thread_info *thread,
                              session_knot_observation *knot)
 {

@@ -1,4 +1,4 @@
-/* Devices: what hands do goes to the tools before the step, what tools feel goes back after it. */
+/* Input and output of devices: hands move the tools before the step, and feel forces after it. */
 #include "base/error.h"
 #include "session/session.h"
 
@@ -9,7 +9,7 @@ _Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_NEEDLE_D
 /* Steps after which a tool that has refused to be exchanged is told again. */
 enum { EXCHANGE_RETRY_STEPS = 250 };
 
-/* NULL: it has left the scene. */
+/* NULL: the tool has left the scene. */
 static vbss_grasper *tool_of_hand(const session_object *s, uint32_t hand)
 {
     return vbss_scene_inspect_body(s->scene, s->config.tools[hand]).grasper;
@@ -40,7 +40,7 @@ static vbss_result set_tool_opening(const session_object *s, uint32_t hand,
                : vbss_grasper_set_opening(tool_of_hand(s, hand), input->jaw);
 }
 
-/* The hand has taken another tool; one that refused to be exchanged is told again. */
+/* Exchanges the tool if the hand has taken another one. An exchange that failed is retried. */
 static vbss_result exchange_tool(const session_object *s, uint32_t hand,
                                  const vbss_device_input *input)
 {

@@ -1,4 +1,4 @@
-/* What the task tells: the newest events in a ring, with a number each. */
+/* Events of the task: a ring of the newest ones, and their dispatch to the listener of the host. */
 #include "base/error.h"
 #include "session/session.h"
 
@@ -27,7 +27,7 @@ vbss_session_event *vbss_session_emit_event(session_object *s, vbss_session_even
     return e;
 }
 
-/* With more in a step than there is room for, the first of them are lost. */
+/* A step with more events than the ring has room for loses the first of them. */
 static uint64_t first_event_of_step(const session_object *s)
 {
     uint64_t capacity = s->config.event_capacity;

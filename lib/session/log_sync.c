@@ -1,4 +1,5 @@
-/* The log of a session is that of its scene, with marks: hashes of the task, which a replay must come to as well. */
+/* Keeps the session and the log of its scene in step: adds session hashes and snapshots to the log,
+ * and compares the hashes in a replay. */
 #include "base/error.h"
 #include "session/session.h"
 
@@ -14,7 +15,7 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
                : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the record is of another scene");
 }
 
-/* ---- the scene's step */
+/* ---- the step of the scene */
 
 static vbss_result replay_scene_step(session_object *s)
 {
@@ -47,7 +48,7 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
     return VBSS_OK;
 }
 
-/* ---- marks and states */
+/* ---- session hashes and snapshots */
 
 static vbss_result compare_log_hash(session_object *s)
 {
@@ -64,7 +65,6 @@ static vbss_result compare_log_hash(session_object *s)
                            (unsigned long long)entry.number);
 }
 
-/* After steps in which something happened, and at intervals. */
 vbss_result vbss_session_record_snapshot(const vbss_slot *slot, vbss_record *record)
 {
     record_object *r;
@@ -75,6 +75,7 @@ vbss_result vbss_session_record_snapshot(const vbss_slot *slot, vbss_record *rec
     return vbss_log_write_session_snapshot(r, slot);
 }
 
+/* A hash is due after a step with events, and every config.hash_interval steps. */
 static vbss_result write_log_hash(session_object *s)
 {
     record_object *r;

@@ -1,8 +1,8 @@
-/* What the metrics are told: where the tools are, and of each event what they know of it. */
+/* Feeds the metrics with the positions and forces of the tools, and with converted events. */
 #include "base/error.h"
 #include "session/session.h"
 
-/* The metrics' kind of event; 0: none of theirs. */
+/* The kind of a session event in the metrics; 0: they have no such kind. */
 static vbss_metrics_event_kind metrics_kind(const vbss_session_event *e)
 {
     switch (e->kind) {
@@ -31,7 +31,7 @@ static vbss_metrics_event_kind metrics_kind(const vbss_session_event *e)
     }
 }
 
-/* Of failures the metrics see the lack of time themselves. */
+/* 0 for a timeout, which the metrics detect themselves. */
 static vbss_metrics_event_kind metrics_kind_of_failure(uint32_t failure)
 {
     switch (failure) {
@@ -68,7 +68,7 @@ static void fill_metrics_event(const session_object *s, const session_observatio
         m->angle = hole->angle;
         m->axial = hole->axial;
     } else if (e->kind == VBSS_SESSION_EVENT_PHASE) {
-        m->undone = 0; /* the metrics just enter another one */
+        m->undone = 0; /* the metrics accept no other value for phases */
     } else if (e->kind == VBSS_SESSION_EVENT_SEATED) {
         m->number = 0;
         m->amount = observed->max_gap;
@@ -77,7 +77,7 @@ static void fill_metrics_event(const session_object *s, const session_observatio
     }
 }
 
-/* Whether the metrics hear of it: what gapes when a seat is lost is told when the next one is found. */
+/* Whether the metrics get the event. A lost seat is left out: the next seat reports the gap. */
 static bool is_for_metrics(const vbss_session_event *e, vbss_metrics_event_kind *kind)
 {
     *kind =
@@ -114,7 +114,7 @@ static vbss_result feed_sample(const session_object *s, const session_observatio
     return vbss_metrics_add_sample(s->config.metrics, &sample);
 }
 
-/* An event for which the metrics have no room is counted; the task goes on. */
+/* An event that the metrics refuse is counted, and the task continues. */
 static vbss_result feed_events(session_object *s, const session_observation *observed)
 {
     uint64_t capacity = s->config.event_capacity;
@@ -132,7 +132,7 @@ static vbss_result feed_events(session_object *s, const session_observation *obs
     return VBSS_OK;
 }
 
-/* The last sample is that of the step in which the task ends. */
+/* The step in which the task ends has events. It adds the last sample and finishes the metrics. */
 vbss_result vbss_session_feed_metrics(session_object *s, const session_observation *observed)
 {
     bool has_events = s->event_count > s->events_before_step;

@@ -1,4 +1,4 @@
-/* What the task can see of the scene after a step. */
+/* Fills the observation of the task from the scene after a step. */
 #include "session/session.h"
 
 /* ---- bodies */
@@ -13,7 +13,7 @@ typedef struct session_bodies {
     vbss_grasper *tools[SESSION_TOOLS]; /* NULL: the session has no such tool */
 } session_bodies;
 
-/* All but the thread, of which there may be pieces. False: one of them is gone. */
+/* Finds all bodies but the thread, which may be in pieces. False: one has left the scene. */
 static bool find_session_bodies(const session_object *s, session_bodies *b)
 {
     const vbss_session_config *c = &s->config;
@@ -44,7 +44,7 @@ static bool find_stitched_thread(const session_object *s, uint32_t number, sessi
 
 /* ---- the thread */
 
-/* Largest tension before the hole out, and beyond the hole in; without holes, of all. */
+/* The tail's limb lies beyond the arc length of the entry, the needle's before that of the exit. */
 static void observe_tension(const scene_thread_info *t, const double arcs[SESSION_SIDES],
                             session_observation *observed)
 {
@@ -128,7 +128,7 @@ static void observe_holes(const session_object *s, const session_bodies *b,
     }
 }
 
-/* After a cut the piece that goes through the hole in is the thread. */
+/* After a cut, the thread of the task is the piece that goes through the entry. */
 static uint32_t stitched_thread(const session_object *s, const session_observation *observed)
 {
     uint32_t thread = s->thread;
@@ -143,7 +143,7 @@ static uint32_t stitched_thread(const session_object *s, const session_observati
 
 /* ---- tools */
 
-/* Where a tool holds the thread nearest to the end of its tail, m; below 0: it does not. */
+/* Arc length of the tool's grasp nearest to the tail's end, m; negative: it has no grasp. */
 static double find_held_arc(const session_object *s, uint32_t tool, const session_bodies *b)
 {
     double farthest = -1.0;
@@ -174,7 +174,7 @@ static session_tool_observation observe_tool(const session_object *s, uint32_t t
 
 /* ---- the drain */
 
-/* Walls of method PAPER are surfaces: they have no height. */
+/* Walls of method PAPER have no thickness and so no lips: their gap is between the edges. */
 static void observe_gap(const session_object *s, const scene_drain_info *d,
                         const vbss_drain_gap *gap, session_observation *observed)
 {

@@ -1,4 +1,4 @@
-/* How the task ends: both tails are cut, or it has failed. */
+/* The end of the task: both limbs are cut, or it has failed. */
 #include "session/session.h"
 
 /* Less than this a thread does not lose in a cut, m: blades do not slice off less than it is thick. */
@@ -15,7 +15,8 @@ void vbss_session_fail(session_object *s, vbss_session_failure failure)
 
 /* ---- cuts */
 
-/* The hand whose blades are nearest to where it was cut. */
+/* The hand whose shears are nearest to the cut. VBSS_METRICS_NO_TOOL if the nearest shears are not
+ * in a hand. */
 static uint32_t find_cutting_tool(const session_observation *observed, vec3 cut_position)
 {
     uint32_t nearest = VBSS_METRICS_NO_TOOL;
@@ -31,8 +32,8 @@ static uint32_t find_cutting_tool(const session_observation *observed, vec3 cut_
     return nearest < SESSION_HANDS ? nearest : VBSS_METRICS_NO_TOOL;
 }
 
-/* Where each limb begins at the knot, or at its hole while no knot is known, on the thread before the cut, which is
- * `shift` longer at its begin. */
+/* Arc length at which the limb leaves the knot, or its hole if no knot is located, on the thread
+ * before the cut, m. That thread was longer by `shift` at its first node. */
 static double limb_root(const session_object *s, const session_observation *observed, uint32_t limb,
                         double shift)
 {
@@ -43,7 +44,7 @@ static double limb_root(const session_object *s, const session_observation *obse
     return hole != NULL ? hole->arc + shift : 0.0;
 }
 
-/* A cut that divides the stitch leaves its holes on two pieces. */
+/* A cut between entry and exit leaves the two holes on different pieces. */
 static bool is_stitch_divided(const session_object *s, const session_observation *observed)
 {
     const session_hole_observation *in =
@@ -54,7 +55,8 @@ static bool is_stitch_divided(const session_object *s, const session_observation
            in->thread != out->thread;
 }
 
-/* The tail is cut when the thread has lost its end, the needle's limb when what goes through the drain is a new piece. */
+/* If the stitch is on a new piece, the needle's limb was cut; if the thread has become shorter, the
+ * tail. */
 void vbss_session_update_cuts(session_object *s, const session_observation *observed)
 {
     double lost_length = s->thread_length - observed->thread_length;
@@ -99,7 +101,7 @@ void vbss_session_update_failures(session_object *s, const session_observation *
     }
     s->gap = observed->gap;
     if (s->cut_limbs == 3) {
-        return; /* complete, in the same step */
+        return; /* the task was completed in this step */
     }
     if (s->broken.value != 0) {
         vbss_session_fail(s, VBSS_SESSION_FAILURE_BROKEN);

@@ -1,4 +1,4 @@
-/* Which facts of the stitch hold, and what all facts come to: the phase is that of the first fact that is missing. */
+/* Updates the facts of the stitch. Derives the phase, which is that of the first missing fact. */
 #include "session/session.h"
 
 #define MILLIMETRES 1e3
@@ -74,7 +74,7 @@ static void undo_missing_holes(session_object *s, const session_observation *obs
     }
 }
 
-/* Along the cylinder, as the metrics have it. */
+/* Distance on the surface of the tube, as the metrics measure it. */
 static double deviation_mm(const session_observation *observed, const session_hole *hole)
 {
     double arc = observed->drain_radius * hole->angle;
@@ -92,7 +92,7 @@ static void add_stray_hole(session_object *s, const session_hole_observation *ho
     emit_hole_event(s, VBSS_SESSION_EVENT_STRAY, hole->id, 0, hole);
 }
 
-/* The first hole is the one in, whichever mark it is at; that at the other mark is the one out. */
+/* The first hole is the entry, at either mark. A later hole at the other mark is the exit. */
 static void add_hole(session_object *s, const session_observation *observed,
                      const session_hole_observation *hole)
 {
@@ -110,11 +110,12 @@ static void add_hole(session_object *s, const session_observation *observed,
     vbss_session_event_at(s, s->event_count - 1)->amount = s->holes[k].deviation_mm;
 }
 
-/* Those that came in this step, that farther from the tip first: in a stitch that was laid out it is the one in. */
+/* Adds new holes in descending distance from the tip. If both holes of the stitch appear in the
+ * same step, the entry thus comes first. */
 static void add_new_holes(session_object *s, const session_observation *observed)
 {
     const session_hole_observation *next = NULL;
-    uint32_t done = 0, newest = s->newest_hole; /* done: bits */
+    uint32_t done = 0, newest = s->newest_hole; /* done: bit per observed hole */
     do {
         next = NULL;
         for (uint32_t i = 0; i < observed->hole_count; i++) {
@@ -147,7 +148,7 @@ static void update_holes(session_object *s, const session_observation *observed)
     }
 }
 
-/* ---- the tail: once a throw was begun it is what it was. */
+/* ---- the tail, which is not judged once a throw is begun, because knots draw it in */
 
 static bool is_tail_in_range(const session_object *s)
 {
@@ -174,7 +175,7 @@ static void update_tail(session_object *s, const session_observation *observed)
     }
 }
 
-/* ---- what it comes to */
+/* ---- the phase */
 
 static vbss_session_phase phase_of_throws(const session_object *s)
 {
@@ -210,6 +211,7 @@ static vbss_session_phase current_phase(const session_object *s)
     return phase_of_throws(s);
 }
 
+/* The events of this step get the phase after it. */
 static void update_phase(session_object *s)
 {
     vbss_session_phase phase = current_phase(s);

@@ -1,5 +1,5 @@
-/* A session that follows a log goes to a step of it: scene and session are restored from their newest states there, and the
- * steps from there on are made. */
+/* Brings a session in a replay to a step of the log: restores the newest snapshots of scene and
+ * session at or before it, and replays the steps from there. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/snapshot.h"
@@ -30,7 +30,8 @@ static vbss_result restore_snapshot(const vbss_slot *slot, const session_object 
     return result;
 }
 
-/* A state with the right checksum may be refused all the same, when the scene has been restored: there is a way back. */
+/* The session may refuse a snapshot with a valid checksum after the scene has been restored. The
+ * state of the scene is therefore saved first, and restored on failure. */
 static vbss_result restore_or_roll_back(const vbss_slot *slot, const session_object *s,
                                         replay_object *p, const log_snapshot *snapshot)
 {
@@ -46,7 +47,8 @@ static vbss_result restore_or_roll_back(const vbss_slot *slot, const session_obj
         result = restore_snapshot(slot, s, p, snapshot);
         if (result != VBSS_OK) {
             vbss_replay_roll_back(p, &before);
-            (void)vbss_scene_restore(s->scene, bytes, count); /* its own state of a moment ago */
+            (void)vbss_scene_restore(s->scene, bytes,
+                                     count); /* cannot fail: it has just saved this state */
         }
     }
     vbss_release(s->context, bytes, count, 1);

@@ -1,4 +1,4 @@
-/* Memory of a session, its kind of handle, and how a handle is opened. */
+/* The handle of sessions: allocation, kind, opening. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "session/session.h"

@@ -1,12 +1,22 @@
-/* The inside of a session, shared by the files of lib/session.
+/* Internal interface of sessions, shared by the files of lib/session.
  *
- * step.c reads
+ * A step (step.c) does this:
  *   devices -> scene step -> knots -> metrics -> forces out -> record
- * device_io.c is the first and the fifth arrow, log_sync.c the second and the last, detector_feed.c the third and metrics_feed.c the
- * fourth. After the scene's step observe.c collects the observation of the task in one struct. From that struct alone phase.c,
- * throws.c and outcome.c derive the facts and the phase; task_state.c answers what they share, and events.c keeps their events.
- * create.c and api.c have the exported functions, session.c has the handle, snapshot.c the saved state; seek.c goes to a step of a
- * log. A file calls only files that do not call it back. */
+ * device_io.c reads and writes the devices. log_sync.c steps the scene and keeps its log.
+ * detector_feed.c runs the knot detector, and metrics_feed.c feeds the metrics.
+ *
+ * After the step of the scene, observe.c fills one struct, the observation. It is the only input of
+ * phase.c, throws.c and outcome.c, which derive the facts and the phase of the task. They share the
+ * queries of task_state.c, and emit events through events.c.
+ *
+ * config.c has the configuration, session.c the handle, snapshot.c the saved state. create.c and
+ * api.c have the exported functions. seek.c goes to a step of a log. A file calls only files that
+ * do not call it back.
+ *
+ * Units are SI. Points and vectors are in world coordinates. A body number is the number that hosts
+ * use; 0 means no body. A tool is an index from 0 to SESSION_TOOLS - 1; the first two are the left
+ * and the right hand. Throws are counted from 0, the one next to the tissue. Arc lengths of a
+ * thread are at rest, from its first node, which is at the needle until a cut. */
 #ifndef VBSS_SESSION_SESSION_H
 #define VBSS_SESSION_SESSION_H
 
@@ -18,78 +28,91 @@
 enum { SESSION_HANDS = 2, SESSION_TOOLS = 3, SESSION_MAX_THROWS = 8, SESSION_MAX_STRAYS = 16 };
 /* Throws of the knot; transfers between them. */
 enum { SESSION_REQUIRED_THROWS = 3, SESSION_TRANSFERS = 2 };
-/* The hole in and the tail; the hole out and the needle's limb. */
+/* Indices of the two holes of the stitch, and of the two limbs of the thread that leave them: the
+ * tail at the entry, the needle's limb at the exit. */
 enum { SESSION_ENTRY, SESSION_EXIT, SESSION_SIDES };
 
-/* ---- what the task sees of a step, and nothing else */
+/* ---- the observation: all facts of a step that the task may use */
 
 typedef struct session_tool_observation {
-    bool has_needle, has_tail; /* the needle; the thread near the end of its tail */
-    bool is_shears;            /* it is shears now */
-    double held_arc;           /* of the thread where it holds it, m; below 0: it does not */
-    vec3 tip, force;           /* force: on the hand */
+    /* The tool grasps the needle; the thread, within config.tail_reach of its tail's end. */
+    bool has_needle, has_tail;
+    bool is_shears; /* its present kind is shears */
+    /* Arc length of the grasped point of the thread that is nearest to the tail's end, m; negative:
+     * the tool does not grasp the thread. */
+    double held_arc;
+    vec3 tip, force; /* position, m; force on the hand, N */
 } session_tool_observation;
 
+/* A hole in the wall of the drain. */
 typedef struct session_hole_observation {
-    uint32_t id;              /* 0: none */
-    uint32_t mark;            /* the nearer one of the drain, 0 or 1 */
-    uint32_t thread;          /* in it; 0: a needle */
-    double distance_from_tip; /* from the needle's tip to it, along needle and thread, m */
-    double arc;               /* of what is in it, m */
-    vec3 position, force;
-    double angle[2], axial[2]; /* of each mark to it, on the drain at rest */
+    uint32_t id;              /* ascending in the order of creation; 0: no hole */
+    uint32_t mark;            /* the nearer mark of the drain, 0 or 1; for new holes only */
+    uint32_t thread;          /* number of the thread in the hole; 0: the needle is in it */
+    double distance_from_tip; /* from the needle's tip to the hole, along needle and thread, m */
+    double arc;               /* from the needle's tip or the thread's first node to the hole, m */
+    vec3 position, force;     /* m; N */
+    /* Offset of the hole from each mark on the drain at rest: about the axis, rad, and along it, m.
+     * For new holes only. */
+    double angle[2], axial[2];
 } session_hole_observation;
 
-/* What the detector says; kept while it looks elsewhere. */
 typedef struct session_throw_observation {
-    int32_t wraps, handedness; /* wraps 0: no throw */
-    vbss_metrics_relation relation;
+    int32_t wraps, handedness;      /* wraps 0: no throw; 1: right-handed, -1: left-handed */
+    vbss_metrics_relation relation; /* to the throw before */
 } session_throw_observation;
 
+/* The last result of the knot detector. An uncertain reading updates next_throw only. */
 typedef struct session_knot_observation {
-    uint32_t throw_count; /* of throws */
+    uint32_t throw_count; /* throws that are tied */
     session_throw_observation throws[SESSION_MAX_THROWS];
-    vbss_knot_verdict next_throw; /* of a throw that is being tied */
-    uint32_t faults;
-    bool is_located; /* arcs: */
-    double end_arcs
-        [SESSION_SIDES]; /* arc lengths of the thread at which the knot ends, tail and needle's limb, m */
+    vbss_knot_verdict next_throw; /* of the throw that is being tied */
+    uint32_t faults;              /* VBSS_KNOT_FAULT_ bits */
+    bool is_located;              /* end_arcs is known */
+    /* Arc lengths at which the knot ends, toward the tail and toward the needle's limb, m. */
+    double end_arcs[SESSION_SIDES];
 } session_knot_observation;
 
 enum { SESSION_MAX_HOLES = 32 };
 typedef struct session_observation {
-    bool has_lost_body; /* a body is gone: nothing else is told */
+    bool has_lost_body; /* a body of the session has left the scene; other fields are not valid */
     session_tool_observation tools[SESSION_TOOLS];
     uint32_t hole_count;
-    session_hole_observation holes[SESSION_MAX_HOLES]; /* ascending id */
-    uint32_t thread;                                   /* with the stitch */
-    double thread_length;                              /* of it, m */
+    session_hole_observation holes[SESSION_MAX_HOLES]; /* in ascending order of ids */
+    uint32_t thread;                                   /* number of the piece with the stitch */
+    double thread_length;                              /* at rest, m */
+    /* Largest tension of each limb, 0 without its hole, and of the whole thread, N. */
     double tension[SESSION_SIDES], max_tension;
-    vec3 thread_ends[SESSION_SIDES]; /* the tail's, the begin */
-    double gap, max_gap, signed_gap; /* open: the first, below 0 where the edges have crossed; m */
-    vec3 lips[2];                    /* between which that is */
-    double torn_fraction, drain_radius; /* share of the anchors; of the tube, m */
-    vec3 into_tissue;                   /* into the tissue */
+    vec3 thread_ends[SESSION_SIDES]; /* the tail's end; the first node */
+    /* Gap of the slit, m: in its middle, the largest along it, and in its middle with a sign, which
+     * is negative if the edges have crossed. config.gap_measure says between what. */
+    double gap, max_gap, signed_gap;
+    vec3 lips[2]; /* the points that the gap in the middle is between, left and right */
+    double torn_fraction, drain_radius; /* torn anchors of the drain, 0 to 1; of its tube, m */
+    vec3 into_tissue;                   /* from the slit to the centre of the drain, m */
     session_knot_observation knot;
 } session_observation;
 
-/* ---- what is remembered */
+/* ---- the state of the task */
 
-/* A fact that changes only when it has been seen to be otherwise for some time. */
+/* A fact that changes only after the observation has differed from it for the dwell time. */
 typedef struct session_debounced_value {
-    uint32_t value, candidate;
-    double since; /* s: when `seen` was seen first */
+    uint32_t value, candidate; /* the fact; the last observation */
+    double since; /* time of the session at which the candidate was first observed, s */
 } session_debounced_value;
 
+/* A throw, debounced. */
 typedef struct session_throw {
     session_throw_observation value, candidate;
-    double since;
+    double since; /* time of the session at which the candidate was first observed, s */
 } session_throw;
 
+/* The entry or the exit of the stitch. */
 typedef struct session_hole {
-    uint32_t id;       /* 0: none */
-    uint32_t threaded; /* 1: the thread goes through it */
-    uint32_t mark;     /* whose it is */
+    uint32_t id;       /* 0: the hole does not exist */
+    uint32_t threaded; /* 1: the thread goes through it; 0: the needle */
+    uint32_t mark;     /* 0 or 1: the mark that the hole belongs to */
+    /* Offset from the mark on the drain at rest: about the axis, rad; along it, m; in all, mm. */
     double angle, axial, deviation_mm;
 } session_hole;
 
@@ -98,110 +121,175 @@ typedef struct session_object {
     vbss_scene *scene;
     vbss_session_config config;
 
-    /* the state */
-    uint64_t steps, scene_steps; /* its own; the scene's, after them */
-    double time, h;              /* since the needle appeared; of the last step */
-    double end_time;             /* of the task, s; 0 before */
-    uint32_t thread;             /* its number: the piece with the stitch, after cuts */
-    double thread_length;        /* of it after the last step, m; 0: not seen yet */
+    /* State. Snapshots save all of it but h. */
+    uint64_t steps, scene_steps; /* of the session; of the scene after the session's last step */
+    double time, h;              /* since the needle appeared, s; length of the last step, s */
+    double end_time;             /* when the task ended, s; 0: it has not ended */
+    uint32_t thread;      /* number of the thread; after cuts, of the piece with the stitch */
+    double thread_length; /* at rest after the last step, m; 0: before the first step */
     vbss_session_phase phase;
     vbss_session_failure failure;
     session_hole holes[SESSION_SIDES];
-    uint32_t newest_hole; /* id: younger ones have not been judged */
-    uint32_t stray_holes[SESSION_MAX_STRAYS];
-    session_debounced_value holding_tools; /* bits: which tools hold the needle */
-    uint32_t last_holder; /* who held it last alone; VBSS_METRICS_NO_TOOL: nobody yet */
+    uint32_t newest_hole;                     /* largest id of a hole that has been classified */
+    uint32_t stray_holes[SESSION_MAX_STRAYS]; /* ids; 0: the entry is free */
+    session_debounced_value holding_tools;    /* bit per hand that holds the needle */
+    uint32_t last_holder; /* hand that last held it alone; VBSS_METRICS_NO_TOOL: none yet */
+    /* tail_set: 1 if the length of the tail is within its limits. throw_stage: 8 * throw plus a
+     * VBSS_SESSION_STAGE_ constant. newest_seated: 1 if the newest throw is seated. knot_faults:
+     * VBSS_KNOT_FAULT_ bits. broken: 1 if the tension exceeds config.break_force. */
     session_debounced_value tail_set, throw_stage, newest_seated, knot_faults, broken;
     session_throw throws[SESSION_MAX_THROWS];
-    uint32_t throw_count, seated_count;   /* that are tied; that are told to be seated */
-    uint32_t missed_transfers;            /* bits: of throws, before which there was no transfer */
-    uint32_t tied_by[SESSION_MAX_THROWS]; /* who held the needle then */
-    uint32_t transferred;                 /* bits: after which throws */
-    uint32_t cut_limbs;                   /* bits */
-    session_knot_observation knot;        /* of the last look of the detector */
-    double tail_length, gap, tension[SESSION_SIDES];
-    uint32_t metrics_lost;
+    uint32_t throw_count, seated_count; /* throws that are tied; of them, throws that are seated */
+    /* Bit per throw: the needle did not change hands before it. */
+    uint32_t missed_transfers;
+    /* Per throw: hand that held the needle when it was tied, or VBSS_METRICS_NO_TOOL. */
+    uint32_t tied_by[SESSION_MAX_THROWS];
+    uint32_t transferred;          /* bit per throw: the needle has changed hands after it */
+    uint32_t cut_limbs;            /* bit per limb: it is cut */
+    session_knot_observation knot; /* last result of the detector */
+    double tail_length, gap, tension[SESSION_SIDES]; /* as observed in the last step; m, m, N */
+    uint32_t metrics_lost;                           /* events that the metrics refused */
 
-    uint64_t event_count, events_before_step; /* so far; before this step */
-    vbss_session_event *events;               /* a ring */
+    uint64_t event_count, events_before_step; /* events so far; events before the last step */
+    vbss_session_event *events;               /* ring of config.event_capacity events */
 
-    /* room for a step */
+    /* Rebuilt in each step. */
     session_observation observation;
 } session_object;
 
-/* The number in the scene of a tool, 0 to SESSION_TOOLS - 1; 0: the session has no such tool. */
+/* Body number of a tool; 0: the session has no such tool. */
 static inline uint32_t session_tool_number(const session_object *s, uint32_t tool)
 {
     return tool < SESSION_HANDS ? s->config.tools[tool] : s->config.shears;
 }
 
-/* session.c */
+/* ---- session.c */
+
 extern const vbss_kind vbss_session_kind;
+/* Allocates a session with a copy of a configuration that was checked. VBSS_ERROR_OUT_OF_MEMORY. */
 vbss_result vbss_session_allocate(vbss_context *context, const vbss_session_config *config,
                                   session_object **session);
+/* Frees a session. This is the callback of its kind. */
 void vbss_session_free(vbss_context *context, void *object);
+/* Opens a handle for reading. VBSS_ERROR_INVALID_HANDLE. */
 vbss_result vbss_session_open(const vbss_session *handle, session_object **session);
+/* Opens a handle for a change. VBSS_ERROR_INVALID_HANDLE, or VBSS_ERROR_BUSY inside a callback of
+ * the context. */
 vbss_result vbss_session_edit(vbss_session *handle, session_object **session);
 
-/* config.c */
+/* ---- config.c; vbss_session_check_record is in log_sync.c */
+
+/* Copies the configuration of a host into `own` and checks its numbers, but not its bodies and
+ * components. VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
+ * VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE. */
 vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_config *config,
                                      vbss_session_config *own);
-/* Whether a record or replay is of that scene. */
+
+/* Checks that a record belongs to the session's scene; NULL is allowed. VBSS_ERROR_INVALID_HANDLE,
+ * VBSS_ERROR_BUSY, or VBSS_ERROR_OUT_OF_RANGE for another scene. */
 vbss_result vbss_session_check_record(const session_object *s, vbss_record *record);
 
-/* device_io.c */
+/* ---- device_io.c
+ *
+ * Both functions do nothing during a replay, and skip a hand that has no device or no tool. `now`
+ * is the clock of the host, s. They return the first error of a device, a tool or the record. */
+
+/* Reads the devices, and sets the targets, openings and kinds of the tools. */
 vbss_result vbss_session_read_devices(const session_object *s, double now);
+/* Writes the forces on the hands to the devices. */
 vbss_result vbss_session_write_devices(const session_object *s, double now);
 
-/* step.c: a step of which nobody hears. */
+/* ---- step.c */
+
+/* Makes one step without a call of the host's listener. `now` is the clock of the host, s; `h` is
+ * the length of the step, s, which a replay replaces. Errors are those of vbss_session_step. */
 vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, double now, double h);
 
-/* seek.c: brings the scene and the session to that step of the replayed log. */
+/* ---- seek.c */
+
+/* Brings the scene and the session to a step of the replayed log. Errors are those of
+ * vbss_session_seek. */
 vbss_result vbss_session_seek_step(const vbss_slot *slot, session_object *s, uint64_t step);
 
-/* log_sync.c: the scene's step, recorded or replayed; then the mark of the session, written or compared, and its state. */
-vbss_result vbss_session_step_scene(session_object *s, double h);
-vbss_result vbss_session_sync_log(const vbss_slot *slot, session_object *s);
-vbss_result vbss_session_record_snapshot(const vbss_slot *slot,
-                                         vbss_record *record); /* NULL: none */
+/* ---- log_sync.c */
 
-/* observe.c */
+/* Steps the scene: from the replay, through the record, or directly. In a replay,
+ * VBSS_ERROR_OUT_OF_RANGE at the end of the log, and VBSS_ERROR_CORRUPT if the scene differs from
+ * the recorded one. */
+vbss_result vbss_session_step_scene(session_object *s, double h);
+/* After a step: writes the session hash and a snapshot to the record if they are due. In a replay,
+ * compares the hash; VBSS_ERROR_CORRUPT if it differs. */
+vbss_result vbss_session_sync_log(const vbss_slot *slot, session_object *s);
+/* Writes a snapshot of the session if the record needs one and has room; NULL: does nothing. */
+vbss_result vbss_session_record_snapshot(const vbss_slot *slot, vbss_record *record);
+
+/* ---- observe.c and detector_feed.c */
+
+/* Fills the observation from the scene. The knot is the last result of the detector. */
 void vbss_session_observe(const session_object *s, session_observation *observed);
-/* detector_feed.c: shows the detector what there is when it is time, and puts what it says into the look. */
+/* Steps the detector if it is due, and stores its result in the observation and in the session.
+ * Returns the error of the detector. */
 vbss_result vbss_session_observe_knot(session_object *s, session_observation *observed);
 
-/* phase.c: which facts hold, and what that comes to. */
+/* ---- phase.c */
+
+/* Derives facts and phase from the observation and emits their events. Does nothing once the task
+ * is over. */
 void vbss_session_update_progress(session_object *s, const session_observation *observed);
 
-/* task_state.c: true if the debounced value has changed. */
+/* ---- task_state.c */
+
+/* Debounces an observation at the time `now`, s. The value changes once the candidate has differed
+ * from it for `dwell`, s. Returns true if the value has changed. */
 bool vbss_session_debounce(session_debounced_value *debounced, uint32_t candidate, double now,
                            double dwell);
+/* Whether the task is done or has failed. */
 bool vbss_session_is_over(const session_object *s);
-/* The hole that the task calls in or out; NULL: it is not there. */
+/* The observed hole with this id; NULL: there is none, or the id is 0. */
 const session_hole_observation *vbss_session_find_hole(const session_observation *observed,
                                                        uint32_t id);
-/* Whether a throw was begun: the tail is no longer drawn to its length. */
+/* Whether a throw is tied or begun. */
 bool vbss_session_is_tying(const session_object *s);
+/* Whether the thread goes through the entry and the exit. */
 bool vbss_session_is_threaded(const session_object *s);
-/* throws.c */
+
+/* ---- throws.c */
+
+/* Updates throws, seats, transfers, stage and faults of the knot. */
 void vbss_session_update_throws(session_object *s, const session_observation *observed);
-/* outcome.c */
+
+/* ---- outcome.c */
+
+/* Detects a cut of the thread. A cut of the last limb completes the task; a wrong cut fails it. */
 void vbss_session_update_cuts(session_object *s, const session_observation *observed);
+/* Stores tension and gap, and detects the other failures. */
 void vbss_session_update_failures(session_object *s, const session_observation *observed);
+/* Fails the task and emits the event. Only the first failure counts. */
 void vbss_session_fail(session_object *s, vbss_session_failure failure);
 
-/* events.c: an event of this step, which the caller fills further; tool VBSS_METRICS_NO_TOOL: none. */
+/* ---- events.c */
+
+/* Adds an event of this step to the ring and returns it, so that the caller can fill in more
+ * fields. If `tool` is a hand, position and force are those of its tool; otherwise zero. */
 vbss_session_event *vbss_session_emit_event(session_object *s, vbss_session_event_kind kind,
                                             uint32_t number, uint32_t undone, uint32_t tool);
+/* The event with an ordinal. It must still be in the ring. */
 vbss_session_event *vbss_session_event_at(const session_object *s, uint64_t index);
+/* Calls the host's listener with each event of the last step. */
 void vbss_session_dispatch_events(session_object *s);
 
-/* metrics_feed.c */
+/* ---- metrics_feed.c */
+
+/* Adds the step as a sample and its events to the metrics, and finishes them at the end of the
+ * task. Returns the error of the metrics. Events that they refuse because of their number or range
+ * are only counted. */
 vbss_result vbss_session_feed_metrics(session_object *s, const session_observation *observed);
 
-/* snapshot.c */
+/* ---- snapshot.c */
+
+/* Visits the whole state. This is the callback of the session's kind. */
 void vbss_session_serialise(vbss_stream *stream, void *object);
-/* A hash of the task alone, without events, detector and metrics. */
+/* Hashes the state of the task without events, detector and metrics. */
 uint64_t vbss_session_task_hash(session_object *s);
 
 #endif

@@ -1,5 +1,5 @@
-/* The state of a session: the task, the events that are kept, and what its detector and its metrics know. The scene is saved
- * beside it, at the same step. */
+/* Serialises a session: the task, its events, the detector and the metrics. The scene has its own
+ * snapshot, which must be of the same step. */
 #include "knot/knot.h"
 #include "metrics/metrics.h"
 #include "session/session.h"
@@ -32,7 +32,7 @@ static void visit_choice(vbss_stream *stream, uint16_t tag, int32_t *value, int3
     refuse(stream, *value < 0 || *value > last);
 }
 
-/* ---- the configuration must be the same, but for the room for events */
+/* ---- configuration: a snapshot of a session with other values is refused */
 
 static void visit_config(vbss_stream *stream, const vbss_session_config *c)
 {
@@ -188,9 +188,9 @@ static void visit_events(vbss_stream *stream, session_object *s)
     s->events_before_step = s->event_count;
 }
 
-/* ---- its parts */
+/* ---- detector and metrics */
 
-/* NULL: there is none, or none to visit. */
+/* Opens the section of a component. NULL: the session has none, or the stream has failed. */
 static void *open_component(vbss_stream *stream, void *handle, const vbss_kind *kind,
                             vbss_section *outer)
 {
@@ -221,7 +221,7 @@ static void visit_components(vbss_stream *stream, const session_object *s)
     }
 }
 
-/* What the detector told in its last step is no longer of the thread that it knows. */
+/* The events and loops of the detector's last step do not fit its restored state. */
 static void clear_knot_events(const session_object *s)
 {
     knot_detector *d;

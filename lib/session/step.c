@@ -1,6 +1,7 @@
-/* One step of the task:
+/* One step of a session:
  *   devices -> scene step -> knots -> metrics -> forces out -> record
- * After the scene's step nothing is taken back. */
+ * Once the scene has been stepped, the step counts: a later failure is returned, but undoes
+ * nothing. */
 #include "base/error.h"
 #include "session/session.h"
 
@@ -27,7 +28,6 @@ static vbss_result count_step(session_object *s)
     return VBSS_OK;
 }
 
-/* What the task can see of the step, with the knot; and what that comes to. */
 static vbss_result observe_and_update(session_object *s)
 {
     vbss_session_observe(s, &s->observation);

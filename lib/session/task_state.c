@@ -1,4 +1,4 @@
-/* Questions about the state of the task that several files ask, and the debouncing of its facts. */
+/* Queries about the state of the task that several files share, and the debouncing of facts. */
 #include "session/session.h"
 
 bool vbss_session_debounce(session_debounced_value *debounced, uint32_t candidate, double now,

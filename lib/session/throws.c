@@ -1,8 +1,8 @@
-/* Which throws are tied and seated, by whom, and how far the next one is. */
+/* Updates the facts of the knot: throws, seats, transfers of the needle, stage, faults. */
 #include "knot/knot.h"
 #include "session/session.h"
 
-/* What is told of a knot while it is being tied; that there are too few throws is no fault then. */
+/* Faults of a knot that is being tied. Too few throws are no fault yet. */
 #define FAULTS                                                                           \
     ((uint32_t)(VBSS_KNOT_FAULT_FIRST | VBSS_KNOT_FAULT_LATER | VBSS_KNOT_FAULT_MANY |   \
                 VBSS_KNOT_FAULT_GRANNY | VBSS_KNOT_FAULT_STRAY | VBSS_KNOT_FAULT_HITCH | \
@@ -16,7 +16,7 @@ static void emit_knot_event(session_object *s, const session_observation *observ
     e->amount = kind == VBSS_SESSION_EVENT_SEATED ? observed->gap : 0.0;
 }
 
-/* ---- tied, and untied */
+/* ---- throws that are tied or come undone */
 
 static bool is_same_throw(const session_throw_observation *a, const session_throw_observation *b)
 {
@@ -34,7 +34,6 @@ static void emit_throw_event(session_object *s, const session_observation *obser
     e->relation = details->relation;
 }
 
-/* Whether the needle has changed hands after that throw. */
 static void set_transferred(session_object *s, uint32_t number, bool is_transferred)
 {
     uint32_t bit = 1u << number;
@@ -49,7 +48,7 @@ static void add_throw(session_object *s, const session_observation *observed, ui
 {
     emit_throw_event(s, observed, number, &s->throws[number].value, 0);
     if (number < s->throw_count) {
-        return; /* known better */
+        return; /* a correction of its details */
     }
     s->throw_count = number + 1;
     s->tied_by[number] = s->last_holder;
@@ -60,7 +59,7 @@ static void add_throw(session_object *s, const session_observation *observed, ui
     }
 }
 
-/* That below had been seated, or this one would not have been laid on it. */
+/* The throw below counts as seated, because this one was tied on it. */
 static void remove_throw(session_object *s, const session_observation *observed, uint32_t number,
                          const session_throw_observation *was)
 {
@@ -104,9 +103,10 @@ static void debounce_throws(session_object *s, const session_observation *observ
     }
 }
 
-/* ---- seated */
+/* ---- seats and transfers */
 
-/* By tension and a closed slit; it stays so while the slit stays closed. All below the newest are. */
+/* Tension of both limbs and a closed slit seat the newest throw. It stays seated while the slit is
+ * closed. All throws below it count as seated. */
 static void update_seat(session_object *s, const session_observation *observed)
 {
     const vbss_session_config *c = &s->config;
@@ -138,7 +138,7 @@ static void update_transfer(session_object *s)
     set_transferred(s, newest, s->last_holder != *tied_by);
 }
 
-/* ---- under way */
+/* ---- stage and faults */
 
 static uint32_t current_stage(const session_object *s, const session_observation *observed)
 {
@@ -183,7 +183,7 @@ static void update_faults(session_object *s, const session_observation *observed
     }
 }
 
-/* Once a tail is cut the knot is what it was. */
+/* A cut of a limb ends the updates: the knot is final. */
 void vbss_session_update_throws(session_object *s, const session_observation *observed)
 {
     if (s->cut_limbs != 0) {
