@@ -1,4 +1,4 @@
-/* Plain structs of threads, drains, needles and graspers, from their handles. */
+/* Reads threads, drains, needles and graspers by their handles, for the folders after scene. */
 #include "scene/api/api.h"
 #include "scene/api/inspect.h"
 

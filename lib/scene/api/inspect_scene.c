@@ -1,4 +1,4 @@
-/* Plain structs of a scene: itself, its bodies, its holes and grasps. */
+/* Reads a scene, its table of bodies, its holes and its grasps, for the folders after scene. */
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/api/inspect.h"
@@ -38,7 +38,8 @@ vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info)
     return VBSS_OK;
 }
 
-/* Each generation only grows, and the scene's own grows when bodies come and go: the sums never repeat. */
+/* The sums never repeat: no generation decreases, and that of the scene increases when a body comes
+ * or goes. */
 scene_edit_counts vbss_scene_inspect_edits(const vbss_scene *scene)
 {
     const scene_object *s = object_of(scene);
@@ -104,7 +105,7 @@ scene_capsule_info vbss_scene_inspect_capsule(const vbss_scene *scene, const sce
 
 /* ---- holes and grasps */
 
-/* 0 if the body has left the scene. */
+/* Radius of the body in the hole, m; 0: it has left the scene. */
 static double radius_in_hole(const scene_object *s, const suture_hole *h)
 {
     const scene_body *b = vbss_scene_body(s, h->needle != 0 ? h->needle : h->thread);
@@ -133,7 +134,7 @@ scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t entry)
                              .rest_position = vbss_hole_point(h, d, d->mesh.rest)};
 }
 
-/* A grasp with a pin holds a node, not a point of the segment behind it. */
+/* A grasp with a pin is at a node, not on the segment after it. */
 scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entry)
 {
     const scene_object *s = object_of(scene);
