@@ -101,10 +101,9 @@ typedef struct metrics_phase {
 
 /* State of the pull test. */
 typedef struct metrics_pull {
-    /* flags; tight means that the knot bore the force long enough before it slipped */
-    uint32_t has_readings, is_tight, has_slipped, is_untied;
-    /* the threshold of the paper was reached while the knot was tied */
-    uint32_t has_reached_strain;
+    uint32_t has_readings, is_tight, has_slipped,
+        is_untied;               /* 1: so; tight: borne long enough before it slipped */
+    uint32_t has_reached_strain; /* the threshold of strain was reached while it was tied */
     uint32_t is_holding;
     double hold_start, longest_hold, strain, drawn_in;
     metrics_entry last_change; /* the reading that last changed the result */
@@ -180,9 +179,9 @@ enum { METRICS_SPECTRUM_TICKS = 4096, METRICS_SPECTRUM_PADDING = 16 };
  * METRICS_SPECTRUM_BUFFER_LENGTH numbers. Returns false if nothing moved. */
 bool vbss_metrics_sparc(const double *speed, uint32_t count, double *buffer, double *sparc);
 
-/* Results of the pull test by both methods (pull_test.c) */
-vbss_metrics_tightness vbss_metrics_tightness_ours(const metrics_pull *pull);
-vbss_metrics_tightness vbss_metrics_tightness_paper(const metrics_pull *pull);
+/* pull_test.c: whether a knot is tight, by the load that it bears, and by the strain that it has reached (Qi et al. 2017) */
+vbss_metrics_tightness vbss_metrics_tightness_by_load(const metrics_pull *pull);
+vbss_metrics_tightness vbss_metrics_tightness_by_strain(const metrics_pull *pull);
 
 /* Clock of the task (report.c) */
 /* time at which both tails were cut, or the time of the last input */

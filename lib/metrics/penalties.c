@@ -66,8 +66,9 @@ static void add_placement_penalties(const metrics_object *m, penalty_tally *t)
 
 static vbss_metrics_tightness tightness(const metrics_object *m)
 {
-    return m->config.tightness_method == VBSS_METHOD_PAPER ? vbss_metrics_tightness_paper(&m->pull)
-                                                           : vbss_metrics_tightness_ours(&m->pull);
+    return m->config.tightness_method == VBSS_METHOD_PAPER
+               ? vbss_metrics_tightness_by_strain(&m->pull)
+               : vbss_metrics_tightness_by_load(&m->pull);
 }
 
 static metrics_entry entry_at(const metrics_object *m, double time)

@@ -1,4 +1,4 @@
-/* The pull test: whether a knot holds, by our criterion and by that of the paper. */
+/* The pull test: whether a knot holds, by load and by strain. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -59,8 +59,7 @@ static void update_hold(const vbss_metrics_config *c, metrics_pull *pull,
     }
 }
 
-/* Criterion of the paper: the strain on both sides has reached the threshold (Qi et al. 2017,
- * section 6). */
+/* By strain: that on both sides has reached the threshold (Qi et al. 2017, section 6). */
 static void update_strain(const vbss_metrics_config *c, metrics_pull *pull,
                           const vbss_metrics_pull *p)
 {
@@ -85,8 +84,8 @@ vbss_result vbss_metrics_add_pull(vbss_metrics *metrics, const vbss_metrics_pull
     update_hold(&m->config, &next, &p);
     next.has_readings = 1;
     if (p.begins != 0 || !m->pull.has_readings ||
-        vbss_metrics_tightness_ours(&next) != vbss_metrics_tightness_ours(&m->pull) ||
-        vbss_metrics_tightness_paper(&next) != vbss_metrics_tightness_paper(&m->pull)) {
+        vbss_metrics_tightness_by_load(&next) != vbss_metrics_tightness_by_load(&m->pull) ||
+        vbss_metrics_tightness_by_strain(&next) != vbss_metrics_tightness_by_strain(&m->pull)) {
         next.last_change =
             (metrics_entry){.tool = VBSS_METRICS_NO_TOOL, .step = p.step, .time = p.time};
     }
@@ -97,7 +96,7 @@ vbss_result vbss_metrics_add_pull(vbss_metrics *metrics, const vbss_metrics_pull
 
 /* ---- results */
 
-vbss_metrics_tightness vbss_metrics_tightness_ours(const metrics_pull *pull)
+vbss_metrics_tightness vbss_metrics_tightness_by_load(const metrics_pull *pull)
 {
     return pull->is_untied     ? VBSS_METRICS_TIGHTNESS_UNTIED
            : pull->is_tight    ? VBSS_METRICS_TIGHTNESS_TIGHT
@@ -105,7 +104,7 @@ vbss_metrics_tightness vbss_metrics_tightness_ours(const metrics_pull *pull)
                                : VBSS_METRICS_TIGHTNESS_UNKNOWN;
 }
 
-vbss_metrics_tightness vbss_metrics_tightness_paper(const metrics_pull *pull)
+vbss_metrics_tightness vbss_metrics_tightness_by_strain(const metrics_pull *pull)
 {
     return pull->has_reached_strain ? VBSS_METRICS_TIGHTNESS_TIGHT
            : pull->is_untied        ? VBSS_METRICS_TIGHTNESS_UNTIED

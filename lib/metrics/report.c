@@ -121,8 +121,8 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     count_throws(m, &r);
     count_incidents(m, &r);
     report_motion(m, &r);
-    r.tightness_ours = vbss_metrics_tightness_ours(&m->pull);
-    r.tightness_paper = vbss_metrics_tightness_paper(&m->pull);
+    r.tightness_ours = vbss_metrics_tightness_by_load(&m->pull);
+    r.tightness_paper = vbss_metrics_tightness_by_strain(&m->pull);
     r.pull_held = m->pull.longest_hold;
     r.pull_strain = m->pull.strain;
     r.drawn_in_mm = MILLIMETRES * m->pull.drawn_in;
