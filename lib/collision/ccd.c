@@ -51,9 +51,20 @@ vbss_result vbss_collision_check_ccd_options(vbss_context *context, const vbss_c
     return vbss_check_range(context, c->paper_unit, 1e-9, 1e3, "paper_unit");
 }
 
+static const collision_ccd_method *method_of(const vbss_collision_config *config)
+{
+    static const collision_ccd_method conservative = {vbss_collision_run_conservative,
+                                                      VBSS_DECISION_PROVED, true};
+    static const collision_ccd_method cubic = {vbss_collision_run_cubic, VBSS_DECISION_CLAIMED,
+                                               false};
+    return config->method == VBSS_COLLISION_PAPER   ? &vbss_baseline_ccd
+           : config->method == VBSS_COLLISION_CUBIC ? &cubic
+                                                    : &conservative;
+}
+
 collision_ccd_options vbss_collision_ccd_options_of(const vbss_collision_config *config)
 {
-    collision_ccd_options options = {config->method,
+    collision_ccd_options options = {method_of(config),
                                      config->pass_limit,
                                      config->tolerance,
                                      config->paper_parallel,
@@ -66,20 +77,8 @@ collision_ccd_options vbss_collision_ccd_options_of(const vbss_collision_config 
 void vbss_collision_run_ccd(const collision_ccd_options *options, const collision_ccd_query *query,
                             collision_ccd_result *result, collision_counters *counters)
 {
-    switch (options->method) {
-    case VBSS_COLLISION_CUBIC:
-        *result = vbss_collision_ccd_miss(VBSS_DECISION_CLAIMED);
-        vbss_collision_run_cubic(options, query, result, counters);
-        break;
-    case VBSS_COLLISION_PAPER:
-        *result = vbss_collision_ccd_miss(VBSS_DECISION_CLAIMED);
-        vbss_collision_paper(options, query, result, counters);
-        break;
-    default:
-        *result = vbss_collision_ccd_miss(VBSS_DECISION_PROVED);
-        vbss_collision_run_conservative(options, query, result, counters);
-        break;
-    }
+    *result = vbss_collision_ccd_miss(options->method->miss_decision);
+    options->method->test_pair(options, query, result, counters);
     vbss_collision_count_result(counters, result);
 }
 

@@ -214,7 +214,7 @@ static void run_next_pass(block *b, bool wide)
 void vbss_collision_run_ccd_batch(const collision_ccd_options *options, bool wide,
                                   const collision_ccd_batch *batch, collision_counters *counters)
 {
-    if (options->method != VBSS_COLLISION_CONSERVATIVE) {
+    if (!options->method->has_lanes) {
         for (uint32_t i = 0; i < batch->count; i++) {
             run_scalar(options, batch, i, counters);
         }

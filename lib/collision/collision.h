@@ -1,16 +1,13 @@
-/* Continuous collision detection of one pair of features.
+/* Collision: what two features do to each other, and which features to ask about.
  *
- * The files, bottom up: closest points (closest.h, closest.c); CCD by one of three methods:
- * conservative_advancement.c, which at zero thickness uses ccd_crossing.c and ccd_exact.c with
- * polynomials.c and integers.c; ccd_cubic.c; and paper_test.c. ccd.c selects the method;
- * ccd_batch.c and ccd_simd.c run many queries. shapes.h declares shapes (shapes.c, aabb.c, bvh.c),
- * the broad phase (broad_phase.c, bvh_traversal.c), the narrow phase (narrow_phase.c), and the
- * object that holds them (object.c, batch.c, views.c, snapshot.c). paper_response.c is the response
- * of the paper.
+ * Bottom up: closest points (closest.h, closest.c); one continuous test by one of three methods:
+ * conservative_advancement.c, without thickness with ccd_crossing.c and ccd_exact.c on polynomials.c and integers.c; ccd_cubic.c;
+ * that of lib/baseline; ccd.c chooses. The same in rows (ccd_batch.c, ccd_simd.c). Shapes (shapes.c, aabb.c,
+ * bvh.c), the search (broad_phase.c, bvh_traversal.c), the tests of what it found (narrow_phase.c), and the object that
+ * holds them (object.c, batch.c, views.c, snapshot.c).
  *
- * Vertices: a0 a1 b0 b1 for two edges; the point and b0 b1 b2 for a point and a triangle. They move
- * at constant velocity from `start` (time 0) to `end` (time 1). D is the contact distance,
- * `thickness` in the code. */
+ * Vertices: a0 a1 b0 b1 of two edges; the point and b0 b1 b2 of a triangle. They move evenly from
+ * start (time 0) to end (time 1). D is the contact distance. */
 #ifndef VBSS_COLLISION_COLLISION_H
 #define VBSS_COLLISION_COLLISION_H
 
@@ -33,39 +30,55 @@ vbss_result vbss_collision_check_coordinates(vbss_context *context, const double
 
 /* ---- one query */
 
+typedef struct collision_ccd_options collision_ccd_options;
+typedef struct collision_ccd_query collision_ccd_query;
+typedef struct collision_ccd_result collision_ccd_result;
+typedef struct collision_counters collision_counters;
+
 /* Checked options of a test. */
-typedef struct collision_ccd_options {
-    vbss_collision_method method;
+typedef struct collision_ccd_method {
+    /* Counts passes, exact and sign_tests_ended only. `result` comes as a miss. */
+    void (*test_pair)(const collision_ccd_options *options, const collision_ccd_query *query,
+                      collision_ccd_result *result, collision_counters *counters);
+    vbss_decision miss_decision; /* what a miss is worth */
+    bool has_lanes;              /* ccd_batch.c can test four pairs at a time */
+} collision_ccd_method;
+extern const collision_ccd_method vbss_baseline_ccd; /* defined in lib/baseline */
+
+/* What a test needs to know, checked. */
+struct collision_ccd_options {
+    const collision_ccd_method *method;
     uint32_t pass_limit;
     double tolerance; /* relative to D */
-    double paper_parallel, paper_unit;
+    /* Of the baseline: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below parallel_threshold length_unit^4; m. */
+    double parallel_threshold, length_unit;
     /* Workspace of the exact predicate: ccd_exact.h. */
     uint32_t *limbs;
     uint32_t limb_count;
-} collision_ccd_options;
+};
 /* Enough for any doubles so far; and what fits on a stack, enough if the bits of the coordinates spread
  * over no more than some 250 binary places. */
 enum { COLLISION_LIMBS = 16384, COLLISION_STACK_LIMBS = 2900 };
 
-typedef struct collision_ccd_query {
+struct collision_ccd_query {
     vbss_pair_kind kind;
     double thickness; /* contact distance D, m */
     vec3 start[4], end[4];
-} collision_ccd_query;
+};
 
 /* Result as in vbss_impact, without the points. For a miss all fields are zero except time = 1. */
-typedef struct collision_ccd_result {
+struct collision_ccd_result {
     int32_t hit;
     vbss_decision decision;
     uint32_t passes;
     double time, distance;
     vec3 normal;
     double weights[4];
-} collision_ccd_result;
+};
 
-typedef struct collision_counters {
+struct collision_counters {
     uint64_t queries, hits, undecided, exact, passes, sign_tests_ended;
-} collision_counters;
+};
 
 /* Runs the selected method and counts it (ccd.c). */
 void vbss_collision_run_ccd(const collision_ccd_options *options, const collision_ccd_query *query,
@@ -78,8 +91,6 @@ void vbss_collision_run_conservative(const collision_ccd_options *options,
 void vbss_collision_run_cubic(const collision_ccd_options *options,
                               const collision_ccd_query *query, collision_ccd_result *result,
                               collision_counters *counters);
-void vbss_collision_paper(const collision_ccd_options *options, const collision_ccd_query *query,
-                          collision_ccd_result *result, collision_counters *counters);
 static inline collision_ccd_result vbss_collision_ccd_miss(vbss_decision decision)
 {
     collision_ccd_result miss = {.decision = decision, .time = 1.0};

@@ -11,13 +11,12 @@
 /* The configuration must equal the saved one, except for capacities. */
 static void visit_config(vbss_stream *stream, const collision_object *c)
 {
-    const double numbers[] = {
-        c->thickness,     c->ccd_options.tolerance,      c->config.exclusion,
-        c->config.margin, c->ccd_options.paper_parallel, c->ccd_options.paper_unit};
+    const double numbers[] = {c->thickness,     c->ccd_options.tolerance, c->config.exclusion,
+                              c->config.margin, c->config.paper_parallel, c->config.paper_unit};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
-    vbss_stream_expect(stream, 2, (uint64_t)c->ccd_options.method);
+    vbss_stream_expect(stream, 2, (uint64_t)c->config.method);
     vbss_stream_expect(stream, 3, c->ccd_options.pass_limit);
 }
 

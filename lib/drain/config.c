@@ -47,10 +47,8 @@ vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_si
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
-drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *c)
+drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *c, drain_mesh_kind kind)
 {
-    static const drain_mesh_kind kinds[] = {DRAIN_MESH_N, DRAIN_MESH_D, DRAIN_MESH_S, DRAIN_MESH_R};
-    const drain_mesh_kind kind = c->method == VBSS_METHOD_PAPER ? DRAIN_MESH_PAPER : kinds[c->mesh];
     const drain_mesh_options options = {.kind = kind,
                                         .divisions = c->mesh_divisions,
                                         .radius = c->radius,

@@ -9,12 +9,11 @@
 
 /* ---- memory: the table of arrays */
 
-enum { ARRAY_COUNT = 23 };
+enum { ARRAY_COUNT = 19 };
 
 static size_t list_arrays(drain_object *d, vbss_array arrays[ARRAY_COUNT])
 {
     size_t n = d->mesh.node_count, m = d->mesh.triangle_count, anchors = d->mesh.anchor_count;
-    size_t particles = d->config.method == VBSS_METHOD_PAPER ? n : 0;
     const vbss_array all[] = {
         {&d->groups, vbss_shell_group_count(d->mesh.triangle_count), sizeof *d->groups},
         {&d->mass, n, sizeof *d->mass},
@@ -30,10 +29,6 @@ static size_t list_arrays(drain_object *d, vbss_array arrays[ARRAY_COUNT])
         {&d->contact_forces, n, sizeof *d->contact_forces},
         {&d->saved_x, n, sizeof *d->saved_x},
         {&d->saved_v, n, sizeof *d->saved_v},
-        {&d->diagonal, n - particles, sizeof *d->diagonal},
-        {&d->ties, particles, sizeof *d->ties},
-        {&d->free_mass, particles, sizeof *d->free_mass},
-        {&d->mobility, particles, sizeof *d->mobility},
         {&d->anchor_forces, anchors, sizeof *d->anchor_forces},
         {&d->view_forces, n, sizeof *d->view_forces},
         {&d->strains, m, sizeof *d->strains},
@@ -51,8 +46,7 @@ static void free_drain(vbss_context *context, void *object)
     vbss_array arrays[ARRAY_COUNT], mesh_arrays[DRAIN_MESH_ARRAYS];
     size_t count = list_arrays(d, arrays);
     vbss_drain_mesh_arrays(&d->mesh, mesh_arrays);
-    vbss_system_destroy(context, d->system);
-    vbss_drain_destroy_elimination_order(context, &d->mesh, &d->order);
+    d->method->destroy_drain(context, d);
     vbss_release_arrays(context, arrays, count);
     vbss_release_arrays(context, mesh_arrays, DRAIN_MESH_ARRAYS);
     vbss_release(context, d, 1, sizeof *d);
@@ -86,23 +80,10 @@ static vbss_result create_shell(drain_object *d)
     return VBSS_OK;
 }
 
-static vbss_result create_system(drain_object *d)
-{
-    VBSS_TRY(vbss_drain_create_elimination_order(d->context, &d->mesh, &d->shell, &d->order));
-    const vbss_system_capacity capacity = {.blocks = d->mesh.node_count,
-                                           .couplings = d->order.pair_count,
-                                           .entries = d->order.factor_entries,
-                                           .products = d->order.factor_products};
-    return vbss_system_create_with_capacity(d->context, &capacity, &d->system);
-}
-
 static void init_positions(drain_object *d)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         d->x[i] = pose_apply(d->frame, d->mesh.rest[i]);
-    }
-    if (d->config.method == VBSS_METHOD_PAPER) {
-        memcpy(d->ties, d->x, d->mesh.node_count * sizeof *d->ties);
     }
     for (uint32_t i = 0; i < d->mesh.anchor_count; i++) {
         d->anchor_strength[i] = d->config.tear_stress * d->mesh.node_area[d->mesh.anchors[i]];
@@ -118,7 +99,7 @@ static vbss_result build_drain(drain_object *d, const vbss_drain_config *config)
     VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &orientation));
     d->frame = pose_make(vec3_load(config->position), orientation);
     d->gravity = vec3_load(config->gravity);
-    drain_mesh_options options = vbss_drain_mesh_options_of(config);
+    drain_mesh_options options = vbss_drain_mesh_options_of(config, d->method->mesh_kind(config));
     VBSS_TRY(vbss_drain_mesh_plan(d->context, &options, &d->mesh));
     vbss_array arrays[ARRAY_COUNT], mesh_arrays[DRAIN_MESH_ARRAYS];
     size_t count = list_arrays(d, arrays);
@@ -127,11 +108,8 @@ static vbss_result build_drain(drain_object *d, const vbss_drain_config *config)
     VBSS_TRY(vbss_allocate_arrays(d->context, arrays, count, "drain"));
     vbss_drain_mesh_fill(&d->mesh);
     VBSS_TRY(create_shell(d));
-    if (config->method == VBSS_METHOD_OURS) {
-        VBSS_TRY(create_system(d));
-    }
     init_positions(d);
-    return VBSS_OK;
+    return d->method->create_drain(d);
 }
 
 vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *config,
@@ -151,6 +129,7 @@ vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *co
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     d->context = context;
+    d->method = own.method == VBSS_METHOD_PAPER ? &vbss_baseline_drain : &vbss_drain_implicit;
     vbss_slot *slot = NULL;
     vbss_result result = build_drain(d, &own);
     if (result == VBSS_OK) {
@@ -205,8 +184,7 @@ static vbss_result run_step(drain_object *d, double h)
     memcpy(d->saved_x, d->x, bytes);
     memcpy(d->saved_v, d->v, bytes);
     d->statistics.last_move = 0.0;
-    vbss_result result = d->config.method == VBSS_METHOD_PAPER ? vbss_drain_paper_step(d, h)
-                                                               : vbss_drain_implicit_step(d, h);
+    vbss_result result = d->method->step_drain(d, h);
     if (result != VBSS_OK) {
         d->statistics = before;
         memcpy(d->x, d->saved_x, bytes);

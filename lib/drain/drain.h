@@ -53,7 +53,26 @@ typedef struct drain_elimination_order {
     uint32_t first_coupling, coupling_count;
 } drain_elimination_order;
 
-typedef struct drain_object {
+typedef struct drain_object drain_object;
+
+/* What the method of a drain does. The table is chosen once, when a drain is created. */
+typedef struct drain_method {
+    drain_mesh_kind (*mesh_kind)(const vbss_drain_config *config);
+    /* Memory of the method, when mesh, masses and positions are there; destroy_drain follows also when this fails. */
+    vbss_result (*create_drain)(drain_object *d);
+    void (*destroy_drain)(vbss_context *context, drain_object *d);
+    /* A step of h seconds of a drain that is alone. The caller keeps the state before, and restores it on failure. */
+    vbss_result (*step_drain)(drain_object *d, double h);
+    /* Adds the energies of shape, J. */
+    void (*add_energies)(drain_object *d, vbss_drain_energies *energies);
+    bool
+        is_surface; /* walls have no thickness: a gap is measured between edges, not between lips */
+} drain_method;
+extern const drain_method vbss_drain_implicit; /* implicit_method.c */
+extern const drain_method vbss_baseline_drain; /* defined in lib/baseline */
+
+struct drain_object {
+    const drain_method *method;
     vbss_context *context;
     vbss_drain_config config;
     pose frame;
@@ -66,7 +85,6 @@ typedef struct drain_object {
     double *mass;            /* per node, kg */
     double *anchor_strength; /* per anchor, N */
     drain_elimination_order order;
-    vec3 *ties; /* per node: end of its spring at rest (baseline method) */
 
     /* state */
     vec3 *x, *v;
@@ -85,17 +103,17 @@ typedef struct drain_object {
     /* v_substep_start: before the current substep, m/s */
     vec3 *trial, *internal_forces, *v_substep_start;
     vec3 *saved_x, *saved_v; /* at the start of the step */
-    block *diagonal;
-    /* Per node, for the baseline method: mass, and the factor of an impulse; zero if the node
+    block *
+        diagonal; /* Per node, for the baseline method: mass, and the factor of an impulse; zero if the node
      * is pinned. */
-    double *free_mass, *mobility;
+    struct baseline_drain *baseline; /* state of lib/baseline; NULL by the implicit method */
 
     /* views, computed when a host asks */
     vec3 *anchor_forces;
     vec3 *view_forces; /* per node: shell force in the current state, N */
     double (*strains)[3], (*curvatures)[3];
     vbss_shell_response *shell_responses;
-} drain_object;
+};
 
 extern const vbss_kind vbss_drain_kind;
 
@@ -118,7 +136,8 @@ vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_confi
                                    vbss_drain_config *own);
 
 /* Options of the mesh for a configuration. */
-drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *config);
+drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *config,
+                                              drain_mesh_kind kind);
 
 /* ---- elimination_order.c */
 
@@ -236,18 +255,11 @@ void vbss_drain_finish_substeps(drain_object *d, double h);
 /* Finishes a step of `h` seconds, by either method: statistics and generation. */
 void vbss_drain_finish_step(drain_object *d, double h);
 
-/* ---- step.c, paper_step.c */
-
-/* Steps a drain on its own by `h` seconds. VBSS_ERROR_NOT_FINITE: there is no finite state. On
- * failure the caller restores the state. */
+/* ---- step.c: a step of a drain that is alone, by the implicit method */
 vbss_result vbss_drain_implicit_step(drain_object *d, double h);
-vbss_result vbss_drain_paper_step(drain_object *d, double h);
 
-/* The same in two: all that may fail, which tells the length of its explicit steps; and what is noted at the end, where
- * contacts may have moved nodes that no pin holds. */
-vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part);
-void vbss_drain_paper_arrive(drain_object *d, double part);
-double vbss_drain_paper_energy(const drain_object *d);
+/* ---- views.c: energies of the shell in the present state */
+void vbss_drain_add_shell_energies(drain_object *d, vbss_drain_energies *energies);
 
 /* ---- energy.c */
 

@@ -17,7 +17,7 @@ void vbss_drain_find_landmarks(drain_mesh *m)
  * rest positions. */
 bool vbss_drain_is_anchor_column(const drain_mesh *m, uint32_t column)
 {
-    return m->options.kind != DRAIN_MESH_PAPER &&
+    return m->options.kind != DRAIN_MESH_6X12 &&
            vbss_drain_column_angle(m, column) >= DRAIN_STRIP_ANGLE * (1.0 - 1e-9);
 }
 

@@ -31,8 +31,7 @@ typedef enum drain_mesh_kind {
     DRAIN_MESH_S,       /* 181 nodes, 320 triangles */
     DRAIN_MESH_R,       /* 225 nodes, 400 triangles */
     DRAIN_MESH_UNIFORM, /* equal cells, with or without a slit */
-    /* VBLaST-SS: 6 x 12 equal cells, tips and marks on the nearest lines, no fixed strip */
-    DRAIN_MESH_PAPER,
+    DRAIN_MESH_6X12, /* 6 x 12 equal cells, tips and marks on the nearest lines, no fixed strip */
     DRAIN_MESH_KINDS
 } drain_mesh_kind;
 

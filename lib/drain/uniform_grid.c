@@ -4,7 +4,7 @@
 #include "drain/mesh.h"
 
 /* Qi et al. 2017: 7 particles along the drain, 12 round it, which leaves no line for tips and marks. */
-enum { PAPER_AXIAL = 6, PAPER_ROUND = 12 };
+enum { AXIAL_CELLS = 6, ROUND_CELLS = 12 };
 /* Collision takes meshes of 65536 nodes; a slit doubles fewer than 512. */
 #define MAX_NODES (65536.0 - 512.0)
 /* Share of a cell by which a line may miss what lies on it. */
@@ -51,12 +51,12 @@ vbss_result vbss_drain_plan_uniform_grid(vbss_context *context, drain_mesh *m)
 {
     const drain_mesh_options *o = &m->options;
     drain_grid *g = &m->grid;
-    bool paper = o->kind == DRAIN_MESH_PAPER;
-    if (!paper) {
+    bool is_fixed = o->kind == DRAIN_MESH_6X12;
+    if (!is_fixed) {
         VBSS_TRY(check_uniform(context, o));
     }
-    g->axial_cells = paper ? PAPER_AXIAL : o->axial_cells;
-    g->round_cells = paper ? PAPER_ROUND : o->round_cells;
+    g->axial_cells = is_fixed ? AXIAL_CELLS : o->axial_cells;
+    g->round_cells = is_fixed ? ROUND_CELLS : o->round_cells;
     g->tip_rows = g->mark_column = 0;
     if (o->slit_length == 0.0) {
         return VBSS_OK;
@@ -65,7 +65,7 @@ vbss_result vbss_drain_plan_uniform_grid(vbss_context *context, drain_mesh *m)
     double mark = o->mark_arc / o->radius / (2.0 * DRAIN_PI) * g->round_cells;
     g->tip_rows = nearest_line(tip, g->axial_cells / 2 - 1);
     g->mark_column = nearest_line(mark, g->round_cells / 2 - 1);
-    if (!paper) {
+    if (!is_fixed) {
         VBSS_TRY(check_line(context, tip, g->tip_rows, "half of slit_length"));
         VBSS_TRY(check_line(context, mark, g->mark_column, "mark_arc"));
     }

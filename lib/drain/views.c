@@ -124,7 +124,7 @@ vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
 
 /* ---- sums over the drain */
 
-static void add_shell_energies(drain_object *d, vbss_drain_energies *energies)
+void vbss_drain_add_shell_energies(drain_object *d, vbss_drain_energies *energies)
 {
     vbss_shell_compute_responses(&d->shell, d->x, d->shell_responses);
     for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
@@ -139,11 +139,7 @@ vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *ener
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     vbss_drain_energies own = {.struct_size = sizeof own};
-    if (d->config.method == VBSS_METHOD_PAPER) {
-        own.springs = vbss_drain_paper_energy(d);
-    } else {
-        add_shell_energies(d, &own);
-    }
+    d->method->add_energies(d, &own);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         own.kinetic += 0.5 * d->mass[i] * vec3_norm_squared(d->v[i]);
         own.gravity -= d->mass[i] * vec3_dot(d->gravity, d->x[i]);

@@ -10,8 +10,7 @@
 
 enum {
     ARRAY_COUNT = 6 + 2 + 2 * (3 + KNOT_REDUCTION_ARRAYS) + KNOT_PROJECTOR_ARRAYS +
-                  KNOT_CODES * KNOT_GAUSS_CODE_ARRAYS + KNOT_ALGEBRA_ARRAYS + 1 + 3 +
-                  KNOT_PAPER_ARRAYS + 1
+                  KNOT_CODES * KNOT_GAUSS_CODE_ARRAYS + KNOT_ALGEBRA_ARRAYS + 1 + 3
 };
 
 static uint32_t list_input_arrays(knot_input *input, const vbss_knot_config *c, vbss_array *arrays)
@@ -57,18 +56,31 @@ static uint32_t list_arrays(knot_detector *d, vbss_array arrays[ARRAY_COUNT])
     n += KNOT_ALGEBRA_ARRAYS;
     arrays[n++] = (vbss_array){&core->obstacles, KNOT_OBSTACLES, sizeof *core->obstacles};
     n += list_polygon_arrays(&d->job.locator.polygon, vertices, arrays + n);
-    vbss_knot_paper_arrays(&d->paper, c->method == VBSS_KNOT_PROJECTION ? c->point_capacity : 2,
-                           arrays + n);
-    n += KNOT_PAPER_ARRAYS;
-    arrays[n++] =
-        (vbss_array){&d->loop_rows, 4 * (size_t)d->paper.loop_capacity, sizeof *d->loop_rows};
     return n;
 }
+
+static vbss_result create_topology(knot_detector *d)
+{
+    static const uint32_t no_rows[4]; /* data of a view is never NULL */
+    d->loop_rows = no_rows;
+    return VBSS_OK;
+}
+
+static void destroy_topology(vbss_context *context, knot_detector *d)
+{
+    (void)context;
+    (void)d;
+}
+
+static void step_topology(knot_detector *d, bool immediate);
+
+static const knot_method topology = {create_topology, destroy_topology, step_topology};
 
 static void free_detector(vbss_context *context, void *object)
 {
     knot_detector *d = object;
     vbss_array arrays[ARRAY_COUNT];
+    d->method->destroy_detector(context, d);
     vbss_release_arrays(context, arrays, list_arrays(d, arrays));
     vbss_release(context, d, 1, sizeof *d);
 }
@@ -87,8 +99,8 @@ static void reset_state(knot_detector *d)
     d->state = (vbss_knot_state){.struct_size = sizeof d->state};
     d->classification = (knot_classification){.throw_count = 0};
     d->statistics = (vbss_knot_statistics){.struct_size = sizeof d->statistics};
-    d->paper.loop_count = 0;
-    vbss_random_seed(&d->paper.random, d->config.seed, 0);
+    d->loop_count = 0;
+    vbss_random_seed(&d->random, d->config.seed, 0);
     memset(d->tools, 0, d->config.tool_capacity * sizeof *d->tools);
     d->state.faults = vbss_knot_faults_of(&d->classification);
 }
@@ -101,10 +113,14 @@ static vbss_result allocate(vbss_context *context, const vbss_knot_config *confi
     if (d == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
+    d->method = config->method == VBSS_KNOT_PROJECTION ? &vbss_baseline_knots : &topology;
     d->context = context;
     d->config = *config;
     vbss_result result =
         vbss_allocate_arrays(context, arrays, list_arrays(d, arrays), "knot detector");
+    if (result == VBSS_OK) {
+        result = d->method->create_detector(d);
+    }
     if (result != VBSS_OK) {
         free_detector(context, d);
         return result;
@@ -293,6 +309,16 @@ static void read_immediately(knot_detector *d)
     end_reading(d, false);
 }
 
+static void step_topology(knot_detector *d, bool immediate)
+{
+    vbss_knot_classify_next(d);
+    if (immediate) {
+        read_immediately(d);
+    } else {
+        read_topology(d);
+    }
+}
+
 /* ---- the step of both methods */
 
 static vbss_result run_step(vbss_knot_detector *detector, const vbss_knot_input *input,
@@ -309,15 +335,7 @@ static vbss_result run_step(vbss_knot_detector *detector, const vbss_knot_input 
     d->thread_may_differ |= d->input.may_have_passed;
     d->reading_due |= d->input.may_have_passed || d->input.point_count != points;
     d->reading_due |= update_windings(d);
-    if (d->config.method == VBSS_KNOT_PROJECTION) {
-        vbss_knot_paper_step(d);
-    } else if (immediate) {
-        vbss_knot_classify_next(d);
-        read_immediately(d);
-    } else {
-        vbss_knot_classify_next(d);
-        read_topology(d);
-    }
+    d->method->step_detector(d, immediate);
     d->state.steps = d->steps;
     return VBSS_OK;
 }

@@ -1,17 +1,12 @@
-/* Private interface of knot detectors, for the files of lib/knot.
+/* The inside of knot detectors, shared by the files of lib/knot.
  *
- * Input: input.c copies the host's polyline; winding.c measures the winding about the tools in
- * every step.
- *
- * Topology: a job (job.c) reads a copy of the input over several steps. core.c reduces the thread
- * once, with all its later extensions as obstacles. closure.c closes the thread in several ways.
- * curve.c reads one closed curve: reduction.c shortens it (triangle.c); projection.c makes a
- * diagram; gauss_code.c and untangle.c simplify it; twist_regions.c decomposes it into torus knots;
- * determinant.c, signature.c and vassiliev.c compute invariants; catalogue.c compares them.
- * throw_locator.c locates the throws (throw_places.c, sub_chains.c).
- *
- * Result: classification.c computes the public state, detector.c is the step. paper_step.c,
- * paper_loops.c and paper_throws.c are method PROJECTION. */
+ * From the host's polyline to the verdict: input.c copies what is shown; winding.c looks at it in every
+ * step. A reading of the topology is a job (job.c) on a copy: core.c reduces the thread once with all that
+ * its ends will be closed by as obstacles, closure.c closes it this way and that, and curve.c reads one closed curve:
+ * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, gauss_code.c and untangle.c
+ * simplify it, twist_regions.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
+ * invariants, catalogue.c compares. throw_locator.c finds where the throws lie (throw_places.c, sub_chains.c), classification.c makes of it
+ * what hosts see, detector.c is the step. Method PROJECTION is in lib/baseline. */
 #ifndef VBSS_KNOT_KNOT_H
 #define VBSS_KNOT_KNOT_H
 
@@ -251,35 +246,6 @@ void vbss_knot_notation_of(const knot_classification *classification, char text[
 double vbss_knot_slip(const knot_input *input, const double tail_places[2],
                       const double long_places[2]);
 
-/* ---- method PROJECTION */
-
-typedef struct knot_loop {
-    uint32_t tool, first, last, inside; /* as in the public view */
-    vec3 meeting[2];                    /* crossing point of the two projections, on each segment */
-    bool first_is_above;
-} knot_loop;
-typedef struct knot_paper {
-    uint32_t capacity; /* number of points */
-    uint32_t loop_count, loop_capacity;
-    knot_loop *loops;
-    double *flat; /* x and y of each point, then the heights */
-    vbss_random random;
-} knot_paper;
-enum { KNOT_PAPER_ARRAYS = 2 };
-void vbss_knot_paper_arrays(knot_paper *p, uint32_t capacity, vbss_array arrays[KNOT_PAPER_ARRAYS]);
-/* Appends the loops about one tool to p->loops, whether the tool is inside or not. */
-void vbss_knot_paper_loops(knot_paper *p, const vbss_knot_config *config, const knot_input *scene,
-                           uint32_t tool);
-/* Loops of a tool that one segment ties: the segment with the most; and the number of crossings
- * inside loops that tie nothing. */
-typedef struct knot_paper_throw {
-    uint32_t loops, undone;
-    bool first_is_above, inside_out; /* for the crossing that ties most loops */
-    uint32_t segment;
-} knot_paper_throw;
-knot_paper_throw vbss_knot_paper_throws(knot_paper *p, const vbss_knot_config *config,
-                                        const knot_input *scene, uint32_t tool);
-
 /* ---- one closed curve (curve.c) */
 
 typedef struct knot_reading {
@@ -513,15 +479,29 @@ typedef struct knot_event {
     uint32_t kind, numbers[3];
 } knot_event;
 
-typedef struct knot_detector {
+typedef struct knot_detector knot_detector;
+
+/* What the method of a detector does. The table is chosen once, when a detector is created. */
+typedef struct knot_method {
+    /* Memory of the method; destroy_detector follows also when this fails. */
+    vbss_result (*create_detector)(knot_detector *d);
+    void (*destroy_detector)(vbss_context *context, knot_detector *d);
+    /* Reads the input of a step, when winding about the tools is known. `immediate`: all of it, at once. */
+    void (*step_detector)(knot_detector *d, bool immediate);
+} knot_method;
+extern const knot_method vbss_baseline_knots; /* defined in lib/baseline */
+
+struct knot_detector {
+    const knot_method *method;
     vbss_context *context;
     vbss_knot_config config;
     knot_input input; /* input in the last step */
     knot_tool_state *tools;
     knot_job job;
-    knot_paper paper;
-    bool reading_due;       /* a reading should start as soon as none is in progress */
-    bool thread_may_differ; /* the thread may not be the one that was read before */
+    struct baseline_detector *baseline; /* state of lib/baseline; NULL by method TOPOLOGY */
+    vbss_random random;                 /* of method PROJECTION, saved by both */
+    bool reading_due;                   /* a reading should start as soon as none is in progress */
+    bool thread_may_differ;             /* the thread may not be the one that was read before */
     /* number of steps, and the step in which the last job started */
     uint64_t steps, job_start_step;
     vbss_knot_state state;
@@ -529,17 +509,16 @@ typedef struct knot_detector {
     knot_event *events;
     uint32_t event_count, events_lost;
     vbss_knot_statistics statistics; /* without the reading in progress */
-    uint32_t *loop_rows;             /* 4 numbers for each loop, for the view */
+    const uint32_t *loop_rows;       /* 4 numbers for each loop, for the view */
+    uint32_t loop_count;
     uint64_t generation;
-} knot_detector;
+};
 extern const vbss_kind vbss_knot_kind;
 vbss_result vbss_knot_open(const vbss_knot_detector *handle, knot_detector **detector);
 /* Configuration (config.c) */
 extern const vbss_layout vbss_knot_config_layout;
 vbss_result vbss_knot_check_config(vbss_context *context, const vbss_knot_config *config);
-/* One step of method PROJECTION (paper_step.c). */
-void vbss_knot_paper_step(knot_detector *detector);
-/* Checks the complete input, then copies it to `copy`, which must have the capacity (input.c). */
+/* input.c: checks all of it, then copies it to `scene`, which has room. */
 vbss_result vbss_knot_read_input(const knot_detector *detector, const vbss_knot_input *input,
                                  knot_input *copy);
 void vbss_knot_input_copy(knot_input *to, const knot_input *from);

@@ -229,7 +229,7 @@ void vbss_knot_serialise(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 4, &d->job_start_step, 1);
     visit_bool(stream, 5, &d->reading_due);
     visit_bool(stream, 7, &d->thread_may_differ);
-    vbss_random_serialise(stream, 6, &d->paper.random);
+    vbss_random_serialise(stream, 6, &d->random);
     visit_tools(stream, d);
     visit_state(stream, &d->state);
     visit_classification(stream, d);
@@ -250,7 +250,7 @@ vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8
     VBSS_TRY(vbss_knot_open(detector, &d));
     VBSS_TRY(vbss_check_arithmetic(d->context)); /* because restoring repeats a reading */
     VBSS_TRY(vbss_object_restore(detector, &vbss_knot_kind, bytes, count));
-    d->event_count = d->events_lost = d->paper.loop_count = 0; /* results of the last step */
+    d->event_count = d->events_lost = d->loop_count = 0; /* results of the last step */
     d->generation++;
     return VBSS_OK;
 }

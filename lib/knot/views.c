@@ -89,7 +89,7 @@ vbss_result vbss_knot_detector_get_view(vbss_knot_detector *detector, vbss_knot_
         own.count = d->event_count;
         own.data = d->events;
     } else if (field == VBSS_KNOT_VIEW_LOOPS) {
-        own.count = d->paper.loop_count;
+        own.count = d->loop_count;
         own.data = d->loop_rows;
     } else {
         return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "a knot detector has no field %d",

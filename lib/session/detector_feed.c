@@ -95,8 +95,7 @@ static void fill_knot_input(const session_object *s, const session_observation *
         input->hole_places[k] = polyline_parameter(t, hole->arc);
     }
     vec3_store(input->away, observed->into_tissue);
-    input->may_have_passed =
-        t->method == VBSS_METHOD_PAPER; /* that method lets bodies pass through */
+    input->may_have_passed = !t->is_guarded;
 }
 
 /* ---- result of the detector */

@@ -174,12 +174,10 @@ static session_tool_observation observe_tool(const session_object *s, uint32_t t
 
 /* ---- the drain */
 
-/* Walls of method PAPER have no thickness and so no lips: their gap is between the edges. */
 static void observe_gap(const session_object *s, const scene_drain_info *d,
                         const vbss_drain_gap *gap, session_observation *observed)
 {
-    bool use_edges =
-        s->config.gap_measure == VBSS_SESSION_GAP_EDGES || d->method == VBSS_METHOD_PAPER;
+    bool use_edges = s->config.gap_measure == VBSS_SESSION_GAP_EDGES || d->is_surface;
     observed->gap = use_edges ? gap->gap : gap->opening;
     observed->signed_gap = use_edges ? gap->signed_gap : gap->opening;
     observed->max_gap = use_edges ? gap->largest : gap->widest_opening;

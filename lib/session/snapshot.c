@@ -226,7 +226,7 @@ static void clear_knot_events(const session_object *s)
 {
     knot_detector *d;
     if (s->config.knots != NULL && vbss_knot_open(s->config.knots, &d) == VBSS_OK) {
-        d->event_count = d->events_lost = d->paper.loop_count = 0;
+        d->event_count = d->events_lost = d->loop_count = 0;
         d->generation++;
     }
 }

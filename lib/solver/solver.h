@@ -60,12 +60,7 @@ void vbss_integration_correct(const vbss_integration *integration, size_t count,
 
 /* ---- explicit methods of VBLaST-SS (explicit_substeps.c, relative_damping.c) */
 
-/* Number of equal substeps for a step of h seconds if a substep is stable up to 1 / sqrt(rate);
- * rate in 1/s^2. */
-uint32_t vbss_explicit_substep_count(double h, double rate);
-/* Damps motion relative to the best rigid motion: v <- v - fraction (v - rigid motion), for nodes
- * first to last. Linear and angular momentum are conserved. A node of mass 0 does not contribute to
- * the rigid motion. */
+/* v <- v - share (v - rigid motion), nodes first .. last; mass 0 has no part in that motion. */
 void vbss_damp_relative_motion(const double *mass, const vec3 *x, vec3 *v, uint32_t first,
                                uint32_t last, double fraction);
 

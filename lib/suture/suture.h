@@ -1,9 +1,9 @@
-/* Coupling of needle, thread and drain: where a tip enters a wall, and the hole that it leaves.
+/* What couples needle, thread and drain: where a tip enters a wall, and the hole that it leaves, which slides along the needle
+ * and on along the thread behind it.
  *
- * A hole is a material point of the drain on the suture's middle line. It slides along the needle
- * and on along the thread behind it. A stiffness ties both across the line; friction acts along it
- * (docs/puncture.md, docs/stitch.md). puncture.c decides when and where a tip enters; curve.c is
- * the suture curve; hole.c is the law of a hole. paper.h is method PAPER. */
+ * A hole is a material point of the drain on the suture's middle line. Across the line it ties the two with a stiffness; along
+ * it rubs (docs/puncture.md, docs/stitch.md). puncture.c says when a tip enters and where; curve.c what line that is; hole.c
+ * what a hole does. */
 #ifndef VBSS_SUTURE_SUTURE_H
 #define VBSS_SUTURE_SUTURE_H
 

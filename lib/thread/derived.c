@@ -63,7 +63,7 @@ static void lump_mass(thread_object *t)
         t->mass[i] += 0.5 * density * t->rest[i];
         t->mass[i + 1] += 0.5 * density * t->rest[i];
     }
-    if (n < 3 || t->config.method != VBSS_METHOD_OURS) {
+    if (n < 3 || !t->method->corrects_masses) {
         return;
     }
     /* At a clamp the slope along the thread is zero, so there is no correction. */
@@ -190,7 +190,7 @@ vbss_result vbss_thread_update_derived(thread_object *t)
     }
     vbss_thread_compute_masses(t);
     find_sections(t);
-    if (t->config.method == VBSS_METHOD_OURS) {
+    if (t->bending_matrix != NULL) {
         vbss_thread_build_bending(t);
     }
     t->is_derived_valid = true;
@@ -201,7 +201,7 @@ vbss_result vbss_thread_update_derived(thread_object *t)
 vbss_result vbss_thread_update_sparsity(thread_object *t)
 {
     VBSS_TRY(vbss_thread_update_derived(t));
-    if (!t->is_sparsity_valid && t->config.method == VBSS_METHOD_OURS) {
+    if (!t->is_sparsity_valid && t->system != NULL) {
         VBSS_TRY(build_sparsity(t));
         t->is_sparsity_valid = true;
     }

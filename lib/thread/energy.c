@@ -4,9 +4,6 @@
 /* 1/2 x^T K x = -1/2 sum of K_ij |x_i - x_j|^2 over all pairs, as the rows of K sum to zero. */
 double vbss_thread_bending_energy(const thread_object *t)
 {
-    if (t->config.method == VBSS_METHOD_PAPER) {
-        return vbss_thread_paper_bending_energy(t);
-    }
     double energy = vbss_thread_rest_curvature_energy(t);
     for (uint32_t i = 0; i < t->node_count; i++) {
         for (uint32_t k = 1; k <= THREAD_CLAMP_BANDWIDTH && i + k < t->node_count; k++) {

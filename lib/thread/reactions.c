@@ -51,7 +51,7 @@ static vec3 clamp_torque(const thread_object *t, uint32_t c)
     return vec3_cross(clamp->direction, gradient);
 }
 
-static vec3 torque_at(const thread_object *t, uint32_t node)
+vec3 vbss_thread_implicit_reaction_torque(const thread_object *t, uint32_t node)
 {
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         if (t->clamps[c].node == node) {
@@ -83,16 +83,18 @@ static vec3 other_forces(const thread_object *t, uint32_t node)
     return sum;
 }
 
+vec3 vbss_thread_implicit_reaction_force(const thread_object *t, uint32_t node)
+{
+    return vec3_sub(vbss_thread_implicit_constraint_force(t, node), other_forces(t, node));
+}
+
 static void update_reaction(const thread_object *t, thread_attachment *a)
 {
-    bool paper = t->config.method == VBSS_METHOD_PAPER;
     a->reaction_torque = vec3_zero();
     if (vbss_thread_prescribes_motion(a->kind)) {
         /* Without loads and springs at the node. */
-        a->reaction = paper ? vbss_thread_paper_force(t, a->node)
-                            : vec3_sub(vbss_thread_implicit_constraint_force(t, a->node),
-                                       other_forces(t, a->node));
-        a->reaction_torque = paper ? vbss_thread_paper_torque(t, a->node) : torque_at(t, a->node);
+        a->reaction = t->method->reaction_force(t, a->node);
+        a->reaction_torque = t->method->reaction_torque(t, a->node);
     } else if (a->kind == VBSS_ATTACHMENT_FORCE) {
         a->reaction = a->force;
     } else if (a->kind == VBSS_ATTACHMENT_SPRING) {

@@ -13,10 +13,10 @@ _Static_assert(sizeof(vbss_thread_config) == 304, "published size");
 /* ---- configurations */
 
 /* The thread of VBLaST-SS. */
-#define PAPER_RADIUS 0.125e-3
-#define PAPER_LINEAR_DENSITY 6.4e-5
-#define PAPER_AXIAL_STIFFNESS 427.0
-#define PAPER_BENDING_STIFFNESS 1e-8
+#define VBLAST_RADIUS 0.125e-3
+#define VBLAST_LINEAR_DENSITY 6.4e-5
+#define VBLAST_AXIAL_STIFFNESS 427.0
+#define VBLAST_BENDING_STIFFNESS 1e-8
 
 static const vbss_thread_config defaults = {
     .struct_size = sizeof(vbss_thread_config),
@@ -25,10 +25,10 @@ static const vbss_thread_config defaults = {
     .segment_count = 120,
     .attachment_capacity = 8,
     .length = 0.15,
-    .radius = PAPER_RADIUS,
-    .linear_density = PAPER_LINEAR_DENSITY,
-    .axial_stiffness = PAPER_AXIAL_STIFFNESS,
-    .bending_stiffness = PAPER_BENDING_STIFFNESS,
+    .radius = VBLAST_RADIUS,
+    .linear_density = VBLAST_LINEAR_DENSITY,
+    .axial_stiffness = VBLAST_AXIAL_STIFFNESS,
+    .bending_stiffness = VBLAST_BENDING_STIFFNESS,
     .gravity = {0.0, -9.81, 0.0},
     .direction = {1.0, 0.0, 0.0},
     .spectral_radius = 0.3,
@@ -68,10 +68,10 @@ vbss_result vbss_thread_config_preset(vbss_thread_config *config, vbss_thread_pr
         config->bending_stiffness = 2.7e-8;
         return VBSS_OK;
     case VBSS_PRESET_PAPER_THREAD:
-        config->radius = PAPER_RADIUS;
-        config->linear_density = PAPER_LINEAR_DENSITY;
-        config->axial_stiffness = PAPER_AXIAL_STIFFNESS;
-        config->bending_stiffness = PAPER_BENDING_STIFFNESS;
+        config->radius = VBLAST_RADIUS;
+        config->linear_density = VBLAST_LINEAR_DENSITY;
+        config->axial_stiffness = VBLAST_AXIAL_STIFFNESS;
+        config->bending_stiffness = VBLAST_BENDING_STIFFNESS;
         return VBSS_OK;
     default:
         return VBSS_ERROR_OUT_OF_RANGE;
@@ -139,7 +139,8 @@ static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c
     };
     VBSS_TRY(check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]));
     if (c->mesh == VBSS_MESH_ADAPTIVE && c->method != VBSS_METHOD_OURS) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "method PAPER has no adaptive mesh");
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
+                         "VBSS_METHOD_PAPER has no adaptive mesh");
     }
     return VBSS_OK;
 }
@@ -172,13 +173,11 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
 
 /* ---- memory: the table of arrays */
 
-enum { ARRAY_COUNT = 35 };
+enum { ARRAY_COUNT = 29 };
 
 static size_t list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
 {
     size_t n = t->node_capacity;
-    bool ours = t->config.method == VBSS_METHOD_OURS;
-    size_t implicit = ours ? n : 0;
     const vbss_array all[] = {
         {&t->rest, n, sizeof *t->rest},
         {&t->now.x, n, sizeof(vec3)},
@@ -207,13 +206,7 @@ static size_t list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
         {&t->v_predicted, n, sizeof(vec3)},
         {&t->a_predicted, n, sizeof(vec3)},
         {&t->strains, n, sizeof *t->strains},
-        {&t->bending_matrix, implicit, sizeof *t->bending_matrix},
-        {&t->paper_rows, n - implicit, sizeof *t->paper_rows},
-        {&t->rest_curvature_forces, implicit, sizeof(vec3)},
-        {&t->spline_moments, implicit, sizeof *t->spline_moments},
-        {&t->arcs, implicit, sizeof *t->arcs},
         {&t->clamps, t->config.attachment_capacity, sizeof *t->clamps},
-        {&t->couplings, implicit, sizeof *t->couplings},
     };
     _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
     memcpy(arrays, all, sizeof all);
@@ -228,6 +221,7 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     if (t == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
+    t->method = config->method == VBSS_METHOD_PAPER ? &vbss_baseline_thread : &vbss_thread_implicit;
     t->context = context;
     t->config = *config;
     t->config.rest_lengths = t->config.positions = NULL;
@@ -236,12 +230,8 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     vbss_array arrays[ARRAY_COUNT];
     size_t count = list_arrays(t, arrays);
     vbss_result result = vbss_allocate_arrays(context, arrays, count, "thread");
-    if (result == VBSS_OK && config->method == VBSS_METHOD_OURS) {
-        /* A spring needs a group of separators, which is coupled with the next group on
-         * either side. */
-        uint32_t separators = THREAD_BANDWIDTH * config->attachment_capacity;
-        result = vbss_system_create(context, node_capacity, THREAD_BANDWIDTH, separators,
-                                    3 * THREAD_BANDWIDTH * separators, &t->system);
+    if (result == VBSS_OK) {
+        result = t->method->create_thread(t);
     }
     if (result != VBSS_OK) {
         vbss_thread_free(context, t);
@@ -256,7 +246,7 @@ static void free_thread(vbss_context *context, thread_object *t)
     vbss_array arrays[ARRAY_COUNT];
     size_t count = list_arrays(t, arrays);
     vbss_release_arrays(context, arrays, count);
-    vbss_system_destroy(context, t->system);
+    t->method->destroy_thread(context, t);
     vbss_release(context, t, 1, sizeof *t);
 }
 
@@ -454,8 +444,7 @@ vbss_result vbss_thread_step(vbss_thread *thread, double h)
     VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(t->context));
     VBSS_TRY(vbss_thread_update_sparsity(t));
-    VBSS_TRY(t->config.method == VBSS_METHOD_PAPER ? vbss_thread_paper_step(t, h)
-                                                   : vbss_thread_implicit_step(t, h));
+    VBSS_TRY(t->method->step_thread(t, h));
     vbss_thread_finish_step(t, h);
     vbss_thread_adapt_mesh(t);
     return VBSS_OK;

@@ -95,19 +95,6 @@ typedef struct thread_strain {
     double elongation; /* length minus rest length, m */
 } thread_strain;
 
-/* Method PAPER: what a step knows of node i and of segment i. */
-typedef struct thread_paper_row {
-    double inverse_mass; /* of the node, resistance times dt counted as mass; 0: held */
-    double resistance;   /* of the node to its velocity: drag and attached springs, N s/m */
-    double inverse_rest; /* of the segment */
-    double stiffness;    /* of the segment's spring, N/m */
-    double multiplier;   /* of its constraint in the substep under way: tension times dt^2 */
-    vec3 edge;           /* over its rest length, with its square */
-    double square;
-    double right,
-        ratio; /* of the tridiagonal system: right-hand side, then solution; elimination */
-} thread_paper_row;
-
 /* Spare threads and handles for the pieces that later cuts create. A thread and its pieces share
  * one pool, which is freed with the last reference: threads of the family, and spares that a scene
  * has reserved. */
@@ -117,7 +104,29 @@ typedef struct thread_piece_pool {
     vbss_slot **slots;
 } thread_piece_pool;
 
-typedef struct thread_object {
+typedef struct thread_object thread_object;
+
+/* What the method of a thread does. The table is chosen once, when a thread is created. */
+typedef struct thread_method {
+    /* Memory of the method, when that of all methods is there; destroy_thread follows also when this fails. */
+    vbss_result (*create_thread)(thread_object *t);
+    void (*destroy_thread)(vbss_context *context, thread_object *t);
+    /* One step of h seconds. On failure the state is that before the step. */
+    vbss_result (*step_thread)(thread_object *t, double h);
+    double (*bending_energy)(const thread_object *t); /* J, rest curvature included */
+    /* At the end of the last step, at a node whose motion is prescribed: the force that holds it, N, all
+     * that pulls there included; the reaction of its attachment, N and N m. */
+    vec3 (*constraint_force)(const thread_object *t, uint32_t node);
+    vec3 (*reaction_force)(const thread_object *t, uint32_t node);
+    vec3 (*reaction_torque)(const thread_object *t, uint32_t node);
+    bool corrects_masses; /* lumped masses have the end corrections of derived.c */
+    bool is_guarded;      /* CCD keeps the thread from passing through other bodies in a scene */
+} thread_method;
+extern const thread_method vbss_thread_implicit; /* implicit_method.c */
+extern const thread_method vbss_baseline_thread; /* defined in lib/baseline */
+
+struct thread_object {
+    const thread_method *method;
     vbss_context *context;
     vbss_thread_config config; /* pointers are NULL; equal for all pieces */
     uint32_t node_capacity, node_count;
@@ -167,12 +176,12 @@ typedef struct thread_object {
     double *trial_tension;
     vec3 *rest_curvature_forces; /* N (implicit method) */
     thread_strain *strains;
-    thread_paper_row *paper_rows; /* PAPER */
+    struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 
     /* views, computed when a host asks */
     double *lengths, *sagittas;
     vec3 *curvatures;
-} thread_object;
+};
 
 extern const vbss_kind vbss_thread_kind;
 
@@ -312,8 +321,6 @@ double vbss_thread_bending_energy(const thread_object *t);
 /* Increase of stretching and kinetic energy from the state to the trial state, J, for a substep of
  * `h` seconds. */
 double vbss_thread_energy_change(const thread_object *t, double h);
-double vbss_thread_paper_bending_energy(const thread_object *t);
-
 /* ---- bending.c: curvature and clamps */
 
 /* Curvature vector at a node, 1/m: turn of the chord's direction over the mean rest length. At a
@@ -417,19 +424,12 @@ void vbss_thread_update_rest_curvature_forces(thread_object *t);
  * their section. */
 void vbss_thread_damp_sections(thread_object *t, double fraction);
 
-/* ---- implicit_step.c, paper_step.c */
-
-/* Steps a thread on its own by `h` seconds. VBSS_ERROR_NOT_FINITE: there is no finite state;
- * nothing changes. */
+/* implicit_step.c */
 vbss_result vbss_thread_implicit_step(thread_object *t, double h);
-vbss_result vbss_thread_paper_step(thread_object *t, double h);
-
-/* ---- constraint_force.c, paper_step.c */
-
 /* Force that holds a prescribed node at the end of the last step, N. The implicit method uses the
  * strains of that step. */
 vec3 vbss_thread_implicit_constraint_force(const thread_object *t, uint32_t node);
-vec3 vbss_thread_paper_force(const thread_object *t, uint32_t node);
-vec3 vbss_thread_paper_torque(const thread_object *t, uint32_t node);
+vec3 vbss_thread_implicit_reaction_force(const thread_object *t, uint32_t node);
+vec3 vbss_thread_implicit_reaction_torque(const thread_object *t, uint32_t node);
 
 #endif

@@ -122,7 +122,7 @@ vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *
         double elongation = t->strains[i].elongation;
         own.stretching += 0.5 * t->config.axial_stiffness / t->rest[i] * elongation * elongation;
     }
-    own.bending = vbss_thread_bending_energy(t);
+    own.bending = t->method->bending_energy(t);
     own.total = own.kinetic + own.stretching + own.bending + own.gravity;
     return vbss_struct_write(t->context, &energies_layout, &own, energies, struct_size);
 }

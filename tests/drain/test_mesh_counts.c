@@ -22,7 +22,7 @@ static void named_meshes_have_their_counts(void **state)
     expect_counts(DRAIN_MESH_D, 159, 280, 33);
     expect_counts(DRAIN_MESH_S, 181, 320, 33);
     expect_counts(DRAIN_MESH_R, 225, 400, 33);
-    expect_counts(DRAIN_MESH_PAPER, 7 * 12 + 1, 2 * 6 * 12, 0);
+    expect_counts(DRAIN_MESH_6X12, 7 * 12 + 1, 2 * 6 * 12, 0);
 }
 
 /* The lists as they were published, to rounding of the mark: 39.67 degrees for 4.5 mm. */
@@ -115,7 +115,7 @@ static void the_papers_grid_has_its_edges(void **state)
 {
     (void)state;
     mesh_rig rig;
-    drain_mesh_options o = mesh_rig_options(DRAIN_MESH_PAPER);
+    drain_mesh_options o = mesh_rig_options(DRAIN_MESH_6X12);
     mesh_rig_begin(&rig, &o);
     const drain_mesh *m = &rig.mesh;
     uint32_t along = 0, around = 0, diagonal = 0;

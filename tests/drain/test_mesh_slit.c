@@ -127,7 +127,7 @@ static void any_mark_is_where_it_should_be(harness_source *source, void *user)
     expect_same_bits(m->material_coordinates[right][0], 0.0 - m->material_coordinates[left][0]);
     expect_near(0.0, m->rest[right].x, 1e-17 * o.length);
     /* The paper's has a line every 30 degrees. */
-    double off = o.kind == DRAIN_MESH_PAPER ? 15.0001 * RIG_DEGREE * o.radius : 2e-6 * o.radius;
+    double off = o.kind == DRAIN_MESH_6X12 ? 15.0001 * RIG_DEGREE * o.radius : 2e-6 * o.radius;
     expect_near(o.mark_arc, m->material_coordinates[right][0], off);
     /* The opening moved it outward, less than the edge. */
     double moved = m->angle[right] * o.radius - m->material_coordinates[right][0];
@@ -167,11 +167,11 @@ static void the_strip_is_below(void **state)
                                                           : mesh_rig_options((drain_mesh_kind)kind);
         mesh_rig_begin(&rig, &o);
         const drain_mesh *m = &rig.mesh;
-        uint32_t columns = kind == DRAIN_MESH_UNIFORM ? 11 : kind == DRAIN_MESH_PAPER ? 0 : 3;
+        uint32_t columns = kind == DRAIN_MESH_UNIFORM ? 11 : kind == DRAIN_MESH_6X12 ? 0 : 3;
         assert_int_equal(columns * (m->grid.axial_cells + 1), m->anchor_count);
         uint32_t next = 0;
         for (uint32_t i = 0; i < m->node_count; i++) {
-            bool low = kind != DRAIN_MESH_PAPER &&
+            bool low = kind != DRAIN_MESH_6X12 &&
                        fabs(m->material_coordinates[i][0]) >= 154.999 * RIG_DEGREE * o.radius;
             assert_true(low == (next < m->anchor_count && m->anchors[next] == i));
             next += low;

@@ -7,7 +7,13 @@ import gate
 
 # Folders of one row do not know each other.
 LAYERS = [["base"], ["collision"], ["solver"], ["thread", "drain", "needle", "grasper"], ["contact"],
-          ["suture"], ["scene"], ["knot", "metrics", "device", "record", "visual"], ["session"]]
+          ["suture"], ["scene"], ["knot", "metrics", "device", "record", "visual"], ["session", "baseline"]]
+# How a module reaches its method in lib/baseline: its own header declares a table of functions, lib/baseline defines it, and the
+# file that chooses the table when an object is created refers to it. That is no call upward (gate.structure): calls go through
+# the table. No other file outside lib/baseline may refer to anything in it.
+METHOD_TABLES = {"vbss_baseline_ccd": "collision/ccd.c", "vbss_baseline_thread": "thread/thread.c",
+                 "vbss_baseline_drain": "drain/drain.c", "vbss_baseline_scene": "scene/api/create.c",
+                 "vbss_baseline_knots": "knot/detector.c"}
 LEVEL = {folder: level for level, row in enumerate(LAYERS) for folder in row}
 # Folders inside a folder of lib/, in their order: each includes, and calls (gate.structure), only those before it.
 # Files beside the sub-folders may include all of them, and be included by all.

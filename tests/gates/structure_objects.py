@@ -47,7 +47,8 @@ def symbols(objects_of_lib, nm):
 
 
 def calls(tree, build, nm="nm"):
-    """File -> files -> a symbol that the first takes from the second: functions and tables, by the linker's names."""
+    """File -> files -> a symbol that the first takes from the second: functions and tables, by the linker's names. Without the
+    tables of methods where they are chosen (layers.py)."""
     defined, wanted, of_lib = {}, [], objects(tree, build)
     if not of_lib:
         raise OSError(f"no object of lib/ in {build}")
@@ -59,7 +60,7 @@ def calls(tree, build, nm="nm"):
     graph = collections.defaultdict(dict)
     for source, name in wanted:
         target = defined.get(name)
-        if target and target != source:
+        if target and target != source and layers.METHOD_TABLES.get(name) != source:
             graph[source].setdefault(target, name)
     for source in set(defined.values()):
         graph[source]  # a file without calls

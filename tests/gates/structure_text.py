@@ -211,15 +211,16 @@ BASELINE = re.compile(r"paper|VBSS_METHOD_", re.I)
 
 def is_baseline(parts):
     """Whether a file below lib/ belongs to the baseline."""
-    return "baseline" in parts[:-1] or parts[-1].startswith("paper")
+    return parts[0] == "baseline"
 
 
 def knows_baseline(line, public):
-    """'' | 'public': only by names of the public interface | 'private'."""
+    """'' | 'public': only by names of the public interface | 'private'. A field of a public struct may stand anywhere: tables of
+    ranges and of records name it."""
     if not BASELINE.search(line):
         return ""
     rest = c_text.IDENTIFIER.sub(
-        lambda name: "" if public.has(name.group(), line[:name.start()]) else name.group(), line)
+        lambda name: "" if name.group() in public.fields or public.has(name.group(), line[:name.start()]) else name.group(), line)
     return "private" if BASELINE.search(rest) else "public"
 
 

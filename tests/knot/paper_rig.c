@@ -12,12 +12,13 @@ void paper_rig_begin(paper_rig *rig)
         rig->tools[k].point_count = 2;
         rig->tools[k].axis[0] = vec3_make(0.0, 0.0, 0.15);
     }
+    rig->paper.random = &rig->random;
     rig->scene.points = rig->points;
     rig->scene.tools = rig->tools;
     rig->scene.tool_count = PAPER_RIG_TOOLS;
-    vbss_array arrays[KNOT_PAPER_ARRAYS];
-    vbss_knot_paper_arrays(&rig->paper, PAPER_RIG_POINTS, arrays);
-    for (int k = 0; k < KNOT_PAPER_ARRAYS; k++) {
+    vbss_array arrays[BASELINE_LOOP_ARRAYS];
+    vbss_baseline_list_loop_arrays(&rig->paper, PAPER_RIG_POINTS, arrays);
+    for (int k = 0; k < BASELINE_LOOP_ARRAYS; k++) {
         void *block = calloc(arrays[k].count, arrays[k].size);
         assert_non_null(block);
         memcpy(arrays[k].pointer, &block, sizeof block);
@@ -51,9 +52,9 @@ void paper_rig_reverse(paper_rig *rig)
 
 uint32_t paper_rig_loops(paper_rig *rig, uint64_t seed)
 {
-    vbss_random_seed(&rig->paper.random, seed, 0);
+    vbss_random_seed(&rig->random, seed, 0);
     rig->paper.loop_count = 0;
-    vbss_knot_paper_loops(&rig->paper, &rig->config, &rig->scene, 0);
+    vbss_baseline_find_loops(&rig->paper, &rig->config, &rig->scene, 0);
     return rig->paper.loop_count;
 }
 
@@ -66,8 +67,8 @@ uint32_t paper_rig_inside(const paper_rig *rig)
     return inside;
 }
 
-knot_paper_throw paper_rig_throws(paper_rig *rig, uint64_t seed)
+baseline_throw paper_rig_throws(paper_rig *rig, uint64_t seed)
 {
     paper_rig_loops(rig, seed);
-    return vbss_knot_paper_throws(&rig->paper, &rig->config, &rig->scene, 0);
+    return vbss_baseline_find_throws(&rig->paper, &rig->config, &rig->scene, 0);
 }

@@ -3,8 +3,8 @@
 #ifndef VBSS_TESTS_KNOT_PAPER_RIG_H
 #define VBSS_TESTS_KNOT_PAPER_RIG_H
 
+#include "baseline/knots.h"
 #include "harness/harness.h"
-#include "knot/knot.h"
 
 enum { PAPER_RIG_POINTS = 640, PAPER_RIG_TOOLS = 2 };
 
@@ -13,7 +13,8 @@ typedef struct paper_rig {
     knot_tool tools[PAPER_RIG_TOOLS];
     vec3 points[PAPER_RIG_POINTS];
     knot_input scene;
-    knot_paper paper;
+    vbss_random random;
+    baseline_loops paper;
 } paper_rig;
 
 void paper_rig_begin(paper_rig *rig);
@@ -32,6 +33,6 @@ uint32_t paper_rig_loops(paper_rig *rig, uint64_t seed);
 /* Those with the tool inside. */
 uint32_t paper_rig_inside(const paper_rig *rig);
 /* The same, then the throws. */
-knot_paper_throw paper_rig_throws(paper_rig *rig, uint64_t seed);
+baseline_throw paper_rig_throws(paper_rig *rig, uint64_t seed);
 
 #endif

@@ -57,8 +57,8 @@ static void try_every_phase(knot_body_options *options, bool seen[KNOT_JOB_DONE]
         for (int k = SAME; k < DETECTORS; k++) {
             pass(d[LIVING], d[k]);
             detectors_are_alike(d[LIVING], d[k], false);
-            assert_memory_equal(&inside[LIVING]->paper.random, &inside[k]->paper.random,
-                                sizeof inside[k]->paper.random);
+            assert_memory_equal(&inside[LIVING]->random, &inside[k]->random,
+                                sizeof inside[k]->random);
         }
         for (int k = 0; k < DETECTORS; k++) {
             expect_ok(knot_body_step(d[k]));

@@ -73,7 +73,7 @@ static void the_pair_of_a_curled_standing_part_is_the_wrong_one(void **state)
     paper_rig_begin(&rig);
     show(&rig, PAPER_KNOT_E);
     assert_int_equal(1, paper_rig_loops(&rig, 1));
-    knot_loop found = rig.paper.loops[0];
+    baseline_loop found = rig.paper.loops[0];
     assert_false(found.first_is_above);
     /* Without what is farther out than 10 mm there is one crossing left. */
     uint32_t n = 0;
@@ -98,7 +98,7 @@ static void an_exact_helix_closes_by_accident(void **state)
     for (paper_knot_kind kind = PAPER_KNOT_C; kind <= PAPER_KNOT_C2; kind++) {
         show(&rig, kind);
         paper_rig_loops(&rig, 1);
-        knot_loop first = rig.paper.loops[0], spurious = rig.paper.loops[1];
+        baseline_loop first = rig.paper.loops[0], spurious = rig.paper.loops[1];
         assert_int_equal(1, first.inside);
         assert_int_equal(0, spurious.inside);
         /* At the very first segment, where nothing crosses but the turns lie on each other. */

@@ -13,7 +13,7 @@ static void expect_loop(const paper_rig *rig, uint32_t number, uint32_t first, u
                         uint32_t inside)
 {
     assert_true(number < rig->paper.loop_count);
-    const knot_loop *loop = &rig->paper.loops[number];
+    const baseline_loop *loop = &rig->paper.loops[number];
     assert_int_equal(0, loop->tool);
     assert_int_equal(first, loop->first);
     assert_int_equal(last, loop->last);
@@ -193,15 +193,15 @@ static void rays_come_from_the_seed_and_loops_are_appended(void **state)
     paper_rig_begin(&rig);
     PAPER_SHOW(&rig, SQUARE);
     paper_rig_loops(&rig, 5);
-    vbss_random after = rig.paper.random;
-    knot_loop loop = rig.paper.loops[0];
+    vbss_random after = rig.random;
+    baseline_loop loop = rig.paper.loops[0];
     paper_rig_loops(&rig, 5);
-    assert_memory_equal(&after, &rig.paper.random, sizeof after);
+    assert_memory_equal(&after, &rig.random, sizeof after);
     assert_memory_equal(&loop.meeting, &rig.paper.loops[0].meeting, sizeof loop.meeting);
-    vbss_knot_paper_loops(&rig.paper, &rig.config, &rig.scene, 1);
+    vbss_baseline_find_loops(&rig.paper, &rig.config, &rig.scene, 1);
     assert_int_equal(2, rig.paper.loop_count);
     assert_int_equal(1, rig.paper.loops[1].tool);
-    assert_true(after.state != rig.paper.random.state); /* a ray a loop */
+    assert_true(after.state != rig.random.state); /* a ray a loop */
     paper_rig_end(&rig);
 }
 

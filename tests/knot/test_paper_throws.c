@@ -25,7 +25,7 @@
 static void expect_throw(paper_rig *rig, uint32_t loops, uint32_t undone)
 {
     for (uint64_t seed = 1; seed <= 20; seed++) { /* whatever the rays */
-        knot_paper_throw t = paper_rig_throws(rig, seed);
+        baseline_throw t = paper_rig_throws(rig, seed);
         assert_int_equal(loops, t.loops);
         assert_int_equal(undone, t.undone);
     }
@@ -40,7 +40,7 @@ static void above_ties_inside_out_and_below_outside_in(void **state)
     /* The tail is nearer to the first segment of the pair. */
     PAPER_SHOW(&rig, TAIL(0, 2, out), SQUARE(high, low));
     expect_throw(&rig, 1, 0);
-    knot_paper_throw t = paper_rig_throws(&rig, 1);
+    baseline_throw t = paper_rig_throws(&rig, 1);
     assert_true(t.first_is_above && t.inside_out);
     assert_int_equal(0, t.segment);
 
@@ -65,23 +65,23 @@ static void the_long_limb_is_judged_by_its_own_strand(void **state)
     for (int k = 0; k < 4; k++) {
         const double first = k & 1 ? 13 : 11, last = k & 1 ? 11 : 13, end = k & 2 ? 5 : -5;
         PAPER_SHOW(&rig, SQUARE(first, last), {70, 30, -end}, {0, 2, -end}, {0, 2, end});
-        vbss_random_seed(&rig.paper.random, 1, 0);
+        vbss_random_seed(&rig.random, 1, 0);
         rig.paper.loop_count = 1;
-        rig.paper.loops[0] = (knot_loop){.first = 0, .last = 3, .inside = 1};
+        rig.paper.loops[0] = (baseline_loop){.first = 0, .last = 3, .inside = 1};
         rig.paper.loops[0].meeting[0] = vec3_make(8e-3, 8e-3, 1e-3 * first);
         rig.paper.loops[0].meeting[1] = vec3_make(8e-3, 8e-3, 1e-3 * last);
         rig.paper.loops[0].first_is_above = first > last;
         bool ties = (last > first) == (end > 0);
-        knot_paper_throw t = vbss_knot_paper_throws(&rig.paper, &rig.config, &rig.scene, 0);
+        baseline_throw t = vbss_baseline_find_throws(&rig.paper, &rig.config, &rig.scene, 0);
         assert_int_equal(ties ? 1 : 0, t.loops);
         assert_int_equal(ties ? 0 : 1, t.undone);
         assert_int_equal(ties && end > 0, t.inside_out);
         rig.paper.loops[0].inside = 0; /* not round the tool: takes no part */
-        t = vbss_knot_paper_throws(&rig.paper, &rig.config, &rig.scene, 0);
+        t = vbss_baseline_find_throws(&rig.paper, &rig.config, &rig.scene, 0);
         assert_int_equal(0, t.loops + t.undone);
         rig.paper.loops[0].inside = 1;
         rig.paper.loops[0].tool = 1; /* another tool's */
-        t = vbss_knot_paper_throws(&rig.paper, &rig.config, &rig.scene, 0);
+        t = vbss_baseline_find_throws(&rig.paper, &rig.config, &rig.scene, 0);
         assert_int_equal(0, t.loops + t.undone);
     }
     paper_rig_end(&rig);
@@ -191,11 +191,11 @@ static void throws_have_no_handedness(void **state)
     paper_rig_begin(&rig);
     /* A throw and its mirror image are the same to it, so that a square knot is a granny. */
     PAPER_SHOW(&rig, TAIL(1, 2, 5), SQUARE(14, 13), SECOND(12, 11));
-    knot_paper_throw t = paper_rig_throws(&rig, 1);
+    baseline_throw t = paper_rig_throws(&rig, 1);
     for (uint32_t k = 0; k < rig.scene.point_count; k++) {
         rig.points[k].x = -rig.points[k].x;
     }
-    knot_paper_throw mirrored = paper_rig_throws(&rig, 1);
+    baseline_throw mirrored = paper_rig_throws(&rig, 1);
     assert_int_equal(2, t.loops);
     assert_int_equal(t.loops, mirrored.loops);
     assert_int_equal(t.undone, mirrored.undone);

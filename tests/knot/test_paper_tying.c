@@ -26,7 +26,7 @@ static counts count(paper_rig *rig, paper_tying t, double plane_offset)
     for (uint64_t seed = 1; seed <= SEEDS; seed++) {
         rig->scene.point_count = paper_tying_make(&t, seed, rig->points);
         assert_true(rig->scene.point_count < PAPER_TYING_POINTS);
-        knot_paper_throw found = paper_rig_throws(rig, seed); /* rays do not matter */
+        baseline_throw found = paper_rig_throws(rig, seed); /* rays do not matter */
         c.throws[found.loops < 3 ? found.loops : 3]++;
         c.undone += found.undone > 0 ? 1 : 0;
     }
@@ -112,7 +112,7 @@ static void a_tilted_tool_undoes_a_throw(void **state)
         rig.tools[0].axis[0] = vec3_make(0.0, 0.0, 0.15);
         assert_int_equal(1, paper_rig_throws(&rig, 1).loops);
         rig.tools[0].axis[0] = vec3_make(0.15 * vbss_sin(0.2), 0.0, 0.15 * vbss_cos(0.2));
-        knot_paper_throw tilted = paper_rig_throws(&rig, 1);
+        baseline_throw tilted = paper_rig_throws(&rig, 1);
         undone += tilted.loops == 0 && tilted.undone > 0 ? 1 : 0;
         lost += tilted.loops == 0 && tilted.undone == 0 ? 1 : 0;
     }

@@ -3,6 +3,7 @@
 #ifndef VBSS_TESTS_SCENE_PAPER_DRAINS_H
 #define VBSS_TESTS_SCENE_PAPER_DRAINS_H
 
+#include "baseline/drain.h"
 #include "scene/paper_stage.h"
 
 #define HALF_WALL 0.5e-3
@@ -102,7 +103,7 @@ static inline uint32_t attach(const stage_drain *d, vbss_drain_attachment_kind k
 
 static inline vec3 moved(const stage_drain *d, uint32_t node)
 {
-    return vec3_sub(d->object->x[node], d->object->ties[node]);
+    return vec3_sub(d->object->x[node], d->object->baseline->rest[node]);
 }
 
 /* How far the farthest particle is from its rest position, but for one; DRAIN_NODES: none is left out. */

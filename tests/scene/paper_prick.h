@@ -4,6 +4,8 @@
 #define VBSS_TESTS_SCENE_PAPER_PRICK_H
 
 #include "base/rotation.h"
+#include "baseline/drain.h"
+#include "baseline/scene.h"
 #include "scene/needles_rig.h"
 
 #define RADIUS 0.3 /* of its arc: 30 mm of it are 0.4 mm from straight */
@@ -117,10 +119,11 @@ static inline void begin(prick *p)
 
 static inline uint32_t toggles(const prick *p)
 {
-    const scene_rigid *r = &vbss_scene_body(small_object(&p->r.tools.s), p->r.body)->rigid;
+    const scene_object *s = small_object(&p->r.tools.s);
+    const baseline_body *own = baseline_body_of(s, vbss_scene_body(s, p->r.body));
     uint32_t count = 0;
-    for (int i = 0; i < SUTURE_TOGGLES; i++) {
-        count += r->toggles[i].drain != 0;
+    for (int i = 0; i < BASELINE_TOGGLES; i++) {
+        count += own->toggles[i].drain != 0;
     }
     return count;
 }
@@ -136,7 +139,7 @@ static inline double moved_most(const prick *p)
 {
     double most = 0.0;
     for (uint32_t i = 0; i < p->drain->mesh.node_count; i++) {
-        most = vbss_max(most, vec3_distance(p->drain->x[i], p->drain->ties[i]));
+        most = vbss_max(most, vec3_distance(p->drain->x[i], p->drain->baseline->rest[i]));
     }
     return most;
 }

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "base/error.h"
+#include "baseline/scene.h"
 #include "scene/needles_rig.h"
 #include "scenes/paper_needle_scenes.h"
 
@@ -65,7 +66,9 @@ static void the_moments_are_what_they_are_called(void **state)
     small_begin(&s);
     expect_ok(paper_needle_scene_create(s.context, &s.scene));
     const scene_object *scene = small_object(&s);
-    const scene_rigid *needle = &vbss_scene_body(scene, PAPER_NEEDLE_SCENE_NEEDLE)->rigid;
+    const scene_body *needle_body = vbss_scene_body(scene, PAPER_NEEDLE_SCENE_NEEDLE);
+    const scene_rigid *needle = &needle_body->rigid;
+    const baseline_body *own = baseline_body_of(scene, needle_body);
     for (int i = 1; i <= PAPER_NEEDLE_SCENE_STEPS; i++) {
         expect_ok(paper_needle_scene_step(s.scene));
         for (uint32_t k = VBSS_EVENT_GRASP; k <= VBSS_EVENT_HOLE_LOST; k++) {
@@ -75,7 +78,7 @@ static void the_moments_are_what_they_are_called(void **state)
             i < PAPER_NEEDLE_SCENE_HANDED ? PAPER_NEEDLE_SCENE_FIRST : PAPER_NEEDLE_SCENE_SECOND;
         if (i == PAPER_NEEDLE_SCENE_TAKEN || i == PAPER_NEEDLE_SCENE_THROUGH ||
             i == PAPER_NEEDLE_SCENE_BOTH || i == PAPER_NEEDLE_SCENE_HANDED) {
-            assert_int_equal(needle->leader, leader);
+            assert_int_equal(own->leader, leader);
         }
         assert_true(i != PAPER_NEEDLE_SCENE_THROUGH || count[VBSS_EVENT_PUNCTURE] == 2);
         assert_true(i != PAPER_NEEDLE_SCENE_PASSED || count[VBSS_EVENT_PASSED] == 2);
@@ -93,7 +96,7 @@ static void the_moments_are_what_they_are_called(void **state)
     }
     vbss_needle_state n;
     expect_ok(vbss_needle_get_state((vbss_needle *)needle->slot, &n, sizeof n));
-    assert_int_equal(needle->leader, 0);
+    assert_int_equal(own->leader, 0);
     assert_true(fabs(n.velocity[1]) < 1e-3);
     expect_near(PAPER_NEEDLE_SCENE_FLOOR + 0.35e-3, n.tip[1], 1e-4);
     small_end(&s);
@@ -103,14 +106,14 @@ static void the_moments_are_what_they_are_called(void **state)
 
 static void spoil(scene_object *s, int which)
 {
-    scene_rigid *needle = &vbss_scene_body(s, PAPER_NEEDLE_SCENE_NEEDLE)->rigid;
+    baseline_body *needle = baseline_body_of(s, vbss_scene_body(s, PAPER_NEEDLE_SCENE_NEEDLE));
     scene_needle_grasp *hold = &vbss_scene_body(s, PAPER_NEEDLE_SCENE_FIRST)->rigid.needle_grasp;
     const uint32_t nobodies[] = {PAPER_NEEDLE_SCENE_DRAIN, PAPER_NEEDLE_SCENE_SECOND, 77};
-    const suture_toggle toggles[] = {{PAPER_NEEDLE_SCENE_THREAD, 0, false},
-                                     {77, 0, false},
-                                     {PAPER_NEEDLE_SCENE_DRAIN, 9999, false},
-                                     {0, 3, false},
-                                     {0, 0, true}};
+    const baseline_toggle toggles[] = {{PAPER_NEEDLE_SCENE_THREAD, 0, false},
+                                       {77, 0, false},
+                                       {PAPER_NEEDLE_SCENE_DRAIN, 9999, false},
+                                       {0, 3, false},
+                                       {0, 0, true}};
     if (which < 3) {
         needle->leader = nobodies[which];
     } else if (which < 8) {
@@ -196,8 +199,9 @@ static void a_leader_that_is_removed_lets_go(void **state)
     for (int i = 0; i < PAPER_NEEDLE_SCENE_BOTH; i++) {
         expect_ok(paper_needle_scene_step(s.scene));
     }
-    const scene_rigid *needle =
-        &vbss_scene_body(small_object(&s), PAPER_NEEDLE_SCENE_NEEDLE)->rigid;
+    const scene_object *scene = small_object(&s);
+    const baseline_body *needle =
+        baseline_body_of(scene, vbss_scene_body(scene, PAPER_NEEDLE_SCENE_NEEDLE));
     expect_ok(vbss_scene_remove(s.scene, PAPER_NEEDLE_SCENE_FIRST));
     assert_int_equal(needle->leader, 0);
     expect_ok(vbss_scene_step(s.scene, 1e-3));

@@ -1,7 +1,7 @@
 /* Method PAPER: its forces, the elastica, its steps. Its sections: test_paper_sections.c. */
 #include <math.h>
 
-#include "thread/paper.h"
+#include "baseline/thread.h"
 #include "thread/paper_rig.h"
 #include "thread/reference.h"
 
@@ -15,7 +15,7 @@ typedef struct loose {
 static double energy_of(const loose *l)
 {
     vbss_thread_compute_strains(l->object, l->object->now.x, l->object->strains);
-    return vbss_thread_paper_bending_energy(l->object);
+    return vbss_baseline_bending_energy(l->object);
 }
 
 static vec3 slope_at(const loose *l, uint32_t node)
@@ -55,7 +55,7 @@ static void forces_are_slopes(harness_source *source, void *user)
     expect_ok(vbss_thread_update_derived(t));
     energy_of(&l);
     vec3 forces[NODES] = {{0, 0, 0}}, sum = vec3_zero(), moment = vec3_zero();
-    vbss_paper_add_internal_forces(t, 0.0, forces); /* springs have no stiffness before a step */
+    vbss_baseline_add_internal_forces(t, 0.0, forces); /* springs have no stiffness before a step */
     for (uint32_t i = 0; i < NODES; i++) {
         vec3 error = vec3_add(slope_at(&l, i), forces[i]);
         /* What central differences leave where a turn is sharp. */
@@ -64,7 +64,7 @@ static void forces_are_slopes(harness_source *source, void *user)
         moment = vec3_add(moment, vec3_cross(t->now.x[i], forces[i]));
     }
     expect_near(0.0, vec3_norm(sum), 1e-10);
-    expect_near(0.0, vec3_distance(moment, vbss_thread_paper_torque(t, clamped)), 1e-10);
+    expect_near(0.0, vec3_distance(moment, vbss_baseline_reaction_torque(t, clamped)), 1e-10);
     rig_end(&l.r);
 }
 

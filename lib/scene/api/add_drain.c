@@ -2,11 +2,8 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
-#include "scene/solve/solve.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
-
-/* Beyond this along the surface, in walls, a drain touches itself: nearer it is only bent. */
-#define MIN_SELF_CONTACT_ARC_RATIO 3.0
 
 static vbss_result check_drain(const scene_object *s, const vbss_slot *slot, const uint32_t *number)
 {
@@ -27,21 +24,8 @@ static vbss_result check_drain(const scene_object *s, const vbss_slot *slot, con
 static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
 {
     const drain_mesh *m = &d->mesh;
-    double wall = d->config.thickness;
-    VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
-                                     m->triangle_count, 0.5 * wall, shape));
-    if (s->config.method == VBSS_METHOD_PAPER) {
-        /* Only edges take part, and only against those of other bodies: docs/paper-scene.md. */
-        s->collision->shapes[*shape]->is_rigid = true;
-        s->collision->shapes[*shape]->edges_only = true;
-        return VBSS_OK;
-    }
-    vbss_result result = vbss_collision_exclude_near(s->collision, *shape, m->rest,
-                                                     MIN_SELF_CONTACT_ARC_RATIO * wall);
-    if (result != VBSS_OK) {
-        (void)vbss_collision_remove(scene_collision(s), *shape);
-    }
-    return result;
+    return vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
+                                   m->triangle_count, 0.5 * d->config.thickness, shape);
 }
 
 static uint32_t find_edge(const collision_shape *shape, uint32_t p, uint32_t q)
@@ -81,8 +65,7 @@ static vbss_result create_drain_data(scene_object *s, scene_drain *b, uint32_t *
     VBSS_TRY(vbss_allocate_arrays(s->context, arrays, SCENE_DRAIN_ARRAYS, "drain in a scene"));
     VBSS_TRY(add_shape(s, b->drain, shape));
     find_lips(b, s->collision->shapes[*shape]);
-    vbss_result result =
-        s->config.method == VBSS_METHOD_OURS ? vbss_scene_create_system(s, b->drain) : VBSS_OK;
+    vbss_result result = s->method->prepare_drain(s, b->drain, *shape);
     if (result != VBSS_OK) {
         (void)vbss_collision_remove(scene_collision(s), *shape);
     }

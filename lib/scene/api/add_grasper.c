@@ -3,16 +3,15 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
-static void init_rigid(scene_rigid *r, const grasper_object *g, vbss_slot *slot,
-                       const vbss_rigid_mass *mass, pose target)
+static void init_rigid(scene_rigid *r, vbss_rigid_kind kind, const grasper_object *g,
+                       vbss_slot *slot, const vbss_rigid_mass *mass, pose target)
 {
     const vbss_grasper_config *c = &g->config;
     pose at = pose_mul(target, mass->frame);
-    /* tools of the baseline method follow the hand exactly */
-    bool paper = c->method == VBSS_METHOD_PAPER;
-    *r = (scene_rigid){.kind = paper ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED,
+    *r = (scene_rigid){.kind = kind,
                        .frame = mass->frame,
                        .friction = c->friction,
                        .slot = slot,
@@ -20,7 +19,7 @@ static void init_rigid(scene_rigid *r, const grasper_object *g, vbss_slot *slot,
     r->body.mass = mass->mass;
     r->body.inertia = mass->inertia;
     r->body.now.pose = r->body.target_start = r->body.target_end = r->trial = at;
-    if (!paper) {
+    if (kind == VBSS_RIGID_COUPLED) {
         const vbss_rigid_coupling coupling = {c->stiffness, c->damping, c->turning_stiffness,
                                               c->turning_damping};
         r->body.coupling = coupling;
@@ -87,7 +86,8 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
         &shape));
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
-    init_rigid(&b->rigid, g, slot, &mass, target);
+    init_rigid(&b->rigid, s->method->drives_tools ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED, g, slot,
+               &mass, target);
     b->rigid.first_capsule = s->capsule_count;
     b->rigid.capsule_count = GRASPER_CAPSULES;
     s->capsule_count += GRASPER_CAPSULES;

@@ -4,8 +4,8 @@
 #include "base/stream.h"
 #include "scene/api/api.h"
 #include "scene/snapshot/snapshot.h"
-#include "scene/solve/solve.h"
 #include "scene/topology/topology.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -98,14 +98,13 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 26 };
+enum { ARRAY_COUNT = 25 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
     size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
     size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
     size_t contacts = s->config.contact_capacity;
-    size_t baseline_contacts = s->config.method == VBSS_METHOD_PAPER ? contacts : 0;
     const vbss_array all[] = {
         {&s->bodies, s->body_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},
@@ -122,7 +121,6 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->welds, s->config.pin_capacity, sizeof *s->welds},
         {&s->ccd_batch, 1, sizeof *s->ccd_batch},
         {&s->mass_capsules, capsules, sizeof *s->mass_capsules},
-        {&s->baseline_contacts, baseline_contacts, sizeof *s->baseline_contacts},
         {&s->touching_pairs, contacts, sizeof *s->touching_pairs},
         {&s->previous_touching_pairs, contacts, sizeof *s->previous_touching_pairs},
         {&s->events, s->config.event_capacity, sizeof *s->events},
@@ -160,8 +158,7 @@ static void free_object(vbss_context *context, void *object)
     if (s->collision != NULL) {
         vbss_collision_free(context, s->collision);
     }
-    vbss_contact_destroy(context, s->contacts);
-    vbss_system_destroy(context, s->system);
+    s->method->destroy_state(s);
     vbss_release_arrays(context, arrays, list_arrays(s, arrays));
     vbss_release(context, s, 1, sizeof *s);
 }
@@ -176,14 +173,9 @@ static vbss_result make_collision(scene_object *s)
     c.shape_capacity = SCENE_MAX_SHAPES;
     c.pair_capacity = s->config.candidate_capacity;
     c.impact_capacity = 0; /* unused: the CCD and the baseline method run their own tests */
-    c.margin = s->config.contact_margin;
-    if (s->config.method == VBSS_METHOD_PAPER) {
-        c.method = VBSS_COLLISION_PAPER;
-        c.thickness = s->config.paper_thickness;
-        c.margin = 0.0;
-    }
-    bool has_separation_cache = s->config.method != VBSS_METHOD_PAPER;
-    VBSS_TRY(vbss_collision_allocate(s->context, &c, has_separation_cache, &s->collision));
+    s->method->configure_collision(s, &c);
+    VBSS_TRY(
+        vbss_collision_allocate(s->context, &c, s->method->has_separation_cache, &s->collision));
     s->collision_slot = vbss_slot_inside(s->context, &vbss_collision_kind, s->collision);
     return VBSS_OK;
 }
@@ -193,11 +185,7 @@ static vbss_result create_members(scene_object *s)
     vbss_array arrays[ARRAY_COUNT];
     VBSS_TRY(vbss_allocate_arrays(s->context, arrays, list_arrays(s, arrays), "scene"));
     VBSS_TRY(make_collision(s));
-    if (s->config.method == VBSS_METHOD_PAPER) {
-        return VBSS_OK;
-    }
-    VBSS_TRY(vbss_contact_create(s->context, s->config.contact_capacity, &s->contacts));
-    return vbss_scene_create_system(s, NULL);
+    return s->method->create_state(s);
 }
 
 /* ---- creation */
@@ -221,6 +209,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
+    s->method = own.method == VBSS_METHOD_PAPER ? &vbss_baseline_scene : &vbss_scene_implicit;
     s->context = context;
     s->config = own;
     s->next_initial_size = 1.0;

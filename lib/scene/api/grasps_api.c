@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
@@ -25,10 +26,7 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
                           .arc_length = vbss_scene_grasp_arc(s, g),
                           .limit = g->limit,
                           .slid = g->slid};
-        vec3_store(own.position,
-                   s->config.method == VBSS_METHOD_PAPER
-                       ? t->now.x[g->segment]
-                       : vbss_scene_grip_point(g, t, t->now.x, GRASPER_THREAD_POINTS / 2));
+        vec3_store(own.position, s->method->grasp_position(t, g));
         vec3_store(own.force, g->force);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tissue/tissue.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -75,7 +76,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     const scene_body *suture = vbss_scene_body(s, body);
     const scene_body *d = vbss_scene_require_body(s, drain, SCENE_BODY_DRAIN);
-    if (s->config.method == VBSS_METHOD_PAPER) {
+    if (!s->method->accepts_holes) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "holes are made by hosts in scenes of method OURS");
     }

@@ -108,7 +108,7 @@ scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entr
 /* ---- bodies by their handles; they may be in a scene or not */
 
 typedef struct scene_thread_info {
-    vbss_method method;
+    bool is_guarded; /* CCD keeps the thread from passing through bodies */
     uint32_t node_count, node_capacity;
     double radius, length;      /* radius; length at rest; m */
     const vec3 *positions;      /* one per node, m */
@@ -118,7 +118,7 @@ typedef struct scene_thread_info {
 scene_thread_info vbss_scene_inspect_thread(const vbss_thread *thread);
 
 typedef struct scene_drain_info {
-    vbss_method method;
+    bool is_surface;          /* the walls have no thickness; a gap is measured between edges */
     double radius, thickness; /* of the tube's middle surface; of its wall; m */
     vec3 centre;              /* of the tube, m */
     uint32_t node_count, triangle_count, edge_count;

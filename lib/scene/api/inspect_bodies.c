@@ -23,7 +23,7 @@ static const void *object_of(const void *handle)
 scene_thread_info vbss_scene_inspect_thread(const vbss_thread *thread)
 {
     const thread_object *t = object_of(thread);
-    return (scene_thread_info){.method = t->config.method,
+    return (scene_thread_info){.is_guarded = t->method->is_guarded,
                                .node_count = t->node_count,
                                .node_capacity = t->node_capacity,
                                .radius = t->config.radius,
@@ -37,7 +37,7 @@ scene_drain_info vbss_scene_inspect_drain(const vbss_drain *drain)
 {
     const drain_object *d = object_of(drain);
     const drain_mesh *m = &d->mesh;
-    return (scene_drain_info){.method = d->config.method,
+    return (scene_drain_info){.is_surface = d->method->is_surface,
                               .radius = d->config.radius,
                               .thickness = d->config.thickness,
                               .centre = d->frame.position,

@@ -134,7 +134,6 @@ scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t entry)
                              .rest_position = vbss_hole_point(h, d, d->mesh.rest)};
 }
 
-/* A grasp with a pin is at a node, not on the segment after it. */
 scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entry)
 {
     const scene_object *s = object_of(scene);
@@ -144,8 +143,8 @@ scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entr
         return (scene_grasp_info){.tool = 0};
     }
     const thread_object *t = thread->thread.thread;
-    double offset = g->pin != 0 ? 0.0 : g->segment_offset;
     return (scene_grasp_info){.tool = g->tool,
                               .thread = g->thread,
-                              .arc_length = vbss_thread_arc_length(t, g->segment) + offset};
+                              .arc_length =
+                                  vbss_thread_arc_length(t, g->segment) + g->segment_offset};
 }

@@ -1,10 +1,10 @@
 /* Removes a body from a scene, with its pins, grasps and holes. */
 #include "base/error.h"
 #include "scene/api/api.h"
-#include "scene/paper.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -36,7 +36,7 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     vbss_scene_remove_needle_grasps_of(s, body);
     vbss_scene_remove_wall_grasps_of(s, body);
     vbss_scene_remove_holes_of(s, body);
-    vbss_scene_paper_forget_toggles_of(s, body);
+    s->method->remove_body(s, body);
     if (b->kind == SCENE_BODY_DRAIN) {
         vbss_scene_disown_drain(s, b);
     }

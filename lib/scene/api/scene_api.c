@@ -3,8 +3,7 @@
 #include "base/error.h"
 #include "base/snapshot.h"
 #include "scene/api/api.h"
-#include "scene/paper.h"
-#include "scene/step/step.h"
+#include "scene/world/method.h"
 
 static const uint32_t statistics_sizes[] = {200, 232, 248, 0};
 static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
@@ -25,8 +24,7 @@ vbss_result vbss_scene_step(vbss_scene *scene, double h)
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(s->context));
-    VBSS_TRY(s->config.method == VBSS_METHOD_PAPER ? vbss_scene_paper_step(s, h)
-                                                   : vbss_scene_ours_step(s, h));
+    VBSS_TRY(s->method->step_scene(s, h));
     s->generation++;
     s->statistics.steps++;
     s->statistics.time += h;

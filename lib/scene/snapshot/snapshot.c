@@ -4,6 +4,7 @@
 #include "scene/snapshot/snapshot.h"
 #include "scene/step/step.h"
 #include "scene/topology/topology.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -71,12 +72,10 @@ static bool is_valid_needle_grasp(const scene_object *s, const scene_needle_gras
         return false;
     }
     quat q = grasp->pose_in_jaws.orientation;
-    /* jaws of the baseline method close completely */
-    bool closed = s->config.method == VBSS_METHOD_PAPER;
     return grasp->arc >= 0.0 && grasp->arc <= vbss_needle_length(b->rigid.needle) &&
-           (closed ? grasp->angle == 0.0 : grasp->angle > 0.0) && grasp->angle <= 1.6 &&
-           grasp->age >= 0.0 && isfinite(grasp->age) && isfinite(grasp->slid) &&
-           isfinite(grasp->turned) && isfinite(grasp->limit) &&
+           (s->method->grasps_when_closed ? grasp->angle == 0.0 : grasp->angle > 0.0) &&
+           grasp->angle <= 1.6 && grasp->age >= 0.0 && isfinite(grasp->age) &&
+           isfinite(grasp->slid) && isfinite(grasp->turned) && isfinite(grasp->limit) &&
            vec3_norm(grasp->pose_in_jaws.position) <= 2.0 && /* jaws are at most 1 m long */
            fabs(quat_dot(q, q) - 1.0) < 1e-6 && vec3_is_finite(grasp->force) &&
            vec3_is_finite(grasp->torque);
@@ -131,30 +130,13 @@ static bool is_valid_wall_grasp(const scene_object *s, const scene_wall_grasp *p
 
 /* Baseline method: whether the needle follows a tool that has closed on it, and its tip passes
  * through walls that exist. */
-static bool is_valid_lead(const scene_object *s, const scene_body *needle)
-{
-    const scene_rigid *r = &needle->rigid;
-    const scene_body *tool = vbss_scene_body(s, r->leader);
-    bool is_valid = r->leader == 0 || (tool != NULL && tool->kind == SCENE_BODY_RIGID &&
-                                       tool->rigid.needle_grasp.needle == needle->number);
-    for (int k = 0; k < SUTURE_TOGGLES; k++) {
-        const suture_toggle *toggle = &r->toggles[k];
-        const scene_body *d = vbss_scene_body(s, toggle->drain);
-        bool none = toggle->drain == 0 && toggle->triangle == 0 && !toggle->outward;
-        is_valid = is_valid && (none || (d != NULL && d->kind == SCENE_BODY_DRAIN &&
-                                         toggle->triangle < d->drain.drain->mesh.triangle_count));
-    }
-    return is_valid;
-}
-
-/* Checks grasps after all bodies have been read, because they refer to other bodies. */
 static void check_jaw_grasps(vbss_stream *stream, const scene_object *s)
 {
     for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_RIGID && !stream->trusted &&
             (!is_valid_needle_grasp(s, &b->rigid.needle_grasp) ||
-             !is_valid_wall_grasp(s, &b->rigid.wall_grasp) || !is_valid_lead(s, b))) {
+             !is_valid_wall_grasp(s, &b->rigid.wall_grasp) || !s->method->is_valid_body(s, b))) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle or wall in jaws");
         }
     }
@@ -189,28 +171,12 @@ static void visit_grasper(vbss_stream *stream, const scene_object *s, scene_rigi
 
 /* State of a needle in the baseline method. Needles need no version check: older versions of
  * such scenes had none. */
-static void visit_lead(vbss_stream *stream, scene_rigid *r)
-{
-    vbss_stream_u32(stream, 142, &r->leader, 1);
-    for (int k = 0; k < SUTURE_TOGGLES; k++) {
-        suture_toggle *toggle = &r->toggles[k];
-        uint32_t words[] = {toggle->drain, toggle->triangle, toggle->outward};
-        vbss_stream_u32(stream, 143, words, sizeof words / sizeof words[0]);
-        if (words[2] > 1) {
-            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
-        }
-        *toggle = (suture_toggle){words[0], words[1], words[2] != 0};
-    }
-}
-
-static void visit_needle(vbss_stream *stream, const scene_object *s, scene_rigid *r)
+static void visit_needle(vbss_stream *stream, scene_object *s, const scene_body *b)
 {
     vbss_section outer = vbss_stream_open(stream, vbss_needle_kind.code, vbss_needle_kind.version);
-    vbss_needle_serialise(stream, r->needle);
+    vbss_needle_serialise(stream, b->rigid.needle);
     vbss_stream_close(stream, outer);
-    if (s->config.method == VBSS_METHOD_PAPER) {
-        visit_lead(stream, r);
-    }
+    s->method->serialise_needle(stream, s, b);
 }
 
 static void visit_told(vbss_stream *stream, scene_rigid *r)
@@ -234,8 +200,9 @@ static void visit_told(vbss_stream *stream, scene_rigid *r)
     }
 }
 
-static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid *r)
+static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
 {
+    scene_rigid *r = &b->rigid;
     vbss_stream_expect(stream, 20, (uint64_t)r->kind);
     vbss_stream_expect(stream, 21, r->capsule_count);
     if (stream->version >= 2 || r->grasper != NULL) { /* older versions had no graspers */
@@ -257,7 +224,7 @@ static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid 
         visit_grasper(stream, s, r);
     }
     if (r->needle != NULL) {
-        visit_needle(stream, s, r);
+        visit_needle(stream, s, b);
     }
     vbss_rigid_serialise(stream, 30, &r->body);
     visit_told(stream, r);
@@ -332,7 +299,7 @@ static void visit_bodies(vbss_stream *stream, scene_object *s)
             vbss_stream_expect(stream, 14, b->drain.drain->mesh.node_count);
             visit_drain(stream, &b->drain);
         } else {
-            visit_rigid(stream, s, &b->rigid);
+            visit_rigid(stream, s, b);
         }
     }
     vbss_scene_restore_pieces(stream, s);
@@ -353,8 +320,7 @@ static bool is_weld_or_attached(const scene_object *s, const scene_pin *p, const
             return false;
         }
     }
-    return s->config.method == VBSS_METHOD_OURS && body != NULL &&
-           body->rigid.kind != VBSS_RIGID_DRIVEN &&
+    return s->method->welds_pins && body != NULL && body->rigid.kind != VBSS_RIGID_DRIVEN &&
            vbss_scene_find_weld(s, p->thread, p->node) == p; /* all earlier pins have been read */
 }
 
@@ -393,10 +359,10 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
     }
 }
 
-static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g)
+static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g, uint32_t *pin)
 {
     uint32_t words[] = {g->thread,      g->tool, g->segment,        g->is_sliding,
-                        g->is_released, g->pin,  g->needs_reopening};
+                        g->is_released, *pin,    g->needs_reopening};
     double *numbers[] = {&g->segment_offset, &g->angle, &g->point_spacing,
                          &g->grip.age,       &g->slid,  &g->limit};
     vbss_stream_u32(stream, 121, words, sizeof words / sizeof words[0]);
@@ -415,7 +381,7 @@ static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g)
     g->segment = words[2];
     g->is_sliding = words[3] != 0;
     g->is_released = words[4] != 0;
-    g->pin = words[5];
+    *pin = words[5];
     g->needs_reopening = words[6] != 0;
 }
 
@@ -428,17 +394,37 @@ static bool is_valid_thread_grasp(const scene_object *s, const scene_thread_gras
     }
     const thread_object *thread = t->thread.thread;
     /* the grasp holds a node by a pin */
-    bool paper = s->config.method == VBSS_METHOD_PAPER && !g->is_released;
-    bool is_valid = g->segment + (paper ? 0 : 1) < thread->node_count &&
+    bool is_of_node = s->method->grasps_when_closed && !g->is_released;
+    bool is_valid = g->segment + (is_of_node ? 0 : 1) < thread->node_count &&
                     isfinite(g->segment_offset) && fabs(g->segment_offset) <= 1e3 &&
                     isfinite(g->angle) && isfinite(g->slid) && isfinite(g->limit) &&
                     vec3_is_finite(g->force) &&
-                    (paper ? g->point_spacing == 0.0 : g->point_spacing > 0.0) &&
+                    (is_of_node ? g->point_spacing == 0.0 : g->point_spacing > 0.0) &&
                     g->point_spacing <= 0.1 && g->grip.age >= 0.0 && isfinite(g->grip.age);
     for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
         is_valid = is_valid && vec3_is_finite(g->grip.anchor[k]);
     }
     return is_valid;
+}
+
+static void visit_grasp_place(vbss_stream *stream, scene_object *s, uint32_t i)
+{
+    scene_thread_grasp *g = &s->thread_grasps[i];
+    uint32_t *own_pin = s->method->grasp_pin(s, i), pin = own_pin != NULL ? *own_pin : 0;
+    vbss_stream_u32(stream, 125, &g->id, 1);
+    if (g->id != 0) {
+        visit_thread_grasp(stream, g, &pin);
+    } else if (stream->mode == VBSS_STREAM_READ) {
+        *g = (scene_thread_grasp){0};
+        pin = 0;
+    }
+    if (own_pin != NULL) {
+        *own_pin = pin;
+    }
+    if (g->id != 0 && stream->mode == VBSS_STREAM_READ && !stream->trusted &&
+        (!is_valid_thread_grasp(s, g) || (own_pin == NULL && pin != 0))) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasp");
+    }
 }
 
 static void visit_thread_grasps(vbss_stream *stream, scene_object *s)
@@ -449,17 +435,7 @@ static void visit_thread_grasps(vbss_stream *stream, scene_object *s)
     }
     vbss_stream_u32(stream, 120, &s->last_grasp_id, 1);
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        scene_thread_grasp *g = &s->thread_grasps[i];
-        vbss_stream_u32(stream, 125, &g->id, 1);
-        if (g->id != 0) {
-            visit_thread_grasp(stream, g);
-        } else if (stream->mode == VBSS_STREAM_READ) {
-            *g = (scene_thread_grasp){0};
-        }
-        if (g->id != 0 && stream->mode == VBSS_STREAM_READ && !stream->trusted &&
-            !is_valid_thread_grasp(s, g)) {
-            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasp");
-        }
+        visit_grasp_place(stream, s, i);
     }
 }
 

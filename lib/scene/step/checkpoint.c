@@ -151,5 +151,4 @@ void vbss_scene_rollback_tools(scene_object *s)
     s->last_grasp_id = s->checkpoint_last_grasp_id;
     memcpy(s->holes, s->checkpoint_holes, s->config.hole_capacity * sizeof *s->holes);
     s->last_hole_id = s->checkpoint_last_hole_id;
-    vbss_scene_set_carried_targets(s);
 }

@@ -1,8 +1,9 @@
 /* Forces of contacts and pins on rigid bodies, and the published views of contacts. */
 #include "scene/step/step.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
-static void add_force(scene_body *b, vec3 point, vec3 force)
+void vbss_scene_add_force(scene_body *b, vec3 point, vec3 force)
 {
     if (b != NULL && b->kind == SCENE_BODY_RIGID) {
         scene_rigid *r = &b->rigid;
@@ -12,7 +13,7 @@ static void add_force(scene_body *b, vec3 point, vec3 force)
     }
 }
 
-static void publish_contact(scene_object *s, const scene_contact_record *contact)
+void vbss_scene_publish_contact(scene_object *s, const scene_contact_record *contact)
 {
     uint32_t i = s->contact_count++;
     const contact_key *key = &contact->key;
@@ -65,7 +66,7 @@ bool vbss_scene_find_contact_force(const contact_set *set, uint32_t i, vec3 *for
     return constraint->solution.status != CONTACT_OPEN;
 }
 
-static void add_contact_forces(scene_object *s)
+void vbss_scene_publish_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
@@ -76,29 +77,18 @@ static void add_contact_forces(scene_object *s)
         const double gap = constraint->gap - constraint->fold_allowance;
         const scene_contact_record contact = {constraint->key, constraint->normal, force,
                                               constraint->point, gap};
-        publish_contact(s, &contact);
+        vbss_scene_publish_contact(s, &contact);
         for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
             const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
             if (!jacobian_block->is_rotation) {
-                add_force(rigid_body_of_block(s, jacobian_block->block), constraint->point,
-                          vec3_scale(force, jacobian_block->weight));
+                vbss_scene_add_force(rigid_body_of_block(s, jacobian_block->block),
+                                     constraint->point, vec3_scale(force, jacobian_block->weight));
             }
         }
     }
 }
 
-static void add_baseline_forces(scene_object *s)
-{
-    for (uint32_t i = 0; i < s->baseline_contact_count; i++) {
-        const scene_contact_record *contact = &s->baseline_contacts[i];
-        publish_contact(s, contact);
-        add_force(vbss_scene_body(s, contact->key.body_a), contact->point, contact->force);
-        add_force(vbss_scene_body(s, contact->key.body_b), contact->point,
-                  vec3_neg(contact->force));
-    }
-}
-
-/* The body holds the node against the forces of the thread and its inertia. */
+/* The body holds the node against what the thread and its inertia do. */
 static void add_pin_forces(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
@@ -108,10 +98,8 @@ static void add_pin_forces(scene_object *s)
             continue;
         }
         const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
-        vec3 constraint_force = s->config.method == VBSS_METHOD_PAPER
-                                    ? vbss_thread_paper_force(t, p->node)
-                                    : vbss_thread_implicit_constraint_force(t, p->node);
-        add_force(b, t->now.x[p->node], vec3_neg(constraint_force));
+        vec3 constraint_force = t->method->constraint_force(t, p->node);
+        vbss_scene_add_force(b, t->now.x[p->node], vec3_neg(constraint_force));
     }
 }
 
@@ -123,10 +111,7 @@ void vbss_scene_collect_forces(scene_object *s)
             s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
         }
     }
-    if (s->contacts != NULL) {
-        add_contact_forces(s);
-    }
-    add_baseline_forces(s);
+    s->method->publish_contacts(s);
     add_pin_forces(s);
     s->statistics.contacts = s->contact_count;
 }

@@ -145,9 +145,3 @@ void vbss_scene_finish_step(scene_object *s)
     s->statistics.loose_states = s->contacts->counters.inexact;
     s->statistics.separators = s->system->unknown_count - s->system->interior_count;
 }
-
-void vbss_scene_paper_arrive_drain(scene_drain *b, double h)
-{
-    vbss_drain_paper_arrive(b->drain, b->substep.h);
-    vbss_drain_finish_step(b->drain, h);
-}

@@ -67,6 +67,12 @@ bool vbss_scene_is_substep_size(const scene_object *s, double size);
 /* Emits an event for each pair of bodies that began or ceased to touch in the step. */
 void vbss_scene_update_touching_pairs(scene_object *s);
 
+/* Inserts a pair of bodies that touch, once. */
+void vbss_scene_insert_touching_pair(scene_object *s, scene_touching_pair touching_pair);
+
+/* By the implicit method: inserts the pairs of the contacts that bear. */
+void vbss_scene_list_touching_pairs(scene_object *s);
+
 /* ---- contact_forces.c */
 
 /* Finds the force of constraint `i` on its side a, N. It is the force for which the bodies are
@@ -77,17 +83,21 @@ bool vbss_scene_find_contact_force(const contact_set *set, uint32_t i, vec3 *for
  * of contacts. */
 void vbss_scene_collect_forces(scene_object *s);
 
-/* ---- step.c */
+/* Adds a contact to the views. */
+void vbss_scene_publish_contact(scene_object *s, const scene_contact_record *contact);
 
 /* Begins a step of length `h` (s): sets the cursor, targets of bodies and tools, and counters. */
-void vbss_scene_begin_step(scene_object *s, double h);
+void vbss_scene_add_force(scene_body *b, vec3 point, vec3 force);
 
 /* Finishes a step after its last substep: forces, events, holes, grasps, cuts, meshes,
  * statistics. */
-void vbss_scene_finish_step(scene_object *s);
+void vbss_scene_publish_constraints(scene_object *s);
 
 /* Finishes a step of a drain in the baseline method; `h`: length of the step, s. */
-void vbss_scene_paper_arrive_drain(scene_drain *b, double h);
+void vbss_scene_begin_step(scene_object *s, double h);
+
+/* What follows the last substep: forces, events, holes, tools, cuts, meshes, counters. */
+void vbss_scene_finish_step(scene_object *s);
 
 /* ---- time_slice.c */
 
@@ -101,6 +111,6 @@ uint64_t vbss_scene_count_edits(const scene_object *s);
 /* One call of vbss_scene_step by the implicit method, `h` in s. Resumes the suspended step first,
  * then begins further steps as far as the budget of a call allows. On failure the step that failed
  * is rolled back. */
-vbss_result vbss_scene_ours_step(scene_object *s, double h);
+vbss_result vbss_scene_implicit_step(scene_object *s, double h);
 
 #endif

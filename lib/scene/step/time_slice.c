@@ -145,7 +145,7 @@ static void drop_overdue_steps(scene_object *s, double h)
     c->behind = cursor->steps_behind + cursor->is_suspended;
 }
 
-vbss_result vbss_scene_ours_step(scene_object *s, double h)
+vbss_result vbss_scene_implicit_step(scene_object *s, double h)
 {
     scene_step_cursor *cursor = &s->cursor;
     if (!s->has_pending_events) {

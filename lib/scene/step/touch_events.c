@@ -1,5 +1,6 @@
 /* Touch events: pairs of bodies that started or ceased to touch in a step. */
 #include "scene/step/step.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -10,7 +11,7 @@ static bool precedes(scene_touching_pair x, scene_touching_pair y)
 }
 
 /* Inserts a pair in order unless it is listed. Linear search is enough for few pairs. */
-static void insert_pair(scene_object *s, scene_touching_pair touching_pair)
+void vbss_scene_insert_touching_pair(scene_object *s, scene_touching_pair touching_pair)
 {
     uint32_t position = s->touching_pair_count;
     while (position > 0 && precedes(touching_pair, s->touching_pairs[position - 1])) {
@@ -25,18 +26,12 @@ static void insert_pair(scene_object *s, scene_touching_pair touching_pair)
     s->touching_pair_count++;
 }
 
-static void list_touching_pairs(scene_object *s)
+void vbss_scene_list_touching_pairs(scene_object *s)
 {
-    s->touching_pair_count = 0;
-    for (uint32_t i = 0; s->contacts != NULL && i < s->contacts->warm_start_count; i++) {
+    for (uint32_t i = 0; i < s->contacts->warm_start_count; i++) {
         const contact_key *key = &s->contacts->warm_start[i].key;
         const scene_touching_pair touching_pair = {key->body_a, key->body_b};
-        insert_pair(s, touching_pair);
-    }
-    for (uint32_t i = 0; i < s->baseline_contact_count; i++) { /* baseline method */
-        const scene_touching_pair touching_pair = {s->baseline_contacts[i].key.body_a,
-                                                   s->baseline_contacts[i].key.body_b};
-        insert_pair(s, touching_pair);
+        vbss_scene_insert_touching_pair(s, touching_pair);
     }
 }
 
@@ -46,7 +41,8 @@ void vbss_scene_update_touching_pairs(scene_object *s)
     scene_touching_pair *previous = s->touching_pairs;
     s->touching_pairs = s->previous_touching_pairs;
     s->previous_touching_pairs = previous;
-    list_touching_pairs(s);
+    s->touching_pair_count = 0;
+    s->method->list_touching_pairs(s);
     uint32_t o = 0, n = 0;
     while (o < count || n < s->touching_pair_count) {
         bool has_ended = n == s->touching_pair_count ||

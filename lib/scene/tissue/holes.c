@@ -62,7 +62,7 @@ bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole,
  * hole only. */
 static bool relocate_hole(const scene_object *s, const scene_hole_context *p, suture_hole *hole)
 {
-    if (s->config.method != VBSS_METHOD_OURS || hole->needle == 0) {
+    if (hole->needle == 0) {
         return false;
     }
     const needle_object *n = p->needle->rigid.needle;
@@ -84,7 +84,7 @@ static bool relocate_hole(const scene_object *s, const scene_hole_context *p, su
     return false;
 }
 
-void vbss_scene_close_exited_holes(scene_object *s)
+void vbss_scene_close_exited_holes(scene_object *s, bool relocates)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         suture_hole *hole = &s->holes[i];
@@ -94,7 +94,7 @@ void vbss_scene_close_exited_holes(scene_object *s)
         const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
         vbss_event_kind out = exit_event(&p, hole);
         emit_swage_event(s, &s->previous_holes[i], hole);
-        bool stays = out == VBSS_EVENT_WITHDRAWN && relocate_hole(s, &p, hole);
+        bool stays = relocates && out == VBSS_EVENT_WITHDRAWN && relocate_hole(s, &p, hole);
         if (out != 0 && !stays) {
             emit_hole_event(s, out, hole);
             *hole = (suture_hole){0};

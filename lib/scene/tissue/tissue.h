@@ -53,7 +53,7 @@ void vbss_scene_record_holes_before_step(scene_object *s);
 
 /* After a step: removes the holes that their sutures have left, and adds the events. Also adds the
  * events of needles that have passed through a hole or returned into it. */
-void vbss_scene_close_exited_holes(scene_object *s);
+void vbss_scene_close_exited_holes(scene_object *s, bool relocates);
 
 /* Whether a point of a hole's needle, given by its arc length from the tip in m, is in another
  * hole of the same drain. */

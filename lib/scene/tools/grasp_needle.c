@@ -181,9 +181,6 @@ void vbss_scene_remove_needle_grasps_of(scene_object *s, uint32_t number)
             (s->bodies[i].number == number || r->needle_grasp.needle == number)) {
             r->needle_grasp = (scene_needle_grasp){0};
         }
-        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->leader == number) { /* baseline method */
-            r->leader = 0;
-        }
     }
 }
 

@@ -1,5 +1,6 @@
 /* Queries about the grasps of a tool: threads, a needle, a wall. */
 #include "scene/tools/tools.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 scene_thread_grasp *vbss_scene_find_free_grasp(const scene_object *s)
@@ -14,8 +15,7 @@ scene_thread_grasp *vbss_scene_find_free_grasp(const scene_object *s)
 
 bool vbss_scene_is_active_grasp(const scene_object *s, uint32_t tool, const scene_thread_grasp *g)
 {
-    bool is_waiting = s->config.method == VBSS_METHOD_PAPER && g->pin == 0;
-    return g->id != 0 && g->tool == tool && !g->is_released && !is_waiting;
+    return g->id != 0 && g->tool == tool && !g->is_released && s->method->holds_thread(s, g);
 }
 
 uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool)
@@ -35,13 +35,8 @@ scene_rigid *vbss_scene_held_needle(const scene_object *s, const scene_needle_gr
 bool vbss_scene_has_needle_grasp(const scene_object *s, uint32_t tool)
 {
     const scene_body *b = vbss_scene_body(s, tool);
-    if (b == NULL || b->kind != SCENE_BODY_RIGID || b->rigid.needle_grasp.needle == 0 ||
-        b->rigid.needle_grasp.is_released) {
-        return false;
-    }
-    /* in the baseline method the needle may follow another tool */
-    return s->config.method == VBSS_METHOD_OURS ||
-           vbss_scene_held_needle(s, &b->rigid.needle_grasp)->leader == tool;
+    return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.needle_grasp.needle != 0 &&
+           !b->rigid.needle_grasp.is_released && s->method->holds_needle(s, b);
 }
 
 bool vbss_scene_has_wall_grasp(const scene_object *s, uint32_t tool)

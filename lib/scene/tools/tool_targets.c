@@ -1,16 +1,7 @@
 /* Applies the targets of tools before a step: exchange of instruments, pose, jaw angle. */
 #include "scene/tools/tools.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
-
-void vbss_scene_set_carried_targets(scene_object *s)
-{
-    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        if (s->thread_grasps[i].id != 0 && s->thread_grasps[i].pin != 0) {
-            vbss_scene_set_pin_targets(s);
-            return;
-        }
-    }
-}
 
 static void exchange_instrument(scene_object *s, scene_body *b)
 {
@@ -40,6 +31,14 @@ static void exchange_instrument(scene_object *s, scene_body *b)
                          (uint32_t)wanted);
 }
 
+void vbss_scene_move_jaws(scene_object *s, scene_body *tool, double h)
+{
+    vbss_scene_release_thread_grasps(s, tool);
+    vbss_scene_release_needle_grasp(s, tool);
+    vbss_scene_release_wall_grasp(s, tool);
+    tool->rigid.grasper->jaw_angle = vbss_scene_close_jaws(s, tool, h);
+}
+
 static void apply_target(scene_object *s, scene_body *b, double h)
 {
     scene_rigid *r = &b->rigid;
@@ -50,16 +49,7 @@ static void apply_target(scene_object *s, scene_body *b, double h)
                                   &target)) { /* cannot fail: checked when the host set it */
         r->body.target_end = pose_mul(target, r->frame);
     }
-    double before = g->jaw_angle;
-    if (s->config.method == VBSS_METHOD_PAPER && g->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
-        g->jaw_angle = vbss_grasper_next_angle(g, h, 0.0);
-    } else {
-        vbss_scene_release_thread_grasps(s, b);
-        vbss_scene_release_needle_grasp(s, b);
-        vbss_scene_release_wall_grasp(s, b);
-        g->jaw_angle = vbss_scene_close_jaws(s, b, h);
-    }
-    r->has_closed_jaws = before > 0.0 && g->jaw_angle == 0.0;
+    s->method->move_jaws(s, b, h);
     g->jaw_force = vbss_scene_count_grasps(s, b->number) > 0
                        ? vbss_grasper_jaw_force_at(g, g->jaw_angle)
                        : 0.0;
@@ -75,5 +65,4 @@ void vbss_scene_apply_tool_targets(scene_object *s, double h)
             apply_target(s, b, h);
         }
     }
-    vbss_scene_set_carried_targets(s);
 }

@@ -215,7 +215,7 @@ void vbss_scene_set_capsule_targets(scene_object *s, const scene_rigid *r, doubl
 void vbss_scene_apply_tool_targets(scene_object *s, double h);
 
 /* Sets the targets of pinned nodes if a grasper carries one of them (baseline method only). */
-void vbss_scene_set_carried_targets(scene_object *s);
+void vbss_scene_move_jaws(scene_object *s, scene_body *tool, double h);
 
 /* ---- publish_tools.c */
 

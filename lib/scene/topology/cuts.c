@@ -119,11 +119,11 @@ static void renumber_warm_start(scene_object *s, const renumbering *r)
 static void move_grasp(scene_thread_grasp *g, const scene_body *old, const scene_body *piece,
                        const thread_cut *cut)
 {
-    bool paper = g->point_spacing == 0.0;                   /* `segment` is a node */
+    bool is_of_node = g->point_spacing == 0.0;              /* `segment` is a node */
     double before = old->thread.thread->rest[cut->segment]; /* part of the segment that stays */
-    bool on_cut = !paper && g->segment == cut->segment && cut->fraction < 1.0;
-    bool beyond = paper ? g->segment >= cut->first_piece_node
-                        : g->segment > cut->segment || (on_cut && g->segment_offset > before);
+    bool on_cut = !is_of_node && g->segment == cut->segment && cut->fraction < 1.0;
+    bool beyond = is_of_node ? g->segment >= cut->first_piece_node
+                             : g->segment > cut->segment || (on_cut && g->segment_offset > before);
     if (g->id != 0 && g->thread == old->number && beyond) {
         g->thread = piece->number;
         g->segment -= cut->node_shift;

@@ -1,5 +1,6 @@
 /* The table of bodies: look-up by number, free entries, and node numbers over all threads. */
 #include "base/error.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number)
@@ -73,6 +74,7 @@ void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind ki
     vbss_scene_set_body_number(s, b, *number);
     s->body_of_shape[shape] = body_index;
     s->body_count = body_index == s->body_count ? body_index + 1 : s->body_count;
+    s->method->add_body(s, b);
     s->pattern_hash = 0;
     s->generation++;
 }

@@ -5,6 +5,7 @@
  * favour of the body's. */
 #include "base/check.h"
 #include "base/error.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 static vbss_result check_node(const scene_object *s, const scene_body *thread, uint32_t node)
@@ -95,7 +96,7 @@ vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node,
                            : pose_apply_inverse(b->rigid.body.now.pose, current);
     }
     uint32_t attachment = 0;
-    if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || s->config.method == VBSS_METHOD_PAPER) {
+    if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || !s->method->welds_pins) {
         VBSS_TRY(attach(t, node, pin_target(b, at), &attachment));
     }
     t->thread.thread->welded[node] = attachment == 0;
@@ -109,12 +110,6 @@ vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node,
     *pin = own.id;
     s->generation++;
     return VBSS_OK;
-}
-
-vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
-                                   uint32_t *pin)
-{
-    return vbss_scene_pin_node(s, thread, node, body, NULL, pin);
 }
 
 static void remove_pin(scene_object *s, scene_pin *p)
@@ -139,11 +134,6 @@ bool vbss_scene_unpin_node(scene_object *s, uint32_t pin)
         }
     }
     return false;
-}
-
-void vbss_scene_unpin_in_step(scene_object *s, uint32_t pin)
-{
-    (void)vbss_scene_unpin_node(s, pin); /* the host may have removed it */
 }
 
 void vbss_scene_remove_pins_of(scene_object *s, uint32_t number)

@@ -22,7 +22,6 @@
 #include "grasper/grasper.h"
 #include "needle/needle.h"
 #include "solver/rigid.h"
-#include "suture/paper.h"
 #include "suture/suture.h"
 #include "thread/thread.h"
 
@@ -160,14 +159,11 @@ typedef struct scene_rigid {
     vbss_slot *slot;       /* slot of the handle of a grasper or needle; NULL for other bodies */
     needle_object *needle; /* NULL unless the body is a needle */
     /* Persistent; baseline method only, for needles. */
-    uint32_t leader; /* number of the tool that the needle follows; 0: it is free */
-    suture_toggle toggles[SUTURE_TOGGLES]; /* walls that the tip has begun to pass */
     /* Persistent; for graspers only. Checkpoint where the name says so. */
     grasper_object *grasper; /* NULL unless the body is a grasper */
     scene_needle_grasp needle_grasp, checkpoint_needle_grasp;
     scene_wall_grasp wall_grasp, checkpoint_wall_grasp;
-    bool has_closed_jaws; /* step, baseline method only: the jaws have just closed completely */
-    pose checkpoint_end;  /* target pose at the end of the step: body.target_end */
+    pose checkpoint_end; /* target pose at the end of the step: body.target_end */
     struct scene_checkpoint_jaws {
         vbss_grasper_kind kind, target_kind;
         double angle, pressure; /* jaw angle, rad; jaw force, N */
@@ -227,7 +223,6 @@ typedef struct scene_thread_grasp {
     bool is_sliding;      /* the thread slid in the last step */
     bool is_released;     /* the jaws have released the thread but still overlap it */
     bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
-    uint32_t pin;         /* baseline method: pin of the node; 0: another tool holds the node */
 } scene_thread_grasp;
 
 /* A point of a thread between jaws. Scratch. */
@@ -329,8 +324,10 @@ typedef struct scene_step_cursor {
 /* ---- the scene */
 
 typedef struct scene_object scene_object;
+typedef struct scene_method scene_method;
 struct scene_object {
-    /* Persistent. */
+    const scene_method *method;
+    struct baseline_scene *baseline; /* state of lib/baseline; NULL by the implicit method */
     vbss_context *context;
     vbss_scene_config config;
     vec3 floor_normal; /* unit */
@@ -401,11 +398,6 @@ struct scene_object {
      * before it is committed, so that start and trial states are both available. NULL: none. */
     void (*on_substep)(void *data, const struct scene_object *scene);
     void *on_substep_data;
-
-    /* Step, baseline method only: contacts in ascending order of keys, and responses in the last
-     * pass. */
-    scene_contact_record *baseline_contacts;
-    uint32_t baseline_contact_count, baseline_responses_in_pass;
 
     /* ---- report of the last step; checkpoint where the name says so */
 

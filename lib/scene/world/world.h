@@ -142,13 +142,6 @@ scene_wall_point vbss_scene_wall_point_on_edge_at_time(const scene_body *drain,
 
 /* Pins a node of a thread to a body where the node is now. Stores the id in `pin`. Errors are those
  * of vbss_scene_pin_node. */
-vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
-                                   uint32_t *pin);
-
-/* Removes a pin within a step. Does nothing if a host has removed it already. */
-void vbss_scene_unpin_in_step(scene_object *s, uint32_t pin);
-
-/* Removes all pins of a thread or rigid body, given by its number. */
 void vbss_scene_remove_pins_of(scene_object *s, uint32_t number);
 
 /* Whether a pin still constrains its node. It does not if the host has detached its attachment. */

@@ -1,19 +1,19 @@
 /* Method PROJECTION, criterion 2: a segment that crosses the plane P inside loops that close around
  * a tool (Qi et al. 2017, section 5). docs/paper-knots.md lists the points that the paper leaves
  * open, and the reasons for the choices here. */
-#include "knot/paper.h"
+#include "baseline/knots.h"
 
 /* Crossing of a segment and the plane P. */
 typedef struct crossing {
     uint32_t segment;
     vec3 at;
-    paper_point flat;
+    plane_point flat;
     bool rising; /* toward the handle, in the order of the thread */
 } crossing;
 
 /* Strand of the pair that the crossing segment belongs to: 0 before the loop, on the side of the
  * pair's first segment; 1 after it; -1 if it is part of the loop. */
-static int strand_of(const knot_loop *loop, const knot_input *scene, const crossing *c)
+static int strand_of(const baseline_loop *loop, const knot_input *scene, const crossing *c)
 {
     if (c->segment < loop->first || c->segment > loop->last) {
         return c->segment < loop->first ? 0 : 1;
@@ -32,16 +32,16 @@ typedef struct verdict {
     bool inside, ties, inside_out;
 } verdict;
 
-static verdict judge(knot_paper *p, const paper_plane *plane, const knot_input *scene,
-                     const knot_loop *loop, const crossing *c)
+static verdict judge(baseline_loops *p, const projection_plane *plane, const knot_input *scene,
+                     const baseline_loop *loop, const crossing *c)
 {
     verdict v = {false, false, false};
     int strand = strand_of(loop, scene, c);
     if (strand < 0) {
         return v;
     }
-    paper_point meeting = vbss_knot_paper_flat(plane, loop->meeting[0]);
-    v.inside = vbss_knot_paper_inside(p, meeting, loop->first, loop->last, c->flat);
+    plane_point meeting = vbss_baseline_project_point(plane, loop->meeting[0]);
+    v.inside = vbss_baseline_is_inside_loop(p, meeting, loop->first, loop->last, c->flat);
     /* Each strand is followed away from the loop, toward its own end. */
     v.inside_out = strand == 0 ? !c->rising : c->rising;
     bool above = loop->first_is_above == (strand == 0);
@@ -50,12 +50,12 @@ static verdict judge(knot_paper *p, const paper_plane *plane, const knot_input *
 }
 
 /* Counts the loops of the tool that a segment ties. */
-static void count(knot_paper *p, const paper_plane *plane, const knot_input *scene, uint32_t tool,
-                  const crossing *c, knot_paper_throw *found)
+static void count(baseline_loops *p, const projection_plane *plane, const knot_input *scene,
+                  uint32_t tool, const crossing *c, baseline_throw *found)
 {
-    knot_paper_throw here = {.segment = c->segment};
+    baseline_throw here = {.segment = c->segment};
     for (uint32_t k = 0; k < p->loop_count; k++) {
-        const knot_loop *loop = &p->loops[k];
+        const baseline_loop *loop = &p->loops[k];
         if (loop->tool != tool || loop->inside == 0) {
             continue;
         }
@@ -73,13 +73,13 @@ static void count(knot_paper *p, const paper_plane *plane, const knot_input *sce
     }
 }
 
-knot_paper_throw vbss_knot_paper_throws(knot_paper *p, const vbss_knot_config *config,
-                                        const knot_input *scene, uint32_t tool)
+baseline_throw vbss_baseline_find_throws(baseline_loops *p, const vbss_knot_config *config,
+                                         const knot_input *scene, uint32_t tool)
 {
-    knot_paper_throw found = {0};
-    paper_plane plane = vbss_knot_paper_plane(config, &scene->tools[tool]);
-    vbss_knot_paper_project(p, &plane, scene);
-    const double *heights = paper_heights(p);
+    baseline_throw found = {0};
+    projection_plane plane = vbss_baseline_projection_plane(config, &scene->tools[tool]);
+    vbss_baseline_project_thread(p, &plane, scene);
+    const double *heights = projected_heights(p);
     for (uint32_t k = 0; k + 1 < scene->point_count; k++) {
         double a = heights[k], b = heights[k + 1];
         if ((a < 0.0) == (b < 0.0)) {
@@ -87,7 +87,7 @@ knot_paper_throw vbss_knot_paper_throws(knot_paper *p, const vbss_knot_config *c
         }
         crossing c = {.segment = k, .rising = a < 0.0};
         c.at = vec3_lerp(scene->points[k], scene->points[k + 1], a / (a - b));
-        c.flat = vbss_knot_paper_flat(&plane, c.at);
+        c.flat = vbss_baseline_project_point(&plane, c.at);
         count(p, &plane, scene, tool, &c, &found);
     }
     return found;

@@ -1,9 +1,9 @@
-/* Holes by method PAPER: where algorithm 3 has seen a needle go through a wall, the particles of the triangle follow the needle
+/* Holes by the baseline: where algorithm 3 has seen a needle go through a wall, the particles of the triangle follow the needle
  * by their weights, as responses to contacts do, and the wall round it does not touch it: docs/paper-needle.md. */
 #include "base/error.h"
+#include "baseline/drain.h"
+#include "baseline/scene.h"
 #include "scene/tissue/tissue.h"
-#include "scene/world/world.h"
-#include "scene/paper.h"
 
 /* ---- carrying */
 
@@ -30,7 +30,8 @@ static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 way, d
     double light[3], sum = 0.0;
     vec3 push = vec3_zero();
     for (int k = 0; k < 3; k++) { /* pinned ones stay */
-        light[k] = d->free_mass[node[k]] > 0.0 ? hole->barycentric[k] / d->mass[node[k]] : 0.0;
+        light[k] =
+            d->baseline->free_mass[node[k]] > 0.0 ? hole->barycentric[k] / d->mass[node[k]] : 0.0;
         sum += hole->barycentric[k] * light[k];
     }
     for (int k = 0; k < 3 && sum > 0.0; k++) {
@@ -50,14 +51,15 @@ static vbss_result carry(scene_object *s, uint32_t i, double h)
     const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, i, hole->drain, 0};
     vec3 way = way_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
     vec3 push = carry_triangle(hole, d, way, h);
-    if (vec3_norm(way) < SCENE_NO_DEPTH * d->config.thickness || vec3_norm_squared(push) == 0.0) {
+    if (vec3_norm(way) < BASELINE_MIN_DEPTH_RATIO * d->config.thickness ||
+        vec3_norm_squared(push) == 0.0) {
         return VBSS_OK;
     }
-    s->baseline_responses_in_pass++;
-    return vbss_scene_paper_note_hit(s, &key, vec3_unit_or(way, vec3_zero()), vec3_neg(push));
+    s->baseline->counts.responses++;
+    return vbss_baseline_record_contact(s, &key, vec3_unit_or(way, vec3_zero()), vec3_neg(push));
 }
 
-vbss_result vbss_scene_paper_carry(scene_object *s, double h)
+vbss_result vbss_baseline_carry_holes(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         if (s->holes[i].id != 0) {
@@ -67,7 +69,7 @@ vbss_result vbss_scene_paper_carry(scene_object *s, double h)
     return VBSS_OK;
 }
 
-void vbss_scene_paper_lay_hole(const scene_object *s, scene_contact_record *hit)
+void vbss_baseline_locate_hole_contact(const scene_object *s, scene_contact_record *hit)
 {
     const suture_hole *hole = &s->holes[hit->key.feature_a];
     const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
@@ -88,8 +90,8 @@ static bool has_node_of(const drain_object *d, const uint32_t side[2], uint32_t 
     return false;
 }
 
-bool vbss_scene_paper_is_in_hole(const scene_object *s, const scene_body *needle, uint32_t capsule,
-                                 const scene_body *drain, uint32_t side)
+bool vbss_baseline_is_in_hole(const scene_object *s, const scene_body *needle, uint32_t capsule,
+                              const scene_body *drain, uint32_t side)
 {
     const needle_object *n = needle->rigid.needle;
     const drain_object *d = drain->drain.drain;
@@ -115,39 +117,40 @@ static void note_forces(scene_object *s)
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         s->holes[i].transverse_force = vec3_zero();
     }
-    for (uint32_t i = 0; i < s->baseline_contact_count; i++) {
-        const scene_contact_record *hit = &s->baseline_contacts[i];
+    for (uint32_t i = 0; i < s->baseline->contact_count; i++) {
+        const scene_contact_record *hit = &s->baseline->contacts[i];
         if (hit->key.kind == VBSS_CONTACT_HOLE) {
             s->holes[hit->key.feature_a].transverse_force = hit->force;
         }
     }
 }
 
-static void look_for_punctures(scene_object *s, scene_body *needle, const scene_body *drain)
+static void look_for_punctures(scene_object *s, const scene_body *needle, const scene_body *drain)
 {
-    scene_rigid *r = &needle->rigid;
+    const scene_rigid *r = &needle->rigid;
+    baseline_toggle *toggles = baseline_body_of(s, needle)->toggles;
     const drain_object *d = drain->drain.drain;
     pose at = vbss_scene_needle_frame(r, r->body.now.pose);
     const suture_curve line = {.needle = r->needle, .needle_pose = at};
-    suture_probe probe = {.needle = needle->number,
-                          .drain = drain->number,
-                          .wall = d,
-                          .holes = s->holes,
-                          .hole_count = s->config.hole_capacity};
+    baseline_probe probe = {.needle = needle->number,
+                            .drain = drain->number,
+                            .wall = d,
+                            .holes = s->holes,
+                            .hole_count = s->config.hole_capacity};
     suture_hole made;
-    vbss_paper_probe_points(r->needle, at, d->config.thickness, probe.points);
-    while (vbss_paper_find_puncture(&probe, r->toggles, &made)) {
+    vbss_baseline_set_probe_points(r->needle, at, d->config.thickness, probe.points);
+    while (vbss_baseline_find_puncture(&probe, toggles, &made)) {
         made.arc = vbss_suture_nearest_point(&line, 0.0, vbss_hole_point(&made, d, d->x)).arc;
         made.max_arc = vbss_max(made.arc, 0.0);
         vbss_scene_add_hole(s, &made);
     }
-    vbss_paper_set_toggles(&probe, r->toggles);
+    vbss_baseline_update_toggles(&probe, toggles);
 }
 
-void vbss_scene_paper_settle_holes(scene_object *s)
+void vbss_baseline_update_holes(scene_object *s)
 {
     note_forces(s);
-    vbss_scene_close_exited_holes(s);
+    vbss_scene_close_exited_holes(s, false);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *needle = &s->bodies[i];
         bool is_needle = needle->kind == SCENE_BODY_RIGID && needle->rigid.needle != NULL;
@@ -159,13 +162,13 @@ void vbss_scene_paper_settle_holes(scene_object *s)
     }
 }
 
-void vbss_scene_paper_forget_toggles_of(scene_object *s, uint32_t number)
+void vbss_baseline_forget_toggles(scene_object *s, uint32_t number)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        suture_toggle *toggles = s->bodies[i].rigid.toggles;
-        for (int k = 0; s->bodies[i].kind == SCENE_BODY_RIGID && k < SUTURE_TOGGLES; k++) {
+        baseline_toggle *toggles = s->baseline->bodies[i].toggles;
+        for (int k = 0; s->bodies[i].kind == SCENE_BODY_RIGID && k < BASELINE_TOGGLES; k++) {
             if (toggles[k].drain == number) {
-                toggles[k] = (suture_toggle){0};
+                toggles[k] = (baseline_toggle){0};
             }
         }
     }

@@ -241,13 +241,15 @@ static void test_point_triangle(const collision_ccd_query *question, collision_c
     }
 }
 
-void vbss_collision_paper(const collision_ccd_options *rules, const collision_ccd_query *question,
-                          collision_ccd_result *answer, collision_counters *counters)
+static void test_pair(const collision_ccd_options *rules, const collision_ccd_query *question,
+                      collision_ccd_result *answer, collision_counters *counters)
 {
     if (question->kind == VBSS_PAIR_POINT_TRIANGLE) {
         test_point_triangle(question, answer, counters);
     } else {
-        double square = rules->paper_unit * rules->paper_unit;
-        test_edges(rules->paper_parallel * square * square, question, answer, counters);
+        double square = rules->length_unit * rules->length_unit;
+        test_edges(rules->parallel_threshold * square * square, question, answer, counters);
     }
 }
+
+const collision_ccd_method vbss_baseline_ccd = {test_pair, VBSS_DECISION_CLAIMED, false};

@@ -1,8 +1,7 @@
-/* Needles by method PAPER: one follows the first tool whose jaws have closed on it, exactly; another that closes on it changes
+/* Needles by the baseline: one follows the first tool whose jaws have closed on it, exactly; another that closes on it changes
  * nothing until the first lets go, and leads from then on. A free one flies, comes down on the floor, and stays in the walls
  * that it goes through: docs/paper-needle.md. */
-#include "scene/world/world.h"
-#include "scene/paper.h"
+#include "baseline/scene.h"
 
 #include "collision/closest.h"
 
@@ -85,7 +84,8 @@ static void land(const scene_object *s, const scene_rigid *r, pose *at)
     l.up = s->floor_normal;
     l.height = s->config.floor_height + thickness;
     begin_landing(&l, *at, count);
-    for (int i = 0; i < ROUNDS && make_round(&l, count) > SCENE_NO_DEPTH * thickness; i++) {
+    for (int i = 0; i < ROUNDS && make_round(&l, count) > BASELINE_MIN_DEPTH_RATIO * thickness;
+         i++) {
     }
     vbss_rigid_apply_increment(at, l.moved, l.turned);
     begin_landing(&l, *at, count);
@@ -125,8 +125,9 @@ static void aim(const scene_object *s, scene_body *b, double h)
 {
     scene_rigid *r = &b->rigid;
     const vbss_rigid_substep whole = {h, 0.0, 1.0};
-    if (r->leader != 0) {
-        const scene_rigid *tool = &vbss_scene_body(s, r->leader)->rigid;
+    uint32_t leader = baseline_body_of(s, b)->leader;
+    if (leader != 0) {
+        const scene_rigid *tool = &vbss_scene_body(s, leader)->rigid;
         r->body.target_end = pose_mul(tool->body.target_end, tool->needle_grasp.pose_in_jaws);
         r->predicted = vbss_rigid_target_motion(&r->body, &whole);
     } else if (is_in_a_wall(s, b)) {
@@ -142,7 +143,7 @@ static bool is_needle(const scene_body *b)
     return b->kind == SCENE_BODY_RIGID && b->rigid.needle != NULL;
 }
 
-void vbss_scene_paper_aim_needles(scene_object *s, double h)
+void vbss_baseline_set_needle_targets(scene_object *s, double h)
 {
     bool any = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -156,7 +157,7 @@ void vbss_scene_paper_aim_needles(scene_object *s, double h)
     }
 }
 
-void vbss_scene_paper_return_needles(scene_object *s)
+void vbss_baseline_reset_needle_targets(scene_object *s)
 {
     bool any = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -178,9 +179,9 @@ static void tell(scene_object *s, vbss_event_kind kind, const scene_body *tool)
     vbss_scene_add_event(s, kind, hold->needle, tool->number, (uint32_t)(1e6 * hold->arc));
 }
 
-static scene_rigid *needle_of(const scene_object *s, const scene_body *tool)
+static const scene_body *needle_of(const scene_object *s, const scene_body *tool)
 {
-    return &vbss_scene_body(s, tool->rigid.needle_grasp.needle)->rigid;
+    return vbss_scene_body(s, tool->rigid.needle_grasp.needle);
 }
 
 static bool has_closed_on_one(const scene_body *b)
@@ -192,16 +193,16 @@ static bool has_closed_on_one(const scene_body *b)
 /* It stays as it is to the tool from now on. */
 static void lead(scene_object *s, scene_body *tool)
 {
-    scene_rigid *needle = needle_of(s, tool);
-    needle->leader = tool->number;
+    const scene_body *needle = needle_of(s, tool);
+    baseline_body_of(s, needle)->leader = tool->number;
     tool->rigid.needle_grasp.pose_in_jaws =
-        pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->body.now.pose);
+        pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->rigid.body.now.pose);
     tell(s, VBSS_EVENT_GRASP, tool);
 }
 
 static void let_go(scene_object *s, scene_body *tool)
 {
-    scene_rigid *needle = needle_of(s, tool);
+    baseline_body *needle = baseline_body_of(s, needle_of(s, tool));
     if (needle->leader == tool->number) {
         needle->leader = 0;
         tell(s, VBSS_EVENT_RELEASE, tool);
@@ -264,11 +265,12 @@ static void take(scene_object *s, scene_body *tool)
     }
     if (found.needle != 0) {
         tool->rigid.needle_grasp = found;
-        tool->rigid.has_closed_jaws = false; /* on a needle, and on nothing beside it */
+        baseline_body_of(s, tool)->has_closed_jaws =
+            false; /* on a needle, and on nothing beside it */
     }
 }
 
-void vbss_scene_paper_settle_needles(scene_object *s, double h)
+void vbss_baseline_update_needles(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
@@ -281,17 +283,26 @@ void vbss_scene_paper_settle_needles(scene_object *s, double h)
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL && b->rigid.has_closed_jaws &&
+        if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL &&
+            baseline_body_of(s, b)->has_closed_jaws &&
             b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
             take(s, b);
         }
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
-        scene_body *first = is_needle(&s->bodies[i]) && s->bodies[i].rigid.leader == 0
+        scene_body *first = is_needle(&s->bodies[i]) && s->baseline->bodies[i].leader == 0
                                 ? next_leader(s, &s->bodies[i])
                                 : NULL;
         if (first != NULL) {
             lead(s, first);
         }
+    }
+}
+
+void vbss_baseline_forget_leader(scene_object *s, uint32_t number)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        baseline_body *own = &s->baseline->bodies[i];
+        own->leader = own->leader == number ? 0 : own->leader;
     }
 }

@@ -1,9 +1,10 @@
-/* Method PAPER, one step in equal explicit parts:
+/* One step of the baseline thread in equal explicit parts:
  *   forces -> velocities (symplectic Euler) -> damping -> positions -> projection, velocities.
  * A section whose projection does not converge keeps the positions before it: its held nodes are in
  * their places, it may be stretched, and its springs work against that. */
 #include "base/error.h"
-#include "thread/paper.h"
+#include "baseline/explicit_substeps.h"
+#include "baseline/thread.h"
 
 /* Spring constants that are chosen, as a share of what is stable. */
 #define SPRING_SHARE 0.75
@@ -13,13 +14,13 @@ static uint32_t count_parts(thread_object *t, double h)
     if (t->config.paper_substeps > 0) {
         return t->config.paper_substeps;
     }
-    return vbss_explicit_substep_count(h, vbss_paper_rate(t));
+    return vbss_baseline_substep_count(h, vbss_baseline_thread_rate(t));
 }
 
 static void prepare_masses(thread_object *t)
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
-        thread_paper_row *row = &t->paper_rows[i];
+        baseline_thread_row *row = &t->baseline->rows[i];
         row->inverse_mass = t->prescribed_by[i] != 0 ? 0.0 : 1.0 / t->mass[i];
         row->inverse_rest = i + 1 < t->node_count ? 1.0 / t->rest[i] : 0.0;
         row->resistance = t->config.drag * t->mass[i];
@@ -34,11 +35,11 @@ static void resist(thread_object *t, double dt)
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
         if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
-            t->paper_rows[a->node].resistance += a->damping + dt * a->stiffness;
+            t->baseline->rows[a->node].resistance += a->damping + dt * a->stiffness;
         }
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
-        thread_paper_row *row = &t->paper_rows[i];
+        baseline_thread_row *row = &t->baseline->rows[i];
         if (t->prescribed_by[i] == 0) {
             row->inverse_mass = 1.0 / (t->mass[i] + dt * row->resistance);
         }
@@ -48,14 +49,14 @@ static void resist(thread_object *t, double dt)
 static void prepare_springs(thread_object *t, double dt)
 {
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double mobility = t->paper_rows[i].inverse_mass + t->paper_rows[i + 1].inverse_mass;
+        double mobility = t->baseline->rows[i].inverse_mass + t->baseline->rows[i + 1].inverse_mass;
         double stiffness = t->config.paper_stiffness;
         if (stiffness == 0.0 && mobility > 0.0) {
             double most = t->config.axial_stiffness / t->rest[i];
             stiffness = 2.0 * SPRING_SHARE / (dt * dt * mobility);
             stiffness = stiffness < most ? stiffness : most;
         }
-        t->paper_rows[i].stiffness = stiffness;
+        t->baseline->rows[i].stiffness = stiffness;
     }
 }
 
@@ -67,7 +68,7 @@ static void gather_forces(thread_object *t, double h, double begin, double end, 
     for (uint32_t i = 0; i < t->node_count; i++) {
         forces[i] = vec3_scale(t->gravity, t->mass[i]);
     }
-    vbss_paper_add_internal_forces(t, begin, forces);
+    vbss_baseline_add_internal_forces(t, begin, forces);
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
         vec3 *force = &forces[a->node];
@@ -88,7 +89,7 @@ static void move_nodes(thread_object *t, double dt, double end, const vec3 *forc
     for (uint32_t i = 0; i < t->node_count; i++) {
         if (t->prescribed_by[i] == 0) {
             vec3 impulse = vec3_add_scaled(vec3_scale(m->v[i], t->mass[i]), dt, forces[i]);
-            m->v[i] = vec3_scale(impulse, t->paper_rows[i].inverse_mass);
+            m->v[i] = vec3_scale(impulse, t->baseline->rows[i].inverse_mass);
         }
     }
     if (t->config.paper_damping > 0.0) {
@@ -108,8 +109,8 @@ static void project_sections(thread_object *t, double dt, vec3 *forces)
 {
     for (uint32_t s = 0; s < t->section_count; s++) {
         uint32_t last = s + 1 < t->section_count ? t->sections[s + 1] : t->node_count - 1;
-        if (!vbss_paper_project(t, t->sections[s], last, dt, forces)) {
-            t->statistics.fallbacks++;
+        if (!vbss_baseline_project_section(t, t->sections[s], last, dt, forces)) {
+            t->baseline->counts.failed_projections++;
         }
     }
 }
@@ -126,11 +127,11 @@ static void note_forces(thread_object *t, double dt, const vec3 *forces)
         m->a[i] = vec3_zero();
         if (t->prescribed_by[i] != 0) {
             vec3 force = vec3_sub(vec3_scale(m->q[i], t->mass[i]), forces[i]);
-            m->a[i] = vec3_add_scaled(force, t->paper_rows[i].resistance, m->v[i]);
+            m->a[i] = vec3_add_scaled(force, t->baseline->rows[i].resistance, m->v[i]);
         }
     }
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        const thread_paper_row *row = &t->paper_rows[i];
+        const baseline_thread_row *row = &t->baseline->rows[i];
         m->tension[i] = row->stiffness * t->strains[i].elongation + row->multiplier / (dt * dt);
     }
 }
@@ -167,9 +168,18 @@ static bool motion_is_finite(const thread_object *t)
     return sum < 1e100;
 }
 
-vbss_result vbss_thread_paper_step(thread_object *t, double h)
+static void note_counts(thread_object *t, uint32_t parts)
 {
-    const vbss_thread_statistics before = t->statistics;
+    const baseline_thread_counts *counts = &t->baseline->counts;
+    vbss_thread_statistics *s = &t->statistics;
+    s->substeps += parts;
+    s->iterations += counts->iterations;
+    s->last_iterations = counts->iterations;
+    s->fallbacks += counts->failed_projections;
+}
+
+vbss_result vbss_baseline_thread_step(thread_object *t, double h)
+{
     vec3 *forces = t->a_predicted;
     vbss_thread_copy_state(t, &t->saved, &t->now);
     vbss_thread_compute_strains(t, t->now.x, t->strains);
@@ -178,7 +188,7 @@ vbss_result vbss_thread_paper_step(thread_object *t, double h)
     double dt = h / parts;
     resist(t, dt);
     prepare_springs(t, dt);
-    t->statistics.last_iterations = 0;
+    t->baseline->counts = (baseline_thread_counts){0};
     for (uint32_t part = 0; part < parts; part++) {
         double begin = (double)part / parts, end = (part + 1.0) / parts;
         for (uint32_t i = 0; part + 1 == parts && i < t->node_count; i++) {
@@ -194,18 +204,17 @@ vbss_result vbss_thread_paper_step(thread_object *t, double h)
     }
     if (!motion_is_finite(t)) {
         vbss_thread_copy_state(t, &t->now, &t->saved);
-        t->statistics = before;
         return vbss_fail(t->context, VBSS_ERROR_NOT_FINITE,
                          "thread step: no finite state after step %llu",
-                         (unsigned long long)before.steps);
+                         (unsigned long long)t->statistics.steps);
     }
-    t->statistics.substeps += parts;
+    note_counts(t, parts);
     note_stretch(t);
     return VBSS_OK;
 }
 
 /* Kept with the state, so a restored thread answers as the saved one. */
-vec3 vbss_thread_paper_force(const thread_object *t, uint32_t node)
+vec3 vbss_baseline_constraint_force(const thread_object *t, uint32_t node)
 {
     return t->now.a[node];
 }

@@ -1,16 +1,20 @@
-/* Grasping by method PAPER: jaws that have just closed near a thread carry its nearest node exactly, and
+/* Grasping by the baseline: jaws that have just closed near a thread carry its nearest node exactly, and
  * the first tool that has one leads; another waits until it is let go. The force to the hand is that of the
  * springs of the two sections beside the node: docs/paper-scene.md. */
+#include "baseline/scene.h"
 #include "scene/tools/tools.h"
-#include "scene/world/world.h"
-#include "scene/paper.h"
+
+static uint32_t *pin_of(const scene_object *s, const scene_thread_grasp *g)
+{
+    return &s->baseline->grasp_pins[g - s->thread_grasps];
+}
 
 /* The grasp of a node that leads; NULL: nobody's. */
 static const scene_thread_grasp *leader_of(const scene_object *s, uint32_t thread, uint32_t node)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && g->thread == thread && g->segment == node && g->pin != 0) {
+        if (g->id != 0 && g->thread == thread && g->segment == node && *pin_of(s, g) != 0) {
             return g;
         }
     }
@@ -21,7 +25,7 @@ static const scene_thread_grasp *leader_of(const scene_object *s, uint32_t threa
 static void lead(scene_object *s, scene_thread_grasp *g)
 {
     if (leader_of(s, g->thread, g->segment) == NULL &&
-        vbss_scene_pin_in_step(s, g->thread, g->segment, g->tool, &g->pin) == VBSS_OK) {
+        vbss_scene_pin_node(s, g->thread, g->segment, g->tool, NULL, pin_of(s, g)) == VBSS_OK) {
         vbss_scene_emit_grasp_event(s, VBSS_EVENT_GRASP, g);
     }
 }
@@ -58,6 +62,7 @@ static void take(scene_object *s, const scene_body *tool)
         if (s->thread_grasps[i].id == 0) {
             found.id = ++s->last_grasp_id;
             s->thread_grasps[i] = found;
+            s->baseline->grasp_pins[i] = 0;
             lead(s, &s->thread_grasps[i]);
             return;
         }
@@ -67,15 +72,27 @@ static void take(scene_object *s, const scene_body *tool)
 
 static void let_go(scene_object *s, scene_thread_grasp *g)
 {
-    if (g->pin != 0) {
+    uint32_t *pin = pin_of(s, g);
+    if (*pin != 0) {
         vbss_scene_emit_grasp_event(s, VBSS_EVENT_RELEASE, g);
-        vbss_scene_unpin_in_step(s, g->pin);
+        (void)vbss_scene_unpin_node(s, *pin); /* the host may have removed it */
+        *pin = 0;
     }
     *g = (scene_thread_grasp){0};
 }
 
+void vbss_baseline_set_carried_targets(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        if (s->thread_grasps[i].id != 0 && s->baseline->grasp_pins[i] != 0) {
+            vbss_scene_set_pin_targets(s);
+            return;
+        }
+    }
+}
+
 /* After the step, from which on the node is carried, or free: jaws that have opened let go first. */
-void vbss_scene_paper_settle_grasps(scene_object *s)
+void vbss_baseline_update_grasps(scene_object *s)
 {
     vbss_scene_remove_clear_thread_grasps(s); /* what blades were closed through */
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
@@ -87,15 +104,16 @@ void vbss_scene_paper_settle_grasps(scene_object *s)
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && !g->is_released && g->pin == 0) {
+        if (g->id != 0 && !g->is_released && *pin_of(s, g) == 0) {
             lead(s, g);
         }
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL &&
-            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER && b->rigid.has_closed_jaws) {
-            b->rigid.has_closed_jaws = false;
+            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER &&
+            baseline_body_of(s, b)->has_closed_jaws) {
+            baseline_body_of(s, b)->has_closed_jaws = false;
             take(s, b);
         }
     }
@@ -130,7 +148,7 @@ static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness
 }
 
 /* What it carries itself, and what its needle carries. */
-vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool)
+vec3 vbss_baseline_hand_force(const scene_object *s, const scene_body *tool)
 {
     double stiffness = tool->rigid.grasper->config.paper_stiffness;
     uint32_t needle =
@@ -138,7 +156,7 @@ vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool)
     vec3 force = vec3_zero();
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && g->tool == tool->number && g->pin != 0) {
+        if (g->id != 0 && g->tool == tool->number && *pin_of(s, g) != 0) {
             const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
             force = vec3_add(force, pull_of_node(t, g->segment, stiffness));
         }

@@ -5,39 +5,41 @@
  * the tip is passing through it: a toggle. If the plane later separates the ends of the second one,
  * the tip has passed through. The method uses no force. docs/paper-needle.md lists the points that
  * the paper leaves open. */
-#ifndef VBSS_SUTURE_PAPER_H
-#define VBSS_SUTURE_PAPER_H
+#ifndef VBSS_BASELINE_PUNCTURE_H
+#define VBSS_BASELINE_PUNCTURE_H
 
 #include "suture/suture.h"
 
 /* Largest number of separate places that one tip passes through at the same time. */
-enum { SUTURE_TOGGLES = 4 };
+enum { BASELINE_TOGGLES = 4 };
 
 /* A place that the tip is passing through. */
-typedef struct suture_toggle {
+typedef struct baseline_toggle {
     uint32_t drain; /* number in the scene; 0 for a free entry */
     uint32_t triangle;
     bool outward; /* from the inside of the drain */
-} suture_toggle;
+} baseline_toggle;
 
 /* A needle and a drain after a step, and the holes of the scene. */
-typedef struct suture_probe {
+typedef struct baseline_probe {
     uint32_t needle, drain; /* their numbers in the scene */
     const drain_object *wall;
     vec3 points[3]; /* the tip, and the points one and two wall thicknesses behind it */
     const suture_hole *holes;
     uint32_t hole_count;
-} suture_probe;
+} baseline_probe;
 
 /* The tip, and the points one and two wall thicknesses behind it along the needle's first segment,
  * extended beyond its end. */
-void vbss_paper_probe_points(const needle_object *n, pose needle, double thickness, vec3 points[3]);
+void vbss_baseline_set_probe_points(const needle_object *n, pose needle, double thickness,
+                                    vec3 points[3]);
 /* Finds a place where the tip has passed through since its toggle was set, and clears that toggle.
  * The new hole has no id and no arc length yet. Returns false if there is no further place. */
-bool vbss_paper_find_puncture(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES],
-                              suture_hole *made);
+bool vbss_baseline_find_puncture(const baseline_probe *probe,
+                                 baseline_toggle toggles[BASELINE_TOGGLES], suture_hole *made);
 /* Clears toggles of places that neither sub-segment crosses any more, and sets new ones where the
  * first sub-segment crosses. */
-void vbss_paper_set_toggles(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES]);
+void vbss_baseline_update_toggles(const baseline_probe *probe,
+                                  baseline_toggle toggles[BASELINE_TOGGLES]);
 
 #endif

@@ -1,4 +1,4 @@
-/* Method PAPER: forces inside the thread, and how stiff they are.
+/* Forces inside the baseline thread, and how stiff they are.
  *
  * Bending is discrete Kirchhoff without twist: a turn by phi has the curvature binormal
  *   k = 2 t x t' / (1 + t.t'),  |k| = 2 tan(phi/2),  energy EI (|k| - k_rest)^2 / span,
@@ -7,7 +7,7 @@
  * The paper's gradients of k hold lengths fixed and leave a part along the segments, which the
  * projection would cancel; the gradients here are whole, so that there is none. They are couples:
  * with M the moment of a turn, dE/de = t x M / |e| before it and M x t' / |e| behind it. */
-#include "thread/paper.h"
+#include "baseline/thread.h"
 
 /* 1 + cos(phi) at 120 degrees. The moment grows without bound towards a fold, where k has no
  * direction, and its stiffness with it: at this turn to 40 times that of a straight thread, 6.3
@@ -110,13 +110,13 @@ static moments moments_at(const thread_object *t, uint32_t node, double part)
     return r;
 }
 
-void vbss_paper_add_internal_forces(const thread_object *t, double part, vec3 *forces)
+void vbss_baseline_add_internal_forces(const thread_object *t, double part, vec3 *forces)
 {
     bool bends = t->config.bending_stiffness > 0.0;
     vec3 low = bends ? moments_at(t, 0, part).behind : vec3_zero();
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         const thread_strain *s = &t->strains[i];
-        vec3 force = vec3_scale(s->tangent, t->paper_rows[i].stiffness * s->elongation);
+        vec3 force = vec3_scale(s->tangent, t->baseline->rows[i].stiffness * s->elongation);
         if (bends) {
             moments high = moments_at(t, i + 1, part);
             vec3 couple = vec3_cross(vec3_sub(low, high.before), s->tangent);
@@ -130,7 +130,7 @@ void vbss_paper_add_internal_forces(const thread_object *t, double part, vec3 *f
     }
 }
 
-double vbss_thread_paper_bending_energy(const thread_object *t)
+double vbss_baseline_bending_energy(const thread_object *t)
 {
     const thread_strain *s = t->strains;
     double energy = 0.0;
@@ -151,7 +151,7 @@ double vbss_thread_paper_bending_energy(const thread_object *t)
     return energy;
 }
 
-vec3 vbss_thread_paper_torque(const thread_object *t, uint32_t node)
+vec3 vbss_baseline_reaction_torque(const thread_object *t, uint32_t node)
 {
     const thread_attachment *clamp = clamp_at(t, node);
     const vec3 *x = t->now.x;
@@ -188,7 +188,7 @@ static void add_rate(thread_object *t, uint32_t node, bool before, bool behind, 
     double factor = 2.0 * t->config.bending_stiffness / span * stiffness * sum;
     for (uint32_t k = 0; k < 3; k++) {
         if (form[k] > 0.0) {
-            t->paper_rows[node + k - 1].right += factor * form[k];
+            t->baseline->rows[node + k - 1].right += factor * form[k];
         }
     }
 }
@@ -211,9 +211,9 @@ static void add_bending_rates(thread_object *t)
     }
 }
 
-double vbss_paper_rate(thread_object *t)
+double vbss_baseline_thread_rate(thread_object *t)
 {
-    thread_paper_row *rows = t->paper_rows;
+    baseline_thread_row *rows = t->baseline->rows;
     double largest = 0.0, pull = 0.0; /* of the segment before */
     for (uint32_t i = 0; i < t->node_count; i++) {
         rows[i].right = 0.0;

@@ -1,11 +1,12 @@
-/* Method PAPER: a pass over all pairs that are near. Each is tested between begin and end of the step, as
+/* A pass over all pairs that are near. Each is tested between begin and end of the step, as
  * far as responses have moved the end by now (algorithm 1), and what hits is moved at once (algorithm 2).
  * What the paper leaves open and how it was chosen: docs/paper-scene.md. */
 #include "base/error.h"
+#include "baseline/drain.h"
+#include "baseline/scene.h"
 #include "scene/contacts/contacts.h"
+#include "scene/step/step.h"
 #include "scene/topology/topology.h"
-#include "scene/world/world.h"
-#include "scene/paper.h"
 
 #include "collision/closest.h"
 
@@ -45,7 +46,7 @@ static void set_drain_node(feature *f, int k, const drain_object *d, uint32_t no
     f->end[k] = &d->x[node];
     f->speed[k] = &d->v[node];
     f->mass[k] = d->mass[node];
-    f->mobility[k] = d->free_mass[node] > 0.0 ? 1.0 / d->mass[node] : 0.0;
+    f->mobility[k] = d->baseline->free_mass[node] > 0.0 ? 1.0 / d->mass[node] : 0.0;
 }
 
 /* Of a thread or a drain. */
@@ -126,7 +127,7 @@ static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p
         return !vbss_scene_is_excluded_at_pin(s, a, i, b, k, p->a.radius + p->b.radius);
     }
     if (kind == VBSS_CONTACT_SIDES) {
-        return a->rigid.needle == NULL || !vbss_scene_paper_is_in_hole(s, a, i, b, k);
+        return a->rigid.needle == NULL || !vbss_baseline_is_in_hole(s, a, i, b, k);
     }
     return !vbss_scene_is_excluded_across_cut(s, a, i, b, k);
 }
@@ -135,34 +136,34 @@ static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p
 
 static uint32_t place_of(const scene_object *s, const contact_key *key)
 {
-    uint32_t low = 0, high = s->baseline_contact_count;
+    uint32_t low = 0, high = s->baseline->contact_count;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
-        bool below = vbss_contact_compare_keys(&s->baseline_contacts[middle].key, key) < 0;
+        bool below = vbss_contact_compare_keys(&s->baseline->contacts[middle].key, key) < 0;
         low = below ? middle + 1 : low;
         high = below ? high : middle;
     }
     return low;
 }
 
-vbss_result vbss_scene_paper_note_hit(scene_object *s, const contact_key *key, vec3 normal,
-                                      vec3 push)
+vbss_result vbss_baseline_record_contact(scene_object *s, const contact_key *key, vec3 normal,
+                                         vec3 push)
 {
+    baseline_scene *own = s->baseline;
     uint32_t i = place_of(s, key);
-    if (i == s->baseline_contact_count ||
-        vbss_contact_compare_keys(&s->baseline_contacts[i].key, key) != 0) {
-        if (s->baseline_contact_count == s->config.contact_capacity) {
+    if (i == own->contact_count || vbss_contact_compare_keys(&own->contacts[i].key, key) != 0) {
+        if (own->contact_count == s->config.contact_capacity) {
             return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
                              "there are more contacts than contact_capacity, %u",
-                             s->baseline_contact_count);
+                             own->contact_count);
         }
-        memmove(&s->baseline_contacts[i + 1], &s->baseline_contacts[i],
-                (s->baseline_contact_count - i) * sizeof *s->baseline_contacts);
-        s->baseline_contacts[i] = (scene_contact_record){.key = *key};
-        s->baseline_contact_count++;
+        memmove(&own->contacts[i + 1], &own->contacts[i],
+                (own->contact_count - i) * sizeof *own->contacts);
+        own->contacts[i] = (scene_contact_record){.key = *key};
+        own->contact_count++;
     }
-    s->baseline_contacts[i].normal = normal;
-    s->baseline_contacts[i].force = vec3_add(s->baseline_contacts[i].force, push);
+    own->contacts[i].normal = normal;
+    own->contacts[i].force = vec3_add(own->contacts[i].force, push);
     return VBSS_OK;
 }
 
@@ -240,7 +241,7 @@ static vbss_result meet(scene_object *s, const contact_key *key, const feature *
     double thickness = a->radius + b->radius + s->config.paper_thickness;
     vbss_response response;
     vbss_impact impact = ask(s, a, b, thickness);
-    s->statistics.guard_pairs++;
+    s->baseline->counts.tested_pairs++;
     if (impact.hit == 0) {
         return VBSS_OK;
     }
@@ -253,11 +254,11 @@ static vbss_result meet(scene_object *s, const contact_key *key, const feature *
     if (vec3_norm_squared(back) > vec3_norm_squared(push)) { /* the paper's shares do not balance */
         push = back;
     }
-    if (response.depth < SCENE_NO_DEPTH * thickness || vec3_norm_squared(push) == 0.0) {
+    if (response.depth < BASELINE_MIN_DEPTH_RATIO * thickness || vec3_norm_squared(push) == 0.0) {
         return VBSS_OK;
     }
-    s->baseline_responses_in_pass++;
-    return vbss_scene_paper_note_hit(s, key, vec3_load(response.direction), push);
+    s->baseline->counts.responses++;
+    return vbss_baseline_record_contact(s, key, vec3_load(response.direction), push);
 }
 
 static vbss_result meet_candidate(scene_object *s, const collision_candidate *q, double h)
@@ -284,22 +285,22 @@ static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
         set_node(&f, 0, b, i);
         double thickness = f.radius + s->config.paper_thickness;
         double depth = thickness - height_of(s, *f.end[0]);
-        if (depth <= SCENE_NO_DEPTH * thickness || f.mobility[0] == 0.0) {
+        if (depth <= BASELINE_MIN_DEPTH_RATIO * thickness || f.mobility[0] == 0.0) {
             continue;
         }
         double displacement[6] = {0.0};
         vec3_store(displacement, vec3_scale(s->floor_normal, depth));
         const contact_key key = {kind, b->number, i, 0, 0};
-        s->baseline_responses_in_pass++;
+        s->baseline->counts.responses++;
         VBSS_TRY(
-            vbss_scene_paper_note_hit(s, &key, s->floor_normal, displace(&f, displacement, h)));
+            vbss_baseline_record_contact(s, &key, s->floor_normal, displace(&f, displacement, h)));
     }
     return VBSS_OK;
 }
 
 /* ---- a pass */
 
-vbss_result vbss_scene_paper_search(scene_object *s)
+vbss_result vbss_baseline_find_candidates(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
@@ -316,9 +317,9 @@ vbss_result vbss_scene_paper_search(scene_object *s)
     return vbss_collision_find_candidates(scene_collision(s));
 }
 
-vbss_result vbss_scene_paper_pass(scene_object *s, double h)
+vbss_result vbss_baseline_run_pass(scene_object *s, double h)
 {
-    s->baseline_responses_in_pass = 0;
+    s->baseline->counts.responses = 0;
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
         VBSS_TRY(meet_candidate(s, &s->collision->candidates[i], h));
     }
@@ -327,7 +328,7 @@ vbss_result vbss_scene_paper_pass(scene_object *s, double h)
             VBSS_TRY(meet_floor(s, &s->bodies[i], h));
         }
     }
-    return vbss_scene_paper_carry(s, h);
+    return vbss_baseline_carry_holes(s, h);
 }
 
 /* ---- afterwards */
@@ -365,20 +366,41 @@ static double depth_of(const scene_object *s, const collision_candidate *q)
                              : 0.0;
 }
 
-double vbss_scene_paper_measure(scene_object *s, double h)
+double vbss_baseline_measure_contacts(scene_object *s, double h)
 {
     double depth = 0.0;
-    for (uint32_t i = 0; i < s->baseline_contact_count; i++) {
-        s->baseline_contacts[i].force = vec3_scale(s->baseline_contacts[i].force, 1.0 / (h * h));
-        if (s->baseline_contacts[i].key.kind == VBSS_CONTACT_HOLE) {
-            vbss_scene_paper_lay_hole(s, &s->baseline_contacts[i]);
+    for (uint32_t i = 0; i < s->baseline->contact_count; i++) {
+        scene_contact_record *hit = &s->baseline->contacts[i];
+        hit->force = vec3_scale(hit->force, 1.0 / (h * h));
+        if (hit->key.kind == VBSS_CONTACT_HOLE) {
+            vbss_baseline_locate_hole_contact(s, hit);
         } else {
-            lay_hit(s, &s->baseline_contacts[i]);
+            lay_hit(s, hit);
         }
-        depth = vbss_max(-s->baseline_contacts[i].gap, depth);
+        depth = vbss_max(-hit->gap, depth);
     }
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
-        depth = vbss_max(depth_of(s, &s->collision->candidates[i]), depth);
+        depth = vbss_max(depth, depth_of(s, &s->collision->candidates[i]));
     }
     return depth;
+}
+
+void vbss_baseline_publish_contacts(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->baseline->contact_count; i++) {
+        const scene_contact_record *contact = &s->baseline->contacts[i];
+        vbss_scene_publish_contact(s, contact);
+        vbss_scene_add_force(vbss_scene_body(s, contact->key.body_a), contact->point,
+                             contact->force);
+        vbss_scene_add_force(vbss_scene_body(s, contact->key.body_b), contact->point,
+                             vec3_neg(contact->force));
+    }
+}
+
+void vbss_baseline_list_touching_pairs(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->baseline->contact_count; i++) {
+        const contact_key *key = &s->baseline->contacts[i].key;
+        vbss_scene_insert_touching_pair(s, (scene_touching_pair){key->body_a, key->body_b});
+    }
 }

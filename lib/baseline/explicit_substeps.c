@@ -1,11 +1,13 @@
 /* The number of substeps of an explicit step. */
-#include "solver/solver.h"
+#include "baseline/explicit_substeps.h"
+
+#include <math.h>
 
 /* A part is at most this share of the longest that is stable: what is stiff becomes stiffer within a step. */
 #define STABILITY_FRACTION 0.9
 #define MOST_PARTS 100000u
 
-uint32_t vbss_explicit_substep_count(double h, double rate)
+uint32_t vbss_baseline_substep_count(double h, double rate)
 {
     double wanted = h * sqrt(rate) * (1.0 / STABILITY_FRACTION);
     if (!(wanted < MOST_PARTS)) {

@@ -1,15 +1,16 @@
-/* A step of method PAPER (Qi et al. 2017): what docs/paper-scene.md tells in full.
+/* A step of VBLaST-SS (Qi et al. 2017): what docs/paper-scene.md tells in full.
  *   tool poses -> needles -> threads and drains, each by its own explicit steps -> passes of detection and response,
  *   until nothing hits -> events -> tool forces
  * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
 #include "base/error.h"
+#include "baseline/drain.h"
+#include "baseline/scene.h"
+#include "baseline/thread.h"
 #include "scene/solve/solve.h"
 #include "scene/step/step.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
-#include "scene/world/world.h"
-#include "scene/paper.h"
 
 /* ---- as it was, if the step fails */
 
@@ -44,9 +45,10 @@ static void go_back(scene_object *s)
         }
     }
     vbss_scene_rollback_tools(s);
-    vbss_scene_paper_return_needles(s);
+    vbss_baseline_set_carried_targets(s);
+    vbss_baseline_reset_needle_targets(s);
     s->statistics = s->checkpoint_statistics;
-    s->baseline_contact_count = 0;
+    s->baseline->contact_count = 0;
     vbss_scene_clear_events(s);
     s->generation++;
 }
@@ -80,11 +82,11 @@ static vbss_result move_bodies(scene_object *s, double h)
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_THREAD) {
-            VBSS_TRY(vbss_thread_paper_step(b->thread.thread, h));
+            VBSS_TRY(vbss_baseline_thread_step(b->thread.thread, h));
         } else if (b->kind == SCENE_BODY_RIGID) {
             VBSS_TRY(move_rigid(s, b, &b->rigid, h));
         } else if (b->kind == SCENE_BODY_DRAIN) {
-            VBSS_TRY(vbss_drain_paper_move(b->drain.drain, h, &b->drain.substep.h));
+            VBSS_TRY(vbss_baseline_move_drain(b->drain.drain, h));
         }
     }
     return VBSS_OK;
@@ -120,23 +122,23 @@ static bool is_sound(const scene_object *s)
 
 static vbss_result search(scene_object *s)
 {
-    return is_sound(s) ? vbss_scene_paper_search(s) : VBSS_ERROR_NOT_FINITE;
+    return is_sound(s) ? vbss_baseline_find_candidates(s) : VBSS_ERROR_NOT_FINITE;
 }
 
 static vbss_result make_passes(scene_object *s, double h)
 {
-    s->baseline_contact_count = 0;
-    s->baseline_responses_in_pass = 1;
-    for (uint32_t pass = 0; s->baseline_responses_in_pass > 0 && pass < s->config.paper_pass_limit;
-         pass++) {
+    baseline_scene_counts *counts = &s->baseline->counts;
+    *counts = (baseline_scene_counts){0};
+    s->baseline->contact_count = 0;
+    while (!counts->has_converged && counts->passes < s->config.paper_pass_limit) {
         VBSS_TRY(search(s));
-        VBSS_TRY(vbss_scene_paper_pass(s, h));
-        s->statistics.attempts++;
+        VBSS_TRY(vbss_baseline_run_pass(s, h));
+        counts->passes++;
+        counts->has_converged = counts->responses == 0;
     }
-    if (s->baseline_responses_in_pass == 0) {
+    if (counts->has_converged) {
         return VBSS_OK;
     }
-    s->statistics.loose_states++;
     return search(s); /* what the last pass has moved is near others now */
 }
 
@@ -167,15 +169,24 @@ static void arrive(scene_object *s, double h)
             b->rigid.body.now = b->rigid.predicted;
             b->rigid.body.target_start = b->rigid.body.target_end;
         } else if (b->kind == SCENE_BODY_DRAIN) {
-            vbss_scene_paper_arrive_drain(&b->drain, h);
+            vbss_baseline_finish_drain(b->drain.drain);
+            vbss_drain_finish_step(b->drain.drain, h);
         }
     }
+}
+
+static void note_counts(scene_object *s)
+{
+    const baseline_scene_counts *counts = &s->baseline->counts;
+    s->statistics.attempts += counts->passes;
+    s->statistics.guard_pairs += counts->tested_pairs;
+    s->statistics.loose_states += !counts->has_converged;
 }
 
 static void note_errors(scene_object *s, double h)
 {
     vbss_scene_statistics *c = &s->statistics;
-    double stretch = 0.0, depth = vbss_scene_paper_measure(s, h);
+    double stretch = 0.0, depth = vbss_baseline_measure_contacts(s, h);
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             stretch = vbss_max(note_stretch(s->bodies[i].thread.thread), stretch);
@@ -204,19 +215,19 @@ static void note_hands(scene_object *s)
 
 static void update_tools(scene_object *s, double h)
 {
-    vbss_scene_paper_settle_needles(s, h);
-    vbss_scene_paper_settle_grasps(s);
+    vbss_baseline_update_needles(s, h);
+    vbss_baseline_update_grasps(s);
     vbss_scene_make_cuts(s);
     vbss_scene_publish_tools(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL) {
-            b->rigid.grasper->hand_force = vbss_scene_paper_hand_force(s, b);
+            b->rigid.grasper->hand_force = vbss_baseline_hand_force(s, b);
         }
     }
 }
 
-vbss_result vbss_scene_paper_step(scene_object *s, double h)
+vbss_result vbss_baseline_scene_step(scene_object *s, double h)
 {
     const scene_substep whole = {
         .step_length = h, .start_fraction = 0.0, .end_fraction = 1.0, .h = h};
@@ -224,7 +235,8 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     vbss_scene_clear_events(s);
     vbss_scene_record_holes_before_step(s);
     vbss_scene_apply_tool_targets(s, h);
-    vbss_scene_paper_aim_needles(s, h);
+    vbss_baseline_set_carried_targets(s);
+    vbss_baseline_set_needle_targets(s, h);
     vbss_scene_set_capsule_trials(s, &whole);
     vbss_result result = move_bodies(s, h);
     if (result == VBSS_OK) {
@@ -237,6 +249,7 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
                    : vbss_fail(s->context, result, "scene step: no finite state after step %llu",
                                (unsigned long long)s->statistics.steps);
     }
+    note_counts(s);
     note_errors(s, h);
     arrive(s, h);
     vbss_scene_commit_capsules(s);
@@ -244,7 +257,7 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     vbss_scene_update_touching_pairs(s);
     vbss_scene_collect_forces(s);
     note_hands(s);
-    vbss_scene_paper_settle_holes(s);
+    vbss_baseline_update_holes(s);
     update_tools(s, h);
     return VBSS_OK;
 }

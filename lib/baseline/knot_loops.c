@@ -5,18 +5,19 @@
  * As in the paper, the tool's line has no ends, a loop ends at the first segment that crosses it,
  * and the search for the next loop starts after that segment. The paper does not define at which
  * end segment 0 is. */
-#include "knot/paper.h"
+#include "baseline/knots.h"
 
 #include "base/elementary.h"
 #include "base/lanes.h"
 
 /* A loop takes three segments at least, so that all of sixteen tools have room. */
-enum { PAPER_TOOLS = 16, LOOP_SEGMENTS = 3 };
+enum { MAX_TOOLS = 16, LOOP_SEGMENTS = 3 };
 
-void vbss_knot_paper_arrays(knot_paper *p, uint32_t capacity, vbss_array arrays[KNOT_PAPER_ARRAYS])
+void vbss_baseline_list_loop_arrays(baseline_loops *p, uint32_t capacity,
+                                    vbss_array arrays[BASELINE_LOOP_ARRAYS])
 {
     p->capacity = capacity;
-    p->loop_capacity = PAPER_TOOLS * (capacity / LOOP_SEGMENTS);
+    p->loop_capacity = MAX_TOOLS * (capacity / LOOP_SEGMENTS);
     arrays[0] = (vbss_array){&p->loops, p->loop_capacity, sizeof *p->loops};
     /* The last lanes may read beyond the last point. */
     arrays[1] = (vbss_array){&p->flat, 3 * (size_t)capacity + LANES, sizeof *p->flat};
@@ -24,10 +25,11 @@ void vbss_knot_paper_arrays(knot_paper *p, uint32_t capacity, vbss_array arrays[
 
 /* ---- the projection */
 
-paper_plane vbss_knot_paper_plane(const vbss_knot_config *config, const knot_tool *tool)
+projection_plane vbss_baseline_projection_plane(const vbss_knot_config *config,
+                                                const knot_tool *tool)
 {
     vec3 tip = tool->axis[tool->point_count - 1], behind = tool->axis[tool->point_count - 2];
-    paper_plane plane;
+    projection_plane plane;
     plane.up = vec3_unit_or(vec3_sub(behind, tip), vec3_make(0.0, 0.0, 1.0));
     plane.at = vec3_add_scaled(tip, config->plane_offset, plane.up);
     plane.x = vec3_any_normal(plane.up);
@@ -35,41 +37,42 @@ paper_plane vbss_knot_paper_plane(const vbss_knot_config *config, const knot_too
     return plane;
 }
 
-paper_point vbss_knot_paper_flat(const paper_plane *plane, vec3 point)
+plane_point vbss_baseline_project_point(const projection_plane *plane, vec3 point)
 {
     vec3 r = vec3_sub(point, plane->at);
-    paper_point flat = {vec3_dot(r, plane->x), vec3_dot(r, plane->y)};
+    plane_point flat = {vec3_dot(r, plane->x), vec3_dot(r, plane->y)};
     return flat;
 }
 
-double vbss_knot_paper_height(const paper_plane *plane, vec3 point)
+double vbss_baseline_plane_height(const projection_plane *plane, vec3 point)
 {
     return vec3_dot(vec3_sub(point, plane->at), plane->up);
 }
 
-void vbss_knot_paper_project(knot_paper *p, const paper_plane *plane, const knot_input *scene)
+void vbss_baseline_project_thread(baseline_loops *p, const projection_plane *plane,
+                                  const knot_input *scene)
 {
     double *x = p->flat, *y = x + p->capacity, *heights = y + p->capacity;
     for (uint32_t k = 0; k < scene->point_count; k++) {
-        paper_point flat = vbss_knot_paper_flat(plane, scene->points[k]);
+        plane_point flat = vbss_baseline_project_point(plane, scene->points[k]);
         x[k] = flat.x;
         y[k] = flat.y;
-        heights[k] = vbss_knot_paper_height(plane, scene->points[k]);
+        heights[k] = vbss_baseline_plane_height(plane, scene->points[k]);
     }
 }
 
 /* ---- the even-odd rule */
 
 /* A corner in the frame of the ray: distance along it, and side. */
-static inline paper_point from_ray(paper_point ray, double x, double y)
+static inline plane_point from_ray(plane_point ray, double x, double y)
 {
-    paper_point seen = {ray.x * x + ray.y * y, ray.x * y - ray.y * x};
+    plane_point seen = {ray.x * x + ray.y * y, ray.x * y - ray.y * x};
     return seen;
 }
 
 /* Whether the ray meets an edge. One end must be on its left and the other not, so that a corner on
  * the ray counts once. */
-static inline bool ray_meets(paper_point a, paper_point b)
+static inline bool ray_meets(plane_point a, plane_point b)
 {
     if ((a.y < 0.0) == (b.y < 0.0)) {
         return false;
@@ -78,16 +81,16 @@ static inline bool ray_meets(paper_point a, paper_point b)
     return b.y > a.y ? along > 0.0 : along < 0.0;
 }
 
-bool vbss_knot_paper_inside(knot_paper *p, paper_point meeting, uint32_t first, uint32_t last,
-                            paper_point point)
+bool vbss_baseline_is_inside_loop(baseline_loops *p, plane_point meeting, uint32_t first,
+                                  uint32_t last, plane_point point)
 {
-    const double *x = paper_x(p), *y = paper_y(p);
-    paper_point ray;
-    vbss_sincos(6.283185307179586 * vbss_random_uniform(&p->random), &ray.y, &ray.x);
-    paper_point begin = from_ray(ray, meeting.x - point.x, meeting.y - point.y), a = begin;
+    const double *x = projected_x(p), *y = projected_y(p);
+    plane_point ray;
+    vbss_sincos(6.283185307179586 * vbss_random_uniform(p->random), &ray.y, &ray.x);
+    plane_point begin = from_ray(ray, meeting.x - point.x, meeting.y - point.y), a = begin;
     bool odd = false;
     for (uint32_t k = first + 1; k <= last; k++) {
-        paper_point b = from_ray(ray, x[k] - point.x, y[k] - point.y);
+        plane_point b = from_ray(ray, x[k] - point.x, y[k] - point.y);
         odd ^= ray_meets(a, b);
         a = b;
     }
@@ -103,9 +106,9 @@ static inline double cross(double ax, double ay, double bx, double by)
 
 /* Where the projections of two segments cross, as fractions of both. A point on the other's line
  * counts as on its left, so that a crossing at a point belongs to one segment only. */
-static bool segments_cross(const knot_paper *p, uint32_t i, uint32_t j, double *s, double *u)
+static bool segments_cross(const baseline_loops *p, uint32_t i, uint32_t j, double *s, double *u)
 {
-    const double *x = paper_x(p), *y = paper_y(p);
+    const double *x = projected_x(p), *y = projected_y(p);
     double ax = x[i + 1] - x[i], ay = y[i + 1] - y[i];
     double bx = x[j + 1] - x[j], by = y[j + 1] - y[j];
     double a0 = cross(bx, by, x[i] - x[j], y[i] - y[j]);
@@ -121,9 +124,9 @@ static bool segments_cross(const knot_paper *p, uint32_t i, uint32_t j, double *
 }
 
 /* Bit mask of the four segments from j on whose boxes overlap that of segment i. */
-static inline unsigned near_four(const knot_paper *p, const lanes box[4], uint32_t j)
+static inline unsigned near_four(const baseline_loops *p, const lanes box[4], uint32_t j)
 {
-    const double *x = paper_x(p) + j, *y = paper_y(p) + j;
+    const double *x = projected_x(p) + j, *y = projected_y(p) + j;
     lanes x0 = lanes_load(x), x1 = lanes_load(x + 1), y0 = lanes_load(y), y1 = lanes_load(y + 1);
     lanes_mask across =
         lanes_or(lanes_less(lanes_max(x0, x1), box[0]), lanes_less(box[1], lanes_min(x0, x1)));
@@ -134,9 +137,9 @@ static inline unsigned near_four(const knot_paper *p, const lanes box[4], uint32
 
 /* The first segment before i, and not adjacent to it, that crosses it, searching toward the tail's
  * end; i if there is none. */
-static uint32_t next_crossing(const knot_paper *p, uint32_t i, double *s, double *u)
+static uint32_t next_crossing(const baseline_loops *p, uint32_t i, double *s, double *u)
 {
-    const double *x = paper_x(p), *y = paper_y(p);
+    const double *x = projected_x(p), *y = projected_y(p);
     lanes box[4] = {lanes_splat(vbss_min(x[i], x[i + 1])), lanes_splat(vbss_max(x[i], x[i + 1])),
                     lanes_splat(vbss_min(y[i], y[i + 1])), lanes_splat(vbss_max(y[i], y[i + 1]))};
     for (uint32_t end = i - 1; end > 0;) {
@@ -152,26 +155,26 @@ static uint32_t next_crossing(const knot_paper *p, uint32_t i, double *s, double
     return i;
 }
 
-static void record(knot_paper *p, const paper_plane *plane, const knot_input *scene, uint32_t tool,
-                   uint32_t i, uint32_t j, double s, double u)
+static void record(baseline_loops *p, const projection_plane *plane, const knot_input *scene,
+                   uint32_t tool, uint32_t i, uint32_t j, double s, double u)
 {
     const vec3 *x = scene->points;
-    knot_loop loop = {.tool = tool, .first = j, .last = i};
+    baseline_loop loop = {.tool = tool, .first = j, .last = i};
     loop.meeting[0] = vec3_lerp(x[j], x[j + 1], u);
     loop.meeting[1] = vec3_lerp(x[i], x[i + 1], s);
-    loop.first_is_above = vbss_knot_paper_height(plane, loop.meeting[0]) >
-                          vbss_knot_paper_height(plane, loop.meeting[1]);
-    paper_point t = {0.0, 0.0}, meeting = vbss_knot_paper_flat(plane, loop.meeting[0]);
-    loop.inside = vbss_knot_paper_inside(p, meeting, j, i, t) ? 1 : 0;
+    loop.first_is_above = vbss_baseline_plane_height(plane, loop.meeting[0]) >
+                          vbss_baseline_plane_height(plane, loop.meeting[1]);
+    plane_point t = {0.0, 0.0}, meeting = vbss_baseline_project_point(plane, loop.meeting[0]);
+    loop.inside = vbss_baseline_is_inside_loop(p, meeting, j, i, t) ? 1 : 0;
     p->loops[p->loop_count++] = loop;
 }
 
 /* The paper's segment 0 is the last one here, at the end of the long limb. */
-void vbss_knot_paper_loops(knot_paper *p, const vbss_knot_config *config, const knot_input *scene,
-                           uint32_t tool)
+void vbss_baseline_find_loops(baseline_loops *p, const vbss_knot_config *config,
+                              const knot_input *scene, uint32_t tool)
 {
-    paper_plane plane = vbss_knot_paper_plane(config, &scene->tools[tool]);
-    vbss_knot_paper_project(p, &plane, scene);
+    projection_plane plane = vbss_baseline_projection_plane(config, &scene->tools[tool]);
+    vbss_baseline_project_thread(p, &plane, scene);
     uint32_t left = scene->point_count - 1; /* unused segments are 0 to left - 1 */
     while (left >= LOOP_SEGMENTS && p->loop_count < p->loop_capacity) {
         double s, u;

@@ -1,20 +1,20 @@
-/* Method PAPER: the drain of VBLaST-SS (Qi et al. 2017), particles tied to their rest positions by a spring each. One
- * step in equal explicit parts, as the paper's thread:
+/* One step of the baseline drain in equal explicit parts, as of the thread:
  *   forces -> velocities (symplectic Euler) -> damping -> positions.
- * Nothing but the damping and the collision with others knows neighbours. docs/paper-drain.md tells what the paper
- * leaves open. */
+ * Nothing but the damping and the collision with others knows neighbours. */
 #include "base/error.h"
-#include "drain/drain.h"
+#include "base/memory.h"
+#include "baseline/drain.h"
+#include "baseline/explicit_substeps.h"
 
 #include <string.h>
 
 static void prepare_masses(drain_object *d)
 {
-    memcpy(d->free_mass, d->mass, d->mesh.node_count * sizeof *d->mass);
+    memcpy(d->baseline->free_mass, d->mass, d->mesh.node_count * sizeof *d->mass);
     for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
         const drain_attachment *a = &d->attachments[k];
         if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN) {
-            d->free_mass[a->node] = 0.0;
+            d->baseline->free_mass[a->node] = 0.0;
         }
     }
 }
@@ -27,27 +27,29 @@ static uint32_t count_parts(const drain_object *d, double h)
         return d->config.paper_substeps;
     }
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        if (d->free_mass[i] > 0.0) {
-            rate = vbss_max_or_nan(0.25 * d->config.paper_stiffness / d->free_mass[i], rate);
+        if (d->baseline->free_mass[i] > 0.0) {
+            rate =
+                vbss_max_or_nan(0.25 * d->config.paper_stiffness / d->baseline->free_mass[i], rate);
         }
     }
-    return vbss_explicit_substep_count(h, rate);
+    return vbss_baseline_substep_count(h, rate);
 }
 
 /* Drag and attached springs are implicit and count as mass, as in the paper's thread. */
 static void prepare_mobilities(drain_object *d, double dt)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        d->mobility[i] = d->mass[i] * (1.0 + dt * d->config.drag);
+        d->baseline->mobility[i] = d->mass[i] * (1.0 + dt * d->config.drag);
     }
     for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
         const drain_attachment *a = &d->attachments[k];
         if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_SPRING) {
-            d->mobility[a->node] += dt * dt * a->stiffness;
+            d->baseline->mobility[a->node] += dt * dt * a->stiffness;
         }
     }
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        d->mobility[i] = d->free_mass[i] > 0.0 ? 1.0 / d->mobility[i] : 0.0;
+        d->baseline->mobility[i] =
+            d->baseline->free_mass[i] > 0.0 ? 1.0 / d->baseline->mobility[i] : 0.0;
     }
 }
 
@@ -57,7 +59,7 @@ static void pull_back(drain_object *d)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         d->internal_forces[i] =
-            vec3_scale(vec3_sub(d->ties[i], d->x[i]), d->config.paper_stiffness);
+            vec3_scale(vec3_sub(d->baseline->rest[i], d->x[i]), d->config.paper_stiffness);
     }
 }
 
@@ -83,10 +85,10 @@ static void set_velocities(drain_object *d, double dt, const vec3 *sums)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         vec3 impulse = vec3_add_scaled(vec3_scale(d->v[i], d->mass[i]), dt, sums[i]);
-        d->v[i] = vec3_scale(impulse, d->mobility[i]);
+        d->v[i] = vec3_scale(impulse, d->baseline->mobility[i]);
     }
     if (d->config.paper_damping > 0.0) {
-        vbss_damp_relative_motion(d->free_mass, d->x, d->v, 0, d->mesh.node_count - 1,
+        vbss_damp_relative_motion(d->baseline->free_mass, d->x, d->v, 0, d->mesh.node_count - 1,
                                   d->config.paper_damping);
     }
 }
@@ -94,7 +96,7 @@ static void set_velocities(drain_object *d, double dt, const vec3 *sums)
 static void move_to(drain_object *d, uint32_t node, vec3 to)
 {
     double way = vec3_distance(to, d->x[node]);
-    d->statistics.last_move = vbss_max_or_nan(way, d->statistics.last_move);
+    d->baseline->last_move = vbss_max_or_nan(way, d->baseline->last_move);
     d->x[node] = to;
 }
 
@@ -102,7 +104,7 @@ static void move_to(drain_object *d, uint32_t node, vec3 to)
 static void move(drain_object *d, double dt, double end)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        if (d->free_mass[i] > 0.0) {
+        if (d->baseline->free_mass[i] > 0.0) {
             move_to(d, i, vec3_add_scaled(d->x[i], dt, d->v[i]));
         }
     }
@@ -141,13 +143,15 @@ static bool is_finite(const drain_object *d)
     return sum < 1e100;
 }
 
-vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part)
+vbss_result vbss_baseline_move_drain(drain_object *d, double h)
 {
+    d->baseline->last_move = 0.0;
     prepare_masses(d);
     uint32_t parts = count_parts(d, h);
-    *part = h / parts;
-    prepare_mobilities(d, *part);
-    make_parts(d, *part, parts);
+    double dt = h / parts;
+    d->baseline->explicit_step = dt;
+    prepare_mobilities(d, dt);
+    make_parts(d, dt, parts);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         d->v[i] = vbss_drain_flush_velocity(d->v[i]);
     }
@@ -155,29 +159,80 @@ vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part)
         return VBSS_ERROR_NOT_FINITE;
     }
     d->statistics.parts += parts;
+    d->statistics.last_move = d->baseline->last_move;
     return VBSS_OK;
 }
 
-void vbss_drain_paper_arrive(drain_object *d, double part)
+void vbss_baseline_finish_drain(drain_object *d)
 {
     vbss_drain_commit_attachments(d);
-    vbss_drain_update_reactions(d, part);
+    vbss_drain_update_reactions(d, d->baseline->explicit_step);
 }
 
-vbss_result vbss_drain_paper_step(drain_object *d, double h)
+/* ---- the method */
+
+static vbss_result step_drain(drain_object *d, double h)
 {
-    double part;
-    VBSS_TRY(vbss_drain_paper_move(d, h, &part));
-    vbss_drain_paper_arrive(d, part);
+    VBSS_TRY(vbss_baseline_move_drain(d, h));
+    vbss_baseline_finish_drain(d);
     return VBSS_OK;
 }
 
-double vbss_drain_paper_energy(const drain_object *d)
+static void add_energies(drain_object *d, vbss_drain_energies *energies)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        vec3 way = vec3_sub(d->x[i], d->ties[i]);
+        vec3 way = vec3_sub(d->x[i], d->baseline->rest[i]);
         sum += 0.5 * d->config.paper_stiffness * vec3_norm_squared(way);
     }
-    return sum;
+    energies->springs = sum;
 }
+
+static drain_mesh_kind mesh_kind(const vbss_drain_config *config)
+{
+    (void)config;
+    return DRAIN_MESH_6X12;
+}
+
+enum { ARRAY_COUNT = 3 };
+
+static void list_arrays(const drain_object *d, vbss_array arrays[ARRAY_COUNT])
+{
+    baseline_drain *own = d->baseline;
+    size_t n = d->mesh.node_count;
+    arrays[0] = (vbss_array){&own->rest, n, sizeof *own->rest};
+    arrays[1] = (vbss_array){&own->free_mass, n, sizeof *own->free_mass};
+    arrays[2] = (vbss_array){&own->mobility, n, sizeof *own->mobility};
+}
+
+static vbss_result create_drain(drain_object *d)
+{
+    vbss_array arrays[ARRAY_COUNT];
+    d->baseline = vbss_allocate(d->context, 1, sizeof *d->baseline, "drain");
+    if (d->baseline == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    list_arrays(d, arrays);
+    VBSS_TRY(vbss_allocate_arrays(d->context, arrays, ARRAY_COUNT, "drain"));
+    memcpy(d->baseline->rest, d->x, d->mesh.node_count * sizeof *d->x);
+    return VBSS_OK;
+}
+
+static void destroy_drain(vbss_context *context, drain_object *d)
+{
+    vbss_array arrays[ARRAY_COUNT];
+    if (d->baseline != NULL) {
+        list_arrays(d, arrays);
+        vbss_release_arrays(context, arrays, ARRAY_COUNT);
+        vbss_release(context, d->baseline, 1, sizeof *d->baseline);
+    }
+}
+
+const drain_method vbss_baseline_drain = {
+    .mesh_kind = mesh_kind,
+    .create_drain = create_drain,
+    .destroy_drain = destroy_drain,
+    .step_drain = step_drain,
+    .add_energies = add_energies,
+    .is_surface = true,
+};

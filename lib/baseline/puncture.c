@@ -1,12 +1,13 @@
 /* Algorithm 3 of VBLaST-SS: detection of a puncture at the ends of steps. */
-#include "suture/paper.h"
+#include "baseline/puncture.h"
 
 /* A sub-segment on the border of two triangles crosses one of them, however weights are rounded. */
 #define ROUNDING 1e-9
 /* A tip is at a hole until so many walls of the needle have gone through. */
 #define AT_HOLE 3.0
 
-void vbss_paper_probe_points(const needle_object *n, pose needle, double thickness, vec3 points[3])
+void vbss_baseline_set_probe_points(const needle_object *n, pose needle, double thickness,
+                                    vec3 points[3])
 {
     vec3 tip = vbss_needle_point(n, 0.0);
     vec3 corner = vbss_needle_point(n, vbss_needle_vertex_arc(n, 1));
@@ -25,7 +26,7 @@ typedef struct crossing {
 
 /* A plane also separates a point on it from one beside it; otherwise the tip could stop there
  * unnoticed. */
-static bool crosses(const suture_probe *p, uint32_t t, int first, crossing *c)
+static bool crosses(const baseline_probe *p, uint32_t t, int first, crossing *c)
 {
     const uint32_t *node = p->wall->mesh.triangles[t];
     const vec3 *x = p->wall->x;
@@ -61,15 +62,15 @@ static bool are_beside(const drain_object *d, uint32_t a, uint32_t b)
 
 /* ---- toggles */
 
-static bool is_beside(const suture_probe *p, const suture_toggle *toggle, uint32_t t)
+static bool is_beside(const baseline_probe *p, const baseline_toggle *toggle, uint32_t t)
 {
     return toggle->drain == p->drain && are_beside(p->wall, toggle->triangle, t);
 }
 
-static suture_toggle *find_beside(const suture_probe *p, suture_toggle toggles[SUTURE_TOGGLES],
-                                  uint32_t t)
+static baseline_toggle *find_beside(const baseline_probe *p,
+                                    baseline_toggle toggles[BASELINE_TOGGLES], uint32_t t)
 {
-    for (int i = 0; i < SUTURE_TOGGLES; i++) {
+    for (int i = 0; i < BASELINE_TOGGLES; i++) {
         if (is_beside(p, &toggles[i], t)) {
             return &toggles[i];
         }
@@ -78,7 +79,7 @@ static suture_toggle *find_beside(const suture_probe *p, suture_toggle toggles[S
 }
 
 /* A tip that has just made a hole, or is about to leave it, makes no other hole beside it. */
-static bool is_at_hole(const suture_probe *p, uint32_t t)
+static bool is_at_hole(const baseline_probe *p, uint32_t t)
 {
     for (uint32_t i = 0; i < p->hole_count; i++) {
         const suture_hole *hole = &p->holes[i];
@@ -91,7 +92,7 @@ static bool is_at_hole(const suture_probe *p, uint32_t t)
     return false;
 }
 
-static bool crosses_beside(const suture_probe *p, const suture_toggle *toggle)
+static bool crosses_beside(const baseline_probe *p, const baseline_toggle *toggle)
 {
     crossing c;
     for (uint32_t t = 0; t < p->wall->mesh.triangle_count; t++) {
@@ -102,16 +103,16 @@ static bool crosses_beside(const suture_probe *p, const suture_toggle *toggle)
     return false;
 }
 
-bool vbss_paper_find_puncture(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES],
-                              suture_hole *made)
+bool vbss_baseline_find_puncture(const baseline_probe *probe,
+                                 baseline_toggle toggles[BASELINE_TOGGLES], suture_hole *made)
 {
     for (uint32_t t = 0; t < probe->wall->mesh.triangle_count; t++) {
         crossing c;
-        suture_toggle *toggle = find_beside(probe, toggles, t);
+        baseline_toggle *toggle = find_beside(probe, toggles, t);
         if (toggle == NULL || !crosses(probe, t, 1, &c) || c.outward != toggle->outward) {
             continue;
         }
-        *toggle = (suture_toggle){0};
+        *toggle = (baseline_toggle){0};
         vbss_suture_normalise_barycentric(c.weights);
         *made = (suture_hole){.needle = probe->needle,
                               .drain = probe->drain,
@@ -123,11 +124,12 @@ bool vbss_paper_find_puncture(const suture_probe *probe, suture_toggle toggles[S
     return false;
 }
 
-void vbss_paper_set_toggles(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES])
+void vbss_baseline_update_toggles(const baseline_probe *probe,
+                                  baseline_toggle toggles[BASELINE_TOGGLES])
 {
-    for (int i = 0; i < SUTURE_TOGGLES; i++) {
+    for (int i = 0; i < BASELINE_TOGGLES; i++) {
         if (toggles[i].drain == probe->drain && !crosses_beside(probe, &toggles[i])) {
-            toggles[i] = (suture_toggle){0};
+            toggles[i] = (baseline_toggle){0};
         }
     }
     for (uint32_t t = 0; t < probe->wall->mesh.triangle_count; t++) {
@@ -136,9 +138,9 @@ void vbss_paper_set_toggles(const suture_probe *probe, suture_toggle toggles[SUT
             is_at_hole(probe, t)) {
             continue;
         }
-        for (int i = 0; i < SUTURE_TOGGLES; i++) {
+        for (int i = 0; i < BASELINE_TOGGLES; i++) {
             if (toggles[i].drain == 0) {
-                toggles[i] = (suture_toggle){probe->drain, t, c.outward};
+                toggles[i] = (baseline_toggle){probe->drain, t, c.outward};
                 break;
             }
         }

@@ -1,9 +1,9 @@
-/* Method PAPER: inextensibility by fast projection (Goldenthal et al. 2007), one section at a time.
+/* Inextensibility of the baseline thread by fast projection (Goldenthal et al. 2007), one section at a time.
  *
  * C_i = |e_i|^2 / l_i - l_i has the gradient +-(2 / l_i) e_i at the segment's ends. Repeat until
  * all C_i are small: solve (J M^-1 J^T) u = C, a tridiagonal system, and move x by -M^-1 J^T u.
  * Held nodes have no inverse mass, so they do not move. */
-#include "thread/paper.h"
+#include "baseline/thread.h"
 
 #include <string.h>
 
@@ -17,7 +17,7 @@ static double measure(thread_object *t, uint32_t first, uint32_t last)
 {
     double largest = 0.0, sum = 0.0;
     for (uint32_t i = first; i < last; i++) {
-        thread_paper_row *row = &t->paper_rows[i];
+        baseline_thread_row *row = &t->baseline->rows[i];
         row->edge = vec3_scale(vec3_sub(t->now.x[i + 1], t->now.x[i]), row->inverse_rest);
         row->square = vec3_norm_squared(row->edge);
         row->right = row->square - 1.0;
@@ -32,9 +32,9 @@ static double measure(thread_object *t, uint32_t first, uint32_t last)
  * False: a pivot was below that share of its diagonal. */
 static bool solve(thread_object *t, uint32_t first, uint32_t last, double share)
 {
-    thread_paper_row *rows = t->paper_rows;
+    baseline_thread_row *rows = t->baseline->rows;
     for (uint32_t i = first; i < last; i++) {
-        thread_paper_row *row = &rows[i];
+        baseline_thread_row *row = &rows[i];
         double over = 2.0 * row->inverse_rest;
         double diagonal = over * row->square * (row->inverse_mass + rows[i + 1].inverse_mass);
         double pivot = diagonal;
@@ -60,7 +60,7 @@ static bool solve(thread_object *t, uint32_t first, uint32_t last, double share)
 
 static void move(thread_object *t, uint32_t first, uint32_t last)
 {
-    thread_paper_row *rows = t->paper_rows;
+    baseline_thread_row *rows = t->baseline->rows;
     for (uint32_t i = first; i < last; i++) {
         vec3 pull = vec3_scale(rows[i].edge, rows[i].right);
         rows[i].multiplier += rows[i].right * sqrt(rows[i].square);
@@ -73,13 +73,14 @@ static void give_up(thread_object *t, uint32_t first, uint32_t last)
 {
     memcpy(t->now.x + first, t->trial + first, (size_t)(last - first + 1) * sizeof(vec3));
     for (uint32_t i = first; i < last; i++) {
-        t->paper_rows[i].multiplier = 0.0;
+        t->baseline->rows[i].multiplier = 0.0;
     }
 }
 
-bool vbss_paper_project(thread_object *t, uint32_t first, uint32_t last, double dt, vec3 *forces)
+bool vbss_baseline_project_section(thread_object *t, uint32_t first, uint32_t last, double dt,
+                                   vec3 *forces)
 {
-    thread_paper_row *rows = t->paper_rows;
+    baseline_thread_row *rows = t->baseline->rows;
     vec3 low = vec3_zero(), high = vec3_zero();
     memcpy(t->trial + first, t->now.x + first, (size_t)(last - first + 1) * sizeof(vec3));
     for (uint32_t i = first; i < last; i++) {
@@ -99,8 +100,7 @@ bool vbss_paper_project(thread_object *t, uint32_t first, uint32_t last, double 
             give_up(t, first, last);
             return false;
         }
-        t->statistics.iterations++;
-        t->statistics.last_iterations++;
+        t->baseline->counts.iterations++;
         move(t, first, last);
         low = vec3_add_scaled(low, rows[first].right, rows[first].edge);
         high = vec3_add_scaled(high, -rows[last - 1].right, rows[last - 1].edge);

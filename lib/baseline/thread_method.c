@@ -1,0 +1,35 @@
+/* The baseline method of threads: its memory, and the table of what it does. */
+#include "base/memory.h"
+#include "baseline/thread.h"
+
+static vbss_result create_thread(thread_object *t)
+{
+    t->baseline = vbss_allocate(t->context, 1, sizeof *t->baseline, "thread");
+    if (t->baseline == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    baseline_thread *own = t->baseline;
+    own->rows = vbss_allocate(t->context, t->node_capacity, sizeof *own->rows, "thread");
+    return own->rows != NULL ? VBSS_OK : VBSS_ERROR_OUT_OF_MEMORY;
+}
+
+static void destroy_thread(vbss_context *context, thread_object *t)
+{
+    if (t->baseline != NULL) {
+        vbss_release(context, t->baseline->rows, t->node_capacity, sizeof *t->baseline->rows);
+        vbss_release(context, t->baseline, 1, sizeof *t->baseline);
+    }
+}
+
+const thread_method vbss_baseline_thread = {
+    .create_thread = create_thread,
+    .destroy_thread = destroy_thread,
+    .step_thread = vbss_baseline_thread_step,
+    .bending_energy = vbss_baseline_bending_energy,
+    .constraint_force = vbss_baseline_constraint_force,
+    .reaction_force =
+        vbss_baseline_constraint_force, /* forces and springs at the node are not in it */
+    .reaction_torque = vbss_baseline_reaction_torque,
+    .corrects_masses = false,
+    .is_guarded = false,
+};

@@ -1,0 +1,53 @@
+/* The implicit method of threads: its memory, and the table of what it does. */
+#include "base/error.h"
+#include "base/memory.h"
+#include "thread/thread.h"
+
+#include <string.h>
+
+enum { ARRAY_COUNT = 5 };
+
+static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
+{
+    size_t n = t->node_capacity;
+    const vbss_array all[] = {
+        {&t->bending_matrix, n, sizeof *t->bending_matrix},
+        {&t->rest_curvature_forces, n, sizeof(vec3)},
+        {&t->spline_moments, n, sizeof *t->spline_moments},
+        {&t->arcs, n, sizeof *t->arcs},
+        {&t->couplings, n, sizeof *t->couplings},
+    };
+    _Static_assert(sizeof all == ARRAY_COUNT * sizeof(vbss_array), "the table has its length");
+    memcpy(arrays, all, sizeof all);
+}
+
+static vbss_result create_thread(thread_object *t)
+{
+    vbss_array arrays[ARRAY_COUNT];
+    list_arrays(t, arrays);
+    VBSS_TRY(vbss_allocate_arrays(t->context, arrays, ARRAY_COUNT, "thread"));
+    /* A spring makes a group of separators, which is coupled with the next on either side. */
+    uint32_t separators = THREAD_BANDWIDTH * t->config.attachment_capacity;
+    return vbss_system_create(t->context, t->node_capacity, THREAD_BANDWIDTH, separators,
+                              3 * THREAD_BANDWIDTH * separators, &t->system);
+}
+
+static void destroy_thread(vbss_context *context, thread_object *t)
+{
+    vbss_array arrays[ARRAY_COUNT];
+    list_arrays(t, arrays);
+    vbss_release_arrays(context, arrays, ARRAY_COUNT);
+    vbss_system_destroy(context, t->system);
+}
+
+const thread_method vbss_thread_implicit = {
+    .create_thread = create_thread,
+    .destroy_thread = destroy_thread,
+    .step_thread = vbss_thread_implicit_step,
+    .bending_energy = vbss_thread_bending_energy,
+    .constraint_force = vbss_thread_implicit_constraint_force,
+    .reaction_force = vbss_thread_implicit_reaction_force,
+    .reaction_torque = vbss_thread_implicit_reaction_torque,
+    .corrects_masses = true,
+    .is_guarded = true,
+};
