@@ -1,4 +1,4 @@
-/* A shape that moves as in tests/scenes/moving_shapes.h, or as a knot does, with the positions of all
+/* A shape that moves as in tests/fixtures/moving_shapes.h, or as a knot does, with the positions of all
  * steps worked out beforehand. */
 #ifndef VBSS_BENCH_COLLISION_MOVING_H
 #define VBSS_BENCH_COLLISION_MOVING_H
@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "scenes/moving_shapes.h"
+#include "fixtures/moving_shapes.h"
 
 #define MOVING_RADIUS MOVING_SHAPES_RADIUS /* of the thread, m */
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes/collision_sets.h"
+#include "fixtures/collision_sets.h"
 #if defined(VBSS_HAVE_ORACLE)
 #include "oracle/oracle.h"
 #endif

@@ -1,4 +1,4 @@
-/* The sets of tests/scenes/collision_sets.h in the form that methods take; made once each, when a case
+/* The sets of tests/fixtures/collision_sets.h in the form that methods take; made once each, when a case
  * first needs one. */
 #ifndef VBSS_BENCH_COLLISION_QUERY_SETS_H
 #define VBSS_BENCH_COLLISION_QUERY_SETS_H

@@ -6,7 +6,7 @@
 
 #include "harness/bench.h"
 #include "oracle/knot_type.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 typedef struct pulled_knot {
     char name[64];

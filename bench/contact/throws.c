@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "contact/bench_contact.h"
-#include "scenes/throw_scenes.h"
+#include "fixtures/throw_scenes.h"
 
 typedef struct throw_case {
     char name[64];

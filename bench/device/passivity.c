@@ -6,7 +6,7 @@
 #include "device/device.h"
 
 #include "bench_device.h"
-#include "scenes/hand_path.h"
+#include "fixtures/hand_path.h"
 
 enum { PATHS = 200, ROUND = 1000, MOST_DELAY = 2 };
 static const double stiffness = 400.0;

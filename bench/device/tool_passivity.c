@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "bench_device.h"
-#include "scenes/hand_path.h"
+#include "fixtures/hand_path.h"
 #include "tool_rig.h"
 
 enum {

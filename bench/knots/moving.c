@@ -8,7 +8,7 @@
 #include "knot/judge.h"
 #include "knots/bench_knots.h"
 #include "knots/told.h"
-#include "scenes/wrap_scripts.h"
+#include "fixtures/wrap_scripts.h"
 
 #define TURN 6.28318530717958648
 

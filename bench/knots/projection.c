@@ -5,8 +5,8 @@
 
 #include "knots/bench_knots.h"
 
-#include "scenes/paper_knot_cases.h"
-#include "scenes/paper_tying.h"
+#include "fixtures/paper_knot_cases.h"
+#include "fixtures/paper_tying.h"
 
 /* ---- what both have */
 

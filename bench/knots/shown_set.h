@@ -5,7 +5,7 @@
 
 #include <vblast_ss/knot.h>
 
-#include "scenes/knot_families.h"
+#include "fixtures/knot_families.h"
 
 typedef struct shown_set {
     const family *family;

@@ -4,7 +4,7 @@
 
 #include "harness/bench.h"
 #include "knot/knot.h"
-#include "scenes/knot_families.h"
+#include "fixtures/knot_families.h"
 
 typedef struct told {
     uint64_t hash;                /* of what was told */

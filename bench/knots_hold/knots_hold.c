@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "oracle/knot_type.h"
-#include "scenes/held_knot.h"
+#include "fixtures/held_knot.h"
 
 static int find_kind(const char *name)
 {

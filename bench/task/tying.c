@@ -1,9 +1,9 @@
-/* Cases task/tying/<last part>: a double throw that is drawn tight over the slit and held (tests/scenes/session_scenes.h), with
+/* Cases task/tying/<last part>: a double throw that is drawn tight over the slit and held (tests/fixtures/session_scenes.h), with
  * one part more in each case beside the same scene: the scene goes through the same states in all of them, which is checked.
  *   throws    that the session has seen tied
  *   gap_mm    of the slit at the end */
 #include "base/error.h"
-#include "scenes/session_scenes.h"
+#include "fixtures/session_scenes.h"
 #include "task/bench_task.h"
 
 enum { CROSSINGS = 5 /* of the limbs: a double throw */, HASH_INTERVAL = 100 };

@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "drain/drain.h"
 #include "harness/bench.h"
-#include "scenes/drain_scenes.h"
+#include "fixtures/drain_scenes.h"
 #include "tissue/scenes.h"
 
 enum { MESHES = 4, REFERENCE_DIVISIONS = 2, SETTLING = 1500 };

@@ -1,10 +1,10 @@
-/* Case tissue/scene-pierced/ours/137: a needle through both walls of a drain and back out (tests/scenes/puncture_scenes.h).
+/* Case tissue/scene-pierced/ours/137: a needle through both walls of a drain and back out (tests/fixtures/puncture_scenes.h).
  *   peak_N, peak2_N  most that drives it along its arc up to the first entry, and from there to the second
  *   back_N        most that it is held back with on the way out
  *   events        entries and exits: 4
  *   parts, paused, clamped  how it went */
 #include "base/linear.h"
-#include "scenes/puncture_scenes.h"
+#include "fixtures/puncture_scenes.h"
 #include "tissue/scenes.h"
 
 #define STEP_S 1e-3

@@ -1,4 +1,4 @@
-/* Cases tissue/scene-<scene>/<method>/<nodes>: a drain and what touches it, in one scene (tests/scenes/tissue_scenes.h).
+/* Cases tissue/scene-<scene>/<method>/<nodes>: a drain and what touches it, in one scene (tests/fixtures/tissue_scenes.h).
  *   force_N       largest force of the first tool
  *   overlap_um    deepest penetration
  *   gap_mm        at the end
@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-#include "scenes/tissue_scenes.h"
+#include "fixtures/tissue_scenes.h"
 
 #define STEP_S 1e-3
 

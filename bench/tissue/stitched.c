@@ -1,10 +1,10 @@
 /* Case tissue/scene-stitched/ours/137: a double throw above a stitch is tightened until the slit is shut, and held
- * (tests/scenes/stitch_scenes.h); hands are points.
+ * (tests/fixtures/stitch_scenes.h); hands are points.
  *   gap_mm, open_mm  of the slit at the end; at first
  *   pull_N           of a hand at the end
  *   nodes            of the thread
  *   parts, paused, clamped  how it went */
-#include "scenes/stitch_scenes.h"
+#include "fixtures/stitch_scenes.h"
 #include "tissue/scenes.h"
 
 #define STEP_S 1e-3

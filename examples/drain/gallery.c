@@ -1,4 +1,4 @@
-/* Shows what a drain does when it is touched: `drain_gallery <folder>` steps the scenes of tests/scenes/tissue_scenes.h up to
+/* Shows what a drain does when it is touched: `drain_gallery <folder>` steps the scenes of tests/fixtures/tissue_scenes.h up to
  * their most telling moment, prints how the drain is then, and writes <scene>.png, seen from two sides, into that folder,
  * which must be there. The slit's edges are red, the marks blue. */
 #include <stdio.h>
@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "painter/painter.h"
 #include "portrait.h"
-#include "scenes/tissue_scenes.h"
+#include "fixtures/tissue_scenes.h"
 
 #define STEP_S 1e-3
 

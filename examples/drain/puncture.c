@@ -1,5 +1,5 @@
 /* Shows a needle that goes through both walls of a drain and back out: `puncture_gallery <folder>` steps the scene of
- * tests/scenes/puncture_scenes.h, prints what happens with the forces then, and writes into that folder, which must be
+ * tests/fixtures/puncture_scenes.h, prints what happens with the forces then, and writes into that folder, which must be
  * there, entry.png, inside.png, through.png and out.png, seen from two sides; force.svg and force.png, what the hand
  * drives the needle with beside the range that was measured on Penrose drains; and force.csv. */
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include "force_plot.h"
 #include "painter/painter.h"
 #include "portrait.h"
-#include "scenes/puncture_scenes.h"
+#include "fixtures/puncture_scenes.h"
 
 #define STEP_S 1e-3
 

@@ -1,11 +1,11 @@
-/* Shows how a double throw shuts the slit: `stitch_gallery <folder>` steps the scene of tests/scenes/stitch_scenes.h, prints
+/* Shows how a double throw shuts the slit: `stitch_gallery <folder>` steps the scene of tests/fixtures/stitch_scenes.h, prints
  * gap and forces, and writes into that folder, which must be there, open.png, closing.png, shut.png, seen from aside and from
  * above, and lumen.png, shut, seen along the lumen. */
 #include <stdio.h>
 
 #include "painter/painter.h"
 #include "portrait.h"
-#include "scenes/stitch_scenes.h"
+#include "fixtures/stitch_scenes.h"
 
 #define STEP_S 1e-3
 

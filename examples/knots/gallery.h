@@ -4,7 +4,7 @@
 
 #include <vblast_ss/knot.h>
 
-#include "scenes/tied_knot.h"
+#include "fixtures/tied_knot.h"
 
 /* What is kept of a moment. */
 typedef struct gallery_frame {

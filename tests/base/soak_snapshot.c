@@ -4,7 +4,7 @@
 
 #include "base/snapshot.h"
 #include "harness/harness.h"
-#include "scenes/rod_body.h"
+#include "fixtures/rod_body.h"
 
 enum { ROUNDS = 2000 };
 

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "harness/harness.h"
-#include "scenes/rod.h"
+#include "fixtures/rod.h"
 
 static void a_context_needs_no_config(void **state)
 {

@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "harness/harness.h"
-#include "scenes/rod.h"
+#include "fixtures/rod.h"
 
 static vbss_result step_call(void *handle)
 {

@@ -3,7 +3,7 @@
 
 #include "base/snapshot.h"
 #include "harness/harness.h"
-#include "scenes/rod_body.h"
+#include "fixtures/rod_body.h"
 
 static void a_restored_body_goes_on_to_the_same_bits(void **state)
 {

@@ -2,7 +2,7 @@
 
 #include "base/snapshot.h"
 #include "harness/harness.h"
-#include "scenes/rod_body.h"
+#include "fixtures/rod_body.h"
 
 enum { WORKERS = 4, STEPS = 200 };
 

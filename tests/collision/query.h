@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "harness/harness.h"
-#include "scenes/collision_build.h"
+#include "fixtures/collision_build.h"
 
 static inline vbss_collision_config config_of(const collision_query *query)
 {

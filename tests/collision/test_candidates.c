@@ -6,7 +6,7 @@
 #include "collision/closest.h"
 #include "collision/shapes.h"
 #include "collision/shapes_model.h"
-#include "scenes/moving_shapes.h"
+#include "fixtures/moving_shapes.h"
 
 typedef struct fixture {
     harness_memory memory;

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "collision/shapes_model.h"
-#include "scenes/moving_shapes.h"
+#include "fixtures/moving_shapes.h"
 
 typedef struct fixture {
     harness_memory memory;

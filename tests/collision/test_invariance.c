@@ -1,7 +1,7 @@
 /* The answer of CONSERVATIVE does not depend on units, origin, order of vertices, order of the pair, or
  * the direction of time: for D = 0 exactly, else outside the tolerance. */
 #include "query.h"
-#include "scenes/collision_integers.h"
+#include "fixtures/collision_integers.h"
 
 /* ---- changes that keep the truth, all exact */
 

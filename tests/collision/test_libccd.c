@@ -6,7 +6,7 @@
 
 #include "collision/capsule_pairs.h"
 #include "collision/libccd_reference.h"
-#include "scenes/collision_sets.h"
+#include "fixtures/collision_sets.h"
 
 /* ---- distance */
 

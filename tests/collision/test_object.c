@@ -3,7 +3,7 @@
 
 #include "collision/shapes_model.h"
 #include "collision/shapes_object.h"
-#include "scenes/shapes_body.h"
+#include "fixtures/shapes_body.h"
 
 /* ---- the size protocols */
 

@@ -4,7 +4,7 @@
 
 #include "collision/shapes_model.h"
 #include "collision/shapes_object.h"
-#include "scenes/shapes_body.h"
+#include "fixtures/shapes_body.h"
 
 static const moving_shapes_options lives[] = {
     {24, true, true}, {40, false, false}, {33, true, false}, {9, false, true}, {1, true, true}};

@@ -1,7 +1,7 @@
 /* The oracle against cases worked out by hand, against distances in long double, and against itself. */
 #include "oracle/oracle.h"
 #include "query.h"
-#include "scenes/collision_integers.h"
+#include "fixtures/collision_integers.h"
 
 /* ---- by hand */
 

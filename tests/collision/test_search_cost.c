@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "collision/shapes_model.h"
-#include "scenes/moving_shapes.h"
+#include "fixtures/moving_shapes.h"
 
 /* Boxes looked at in the third step, when trees have their order. */
 static double boxes_of_coil(uint32_t segments, bool capsules, bool sheet)

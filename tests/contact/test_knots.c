@@ -2,7 +2,7 @@
 #include "base/elementary.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 #define PI 3.141592653589793
 

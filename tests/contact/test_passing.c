@@ -3,7 +3,7 @@
 
 #include "harness/harness.h"
 #include "oracle/oracle.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 enum { MOST_NODES = 640 };
 

@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "fuzz/fuzz.h"
-#include "scenes/stitch_scenes.h"
+#include "fixtures/stitch_scenes.h"
 
 enum { ROOM = 1 << 22, TOOL_STEPS = 200, STITCH_STEPS = 60 };
 

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "scenes/stand_in_worlds.h"
+#include "fixtures/stand_in_worlds.h"
 
 void hardware_rig_begin(hardware_rig *r, bool threaded)
 {

@@ -1,7 +1,7 @@
 /* Handles of devices, calls from inside callbacks, and where memory goes. */
 #include "base/error.h"
 #include "device/rig.h"
-#include "scenes/device_run.h"
+#include "fixtures/device_run.h"
 
 /* ---- handles and callbacks */
 

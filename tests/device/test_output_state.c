@@ -3,7 +3,7 @@
 #include "base/snapshot.h"
 #include "device/device.h"
 #include "harness/harness.h"
-#include "scenes/device_run.h"
+#include "fixtures/device_run.h"
 
 /* ---- sizes */
 

@@ -2,7 +2,7 @@
  * closed paths. What docs/devices.md argues holds here to the error of the steps; what it says does not hold is
  * shown not to. */
 #include "device/stage_rig.h"
-#include "scenes/hand_path.h"
+#include "fixtures/hand_path.h"
 
 static const double pi = 3.14159265358979323846;
 static const double stiffness = 400.0;

@@ -1,7 +1,7 @@
 /* What energy a hand gets from a stiff wall in a round of pressing and letting go, in each arrangement of host and servo.
  * docs/devices.md has the table. */
 #include "harness/harness.h"
-#include "scenes/servo_wall.h"
+#include "fixtures/servo_wall.h"
 
 /* mJ a round. */
 static double gained(const servo_wall *given)

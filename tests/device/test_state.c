@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "device/rig.h"
-#include "scenes/device_body.h"
+#include "fixtures/device_body.h"
 
 /* In each of these the device is in the middle of something. */
 static const size_t moments[] = {0,   1,   7,   32,  37,  48,  55,  62,  84,  110, 140, 155, 171,

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "device/rig.h"
-#include "scenes/device_body.h"
+#include "fixtures/device_body.h"
 
 static void bad_snapshots_are_refused(void **state)
 {

@@ -161,7 +161,7 @@ CANARIES = [
      with_file("lib/session/canary.c", '#include "scene/api/inspect.h"\n#include <vblast_ss/thread.h>\n'), None),
     ("a foreign header", with_file("lib/base/canary.c", "#include <pthread.h>\n"),
      r"includes pthread.h, which is neither"),
-    ("a way out of the folders", with_file("lib/base/canary.c", '#include "../tests/scenes/rod.h"\n'),
+    ("a way out of the folders", with_file("lib/base/canary.c", '#include "../tests/fixtures/rod.h"\n'),
      r"which is neither"),
     ("a folder nobody placed", with_file("lib/misc/canary.c", ""), r"lib/misc is no layer"),
     ("a sub-folder that includes a later one",

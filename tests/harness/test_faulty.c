@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "determinism/scenes.h"
 #include "harness/harness.h"
-#include "scenes/rod_body.h"
+#include "fixtures/rod_body.h"
 
 /* ---- a body with the faults the fixtures look for */
 

@@ -6,7 +6,7 @@
 #include "base/snapshot.h"
 #include "harness/blocks.h"
 #include "harness/harness.h"
-#include "scenes/rod_body.h"
+#include "fixtures/rod_body.h"
 
 static vbss_result init_rod_config(void *config, uint32_t struct_size)
 {

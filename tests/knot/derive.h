@@ -1,12 +1,12 @@
 /* Many configurations out of one thread whose truth is known: vertices come, go and move where it is proved that this
- * is free (scenes/swept.h), ends stay outermost; then the whole is mirrored, turned round, carried away, scaled, and
+ * is free (fixtures/swept.h), ends stay outermost; then the whole is mirrored, turned round, carried away, scaled, and
  * points are doubled or put on edges. Each is a configuration of its own with the truth that follows. */
 #ifndef VBSS_TESTS_KNOT_DERIVE_H
 #define VBSS_TESTS_KNOT_DERIVE_H
 
 #include "base/random.h"
 #include "knot/judge.h"
-#include "scenes/swept.h"
+#include "fixtures/swept.h"
 
 typedef struct derivation {
     family_case from; /* what is moved about: its line is that of the last step */

@@ -7,7 +7,7 @@
 
 #include "harness/harness.h"
 #include "knot/knot.h"
-#include "scenes/throw_stack.h"
+#include "fixtures/throw_stack.h"
 
 enum { RIG_TOOLS = 3, RIG_POINTS = 401 };
 

@@ -4,7 +4,7 @@
 
 #include "harness/harness.h"
 #include "knot/knot.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 enum { DIAGRAM_VERTICES = 800, DIAGRAM_CROSSINGS = 600 };
 

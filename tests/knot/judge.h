@@ -4,7 +4,7 @@
 
 #include <vblast_ss/vblast_ss.h>
 
-#include "scenes/knot_families.h"
+#include "fixtures/knot_families.h"
 
 enum { JUDGE_THROWS = 8 };
 

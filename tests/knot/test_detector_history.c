@@ -4,7 +4,7 @@
 #include <vblast_ss/knot.h>
 
 #include "harness/harness.h"
-#include "scenes/knot_families.h"
+#include "fixtures/knot_families.h"
 
 static family_case tied;
 static thread_line plain;

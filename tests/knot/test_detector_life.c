@@ -1,6 +1,6 @@
 /* How detectors begin and end, what handles and structs they refuse, and where their memory goes. */
 #include "knot/detector_rig.h"
-#include "scenes/knot_body.h"
+#include "fixtures/knot_body.h"
 
 /* ---- the size protocols */
 

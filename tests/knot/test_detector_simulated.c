@@ -4,7 +4,7 @@
 #include <vblast_ss/knot.h>
 
 #include "harness/harness.h"
-#include "scenes/tied_knot.h"
+#include "fixtures/tied_knot.h"
 
 static tied_knot knot;
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "knot/detector_rig.h"
-#include "scenes/knot_body.h"
+#include "fixtures/knot_body.h"
 
 static knot_body_options lives[] = {
     {VBSS_KNOT_TOPOLOGY, 300}, {VBSS_KNOT_TOPOLOGY, 2500}, {VBSS_KNOT_PROJECTION, 15000}};

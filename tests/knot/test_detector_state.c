@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "knot/detector_rig.h"
-#include "scenes/knot_body.h"
+#include "fixtures/knot_body.h"
 
 /* Few operations a step, so that a reading lasts over many; more, so that it lasts over some; plenty. */
 static knot_body_options lives[] = {{VBSS_KNOT_TOPOLOGY, 300},

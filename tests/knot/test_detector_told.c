@@ -1,6 +1,6 @@
 /* What a detector tells of knots: its state, and the throws. */
 #include "knot/detector_rig.h"
-#include "scenes/knot_body.h"
+#include "fixtures/knot_body.h"
 
 static void the_state_tells_the_knot(void **state)
 {

@@ -1,6 +1,6 @@
 /* What a detector shows of itself: winding, notation, views, events, figures. */
 #include "knot/detector_rig.h"
-#include "scenes/knot_body.h"
+#include "fixtures/knot_body.h"
 
 /* ---- winding */
 

@@ -1,5 +1,5 @@
 /* Every family's truth is that of the oracle, for all its types. */
-#include "scenes/knot_families.h"
+#include "fixtures/knot_families.h"
 
 #include <string.h>
 

@@ -1,12 +1,12 @@
 /* What is done to threads keeps their knots, as the oracle sees them too; and what would change them is refused. */
-#include "scenes/isotopy.h"
+#include "fixtures/isotopy.h"
 
 #include <string.h>
 
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
-#include "scenes/clutter.h"
-#include "scenes/swept.h"
+#include "fixtures/clutter.h"
+#include "fixtures/swept.h"
 
 static thread_line base, line, again;
 static swept_line swept;

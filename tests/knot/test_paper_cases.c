@@ -2,7 +2,7 @@
  * there is to count is worked out here. */
 #include "base/elementary.h"
 #include "knot/paper_rig.h"
-#include "scenes/paper_knot_cases.h"
+#include "fixtures/paper_knot_cases.h"
 
 static void show(paper_rig *rig, paper_knot_kind kind)
 {

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "harness/harness.h"
-#include "scenes/paper_knot_cases.h"
-#include "scenes/paper_tying.h"
+#include "fixtures/paper_knot_cases.h"
+#include "fixtures/paper_tying.h"
 
 typedef struct host {
     harness_memory memory;

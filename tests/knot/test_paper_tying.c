@@ -2,7 +2,7 @@
 #include "base/elementary.h"
 #include "knot/paper_rig.h"
 #include "oracle/knot_type.h"
-#include "scenes/paper_tying.h"
+#include "fixtures/paper_tying.h"
 
 enum { SEEDS = 1000 };
 #define PLANE (-2e-3) /* that the sweep favours */

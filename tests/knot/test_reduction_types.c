@@ -4,7 +4,7 @@
 #include "base/elementary.h"
 #include "knot/reduction_rig.h"
 #include "oracle/knot_type.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 /* ---- knots */
 

@@ -3,7 +3,7 @@
 #include "knot/knot.h"
 
 #include "harness/harness.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 #define PI 3.141592653589793
 

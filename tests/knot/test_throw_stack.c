@@ -1,5 +1,5 @@
 /* Stacks of throws have the knots that are asked for, and say where the tissue is. */
-#include "scenes/throw_stack.h"
+#include "fixtures/throw_stack.h"
 
 #include <string.h>
 

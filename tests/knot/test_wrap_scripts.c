@@ -1,6 +1,6 @@
 /* The stories' truth: what the oracle sees when nothing is held, the turns of the thread about the tool, stages. */
 #include "base/elementary.h"
-#include "scenes/wrap_scripts.h"
+#include "fixtures/wrap_scripts.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* A measurement is a function of its log; it is saved with all it knows, and restored to the same bits. */
 #include "fixture.h"
-#include "scenes/metrics_run.h"
+#include "fixtures/metrics_run.h"
 
 static vbss_result create(vbss_context *context, void *user, void **handle)
 {

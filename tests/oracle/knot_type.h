@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 /* The invariants; equal for equal knots. They tell apart all sums of at most four throws of at most three
  * wraps. Of a mirror image v3 has the other sign. */

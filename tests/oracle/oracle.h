@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "scenes/collision_sets.h"
+#include "fixtures/collision_sets.h"
 
 /* D = 0: whether the features meet at some time in [0, 1]. The query's own `hit` is not read. */
 bool oracle_meets(const collision_query *query);

@@ -2,7 +2,7 @@
 #include "fixture.h"
 #include "scene/api/api.h"
 #include "scene/world/world.h"
-#include "scenes/tool_scenes.h"
+#include "fixtures/tool_scenes.h"
 
 /* The context must not move: the memory it watches is in the stage. */
 static void tools_make(stage *s, vbss_method method)

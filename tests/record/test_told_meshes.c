@@ -1,7 +1,7 @@
 /* Scenes whose threads adapt, told through a record: what is told in node numbers is replayed to the bit. */
 #include "fixture.h"
 #include "record/record.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 enum { STEPS = 160, FORCE_AT = 60, CUT_AT = 90, PIN_AT = 100 };
 

@@ -4,7 +4,7 @@
 
 #include "collision/closest.h"
 #include "scene/cut_rig.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 enum { CUT_CONTACTS = 1024 };
 

@@ -3,7 +3,7 @@
 #define VBSS_TEST_CUT_THROW_H
 
 #include "scene/cut_rig.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 typedef struct cut_case {
     knot_kind kind;

@@ -1,4 +1,4 @@
-/* What the tests of drains in scenes share: the drain that hands work on (scenes/drain_hands.h), as a small scene and behind
+/* What the tests of drains in scenes share: the drain that hands work on (fixtures/drain_hands.h), as a small scene and behind
  * the harness' description of a stepped body. */
 #ifndef VBSS_TESTS_SCENE_DRAINS_RIG_H
 #define VBSS_TESTS_SCENE_DRAINS_RIG_H
@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "drain/drain.h"
 #include "scene/small.h"
-#include "scenes/drain_hands.h"
+#include "fixtures/drain_hands.h"
 
 /* That scene, in a watched context; its drain. */
 static inline vbss_drain *drains_rig_begin(small *s, drain_hands *hands)

@@ -6,7 +6,7 @@
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scene/watch.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 enum { HARD_CASE_STEPS = 100000 };
 

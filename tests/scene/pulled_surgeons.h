@@ -3,7 +3,7 @@
 #define VBSS_TESTS_SCENE_PULLED_SURGEONS_H
 
 #include "harness/harness.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 static inline void pulled_surgeons_init(contact_scene_options *o)
 {

@@ -4,7 +4,7 @@
 #ifndef VBSS_TESTS_SCENE_RIG_H
 #define VBSS_TESTS_SCENE_RIG_H
 
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 #include "thread/rig.h"
 
 #include <vblast_ss/scene.h>

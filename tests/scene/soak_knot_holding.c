@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
-#include "scenes/held_knot.h"
+#include "fixtures/held_knot.h"
 
 /* By rank: of twelve the third and the tenth, which is 96 %. */
 enum { KINDS = 3, DRAWS = 12, LOW = 2, HIGH = 9 };

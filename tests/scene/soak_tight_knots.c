@@ -7,7 +7,7 @@
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scene/watch.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 enum { LIVES = 4, PULLED = 300, TUGGED = 2000, TAUT = 200 };
 

@@ -4,7 +4,7 @@
 #define VBSS_TESTS_SCENE_STITCH_CASE_H
 
 #include "scene/stitch_watch.h"
-#include "scenes/stitch_scenes.h"
+#include "fixtures/stitch_scenes.h"
 
 enum { STITCH_CASE_EVENTS = VBSS_EVENT_UNTHREADED + 1 };
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "harness/harness.h"
-#include "scenes/stitch_scenes.h"
+#include "fixtures/stitch_scenes.h"
 
 typedef struct stitch_rig {
     harness_memory memory;

@@ -3,7 +3,7 @@
 
 #include "oracle/knot_type.h"
 #include "scene/mesh_rig.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 /* ---- knots */
 

@@ -10,7 +10,7 @@
 #include "scene/world/world.h"
 #include "thread/remesh.h"
 #include "scene/watch.h"
-#include "scenes/contact_scenes.h"
+#include "fixtures/contact_scenes.h"
 
 #define LENGTH 0.2
 

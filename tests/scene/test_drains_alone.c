@@ -2,7 +2,7 @@
  * at the forces, the same halves. */
 #include "drain/drain.h"
 #include "scene/small.h"
-#include "scenes/drain_scenes.h"
+#include "fixtures/drain_scenes.h"
 
 enum { STEPS = 300 };
 #define STEP 1e-3

@@ -1,7 +1,7 @@
 /* What a scene shows of a drain's contacts: which features, where, and that it adds up to what tools feel. */
 #include "scene/drains_rig.h"
 #include "scene/drains_surface.h"
-#include "scenes/drain_scenes.h"
+#include "fixtures/drain_scenes.h"
 
 /* Contacts lie as they were when the part of the step began, and things slide on past each other. */
 #define SLID 2e-4

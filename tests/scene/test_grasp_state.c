@@ -6,7 +6,7 @@
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 #include "scene/tools_rig.h"
-#include "scenes/tool_scenes.h"
+#include "fixtures/tool_scenes.h"
 
 /* ---- as a body of the harness */
 

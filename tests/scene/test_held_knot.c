@@ -5,7 +5,7 @@
 #include "base/elementary.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
-#include "scenes/held_knot.h"
+#include "fixtures/held_knot.h"
 
 typedef struct held {
     harness_memory memory;

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "scene/rig.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 static const double h = 1e-3;
 

@@ -1,7 +1,7 @@
 /* Whose a needle is, in which order scenes, needles, tools and contexts may end, held or not, and what is refused. */
 #include "base/error.h"
 #include "scene/needles_rig.h"
-#include "scenes/needle_scenes.h"
+#include "fixtures/needle_scenes.h"
 
 static uint64_t own_hash(vbss_needle *needle)
 {

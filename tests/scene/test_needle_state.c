@@ -6,7 +6,7 @@
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
-#include "scenes/needle_scenes.h"
+#include "fixtures/needle_scenes.h"
 
 /* ---- as a body of the harness */
 

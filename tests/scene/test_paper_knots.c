@@ -5,7 +5,7 @@
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scene/world/scene_data.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 #define FRAME (1.0 / 150.0) /* of the paper, s */
 #define SPEED 0.025         /* of each hand, m/s */

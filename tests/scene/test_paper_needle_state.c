@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "baseline/scene.h"
 #include "scene/needles_rig.h"
-#include "scenes/paper_needle_scenes.h"
+#include "fixtures/paper_needle_scenes.h"
 
 /* ---- as a body of the harness */
 

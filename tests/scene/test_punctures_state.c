@@ -2,7 +2,7 @@
 #include "base/error.h"
 #include "harness/harness.h"
 #include "scene/api/api.h"
-#include "scenes/puncture_scenes.h"
+#include "fixtures/puncture_scenes.h"
 
 #define STEP_S 1e-3
 #define SPEED 0.1

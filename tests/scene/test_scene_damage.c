@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "scene/small.h"
-#include "scenes/scene_body.h"
+#include "fixtures/scene_body.h"
 
 static void bad_snapshots_are_refused(void **state)
 {

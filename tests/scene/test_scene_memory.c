@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "scene/small.h"
-#include "scenes/scene_body.h"
+#include "fixtures/scene_body.h"
 
 static const vbss_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "scene/small.h"
-#include "scenes/scene_body.h"
+#include "fixtures/scene_body.h"
 
 static scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
 

@@ -8,9 +8,9 @@
 #include "scene/small.h"
 #include "scene/api/api.h"
 #include "scene/world/world.h"
-#include "scenes/needle_scenes.h"
-#include "scenes/puncture_scenes.h"
-#include "scenes/scene_body.h"
+#include "fixtures/needle_scenes.h"
+#include "fixtures/puncture_scenes.h"
+#include "fixtures/scene_body.h"
 
 #define STEP 1e-3
 

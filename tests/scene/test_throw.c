@@ -5,7 +5,7 @@
 #include "harness/harness.h"
 #include "scene/api/api.h"
 #include "scene/world/world.h"
-#include "scenes/throw_scenes.h"
+#include "fixtures/throw_scenes.h"
 
 enum { MOST_STEPS = 20000 };
 

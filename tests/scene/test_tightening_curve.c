@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "scene/rig.h"
-#include "scenes/knots.h"
+#include "fixtures/knots.h"
 
 enum { MOST_NODES = 1024 };
 

@@ -2,7 +2,7 @@
  * a wall. A coupling of stiffness K gains K times the delay times the way's mean square speed, and pays its
  * damping: what it needs is B > K (delay + 1/2 step). */
 #include "scene/tools_rig.h"
-#include "scenes/hand_path.h"
+#include "fixtures/hand_path.h"
 
 enum { ROUND = 1000, PATHS = 8, MOST_DELAY = 2 };
 

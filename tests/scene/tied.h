@@ -5,7 +5,7 @@
 #include "collision/closest.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
-#include "scenes/tied_knot.h"
+#include "fixtures/tied_knot.h"
 
 #define TIED_STEP 1e-3
 #define TIED_LOAD 2.0 /* N, of all hands */

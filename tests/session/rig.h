@@ -4,7 +4,7 @@
 #define VBSS_TESTS_SESSION_RIG_H
 
 #include "harness/harness.h"
-#include "scenes/session_scenes.h"
+#include "fixtures/session_scenes.h"
 #include "session/session.h"
 
 typedef struct rig {

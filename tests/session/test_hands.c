@@ -1,7 +1,7 @@
 /* Two devices move the tools: the needle is taken, handed over and dropped, hands feel it, and the log replays without them. */
 #include "log_bytes.h"
 #include "rig.h"
-#include "scenes/needle_scenes.h"
+#include "fixtures/needle_scenes.h"
 
 enum { STEPS = 2000, INTERVAL = 500 };
 

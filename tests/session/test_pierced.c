@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "rig.h"
-#include "scenes/puncture_scenes.h"
+#include "fixtures/puncture_scenes.h"
 
 #define SPEED 0.05 /* m/s */
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "fixture.h"
-#include "scenes/thread_body.h"
+#include "fixtures/thread_body.h"
 
 static const thread_body_options lives[] = {
     {THREAD_SCENE_RELEASE, VBSS_METHOD_OURS, VBSS_BENDING_SPLINE, 16},

@@ -1,6 +1,6 @@
 /* The two copies of the hot loops give the same bits: docs/solver.md. */
 #include "harness/harness.h"
-#include "scenes/thread_scenes.h"
+#include "fixtures/thread_scenes.h"
 #include "thread/thread.h"
 
 static void use(vbss_thread *handle, bool wide)

@@ -1,8 +1,8 @@
 /* A scene that is drawn while it is stepped: pieces, tools that change, holes, nothing allocated, nothing changed. */
 #include "fixture.h"
 
-#include "scenes/stitch_scenes.h"
-#include "scenes/tool_run.h"
+#include "fixtures/stitch_scenes.h"
+#include "fixtures/tool_run.h"
 
 static uint32_t parts_of_kind(const drawn *d, vbss_visual_kind kind)
 {
