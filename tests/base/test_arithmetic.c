@@ -5,13 +5,13 @@
 
 #include "harness/harness.h"
 
-static void the_normal_mode_is_accepted(void **state)
+static void round_to_nearest_is_accepted(void **state)
 {
     (void)state;
     expect_ok(vbss_arithmetic_check());
 }
 
-static void every_other_rounding_mode_is_told(void **state)
+static void other_rounding_modes_are_rejected(void **state)
 {
     (void)state;
     const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
@@ -25,7 +25,7 @@ static void every_other_rounding_mode_is_told(void **state)
 }
 
 #if defined(__SSE2__)
-static void flushed_subnormals_are_told(void **state)
+static void flush_to_zero_is_rejected(void **state)
 {
     (void)state;
     const unsigned flush_to_zero = 0x8000u, denormals_are_zero = 0x0040u;
@@ -44,10 +44,10 @@ static void flushed_subnormals_are_told(void **state)
 int test_arithmetic(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_normal_mode_is_accepted),
-        harness_test(every_other_rounding_mode_is_told),
+        harness_test(round_to_nearest_is_accepted),
+        harness_test(other_rounding_modes_are_rejected),
 #if defined(__SSE2__)
-        harness_test(flushed_subnormals_are_told),
+        harness_test(flush_to_zero_is_rejected),
 #endif
     };
     return cmocka_run_group_tests_name("base.arithmetic", tests, NULL, NULL);

@@ -22,7 +22,7 @@ static vbss_result create_context(vbss_context *unused, const void *config)
     return result;
 }
 
-static void the_context_config_keeps_the_size_protocol(void **state)
+static void context_config_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[] = {8 + 5 * sizeof(void *), 0};
@@ -39,7 +39,7 @@ static const sample sample_defaults = {sizeof(sample), 1, 2.5};
 static const uint32_t sample_sizes[] = {8, 16, 0};
 static const vbss_layout sample_layout = {"sample", &sample_defaults, sample_sizes};
 
-static void fields_an_old_header_lacks_keep_their_defaults(void **state)
+static void fields_missing_in_old_header_keep_defaults(void **state)
 {
     (void)state;
     const struct {
@@ -52,7 +52,7 @@ static void fields_an_old_header_lacks_keep_their_defaults(void **state)
     assert_int_equal(own.struct_size, sizeof own);
 }
 
-static void a_refused_config_leaves_the_defaults(void **state)
+static void rejected_config_keeps_defaults(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -85,7 +85,7 @@ static void a_refused_config_leaves_the_defaults(void **state)
     harness_context_end(context, &memory);
 }
 
-static void structs_out_fill_what_the_caller_knows(void **state)
+static void output_struct_fills_caller_size(void **state)
 {
     (void)state;
     const sample own = {sizeof own, 3, 4.5};
@@ -108,7 +108,7 @@ static void structs_out_fill_what_the_caller_knows(void **state)
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_struct_write(NULL, &sample_layout, &own, NULL, 8));
 }
 
-static void numbers_are_checked_and_named(void **state)
+static void out_of_range_field_is_named_in_error(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -138,11 +138,11 @@ static void numbers_are_checked_and_named(void **state)
 int test_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_context_config_keeps_the_size_protocol),
-        harness_test(fields_an_old_header_lacks_keep_their_defaults),
-        harness_test(a_refused_config_leaves_the_defaults),
-        harness_test(structs_out_fill_what_the_caller_knows),
-        harness_test(numbers_are_checked_and_named),
+        harness_test(context_config_size_protocol),
+        harness_test(fields_missing_in_old_header_keep_defaults),
+        harness_test(rejected_config_keeps_defaults),
+        harness_test(output_struct_fills_caller_size),
+        harness_test(out_of_range_field_is_named_in_error),
     };
     return cmocka_run_group_tests_name("base.config", tests, NULL, NULL);
 }

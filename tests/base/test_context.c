@@ -5,7 +5,7 @@
 #include "harness/harness.h"
 #include "fixtures/rod.h"
 
-static void a_context_needs_no_config(void **state)
+static void context_without_config(void **state)
 {
     (void)state;
     vbss_context *context = NULL;
@@ -16,7 +16,7 @@ static void a_context_needs_no_config(void **state)
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_context_create(NULL, NULL));
 }
 
-static void half_an_allocator_or_an_unknown_level_is_refused(void **state)
+static void incomplete_allocator_or_unknown_log_level_is_rejected(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -36,7 +36,7 @@ static void half_an_allocator_or_an_unknown_level_is_refused(void **state)
     assert_int_equal(memory.calls, 0);
 }
 
-static void calls_on_no_context_are_told(void **state)
+static void null_context_is_rejected(void **state)
 {
     (void)state;
     vbss_context_statistics statistics;
@@ -52,7 +52,7 @@ static void calls_on_no_context_are_told(void **state)
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_context_destroy(wrong[1]));
 }
 
-static void a_body_handle_is_no_context(void **state)
+static void body_handle_is_rejected_as_context(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -66,7 +66,7 @@ static void a_body_handle_is_no_context(void **state)
     harness_context_end(context, &memory);
 }
 
-static void statistics_follow_memory_and_objects(void **state)
+static void statistics_count_memory_and_objects(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -99,7 +99,7 @@ static void statistics_follow_memory_and_objects(void **state)
     harness_context_end(context, &memory);
 }
 
-static void requests_beyond_memory_are_told_without_asking(void **state)
+static void size_overflow_is_rejected_without_allocating(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -120,7 +120,7 @@ static void requests_beyond_memory_are_told_without_asking(void **state)
     harness_context_end(context, &memory);
 }
 
-static void the_last_error_stays_until_the_next(void **state)
+static void last_error_persists_until_next_error(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -172,7 +172,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     }
 }
 
-static void messages_arrive_up_to_the_level(void **state)
+static void log_messages_are_filtered_by_level(void **state)
 {
     (void)state;
     for (vbss_log_level level = VBSS_LOG_NONE; level <= VBSS_LOG_INFO; level++) {
@@ -197,7 +197,7 @@ static void messages_arrive_up_to_the_level(void **state)
     }
 }
 
-static void nothing_can_be_changed_from_the_log_callback(void **state)
+static void log_callback_cannot_reenter(void **state)
 {
     (void)state;
     heard h = {0};
@@ -225,7 +225,7 @@ static void nothing_can_be_changed_from_the_log_callback(void **state)
 
 /* ---- callbacks that call back */
 
-static void the_error_is_still_there_after_a_callback_that_failed(void **state)
+static void error_survives_failing_callback(void **state)
 {
     (void)state;
     heard h = {0};
@@ -301,7 +301,7 @@ static vbss_context *meddled_context(meddler *m)
     return context;
 }
 
-static void nothing_can_be_changed_from_the_allocator(void **state)
+static void allocator_callback_cannot_reenter(void **state)
 {
     (void)state;
     meddler m;
@@ -336,7 +336,7 @@ static void callbacks_nest(void **state)
 }
 
 /* The release callback of a failing creation calls back, and is refused: the reason stays. */
-static void the_error_is_still_there_after_a_release_that_failed(void **state)
+static void error_survives_failing_release(void **state)
 {
     (void)state;
     meddler m;
@@ -379,7 +379,7 @@ static void skewed_release(void *user, void *block, uint64_t size, uint64_t alig
     s->good.release(s->good.allocator_user, (unsigned char *)block - off, size + off, alignment);
 }
 
-static void a_block_that_is_not_aligned_is_given_back(void **state)
+static void misaligned_allocation_is_released(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -407,7 +407,7 @@ static void a_block_that_is_not_aligned_is_given_back(void **state)
 
 /* ---- the end */
 
-static void objects_left_alive_end_with_the_context_and_a_warning(void **state)
+static void destroy_with_live_objects_warns(void **state)
 {
     (void)state;
     for (int left = 0; left < 3; left++) {
@@ -445,7 +445,7 @@ static vbss_result use_a_context(vbss_context *context, void *user)
     return block != NULL ? VBSS_OK : VBSS_ERROR_OUT_OF_MEMORY;
 }
 
-static void every_allocation_may_fail(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     harness_fail_every_allocation(use_a_context, NULL);
@@ -454,22 +454,22 @@ static void every_allocation_may_fail(void **state)
 int test_context(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_context_needs_no_config),
-        harness_test(half_an_allocator_or_an_unknown_level_is_refused),
-        harness_test(calls_on_no_context_are_told),
-        harness_test(a_body_handle_is_no_context),
-        harness_test(statistics_follow_memory_and_objects),
-        harness_test(requests_beyond_memory_are_told_without_asking),
-        harness_test(the_last_error_stays_until_the_next),
-        harness_test(messages_arrive_up_to_the_level),
-        harness_test(nothing_can_be_changed_from_the_log_callback),
-        harness_test(the_error_is_still_there_after_a_callback_that_failed),
-        harness_test(nothing_can_be_changed_from_the_allocator),
+        harness_test(context_without_config),
+        harness_test(incomplete_allocator_or_unknown_log_level_is_rejected),
+        harness_test(null_context_is_rejected),
+        harness_test(body_handle_is_rejected_as_context),
+        harness_test(statistics_count_memory_and_objects),
+        harness_test(size_overflow_is_rejected_without_allocating),
+        harness_test(last_error_persists_until_next_error),
+        harness_test(log_messages_are_filtered_by_level),
+        harness_test(log_callback_cannot_reenter),
+        harness_test(error_survives_failing_callback),
+        harness_test(allocator_callback_cannot_reenter),
         harness_test(callbacks_nest),
-        harness_test(the_error_is_still_there_after_a_release_that_failed),
-        harness_test(a_block_that_is_not_aligned_is_given_back),
-        harness_test(objects_left_alive_end_with_the_context_and_a_warning),
-        harness_test(every_allocation_may_fail),
+        harness_test(error_survives_failing_release),
+        harness_test(misaligned_allocation_is_released),
+        harness_test(destroy_with_live_objects_warns),
+        harness_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests_name("base.context", tests, NULL, NULL);
 }

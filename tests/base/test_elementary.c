@@ -14,7 +14,7 @@ static void expect_bits(const char *name, elementary_argument a, double wanted, 
     }
 }
 
-static void special_values_are_those_of_annex_f(void **state)
+static void special_values_match_annex_f(void **state)
 {
     (void)state;
     const double nan = (double)NAN, tiny = 0x1p-1074, huge = DBL_MAX;
@@ -125,7 +125,7 @@ static void special_values_are_those_of_annex_f(void **state)
     expect_bits("sincos", (elementary_argument){-0.0, 0.0}, 1.0, cosine);
 }
 
-static void known_points_are_hit(void **state)
+static void known_values_match(void **state)
 {
     (void)state;
     expect_same_bits(0x1.5bf0a8b145769p1, vbss_exp(1.0));
@@ -145,7 +145,7 @@ static void known_points_are_hit(void **state)
     expect_same_bits(1.0, fabs(vbss_sin(0x1.6ac5b262ca1ffp849)));
 }
 
-static void symmetries_hold_to_the_bit(void **state)
+static void symmetries_are_bit_exact(void **state)
 {
     (void)state;
     vbss_random random;
@@ -163,7 +163,7 @@ static void symmetries_hold_to_the_bit(void **state)
     }
 }
 
-static void falling_and_rising_is_kept_at_the_ends(void **state)
+static void monotonic_at_range_ends(void **state)
 {
     (void)state;
     double one = 1.0, minus_one = -1.0, below = -745.2, logarithm = 0.999999999999;
@@ -183,7 +183,7 @@ static void falling_and_rising_is_kept_at_the_ends(void **state)
     }
 }
 
-static void errors_stay_below_the_documented_bounds(void **state)
+static void error_bounds_hold(void **state)
 {
     (void)state;
     /* Fewer where long double is software. */
@@ -199,7 +199,7 @@ static void errors_stay_below_the_documented_bounds(void **state)
 }
 
 /* Half of the arguments are any bit patterns at all, NaN included. */
-static void results_have_the_golden_bits(void **state)
+static void golden_bits(void **state)
 {
     (void)state;
     static const uint64_t golden[ELEMENTARY_FUNCTIONS] = {
@@ -226,12 +226,12 @@ static void results_have_the_golden_bits(void **state)
 int test_elementary(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(special_values_are_those_of_annex_f),
-        harness_test(known_points_are_hit),
-        harness_test(symmetries_hold_to_the_bit),
-        harness_test(falling_and_rising_is_kept_at_the_ends),
-        harness_test(errors_stay_below_the_documented_bounds),
-        harness_test(results_have_the_golden_bits),
+        harness_test(special_values_match_annex_f),
+        harness_test(known_values_match),
+        harness_test(symmetries_are_bit_exact),
+        harness_test(monotonic_at_range_ends),
+        harness_test(error_bounds_hold),
+        harness_test(golden_bits),
     };
     return cmocka_run_group_tests_name("base.elementary", tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@ static uint64_t hash_of(const void *bytes, size_t count)
 }
 
 /* From the xxhsum tool, `printf ... | xxhsum -H64`. */
-static void hashes_equal_the_published_function(void **state)
+static void hash_matches_published_function(void **state)
 {
     (void)state;
     const struct {
@@ -59,7 +59,7 @@ static void pieces_hash_like_the_whole(harness_source *source, void *user)
     }
 }
 
-static void nothing_adds_nothing(void **state)
+static void empty_input_leaves_hash_unchanged(void **state)
 {
     (void)state;
     vbss_hash hash;
@@ -69,7 +69,7 @@ static void nothing_adds_nothing(void **state)
     assert_true(vbss_hash_end(&hash) == hash_of("a", 1));
 }
 
-static void any_split_and_any_flipped_bit(void **state)
+static void hash_depends_on_bits_not_on_splits(void **state)
 {
     (void)state;
     harness_property("pieces hash like the whole", 2000, pieces_hash_like_the_whole, NULL);
@@ -78,9 +78,9 @@ static void any_split_and_any_flipped_bit(void **state)
 int test_hash(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(hashes_equal_the_published_function),
-        harness_test(nothing_adds_nothing),
-        harness_test(any_split_and_any_flipped_bit),
+        harness_test(hash_matches_published_function),
+        harness_test(empty_input_leaves_hash_unchanged),
+        harness_test(hash_depends_on_bits_not_on_splits),
     };
     return cmocka_run_group_tests_name("base.hash", tests, NULL, NULL);
 }

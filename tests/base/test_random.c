@@ -3,7 +3,7 @@
 #include "harness/harness.h"
 
 /* Seed 42, sequence 54: the sequence printed by the generator's published demonstration. */
-static void the_sequence_is_the_published_one(void **state)
+static void sequence_matches_published_generator(void **state)
 {
     (void)state;
     const uint32_t published[] = {0xa15c02b7u, 0x7b47f409u, 0xba1d3330u,
@@ -15,7 +15,7 @@ static void the_sequence_is_the_published_one(void **state)
     }
 }
 
-static void sequences_of_one_seed_differ(void **state)
+static void streams_of_one_seed_differ(void **state)
 {
     (void)state;
     vbss_random a, b;
@@ -33,7 +33,7 @@ static void sequences_of_one_seed_differ(void **state)
                 vbss_random_u64(&a) != vbss_random_u64(&b));
 }
 
-static void bounded_numbers_are_even(void **state)
+static void bounded_integers_are_uniform(void **state)
 {
     (void)state;
     enum { BOUND = 12, DRAWS = 120000 };
@@ -56,7 +56,7 @@ static void bounded_numbers_are_even(void **state)
 
 /* A bound of three quarters of the range: without rejection the lowest third would come twice as
  * often as the others. */
-static void large_bounds_are_even_too(void **state)
+static void large_bounds_are_uniform(void **state)
 {
     (void)state;
     enum { DRAWS = 60000 };
@@ -69,7 +69,7 @@ static void large_bounds_are_even_too(void **state)
     expect_near(1.0 / 3.0, (double)low / DRAWS, 5 * 0.4714 / sqrt((double)DRAWS));
 }
 
-static void uniform_and_normal_numbers_have_their_moments(void **state)
+static void uniform_and_normal_moments(void **state)
 {
     (void)state;
     enum { DRAWS = 200000 };
@@ -105,7 +105,7 @@ static void uniform_and_normal_numbers_have_their_moments(void **state)
     expect_near(1.0 / 5.0, dzzzz / DRAWS, 5 * 0.2667 / root); /* the cube's would be 0.185 */
 }
 
-static void a_saved_generator_goes_on_where_it_was(void **state)
+static void restored_generator_continues(void **state)
 {
     (void)state;
     uint8_t bytes[256];
@@ -136,12 +136,12 @@ static void a_saved_generator_goes_on_where_it_was(void **state)
 int test_random(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_sequence_is_the_published_one),
-        harness_test(sequences_of_one_seed_differ),
-        harness_test(bounded_numbers_are_even),
-        harness_test(large_bounds_are_even_too),
-        harness_test(uniform_and_normal_numbers_have_their_moments),
-        harness_test(a_saved_generator_goes_on_where_it_was),
+        harness_test(sequence_matches_published_generator),
+        harness_test(streams_of_one_seed_differ),
+        harness_test(bounded_integers_are_uniform),
+        harness_test(large_bounds_are_uniform),
+        harness_test(uniform_and_normal_moments),
+        harness_test(restored_generator_continues),
     };
     return cmocka_run_group_tests_name("base.random", tests, NULL, NULL);
 }

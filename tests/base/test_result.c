@@ -3,7 +3,7 @@
 #include "harness/harness.h"
 
 /* The numbers are part of the ABI: written out here, never computed. */
-static void numbers_are_pinned(void **state)
+static void result_numbers_are_pinned(void **state)
 {
     (void)state;
     assert_int_equal(VBSS_OK, 0);
@@ -28,7 +28,7 @@ static void numbers_are_pinned(void **state)
     assert_int_equal(VBSS_LOG_INFO, 3);
 }
 
-static void every_result_has_its_own_name_and_text(void **state)
+static void result_names_and_texts_are_unique(void **state)
 {
     (void)state;
 #define RESULT_NUMBER(name, number, text) number,
@@ -49,7 +49,7 @@ static void every_result_has_its_own_name_and_text(void **state)
     }
 }
 
-static void version_and_build_are_told(void **state)
+static void version_and_build_are_reported(void **state)
 {
     (void)state;
     assert_int_equal(vbss_version(), VBSS_VERSION_NUM);
@@ -62,9 +62,9 @@ static void version_and_build_are_told(void **state)
 int test_result(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(numbers_are_pinned),
-        harness_test(every_result_has_its_own_name_and_text),
-        harness_test(version_and_build_are_told),
+        harness_test(result_numbers_are_pinned),
+        harness_test(result_names_and_texts_are_unique),
+        harness_test(version_and_build_are_reported),
     };
     return cmocka_run_group_tests_name("base.result", tests, NULL, NULL);
 }

@@ -21,13 +21,13 @@ static void there_and_back(harness_source *source, void *user)
     expect_near(0.0, vec3_distance(back, same), 0.0);
 }
 
-static void rotation_vectors_come_back(void **state)
+static void rotation_vector_round_trip(void **state)
 {
     (void)state;
     harness_property("there and back", 5000, there_and_back, NULL);
 }
 
-static void no_turn_is_the_identity_exactly(void **state)
+static void zero_rotation_is_exact_identity(void **state)
 {
     (void)state;
     quat q = vbss_quat_from_rotation_vector(vec3_zero());
@@ -37,7 +37,7 @@ static void no_turn_is_the_identity_exactly(void **state)
     expect_same_bits(0.0, vec3_norm(back));
 }
 
-static void the_series_joins_the_closed_form(void **state)
+static void small_angle_series_joins_closed_form(void **state)
 {
     (void)state;
     /* Just below and above each limit the two formulas must agree to rounding. */
@@ -52,7 +52,7 @@ static void the_series_joins_the_closed_form(void **state)
     }
 }
 
-static void a_constant_spin_turns_by_its_angle(void **state)
+static void constant_angular_velocity_turns_by_its_angle(void **state)
 {
     (void)state;
     vec3 omega = vec3_make(0.3, -2.0, 1.1);
@@ -65,7 +65,7 @@ static void a_constant_spin_turns_by_its_angle(void **state)
     expect_near(0.0, vec3_distance(turned, omega), 1e-13);
 }
 
-static void a_long_spin_stays_a_rotation(void **state)
+static void long_integration_stays_unit(void **state)
 {
     (void)state;
     quat q = quat_identity();
@@ -77,7 +77,7 @@ static void a_long_spin_stays_a_rotation(void **state)
     expect_near(0.0, worst, 9e-16);
 }
 
-static void short_quaternions_are_read_as_rotations(void **state)
+static void unnormalised_quaternion_is_read_as_rotation(void **state)
 {
     (void)state;
     vec3 half = vbss_quat_to_rotation_vector(quat_make(0, 1e-6, 0, 0));
@@ -86,7 +86,7 @@ static void short_quaternions_are_read_as_rotations(void **state)
     expect_near(2 * atan2(1e-6, 1e-7), most.x, 1e-15);
 }
 
-static void a_broken_spin_is_not_healed(void **state)
+static void non_finite_angular_velocity_propagates(void **state)
 {
     (void)state;
     for (int i = 0; i < 3; i++) {
@@ -95,7 +95,7 @@ static void a_broken_spin_is_not_healed(void **state)
     }
 }
 
-static void the_spin_is_in_the_world_frame(void **state)
+static void angular_velocity_is_in_world_frame(void **state)
 {
     (void)state;
     /* Lying on its side (x turned to y), then turned about the world's x: y goes to z. */
@@ -110,14 +110,14 @@ static void the_spin_is_in_the_world_frame(void **state)
 int test_rotation(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(rotation_vectors_come_back),
-        harness_test(no_turn_is_the_identity_exactly),
-        harness_test(the_series_joins_the_closed_form),
-        harness_test(a_constant_spin_turns_by_its_angle),
-        harness_test(a_long_spin_stays_a_rotation),
-        harness_test(short_quaternions_are_read_as_rotations),
-        harness_test(a_broken_spin_is_not_healed),
-        harness_test(the_spin_is_in_the_world_frame),
+        harness_test(rotation_vector_round_trip),
+        harness_test(zero_rotation_is_exact_identity),
+        harness_test(small_angle_series_joins_closed_form),
+        harness_test(constant_angular_velocity_turns_by_its_angle),
+        harness_test(long_integration_stays_unit),
+        harness_test(unnormalised_quaternion_is_read_as_rotation),
+        harness_test(non_finite_angular_velocity_propagates),
+        harness_test(angular_velocity_is_in_world_frame),
     };
     return cmocka_run_group_tests_name("base.rotation", tests, NULL, NULL);
 }

@@ -23,7 +23,7 @@ static rod *make_rod(vbss_context *context)
     return body;
 }
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -39,7 +39,7 @@ static void wrong_handles_are_told_by_every_call(void **state)
 }
 
 /* The heart of the promise: whatever is created later, a destroyed handle stays destroyed. */
-static void destroyed_handles_stay_told_whatever_comes_after(void **state)
+static void destroyed_handle_stays_invalid_after_reuse(void **state)
 {
     (void)state;
     enum { COUNT = 500 };
@@ -97,7 +97,7 @@ static void visit_nothing(vbss_stream *stream, void *object)
     (void)object;
 }
 
-static void the_youngest_end_first(void **state)
+static void context_end_destroys_youngest_first(void **state)
 {
     (void)state;
     static const vbss_kind kind = {"noted", VBSS_CODE('N', 'O', 'T', 'E'), 1, note_end,
@@ -130,7 +130,7 @@ static void look_at_the_youngest(vbss_context *context, void *object)
     seen_at_the_end = rod_get_tip(youngest, tip);
 }
 
-static void handles_are_told_until_the_very_end(void **state)
+static void handles_are_checked_until_context_end(void **state)
 {
     (void)state;
     static const vbss_kind kind = {"looker", VBSS_CODE('L', 'O', 'O', 'K'), 1, look_at_the_youngest,
@@ -160,7 +160,7 @@ static void open_the_ending(vbss_context *context, void *object)
     seen_at_the_end = vbss_slot_open(ending, &ending_kind, &found);
 }
 
-static void an_object_that_ends_cannot_be_opened(void **state)
+static void object_being_destroyed_cannot_be_opened(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -196,7 +196,7 @@ static vbss_result fill_slots(vbss_context *context, void *user)
     return result;
 }
 
-static void every_allocation_may_fail(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     harness_fail_every_allocation(fill_slots, NULL);
@@ -205,13 +205,13 @@ static void every_allocation_may_fail(void **state)
 int test_slot(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(wrong_handles_are_told_by_every_call),
-        harness_test(destroyed_handles_stay_told_whatever_comes_after),
+        harness_test(every_call_rejects_invalid_handles),
+        harness_test(destroyed_handle_stays_invalid_after_reuse),
         harness_test(ordinals_count_creations),
-        harness_test(the_youngest_end_first),
-        harness_test(handles_are_told_until_the_very_end),
-        harness_test(an_object_that_ends_cannot_be_opened),
-        harness_test(every_allocation_may_fail),
+        harness_test(context_end_destroys_youngest_first),
+        harness_test(handles_are_checked_until_context_end),
+        harness_test(object_being_destroyed_cannot_be_opened),
+        harness_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests_name("base.slot", tests, NULL, NULL);
 }

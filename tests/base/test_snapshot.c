@@ -5,7 +5,7 @@
 #include "harness/harness.h"
 #include "fixtures/rod_body.h"
 
-static void a_restored_body_goes_on_to_the_same_bits(void **state)
+static void restored_body_continues_bit_equal(void **state)
 {
     (void)state;
     harness_body body = rod_body(NULL);
@@ -13,7 +13,7 @@ static void a_restored_body_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue(&body, 0, 10);
 }
 
-static void damaged_snapshots_change_nothing(void **state)
+static void damaged_snapshot_changes_nothing(void **state)
 {
     (void)state;
     harness_body body = rod_body(NULL);
@@ -31,7 +31,7 @@ static vbss_slot *open_rod(vbss_context *context, uint32_t nodes, rod **handle)
     return slot;
 }
 
-static void the_state_of_another_size_is_refused_by_name(void **state)
+static void snapshot_of_other_size_is_rejected_by_name(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -117,7 +117,7 @@ static void serialise_broken(vbss_stream *stream, void *object)
 static const vbss_kind broken_kind = {"broken", VBSS_CODE('B', 'R', 'K', 'N'), 1, keep_broken,
                                       serialise_broken};
 
-static void the_way_back_keeps_even_a_broken_state(void **state)
+static void rollback_keeps_invalid_state(void **state)
 {
     (void)state;
     small_life life;
@@ -157,7 +157,7 @@ static void serialise_picky(vbss_stream *stream, void *object)
 static const vbss_kind picky_kind = {"picky", VBSS_CODE('P', 'I', 'C', 'K'), 1, keep_broken,
                                      serialise_picky};
 
-static void a_state_its_own_visitor_refuses_can_be_left_but_not_saved(void **state)
+static void state_rejected_by_its_visitor_cannot_be_saved(void **state)
 {
     (void)state;
     small_life life;
@@ -201,7 +201,7 @@ static void look(void *user, vbss_log_level level, const char *message)
     w->calls++;
 }
 
-static void a_refused_restore_is_undone_before_it_is_told(void **state)
+static void rejected_restore_is_undone_before_report(void **state)
 {
     (void)state;
     small_life life;
@@ -223,7 +223,7 @@ static void a_refused_restore_is_undone_before_it_is_told(void **state)
     end_small(&life);
 }
 
-static void buffers_that_are_too_small_are_not_touched(void **state)
+static void too_small_buffer_is_untouched(void **state)
 {
     (void)state;
     small_life life;
@@ -246,7 +246,7 @@ static void buffers_that_are_too_small_are_not_touched(void **state)
     end_small(&life);
 }
 
-static void nothing_is_restored_inside_a_callback(void **state)
+static void restore_inside_callback_is_rejected(void **state)
 {
     (void)state;
     small_life life;
@@ -262,7 +262,7 @@ static void nothing_is_restored_inside_a_callback(void **state)
     end_small(&life);
 }
 
-static void another_format_is_told(void **state)
+static void other_format_is_rejected(void **state)
 {
     (void)state;
     small_life life;
@@ -294,7 +294,7 @@ static void serialise_crowded(vbss_stream *stream, void *object)
 static const vbss_kind crowded_kind = {"crowded", VBSS_CODE('C', 'R', 'W', 'D'), 1, keep_broken,
                                        serialise_crowded};
 
-static void a_count_beyond_its_capacity_stops_a_restore(void **state)
+static void count_above_capacity_stops_restore(void **state)
 {
     (void)state;
     small_life life;
@@ -307,7 +307,7 @@ static void a_count_beyond_its_capacity_stops_a_restore(void **state)
 }
 
 /* Data behind the state, under a right length and checksum. */
-static void a_snapshot_ends_with_its_state(void **state)
+static void snapshot_has_no_trailing_bytes(void **state)
 {
     (void)state;
     small_life life;
@@ -337,7 +337,7 @@ static vbss_result save_and_restore(vbss_context *context, void *user)
     return result;
 }
 
-static void every_allocation_may_fail(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     harness_fail_every_allocation(save_and_restore, NULL);
@@ -346,18 +346,18 @@ static void every_allocation_may_fail(void **state)
 int test_snapshot(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_restored_body_goes_on_to_the_same_bits),
-        harness_test(damaged_snapshots_change_nothing),
-        harness_test(the_state_of_another_size_is_refused_by_name),
-        harness_test(the_way_back_keeps_even_a_broken_state),
-        harness_test(a_state_its_own_visitor_refuses_can_be_left_but_not_saved),
-        harness_test(a_refused_restore_is_undone_before_it_is_told),
-        harness_test(buffers_that_are_too_small_are_not_touched),
-        harness_test(nothing_is_restored_inside_a_callback),
-        harness_test(another_format_is_told),
-        harness_test(a_count_beyond_its_capacity_stops_a_restore),
-        harness_test(a_snapshot_ends_with_its_state),
-        harness_test(every_allocation_may_fail),
+        harness_test(restored_body_continues_bit_equal),
+        harness_test(damaged_snapshot_changes_nothing),
+        harness_test(snapshot_of_other_size_is_rejected_by_name),
+        harness_test(rollback_keeps_invalid_state),
+        harness_test(state_rejected_by_its_visitor_cannot_be_saved),
+        harness_test(rejected_restore_is_undone_before_report),
+        harness_test(too_small_buffer_is_untouched),
+        harness_test(restore_inside_callback_is_rejected),
+        harness_test(other_format_is_rejected),
+        harness_test(count_above_capacity_stops_restore),
+        harness_test(snapshot_has_no_trailing_bytes),
+        harness_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests_name("base.snapshot", tests, NULL, NULL);
 }

@@ -55,7 +55,7 @@ static size_t write(sample *s, uint16_t version, uint8_t *bytes, size_t capacity
     return stream.position;
 }
 
-static void what_is_written_is_read_to_the_bit(void **state)
+static void round_trip_is_bit_exact(void **state)
 {
     (void)state;
     uint8_t bytes[2048];
@@ -74,7 +74,7 @@ static void what_is_written_is_read_to_the_bit(void **state)
     expect_same_bits(-0.0, back.added);
 }
 
-static void measuring_and_hashing_see_the_written_bytes(void **state)
+static void measure_and_hash_see_written_bytes(void **state)
 {
     (void)state;
     uint8_t bytes[2048];
@@ -93,7 +93,7 @@ static void measuring_and_hashing_see_the_written_bytes(void **state)
 }
 
 /* The format is for files that outlive the machine: spelled out byte by byte. */
-static void the_bytes_are_little_endian_and_tagged(void **state)
+static void bytes_are_little_endian_and_tagged(void **state)
 {
     (void)state;
     uint8_t bytes[64];
@@ -116,7 +116,7 @@ static void the_bytes_are_little_endian_and_tagged(void **state)
     assert_memory_equal(bytes, wanted, sizeof wanted);
 }
 
-static void an_older_version_is_read_and_a_newer_told(void **state)
+static void old_version_is_read_and_newer_rejected(void **state)
 {
     (void)state;
     uint8_t bytes[2048];
@@ -135,7 +135,7 @@ static void an_older_version_is_read_and_a_newer_told(void **state)
     expect_result(VBSS_ERROR_DATA_VERSION, stream.result);
 }
 
-static void a_section_holds_what_is_visited_and_nothing_else(void **state)
+static void section_bounds_its_content(void **state)
 {
     (void)state;
     uint8_t bytes[256];
@@ -167,7 +167,7 @@ static void a_section_holds_what_is_visited_and_nothing_else(void **state)
     }
 }
 
-static void the_outer_section_is_back_after_an_inner_one(void **state)
+static void outer_section_resumes_after_inner(void **state)
 {
     (void)state;
     uint8_t bytes[256];
@@ -191,7 +191,7 @@ static void the_outer_section_is_back_after_an_inner_one(void **state)
     }
 }
 
-static void long_arrays_pass_through_in_pieces(void **state)
+static void long_arrays_stream_in_chunks(void **state)
 {
     (void)state;
     enum { COUNT = 150 };
@@ -226,7 +226,7 @@ static void long_arrays_pass_through_in_pieces(void **state)
 }
 
 /* Bytes that are found and placed where they lie are a field like another. */
-static void bytes_need_no_copy(void **state)
+static void byte_arrays_are_read_in_place(void **state)
 {
     (void)state;
     const uint8_t bytes[5] = {3, 1, 4, 1, 5};
@@ -256,7 +256,7 @@ static void bytes_need_no_copy(void **state)
     expect_result(VBSS_ERROR_TRUNCATED, stream.result);
 }
 
-static void tags_of_the_format_are_not_for_fields(void **state)
+static void format_tags_are_reserved(void **state)
 {
     (void)state;
     const uint16_t reserved[] = {0xfffe, 0xffff};
@@ -269,7 +269,7 @@ static void tags_of_the_format_are_not_for_fields(void **state)
     }
 }
 
-static void trusted_bytes_come_back_whatever_a_visitor_says(void **state)
+static void trusted_read_ignores_visitor_checks(void **state)
 {
     (void)state;
     uint8_t bytes[64];
@@ -293,7 +293,7 @@ static void trusted_bytes_come_back_whatever_a_visitor_says(void **state)
     expect_result(VBSS_ERROR_TRUNCATED, stream.result); /* the format still counts */
 }
 
-static void any_nan_is_the_same_nan(void **state)
+static void nan_is_canonical(void **state)
 {
     (void)state;
     const uint64_t patterns[] = {0x7ff8000000000000u, 0xfff8000000000000u, 0x7ff0000000000001u,
@@ -317,7 +317,7 @@ static void any_nan_is_the_same_nan(void **state)
     assert_true(vbss_hash_end(&plus.hash) != vbss_hash_end(&minus.hash));
 }
 
-static void numbers_that_are_not_finite_are_not_read(void **state)
+static void non_finite_numbers_are_rejected_on_read(void **state)
 {
     (void)state;
     for (int i = 0; i < 3; i++) {
@@ -334,7 +334,7 @@ static void numbers_that_are_not_finite_are_not_read(void **state)
     }
 }
 
-static void the_first_problem_stays_and_stops_everything(void **state)
+static void first_error_is_sticky(void **state)
 {
     (void)state;
     uint8_t bytes[20];
@@ -353,7 +353,7 @@ static void the_first_problem_stays_and_stops_everything(void **state)
     assert_string_equal(stream.problem, "the buffer is too small");
 }
 
-static void fields_must_come_as_they_were_written(void **state)
+static void field_order_is_checked(void **state)
 {
     (void)state;
     uint8_t bytes[64];
@@ -384,7 +384,7 @@ static void fields_must_come_as_they_were_written(void **state)
     expect_same_bits(5.0, other[0]);
 }
 
-static void counts_and_constants_guard_the_body(void **state)
+static void counts_and_constants_are_checked(void **state)
 {
     (void)state;
     uint8_t bytes[64];
@@ -445,7 +445,7 @@ static void read_anything(harness_source *source, void *user)
     }
 }
 
-static void damaged_bytes_are_survived(void **state)
+static void damaged_bytes_are_rejected_safely(void **state)
 {
     (void)state;
     harness_property("read anything", 20000, read_anything, NULL);
@@ -454,22 +454,22 @@ static void damaged_bytes_are_survived(void **state)
 int test_stream(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(what_is_written_is_read_to_the_bit),
-        harness_test(measuring_and_hashing_see_the_written_bytes),
-        harness_test(the_bytes_are_little_endian_and_tagged),
-        harness_test(an_older_version_is_read_and_a_newer_told),
-        harness_test(a_section_holds_what_is_visited_and_nothing_else),
-        harness_test(the_outer_section_is_back_after_an_inner_one),
-        harness_test(long_arrays_pass_through_in_pieces),
-        cmocka_unit_test(bytes_need_no_copy),
-        harness_test(tags_of_the_format_are_not_for_fields),
-        harness_test(trusted_bytes_come_back_whatever_a_visitor_says),
-        harness_test(any_nan_is_the_same_nan),
-        harness_test(numbers_that_are_not_finite_are_not_read),
-        harness_test(the_first_problem_stays_and_stops_everything),
-        harness_test(fields_must_come_as_they_were_written),
-        harness_test(counts_and_constants_guard_the_body),
-        harness_test(damaged_bytes_are_survived),
+        harness_test(round_trip_is_bit_exact),
+        harness_test(measure_and_hash_see_written_bytes),
+        harness_test(bytes_are_little_endian_and_tagged),
+        harness_test(old_version_is_read_and_newer_rejected),
+        harness_test(section_bounds_its_content),
+        harness_test(outer_section_resumes_after_inner),
+        harness_test(long_arrays_stream_in_chunks),
+        cmocka_unit_test(byte_arrays_are_read_in_place),
+        harness_test(format_tags_are_reserved),
+        harness_test(trusted_read_ignores_visitor_checks),
+        harness_test(nan_is_canonical),
+        harness_test(non_finite_numbers_are_rejected_on_read),
+        harness_test(first_error_is_sticky),
+        harness_test(field_order_is_checked),
+        harness_test(counts_and_constants_are_checked),
+        harness_test(damaged_bytes_are_rejected_safely),
     };
     return cmocka_run_group_tests_name("base.stream", tests, NULL, NULL);
 }

@@ -28,7 +28,7 @@ static void *live(void *answer)
     return NULL;
 }
 
-static void contexts_in_parallel_threads_do_not_see_each_other(void **state)
+static void contexts_on_parallel_threads_are_independent(void **state)
 {
     (void)state;
     uint64_t alone, hashes[WORKERS];
@@ -47,7 +47,7 @@ static void contexts_in_parallel_threads_do_not_see_each_other(void **state)
 int test_threads(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(contexts_in_parallel_threads_do_not_see_each_other),
+        harness_test(contexts_on_parallel_threads_are_independent),
     };
     return cmocka_run_group_tests_name("base.threads", tests, NULL, NULL);
 }

@@ -172,7 +172,7 @@ static void percentiles_are_nearest_rank(void **state)
     assert_true(isnan(bench_percentile(values, 0, 500)));
 }
 
-static void a_power_law_is_found_again(void **state)
+static void power_law_fit_recovers_exponent(void **state)
 {
     (void)state;
     const double x[] = {30.0, 60.0, 120.0, 240.0, 10000.0};
@@ -205,7 +205,7 @@ static void a_power_law_is_found_again(void **state)
 
 /* ---- stepped cases */
 
-static void the_least_time_of_each_step_counts(void **state)
+static void minimum_over_repetitions_is_taken(void **state)
 {
     (void)state;
     fake_scene scene = make_scene();
@@ -253,7 +253,7 @@ static int refuse_step(void *user, uint32_t index)
     return index == 2 ? -6 : 0;
 }
 
-static void what_is_done_beside_a_step_is_not_timed(void **state)
+static void work_outside_step_is_not_timed(void **state)
 {
     (void)state;
     fake_scene scene = make_scene();
@@ -290,7 +290,7 @@ static uint64_t read_dear_wall(void *user)
     return fake_wall += 20;
 }
 
-static void the_cost_of_the_clocks_is_taken_off(void **state)
+static void clock_overhead_is_subtracted(void **state)
 {
     (void)state;
     const bench_clock clock = {read_dear_cpu, read_dear_wall, NULL};
@@ -312,7 +312,7 @@ static void the_cost_of_the_clocks_is_taken_off(void **state)
     assert_int_equal(less.wall_ns, 0);
 }
 
-static void a_repetition_that_differs_is_an_error(void **state)
+static void diverging_repetition_is_an_error(void **state)
 {
     (void)state;
     fake_scene scene = make_scene();
@@ -332,7 +332,7 @@ static void a_repetition_that_differs_is_an_error(void **state)
     assert_false(result.failed);
 }
 
-static void a_failing_callback_ends_the_case(void **state)
+static void failing_callback_ends_case(void **state)
 {
     (void)state;
     fake_scene scene = make_scene();
@@ -384,7 +384,7 @@ static const bench_case *find_case(const bench *b, const char *name)
     return NULL;
 }
 
-static void a_batch_is_timed_per_item(void **state)
+static void batch_is_timed_per_item(void **state)
 {
     (void)state;
     bench b;
@@ -410,7 +410,7 @@ static void run_trial(void *user, bench_result *result)
     bench_counter(result, "completed", 0.5);
 }
 
-static void a_trial_is_run_once_and_times_itself(void **state)
+static void trial_runs_once_and_times_itself(void **state)
 {
     (void)state;
     uint32_t runs = 0;
@@ -430,7 +430,7 @@ static void a_trial_is_run_once_and_times_itself(void **state)
     assert_true(second.failed);
 }
 
-static void a_dear_timer_enlarges_the_batch(void **state)
+static void expensive_timer_enlarges_batch(void **state)
 {
     (void)state;
     fake_kernel kernel = {"fake/plain/ours", 50, 3.0, 1.0};
@@ -445,7 +445,7 @@ static void a_dear_timer_enlarges_the_batch(void **state)
     assert_true((double)result.iterations * 3.0 >= 200.0 * 50000.0);
 }
 
-static void growth_is_fitted_within_its_range(void **state)
+static void growth_fit_uses_its_range(void **state)
 {
     (void)state;
     bench b;
@@ -504,7 +504,7 @@ static void make_pooled_scenes(void)
     }
 }
 
-static void a_pool_has_the_least_times_of_all_its_steps(void **state)
+static void pool_takes_minimum_of_each_step(void **state)
 {
     (void)state;
     bench b;
@@ -526,7 +526,7 @@ static void a_pool_has_the_least_times_of_all_its_steps(void **state)
     bench_end(&b);
 }
 
-static void a_pool_fails_with_its_cases(void **state)
+static void pool_fails_with_its_cases(void **state)
 {
     (void)state;
     bench b;
@@ -548,7 +548,7 @@ static void a_pool_fails_with_its_cases(void **state)
 
 /* ---- choosing and naming */
 
-static void the_filter_selects_by_substring(void **state)
+static void filter_matches_substring(void **state)
 {
     (void)state;
     bench b;
@@ -573,7 +573,7 @@ static void add_odd_kernel(bench *b)
     add_kernel(b, &odd_kernel);
 }
 
-static void names_are_checked(void **state)
+static void case_names_are_checked(void **state)
 {
     (void)state;
     static const char *const bad[] = {"fake/scene",          "other/scene/ours", "fake//ours",
@@ -670,7 +670,7 @@ static void counters_are_kept_and_checked(void **state)
 
 /* ---- the table */
 
-static void the_table_sets_methods_side_by_side(void **state)
+static void table_sets_methods_side_by_side(void **state)
 {
     (void)state;
     bench b;
@@ -709,23 +709,23 @@ int test_bench_harness(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(percentiles_are_nearest_rank),
-        cmocka_unit_test(a_power_law_is_found_again),
-        cmocka_unit_test(the_least_time_of_each_step_counts),
-        cmocka_unit_test(what_is_done_beside_a_step_is_not_timed),
-        cmocka_unit_test(the_cost_of_the_clocks_is_taken_off),
-        cmocka_unit_test(a_repetition_that_differs_is_an_error),
-        cmocka_unit_test(a_failing_callback_ends_the_case),
-        cmocka_unit_test(a_batch_is_timed_per_item),
-        cmocka_unit_test(a_trial_is_run_once_and_times_itself),
-        cmocka_unit_test(a_dear_timer_enlarges_the_batch),
-        cmocka_unit_test(growth_is_fitted_within_its_range),
-        cmocka_unit_test(a_pool_has_the_least_times_of_all_its_steps),
-        cmocka_unit_test(a_pool_fails_with_its_cases),
-        cmocka_unit_test(the_filter_selects_by_substring),
-        cmocka_unit_test(names_are_checked),
+        cmocka_unit_test(power_law_fit_recovers_exponent),
+        cmocka_unit_test(minimum_over_repetitions_is_taken),
+        cmocka_unit_test(work_outside_step_is_not_timed),
+        cmocka_unit_test(clock_overhead_is_subtracted),
+        cmocka_unit_test(diverging_repetition_is_an_error),
+        cmocka_unit_test(failing_callback_ends_case),
+        cmocka_unit_test(batch_is_timed_per_item),
+        cmocka_unit_test(trial_runs_once_and_times_itself),
+        cmocka_unit_test(expensive_timer_enlarges_batch),
+        cmocka_unit_test(growth_fit_uses_its_range),
+        cmocka_unit_test(pool_takes_minimum_of_each_step),
+        cmocka_unit_test(pool_fails_with_its_cases),
+        cmocka_unit_test(filter_matches_substring),
+        cmocka_unit_test(case_names_are_checked),
         cmocka_unit_test(options_are_parsed),
         cmocka_unit_test(counters_are_kept_and_checked),
-        cmocka_unit_test(the_table_sets_methods_side_by_side),
+        cmocka_unit_test(table_sets_methods_side_by_side),
     };
     return cmocka_run_group_tests_name("bench.harness", tests, NULL, NULL);
 }

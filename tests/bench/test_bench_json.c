@@ -132,7 +132,7 @@ static char *take_text(FILE *file)
 
 /* ---- the writer */
 
-static void the_reader_knows_json(void **state)
+static void parser_reads_json(void **state)
 {
     (void)state;
     assert_true(is_json("{\"a\": [1, -2.5e+3, 0.1], \"b\": {}, \"c\": [null, true]}"));
@@ -147,7 +147,7 @@ static void the_reader_knows_json(void **state)
     assert_false(is_json("[1]]"));
 }
 
-static void nesting_and_commas_are_right(void **state)
+static void nesting_and_commas(void **state)
 {
     (void)state;
     FILE *file = tmpfile();
@@ -193,7 +193,7 @@ static void strings_are_escaped(void **state)
     }
 }
 
-static void numbers_read_back_the_same(void **state)
+static void numbers_round_trip(void **state)
 {
     (void)state;
     static const double values[] = {0.0,        -0.0,      1.0,
@@ -214,7 +214,7 @@ static void numbers_read_back_the_same(void **state)
     assert_string_equal(text, "null");
 }
 
-static void no_locale_gets_in(void **state)
+static void output_ignores_locale(void **state)
 {
     (void)state;
     char comma[] = "-1,5e-07",
@@ -229,7 +229,7 @@ static void no_locale_gets_in(void **state)
     assert_string_equal(whole, "12");
 }
 
-static void paths_are_left_out(void **state)
+static void paths_are_omitted(void **state)
 {
     (void)state;
     char text[64];
@@ -318,7 +318,7 @@ static char *write_file(void)
     return take_text(file);
 }
 
-static void a_file_is_json_of_the_schema(void **state)
+static void file_matches_schema(void **state)
 {
     (void)state;
     char *text = write_file();
@@ -341,7 +341,7 @@ static void a_file_is_json_of_the_schema(void **state)
     assert_null(strstr(fine, "error_occurred"));
 }
 
-static void what_is_not_finite_is_null_and_an_error(void **state)
+static void non_finite_is_null_and_an_error(void **state)
 {
     (void)state;
     char *infinite = cut_case(write_file(), "fake/infinite/ours/8");
@@ -359,14 +359,10 @@ static void what_is_not_finite_is_null_and_an_error(void **state)
 int test_bench_json(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_reader_knows_json),
-        cmocka_unit_test(nesting_and_commas_are_right),
-        cmocka_unit_test(strings_are_escaped),
-        cmocka_unit_test(numbers_read_back_the_same),
-        cmocka_unit_test(no_locale_gets_in),
-        cmocka_unit_test(paths_are_left_out),
-        cmocka_unit_test(a_file_is_json_of_the_schema),
-        cmocka_unit_test(what_is_not_finite_is_null_and_an_error),
+        cmocka_unit_test(parser_reads_json),     cmocka_unit_test(nesting_and_commas),
+        cmocka_unit_test(strings_are_escaped),   cmocka_unit_test(numbers_round_trip),
+        cmocka_unit_test(output_ignores_locale), cmocka_unit_test(paths_are_omitted),
+        cmocka_unit_test(file_matches_schema),   cmocka_unit_test(non_finite_is_null_and_an_error),
     };
     return cmocka_run_group_tests_name("bench.json", tests, NULL, NULL);
 }

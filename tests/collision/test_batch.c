@@ -112,7 +112,7 @@ static void ask_singly(const fixture *f, vbss_collision_method method, outputs *
     sum->struct_size = sizeof *sum;
 }
 
-static void a_batch_is_as_many_single_tests(void **state)
+static void batch_equals_single_tests(void **state)
 {
     (void)state;
     const uint32_t counts[] = {1, 4, 7, MOST};
@@ -139,7 +139,7 @@ static void a_batch_is_as_many_single_tests(void **state)
     }
 }
 
-static void answers_that_nobody_wants_are_not_written(void **state)
+static void unrequested_answers_are_not_written(void **state)
 {
     (void)state;
     fixture f;
@@ -179,7 +179,7 @@ static void expect_refused(fixture *f, vbss_result wanted)
     }
 }
 
-static void bad_batches_are_told_and_nothing_is_written(void **state)
+static void bad_batch_is_rejected_without_output(void **state)
 {
     (void)state;
     fixture f;
@@ -215,7 +215,7 @@ static void bad_batches_are_told_and_nothing_is_written(void **state)
     end(&f);
 }
 
-static void bad_numbers_are_told_wherever_they_stand(void **state)
+static void bad_number_is_found_at_any_index(void **state)
 {
     (void)state;
     fixture f;
@@ -253,7 +253,7 @@ static vbss_result ask_nothing(vbss_context *context, const void *batch)
     return result;
 }
 
-static void batches_keep_the_size_protocol(void **state)
+static void batch_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[] = {80, 0};
@@ -264,11 +264,11 @@ static void batches_keep_the_size_protocol(void **state)
 int test_batch(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_batch_is_as_many_single_tests),
-        cmocka_unit_test(answers_that_nobody_wants_are_not_written),
-        cmocka_unit_test(bad_batches_are_told_and_nothing_is_written),
-        cmocka_unit_test(bad_numbers_are_told_wherever_they_stand),
-        cmocka_unit_test(batches_keep_the_size_protocol),
+        cmocka_unit_test(batch_equals_single_tests),
+        cmocka_unit_test(unrequested_answers_are_not_written),
+        cmocka_unit_test(bad_batch_is_rejected_without_output),
+        cmocka_unit_test(bad_number_is_found_at_any_index),
+        cmocka_unit_test(batch_size_protocol),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -62,14 +62,14 @@ static void all_pairs(harness_source *source, void *user)
     end(&f);
 }
 
-static void the_list_is_complete_sorted_and_exact(void **state)
+static void candidates_are_complete_sorted_and_exact(void **state)
 {
     (void)state;
     harness_property("all pairs", 250, all_pairs, NULL);
 }
 
 /* Trees of many levels, and the one over the shapes. */
-static void large_shapes_too(void **state)
+static void candidates_of_large_shapes(void **state)
 {
     (void)state;
     fixture f;
@@ -102,7 +102,7 @@ static void large_shapes_too(void **state)
     }
 }
 
-static void many_shapes_too(void **state)
+static void candidates_of_many_shapes(void **state)
 {
     (void)state;
     enum { SHAPES = 700 };
@@ -208,7 +208,7 @@ static void what_comes_near(harness_source *source, void *user)
     end(&f);
 }
 
-static void what_comes_near_is_listed(void **state)
+static void approaching_features_are_candidates(void **state)
 {
     (void)state;
     uint32_t near = 0;
@@ -219,10 +219,10 @@ static void what_comes_near_is_listed(void **state)
 int test_candidates(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_list_is_complete_sorted_and_exact),
-        cmocka_unit_test(large_shapes_too),
-        cmocka_unit_test(many_shapes_too),
-        harness_test(what_comes_near_is_listed),
+        harness_test(candidates_are_complete_sorted_and_exact),
+        cmocka_unit_test(candidates_of_large_shapes),
+        cmocka_unit_test(candidates_of_many_shapes),
+        harness_test(approaching_features_are_candidates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static void random_features(harness_source *source, void *user)
     expect_closest(&a, &b, 1e-14);
 }
 
-static void distances_are_the_smallest_there_are(void **state)
+static void distance_is_minimal(void **state)
 {
     (void)state;
     for (int i = 0; i < CAPSULES * SHAPES; i++) {
@@ -77,7 +77,7 @@ static void nearly_parallel(harness_source *source, void *user)
     expect_near(gap, found, 3e-13);
 }
 
-static void nearly_parallel_edges_have_their_distance(void **state)
+static void nearly_parallel_edges_have_exact_distance(void **state)
 {
     (void)state;
     harness_property("nearly parallel", 5000, nearly_parallel, NULL);
@@ -106,7 +106,7 @@ static void pierce(harness_source *source, void *user)
     expect_near(1e-3 * height, expect_closest(&a, &b, 1e-14).distance, 1e-14);
 }
 
-static void an_edge_through_a_triangle_is_at_distance_zero(void **state)
+static void edge_through_triangle_has_zero_distance(void **state)
 {
     (void)state;
     harness_property("pierce", 100, pierce, NULL);
@@ -131,7 +131,7 @@ static void capsules_of(harness_source *source, void *user)
     expect_near(0.0, vec3_distance(vec3_scale(n, meet ? 0.0 : c.distance), apart), 1e-14);
 }
 
-static void capsules_end_where_their_surfaces_are(void **state)
+static void capsule_distance_is_between_surfaces(void **state)
 {
     (void)state;
     int evenly = EVENLY, integers = INTEGERS; /* whose axes often meet */
@@ -181,7 +181,7 @@ static void exchanges(harness_source *source, void *user)
     }
 }
 
-static void the_order_of_vertices_and_edges_is_nothing(void **state)
+static void vertex_and_edge_order_does_not_matter(void **state)
 {
     (void)state;
     harness_property("exchanges", 300, exchanges, NULL);
@@ -190,11 +190,11 @@ static void the_order_of_vertices_and_edges_is_nothing(void **state)
 int test_closest(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(distances_are_the_smallest_there_are),
-        harness_test(nearly_parallel_edges_have_their_distance),
-        harness_test(an_edge_through_a_triangle_is_at_distance_zero),
-        harness_test(capsules_end_where_their_surfaces_are),
-        harness_test(the_order_of_vertices_and_edges_is_nothing),
+        harness_test(distance_is_minimal),
+        harness_test(nearly_parallel_edges_have_exact_distance),
+        harness_test(edge_through_triangle_has_zero_distance),
+        harness_test(capsule_distance_is_between_surfaces),
+        harness_test(vertex_and_edge_order_does_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

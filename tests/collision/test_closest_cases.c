@@ -26,7 +26,7 @@ static const struct {
     {{2, {1, -4, 0, 1, 4, 0}}, {3, {0, 0, 0, 4, 0, 0, 2, 0, 0}}},   /* through one without area */
 };
 
-static void features_that_meet_have_no_normal(void **state)
+static void touching_features_have_no_normal(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof meeting / sizeof meeting[0]; i++) {
@@ -69,7 +69,7 @@ static void expect_refused(vbss_result wanted, const arguments *with, bool null_
     assert_memory_equal(out, before, sizeof out);
 }
 
-static void bad_numbers_are_told_and_nothing_is_written(void **state)
+static void bad_numbers_are_rejected_without_output(void **state)
 {
     (void)state;
     const uint32_t size = sizeof(vbss_closest);
@@ -91,7 +91,7 @@ static void bad_numbers_are_told_and_nothing_is_written(void **state)
     }
 }
 
-static void bad_radii_are_told_and_nothing_is_written(void **state)
+static void bad_radii_are_rejected_without_output(void **state)
 {
     (void)state;
     const double bad[] = {-1e-9, 1.01e30, harness_bad_numbers[0], harness_bad_numbers[1]};
@@ -113,7 +113,7 @@ static void bad_radii_are_told_and_nothing_is_written(void **state)
     }
 }
 
-static void the_answer_keeps_the_size_protocol(void **state)
+static void answer_size_protocol(void **state)
 {
     (void)state;
     const uint32_t own = sizeof(vbss_closest), never[] = {4097, 0xa5a5a5a5u, UINT32_MAX};
@@ -137,7 +137,7 @@ static void the_answer_keeps_the_size_protocol(void **state)
     }
 }
 
-static void the_largest_coordinates_are_answered(void **state)
+static void largest_coordinates_are_answered(void **state)
 {
     (void)state;
     for (kind which = EDGES; which < KINDS; which++) {
@@ -160,11 +160,11 @@ static void the_largest_coordinates_are_answered(void **state)
 int test_closest_cases(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(features_that_meet_have_no_normal),
-        cmocka_unit_test(bad_numbers_are_told_and_nothing_is_written),
-        cmocka_unit_test(bad_radii_are_told_and_nothing_is_written),
-        cmocka_unit_test(the_answer_keeps_the_size_protocol),
-        cmocka_unit_test(the_largest_coordinates_are_answered),
+        cmocka_unit_test(touching_features_have_no_normal),
+        cmocka_unit_test(bad_numbers_are_rejected_without_output),
+        cmocka_unit_test(bad_radii_are_rejected_without_output),
+        cmocka_unit_test(answer_size_protocol),
+        cmocka_unit_test(largest_coordinates_are_answered),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

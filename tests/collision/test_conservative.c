@@ -73,7 +73,7 @@ static score score_set(const collision_set *set, double tolerance, bool times)
     return s;
 }
 
-static void every_family(void **state)
+static void no_false_negative_in_any_family(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < thick_set_count(); i++) {
@@ -85,7 +85,7 @@ static void every_family(void **state)
     }
 }
 
-static void any_tolerance(void **state)
+static void no_false_negative_at_any_tolerance(void **state)
 {
     (void)state;
     const double tolerances[] = {1.0, 1e-2, 1e-4, 1e-6};
@@ -112,7 +112,7 @@ static void any_tolerance(void **state)
 }
 
 /* Giving up is telling a hit. */
-static void few_passes_miss_nothing(void **state)
+static void no_false_negative_with_few_passes(void **state)
 {
     (void)state;
     uint64_t undecided = 0;
@@ -136,9 +136,9 @@ static void few_passes_miss_nothing(void **state)
 int test_conservative(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_family),
-        cmocka_unit_test(any_tolerance),
-        cmocka_unit_test(few_passes_miss_nothing),
+        cmocka_unit_test(no_false_negative_in_any_family),
+        cmocka_unit_test(no_false_negative_at_any_tolerance),
+        cmocka_unit_test(no_false_negative_with_few_passes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -147,7 +147,7 @@ static void ask_all(vbss_context *context, vbss_collision_method method, double 
     assert_true((s.sign_tests_ended > 0) == (method == VBSS_COLLISION_PAPER));
 }
 
-static void answers_are_whole_and_counted(void **state)
+static void answers_are_complete_and_counted(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -195,7 +195,7 @@ static void expect_answer(const collision_query *query, vbss_collision_method me
     }
 }
 
-static void an_answer_says_what_it_stands_on(void **state)
+static void answer_reports_its_certainty(void **state)
 {
     (void)state;
     const vbss_collision_method ours = VBSS_COLLISION_CONSERVATIVE;
@@ -229,7 +229,7 @@ static void an_answer_says_what_it_stands_on(void **state)
 
 static const double tiny = 0x1p-1074;
 
-static void spread_magnitudes_are_decided_through_an_object(void **state)
+static void wide_magnitudes_are_decided_with_object(void **state)
 {
     (void)state;
     const struct {
@@ -279,9 +279,9 @@ static void spread_magnitudes_are_decided_through_an_object(void **state)
 int test_continuous(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(answers_are_whole_and_counted),
-        cmocka_unit_test(an_answer_says_what_it_stands_on),
-        cmocka_unit_test(spread_magnitudes_are_decided_through_an_object),
+        cmocka_unit_test(answers_are_complete_and_counted),
+        cmocka_unit_test(answer_reports_its_certainty),
+        cmocka_unit_test(wide_magnitudes_are_decided_with_object),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static vbss_result ask_both(vbss_context *context, const void *config)
     return vbss_point_triangle_test(config, start_x, end_x, &impact, sizeof impact);
 }
 
-static void configs_keep_the_size_protocol(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[] = {72, 0};
@@ -69,7 +69,7 @@ static vbss_result ask_with(size_t offset, const void *value, size_t size)
     return result;
 }
 
-static void bad_configurations_are_told(void **state)
+static void bad_config_is_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -160,7 +160,7 @@ static void expect_all_refused(vbss_collision *object)
     fesetround(FE_TONEAREST);
 }
 
-static void bad_questions_are_told_and_nothing_is_written_or_counted(void **state)
+static void bad_query_is_rejected_without_output_or_count(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -207,7 +207,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     }
 }
 
-static void a_test_that_counts_is_refused_inside_a_callback(void **state)
+static void counting_test_inside_callback_is_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -231,10 +231,10 @@ static void a_test_that_counts_is_refused_inside_a_callback(void **state)
 int test_continuous_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(configs_keep_the_size_protocol),
-        cmocka_unit_test(bad_configurations_are_told),
-        cmocka_unit_test(bad_questions_are_told_and_nothing_is_written_or_counted),
-        cmocka_unit_test(a_test_that_counts_is_refused_inside_a_callback),
+        cmocka_unit_test(config_size_protocol),
+        cmocka_unit_test(bad_config_is_rejected),
+        cmocka_unit_test(bad_query_is_rejected_without_output_or_count),
+        cmocka_unit_test(counting_test_inside_callback_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,7 +45,7 @@ static printed_steps printed(const question *q)
     return printed_crossing(q, 1e-6, 1.0);
 }
 
-static void linear_time_is_wrong_where_w_turns(void **state)
+static void linear_time_fails_where_w_turns(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {SHORT, 0, 1, -1, 0, 0, -1}, {SHORT, 0, -2, 2, -1, 0, 1}};
@@ -57,7 +57,7 @@ static void linear_time_is_wrong_where_w_turns(void **state)
     expect_truth_hit(1.0 / 3.0, 0.0, &q);
 }
 
-static void sign_test_misses_where_the_cross_product_flips(void **state)
+static void sign_test_misses_flipping_cross_product(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {SHORT, 0, -1, -2, 0, 0, 1}, {SHORT, 3, -1, 0, 0, 0, -1}};
@@ -68,7 +68,7 @@ static void sign_test_misses_where_the_cross_product_flips(void **state)
     expect_truth_hit(0.5, 0.0, &q);
 }
 
-static void sign_test_invents_what_has_no_root(void **state)
+static void sign_test_invents_root(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {SHORT, 1, 2, 0, 0, 0, 1}, {SHORT, 0, 0, 3, 0, -1, -1}};
@@ -80,7 +80,7 @@ static void sign_test_invents_what_has_no_root(void **state)
     expect_truth_miss(D, &q); /* they stay 0.35 apart */
 }
 
-static void parallel_rule_asks_one_end_only(void **state)
+static void parallel_rule_tests_one_end_only(void **state)
 {
     (void)state;
     question missed = {VBSS_PAIR_EDGE_EDGE, {LONG, 1, 1, 0, 6, 1, 0}, {LONG, 1, -1, 0, 6, -1, 0}};
@@ -103,7 +103,7 @@ static void parallel_rule_asks_one_end_only(void **state)
     }
 }
 
-static void parallel_constant_depends_on_the_unit(void **state)
+static void parallel_constant_depends_on_unit(void **state)
 {
     (void)state;
     question mm = {
@@ -143,7 +143,7 @@ static void coplanar_motion_has_no_w(void **state)
     expect_truth_hit(0.25, D, &through);
 }
 
-static void thick_edges_pass_through_each_other_at_a_height_below_their_thickness(void **state)
+static void thick_edges_pass_below_their_thickness(void **state)
 {
     (void)state;
     question q = {
@@ -155,7 +155,7 @@ static void thick_edges_pass_through_each_other_at_a_height_below_their_thicknes
     expect_truth_miss(0.0, &q);
 }
 
-static void edge_without_length_is_nothing(void **state)
+static void zero_length_edge_is_ignored(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {LONG, 0, 1, 0, 0, 1, 0}, {LONG, 0, -1, 0, 0, -1, 0}};
@@ -168,7 +168,7 @@ static void edge_without_length_is_nothing(void **state)
     }
 }
 
-static void point_and_triangle_fail_alike(void **state)
+static void point_triangle_test_fails_alike(void **state)
 {
     (void)state;
     question missed = {VBSS_PAIR_POINT_TRIANGLE,
@@ -194,15 +194,15 @@ static void point_and_triangle_fail_alike(void **state)
 int test_counter_examples(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(linear_time_is_wrong_where_w_turns),
-        harness_test(sign_test_misses_where_the_cross_product_flips),
-        harness_test(sign_test_invents_what_has_no_root),
-        harness_test(parallel_rule_asks_one_end_only),
-        harness_test(parallel_constant_depends_on_the_unit),
+        harness_test(linear_time_fails_where_w_turns),
+        harness_test(sign_test_misses_flipping_cross_product),
+        harness_test(sign_test_invents_root),
+        harness_test(parallel_rule_tests_one_end_only),
+        harness_test(parallel_constant_depends_on_unit),
         harness_test(coplanar_motion_has_no_w),
-        harness_test(thick_edges_pass_through_each_other_at_a_height_below_their_thickness),
-        harness_test(edge_without_length_is_nothing),
-        harness_test(point_and_triangle_fail_alike),
+        harness_test(thick_edges_pass_below_their_thickness),
+        harness_test(zero_length_edge_is_ignored),
+        harness_test(point_triangle_test_fails_alike),
     };
     return cmocka_run_group_tests_name("counter_examples", tests, NULL, NULL);
 }

@@ -17,7 +17,7 @@ static void expect_normal(double z, const vbss_impact *i)
     assert_true(i->normal[0] == 0.0 && i->normal[1] == 0.0 && i->normal[2] == z);
 }
 
-static void crossing_is_told_where_and_when_it_happens(void **state)
+static void crossing_reports_time_and_place(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, .5, -1, 3, .5, 3, 3}, {EDGE, .5, -1, -1, .5, 3, -1}};
@@ -47,7 +47,7 @@ static void crossing_is_told_where_and_when_it_happens(void **state)
     }
 }
 
-static void roots_are_looked_at_in_order_until_one_is_inside(void **state)
+static void roots_are_tried_in_order(void **state)
 {
     (void)state;
     /* Beside the triangle at 0.151, inside at 0.803. */
@@ -72,7 +72,7 @@ static void roots_are_looked_at_in_order_until_one_is_inside(void **state)
     expect_near(1.0 / 3.0, i.time, 1e-15);
 }
 
-static void borders_of_time_and_of_features_belong_to_them(void **state)
+static void closed_intervals_of_time_and_feature(void **state)
 {
     (void)state;
     question lands = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, 0, 0, 1, 0}};
@@ -98,7 +98,7 @@ static void borders_of_time_and_of_features_belong_to_them(void **state)
     assert_int_equal(0, cubic(0.0, &beside).hit);
 }
 
-static void thick_features_are_also_near_at_the_end(void **state)
+static void thick_features_hit_at_step_end(void **state)
 {
     (void)state;
     question near = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, .25, 0, 1, .25}};
@@ -137,7 +137,7 @@ static void agrees_with_exact_arithmetic(harness_source *source, void *user)
     }
 }
 
-static void arbitrary_motion_is_decided_as_by_exact_arithmetic(void **state)
+static void arbitrary_motion_matches_exact_arithmetic(void **state)
 {
     (void)state;
     uint32_t hits = 0;
@@ -153,7 +153,7 @@ static void answers_are_whole(harness_source *source, void *user)
     cubic(harness_draw_below(source, 2), &q);
 }
 
-static void degenerate_features_never_give_what_is_not_a_number(void **state)
+static void degenerate_features_give_no_nan(void **state)
 {
     (void)state;
     harness_property("cubic answers are whole", 20000, answers_are_whole, NULL);
@@ -162,12 +162,12 @@ static void degenerate_features_never_give_what_is_not_a_number(void **state)
 int test_cubic(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(crossing_is_told_where_and_when_it_happens),
-        harness_test(roots_are_looked_at_in_order_until_one_is_inside),
-        harness_test(borders_of_time_and_of_features_belong_to_them),
-        harness_test(thick_features_are_also_near_at_the_end),
-        harness_test(arbitrary_motion_is_decided_as_by_exact_arithmetic),
-        harness_test(degenerate_features_never_give_what_is_not_a_number),
+        harness_test(crossing_reports_time_and_place),
+        harness_test(roots_are_tried_in_order),
+        harness_test(closed_intervals_of_time_and_feature),
+        harness_test(thick_features_hit_at_step_end),
+        harness_test(arbitrary_motion_matches_exact_arithmetic),
+        harness_test(degenerate_features_give_no_nan),
     };
     return cmocka_run_group_tests_name("cubic", tests, NULL, NULL);
 }

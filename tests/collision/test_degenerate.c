@@ -1,14 +1,14 @@
 /* Degenerate queries without thickness, default suite: all as the oracle has them. */
 #include "degenerate_check.h"
 
-static void as_the_oracle_says(void **state)
+static void degenerate_sets_match_oracle(void **state)
 {
     (void)state;
     expect_degenerate_sets_right(400, 1);
 }
 
 /* Exact answers do not depend on how a direction is found or when it is given up. */
-static void with_any_pass_limit(void **state)
+static void degenerate_sets_match_oracle_at_any_pass_limit(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
@@ -32,8 +32,8 @@ static void with_any_pass_limit(void **state)
 int test_degenerate(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_the_oracle_says),
-        cmocka_unit_test(with_any_pass_limit),
+        cmocka_unit_test(degenerate_sets_match_oracle),
+        cmocka_unit_test(degenerate_sets_match_oracle_at_any_pass_limit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

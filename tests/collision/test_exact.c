@@ -44,7 +44,7 @@ static void make_set(uint32_t which, uint32_t count, uint64_t seed, collision_or
         collision_set_degenerate(which / 2, (vbss_pair_kind)(which % 2), count, seed, oracle, set));
 }
 
-static void all_degenerate_sets_are_decided_right(void **state)
+static void degenerate_sets_are_decided_correctly(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
@@ -59,7 +59,7 @@ static void all_degenerate_sets_are_decided_right(void **state)
 
 /* ---- memory */
 
-static void with_little_memory_an_answer_is_right_or_unknown(void **state)
+static void low_memory_answer_is_correct_or_unknown(void **state)
 {
     (void)state;
     uint64_t unknown = 0, known = 0;
@@ -98,7 +98,7 @@ static void stretch(collision_query *query, uint32_t which)
     }
 }
 
-static void the_memory_of_an_object_is_enough_for_any_doubles(void **state)
+static void object_memory_suffices_for_any_doubles(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
@@ -187,7 +187,7 @@ static bool claims_truly(const collision_query *query, double t)
     return true;
 }
 
-static void no_crossing_is_claimed_of_degenerate_misses(void **state)
+static void degenerate_misses_have_no_crossing(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
@@ -264,7 +264,7 @@ static void near_crossings(harness_source *source, void *user)
     claimed[1]++;
 }
 
-static void no_crossing_is_claimed_a_hair_beside_the_features(void **state)
+static void near_misses_have_no_crossing(void **state)
 {
     (void)state;
     uint64_t claimed[2] = {0};
@@ -277,12 +277,12 @@ static void no_crossing_is_claimed_a_hair_beside_the_features(void **state)
 int test_exact(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_degenerate_sets_are_decided_right),
-        cmocka_unit_test(with_little_memory_an_answer_is_right_or_unknown),
-        cmocka_unit_test(the_memory_of_an_object_is_enough_for_any_doubles),
+        cmocka_unit_test(degenerate_sets_are_decided_correctly),
+        cmocka_unit_test(low_memory_answer_is_correct_or_unknown),
+        cmocka_unit_test(object_memory_suffices_for_any_doubles),
         harness_test(any_doubles_are_decided),
-        cmocka_unit_test(no_crossing_is_claimed_of_degenerate_misses),
-        harness_test(no_crossing_is_claimed_a_hair_beside_the_features),
+        cmocka_unit_test(degenerate_misses_have_no_crossing),
+        harness_test(near_misses_have_no_crossing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,7 +55,7 @@ static uint32_t at_least_two(uint32_t edges)
 }
 
 /* Edges b - a = k + 1 have k between them: an arc of k lengths. */
-static void the_border_is_exact(void **state)
+static void exclusion_boundary_is_exact(void **state)
 {
     (void)state;
     enum { EDGES = 40 };
@@ -83,7 +83,7 @@ static void the_border_is_exact(void **state)
     }
 }
 
-static void neighbours_alone_without_rest_lengths(void **state)
+static void neighbours_only_without_rest_lengths(void **state)
 {
     (void)state;
     fixture f;
@@ -131,14 +131,14 @@ static void uneven(harness_source *source, void *user)
     end(&f);
 }
 
-static void rest_lengths_may_be_uneven(void **state)
+static void uneven_rest_lengths(void **state)
 {
     (void)state;
     harness_property("uneven", 300, uneven, NULL);
 }
 
 /* Were each pair looked at, this would take hours. */
-static void the_longest_chain_is_added_at_once(void **state)
+static void longest_chain_is_added_at_once(void **state)
 {
     (void)state;
     enum { EDGES = 65536 };
@@ -162,10 +162,10 @@ static void the_longest_chain_is_added_at_once(void **state)
 int test_exclusion(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_border_is_exact),
-        cmocka_unit_test(neighbours_alone_without_rest_lengths),
-        harness_test(rest_lengths_may_be_uneven),
-        cmocka_unit_test(the_longest_chain_is_added_at_once),
+        cmocka_unit_test(exclusion_boundary_is_exact),
+        cmocka_unit_test(neighbours_only_without_rest_lengths),
+        harness_test(uneven_rest_lengths),
+        cmocka_unit_test(longest_chain_is_added_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,7 +24,7 @@ static bool sweep_hits(double thickness, double length, double half, int k)
     return ask(thickness, start, end).hit != 0;
 }
 
-static void short_edges_beside_long_ones_are_not_missed(void **state)
+static void short_edge_beside_long_edge_is_hit(void **state)
 {
     (void)state;
     double length = 1.0;
@@ -65,7 +65,7 @@ static void an_answer_without_thickness_has_no_unit(harness_source *source, void
     }
 }
 
-static void questions_of_any_unit(void **state)
+static void queries_in_any_unit(void **state)
 {
     (void)state;
     harness_property("no unit", 2000, an_answer_without_thickness_has_no_unit, NULL);
@@ -99,7 +99,7 @@ static void crossing_at(harness_source *source, void *user)
     ++*hits;
 }
 
-static void crossings_are_told_at_their_time(void **state)
+static void crossing_time_is_accurate(void **state)
 {
     (void)state;
     uint32_t hits = 0;
@@ -130,7 +130,7 @@ static void turning_at(harness_source *source, void *user)
     }
 }
 
-static void hits_without_thickness_are_told_near_their_place(void **state)
+static void thin_hit_place_is_accurate(void **state)
 {
     (void)state;
     turning t = {0};
@@ -157,7 +157,7 @@ static void spread(harness_source *source, void *user)
     *hits += impact.hit != 0;
 }
 
-static void two_hundred_and_fifty_places_are_decided_without_an_object(void **state)
+static void scattered_magnitudes_are_decided_without_object(void **state)
 {
     (void)state;
     uint32_t hits = 0;
@@ -168,11 +168,11 @@ static void two_hundred_and_fifty_places_are_decided_without_an_object(void **st
 int test_extremes(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(short_edges_beside_long_ones_are_not_missed),
-        harness_test(questions_of_any_unit),
-        harness_test(crossings_are_told_at_their_time),
-        harness_test(hits_without_thickness_are_told_near_their_place),
-        harness_test(two_hundred_and_fifty_places_are_decided_without_an_object),
+        cmocka_unit_test(short_edge_beside_long_edge_is_hit),
+        harness_test(queries_in_any_unit),
+        harness_test(crossing_time_is_accurate),
+        harness_test(thin_hit_place_is_accurate),
+        harness_test(scattered_magnitudes_are_decided_without_object),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,7 +29,7 @@ static void compare_capsules(harness_source *source, void *user)
     }
 }
 
-static void distances_of_capsules_agree(void **state)
+static void capsule_distances_match(void **state)
 {
     (void)state;
     for (int kind = 0; kind < CAPSULE_PAIR_KINDS; kind++) {
@@ -101,7 +101,7 @@ static void compare_triangles(harness_source *source, void *user)
     }
 }
 
-static void distances_of_triangles_agree(void **state)
+static void triangle_distances_match(void **state)
 {
     (void)state;
     uint32_t disjoint = 0;
@@ -126,7 +126,7 @@ static void compare_segment_and_triangle(harness_source *source, void *user)
     expect_near(theirs, ours, 1e-12 * fmax(1.0, theirs));
 }
 
-static void distances_of_segment_and_triangle_agree(void **state)
+static void segment_triangle_distances_match(void **state)
 {
     (void)state;
     harness_property("distance of segment and triangle", 20000, compare_segment_and_triangle, NULL);
@@ -176,7 +176,7 @@ static void compare_moving_features(harness_source *source, void *user)
     assert_true(near.time <= time + 1e-6);
 }
 
-static void hits_of_moving_features_are_ours_too(void **state)
+static void moving_feature_hits_match(void **state)
 {
     (void)state;
     for (int kind = VBSS_PAIR_EDGE_EDGE; kind <= VBSS_PAIR_POINT_TRIANGLE; kind++) {
@@ -210,7 +210,7 @@ static void compare_shifted_capsules(harness_source *source, void *user)
     } /* else its known error: contact between its instants */
 }
 
-static void hits_of_shifted_capsules_are_ours_too(void **state)
+static void shifted_capsule_hits_match(void **state)
 {
     (void)state;
     counts c = {0};
@@ -221,11 +221,9 @@ static void hits_of_shifted_capsules_are_ours_too(void **state)
 int test_fcl(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(distances_of_capsules_agree),
-        harness_test(distances_of_triangles_agree),
-        harness_test(distances_of_segment_and_triangle_agree),
-        harness_test(hits_of_moving_features_are_ours_too),
-        harness_test(hits_of_shifted_capsules_are_ours_too),
+        harness_test(capsule_distances_match),          harness_test(triangle_distances_match),
+        harness_test(segment_triangle_distances_match), harness_test(moving_feature_hits_match),
+        harness_test(shifted_capsule_hits_match),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -56,7 +56,7 @@ static uint32_t expect_filtered(fixture *f, const candidate *all, uint32_t all_c
     return count;
 }
 
-static void a_filter_leaves_out_its_pairs_and_no_others(void **state)
+static void filter_removes_exactly_its_pairs(void **state)
 {
     (void)state;
     static const uint32_t every = UINT32_MAX;
@@ -94,7 +94,7 @@ static void a_filter_leaves_out_its_pairs_and_no_others(void **state)
     end(&f);
 }
 
-static void a_filter_is_part_of_the_state(void **state)
+static void filter_is_in_snapshot(void **state)
 {
     (void)state;
     fixture f;
@@ -121,7 +121,7 @@ static uint64_t listed(vbss_collision *collision)
 }
 
 /* Testing candidates of other places, or of shapes that no longer meet, would be wrong. */
-static void moves_and_filters_forget_the_candidates(void **state)
+static void moves_and_filters_invalidate_candidates(void **state)
 {
     (void)state;
     fixture f;
@@ -140,7 +140,7 @@ static void moves_and_filters_forget_the_candidates(void **state)
     end(&f);
 }
 
-static void a_filter_needs_a_shape(void **state)
+static void filter_needs_a_shape(void **state)
 {
     (void)state;
     fixture f;
@@ -160,10 +160,10 @@ static void a_filter_needs_a_shape(void **state)
 int test_filter(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_filter_leaves_out_its_pairs_and_no_others),
-        cmocka_unit_test(a_filter_is_part_of_the_state),
-        cmocka_unit_test(moves_and_filters_forget_the_candidates),
-        cmocka_unit_test(a_filter_needs_a_shape),
+        cmocka_unit_test(filter_removes_exactly_its_pairs),
+        cmocka_unit_test(filter_is_in_snapshot),
+        cmocka_unit_test(moves_and_filters_invalidate_candidates),
+        cmocka_unit_test(filter_needs_a_shape),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

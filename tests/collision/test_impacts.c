@@ -111,7 +111,7 @@ static void all_alone(harness_source *source, void *user)
     harness_context_end(f.context, &f.memory);
 }
 
-static void impacts_are_those_of_each_pair_alone(void **state)
+static void impacts_match_single_pair_tests(void **state)
 {
     (void)state;
     harness_property("all alone", 60, all_alone, NULL);
@@ -119,7 +119,7 @@ static void impacts_are_those_of_each_pair_alone(void **state)
 
 /* Capsules that cross a resting one half way, from `gap` beyond D: one impact each, in a block of any
  * length. */
-static void blocks_of_any_length_are_tested_whole(void **state)
+static void blocks_of_any_length_are_tested(void **state)
 {
     (void)state;
     const double radius = 0.25, gap = 0.5;
@@ -155,7 +155,7 @@ static void blocks_of_any_length_are_tested_whole(void **state)
     }
 }
 
-static void a_scene_of_both_kinds_is_tested(void **state)
+static void scene_with_both_feature_kinds_is_tested(void **state)
 {
     (void)state;
     const moving_shapes_options options = {120, true, true};
@@ -180,7 +180,7 @@ static void a_scene_of_both_kinds_is_tested(void **state)
     harness_context_end(context, &memory);
 }
 
-static void more_impacts_than_there_is_room_for_are_told(void **state)
+static void impacts_above_capacity_are_counted(void **state)
 {
     (void)state;
     const moving_shapes_options options = {120, true, true};
@@ -212,10 +212,10 @@ static void more_impacts_than_there_is_room_for_are_told(void **state)
 int test_impacts(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(impacts_are_those_of_each_pair_alone),
-        cmocka_unit_test(blocks_of_any_length_are_tested_whole),
-        cmocka_unit_test(a_scene_of_both_kinds_is_tested),
-        cmocka_unit_test(more_impacts_than_there_is_room_for_are_told),
+        harness_test(impacts_match_single_pair_tests),
+        cmocka_unit_test(blocks_of_any_length_are_tested),
+        cmocka_unit_test(scene_with_both_feature_kinds_is_tested),
+        cmocka_unit_test(impacts_above_capacity_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,7 +39,7 @@ static void sums_and_products(harness_source *source, void *user)
     mpz_clears(x, y, wanted, NULL);
 }
 
-static void sums_products_and_shifts_are_right(void **state)
+static void sums_products_and_shifts(void **state)
 {
     (void)state;
     uint32_t few = 3, many = 200;
@@ -65,7 +65,7 @@ static void making(harness_source *source, void *user)
     mpz_clear(wanted);
 }
 
-static void integers_are_made_with_any_shift(void **state)
+static void conversion_with_any_shift(void **state)
 {
     (void)state;
     harness_property("making", 2000, making, NULL);
@@ -118,7 +118,7 @@ static void keeping(harness_source *source, void *user)
     assert_int_equal(w->used, mark);
 }
 
-static void kept_integers_are_the_same(void **state)
+static void stored_integers_round_trip(void **state)
 {
     (void)state;
     harness_property("keeping", 3000, keeping, NULL);
@@ -184,14 +184,14 @@ static void running_out(harness_source *source, void *user)
     }
 }
 
-static void memory_that_runs_out_is_told_and_never_left(void **state)
+static void exhausted_memory_is_reported_and_within_bounds(void **state)
 {
     (void)state;
     harness_property("running out", 4000, running_out, NULL);
 }
 
 /* Exactly as much as is taken is enough, one limb less is not. */
-static void the_last_limb_is_used(void **state)
+static void last_limb_is_used(void **state)
 {
     (void)state;
     for (uint32_t capacity = 0; capacity < 12; capacity++) {
@@ -210,11 +210,11 @@ static void the_last_limb_is_used(void **state)
 int test_integers(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(sums_products_and_shifts_are_right),
-        harness_test(integers_are_made_with_any_shift),
-        harness_test(kept_integers_are_the_same),
-        harness_test(memory_that_runs_out_is_told_and_never_left),
-        cmocka_unit_test(the_last_limb_is_used),
+        harness_test(sums_products_and_shifts),
+        harness_test(conversion_with_any_shift),
+        harness_test(stored_integers_round_trip),
+        harness_test(exhausted_memory_is_reported_and_within_bounds),
+        cmocka_unit_test(last_limb_is_used),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

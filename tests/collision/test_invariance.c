@@ -143,7 +143,7 @@ static void expect_unchanged(const collision_query *query)
     }
 }
 
-static void with_thickness(void **state)
+static void invariance_with_thickness(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < thick_set_count(); i++) {
@@ -157,7 +157,7 @@ static void with_thickness(void **state)
     }
 }
 
-static void without_thickness(void **state)
+static void invariance_without_thickness(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
@@ -175,8 +175,8 @@ static void without_thickness(void **state)
 int test_invariance(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(with_thickness),
-        cmocka_unit_test(without_thickness),
+        cmocka_unit_test(invariance_with_thickness),
+        cmocka_unit_test(invariance_without_thickness),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,7 +26,7 @@ static void compare_overlap(harness_source *source, void *user)
     assert_int_equal(libccd_meet(&a, &b), closest.distance < 0.0);
 }
 
-static void capsules_overlap_when_gjk_says_so(void **state)
+static void capsule_overlap_matches_gjk(void **state)
 {
     (void)state;
     for (int kind = 0; kind < CAPSULE_PAIR_KINDS; kind++) {
@@ -59,7 +59,7 @@ static void check_between(const collision_query *q, const vbss_collision_config 
     }
 }
 
-static void hits_lie_between_what_gjk_says_of_the_ends_and_of_the_whole_step(void **state)
+static void hits_lie_between_end_and_swept_gjk(void **state)
 {
     (void)state;
     vbss_collision_config config;
@@ -78,8 +78,8 @@ static void hits_lie_between_what_gjk_says_of_the_ends_and_of_the_whole_step(voi
 int test_libccd(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(capsules_overlap_when_gjk_says_so),
-        cmocka_unit_test(hits_lie_between_what_gjk_says_of_the_ends_and_of_the_whole_step),
+        harness_test(capsule_overlap_matches_gjk),
+        cmocka_unit_test(hits_lie_between_end_and_swept_gjk),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

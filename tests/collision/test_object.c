@@ -19,7 +19,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     return vbss_collision_destroy(collision);
 }
 
-static void configs_keep_the_size_protocol(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[] = {72, 0};
@@ -31,7 +31,7 @@ static void configs_keep_the_size_protocol(void **state)
     harness_context_end(context, &memory);
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[2] = {sizeof(vbss_view), 80};
@@ -58,7 +58,7 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
 
 /* ---- handles */
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     object_fixture f;
@@ -101,7 +101,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->destroyed = vbss_collision_destroy(l->collision);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -150,7 +150,7 @@ static void look_and_release(void *user, void *block, uint64_t size, uint64_t al
     }
 }
 
-static void a_shape_is_gone_before_its_memory_is(void **state)
+static void shape_is_removed_before_its_memory(void **state)
 {
     (void)state;
     watcher w = {.collision = NULL};
@@ -185,14 +185,14 @@ static vbss_result live(vbss_context *context, void *user)
     return result;
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     harness_fail_every_allocation(live, NULL);
 }
 
 /* A shape for which there is no memory leaves the object as it was. */
-static void a_shape_without_memory_changes_nothing(void **state)
+static void shape_without_memory_changes_nothing(void **state)
 {
     (void)state;
     object_fixture f;
@@ -215,7 +215,7 @@ static void a_shape_without_memory_changes_nothing(void **state)
     object_end(&f);
 }
 
-static void searches_and_tests_allocate_nothing(void **state)
+static void searches_and_tests_do_not_allocate(void **state)
 {
     (void)state;
     moving_shapes_options options = {60, true, true};
@@ -223,7 +223,7 @@ static void searches_and_tests_allocate_nothing(void **state)
     assert_int_equal(harness_step_allocations(&body, 50), 0);
 }
 
-static void shapes_that_come_and_go_need_no_more_memory(void **state)
+static void shape_churn_does_not_grow_memory(void **state)
 {
     (void)state;
     object_fixture f;
@@ -239,7 +239,7 @@ static void shapes_that_come_and_go_need_no_more_memory(void **state)
 
 /* ---- names and edges */
 
-static void names_are_never_used_again(void **state)
+static void shape_names_are_never_reused(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -275,7 +275,7 @@ static void expect_edges(vbss_collision *collision, uint32_t shape, const uint32
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_collision_get_edge(collision, shape, 0, NULL));
 }
 
-static void edges_are_numbered_as_documented(void **state)
+static void edge_numbers_match_documentation(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -299,17 +299,17 @@ static void edges_are_numbered_as_documented(void **state)
 int test_object(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(configs_keep_the_size_protocol),
-        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
-        cmocka_unit_test(wrong_handles_are_told_by_every_call),
-        cmocka_unit_test(nothing_changes_from_inside_a_callback),
-        cmocka_unit_test(a_shape_is_gone_before_its_memory_is),
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
-        cmocka_unit_test(a_shape_without_memory_changes_nothing),
-        cmocka_unit_test(searches_and_tests_allocate_nothing),
-        cmocka_unit_test(shapes_that_come_and_go_need_no_more_memory),
-        cmocka_unit_test(names_are_never_used_again),
-        cmocka_unit_test(edges_are_numbered_as_documented),
+        cmocka_unit_test(config_size_protocol),
+        cmocka_unit_test(output_struct_size_protocol),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
+        cmocka_unit_test(calls_inside_callback_are_rejected),
+        cmocka_unit_test(shape_is_removed_before_its_memory),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
+        cmocka_unit_test(shape_without_memory_changes_nothing),
+        cmocka_unit_test(searches_and_tests_do_not_allocate),
+        cmocka_unit_test(shape_churn_does_not_grow_memory),
+        cmocka_unit_test(shape_names_are_never_reused),
+        cmocka_unit_test(edge_numbers_match_documentation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

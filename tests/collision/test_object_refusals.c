@@ -30,7 +30,7 @@ static vbss_result create_with_choice(vbss_context *context, size_t offset, uint
     return create_with(context, offset, &value, sizeof value);
 }
 
-static void bad_configurations_are_told(void **state)
+static void bad_config_is_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -97,7 +97,7 @@ static void unchanged(object_fixture *f, vbss_result wanted, vbss_result got, ui
     assert_true(shapes_view(f->collision, VBSS_COLLISION_VIEW_CANDIDATES).count > 0);
 }
 
-static void bad_shapes_are_told(void **state)
+static void bad_shapes_are_rejected(void **state)
 {
     (void)state;
     object_fixture f;
@@ -150,7 +150,7 @@ static void bad_shapes_are_told(void **state)
     object_end(&f);
 }
 
-static void bad_moves_are_told(void **state)
+static void bad_moves_are_rejected(void **state)
 {
     (void)state;
     object_fixture f;
@@ -188,7 +188,7 @@ static void bad_moves_are_told(void **state)
 }
 
 /* Behind a right checksum, one coordinate at a time. */
-static void states_with_bad_coordinates_are_refused(void **state)
+static void snapshot_with_bad_coordinates_is_rejected(void **state)
 {
     (void)state;
     object_fixture f;
@@ -216,7 +216,7 @@ static void states_with_bad_coordinates_are_refused(void **state)
 
 /* ---- capacity */
 
-static void more_candidates_than_there_is_room_for_are_told(void **state)
+static void candidates_above_capacity_are_reported(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -256,7 +256,7 @@ static void more_candidates_than_there_is_room_for_are_told(void **state)
     harness_context_end(context, &memory);
 }
 
-static void an_object_without_room_searches_nothing(void **state)
+static void object_without_capacity_finds_nothing(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -282,12 +282,12 @@ static void an_object_without_room_searches_nothing(void **state)
 int test_object_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_configurations_are_told),
-        cmocka_unit_test(bad_shapes_are_told),
-        cmocka_unit_test(bad_moves_are_told),
-        cmocka_unit_test(states_with_bad_coordinates_are_refused),
-        cmocka_unit_test(more_candidates_than_there_is_room_for_are_told),
-        cmocka_unit_test(an_object_without_room_searches_nothing),
+        cmocka_unit_test(bad_config_is_rejected),
+        cmocka_unit_test(bad_shapes_are_rejected),
+        cmocka_unit_test(bad_moves_are_rejected),
+        cmocka_unit_test(snapshot_with_bad_coordinates_is_rejected),
+        cmocka_unit_test(candidates_above_capacity_are_reported),
+        cmocka_unit_test(object_without_capacity_finds_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

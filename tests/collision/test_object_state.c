@@ -10,7 +10,7 @@ static const moving_shapes_options lives[] = {
     {24, true, true}, {40, false, false}, {33, true, false}, {9, false, true}, {1, true, true}};
 enum { LIVES = sizeof lives / sizeof lives[0] };
 
-static void a_restored_object_goes_on_to_the_same_bits(void **state)
+static void restored_object_continues_bit_equal(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -22,7 +22,7 @@ static void a_restored_object_goes_on_to_the_same_bits(void **state)
 }
 
 /* What is found, too, is the same, to the bit. */
-static void a_restored_object_finds_the_same(void **state)
+static void restored_object_finds_same_candidates(void **state)
 {
     (void)state;
     uint8_t *bytes = malloc(100000);
@@ -57,7 +57,7 @@ static void a_restored_object_finds_the_same(void **state)
     free(bytes);
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -76,7 +76,7 @@ static uint64_t save(vbss_collision *collision, uint8_t *bytes, uint64_t capacit
     return written;
 }
 
-static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
+static void small_buffer_reports_required_size(void **state)
 {
     (void)state;
     object_fixture f;
@@ -103,7 +103,7 @@ static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
 }
 
 /* On failure the list stays, on success it is forgotten. */
-static void a_restore_forgets_what_was_found(void **state)
+static void restore_clears_results(void **state)
 {
     (void)state;
     object_fixture f;
@@ -133,7 +133,7 @@ static void expect_refused(object_fixture *f, vbss_collision *other, const uint8
     expect_ok(vbss_collision_destroy(other));
 }
 
-static void snapshots_of_another_configuration_are_refused(void **state)
+static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
     static const size_t numbers[] = {offsetof(vbss_collision_config, thickness),
@@ -178,7 +178,7 @@ static vbss_collision *begin_one(const object_fixture *f)
 }
 
 /* Each differs from the first in one thing. */
-static void snapshots_of_other_shapes_are_refused(void **state)
+static void snapshot_of_other_shapes_is_rejected(void **state)
 {
     (void)state;
     object_fixture f;
@@ -216,7 +216,7 @@ static void snapshots_of_other_shapes_are_refused(void **state)
 
 /* ---- hashes */
 
-static void hashes_differ_when_anything_differs(void **state)
+static void hash_covers_all_state(void **state)
 {
     (void)state;
     object_fixture f;
@@ -247,14 +247,14 @@ static void hashes_differ_when_anything_differs(void **state)
 int test_object_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_object_goes_on_to_the_same_bits),
-        cmocka_unit_test(a_restored_object_finds_the_same),
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(a_buffer_that_is_too_small_is_told_with_the_size),
-        cmocka_unit_test(a_restore_forgets_what_was_found),
-        cmocka_unit_test(snapshots_of_another_configuration_are_refused),
-        cmocka_unit_test(snapshots_of_other_shapes_are_refused),
-        cmocka_unit_test(hashes_differ_when_anything_differs),
+        cmocka_unit_test(restored_object_continues_bit_equal),
+        cmocka_unit_test(restored_object_finds_same_candidates),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(small_buffer_reports_required_size),
+        cmocka_unit_test(restore_clears_results),
+        cmocka_unit_test(snapshot_of_other_config_is_rejected),
+        cmocka_unit_test(snapshot_of_other_shapes_is_rejected),
+        cmocka_unit_test(hash_covers_all_state),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
 #include "collision/shapes_model.h"
 #include "collision/shapes_object.h"
 
-static void views_have_their_sizes(void **state)
+static void view_dimensions(void **state)
 {
     (void)state;
     static const struct {
@@ -34,7 +34,7 @@ static void views_have_their_sizes(void **state)
     object_end(&f);
 }
 
-static void the_generation_changes_with_every_edit(void **state)
+static void generation_changes_with_every_edit(void **state)
 {
     (void)state;
     object_fixture f;
@@ -61,8 +61,8 @@ static void the_generation_changes_with_every_edit(void **state)
 int test_object_views(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_have_their_sizes),
-        cmocka_unit_test(the_generation_changes_with_every_edit),
+        cmocka_unit_test(view_dimensions),
+        cmocka_unit_test(generation_changes_with_every_edit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

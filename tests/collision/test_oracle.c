@@ -172,7 +172,7 @@ static void known_answers(void **state)
 }
 
 /* The contact at 1/sqrt(2), which lies between two doubles. */
-static void the_first_contact_is_told_to_the_last_place(void **state)
+static void first_contact_is_exact_to_last_digit(void **state)
 {
     (void)state;
     const collision_query query = {.kind = EE,
@@ -237,7 +237,7 @@ static void meets_where_the_distance_is_zero(harness_source *source, void *user)
     assert_true(!ever || oracle_meets(&query));
 }
 
-static void at_a_time(void **state)
+static void oracle_at_one_time(void **state)
 {
     (void)state;
     uint32_t count = 0;
@@ -262,7 +262,7 @@ static void meets_if_the_smallest_distance_is_zero(harness_source *source, void 
     }
 }
 
-static void over_time(void **state)
+static void oracle_over_time(void **state)
 {
     (void)state;
     uint32_t counts[2] = {0, 0};
@@ -316,7 +316,7 @@ static void answers_keep(harness_source *source, void *user)
     }
 }
 
-static void invariances(void **state)
+static void oracle_invariances(void **state)
 {
     (void)state;
     harness_property("answers_keep", 800, answers_keep, NULL);
@@ -325,11 +325,9 @@ static void invariances(void **state)
 int test_oracle(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_answers),
-        cmocka_unit_test(the_first_contact_is_told_to_the_last_place),
-        harness_test(at_a_time),
-        harness_test(over_time),
-        harness_test(invariances),
+        cmocka_unit_test(known_answers),  cmocka_unit_test(first_contact_is_exact_to_last_digit),
+        harness_test(oracle_at_one_time), harness_test(oracle_over_time),
+        harness_test(oracle_invariances),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

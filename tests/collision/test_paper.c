@@ -26,7 +26,7 @@ static void expect_weights(double first, double second, double third, double fou
     }
 }
 
-static void crossing_edges_are_told_at_the_linear_time(void **state)
+static void crossing_edges_hit_at_linear_time(void **state)
 {
     (void)state;
     /* b, along y above x = 0.5, sinks from 3 to -1. */
@@ -50,7 +50,7 @@ static void crossing_edges_are_told_at_the_linear_time(void **state)
     expect_vector(0, 0, -1, t.impact.normal);
 }
 
-static void parallel_edges_are_asked_at_the_begin_of_a(void **state)
+static void parallel_edges_use_start_point_of_a(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, -3, 2, 0, 0, 2, 0}, {EDGE, -3, -2, 0, 0, -2, 0}};
@@ -67,7 +67,7 @@ static void parallel_edges_are_asked_at_the_begin_of_a(void **state)
     expect_near(1.0, t.impact.normal[1], 1e-7);
 }
 
-static void distance_at_the_end_comes_first_and_is_strict(void **state)
+static void end_distance_test_comes_first_and_is_strict(void **state)
 {
     (void)state;
     /* Through a, and stopped 0.25 beyond it: step (ii) would say 0.8. */
@@ -83,7 +83,7 @@ static void distance_at_the_end_comes_first_and_is_strict(void **state)
     expect_weights(.25, .75, .75, .25, &t.impact);
 }
 
-static void distance_at_the_end_is_that_of_the_edges_where_a_foot_is_outside(void **state)
+static void end_distance_uses_edges_when_foot_is_outside(void **state)
 {
     (void)state;
     /* Lines cross at x = 1.5, 0.5 beyond a's end. */
@@ -97,7 +97,7 @@ static void distance_at_the_end_is_that_of_the_edges_where_a_foot_is_outside(voi
     expect_weights(0, 1, .75, .25, &t.impact);
 }
 
-static void signs_that_end_the_test_are_counted(void **state)
+static void early_sign_rejections_are_counted(void **state)
 {
     (void)state;
     question approach = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, 1, 0, 1, 1}};
@@ -117,7 +117,7 @@ static void signs_that_end_the_test_are_counted(void **state)
     }
 }
 
-static void point_and_triangle_are_told_likewise(void **state)
+static void point_triangle_test_is_analogous(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_POINT_TRIANGLE, {.5, .5, 3, TRIANGLE}, {.5, .5, -1, TRIANGLE}};
@@ -193,7 +193,7 @@ static void does_what_is_printed(harness_source *source, void *user)
     compared[steps.ended ? 0 : t.impact.hit ? 1 : 2]++;
 }
 
-static void test_is_the_printed_algorithm(void **state)
+static void test_matches_printed_algorithm(void **state)
 {
     (void)state;
     uint32_t compared[3] = {0}; /* ended by the sign, hits, outside */
@@ -214,7 +214,7 @@ static void answers_are_whole(harness_source *source, void *user)
     ask_with(&config, &q);
 }
 
-static void degenerate_features_never_give_what_is_not_a_number(void **state)
+static void degenerate_features_give_no_nan(void **state)
 {
     (void)state;
     harness_property("paper answers are whole", 20000, answers_are_whole, NULL);
@@ -228,14 +228,14 @@ static void degenerate_features_never_give_what_is_not_a_number(void **state)
 int test_paper(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(crossing_edges_are_told_at_the_linear_time),
-        harness_test(parallel_edges_are_asked_at_the_begin_of_a),
-        harness_test(distance_at_the_end_comes_first_and_is_strict),
-        harness_test(distance_at_the_end_is_that_of_the_edges_where_a_foot_is_outside),
-        harness_test(signs_that_end_the_test_are_counted),
-        harness_test(point_and_triangle_are_told_likewise),
-        harness_test(test_is_the_printed_algorithm),
-        harness_test(degenerate_features_never_give_what_is_not_a_number),
+        harness_test(crossing_edges_hit_at_linear_time),
+        harness_test(parallel_edges_use_start_point_of_a),
+        harness_test(end_distance_test_comes_first_and_is_strict),
+        harness_test(end_distance_uses_edges_when_foot_is_outside),
+        harness_test(early_sign_rejections_are_counted),
+        harness_test(point_triangle_test_is_analogous),
+        harness_test(test_matches_printed_algorithm),
+        harness_test(degenerate_features_give_no_nan),
     };
     return cmocka_run_group_tests_name("paper", tests, NULL, NULL);
 }

@@ -64,7 +64,7 @@ static void expect_restored(const question *q, const vbss_response *r, const dou
     expect_near(D, vec3_dot(apart, vec3_load(r->direction)), 1e-14);
 }
 
-static void edges_that_passed_are_put_back_by_who_moved(void **state)
+static void crossed_edges_are_moved_back_by_mover(void **state)
 {
     (void)state;
     question q = sinking(-.1, 0);
@@ -92,7 +92,7 @@ static void edges_that_passed_are_put_back_by_who_moved(void **state)
 }
 
 /* Rounding gives their lines a normal, which is not to be believed. */
-static void parallel_edges_that_passed_are_put_back_too(void **state)
+static void crossed_parallel_edges_are_moved_back(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE,
@@ -112,7 +112,7 @@ static void parallel_edges_that_passed_are_put_back_too(void **state)
     expect_restored(&q, &r, weights);
 }
 
-static void shares_of_a_chase_leave_the_unit_interval(void **state)
+static void chase_fractions_leave_unit_interval(void **state)
 {
     (void)state;
     question q = sinking(-1.2, -1); /* a flees by 1, b follows by 2.2 */
@@ -123,7 +123,7 @@ static void shares_of_a_chase_leave_the_unit_interval(void **state)
     assert_true(r.displacement[2] > 0.0); /* a is drawn back towards b, its motion undone */
 }
 
-static void rigid_side_stays_where_it_is(void **state)
+static void rigid_side_stays(void **state)
 {
     (void)state;
     const double *masses[] = {rigid_a, rigid_b};
@@ -139,7 +139,7 @@ static void rigid_side_stays_where_it_is(void **state)
     }
 }
 
-static void point_and_triangle_are_put_back_likewise(void **state)
+static void point_triangle_response_is_analogous(void **state)
 {
     (void)state;
     const double weights[4] = {1, .5, .25, .25}, rigid_point[4] = {0, 1, 2, 3};
@@ -164,7 +164,7 @@ static void point_and_triangle_are_put_back_likewise(void **state)
 }
 
 /* Restores D at the time of impact; at the end, what was passed since remains. */
-static void time_of_impact_moves_by_the_thickness(void **state)
+static void time_of_impact_shifts_with_thickness(void **state)
 {
     (void)state;
     const double corners[4] = {1, .5, .25, .25};
@@ -194,7 +194,7 @@ static void time_of_impact_moves_by_the_thickness(void **state)
 }
 
 /* Through, and found near at the end: its normal leads on, its time is that of the end. */
-static void hit_at_the_end_is_put_back_as_of_the_end(void **state)
+static void end_hit_is_resolved_at_end(void **state)
 {
     (void)state;
     question q = sinking(-.1, 0);
@@ -237,7 +237,7 @@ static void restores_contact_points(harness_source *source, void *user)
     ++*restored;
 }
 
-static void contact_points_move_by_exactly_the_depth(void **state)
+static void contact_points_move_by_depth(void **state)
 {
     (void)state;
     uint32_t restored = 0;
@@ -248,14 +248,14 @@ static void contact_points_move_by_exactly_the_depth(void **state)
 int test_paper_response(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(edges_that_passed_are_put_back_by_who_moved),
-        harness_test(parallel_edges_that_passed_are_put_back_too),
-        harness_test(shares_of_a_chase_leave_the_unit_interval),
-        harness_test(rigid_side_stays_where_it_is),
-        harness_test(point_and_triangle_are_put_back_likewise),
-        harness_test(time_of_impact_moves_by_the_thickness),
-        harness_test(hit_at_the_end_is_put_back_as_of_the_end),
-        harness_test(contact_points_move_by_exactly_the_depth),
+        harness_test(crossed_edges_are_moved_back_by_mover),
+        harness_test(crossed_parallel_edges_are_moved_back),
+        harness_test(chase_fractions_leave_unit_interval),
+        harness_test(rigid_side_stays),
+        harness_test(point_triangle_response_is_analogous),
+        harness_test(time_of_impact_shifts_with_thickness),
+        harness_test(end_hit_is_resolved_at_end),
+        harness_test(contact_points_move_by_depth),
     };
     return cmocka_run_group_tests_name("paper_response", tests, NULL, NULL);
 }

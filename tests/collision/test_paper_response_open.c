@@ -28,7 +28,7 @@ static void expect_open(double x, double y, double z, double depth, double share
     expect_near(share, r->share_a, 1e-15);
 }
 
-static void without_closing_motion_masses_share(void **state)
+static void masses_share_without_closing_motion(void **state)
 {
     (void)state;
     question rests = {
@@ -48,7 +48,7 @@ static void without_closing_motion_masses_share(void **state)
     }
 }
 
-static void features_that_meet_part_to_where_they_were(void **state)
+static void touching_features_return_to_start_positions(void **state)
 {
     (void)state;
     question edges = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, -1, 0, 1, -1}, {EDGE, 0, -1, 0, 0, 1, 0}};
@@ -63,7 +63,7 @@ static void features_that_meet_part_to_where_they_were(void **state)
     expect_open(0, -1, 0, D, 0, &r);
 }
 
-static void features_that_meet_at_both_times_take_what_else_is_known(void **state)
+static void features_touching_twice_use_fallback_normal(void **state)
 {
     (void)state;
     question q = {
@@ -88,7 +88,7 @@ static void features_that_meet_at_both_times_take_what_else_is_known(void **stat
     expect_near(D, r.depth, 0.0);
 }
 
-static void points_that_lie_upon_each_other_part_all_the_same(void **state)
+static void coincident_points_separate(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {0}, {0}};
@@ -100,7 +100,7 @@ static void points_that_lie_upon_each_other_part_all_the_same(void **state)
     expect_open(0, 0, 1, D, 1, &r);
 }
 
-static void edges_that_turned_by_a_right_angle_count_as_not_passed(void **state)
+static void edges_turned_by_right_angle_count_as_uncrossed(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, .1, -1, 0, .1, 1}};
@@ -108,7 +108,7 @@ static void edges_that_turned_by_a_right_angle_count_as_not_passed(void **state)
     expect_open(0, -1, 0, D - .1, 0, &r);
 }
 
-static void apart_already_is_left_alone(void **state)
+static void separated_features_are_unchanged(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, -1, .5, 0, 1, .5}};
@@ -116,7 +116,7 @@ static void apart_already_is_left_alone(void **state)
     expect_open(0, 0, -1, 0, 0, &r);
 }
 
-static void contact_at_a_held_vertex_is_moved_by_the_other_side(void **state)
+static void other_side_moves_at_held_vertex(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 1, 0, 1, 1, 2, 1}, {EDGE, 1, 0, -.1, 1, 2, -.1}};
@@ -137,7 +137,7 @@ static void contact_at_a_held_vertex_is_moved_by_the_other_side(void **state)
 }
 
 /* Rounding gives this triangle a normal. */
-static void triangle_without_area_has_no_plane(void **state)
+static void degenerate_triangle_has_no_plane(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_POINT_TRIANGLE,
@@ -161,7 +161,7 @@ static void answers_are_whole(harness_source *source, void *user)
     respond(&q, NULL, masses);
 }
 
-static void degenerate_features_never_give_what_is_not_a_number(void **state)
+static void degenerate_features_give_no_nan(void **state)
 {
     (void)state;
     harness_property("response answers are whole", 20000, answers_are_whole, NULL);
@@ -189,7 +189,7 @@ static void expect_refused(vbss_result wanted, call c)
     assert_memory_equal(&untouched, &r, sizeof r);
 }
 
-static void bad_arguments_are_refused(void **state)
+static void bad_arguments_are_rejected(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, -1, -.1, 0, 1, -.1}};
@@ -252,16 +252,16 @@ static void bad_arguments_are_refused(void **state)
 int test_paper_response_open(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(without_closing_motion_masses_share),
-        harness_test(features_that_meet_part_to_where_they_were),
-        harness_test(features_that_meet_at_both_times_take_what_else_is_known),
-        harness_test(points_that_lie_upon_each_other_part_all_the_same),
-        harness_test(edges_that_turned_by_a_right_angle_count_as_not_passed),
-        harness_test(apart_already_is_left_alone),
-        harness_test(contact_at_a_held_vertex_is_moved_by_the_other_side),
-        harness_test(triangle_without_area_has_no_plane),
-        harness_test(degenerate_features_never_give_what_is_not_a_number),
-        harness_test(bad_arguments_are_refused),
+        harness_test(masses_share_without_closing_motion),
+        harness_test(touching_features_return_to_start_positions),
+        harness_test(features_touching_twice_use_fallback_normal),
+        harness_test(coincident_points_separate),
+        harness_test(edges_turned_by_right_angle_count_as_uncrossed),
+        harness_test(separated_features_are_unchanged),
+        harness_test(other_side_moves_at_held_vertex),
+        harness_test(degenerate_triangle_has_no_plane),
+        harness_test(degenerate_features_give_no_nan),
+        harness_test(bad_arguments_are_rejected),
     };
     return cmocka_run_group_tests_name("paper_response_open", tests, NULL, NULL);
 }

@@ -69,7 +69,7 @@ static void roots_and_signs(harness_source *source, void *user)
     for_all(&k, end);
 }
 
-static void all_roots_between_0_and_1_and_signs_there_are_right(void **state)
+static void roots_and_signs_in_unit_interval(void **state)
 {
     (void)state;
     uint64_t told[2] = {0};
@@ -124,7 +124,7 @@ static void arithmetic(harness_source *source, void *user)
     for_all(&b, end);
 }
 
-static void sums_products_and_values_are_right(void **state)
+static void sums_products_and_values(void **state)
 {
     (void)state;
     harness_property("polynomials", 2000, arithmetic, NULL);
@@ -133,8 +133,8 @@ static void sums_products_and_values_are_right(void **state)
 int test_polynomials(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(sums_products_and_values_are_right),
-        harness_test(all_roots_between_0_and_1_and_signs_there_are_right),
+        harness_test(sums_products_and_values),
+        harness_test(roots_and_signs_in_unit_interval),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -168,7 +168,7 @@ static void make_set(uint32_t which, uint64_t seed, collision_set *set)
                                          NULL, set));
 }
 
-static void every_set(void **state)
+static void batched_rows_match_in_every_set(void **state)
 {
     (void)state;
     collision_counters all = {0};
@@ -192,7 +192,7 @@ static void every_set(void **state)
     assert_true(all.hits > all.queries / 10 && all.exact > 1000);
 }
 
-static void any_pass_limit(void **state)
+static void batched_rows_match_at_any_pass_limit(void **state)
 {
     (void)state;
     const uint32_t limits[] = {1, 2, 3, 5, 9, 31, 32, 33};
@@ -211,7 +211,7 @@ static void any_pass_limit(void **state)
 }
 
 /* Without thickness nothing so small is proved: fourth powers of lengths underflow. */
-static void features_so_small_that_products_underflow(void **state)
+static void underflowing_products_are_decided(void **state)
 {
     (void)state;
     collision_counters all = {0};
@@ -230,7 +230,7 @@ static void features_so_small_that_products_underflow(void **state)
 }
 
 /* More than the list of those that wait holds, all of them slow: the rotating and grazing ones. */
-static void many_that_need_many_passes(void **state)
+static void many_slow_pairs_converge(void **state)
 {
     (void)state;
     collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
@@ -259,7 +259,7 @@ static void many_that_need_many_passes(void **state)
 
 /* ---- sizes and outputs */
 
-static void any_number_of_questions_and_outputs(void **state)
+static void any_number_of_queries_and_outputs(void **state)
 {
     (void)state;
     collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
@@ -286,11 +286,11 @@ static void any_number_of_questions_and_outputs(void **state)
 int test_rows(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_set),
-        cmocka_unit_test(any_pass_limit),
-        cmocka_unit_test(features_so_small_that_products_underflow),
-        cmocka_unit_test(many_that_need_many_passes),
-        cmocka_unit_test(any_number_of_questions_and_outputs),
+        cmocka_unit_test(batched_rows_match_in_every_set),
+        cmocka_unit_test(batched_rows_match_at_any_pass_limit),
+        cmocka_unit_test(underflowing_products_are_decided),
+        cmocka_unit_test(many_slow_pairs_converge),
+        cmocka_unit_test(any_number_of_queries_and_outputs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -28,7 +28,7 @@ static double boxes_of_coil(uint32_t segments, bool capsules, bool sheet)
 }
 
 /* Ten times as many features with as many neighbours each: about ten times the work. */
-static void work_grows_as_the_number_of_features(void **state)
+static void search_cost_is_linear_in_features(void **state)
 {
     (void)state;
     for (int way = 0; way < 4; way++) {
@@ -76,7 +76,7 @@ static double boxes_of_search(vbss_collision *collision)
     return (double)(shapes_statistics(collision).boxes_tested - before);
 }
 
-static void names_of_nodes_do_not_matter(void **state)
+static void node_names_do_not_matter(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -94,7 +94,7 @@ static void names_of_nodes_do_not_matter(void **state)
 }
 
 /* Capsules change places with each other, so that what was near is far: the next search finds it out. */
-static void trees_follow_what_moves(void **state)
+static void trees_follow_motion(void **state)
 {
     (void)state;
     enum { CAPSULES = 3000 };
@@ -131,9 +131,9 @@ static void trees_follow_what_moves(void **state)
 int test_search_cost(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(work_grows_as_the_number_of_features),
-        cmocka_unit_test(names_of_nodes_do_not_matter),
-        cmocka_unit_test(trees_follow_what_moves),
+        cmocka_unit_test(search_cost_is_linear_in_features),
+        cmocka_unit_test(node_names_do_not_matter),
+        cmocka_unit_test(trees_follow_motion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

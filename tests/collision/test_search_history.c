@@ -71,7 +71,7 @@ static void another_life(harness_source *source, void *user)
     end(&f);
 }
 
-static void other_lives_give_the_same_list(void **state)
+static void candidates_do_not_depend_on_history(void **state)
 {
     (void)state;
     harness_property("another life", 150, another_life, NULL);
@@ -116,7 +116,7 @@ static void another_tree(harness_source *source, void *user)
     end(&f);
 }
 
-static void other_trees_give_the_same_list(void **state)
+static void candidates_do_not_depend_on_tree(void **state)
 {
     (void)state;
     harness_property("another tree", 60, another_tree, NULL);
@@ -148,7 +148,7 @@ static void either_copy(harness_source *source, void *user)
     end(&f);
 }
 
-static void either_copy_of_the_loops_gives_the_same_list(void **state)
+static void scalar_and_simd_candidates_are_equal(void **state)
 {
     (void)state;
     harness_property("either copy", 60, either_copy, NULL);
@@ -194,7 +194,7 @@ static void removed_and_added_again(harness_source *source, void *user)
     end(&f);
 }
 
-static void shapes_may_come_and_go(void **state)
+static void shapes_can_be_added_and_removed(void **state)
 {
     (void)state;
     harness_property("removed and added again", 100, removed_and_added_again, NULL);
@@ -228,7 +228,7 @@ static void moves_go_on_where_they_ended(harness_source *source, void *user)
     end(&f);
 }
 
-static void a_move_without_start_goes_on(void **state)
+static void move_without_start_continues(void **state)
 {
     (void)state;
     harness_property("moves go on", 40, moves_go_on_where_they_ended, NULL);
@@ -237,11 +237,11 @@ static void a_move_without_start_goes_on(void **state)
 int test_search_history(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(other_lives_give_the_same_list),
-        harness_test(other_trees_give_the_same_list),
-        harness_test(either_copy_of_the_loops_gives_the_same_list),
-        harness_test(shapes_may_come_and_go),
-        harness_test(a_move_without_start_goes_on),
+        harness_test(candidates_do_not_depend_on_history),
+        harness_test(candidates_do_not_depend_on_tree),
+        harness_test(scalar_and_simd_candidates_are_equal),
+        harness_test(shapes_can_be_added_and_removed),
+        harness_test(move_without_start_continues),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,7 +127,7 @@ static const family_facts facts[] = {
     {is_tiny, 0.05, 0.2},      {is_huge, 0.03, 0.25},        {is_far, 0.1, 0.3},
     {is_far_vertex, 0.3, 0.7}, {is_mid_step_graze, 0.4, 0.6}};
 
-static void families_are_what_they_are_called(void **state)
+static void families_match_their_names(void **state)
 {
     (void)state;
     assert_int_equal(collision_family_count, sizeof facts / sizeof facts[0]);
@@ -160,7 +160,7 @@ static void families_are_what_they_are_called(void **state)
     }
 }
 
-static void the_thread_is_a_thread(void **state)
+static void thread_set_is_a_thread(void **state)
 {
     (void)state;
     collision_set set;
@@ -236,7 +236,7 @@ static uint32_t called(const char *name)
     return i;
 }
 
-static void degenerate_sets_are_what_they_are_called(void **state)
+static void degenerate_sets_match_their_names(void **state)
 {
     (void)state;
     for (vbss_pair_kind kind = 0; kind < 2; kind++) {
@@ -254,9 +254,9 @@ static void degenerate_sets_are_what_they_are_called(void **state)
 int test_set_names(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(families_are_what_they_are_called),
-        cmocka_unit_test(the_thread_is_a_thread),
-        cmocka_unit_test(degenerate_sets_are_what_they_are_called),
+        cmocka_unit_test(families_match_their_names),
+        cmocka_unit_test(thread_set_is_a_thread),
+        cmocka_unit_test(degenerate_sets_match_their_names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

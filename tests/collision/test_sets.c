@@ -31,7 +31,7 @@ static uint64_t hash_of(uint32_t which, uint64_t seed)
     return hash;
 }
 
-static void a_seed_names_a_set(void **state)
+static void seed_determines_set(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < set_count(); i++) {
@@ -102,7 +102,7 @@ static void expect_true_by_samples(const collision_query *query)
     }
 }
 
-static void truth_agrees_with_samples(void **state)
+static void truth_matches_samples(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < thick_set_count(); i++) {
@@ -130,7 +130,7 @@ static collision_query known_pass(vbss_pair_kind kind, double distance)
     return query;
 }
 
-static void truth_of_known_passes(void **state)
+static void truth_of_known_crossings(void **state)
 {
     (void)state;
     for (int i = -4; i < 4; i++) {
@@ -152,9 +152,9 @@ static void truth_of_known_passes(void **state)
 int test_sets(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_seed_names_a_set),
-        cmocka_unit_test(truth_agrees_with_samples),
-        cmocka_unit_test(truth_of_known_passes),
+        cmocka_unit_test(seed_determines_set),
+        cmocka_unit_test(truth_matches_samples),
+        cmocka_unit_test(truth_of_known_crossings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

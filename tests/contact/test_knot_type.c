@@ -70,7 +70,7 @@ static int64_t determinant_of_torus(int p, int q)
 }
 
 /* v2 = (p^2 - 1)(q^2 - 1)/24, v3 = p q (p^2 - 1)(q^2 - 1)/144 */
-static void torus_knots_are_told(void **state)
+static void torus_knots_are_identified(void **state)
 {
     (void)state;
     static const int pairs[][2] = {{2, 1}, {2, 3}, {3, 2}, {2, 5}, {2, 7}, {2, 9}, {3, 4},
@@ -86,7 +86,7 @@ static void torus_knots_are_told(void **state)
     }
 }
 
-static void twist_knots_are_told(void **state)
+static void twist_knots_are_identified(void **state)
 {
     (void)state;
     polyline p;
@@ -105,7 +105,7 @@ static void expect_throws(int64_t determinant, int64_t v2, int64_t v3, uint32_t 
     assert_true(knot_type_same(wanted, knot_type_of_throws(throws, wraps, signs)));
 }
 
-static void throws_have_the_invariants_of_the_table(void **state)
+static void throws_match_invariant_table(void **state)
 {
     (void)state;
     static const int wraps[] = {2, 1, 1}, triple[] = {3}, twos[] = {2, 2};
@@ -124,7 +124,7 @@ static void throws_have_the_invariants_of_the_table(void **state)
     expect_throws(45, 5, 7, 3, wraps, alike);
 }
 
-static void kinds_differ_unless_they_are_the_same_knot(void **state)
+static void distinct_knots_differ(void **state)
 {
     (void)state;
     for (int a = 0; a < 2 * KNOT_KINDS; a++) {
@@ -219,7 +219,7 @@ static void keeps_its_type(harness_source *source, void *user)
     expect_type(wanted.determinant, wanted.v2, wanted.v3, &p);
 }
 
-static void moved_refined_reversed_and_mirrored_knots_keep_their_type(void **state)
+static void knot_type_is_invariant(void **state)
 {
     (void)state;
     harness_property("keeps its type", 400, keeps_its_type, NULL);
@@ -250,7 +250,7 @@ static void tangles_agree_with_themselves(harness_source *source, void *user)
     assert_true(!small || remainder == conway || (16 - remainder) % 16 == conway);
 }
 
-static void tangles_have_one_type_from_all_sides(void **state)
+static void tangle_type_does_not_depend_on_view(void **state)
 {
     (void)state;
     uint32_t knotted = 0;
@@ -260,7 +260,7 @@ static void tangles_have_one_type_from_all_sides(void **state)
 
 /* ---- what cannot be told */
 
-static void nearly_met_strands_are_uncertain(void **state)
+static void nearly_touching_strands_are_uncertain(void **state)
 {
     (void)state;
     /* the last segment passes over the first at a height */
@@ -275,7 +275,7 @@ static void nearly_met_strands_are_uncertain(void **state)
     }
 }
 
-static void what_has_no_shape_is_uncertain(void **state)
+static void degenerate_curve_is_uncertain(void **state)
 {
     (void)state;
     vec3 x[3] = {{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}};
@@ -288,7 +288,7 @@ static void what_has_no_shape_is_uncertain(void **state)
     }
 }
 
-static void straight_and_short_threads_are_no_knots(void **state)
+static void straight_and_short_threads_are_unknots(void **state)
 {
     (void)state;
     polyline p = {.count = 2, .x = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}};
@@ -301,7 +301,7 @@ static void straight_and_short_threads_are_no_knots(void **state)
 }
 
 /* The middle of one strand of a trefoil goes through another. */
-static void a_strand_that_passes_changes_the_type(void **state)
+static void strand_passage_changes_type(void **state)
 {
     (void)state;
     static polyline p;
@@ -324,16 +324,16 @@ static void a_strand_that_passes_changes_the_type(void **state)
 int test_knot_type(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(torus_knots_are_told),
-        cmocka_unit_test(twist_knots_are_told),
-        cmocka_unit_test(throws_have_the_invariants_of_the_table),
-        cmocka_unit_test(kinds_differ_unless_they_are_the_same_knot),
-        harness_test(moved_refined_reversed_and_mirrored_knots_keep_their_type),
-        harness_test(tangles_have_one_type_from_all_sides),
-        cmocka_unit_test(nearly_met_strands_are_uncertain),
-        cmocka_unit_test(what_has_no_shape_is_uncertain),
-        cmocka_unit_test(straight_and_short_threads_are_no_knots),
-        cmocka_unit_test(a_strand_that_passes_changes_the_type),
+        cmocka_unit_test(torus_knots_are_identified),
+        cmocka_unit_test(twist_knots_are_identified),
+        cmocka_unit_test(throws_match_invariant_table),
+        cmocka_unit_test(distinct_knots_differ),
+        harness_test(knot_type_is_invariant),
+        harness_test(tangle_type_does_not_depend_on_view),
+        cmocka_unit_test(nearly_touching_strands_are_uncertain),
+        cmocka_unit_test(degenerate_curve_is_uncertain),
+        cmocka_unit_test(straight_and_short_threads_are_unknots),
+        cmocka_unit_test(strand_passage_changes_type),
     };
     return cmocka_run_group_tests_name("knot_type", tests, NULL, NULL);
 }

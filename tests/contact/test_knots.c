@@ -53,7 +53,7 @@ static void has_its_type(const knot_shape *shape)
     }
 }
 
-static void every_knot_has_its_type(void **state)
+static void each_knot_shape_has_its_type(void **state)
 {
     (void)state;
     for_all(has_its_type);
@@ -83,7 +83,7 @@ static void goes_round(const knot_shape *shape)
     }
 }
 
-static void the_cylinder_goes_through_the_loop(void **state)
+static void cylinder_passes_through_loop(void **state)
 {
     (void)state;
     for_all(goes_round);
@@ -123,7 +123,7 @@ static void keeps_away(const knot_shape *shape)
     }
 }
 
-static void strands_keep_away_from_each_other_and_the_cylinder(void **state)
+static void strands_clear_each_other_and_cylinder(void **state)
 {
     (void)state;
     for_all(keeps_away);
@@ -139,7 +139,7 @@ static void is_as_large_as_asked(const knot_shape *shape)
     keeps_away(&s);
 }
 
-static void strands_keep_away_at_any_size(void **state)
+static void strands_clear_at_any_scale(void **state)
 {
     (void)state;
     for_all(is_as_large_as_asked);
@@ -193,13 +193,13 @@ static void leaves_straight(const knot_shape *shape)
     }
 }
 
-static void ends_leave_straight_in_opposite_directions(void **state)
+static void ends_leave_straight_and_opposite(void **state)
 {
     (void)state;
     for_all(leaves_straight);
 }
 
-static void a_tail_may_be_chosen(void **state)
+static void tail_length_is_configurable(void **state)
 {
     (void)state;
     knot_shape shape;
@@ -236,13 +236,13 @@ static void is_graded(const knot_shape *shape)
     assert_true(line.node_count <= KNOT_NODES);
 }
 
-static void meshes_are_fine_in_the_knot_and_grow_away_from_it(void **state)
+static void mesh_is_fine_in_knot_and_coarsens_away(void **state)
 {
     (void)state;
     for_all(is_graded);
 }
 
-static void standard_meshes_have_these_nodes(void **state)
+static void standard_mesh_node_counts(void **state)
 {
     (void)state;
     static const uint32_t nodes[KNOT_KINDS][2] = {{151, 182}, {179, 208}, {208, 237},
@@ -259,7 +259,7 @@ static void standard_meshes_have_these_nodes(void **state)
 }
 
 /* Between nodes of a coarse mesh lie 50 segments of a fine one. */
-static void arcs_measure_the_curve_and_chords_the_nodes(void **state)
+static void arc_is_of_curve_and_chord_of_nodes(void **state)
 {
     (void)state;
     static vec3 coarse[FINE_NODES];
@@ -292,7 +292,7 @@ static void refuses(vbss_result wanted, knot_shape shape)
     expect_result(wanted, knot_make(&shape, FINE_NODES, positions, rest_lengths, &line));
 }
 
-static void what_cannot_be_made_is_told(void **state)
+static void impossible_knot_is_rejected(void **state)
 {
     (void)state;
     knot_shape good, shape;
@@ -328,17 +328,17 @@ static void what_cannot_be_made_is_told(void **state)
 int test_knots(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_knot_has_its_type),
-        cmocka_unit_test(the_cylinder_goes_through_the_loop),
-        cmocka_unit_test(strands_keep_away_from_each_other_and_the_cylinder),
-        cmocka_unit_test(strands_keep_away_at_any_size),
+        cmocka_unit_test(each_knot_shape_has_its_type),
+        cmocka_unit_test(cylinder_passes_through_loop),
+        cmocka_unit_test(strands_clear_each_other_and_cylinder),
+        cmocka_unit_test(strands_clear_at_any_scale),
         cmocka_unit_test(curvature_is_small_and_continuous),
-        cmocka_unit_test(ends_leave_straight_in_opposite_directions),
-        cmocka_unit_test(a_tail_may_be_chosen),
-        cmocka_unit_test(meshes_are_fine_in_the_knot_and_grow_away_from_it),
-        cmocka_unit_test(standard_meshes_have_these_nodes),
-        cmocka_unit_test(arcs_measure_the_curve_and_chords_the_nodes),
-        cmocka_unit_test(what_cannot_be_made_is_told),
+        cmocka_unit_test(ends_leave_straight_and_opposite),
+        cmocka_unit_test(tail_length_is_configurable),
+        cmocka_unit_test(mesh_is_fine_in_knot_and_coarsens_away),
+        cmocka_unit_test(standard_mesh_node_counts),
+        cmocka_unit_test(arc_is_of_curve_and_chord_of_nodes),
+        cmocka_unit_test(impossible_knot_is_rejected),
     };
     return cmocka_run_group_tests_name("knots", tests, NULL, NULL);
 }

@@ -221,19 +221,19 @@ static void welds_side_by_side(harness_source *source, void *user)
     compare(&w, 1e-8);
 }
 
-static void a_weld_is_a_constraint_to_rounding(void **state)
+static void weld_is_exact_to_rounding(void **state)
 {
     (void)state;
     harness_property("one", 300, one_weld, NULL);
 }
 
-static void welds_apart_on_one_body_or_two_are_constraints(void **state)
+static void welds_on_one_or_two_bodies_are_exact(void **state)
 {
     (void)state;
     harness_property("apart", 300, welds_apart, NULL);
 }
 
-static void welds_side_by_side_are_constraints(void **state)
+static void adjacent_welds_are_exact(void **state)
 {
     (void)state;
     harness_property("side by side", 300, welds_side_by_side, NULL);
@@ -242,9 +242,9 @@ static void welds_side_by_side_are_constraints(void **state)
 int test_weld_elimination(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_weld_is_a_constraint_to_rounding),
-        harness_test(welds_apart_on_one_body_or_two_are_constraints),
-        harness_test(welds_side_by_side_are_constraints),
+        harness_test(weld_is_exact_to_rounding),
+        harness_test(welds_on_one_or_two_bodies_are_exact),
+        harness_test(adjacent_welds_are_exact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -105,7 +105,7 @@ static vbss_result create(device_rig *r, const vbss_device_adapter *a, const vbs
     return vbss_device_create(r->context, a, b, &r->config, &r->device);
 }
 
-static void adapters_are_opened_once_and_closed_after_zeros(void **state)
+static void adapter_opens_once_and_closes_after_zeros(void **state)
 {
     (void)state;
     device_rig r;
@@ -131,7 +131,7 @@ static void adapters_are_opened_once_and_closed_after_zeros(void **state)
     assert_true(d.last.force[0] == 0.0);
 }
 
-static void a_stop_is_written_at_once(void **state)
+static void stop_is_written_at_once(void **state)
 {
     (void)state;
     device_rig r;
@@ -156,7 +156,7 @@ static void a_stop_is_written_at_once(void **state)
 
 /* ---- what cannot be opened */
 
-static void an_adapter_that_cannot_be_opened_is_told_and_the_other_closed(void **state)
+static void failing_open_closes_other_adapter(void **state)
 {
     (void)state;
     for (int which = 0; which < 2; which++) {
@@ -188,7 +188,7 @@ static void an_adapter_that_cannot_be_opened_is_told_and_the_other_closed(void *
     }
 }
 
-static void tables_without_functions_are_refused(void **state)
+static void function_table_without_functions_is_rejected(void **state)
 {
     (void)state;
     device_rig r;
@@ -225,7 +225,7 @@ static void tables_without_functions_are_refused(void **state)
 }
 
 /* Without a description all is there that there are functions for. */
-static void an_adapter_that_is_not_described_can_all(void **state)
+static void undescribed_adapter_has_all_capabilities(void **state)
 {
     (void)state;
     device_rig r;
@@ -248,7 +248,7 @@ static void an_adapter_that_is_not_described_can_all(void **state)
 }
 
 /* What an adapter says of a failure is kept until the next, and cut where its room ends. */
-static void what_failed_is_told_in_the_adapters_words(void **state)
+static void adapter_error_text_is_kept_and_truncated(void **state)
 {
     (void)state;
     device_rig r;
@@ -277,7 +277,7 @@ static void what_failed_is_told_in_the_adapters_words(void **state)
 }
 
 /* Lost, says the adapter, and gives samples: no solenoid, even where a loss does not stop. */
-static void a_loss_puts_the_solenoid_off_in_any_case(void **state)
+static void disconnect_turns_solenoid_off(void **state)
 {
     (void)state;
     device_rig r;
@@ -298,7 +298,7 @@ static void a_loss_puts_the_solenoid_off_in_any_case(void **state)
 
 /* ---- an adapter from the future */
 
-static void an_adapter_with_a_newer_header_fits(void **state)
+static void newer_adapter_header_fits(void **state)
 {
     (void)state;
     device_rig r;
@@ -332,7 +332,7 @@ static vbss_result open_watched(vbss_context *context, void *user)
 }
 
 /* Nothing of the hardware is touched for a device that cannot be had. */
-static void without_memory_nothing_is_opened(void **state)
+static void failed_allocation_opens_nothing(void **state)
 {
     (void)state;
     vbss_device_adapter a = adapter_of(&watched);
@@ -344,15 +344,15 @@ static void without_memory_nothing_is_opened(void **state)
 int test_adapters(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(adapters_are_opened_once_and_closed_after_zeros),
-        cmocka_unit_test(a_stop_is_written_at_once),
-        cmocka_unit_test(an_adapter_that_cannot_be_opened_is_told_and_the_other_closed),
-        cmocka_unit_test(tables_without_functions_are_refused),
-        cmocka_unit_test(an_adapter_that_is_not_described_can_all),
-        cmocka_unit_test(what_failed_is_told_in_the_adapters_words),
-        cmocka_unit_test(a_loss_puts_the_solenoid_off_in_any_case),
-        cmocka_unit_test(an_adapter_with_a_newer_header_fits),
-        cmocka_unit_test(without_memory_nothing_is_opened),
+        cmocka_unit_test(adapter_opens_once_and_closes_after_zeros),
+        cmocka_unit_test(stop_is_written_at_once),
+        cmocka_unit_test(failing_open_closes_other_adapter),
+        cmocka_unit_test(function_table_without_functions_is_rejected),
+        cmocka_unit_test(undescribed_adapter_has_all_capabilities),
+        cmocka_unit_test(adapter_error_text_is_kept_and_truncated),
+        cmocka_unit_test(disconnect_turns_solenoid_off),
+        cmocka_unit_test(newer_adapter_header_fits),
+        cmocka_unit_test(failed_allocation_opens_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

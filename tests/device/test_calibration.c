@@ -34,7 +34,7 @@ static void set_rotation(vbss_device_calibration *c, quat q)
 
 /* ---- one by one */
 
-static void the_default_changes_nothing(void **state)
+static void default_is_identity(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
@@ -50,7 +50,7 @@ static void the_default_changes_nothing(void **state)
 }
 
 /* A device with y up and z towards the user, in a world with z up and x towards the user. */
-static void axes_are_exchanged_as_told(void **state)
+static void axes_are_permuted(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
@@ -71,7 +71,7 @@ static void axes_are_exchanged_as_told(void **state)
 }
 
 /* What is seen in a mirror turns the other way. */
-static void a_mirror_turns_turns_over(void **state)
+static void mirror_flips_rotation(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
@@ -90,7 +90,7 @@ static void a_mirror_turns_turns_over(void **state)
     expect_vec3(mirrored, quat_rotate(vbss_device_orientation_to_world(&f, q), image), 1e-15);
 }
 
-static void the_handle_at_rest_holds_the_tool_as_mounted(void **state)
+static void rest_orientation_maps_to_mounted_tool(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
@@ -102,7 +102,7 @@ static void the_handle_at_rest_holds_the_tool_as_mounted(void **state)
     expect_quat(mount, vbss_device_orientation_to_world(&f, quat_identity()), 1e-15);
 }
 
-static void the_workspace_holds_what_is_outside(void **state)
+static void workspace_clamps_position(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
@@ -177,7 +177,7 @@ static void positions_come_back(harness_source *source, void *user)
     expect_vec3(p, vec3_scale(back, 1.0 / c.scale), 1e-13);
 }
 
-static void any_calibration_goes_there_and_back(void **state)
+static void calibration_round_trip(void **state)
 {
     (void)state;
     harness_property("power_agrees", 2000, power_agrees, NULL);
@@ -186,7 +186,7 @@ static void any_calibration_goes_there_and_back(void **state)
 }
 
 /* A rotation typed in with six digits is made right before it is used. */
-static void a_rotation_that_is_nearly_right_is_made_right(void **state)
+static void nearly_unit_rotation_is_normalised(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
@@ -207,7 +207,7 @@ static void expect_refused(vbss_result wanted, const vbss_device_calibration *c)
     expect_result(wanted, vbss_device_check_calibration(NULL, c));
 }
 
-static void what_is_no_calibration_is_refused(void **state)
+static void invalid_calibration_is_rejected(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
@@ -240,7 +240,7 @@ static void what_is_no_calibration_is_refused(void **state)
     expect_refused(VBSS_ERROR_OUT_OF_RANGE, &c);
 }
 
-static void no_number_of_it_may_be_bad(void **state)
+static void every_bad_number_is_rejected(void **state)
 {
     (void)state;
     const vbss_device_calibration good = fresh();
@@ -261,15 +261,15 @@ static void no_number_of_it_may_be_bad(void **state)
 int test_calibration(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_default_changes_nothing),
-        cmocka_unit_test(axes_are_exchanged_as_told),
-        cmocka_unit_test(a_mirror_turns_turns_over),
-        cmocka_unit_test(the_handle_at_rest_holds_the_tool_as_mounted),
-        cmocka_unit_test(the_workspace_holds_what_is_outside),
-        harness_test(any_calibration_goes_there_and_back),
-        cmocka_unit_test(a_rotation_that_is_nearly_right_is_made_right),
-        cmocka_unit_test(what_is_no_calibration_is_refused),
-        cmocka_unit_test(no_number_of_it_may_be_bad),
+        cmocka_unit_test(default_is_identity),
+        cmocka_unit_test(axes_are_permuted),
+        cmocka_unit_test(mirror_flips_rotation),
+        cmocka_unit_test(rest_orientation_maps_to_mounted_tool),
+        cmocka_unit_test(workspace_clamps_position),
+        harness_test(calibration_round_trip),
+        cmocka_unit_test(nearly_unit_rotation_is_normalised),
+        cmocka_unit_test(invalid_calibration_is_rejected),
+        cmocka_unit_test(every_bad_number_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@ static void begin(device_rig *r)
 }
 
 /* A device at 250 Hz under a host at 1 kHz: the pose is held in between, the velocity is right, nothing is stale. */
-static void a_rate_that_drops_is_followed(void **state)
+static void falling_rate_is_followed(void **state)
 {
     (void)state;
     device_rig r;
@@ -33,7 +33,7 @@ static void a_rate_that_drops_is_followed(void **state)
 }
 
 /* At 100 Hz the watchdog would act between samples; a device that says so from the begin is waited for. */
-static void a_slow_device_is_waited_for_if_it_says_so(void **state)
+static void slow_device_has_longer_timeout(void **state)
 {
     (void)state;
     for (int told = 0; told < 2; told++) {
@@ -53,7 +53,7 @@ static void a_slow_device_is_waited_for_if_it_says_so(void **state)
 }
 
 /* Steady lateness of 8 ms: told by a shared clock only. */
-static void late_samples_are_old_where_the_clock_is_shared(void **state)
+static void late_sample_is_aged_on_shared_clock(void **state)
 {
     (void)state;
     for (int shared = 0; shared < 2; shared++) {
@@ -78,7 +78,7 @@ static void late_samples_are_old_where_the_clock_is_shared(void **state)
     }
 }
 
-static void samples_out_of_order_are_refused(void **state)
+static void out_of_order_samples_are_rejected(void **state)
 {
     (void)state;
     device_rig r;
@@ -111,7 +111,7 @@ static void measure_with_origin(void *user, double time, vbss_device_sample *sam
     sample->time = time + origin;
 }
 
-static void a_clock_that_begins_anew_is_followed_after_a_while(void **state)
+static void restarted_clock_is_followed_after_delay(void **state)
 {
     (void)state;
     device_rig r;
@@ -138,7 +138,7 @@ static void a_clock_that_begins_anew_is_followed_after_a_while(void **state)
 }
 
 /* One wrong time in the far future is followed by the same. */
-static void one_time_in_the_future_does_not_block_for_ever(void **state)
+static void single_future_time_does_not_block(void **state)
 {
     (void)state;
     device_rig r;
@@ -169,7 +169,7 @@ static void one_time_in_the_future_does_not_block_for_ever(void **state)
 }
 
 /* A device that was plugged in again counts from zero: taken at once, and no filter looks back. */
-static void a_device_that_is_back_may_count_anew_at_once(void **state)
+static void reconnected_device_may_restart_clock(void **state)
 {
     (void)state;
     device_rig r;
@@ -192,7 +192,7 @@ static void a_device_that_is_back_may_count_anew_at_once(void **state)
 }
 
 /* Away for a moment only: nothing is stale, and still no filter looks back over the gap. */
-static void a_device_that_was_lost_for_a_moment_begins_anew(void **state)
+static void briefly_lost_device_restarts(void **state)
 {
     (void)state;
     for (int restart = 0; restart < 2; restart++) {
@@ -228,7 +228,7 @@ static void a_device_that_was_lost_for_a_moment_begins_anew(void **state)
 }
 
 /* The filter of the opening goes by the samples' times: at 250 Hz as at 1 kHz. */
-static void the_handle_is_filtered_by_its_own_times(void **state)
+static void handle_filter_uses_handle_times(void **state)
 {
     (void)state;
     device_rig r;
@@ -248,7 +248,7 @@ static void the_handle_is_filtered_by_its_own_times(void **state)
     device_rig_end(&r);
 }
 
-static void before_the_first_sample_a_device_waits(void **state)
+static void device_waits_for_first_sample(void **state)
 {
     (void)state;
     device_rig r;
@@ -280,16 +280,16 @@ static void before_the_first_sample_a_device_waits(void **state)
 int test_clocks(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rate_that_drops_is_followed),
-        cmocka_unit_test(a_slow_device_is_waited_for_if_it_says_so),
-        cmocka_unit_test(late_samples_are_old_where_the_clock_is_shared),
-        cmocka_unit_test(samples_out_of_order_are_refused),
-        cmocka_unit_test(a_clock_that_begins_anew_is_followed_after_a_while),
-        cmocka_unit_test(one_time_in_the_future_does_not_block_for_ever),
-        cmocka_unit_test(a_device_that_is_back_may_count_anew_at_once),
-        cmocka_unit_test(a_device_that_was_lost_for_a_moment_begins_anew),
-        cmocka_unit_test(the_handle_is_filtered_by_its_own_times),
-        cmocka_unit_test(before_the_first_sample_a_device_waits),
+        cmocka_unit_test(falling_rate_is_followed),
+        cmocka_unit_test(slow_device_has_longer_timeout),
+        cmocka_unit_test(late_sample_is_aged_on_shared_clock),
+        cmocka_unit_test(out_of_order_samples_are_rejected),
+        cmocka_unit_test(restarted_clock_is_followed_after_delay),
+        cmocka_unit_test(single_future_time_does_not_block),
+        cmocka_unit_test(reconnected_device_may_restart_clock),
+        cmocka_unit_test(briefly_lost_device_restarts),
+        cmocka_unit_test(handle_filter_uses_handle_times),
+        cmocka_unit_test(device_waits_for_first_sample),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

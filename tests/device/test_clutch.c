@@ -34,7 +34,7 @@ static double turn_between(quat a, quat b)
     return vec3_norm(vbss_quat_to_rotation_vector(quat_mul(a, quat_conjugate(b))));
 }
 
-static void the_pose_stays_and_goes_on_from_there(void **state)
+static void pose_holds_and_continues(void **state)
 {
     (void)state;
     for (int with_orientation = 0; with_orientation < 2; with_orientation++) {
@@ -79,7 +79,7 @@ static void the_pose_stays_and_goes_on_from_there(void **state)
     }
 }
 
-static void held_twice_is_held_once(void **state)
+static void double_hold_is_one_hold(void **state)
 {
     (void)state;
     device_rig r;
@@ -103,7 +103,7 @@ static void held_twice_is_held_once(void **state)
     device_rig_end(&r);
 }
 
-static void a_pose_is_made_what_it_shall_be(void **state)
+static void recentre_sets_pose(void **state)
 {
     (void)state;
     device_rig r;
@@ -129,7 +129,7 @@ static void a_pose_is_made_what_it_shall_be(void **state)
     device_rig_end(&r);
 }
 
-static void what_no_pose_can_be_is_refused(void **state)
+static void invalid_pose_is_rejected(void **state)
 {
     (void)state;
     device_rig r;
@@ -150,7 +150,7 @@ static void what_no_pose_can_be_is_refused(void **state)
     device_rig_end(&r);
 }
 
-static void a_new_calibration_holds_from_the_next_read_on(void **state)
+static void new_calibration_applies_from_next_read(void **state)
 {
     (void)state;
     device_rig r;
@@ -188,7 +188,7 @@ static void a_new_calibration_holds_from_the_next_read_on(void **state)
 
 /* ---- the workspace */
 
-static void outside_the_workspace_the_pose_waits_at_the_wall(void **state)
+static void pose_outside_workspace_waits_at_boundary(void **state)
 {
     (void)state;
     device_rig r;
@@ -213,7 +213,7 @@ static void outside_the_workspace_the_pose_waits_at_the_wall(void **state)
 
 /* ---- forces */
 
-static void forces_are_turned_and_scaled_to_the_device(void **state)
+static void forces_are_rotated_and_scaled_to_device(void **state)
 {
     (void)state;
     device_rig r;
@@ -244,13 +244,13 @@ static void forces_are_turned_and_scaled_to_the_device(void **state)
 int test_clutch(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_pose_stays_and_goes_on_from_there),
-        cmocka_unit_test(held_twice_is_held_once),
-        cmocka_unit_test(a_pose_is_made_what_it_shall_be),
-        cmocka_unit_test(what_no_pose_can_be_is_refused),
-        cmocka_unit_test(a_new_calibration_holds_from_the_next_read_on),
-        cmocka_unit_test(outside_the_workspace_the_pose_waits_at_the_wall),
-        cmocka_unit_test(forces_are_turned_and_scaled_to_the_device),
+        cmocka_unit_test(pose_holds_and_continues),
+        cmocka_unit_test(double_hold_is_one_hold),
+        cmocka_unit_test(recentre_sets_pose),
+        cmocka_unit_test(invalid_pose_is_rejected),
+        cmocka_unit_test(new_calibration_applies_from_next_read),
+        cmocka_unit_test(pose_outside_workspace_waits_at_boundary),
+        cmocka_unit_test(forces_are_rotated_and_scaled_to_device),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

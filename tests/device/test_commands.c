@@ -2,7 +2,7 @@
 #include "device/rig.h"
 
 /* A command's fault and temperature hold as long as the command; the age of the pose is the device's own. */
-static void what_a_command_says_holds_until_the_next(void **state)
+static void command_persists_until_next(void **state)
 {
     (void)state;
     device_rig r;
@@ -41,7 +41,7 @@ static void what_a_command_says_holds_until_the_next(void **state)
     device_rig_end(&r);
 }
 
-static void a_command_that_is_not_finite_is_told_by_a_flag(void **state)
+static void non_finite_command_sets_flag(void **state)
 {
     (void)state;
     device_rig r;
@@ -69,7 +69,7 @@ static void a_command_that_is_not_finite_is_told_by_a_flag(void **state)
 }
 
 /* The host may know better how old a pose is, or how warm a motor. */
-static void what_a_command_says_counts_if_it_is_worse(void **state)
+static void worse_of_command_and_device_counts(void **state)
 {
     (void)state;
     device_rig r;
@@ -94,7 +94,7 @@ static void what_a_command_says_counts_if_it_is_worse(void **state)
 }
 
 /* Between writes the pose goes on to grow old. */
-static void a_pose_grows_old_between_read_and_write(void **state)
+static void pose_ages_between_read_and_write(void **state)
 {
     (void)state;
     device_rig r;
@@ -113,10 +113,10 @@ static void a_pose_grows_old_between_read_and_write(void **state)
 int test_commands(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_a_command_says_holds_until_the_next),
-        cmocka_unit_test(a_command_that_is_not_finite_is_told_by_a_flag),
-        cmocka_unit_test(what_a_command_says_counts_if_it_is_worse),
-        cmocka_unit_test(a_pose_grows_old_between_read_and_write),
+        cmocka_unit_test(command_persists_until_next),
+        cmocka_unit_test(non_finite_command_sets_flag),
+        cmocka_unit_test(worse_of_command_and_device_counts),
+        cmocka_unit_test(pose_ages_between_read_and_write),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

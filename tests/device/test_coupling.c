@@ -51,7 +51,7 @@ static void write_it(device_rig *r, const vbss_device_coupling *c)
         vbss_device_write_coupled(r->device, r->now, &r->command, c, &r->result, sizeof r->result));
 }
 
-static void the_force_is_that_of_a_spring_with_a_damper(void **state)
+static void force_is_spring_damper(void **state)
 {
     (void)state;
     device_rig r;
@@ -76,7 +76,7 @@ static void the_force_is_that_of_a_spring_with_a_damper(void **state)
 
 /* Scaled, turned, mirrored and held at a wall: at the pose that was read, the adapter's coupling and the device's force
  * are the same. */
-static void adapters_get_the_coupling_in_their_own_frame(void **state)
+static void adapter_gets_coupling_in_its_frame(void **state)
 {
     (void)state;
     device_rig r;
@@ -110,7 +110,7 @@ static void adapters_get_the_coupling_in_their_own_frame(void **state)
 }
 
 /* Stopped, clutched, refused, or without a pose: no coupling goes out, and no force. */
-static void a_coupling_is_withheld_while_forces_are_off(void **state)
+static void coupling_is_withheld_while_forces_are_off(void **state)
 {
     (void)state;
     device_rig r;
@@ -143,7 +143,7 @@ static void a_coupling_is_withheld_while_forces_are_off(void **state)
     device_rig_end(&r);
 }
 
-static void bad_couplings_are_refused(void **state)
+static void bad_couplings_are_rejected(void **state)
 {
     (void)state;
     device_rig r;
@@ -175,10 +175,10 @@ static void bad_couplings_are_refused(void **state)
 int test_coupling(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_force_is_that_of_a_spring_with_a_damper),
-        cmocka_unit_test(adapters_get_the_coupling_in_their_own_frame),
-        cmocka_unit_test(a_coupling_is_withheld_while_forces_are_off),
-        cmocka_unit_test(bad_couplings_are_refused),
+        cmocka_unit_test(force_is_spring_damper),
+        cmocka_unit_test(adapter_gets_coupling_in_its_frame),
+        cmocka_unit_test(coupling_is_withheld_while_forces_are_off),
+        cmocka_unit_test(bad_couplings_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

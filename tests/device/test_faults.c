@@ -73,7 +73,7 @@ static void refused_samples(vbss_mock_fault fault, double value, size_t counter)
     device_rig_end(&r);
 }
 
-static void numbers_that_are_none_are_refused(void **state)
+static void non_finite_numbers_are_rejected(void **state)
 {
     (void)state;
     for (int which = 0; which <= 4; which++) {
@@ -89,7 +89,7 @@ static void numbers_that_are_none_are_refused(void **state)
     device_rig_end(&r);
 }
 
-static void orientations_that_are_not_unit_are_refused(void **state)
+static void non_unit_orientations_are_rejected(void **state)
 {
     (void)state;
     refused_samples(VBSS_MOCK_NORM, 0.9, offsetof(vbss_device_statistics, not_unit));
@@ -97,7 +97,7 @@ static void orientations_that_are_not_unit_are_refused(void **state)
     refused_samples(VBSS_MOCK_NORM, 1e9, offsetof(vbss_device_statistics, not_unit));
 }
 
-static void orientations_that_are_nearly_unit_are_made_so(void **state)
+static void nearly_unit_orientations_are_normalised(void **state)
 {
     (void)state;
     device_rig r;
@@ -113,13 +113,13 @@ static void orientations_that_are_nearly_unit_are_made_so(void **state)
     device_rig_end(&r);
 }
 
-static void poses_outside_all_reason_are_refused(void **state)
+static void absurd_poses_are_rejected(void **state)
 {
     (void)state;
     refused_samples(VBSS_MOCK_JUMP, 1e6, offsetof(vbss_device_statistics, out_of_range));
 }
 
-static void a_stalled_device_is_stale(void **state)
+static void stalled_device_is_stale(void **state)
 {
     (void)state;
     device_rig r;
@@ -142,7 +142,7 @@ static void a_stalled_device_is_stale(void **state)
     device_rig_end(&r);
 }
 
-static void reads_that_fail_are_no_samples(void **state)
+static void failed_reads_are_no_samples(void **state)
 {
     (void)state;
     device_rig r;
@@ -168,7 +168,7 @@ static void reads_that_fail_are_no_samples(void **state)
 
 /* ---- lost */
 
-static void a_lost_device_is_stopped_at_once_until_somebody_releases_it(void **state)
+static void lost_device_stops_until_release(void **state)
 {
     (void)state;
     device_rig r;
@@ -195,7 +195,7 @@ static void a_lost_device_is_stopped_at_once_until_somebody_releases_it(void **s
     device_rig_end(&r);
 }
 
-static void a_lost_device_may_only_grow_old(void **state)
+static void lost_device_only_ages(void **state)
 {
     (void)state;
     device_rig r;
@@ -216,7 +216,7 @@ static void a_lost_device_may_only_grow_old(void **state)
 
 /* ---- what a device says of itself */
 
-static void a_device_that_refuses_forces_gets_none(void **state)
+static void device_without_force_capability_gets_none(void **state)
 {
     (void)state;
     device_rig r;
@@ -234,7 +234,7 @@ static void a_device_that_refuses_forces_gets_none(void **state)
 }
 
 /* Nor does it begin to take them because it says nothing. */
-static void a_refusal_holds_until_a_sample_says_otherwise(void **state)
+static void force_refusal_holds_until_new_sample(void **state)
 {
     (void)state;
     device_rig r;
@@ -249,7 +249,7 @@ static void a_refusal_holds_until_a_sample_says_otherwise(void **state)
     device_rig_end(&r);
 }
 
-static void a_device_can_ask_for_an_emergency_stop(void **state)
+static void device_can_request_emergency_stop(void **state)
 {
     (void)state;
     device_rig r;
@@ -274,7 +274,7 @@ static void a_device_can_ask_for_an_emergency_stop(void **state)
     device_rig_end(&r);
 }
 
-static void a_warm_motor_is_spared(void **state)
+static void warm_motor_is_derated(void **state)
 {
     (void)state;
     device_rig r;
@@ -287,7 +287,7 @@ static void a_warm_motor_is_spared(void **state)
     device_rig_end(&r);
 }
 
-static void writes_that_fail_are_told_and_put_the_solenoid_off(void **state)
+static void failed_write_turns_solenoid_off(void **state)
 {
     (void)state;
     device_rig r;
@@ -309,7 +309,7 @@ static void writes_that_fail_are_told_and_put_the_solenoid_off(void **state)
     device_rig_end(&r);
 }
 
-static void a_broken_wire_of_the_handle_makes_the_opening_stale(void **state)
+static void broken_handle_wire_makes_opening_stale(void **state)
 {
     (void)state;
     device_rig r;
@@ -334,20 +334,20 @@ static void a_broken_wire_of_the_handle_makes_the_opening_stale(void **state)
 int test_faults(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_that_are_none_are_refused),
-        cmocka_unit_test(orientations_that_are_not_unit_are_refused),
-        cmocka_unit_test(orientations_that_are_nearly_unit_are_made_so),
-        cmocka_unit_test(poses_outside_all_reason_are_refused),
-        cmocka_unit_test(a_stalled_device_is_stale),
-        cmocka_unit_test(reads_that_fail_are_no_samples),
-        cmocka_unit_test(a_lost_device_is_stopped_at_once_until_somebody_releases_it),
-        cmocka_unit_test(a_lost_device_may_only_grow_old),
-        cmocka_unit_test(a_device_that_refuses_forces_gets_none),
-        cmocka_unit_test(a_refusal_holds_until_a_sample_says_otherwise),
-        cmocka_unit_test(a_device_can_ask_for_an_emergency_stop),
-        cmocka_unit_test(a_warm_motor_is_spared),
-        cmocka_unit_test(writes_that_fail_are_told_and_put_the_solenoid_off),
-        cmocka_unit_test(a_broken_wire_of_the_handle_makes_the_opening_stale),
+        cmocka_unit_test(non_finite_numbers_are_rejected),
+        cmocka_unit_test(non_unit_orientations_are_rejected),
+        cmocka_unit_test(nearly_unit_orientations_are_normalised),
+        cmocka_unit_test(absurd_poses_are_rejected),
+        cmocka_unit_test(stalled_device_is_stale),
+        cmocka_unit_test(failed_reads_are_no_samples),
+        cmocka_unit_test(lost_device_stops_until_release),
+        cmocka_unit_test(lost_device_only_ages),
+        cmocka_unit_test(device_without_force_capability_gets_none),
+        cmocka_unit_test(force_refusal_holds_until_new_sample),
+        cmocka_unit_test(device_can_request_emergency_stop),
+        cmocka_unit_test(warm_motor_is_derated),
+        cmocka_unit_test(failed_write_turns_solenoid_off),
+        cmocka_unit_test(broken_handle_wire_makes_opening_stale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ static void potentiometers_are_read_in_volts(void **state)
 }
 
 /* Pulses of a script, one a handle, against what the lines do: late by a round at most, and of their length. */
-static void solenoid_pulses_equal_the_script(void **state)
+static void solenoid_pulses_match_script(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -52,7 +52,7 @@ static void solenoid_pulses_equal_the_script(void **state)
     hardware_rig_end(&r);
 }
 
-static void a_silent_host_leaves_no_solenoid_on(void **state)
+static void silent_host_turns_solenoid_off(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -81,7 +81,7 @@ static void a_silent_host_leaves_no_solenoid_on(void **state)
 }
 
 /* The last word comes just after a round, and each waits for the hardware longer than its period. */
-static void slow_rounds_leave_no_solenoid_on_for_10_ms_either(void **state)
+static void slow_rounds_turn_solenoid_off_within_10_ms(void **state)
 {
     (void)state;
     for (int spacing = 2; spacing <= 5; spacing++) {
@@ -107,7 +107,7 @@ static void slow_rounds_leave_no_solenoid_on_for_10_ms_either(void **state)
     }
 }
 
-static void a_step_of_the_host_never_touches_the_lines(void **state)
+static void host_step_never_touches_lines(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -142,10 +142,10 @@ int test_handle_lines(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(potentiometers_are_read_in_volts),
-        cmocka_unit_test(solenoid_pulses_equal_the_script),
-        cmocka_unit_test(a_silent_host_leaves_no_solenoid_on),
-        cmocka_unit_test(slow_rounds_leave_no_solenoid_on_for_10_ms_either),
-        cmocka_unit_test(a_step_of_the_host_never_touches_the_lines),
+        cmocka_unit_test(solenoid_pulses_match_script),
+        cmocka_unit_test(silent_host_turns_solenoid_off),
+        cmocka_unit_test(slow_rounds_turn_solenoid_off_within_10_ms),
+        cmocka_unit_test(host_step_never_touches_lines),
         cmocka_unit_test(devices_are_listed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

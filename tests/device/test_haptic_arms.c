@@ -3,7 +3,7 @@
 
 #include "device/hardware_rig.h"
 
-static void poses_come_in_metres_and_unit_quaternions(void **state)
+static void poses_are_in_metres_and_unit_quaternions(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -44,7 +44,7 @@ static double angle_between(const double a[4], const double b[4])
 }
 
 /* About axes that are none of the arm's, both signs of the quaternion, and half a turn, which no trace tells. */
-static void an_arm_is_turned_as_its_hand_is(void **state)
+static void arm_orientation_follows_hand(void **state)
 {
     (void)state;
     static const double turns[][4] = {{0.5, 0.5, -0.1, 0.7},
@@ -69,7 +69,7 @@ static void an_arm_is_turned_as_its_hand_is(void **state)
 }
 
 /* The angle that is left falls as exp(-t / wrist), about one axis, whatever the motors do; a tick measures what was before it. */
-static void a_wrist_follows_as_an_exponential(void **state)
+static void wrist_filter_is_exponential(void **state)
 {
     (void)state;
     const double begin[4] = {0.8, 0.0, 0.6, 0.0}, here[3] = {0.0, 0.0, 0.0};
@@ -96,7 +96,7 @@ static void a_wrist_follows_as_an_exponential(void **state)
     hardware_rig_end(&r);
 }
 
-static void arms_say_what_they_are(void **state)
+static void capabilities_are_reported(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -116,7 +116,7 @@ static void arms_say_what_they_are(void **state)
     hardware_rig_end(&r);
 }
 
-static void a_force_goes_out_in_the_next_tick(void **state)
+static void force_is_written_in_next_tick(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -138,7 +138,7 @@ static void a_force_goes_out_in_the_next_tick(void **state)
 }
 
 /* Each tick has the spring at the pose of that tick, though the host's anchor is of the step before. */
-static void a_coupling_is_computed_at_the_newest_pose(void **state)
+static void coupling_uses_newest_pose(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -163,7 +163,7 @@ static void a_coupling_is_computed_at_the_newest_pose(void **state)
     hardware_rig_end(&r);
 }
 
-static void servo_rates_are_the_vendors(void **state)
+static void servo_rates_match_vendor(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -193,7 +193,7 @@ static void step_inside(void *user, double now)
     }
 }
 
-static void a_host_may_step_inside_the_servo(void **state)
+static void host_may_step_inside_servo(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -212,7 +212,7 @@ static void a_host_may_step_inside_the_servo(void **state)
     hardware_rig_end(&r);
 }
 
-static void one_device_at_a_time_stands_on_an_arm(void **state)
+static void arm_serves_one_device_at_a_time(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -230,7 +230,7 @@ static void one_device_at_a_time_stands_on_an_arm(void **state)
     hardware_rig_end(&r);
 }
 
-static void a_device_that_is_left_behind_finds_its_arm_lost(void **state)
+static void abandoned_device_reports_arm_lost(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -253,16 +253,16 @@ static void a_device_that_is_left_behind_finds_its_arm_lost(void **state)
 int test_haptic_arms(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(poses_come_in_metres_and_unit_quaternions),
-        cmocka_unit_test(an_arm_is_turned_as_its_hand_is),
-        cmocka_unit_test(a_wrist_follows_as_an_exponential),
-        cmocka_unit_test(arms_say_what_they_are),
-        cmocka_unit_test(a_force_goes_out_in_the_next_tick),
-        cmocka_unit_test(a_coupling_is_computed_at_the_newest_pose),
-        cmocka_unit_test(servo_rates_are_the_vendors),
-        cmocka_unit_test(a_host_may_step_inside_the_servo),
-        cmocka_unit_test(one_device_at_a_time_stands_on_an_arm),
-        cmocka_unit_test(a_device_that_is_left_behind_finds_its_arm_lost),
+        cmocka_unit_test(poses_are_in_metres_and_unit_quaternions),
+        cmocka_unit_test(arm_orientation_follows_hand),
+        cmocka_unit_test(wrist_filter_is_exponential),
+        cmocka_unit_test(capabilities_are_reported),
+        cmocka_unit_test(force_is_written_in_next_tick),
+        cmocka_unit_test(coupling_uses_newest_pose),
+        cmocka_unit_test(servo_rates_match_vendor),
+        cmocka_unit_test(host_may_step_inside_servo),
+        cmocka_unit_test(arm_serves_one_device_at_a_time),
+        cmocka_unit_test(abandoned_device_reports_arm_lost),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

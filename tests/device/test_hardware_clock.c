@@ -19,7 +19,7 @@ static void sort_and_print(double *times, size_t count, const char *what)
 }
 
 /* Not in the steps of 10 ms and more that a system's clock may have. */
-static void a_sleep_is_as_long_as_it_is_asked_for(void **state)
+static void sleep_duration_is_accurate(void **state)
 {
     (void)state;
     enum { SLEEPS = 51 };
@@ -33,7 +33,7 @@ static void a_sleep_is_as_long_as_it_is_asked_for(void **state)
     assert_true(slept[0] >= 1.99e-3 && slept[SLEEPS / 4] < 5e-3);
 }
 
-static void a_thread_puts_solenoids_off_within_10_ms_of_the_last_word(void **state)
+static void servo_thread_turns_solenoids_off_within_10_ms(void **state)
 {
     (void)state;
     enum { TIMES = 21 };
@@ -62,8 +62,8 @@ static void a_thread_puts_solenoids_off_within_10_ms_of_the_last_word(void **sta
 int test_hardware_clock(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_sleep_is_as_long_as_it_is_asked_for),
-        cmocka_unit_test(a_thread_puts_solenoids_off_within_10_ms_of_the_last_word),
+        cmocka_unit_test(sleep_duration_is_accurate),
+        cmocka_unit_test(servo_thread_turns_solenoids_off_within_10_ms),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -40,7 +40,7 @@ static void expect_safe(hardware_rig *r, int adapter, const char *wanted)
     }
 }
 
-static void an_arm_that_is_unplugged_is_lost(void **state)
+static void unplugged_arm_is_lost(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -63,7 +63,7 @@ static void an_arm_that_is_unplugged_is_lost(void **state)
     hardware_rig_end(&r);
 }
 
-static void one_failed_frame_stops_too(void **state)
+static void single_failed_frame_stops(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -74,7 +74,7 @@ static void one_failed_frame_stops_too(void **state)
     hardware_rig_end(&r);
 }
 
-static void a_pose_that_is_no_number_moves_nothing(void **state)
+static void non_finite_pose_moves_nothing(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -90,7 +90,7 @@ static void a_pose_that_is_no_number_moves_nothing(void **state)
     hardware_rig_end(&r);
 }
 
-static void warm_motors_are_left_alone(void **state)
+static void warm_motors_get_no_force(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -109,7 +109,7 @@ static void warm_motors_are_left_alone(void **state)
     hardware_rig_end(&r);
 }
 
-static void an_arm_that_was_too_fast_rests_for_a_second(void **state)
+static void overspeed_arm_rests_for_a_second(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -121,7 +121,7 @@ static void an_arm_that_was_too_fast_rests_for_a_second(void **state)
     hardware_rig_end(&r);
 }
 
-static void an_uncalibrated_arm_gets_no_force(void **state)
+static void uncalibrated_arm_gets_no_force(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -141,7 +141,7 @@ static void an_uncalibrated_arm_gets_no_force(void **state)
 }
 
 /* Nobody can put a force out while the servo stands; when it goes on, nothing is left of the old one. */
-static void a_servo_that_stands_still_makes_the_pose_stale(void **state)
+static void stopped_servo_makes_pose_stale(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -161,7 +161,7 @@ static void a_servo_that_stands_still_makes_the_pose_stale(void **state)
     hardware_rig_end(&r);
 }
 
-static void a_silent_host_lets_go_within_10_ms(void **state)
+static void silent_host_releases_force_within_10_ms(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -174,7 +174,7 @@ static void a_silent_host_lets_go_within_10_ms(void **state)
     hardware_rig_end(&r);
 }
 
-static void lines_that_do_not_answer_in_time_put_solenoids_off(void **state)
+static void late_lines_turn_solenoids_off(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -191,7 +191,7 @@ static void lines_that_do_not_answer_in_time_put_solenoids_off(void **state)
     hardware_rig_end(&r);
 }
 
-static void lines_that_are_removed_are_lost(void **state)
+static void removed_lines_are_lost(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -204,7 +204,7 @@ static void lines_that_are_removed_are_lost(void **state)
     hardware_rig_end(&r);
 }
 
-static void warnings_are_counted_and_nothing_else(void **state)
+static void warnings_are_only_counted(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -219,7 +219,7 @@ static void warnings_are_counted_and_nothing_else(void **state)
 }
 
 /* The host does nothing meanwhile, so what it would do does not hide what the servo does not. */
-static void the_servo_lets_go_by_itself(void **state)
+static void servo_releases_force_by_itself(void **state)
 {
     (void)state;
     const stand_in_hd_fault faults[] = {STAND_IN_COMM_ERROR, STAND_IN_NAN_POSE, STAND_IN_TOO_FAST};
@@ -236,7 +236,7 @@ static void the_servo_lets_go_by_itself(void **state)
     }
 }
 
-static void a_round_that_measures_nothing_puts_solenoids_off_and_leaves_them(void **state)
+static void failed_measurement_turns_solenoids_off(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -254,19 +254,19 @@ static void a_round_that_measures_nothing_puts_solenoids_off_and_leaves_them(voi
 int test_hardware_faults(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_arm_that_is_unplugged_is_lost),
-        cmocka_unit_test(one_failed_frame_stops_too),
-        cmocka_unit_test(a_pose_that_is_no_number_moves_nothing),
-        cmocka_unit_test(warm_motors_are_left_alone),
-        cmocka_unit_test(an_arm_that_was_too_fast_rests_for_a_second),
-        cmocka_unit_test(an_uncalibrated_arm_gets_no_force),
-        cmocka_unit_test(a_servo_that_stands_still_makes_the_pose_stale),
-        cmocka_unit_test(a_silent_host_lets_go_within_10_ms),
-        cmocka_unit_test(lines_that_do_not_answer_in_time_put_solenoids_off),
-        cmocka_unit_test(lines_that_are_removed_are_lost),
-        cmocka_unit_test(warnings_are_counted_and_nothing_else),
-        cmocka_unit_test(the_servo_lets_go_by_itself),
-        cmocka_unit_test(a_round_that_measures_nothing_puts_solenoids_off_and_leaves_them),
+        cmocka_unit_test(unplugged_arm_is_lost),
+        cmocka_unit_test(single_failed_frame_stops),
+        cmocka_unit_test(non_finite_pose_moves_nothing),
+        cmocka_unit_test(warm_motors_get_no_force),
+        cmocka_unit_test(overspeed_arm_rests_for_a_second),
+        cmocka_unit_test(uncalibrated_arm_gets_no_force),
+        cmocka_unit_test(stopped_servo_makes_pose_stale),
+        cmocka_unit_test(silent_host_releases_force_within_10_ms),
+        cmocka_unit_test(late_lines_turn_solenoids_off),
+        cmocka_unit_test(removed_lines_are_lost),
+        cmocka_unit_test(warnings_are_only_counted),
+        cmocka_unit_test(servo_releases_force_by_itself),
+        cmocka_unit_test(failed_measurement_turns_solenoids_off),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static void expect_no_lines(hardware_rig *r, vbss_result wanted, const char *tex
     hardware_rig_expect_text(r, text);
 }
 
-static void a_missing_library_is_named(void **state)
+static void missing_library_is_named(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -35,7 +35,7 @@ static void a_missing_library_is_named(void **state)
     hardware_rig_end(&r);
 }
 
-static void a_library_of_something_else_is_told_by_what_it_has_not(void **state)
+static void library_with_missing_symbol_is_rejected_by_name(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -47,7 +47,7 @@ static void a_library_of_something_else_is_told_by_what_it_has_not(void **state)
     hardware_rig_end(&r);
 }
 
-static void wrong_names_are_told(void **state)
+static void unknown_names_are_rejected(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -69,7 +69,7 @@ static void wrong_names_are_told(void **state)
     hardware_rig_end(&r);
 }
 
-static void hardware_that_does_not_start_is_closed_again(void **state)
+static void failed_start_closes_hardware(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -90,7 +90,7 @@ static void hardware_that_does_not_start_is_closed_again(void **state)
     hardware_rig_end(&r);
 }
 
-static void settings_out_of_range_are_refused_by_name(void **state)
+static void out_of_range_settings_are_named(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -117,7 +117,7 @@ static void settings_out_of_range_are_refused_by_name(void **state)
     hardware_rig_end(&r);
 }
 
-static void pumps_are_for_lines_without_a_thread(void **state)
+static void pump_requires_lines_without_thread(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -165,7 +165,7 @@ static vbss_result use_lines(vbss_context *context, const void *config)
     return vbss_nidaqmx_destroy(lines);
 }
 
-static void the_size_protocol_is_kept(void **state)
+static void size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[][2] = {{16 + 6 * sizeof(void *), 0}, {56 + 5 * sizeof(void *), 0}};
@@ -214,7 +214,7 @@ static vbss_result call_lines_status(void *lines)
     return vbss_nidaqmx_get_status(lines, &status, sizeof status);
 }
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     const harness_handle_call arms[] = {call_arm_adapter, call_arm_status, call_identity};
@@ -247,7 +247,7 @@ static vbss_result live(vbss_context *context, void *user)
     return use_lines(context, &r->lines);
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_left_open(void **state)
+static void each_failed_allocation_is_reported_and_closes_hardware(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -256,7 +256,7 @@ static void every_failing_allocation_is_told_and_nothing_is_left_open(void **sta
     hardware_rig_end(&r);
 }
 
-static void a_context_that_ends_closes_everything(void **state)
+static void context_end_closes_hardware(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -273,16 +273,16 @@ static void a_context_that_ends_closes_everything(void **state)
 int test_hardware_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_missing_library_is_named),
-        cmocka_unit_test(a_library_of_something_else_is_told_by_what_it_has_not),
-        cmocka_unit_test(wrong_names_are_told),
-        cmocka_unit_test(hardware_that_does_not_start_is_closed_again),
-        cmocka_unit_test(settings_out_of_range_are_refused_by_name),
-        cmocka_unit_test(pumps_are_for_lines_without_a_thread),
-        cmocka_unit_test(the_size_protocol_is_kept),
-        cmocka_unit_test(wrong_handles_are_told_by_every_call),
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_left_open),
-        cmocka_unit_test(a_context_that_ends_closes_everything),
+        cmocka_unit_test(missing_library_is_named),
+        cmocka_unit_test(library_with_missing_symbol_is_rejected_by_name),
+        cmocka_unit_test(unknown_names_are_rejected),
+        cmocka_unit_test(failed_start_closes_hardware),
+        cmocka_unit_test(out_of_range_settings_are_named),
+        cmocka_unit_test(pump_requires_lines_without_thread),
+        cmocka_unit_test(size_protocol),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
+        cmocka_unit_test(each_failed_allocation_is_reported_and_closes_hardware),
+        cmocka_unit_test(context_end_closes_hardware),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

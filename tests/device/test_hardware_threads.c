@@ -10,7 +10,7 @@ static void host_step(hardware_rig *r, int i)
 }
 
 /* Nothing is asked about times: the machine may have others to serve. */
-static void servo_lines_and_host_share_only_the_newest(void **state)
+static void servo_lines_and_host_share_only_newest_value(void **state)
 {
     (void)state;
     hardware_rig r;
@@ -60,7 +60,7 @@ static void write_values(void *user)
     }
 }
 
-static void the_newest_value_is_whole_and_never_older(void **state)
+static void newest_value_is_whole_and_monotonic(void **state)
 {
     (void)state;
     static shared s;
@@ -86,8 +86,8 @@ static void the_newest_value_is_whole_and_never_older(void **state)
 int test_hardware_threads(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(servo_lines_and_host_share_only_the_newest),
-        cmocka_unit_test(the_newest_value_is_whole_and_never_older),
+        cmocka_unit_test(servo_lines_and_host_share_only_newest_value),
+        cmocka_unit_test(newest_value_is_whole_and_monotonic),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

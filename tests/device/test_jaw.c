@@ -12,7 +12,7 @@ static vbss_device_calibration range(double closed, double open)
     return c;
 }
 
-static void the_range_goes_either_way(void **state)
+static void range_may_be_reversed(void **state)
 {
     (void)state;
     vbss_device_calibration up = range(1.5, 2.0), down = range(2.0, 1.5);
@@ -25,7 +25,7 @@ static void the_range_goes_either_way(void **state)
     expect_near(1.0, vbss_device_opening_from_raw(&up, 2.1), 0.0);
 }
 
-static void a_broken_wire_is_not_believed(void **state)
+static void broken_wire_is_rejected(void **state)
 {
     (void)state;
     vbss_device_calibration c = range(2.0, 1.0);
@@ -38,7 +38,7 @@ static void a_broken_wire_is_not_believed(void **state)
 }
 
 /* A step from 0 to 1 after n samples: 1 - exp(-n h / T), whatever the steps are. */
-static void the_filter_follows_the_exponential(void **state)
+static void filter_is_exponential(void **state)
 {
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
@@ -54,7 +54,7 @@ static void the_filter_follows_the_exponential(void **state)
     }
 }
 
-static void the_first_sample_is_taken_as_it_is(void **state)
+static void first_sample_is_unfiltered(void **state)
 {
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
@@ -68,7 +68,7 @@ static void the_first_sample_is_taken_as_it_is(void **state)
 }
 
 /* Noise of one step of the converter each way stays within the play; a movement larger than it comes through. */
-static void noise_within_the_play_is_not_seen(void **state)
+static void noise_within_backlash_is_ignored(void **state)
 {
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
@@ -90,7 +90,7 @@ static void noise_within_the_play_is_not_seen(void **state)
     assert_true(jaw.opening < open);
 }
 
-static void the_play_keeps_both_ends(void **state)
+static void backlash_keeps_range_ends(void **state)
 {
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
@@ -106,7 +106,7 @@ static void the_play_keeps_both_ends(void **state)
     }
 }
 
-static void jaws_close_and_open_at_different_openings(void **state)
+static void opening_and_closing_thresholds_differ(void **state)
 {
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
@@ -124,13 +124,13 @@ static void jaws_close_and_open_at_different_openings(void **state)
 int test_jaw(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_range_goes_either_way),
-        cmocka_unit_test(a_broken_wire_is_not_believed),
-        cmocka_unit_test(the_filter_follows_the_exponential),
-        cmocka_unit_test(the_first_sample_is_taken_as_it_is),
-        cmocka_unit_test(noise_within_the_play_is_not_seen),
-        cmocka_unit_test(the_play_keeps_both_ends),
-        cmocka_unit_test(jaws_close_and_open_at_different_openings),
+        cmocka_unit_test(range_may_be_reversed),
+        cmocka_unit_test(broken_wire_is_rejected),
+        cmocka_unit_test(filter_is_exponential),
+        cmocka_unit_test(first_sample_is_unfiltered),
+        cmocka_unit_test(noise_within_backlash_is_ignored),
+        cmocka_unit_test(backlash_keeps_range_ends),
+        cmocka_unit_test(opening_and_closing_thresholds_differ),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
 
 /* ---- handles and callbacks */
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     device_rig r;
@@ -47,7 +47,7 @@ static void measure_and_meddle(void *user, double time, vbss_device_sample *samp
     call_all();
 }
 
-static void nothing_changes_from_inside_an_adapter(void **state)
+static void calls_inside_adapter_are_rejected(void **state)
 {
     (void)state;
     device_rig r;
@@ -86,7 +86,7 @@ static vbss_result live(vbss_context *context, void *user)
     return device_run_destroy(&run);
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     harness_fail_every_allocation(live, NULL);
@@ -95,9 +95,9 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
 int test_life(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wrong_handles_are_told_by_every_call),
-        cmocka_unit_test(nothing_changes_from_inside_an_adapter),
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
+        cmocka_unit_test(calls_inside_adapter_are_rejected),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

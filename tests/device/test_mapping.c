@@ -37,7 +37,7 @@ static void expect_turned(double x, double y, double z)
 
 /* ---- mouse */
 
-static void a_mouse_moves_in_the_plane_and_its_wheel_in_depth(void **state)
+static void mouse_moves_in_plane_and_wheel_in_depth(void **state)
 {
     (void)state;
     const double motion[3] = {30.0, -20.0, 2.0};
@@ -57,7 +57,7 @@ static void a_mouse_moves_in_the_plane_and_its_wheel_in_depth(void **state)
     expect_position(9e-3, -6e-3, -12e-3);
 }
 
-static void a_mouse_turns_while_its_button_is_down(void **state)
+static void mouse_turns_with_button_down(void **state)
 {
     (void)state;
     const double right[3] = {100.0, 0.0, 0.0}, up[3] = {0.0, 40.0, 0.0}, roll[3] = {0.0, 0.0, 3.0};
@@ -79,7 +79,7 @@ static void a_mouse_turns_while_its_button_is_down(void **state)
 }
 
 /* A camera that looks along x: right is -y, up is z. */
-static void the_plane_is_the_screens(void **state)
+static void mouse_plane_is_screen_plane(void **state)
 {
     (void)state;
     const double motion[3] = {10.0, 20.0, 1.0};
@@ -89,7 +89,7 @@ static void the_plane_is_the_screens(void **state)
     expect_position(2e-3, -1e-3, 2e-3); /* away from the user is along x */
 }
 
-static void positions_stay_in_the_box(void **state)
+static void position_stays_in_box(void **state)
 {
     (void)state;
     const double far[3] = {1e6, -1e6, 1e6};
@@ -121,7 +121,7 @@ static void keys_move_by_steps(void **state)
 
 /* ---- gamepad */
 
-static void a_gamepad_moves_at_rates(void **state)
+static void gamepad_moves_at_rates(void **state)
 {
     (void)state;
     const double axes[6] = {1.0, -1.0, 0.1, 0.0, 7.0, 0.0};
@@ -132,7 +132,7 @@ static void a_gamepad_moves_at_rates(void **state)
 }
 
 /* From nothing at the edge of the dead zone to all at full deflection, without a jump, by the power. */
-static void the_curve_begins_at_the_dead_zone(void **state)
+static void response_curve_starts_at_dead_zone(void **state)
 {
     (void)state;
     for (uint32_t curve = 1; curve <= 4; curve++) {
@@ -156,7 +156,7 @@ static void the_curve_begins_at_the_dead_zone(void **state)
 
 /* ---- samples of any kind */
 
-static void any_orientation_is_gone_on_from(void **state)
+static void any_start_orientation_is_continued(void **state)
 {
     (void)state;
     const double still[7] = {0.0};
@@ -168,7 +168,7 @@ static void any_orientation_is_gone_on_from(void **state)
     }
 }
 
-static void a_longer_sample_of_the_host_keeps_its_size(void **state)
+static void longer_host_sample_keeps_its_size(void **state)
 {
     (void)state;
     const double still[7] = {0.0};
@@ -197,7 +197,7 @@ static void expect_refused(vbss_result wanted, int which, const double *motion, 
     assert_memory_equal(&before, &sample, sizeof sample);
 }
 
-static void bad_numbers_are_refused_and_change_nothing(void **state)
+static void bad_numbers_are_rejected_and_change_nothing(void **state)
 {
     const int counts[] = {3, 7, 6};
     const double still[7] = {0.0};
@@ -230,7 +230,7 @@ static void bad_numbers_are_refused_and_change_nothing(void **state)
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_mapping_gamepad(&config, still, 1.1, 0.0, &sample));
 }
 
-static void bad_mappings_are_refused(void **state)
+static void bad_mappings_are_rejected(void **state)
 {
     (void)state;
     const double still[7] = {0.0};
@@ -286,7 +286,7 @@ static vbss_result use_sample(vbss_context *context, const void *s)
     return vbss_mapping_mouse(NULL, still, 0, 0.0, (vbss_device_sample *)(void *)copy);
 }
 
-static void the_size_protocol_is_kept(void **state)
+static void size_protocol(void **state)
 {
     (void)state;
     static const uint32_t mapping_sizes[] = {192, 0}, sample_sizes[] = {160, 0};
@@ -299,18 +299,18 @@ static void the_size_protocol_is_kept(void **state)
 int test_mapping(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(a_mouse_moves_in_the_plane_and_its_wheel_in_depth, begin),
-        cmocka_unit_test_setup(a_mouse_turns_while_its_button_is_down, begin),
-        cmocka_unit_test_setup(the_plane_is_the_screens, begin),
-        cmocka_unit_test_setup(positions_stay_in_the_box, begin),
+        cmocka_unit_test_setup(mouse_moves_in_plane_and_wheel_in_depth, begin),
+        cmocka_unit_test_setup(mouse_turns_with_button_down, begin),
+        cmocka_unit_test_setup(mouse_plane_is_screen_plane, begin),
+        cmocka_unit_test_setup(position_stays_in_box, begin),
         cmocka_unit_test_setup(keys_move_by_steps, begin),
-        cmocka_unit_test_setup(a_gamepad_moves_at_rates, begin),
-        cmocka_unit_test_setup(the_curve_begins_at_the_dead_zone, begin),
-        cmocka_unit_test_setup(any_orientation_is_gone_on_from, begin),
-        cmocka_unit_test_setup(a_longer_sample_of_the_host_keeps_its_size, begin),
-        cmocka_unit_test_setup(bad_numbers_are_refused_and_change_nothing, begin),
-        cmocka_unit_test_setup(bad_mappings_are_refused, begin),
-        cmocka_unit_test_setup(the_size_protocol_is_kept, begin),
+        cmocka_unit_test_setup(gamepad_moves_at_rates, begin),
+        cmocka_unit_test_setup(response_curve_starts_at_dead_zone, begin),
+        cmocka_unit_test_setup(any_start_orientation_is_continued, begin),
+        cmocka_unit_test_setup(longer_host_sample_keeps_its_size, begin),
+        cmocka_unit_test_setup(bad_numbers_are_rejected_and_change_nothing, begin),
+        cmocka_unit_test_setup(bad_mappings_are_rejected, begin),
+        cmocka_unit_test_setup(size_protocol, begin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

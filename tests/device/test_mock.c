@@ -56,7 +56,7 @@ static void add(mock_rig *r, vbss_mock_fault fault, double value)
 
 /* ---- what is measured */
 
-static void a_function_of_time_is_measured(void **state)
+static void function_of_time_is_sampled(void **state)
 {
     (void)state;
     double factor = 0.5;
@@ -70,7 +70,7 @@ static void a_function_of_time_is_measured(void **state)
     end(&r);
 }
 
-static void a_sample_of_the_host_is_given_as_it_is(void **state)
+static void host_sample_is_passed_through(void **state)
 {
     (void)state;
     mock_rig r;
@@ -112,7 +112,7 @@ static double time_with(vbss_mock_fault fault, double value, double now)
     return time;
 }
 
-static void faults_change_when_a_sample_is_measured(void **state)
+static void faults_change_on_sampling(void **state)
 {
     (void)state;
     const double before = 0.9999, after = 2.0;
@@ -132,7 +132,7 @@ static void faults_change_when_a_sample_is_measured(void **state)
     expect_near(1.625, time_with(VBSS_MOCK_SHUFFLE, 0.25, 1.625), 0.0);
 }
 
-static void faults_spoil_what_is_in_a_sample(void **state)
+static void faults_corrupt_sample_content(void **state)
 {
     (void)state;
     mock_rig r;
@@ -178,7 +178,7 @@ static void faults_spoil_what_is_in_a_sample(void **state)
     end(&r);
 }
 
-static void calls_fail_when_told(void **state)
+static void calls_fail_on_request(void **state)
 {
     (void)state;
     const vbss_output_result nothing = {.struct_size = sizeof nothing};
@@ -212,7 +212,7 @@ static void calls_fail_when_told(void **state)
 
 /* ---- what is kept */
 
-static void what_is_written_is_kept_row_by_row(void **state)
+static void writes_are_recorded_by_row(void **state)
 {
     (void)state;
     mock_rig r;
@@ -253,7 +253,7 @@ static void what_is_written_is_kept_row_by_row(void **state)
     end(&r);
 }
 
-static void one_device_at_a_time_may_open_it(void **state)
+static void mock_opens_for_one_device_at_a_time(void **state)
 {
     (void)state;
     mock_rig r;
@@ -274,7 +274,7 @@ static void one_device_at_a_time_may_open_it(void **state)
     end(&r);
 }
 
-static void a_device_outlives_its_mock(void **state)
+static void device_outlives_mock(void **state)
 {
     (void)state;
     mock_rig r;
@@ -293,7 +293,7 @@ static void a_device_outlives_its_mock(void **state)
     end(&r);
 }
 
-static void a_mock_can_be_made_from_the_defaults(void **state)
+static void default_mock(void **state)
 {
     (void)state;
     mock_rig r;
@@ -319,7 +319,7 @@ static void a_mock_can_be_made_from_the_defaults(void **state)
     end(&r);
 }
 
-static void bad_faults_are_refused(void **state)
+static void bad_faults_are_rejected(void **state)
 {
     (void)state;
     mock_rig r;
@@ -355,16 +355,16 @@ static void bad_faults_are_refused(void **state)
 int test_mock(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_function_of_time_is_measured),
-        cmocka_unit_test(a_sample_of_the_host_is_given_as_it_is),
-        cmocka_unit_test(faults_change_when_a_sample_is_measured),
-        cmocka_unit_test(faults_spoil_what_is_in_a_sample),
-        cmocka_unit_test(calls_fail_when_told),
-        cmocka_unit_test(what_is_written_is_kept_row_by_row),
-        cmocka_unit_test(one_device_at_a_time_may_open_it),
-        cmocka_unit_test(a_device_outlives_its_mock),
-        cmocka_unit_test(a_mock_can_be_made_from_the_defaults),
-        cmocka_unit_test(bad_faults_are_refused),
+        cmocka_unit_test(function_of_time_is_sampled),
+        cmocka_unit_test(host_sample_is_passed_through),
+        cmocka_unit_test(faults_change_on_sampling),
+        cmocka_unit_test(faults_corrupt_sample_content),
+        cmocka_unit_test(calls_fail_on_request),
+        cmocka_unit_test(writes_are_recorded_by_row),
+        cmocka_unit_test(mock_opens_for_one_device_at_a_time),
+        cmocka_unit_test(device_outlives_mock),
+        cmocka_unit_test(default_mock),
+        cmocka_unit_test(bad_faults_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,7 +18,7 @@ static double time_of(int i)
     return 1e4 + 1e-3 * i + 4e-4 * (i % 3);
 }
 
-static void a_constant_velocity_is_told_from_the_second_sample_on(void **state)
+static void constant_velocity_from_second_sample(void **state)
 {
     (void)state;
     const vec3 v = vec3_make(0.2, -0.1, 0.05), spin = vec3_make(0.5, 2.0, -1.0);
@@ -40,7 +40,7 @@ static void a_constant_velocity_is_told_from_the_second_sample_on(void **state)
 }
 
 /* The same from a clock that began just now: to rounding. */
-static void a_constant_velocity_is_told_to_rounding(void **state)
+static void constant_velocity_is_exact_to_rounding(void **state)
 {
     (void)state;
     device_motion m = fresh();
@@ -56,7 +56,7 @@ static void a_constant_velocity_is_told_to_rounding(void **state)
 }
 
 /* A jump of the velocity is answered by 1 - exp(-t/T). */
-static void a_new_velocity_comes_with_the_exponential(void **state)
+static void velocity_filter_is_exponential(void **state)
 {
     (void)state;
     device_motion m = fresh();
@@ -74,7 +74,7 @@ static void a_new_velocity_comes_with_the_exponential(void **state)
     }
 }
 
-static void without_a_filter_each_difference_stands(void **state)
+static void unfiltered_velocity_is_difference(void **state)
 {
     (void)state;
     device_motion m = fresh();
@@ -86,7 +86,7 @@ static void without_a_filter_each_difference_stands(void **state)
 }
 
 /* Turns by the short way, whatever the sign of the quaternion. */
-static void the_sign_of_an_orientation_does_not_matter(void **state)
+static void quaternion_sign_does_not_matter(void **state)
 {
     (void)state;
     device_motion m = fresh();
@@ -103,7 +103,7 @@ static void the_sign_of_an_orientation_does_not_matter(void **state)
 }
 
 /* The first orientation after many positions is no turn from the identity. */
-static void an_orientation_that_comes_later_is_no_turn(void **state)
+static void late_first_orientation_is_no_rotation(void **state)
 {
     (void)state;
     device_motion m = fresh();
@@ -117,7 +117,7 @@ static void an_orientation_that_comes_later_is_no_turn(void **state)
 }
 
 /* No state that a restore could bring makes a division by zero. */
-static void equal_times_are_no_movement(void **state)
+static void equal_times_are_no_motion(void **state)
 {
     (void)state;
     device_motion m = fresh();
@@ -130,13 +130,13 @@ static void equal_times_are_no_movement(void **state)
 int test_motion(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_constant_velocity_is_told_from_the_second_sample_on),
-        cmocka_unit_test(a_constant_velocity_is_told_to_rounding),
-        cmocka_unit_test(a_new_velocity_comes_with_the_exponential),
-        cmocka_unit_test(without_a_filter_each_difference_stands),
-        cmocka_unit_test(the_sign_of_an_orientation_does_not_matter),
-        cmocka_unit_test(an_orientation_that_comes_later_is_no_turn),
-        cmocka_unit_test(equal_times_are_no_movement),
+        cmocka_unit_test(constant_velocity_from_second_sample),
+        cmocka_unit_test(constant_velocity_is_exact_to_rounding),
+        cmocka_unit_test(velocity_filter_is_exponential),
+        cmocka_unit_test(unfiltered_velocity_is_difference),
+        cmocka_unit_test(quaternion_sign_does_not_matter),
+        cmocka_unit_test(late_first_orientation_is_no_rotation),
+        cmocka_unit_test(equal_times_are_no_motion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

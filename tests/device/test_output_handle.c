@@ -37,7 +37,7 @@ static void end(output_rig *r)
     harness_context_end(r->context, &r->memory);
 }
 
-static void the_defaults_are_those_that_are_documented(void **state)
+static void defaults_match_documentation(void **state)
 {
     (void)state;
     vbss_output_config c;
@@ -62,7 +62,7 @@ static void the_defaults_are_those_that_are_documented(void **state)
 }
 
 /* Held, grown older with each step, then ramped down. */
-static void steps_without_a_command_hold_the_last(void **state)
+static void step_without_command_holds_last(void **state)
 {
     (void)state;
     output_rig r;
@@ -82,7 +82,7 @@ static void steps_without_a_command_hold_the_last(void **state)
     end(&r);
 }
 
-static void nothing_goes_out_before_the_first_command(void **state)
+static void no_output_before_first_command(void **state)
 {
     (void)state;
     output_rig r;
@@ -94,7 +94,7 @@ static void nothing_goes_out_before_the_first_command(void **state)
     end(&r);
 }
 
-static void it_stops_and_is_released(void **state)
+static void stop_and_release(void **state)
 {
     (void)state;
     output_rig r;
@@ -119,7 +119,7 @@ static void it_stops_and_is_released(void **state)
 
 /* ---- bad input */
 
-static void limits_that_are_none_are_refused(void **state)
+static void invalid_limits_are_rejected(void **state)
 {
     (void)state;
     output_rig r;
@@ -159,7 +159,7 @@ static uint64_t hash_of(vbss_output *output)
 }
 
 /* What was not finite is held as nothing, and can be saved. */
-static void a_command_that_is_not_finite_is_not_kept(void **state)
+static void non_finite_command_is_not_stored(void **state)
 {
     (void)state;
     output_rig r;
@@ -183,7 +183,7 @@ static void a_command_that_is_not_finite_is_not_kept(void **state)
 }
 
 /* Fault and temperature hold as long as the command. */
-static void what_a_command_says_holds_until_the_next(void **state)
+static void command_persists_until_next(void **state)
 {
     (void)state;
     output_rig r;
@@ -268,7 +268,7 @@ static vbss_result call_statistics(void *output)
     return vbss_output_get_statistics(output, &s, sizeof s);
 }
 
-static void wrong_handles_are_told(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     const harness_handle_call calls[] = {call_step, call_stop, call_release, call_statistics};
@@ -285,15 +285,15 @@ static void wrong_handles_are_told(void **state)
 int test_output_handle(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_defaults_are_those_that_are_documented),
-        cmocka_unit_test(steps_without_a_command_hold_the_last),
-        cmocka_unit_test(nothing_goes_out_before_the_first_command),
-        cmocka_unit_test(it_stops_and_is_released),
-        cmocka_unit_test(limits_that_are_none_are_refused),
-        cmocka_unit_test(a_command_that_is_not_finite_is_not_kept),
-        cmocka_unit_test(what_a_command_says_holds_until_the_next),
+        cmocka_unit_test(defaults_match_documentation),
+        cmocka_unit_test(step_without_command_holds_last),
+        cmocka_unit_test(no_output_before_first_command),
+        cmocka_unit_test(stop_and_release),
+        cmocka_unit_test(invalid_limits_are_rejected),
+        cmocka_unit_test(non_finite_command_is_not_stored),
+        cmocka_unit_test(command_persists_until_next),
         cmocka_unit_test(bad_calls_change_nothing),
-        cmocka_unit_test(wrong_handles_are_told),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 
 static const double h = 1e-3;
 
-static void what_needs_nothing_goes_through_to_the_bit(void **state)
+static void unlimited_command_passes_bit_exact(void **state)
 {
     (void)state;
     stage_rig r;
@@ -27,7 +27,7 @@ static void what_needs_nothing_goes_through_to_the_bit(void **state)
 
 /* ---- magnitude */
 
-static void the_magnitude_is_clamped_and_the_direction_kept(void **state)
+static void force_is_clamped_along_direction(void **state)
 {
     (void)state;
     const double lengths[] = {3.0000001, 4.0, 1e10, 1e160, 1.7e308};
@@ -45,7 +45,7 @@ static void the_magnitude_is_clamped_and_the_direction_kept(void **state)
     assert_int_equal(r.state.statistics.clamped, 5);
 }
 
-static void torque_is_clamped_alike_and_apart(void **state)
+static void torque_is_clamped_independently(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -60,7 +60,7 @@ static void torque_is_clamped_alike_and_apart(void **state)
 
 /* ---- numbers */
 
-static void what_is_not_finite_puts_all_off(void **state)
+static void non_finite_command_turns_all_off(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -93,7 +93,7 @@ static void what_is_not_finite_puts_all_off(void **state)
     assert_int_equal(r.state.statistics.not_finite, 20);
 }
 
-static void a_device_that_refuses_forces_gets_none(void **state)
+static void device_without_force_capability_gets_none(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -108,7 +108,7 @@ static void a_device_that_refuses_forces_gets_none(void **state)
 
 /* ---- rise */
 
-static void forces_rise_by_the_rate_exactly(void **state)
+static void force_rise_is_rate_limited(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -127,7 +127,7 @@ static void forces_rise_by_the_rate_exactly(void **state)
     assert_true((r.flags & VBSS_OUTPUT_LATE) != 0);
 }
 
-static void forces_fall_freely(void **state)
+static void force_fall_is_not_limited(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -142,7 +142,7 @@ static void forces_fall_freely(void **state)
 }
 
 /* From one side to the other: to zero at once, then it rises. */
-static void a_turn_round_begins_at_zero(void **state)
+static void reversal_starts_at_zero(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -201,7 +201,7 @@ static void never_more(harness_source *source, void *user)
     }
 }
 
-static void no_part_of_a_stage_adds_to_a_force(void **state)
+static void no_stage_increases_force(void **state)
 {
     (void)state;
     harness_property("never_more", 3000, never_more, NULL);
@@ -210,15 +210,15 @@ static void no_part_of_a_stage_adds_to_a_force(void **state)
 int test_output_limits(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_needs_nothing_goes_through_to_the_bit),
-        cmocka_unit_test(the_magnitude_is_clamped_and_the_direction_kept),
-        cmocka_unit_test(torque_is_clamped_alike_and_apart),
-        cmocka_unit_test(what_is_not_finite_puts_all_off),
-        cmocka_unit_test(a_device_that_refuses_forces_gets_none),
-        cmocka_unit_test(forces_rise_by_the_rate_exactly),
-        cmocka_unit_test(forces_fall_freely),
-        cmocka_unit_test(a_turn_round_begins_at_zero),
-        harness_test(no_part_of_a_stage_adds_to_a_force),
+        cmocka_unit_test(unlimited_command_passes_bit_exact),
+        cmocka_unit_test(force_is_clamped_along_direction),
+        cmocka_unit_test(torque_is_clamped_independently),
+        cmocka_unit_test(non_finite_command_turns_all_off),
+        cmocka_unit_test(device_without_force_capability_gets_none),
+        cmocka_unit_test(force_rise_is_rate_limited),
+        cmocka_unit_test(force_fall_is_not_limited),
+        cmocka_unit_test(reversal_starts_at_zero),
+        harness_test(no_stage_increases_force),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

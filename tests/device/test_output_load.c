@@ -13,7 +13,7 @@ static stage_rig motor(void)
 }
 
 /* Of a constant force that went out t seconds ago: F^2 (1 - exp(-t/T)), whatever the steps are. */
-static void the_mean_square_of_a_constant_force_is_the_exponential(void **state)
+static void mean_square_of_constant_force_is_exponential(void **state)
 {
     (void)state;
     stage_rig r = motor();
@@ -34,7 +34,7 @@ static void the_mean_square_of_a_constant_force_is_the_exponential(void **state)
 }
 
 /* Any forces, held from step to step: the sum of their squares, each with its own decay. */
-static void the_mean_square_is_the_sum_of_what_was(void **state)
+static void mean_square_is_linear_filter(void **state)
 {
     (void)state;
     enum { STEPS = 300 };
@@ -59,7 +59,7 @@ static void the_mean_square_is_the_sum_of_what_was(void **state)
     expect_near(4.0 * sum, r.state.torque_load, 1e-12);
 }
 
-static void peaks_are_allowed_and_lowered_in_time(void **state)
+static void peaks_are_allowed_and_derated_in_time(void **state)
 {
     (void)state;
     stage_rig r = motor();
@@ -90,7 +90,7 @@ static void peaks_are_allowed_and_lowered_in_time(void **state)
     expect_near(3.0, vec3_norm(stage_rig_step(&r, h, vec3_make(3.0, 0.0, 0.0))), 1e-15);
 }
 
-static void the_direction_is_kept_when_it_is_lowered(void **state)
+static void derating_keeps_direction(void **state)
 {
     (void)state;
     stage_rig r = motor();
@@ -104,7 +104,7 @@ static void the_direction_is_kept_when_it_is_lowered(void **state)
     assert_true(vec3_dot(way, out) > 0.79);
 }
 
-static void torque_has_a_load_of_its_own(void **state)
+static void torque_load_is_separate(void **state)
 {
     (void)state;
     stage_rig r = motor();
@@ -118,7 +118,7 @@ static void torque_has_a_load_of_its_own(void **state)
 }
 
 /* More than full, as after a host that let a peak stand: what lasts is still there. */
-static void an_overloaded_motor_keeps_what_lasts(void **state)
+static void overloaded_motor_keeps_continuous_force(void **state)
 {
     (void)state;
     stage_rig r = motor();
@@ -128,7 +128,7 @@ static void an_overloaded_motor_keeps_what_lasts(void **state)
     expect_near(0.8, vec3_norm(r.state.force), 1e-15);
 }
 
-static void a_motor_without_continuous_force_gets_none(void **state)
+static void motor_without_continuous_force_gets_none(void **state)
 {
     (void)state;
     stage_rig r = motor();
@@ -141,7 +141,7 @@ static void a_motor_without_continuous_force_gets_none(void **state)
 
 /* ---- temperature */
 
-static void a_warm_motor_is_spared(void **state)
+static void warm_motor_is_derated(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -164,14 +164,14 @@ static void a_warm_motor_is_spared(void **state)
 int test_output_load(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_mean_square_of_a_constant_force_is_the_exponential),
-        cmocka_unit_test(the_mean_square_is_the_sum_of_what_was),
-        cmocka_unit_test(peaks_are_allowed_and_lowered_in_time),
-        cmocka_unit_test(the_direction_is_kept_when_it_is_lowered),
-        cmocka_unit_test(torque_has_a_load_of_its_own),
-        cmocka_unit_test(an_overloaded_motor_keeps_what_lasts),
-        cmocka_unit_test(a_motor_without_continuous_force_gets_none),
-        cmocka_unit_test(a_warm_motor_is_spared),
+        cmocka_unit_test(mean_square_of_constant_force_is_exponential),
+        cmocka_unit_test(mean_square_is_linear_filter),
+        cmocka_unit_test(peaks_are_allowed_and_derated_in_time),
+        cmocka_unit_test(derating_keeps_direction),
+        cmocka_unit_test(torque_load_is_separate),
+        cmocka_unit_test(overloaded_motor_keeps_continuous_force),
+        cmocka_unit_test(motor_without_continuous_force_gets_none),
+        cmocka_unit_test(warm_motor_is_derated),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

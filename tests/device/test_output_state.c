@@ -34,7 +34,7 @@ static vbss_result step_and_destroy(vbss_context *context, const void *command)
     return result;
 }
 
-static void the_size_protocol_is_kept(void **state)
+static void size_protocol(void **state)
 {
     (void)state;
     static const uint32_t config_sizes[] = {120, 0}, command_sizes[] = {88, 0};
@@ -72,7 +72,7 @@ static vbss_result stage_destroy(void *handle)
     return vbss_output_destroy(handle);
 }
 
-static void it_goes_back_and_on(void **state)
+static void restored_stage_continues_bit_equal(void **state)
 {
     (void)state;
     const harness_body body = {"output stage", &vbss_output_kind, stage_create, NULL,
@@ -86,7 +86,7 @@ static void it_goes_back_and_on(void **state)
 }
 
 /* What a command said holds after it, too. */
-static void the_last_command_comes_back(void **state)
+static void last_command_is_restored(void **state)
 {
     (void)state;
     for (int fault = 0; fault < 2; fault++) {
@@ -115,7 +115,7 @@ static void the_last_command_comes_back(void **state)
     }
 }
 
-static void another_stage_is_refused(void **state)
+static void snapshot_of_other_stage_is_rejected(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -144,7 +144,7 @@ static vbss_result live(vbss_context *context, void *user)
     return stage_destroy(output);
 }
 
-static void every_failing_allocation_is_told(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     harness_fail_every_allocation(live, NULL);
@@ -153,11 +153,11 @@ static void every_failing_allocation_is_told(void **state)
 int test_output_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_size_protocol_is_kept),
-        cmocka_unit_test(it_goes_back_and_on),
-        cmocka_unit_test(the_last_command_comes_back),
-        cmocka_unit_test(another_stage_is_refused),
-        cmocka_unit_test(every_failing_allocation_is_told),
+        cmocka_unit_test(size_protocol),
+        cmocka_unit_test(restored_stage_continues_bit_equal),
+        cmocka_unit_test(last_command_is_restored),
+        cmocka_unit_test(snapshot_of_other_stage_is_rejected),
+        cmocka_unit_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

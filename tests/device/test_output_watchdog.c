@@ -27,20 +27,20 @@ static void expect_ramp(uint32_t flag, double timeout)
     assert_int_equal(r.flags, 0);
 }
 
-static void an_old_pose_ramps_to_zero(void **state)
+static void stale_pose_ramps_to_zero(void **state)
 {
     (void)state;
     expect_ramp(VBSS_OUTPUT_INPUT_STALE, 0.005);
 }
 
-static void an_old_command_ramps_to_zero(void **state)
+static void stale_command_ramps_to_zero(void **state)
 {
     (void)state;
     expect_ramp(VBSS_OUTPUT_COMMAND_STALE, 0.008);
 }
 
 /* The defaults: nothing after 10 ms. */
-static void nothing_is_left_after_ten_milliseconds(void **state)
+static void force_is_zero_after_ten_milliseconds(void **state)
 {
     (void)state;
     stage_rig r;
@@ -58,7 +58,7 @@ static void nothing_is_left_after_ten_milliseconds(void **state)
     expect_near(0.0, stage_rig_step(&r, h, vec3_make(0.8, 0.0, 0.0)).x, 1e-15);
 }
 
-static void the_ramp_is_from_the_force_that_was_and_never_up(void **state)
+static void ramp_starts_at_last_force_and_never_rises(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -70,7 +70,7 @@ static void the_ramp_is_from_the_force_that_was_and_never_up(void **state)
     expect_near(0.98, stage_rig_step(&r, h, vec3_make(50.0, 0.0, 0.0)).x, 1e-12);
 }
 
-static void the_force_comes_back_by_the_rate(void **state)
+static void force_recovers_at_rate(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -86,7 +86,7 @@ static void the_force_comes_back_by_the_rate(void **state)
     }
 }
 
-static void what_was_never_wanted_is_old(void **state)
+static void missing_first_command_is_stale(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -98,7 +98,7 @@ static void what_was_never_wanted_is_old(void **state)
                 r.state.last_demand.input_age == OUTPUT_NEVER);
 }
 
-static void torques_are_ramped_alike(void **state)
+static void torques_ramp_alike(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -113,7 +113,7 @@ static void torques_are_ramped_alike(void **state)
     assert_true(r.state.torque.z == 0.0);
 }
 
-static void a_ramp_may_be_a_step(void **state)
+static void ramp_may_be_a_step(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -127,7 +127,7 @@ static void a_ramp_may_be_a_step(void **state)
 
 /* ---- the emergency stop */
 
-static void a_stop_is_at_once_and_for_good(void **state)
+static void stop_is_immediate_and_permanent(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -148,7 +148,7 @@ static void a_stop_is_at_once_and_for_good(void **state)
     assert_int_equal(r.state.statistics.stopped, 100);
 }
 
-static void after_a_release_the_force_rises_from_zero(void **state)
+static void force_rises_from_zero_after_release(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -162,7 +162,7 @@ static void after_a_release_the_force_rises_from_zero(void **state)
     expect_near(0.5, stage_rig_step(&r, h, vec3_make(3.0, 0.0, 0.0)).x, 1e-15);
 }
 
-static void a_host_that_comes_late_is_told(void **state)
+static void late_host_is_counted(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -176,17 +176,17 @@ static void a_host_that_comes_late_is_told(void **state)
 int test_output_watchdog(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_old_pose_ramps_to_zero),
-        cmocka_unit_test(an_old_command_ramps_to_zero),
-        cmocka_unit_test(nothing_is_left_after_ten_milliseconds),
-        cmocka_unit_test(the_ramp_is_from_the_force_that_was_and_never_up),
-        cmocka_unit_test(the_force_comes_back_by_the_rate),
-        cmocka_unit_test(what_was_never_wanted_is_old),
-        cmocka_unit_test(torques_are_ramped_alike),
-        cmocka_unit_test(a_ramp_may_be_a_step),
-        cmocka_unit_test(a_stop_is_at_once_and_for_good),
-        cmocka_unit_test(after_a_release_the_force_rises_from_zero),
-        cmocka_unit_test(a_host_that_comes_late_is_told),
+        cmocka_unit_test(stale_pose_ramps_to_zero),
+        cmocka_unit_test(stale_command_ramps_to_zero),
+        cmocka_unit_test(force_is_zero_after_ten_milliseconds),
+        cmocka_unit_test(ramp_starts_at_last_force_and_never_rises),
+        cmocka_unit_test(force_recovers_at_rate),
+        cmocka_unit_test(missing_first_command_is_stale),
+        cmocka_unit_test(torques_ramp_alike),
+        cmocka_unit_test(ramp_may_be_a_step),
+        cmocka_unit_test(stop_is_immediate_and_permanent),
+        cmocka_unit_test(force_rises_from_zero_after_release),
+        cmocka_unit_test(late_host_is_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -52,7 +52,7 @@ static void clamp_is_passive(harness_source *source, void *user)
     }
 }
 
-static void a_clamped_spring_and_damper_hands_out_nothing(void **state)
+static void clamped_spring_damper_is_passive(void **state)
 {
     (void)state;
     harness_property("clamp_is_passive", 20, clamp_is_passive, NULL);
@@ -72,7 +72,7 @@ static void load_is_passive(harness_source *source, void *user)
     assert_true(work < 2e-5);
 }
 
-static void a_spring_lowered_by_its_load_hands_out_nothing(void **state)
+static void derated_spring_is_passive(void **state)
 {
     (void)state;
     harness_property("load_is_passive", 20, load_is_passive, NULL);
@@ -81,7 +81,7 @@ static void a_spring_lowered_by_its_load_hands_out_nothing(void **state)
 /* ---- what does not hold */
 
 /* 10 mm in at 2 m/s, where the spring would rise by 800 N/s, and slowly out: in costs 12.5 mJ of 20, out gives 20. */
-static void a_limited_rise_can_hand_out_energy(void **state)
+static void rise_limit_can_generate_energy(void **state)
 {
     (void)state;
     const double wanted[2] = {0.0, 7.5e-3}, h = 1e-5;
@@ -100,7 +100,7 @@ static void a_limited_rise_can_hand_out_energy(void **state)
 }
 
 /* Off while the spring is pressed, on while it lets go: the watchdog makes 5 mJ out of nothing. */
-static void a_watchdog_can_hand_out_energy(void **state)
+static void watchdog_can_generate_energy(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -117,7 +117,7 @@ static void a_watchdog_can_hand_out_energy(void **state)
 
 /* ---- what keeps it from mattering: with the defaults, none of it acts on a hand at a wall of 400 N/m */
 
-static void hands_at_a_stiff_wall_feel_no_stage(void **state)
+static void hands_at_stiff_wall_feel_no_stage(void **state)
 {
     (void)state;
     stage_rig r;
@@ -136,11 +136,11 @@ static void hands_at_a_stiff_wall_feel_no_stage(void **state)
 int test_passivity(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_clamped_spring_and_damper_hands_out_nothing),
-        harness_test(a_spring_lowered_by_its_load_hands_out_nothing),
-        cmocka_unit_test(a_limited_rise_can_hand_out_energy),
-        cmocka_unit_test(a_watchdog_can_hand_out_energy),
-        cmocka_unit_test(hands_at_a_stiff_wall_feel_no_stage),
+        harness_test(clamped_spring_damper_is_passive),
+        harness_test(derated_spring_is_passive),
+        cmocka_unit_test(rise_limit_can_generate_energy),
+        cmocka_unit_test(watchdog_can_generate_energy),
+        cmocka_unit_test(hands_at_stiff_wall_feel_no_stage),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,7 @@
 
 /* ---- what is there */
 
-static void the_defaults_are_those_that_are_documented(void **state)
+static void defaults_match_documentation(void **state)
 {
     (void)state;
     vbss_device_config c;
@@ -71,7 +71,7 @@ static void expect_refused(device_rig *r, vbss_result wanted, const char *name)
 #field, offsetof(vbss_device_config, field), low, high \
     }
 
-static void every_bad_number_is_refused_by_name(void **state)
+static void every_bad_number_is_rejected_by_name(void **state)
 {
     (void)state;
     static const struct {
@@ -159,7 +159,7 @@ static void bad_calls_touch_no_adapter(void **state)
     device_rig_end(&r);
 }
 
-static void time_does_not_run_backwards_after_a_read_alone(void **state)
+static void time_is_monotonic_after_read_only(void **state)
 {
     (void)state;
     device_rig r;
@@ -175,10 +175,10 @@ static void time_does_not_run_backwards_after_a_read_alone(void **state)
 int test_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_defaults_are_those_that_are_documented),
-        cmocka_unit_test(every_bad_number_is_refused_by_name),
+        cmocka_unit_test(defaults_match_documentation),
+        cmocka_unit_test(every_bad_number_is_rejected_by_name),
         cmocka_unit_test(bad_calls_touch_no_adapter),
-        cmocka_unit_test(time_does_not_run_backwards_after_a_read_alone),
+        cmocka_unit_test(time_is_monotonic_after_read_only),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,7 +25,7 @@ static void show(device_rig *r)
 
 /* ---- parts */
 
-static void only_what_is_valid_is_taken(void **state)
+static void only_valid_signals_are_used(void **state)
 {
     (void)state;
     device_rig r;
@@ -54,7 +54,7 @@ static void only_what_is_valid_is_taken(void **state)
 }
 
 /* Those of the device come before any estimate, and go to the world as positions do. */
-static void velocities_of_the_device_are_used(void **state)
+static void device_velocities_are_used(void **state)
 {
     (void)state;
     device_rig r;
@@ -83,7 +83,7 @@ static void velocities_of_the_device_are_used(void **state)
     device_rig_end(&r);
 }
 
-static void a_calibrated_opening_comes_before_a_raw_one(void **state)
+static void calibrated_opening_precedes_raw(void **state)
 {
     (void)state;
     device_rig r;
@@ -106,7 +106,7 @@ static void a_calibrated_opening_comes_before_a_raw_one(void **state)
     device_rig_end(&r);
 }
 
-static void buttons_tell_what_has_changed(void **state)
+static void button_changes_are_reported(void **state)
 {
     (void)state;
     device_rig r;
@@ -125,7 +125,7 @@ static void buttons_tell_what_has_changed(void **state)
     device_rig_end(&r);
 }
 
-static void a_changed_tool_is_told(void **state)
+static void tool_change_is_reported(void **state)
 {
     (void)state;
     device_rig r;
@@ -142,7 +142,7 @@ static void a_changed_tool_is_told(void **state)
 
 /* ---- what is refused, and leaves everything as it was */
 
-static void a_sample_that_is_wrong_anywhere_is_refused_whole(void **state)
+static void bad_sample_is_rejected_whole(void **state)
 {
     (void)state;
     const struct {
@@ -202,7 +202,7 @@ static void a_sample_that_is_wrong_anywhere_is_refused_whole(void **state)
 }
 
 /* Later by less than a microsecond is the same measurement. */
-static void the_same_time_is_the_same_sample(void **state)
+static void equal_time_is_same_sample(void **state)
 {
     (void)state;
     device_rig r;
@@ -235,7 +235,7 @@ static void keep(void *user, vbss_log_level level, const char *message)
     }
 }
 
-static void changes_are_warned_of_once(void **state)
+static void each_change_warns_once(void **state)
 {
     (void)state;
     device_rig r;
@@ -267,14 +267,14 @@ static void changes_are_warned_of_once(void **state)
 int test_samples(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(only_what_is_valid_is_taken),
-        cmocka_unit_test(velocities_of_the_device_are_used),
-        cmocka_unit_test(a_calibrated_opening_comes_before_a_raw_one),
-        cmocka_unit_test(buttons_tell_what_has_changed),
-        cmocka_unit_test(a_changed_tool_is_told),
-        cmocka_unit_test(a_sample_that_is_wrong_anywhere_is_refused_whole),
-        cmocka_unit_test(the_same_time_is_the_same_sample),
-        cmocka_unit_test(changes_are_warned_of_once),
+        cmocka_unit_test(only_valid_signals_are_used),
+        cmocka_unit_test(device_velocities_are_used),
+        cmocka_unit_test(calibrated_opening_precedes_raw),
+        cmocka_unit_test(button_changes_are_reported),
+        cmocka_unit_test(tool_change_is_reported),
+        cmocka_unit_test(bad_sample_is_rejected_whole),
+        cmocka_unit_test(equal_time_is_same_sample),
+        cmocka_unit_test(each_change_warns_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

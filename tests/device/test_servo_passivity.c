@@ -36,7 +36,7 @@ static const int hosts[][2] = {{1, 1}, {2, 1}, {3, 2}, {5, 4}, {10, 9}};
 enum { HOSTS = sizeof hosts / sizeof hosts[0] };
 
 /* A light hand that damps nothing itself, without damping in the coupling and with: the worst there is. */
-static void a_coupling_in_the_servo_gives_no_energy(void **state)
+static void servo_coupling_is_passive(void **state)
 {
     (void)state;
     for (int k = 0; k < 6; k++) {
@@ -54,7 +54,7 @@ static void a_coupling_in_the_servo_gives_no_energy(void **state)
 }
 
 /* The same force from the same host, put out as it comes: a hand that does not damp is thrown back. */
-static void a_force_that_comes_late_gives_energy(void **state)
+static void delayed_force_generates_energy(void **state)
 {
     (void)state;
     for (int i = 0; i < HOSTS; i++) {
@@ -65,7 +65,7 @@ static void a_force_that_comes_late_gives_energy(void **state)
 }
 
 /* What the price is: away from the wall the tool comes after the hand. */
-static void a_free_hand_is_held_back_a_little(void **state)
+static void free_hand_feels_little_drag(void **state)
 {
     (void)state;
     for (int i = 0; i < HOSTS; i++) {
@@ -79,9 +79,9 @@ static void a_free_hand_is_held_back_a_little(void **state)
 int test_servo_passivity(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_coupling_in_the_servo_gives_no_energy),
-        cmocka_unit_test(a_force_that_comes_late_gives_energy),
-        cmocka_unit_test(a_free_hand_is_held_back_a_little),
+        cmocka_unit_test(servo_coupling_is_passive),
+        cmocka_unit_test(delayed_force_generates_energy),
+        cmocka_unit_test(free_hand_feels_little_drag),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -112,7 +112,7 @@ static vbss_result command_init(void *command, uint32_t struct_size)
     return vbss_output_command_init(command, struct_size);
 }
 
-static void the_size_protocol_is_kept(void **state)
+static void size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[][2] = {{8 + 9 * sizeof(void *), 0},
@@ -157,7 +157,7 @@ static vbss_result write_out(const device_rig *r, int which, void *out, uint32_t
     }
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     device_rig r;
@@ -187,8 +187,8 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
 int test_sizes(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_size_protocol_is_kept),
-        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
+        cmocka_unit_test(size_protocol),
+        cmocka_unit_test(output_struct_size_protocol),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ static stage_rig fresh(void)
     return r;
 }
 
-static void it_is_on_while_it_is_wanted(void **state)
+static void on_while_requested(void **state)
 {
     (void)state;
     stage_rig r = fresh();
@@ -31,7 +31,7 @@ static void it_is_on_while_it_is_wanted(void **state)
     expect_near(0.012, r.state.statistics.solenoid_on, 1e-15);
 }
 
-static void wanted_for_too_long_it_goes_off_and_stays_off(void **state)
+static void overlong_request_latches_off(void **state)
 {
     (void)state;
     stage_rig r = fresh();
@@ -73,7 +73,7 @@ static void never_too_much(harness_source *source, void *user)
     }
 }
 
-static void its_part_of_the_time_is_limited(void **state)
+static void duty_cycle_is_limited(void **state)
 {
     (void)state;
     harness_property("never_too_much", 60, never_too_much, NULL);
@@ -84,7 +84,7 @@ static void its_part_of_the_time_is_limited(void **state)
     expect_near(0.2 * 60.0, r.state.statistics.solenoid_on, 0.02 * 60.0);
 }
 
-static void every_reason_puts_it_off(void **state)
+static void every_fault_turns_solenoid_off(void **state)
 {
     (void)state;
     for (int reason = 0; reason < 5; reason++) {
@@ -106,7 +106,7 @@ static void every_reason_puts_it_off(void **state)
     }
 }
 
-static void one_that_may_not_be_on_never_is(void **state)
+static void disabled_solenoid_stays_off(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
@@ -128,11 +128,11 @@ static void one_that_may_not_be_on_never_is(void **state)
 int test_solenoid(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_is_on_while_it_is_wanted),
-        cmocka_unit_test(wanted_for_too_long_it_goes_off_and_stays_off),
-        harness_test(its_part_of_the_time_is_limited),
-        cmocka_unit_test(every_reason_puts_it_off),
-        cmocka_unit_test(one_that_may_not_be_on_never_is),
+        cmocka_unit_test(on_while_requested),
+        cmocka_unit_test(overlong_request_latches_off),
+        harness_test(duty_cycle_is_limited),
+        cmocka_unit_test(every_fault_turns_solenoid_off),
+        cmocka_unit_test(disabled_solenoid_stays_off),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

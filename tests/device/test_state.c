@@ -9,7 +9,7 @@
 static const size_t moments[] = {0,   1,   7,   32,  37,  48,  55,  62,  84,  110, 140, 155, 171,
                                  176, 195, 212, 240, 265, 290, 305, 315, 321, 346, 405, 460};
 
-static void a_restored_device_goes_on_to_the_bit(void **state)
+static void restored_device_continues_bit_equal(void **state)
 {
     (void)state;
     const harness_body body = device_body();
@@ -88,7 +88,7 @@ static void restored_at(size_t moment)
     harness_context_end(context, &memory);
 }
 
-static void a_restored_device_tells_the_same(void **state)
+static void restored_device_reports_same_values(void **state)
 {
     (void)state;
     for (size_t moment = 0; moment < DEVICE_RUN_STEPS; moment += moment < 2 ? 1 : 9) {
@@ -99,7 +99,7 @@ static void a_restored_device_tells_the_same(void **state)
 }
 
 /* Between a read that failed and its write. */
-static void a_device_is_restored_in_the_middle_of_a_step(void **state)
+static void restore_between_read_and_write(void **state)
 {
     (void)state;
     device_rig one, two;
@@ -125,7 +125,7 @@ static void a_device_is_restored_in_the_middle_of_a_step(void **state)
 }
 
 /* Before the first read any time is good; after it only later ones. */
-static void a_restored_device_knows_the_time(void **state)
+static void restored_device_keeps_time(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -144,7 +144,7 @@ static void a_restored_device_knows_the_time(void **state)
     harness_context_end(context, &memory);
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     const harness_body body = device_body();
@@ -152,7 +152,7 @@ static void steps_allocate_nothing(void **state)
 }
 
 /* That the run goes through all it should, or its hashes show little. */
-static void the_run_meets_everything(void **state)
+static void recorded_run_covers_all_events(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -209,7 +209,7 @@ static void the_run_meets_everything(void **state)
 }
 
 /* The calibration is part of the state: it comes back with it. */
-static void the_calibration_comes_back(void **state)
+static void calibration_is_restored(void **state)
 {
     (void)state;
     uint8_t bytes[8192];
@@ -230,13 +230,13 @@ static void the_calibration_comes_back(void **state)
 int test_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_device_goes_on_to_the_bit),
-        cmocka_unit_test(a_restored_device_tells_the_same),
-        cmocka_unit_test(a_device_is_restored_in_the_middle_of_a_step),
-        cmocka_unit_test(a_restored_device_knows_the_time),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(the_run_meets_everything),
-        cmocka_unit_test(the_calibration_comes_back),
+        cmocka_unit_test(restored_device_continues_bit_equal),
+        cmocka_unit_test(restored_device_reports_same_values),
+        cmocka_unit_test(restore_between_read_and_write),
+        cmocka_unit_test(restored_device_keeps_time),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(recorded_run_covers_all_events),
+        cmocka_unit_test(calibration_is_restored),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

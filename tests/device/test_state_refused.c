@@ -4,7 +4,7 @@
 #include "device/rig.h"
 #include "fixtures/device_body.h"
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     const harness_body body = device_body();
@@ -13,7 +13,7 @@ static void bad_snapshots_are_refused(void **state)
 }
 
 /* Damage that only a visitor sees may bring in a state that is odd; a step from it is defined all the same. */
-static void what_is_taken_can_be_stepped(void **state)
+static void accepted_damaged_state_can_be_stepped(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -64,7 +64,7 @@ static void what_is_taken_can_be_stepped(void **state)
 
 /* ---- devices that are not alike */
 
-static void another_device_is_refused(void **state)
+static void snapshot_of_other_device_is_rejected(void **state)
 {
     (void)state;
     uint8_t bytes[8192];
@@ -109,7 +109,7 @@ static void expect_unsaved(vbss_device *device, device_object *d, const device_o
         offsetof(device_object, field), value \
     }
 
-static void what_no_device_is_like_is_refused(void **state)
+static void impossible_state_is_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -172,10 +172,10 @@ static void what_no_device_is_like_is_refused(void **state)
 int test_state_refused(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(what_is_taken_can_be_stepped),
-        cmocka_unit_test(another_device_is_refused),
-        cmocka_unit_test(what_no_device_is_like_is_refused),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(accepted_damaged_state_can_be_stepped),
+        cmocka_unit_test(snapshot_of_other_device_is_rejected),
+        cmocka_unit_test(impossible_state_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,7 +50,7 @@ static void each_signal_comes_from_its_adapter(void **state)
 }
 
 /* One of the pose brings all of it, one opening the other: no pose is made of two. */
-static void what_belongs_together_comes_from_one(void **state)
+static void grouped_signals_come_from_one_adapter(void **state)
 {
     (void)state;
     const uint32_t alone[] = {VBSS_DEVICE_HAS_POSITION, VBSS_DEVICE_HAS_ORIENTATION,
@@ -109,7 +109,7 @@ static void each_output_goes_to_its_adapter(void **state)
     device_rig_end(&r);
 }
 
-static void each_has_its_own_age(void **state)
+static void each_adapter_has_its_age(void **state)
 {
     (void)state;
     device_rig r;
@@ -140,7 +140,7 @@ static void each_has_its_own_age(void **state)
     device_rig_end(&r);
 }
 
-static void either_lost_stops_all(void **state)
+static void either_disconnect_stops_both(void **state)
 {
     (void)state;
     for (int which = 0; which < 2; which++) {
@@ -163,7 +163,7 @@ static void either_lost_stops_all(void **state)
 }
 
 /* Lost and not stopped: the handle's solenoid is off, the arm's force is there. */
-static void a_lost_handle_may_leave_the_arm_its_force(void **state)
+static void lost_handle_may_leave_arm_force(void **state)
 {
     (void)state;
     device_rig r;
@@ -180,7 +180,7 @@ static void a_lost_handle_may_leave_the_arm_its_force(void **state)
 }
 
 /* Each timeout waits for the adapter that its signal comes from. */
-static void each_is_waited_for_by_its_own_rate(void **state)
+static void each_adapter_has_its_timeout(void **state)
 {
     (void)state;
     for (int swapped = 0; swapped < 2; swapped++) {
@@ -199,7 +199,7 @@ static void each_is_waited_for_by_its_own_rate(void **state)
     }
 }
 
-static void what_they_can_together_is_what_is_taken_from_each(void **state)
+static void combined_capabilities_are_union_of_used_signals(void **state)
 {
     (void)state;
     device_rig r;
@@ -229,7 +229,7 @@ static void what_they_can_together_is_what_is_taken_from_each(void **state)
 }
 
 /* The force is the second's: so are its limits. */
-static void limits_are_those_of_the_adapter_that_puts_it_out(void **state)
+static void limits_are_of_output_adapter(void **state)
 {
     (void)state;
     device_rig r;
@@ -244,7 +244,7 @@ static void limits_are_those_of_the_adapter_that_puts_it_out(void **state)
     device_rig_end(&r);
 }
 
-static void the_limits_are_the_lowest_of_all(void **state)
+static void common_limit_is_minimum(void **state)
 {
     (void)state;
     device_rig r;
@@ -272,7 +272,7 @@ static void the_limits_are_the_lowest_of_all(void **state)
 }
 
 /* An adapter that only puts out. */
-static void a_second_adapter_needs_no_signals(void **state)
+static void second_adapter_needs_no_signals(void **state)
 {
     (void)state;
     device_rig r;
@@ -295,16 +295,16 @@ int test_two_devices(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_signal_comes_from_its_adapter),
-        cmocka_unit_test(what_belongs_together_comes_from_one),
+        cmocka_unit_test(grouped_signals_come_from_one_adapter),
         cmocka_unit_test(each_output_goes_to_its_adapter),
-        cmocka_unit_test(each_has_its_own_age),
-        cmocka_unit_test(either_lost_stops_all),
-        cmocka_unit_test(a_lost_handle_may_leave_the_arm_its_force),
-        cmocka_unit_test(each_is_waited_for_by_its_own_rate),
-        cmocka_unit_test(what_they_can_together_is_what_is_taken_from_each),
-        cmocka_unit_test(limits_are_those_of_the_adapter_that_puts_it_out),
-        cmocka_unit_test(the_limits_are_the_lowest_of_all),
-        cmocka_unit_test(a_second_adapter_needs_no_signals),
+        cmocka_unit_test(each_adapter_has_its_age),
+        cmocka_unit_test(either_disconnect_stops_both),
+        cmocka_unit_test(lost_handle_may_leave_arm_force),
+        cmocka_unit_test(each_adapter_has_its_timeout),
+        cmocka_unit_test(combined_capabilities_are_union_of_used_signals),
+        cmocka_unit_test(limits_are_of_output_adapter),
+        cmocka_unit_test(common_limit_is_minimum),
+        cmocka_unit_test(second_adapter_needs_no_signals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

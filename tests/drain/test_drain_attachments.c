@@ -6,7 +6,7 @@
 
 /* ---- ids and places */
 
-static void ids_count_up_and_are_never_used_again(void **state)
+static void ids_increase_and_are_never_reused(void **state)
 {
     (void)state;
     drain_rig r;
@@ -29,7 +29,7 @@ static void ids_count_up_and_are_never_used_again(void **state)
     drain_rig_end(&r);
 }
 
-static void a_full_drain_takes_no_more(void **state)
+static void full_drain_rejects_attachment(void **state)
 {
     (void)state;
     const uint32_t capacities[] = {0, 1, 3, 256};
@@ -57,7 +57,7 @@ static void a_full_drain_takes_no_more(void **state)
     }
 }
 
-static void a_node_is_pinned_once_and_loaded_as_often_as_wanted(void **state)
+static void node_takes_one_pin_and_many_loads(void **state)
 {
     (void)state;
     drain_rig r;
@@ -90,7 +90,7 @@ static void a_node_is_pinned_once_and_loaded_as_often_as_wanted(void **state)
 
 /* ---- where they take the drain */
 
-static void a_pinned_node_is_where_it_shall_be_after_each_step(void **state)
+static void pinned_node_reaches_target_after_step(void **state)
 {
     (void)state;
     drain_rig r;
@@ -118,7 +118,7 @@ static void a_pinned_node_is_where_it_shall_be_after_each_step(void **state)
     drain_rig_end(&r);
 }
 
-static void a_node_placed_elsewhere_is_taken_back_by_its_pin(void **state)
+static void moved_node_returns_to_pin(void **state)
 {
     (void)state;
     drain_rig r;
@@ -166,7 +166,7 @@ static void expect_balance(drain_rig *r, const uint32_t *ids, const uint32_t *no
     expect_near_vec3(vec3_zero(), torque, 1e-9 * scale * r->config.radius);
 }
 
-static void reactions_and_anchors_balance_all_loads(void **state)
+static void reactions_and_anchors_balance_loads(void **state)
 {
     (void)state;
     drain_rig r;
@@ -241,7 +241,7 @@ static void reactions_and_anchors_change_momentum(void **state)
 
 /* ---- everywhere and in any order */
 
-static void any_order_of_attaching_and_detaching_works(void **state)
+static void attach_detach_order_does_not_matter(void **state)
 {
     (void)state;
     vbss_random random;
@@ -277,14 +277,14 @@ static void any_order_of_attaching_and_detaching_works(void **state)
 int test_drain_attachments(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ids_count_up_and_are_never_used_again),
-        cmocka_unit_test(a_full_drain_takes_no_more),
-        cmocka_unit_test(a_node_is_pinned_once_and_loaded_as_often_as_wanted),
-        cmocka_unit_test(a_pinned_node_is_where_it_shall_be_after_each_step),
-        cmocka_unit_test(a_node_placed_elsewhere_is_taken_back_by_its_pin),
-        cmocka_unit_test(reactions_and_anchors_balance_all_loads),
+        cmocka_unit_test(ids_increase_and_are_never_reused),
+        cmocka_unit_test(full_drain_rejects_attachment),
+        cmocka_unit_test(node_takes_one_pin_and_many_loads),
+        cmocka_unit_test(pinned_node_reaches_target_after_step),
+        cmocka_unit_test(moved_node_returns_to_pin),
+        cmocka_unit_test(reactions_and_anchors_balance_loads),
         cmocka_unit_test(reactions_and_anchors_change_momentum),
-        cmocka_unit_test(any_order_of_attaching_and_detaching_works),
+        cmocka_unit_test(attach_detach_order_does_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,7 +54,7 @@ static double lag(vbss_drain_mesh mesh, vec3 way, double speed)
 
 /* A feasibility study saw 2 um at 40 mm/s and 9 um at 200 mm/s for another way of 157 nodes. Seen here, 137 and 159
  * nodes: closing 2.3, 2.6 um and 10.5, 11.6 um; lifting 3.0, 1.6 and 12.1, 6.2 um. */
-static void a_step_is_as_good_as_converged_newton(void **state)
+static void one_newton_step_matches_converged_step(void **state)
 {
     (void)state;
     const vec3 closing = {0.0, 0.0, 1.0}, lifting = {0.0, 1.0, 0.0};
@@ -89,7 +89,7 @@ static void creep(uint32_t steps, vec3 *x)
     drain_rig_end(&r);
 }
 
-static void errors_fall_with_the_step(void **state)
+static void error_decreases_with_step(void **state)
 {
     (void)state;
     static vec3 x[4][DRAIN_RIG_NODES];
@@ -119,7 +119,7 @@ static vec3 moment(const vec3 *values, const double *masses, uint32_t count)
     return sum;
 }
 
-static void a_drain_torn_off_falls_freely(void **state)
+static void torn_drain_falls_freely(void **state)
 {
     (void)state;
     drain_rig r;
@@ -169,7 +169,7 @@ static void a_drain_torn_off_falls_freely(void **state)
     drain_rig_end(&r);
 }
 
-static void energy_falls_once_nothing_pulls(void **state)
+static void energy_decreases_without_load(void **state)
 {
     (void)state;
     const vec3 ways[] = {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {0.6, 0.0, 0.8}};
@@ -209,7 +209,7 @@ static void energy_falls_once_nothing_pulls(void **state)
 
 /* ---- parts of steps */
 
-static void a_step_that_goes_far_is_made_in_parts_and_told(void **state)
+static void large_displacement_is_substepped_and_counted(void **state)
 {
     (void)state;
     const uint32_t limits[] = {0, 1, 4};
@@ -245,7 +245,7 @@ static void a_step_that_goes_far_is_made_in_parts_and_told(void **state)
     }
 }
 
-static void a_step_that_goes_not_so_far_is_linearised_twice(void **state)
+static void moderate_displacement_is_linearised_twice(void **state)
 {
     (void)state;
     const double ways[] = {0.5e-3, 2e-3};
@@ -298,7 +298,7 @@ static void pull_violently(drain_rig *r, vbss_random *random, const vec3 *rest)
 }
 
 /* It need not be the shape at rest: a fold that is inverted may be stable. */
-static void whatever_hands_do_the_drain_comes_to_rest(void **state)
+static void drain_comes_to_rest_after_any_motion(void **state)
 {
     (void)state;
     static vec3 rest[DRAIN_RIG_NODES];
@@ -330,13 +330,13 @@ static void whatever_hands_do_the_drain_comes_to_rest(void **state)
 int test_drain_dynamics(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_step_is_as_good_as_converged_newton),
-        cmocka_unit_test(errors_fall_with_the_step),
-        cmocka_unit_test(a_drain_torn_off_falls_freely),
-        cmocka_unit_test(energy_falls_once_nothing_pulls),
-        cmocka_unit_test(a_step_that_goes_far_is_made_in_parts_and_told),
-        cmocka_unit_test(a_step_that_goes_not_so_far_is_linearised_twice),
-        cmocka_unit_test(whatever_hands_do_the_drain_comes_to_rest),
+        cmocka_unit_test(one_newton_step_matches_converged_step),
+        cmocka_unit_test(error_decreases_with_step),
+        cmocka_unit_test(torn_drain_falls_freely),
+        cmocka_unit_test(energy_decreases_without_load),
+        cmocka_unit_test(large_displacement_is_substepped_and_counted),
+        cmocka_unit_test(moderate_displacement_is_linearised_twice),
+        cmocka_unit_test(drain_comes_to_rest_after_any_motion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -36,7 +36,7 @@ static vbss_result attach_and_destroy(vbss_context *context, const void *attachm
     return result;
 }
 
-static void configs_keep_the_size_protocol(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t config_sizes[] = {240, 248, 296, 304, 0}, attachment_sizes[] = {72, 0};
@@ -64,7 +64,7 @@ static vbss_result write_out(vbss_drain *drain, int which, void *out, uint32_t s
     }
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[OUTS] = {32, 96, 56, 80, sizeof(vbss_view)};
@@ -174,7 +174,7 @@ static const harness_handle_call calls[CALLS] = {
     call_step, call_set_state, call_attach, call_move, call_restore,  call_detach, call_reaction,
     call_save, call_hash,      call_places, call_gap,  call_energies, call_view,   call_statistics};
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     drain_rig r;
@@ -223,7 +223,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->destroyed = vbss_drain_destroy(l->drain);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -280,7 +280,7 @@ static vbss_result live(vbss_context *context, void *user)
     return result;
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     vbss_drain_config config;
@@ -291,7 +291,7 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
     harness_fail_every_allocation(live, &config);
 }
 
-static void drains_that_come_and_go_need_no_more_memory(void **state)
+static void drain_churn_does_not_grow_memory(void **state)
 {
     (void)state;
     drain_rig r;
@@ -312,12 +312,12 @@ static void drains_that_come_and_go_need_no_more_memory(void **state)
 int test_drain_life(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(configs_keep_the_size_protocol),
-        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
-        cmocka_unit_test(wrong_handles_are_told_by_every_call),
-        cmocka_unit_test(nothing_changes_from_inside_a_callback),
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
-        cmocka_unit_test(drains_that_come_and_go_need_no_more_memory),
+        cmocka_unit_test(config_size_protocol),
+        cmocka_unit_test(output_struct_size_protocol),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
+        cmocka_unit_test(calls_inside_callback_are_rejected),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
+        cmocka_unit_test(drain_churn_does_not_grow_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

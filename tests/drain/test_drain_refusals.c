@@ -72,7 +72,7 @@ static const number numbers[] = {
     NUMBER(tip_length, 0.0, 0.1, true),
 };
 
-static void bad_numbers_of_a_configuration_are_told(void **state)
+static void bad_config_numbers_are_rejected(void **state)
 {
     (void)state;
     drain_rig r;
@@ -111,7 +111,7 @@ static void bad_numbers_of_a_configuration_are_told(void **state)
 }
 
 /* Small and large drains, in proportion: the ends of the radius. */
-static void a_drain_may_have_any_size(void **state)
+static void any_drain_size_is_accepted(void **state)
 {
     (void)state;
     drain_rig r;
@@ -130,7 +130,7 @@ static void a_drain_may_have_any_size(void **state)
     drain_rig_end(&r);
 }
 
-static void bad_choices_of_a_configuration_are_told(void **state)
+static void bad_config_choices_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -183,7 +183,7 @@ static void begin_subject(drain_rig *r)
     drain_rig_run(r, 1e-3, 3);
 }
 
-static void bad_attachments_are_told(void **state)
+static void bad_attachments_are_rejected(void **state)
 {
     (void)state;
     drain_rig r;
@@ -235,7 +235,7 @@ static void bad_attachments_are_told(void **state)
     drain_rig_end(&r);
 }
 
-static void bad_moves_are_told(void **state)
+static void bad_moves_are_rejected(void **state)
 {
     (void)state;
     drain_rig r;
@@ -265,7 +265,7 @@ static void bad_moves_are_told(void **state)
     drain_rig_end(&r);
 }
 
-static void bad_steps_states_and_fields_are_told(void **state)
+static void bad_steps_states_and_fields_are_rejected(void **state)
 {
     (void)state;
     drain_rig r;
@@ -326,12 +326,12 @@ static void bad_steps_states_and_fields_are_told(void **state)
 int test_drain_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_numbers_of_a_configuration_are_told),
-        cmocka_unit_test(a_drain_may_have_any_size),
-        cmocka_unit_test(bad_choices_of_a_configuration_are_told),
-        cmocka_unit_test(bad_attachments_are_told),
-        cmocka_unit_test(bad_moves_are_told),
-        cmocka_unit_test(bad_steps_states_and_fields_are_told),
+        cmocka_unit_test(bad_config_numbers_are_rejected),
+        cmocka_unit_test(any_drain_size_is_accepted),
+        cmocka_unit_test(bad_config_choices_are_rejected),
+        cmocka_unit_test(bad_attachments_are_rejected),
+        cmocka_unit_test(bad_moves_are_rejected),
+        cmocka_unit_test(bad_steps_states_and_fields_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

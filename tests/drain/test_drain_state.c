@@ -84,7 +84,7 @@ static harness_body body_of(life *l)
     return (harness_body){"drain", &vbss_drain_kind, life_create, NULL, life_step, life_destroy, l};
 }
 
-static void lives_are_rich_enough(void **state)
+static void state_cases_cover_all_events(void **state)
 {
     (void)state;
     drain_rig r;
@@ -102,7 +102,7 @@ static void lives_are_rich_enough(void **state)
     drain_rig_end(&r);
 }
 
-static void a_restored_drain_goes_on_to_the_same_bits(void **state)
+static void restored_drain_continues_bit_equal(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -113,7 +113,7 @@ static void a_restored_drain_goes_on_to_the_same_bits(void **state)
     }
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -124,7 +124,7 @@ static void bad_snapshots_are_refused(void **state)
     }
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -138,7 +138,7 @@ static void steps_allocate_nothing(void **state)
 
 enum { ROOM = 32768 };
 
-static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
+static void small_buffer_reports_required_size(void **state)
 {
     (void)state;
     static uint8_t bytes[ROOM];
@@ -174,7 +174,7 @@ static void expect_foreign(drain_rig *r, const uint8_t *bytes, uint64_t count)
 }
 
 /* Every field of the configuration that the motion depends on. */
-static void snapshots_of_another_configuration_are_refused(void **state)
+static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
     static const size_t numbers[] = {offsetof(vbss_drain_config, length),
@@ -230,7 +230,7 @@ static void snapshots_of_another_configuration_are_refused(void **state)
 }
 
 /* Everything a host can set shows in the hash. */
-static void hashes_differ_when_anything_differs(void **state)
+static void hash_covers_all_state(void **state)
 {
     (void)state;
     static uint64_t seen[600];
@@ -343,7 +343,7 @@ static void soften(drain_object *d)
     d->attachments[1].stiffness = -1.0;
 }
 
-static void states_that_cannot_be_are_refused(void **state)
+static void impossible_states_are_rejected(void **state)
 {
     (void)state;
     void (*const edits[])(drain_object *) = {move_anchored, speed_anchored, tear_uncounted,
@@ -355,7 +355,7 @@ static void states_that_cannot_be_are_refused(void **state)
     }
 }
 
-static void a_state_that_is_finite_but_absurd_is_told_by_the_step(void **state)
+static void finite_absurd_state_is_reported_by_step(void **state)
 {
     (void)state;
     const double absurd[] = {1e30, 1e100, 1e160, 1e300, DBL_MAX};
@@ -383,15 +383,15 @@ static void a_state_that_is_finite_but_absurd_is_told_by_the_step(void **state)
 int test_drain_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lives_are_rich_enough),
-        cmocka_unit_test(a_restored_drain_goes_on_to_the_same_bits),
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(a_buffer_that_is_too_small_is_told_with_the_size),
-        cmocka_unit_test(snapshots_of_another_configuration_are_refused),
-        cmocka_unit_test(hashes_differ_when_anything_differs),
-        cmocka_unit_test(states_that_cannot_be_are_refused),
-        cmocka_unit_test(a_state_that_is_finite_but_absurd_is_told_by_the_step),
+        cmocka_unit_test(state_cases_cover_all_events),
+        cmocka_unit_test(restored_drain_continues_bit_equal),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(small_buffer_reports_required_size),
+        cmocka_unit_test(snapshot_of_other_config_is_rejected),
+        cmocka_unit_test(hash_covers_all_state),
+        cmocka_unit_test(impossible_states_are_rejected),
+        cmocka_unit_test(finite_absurd_state_is_reported_by_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static void rest_alone(harness_source *source, void *user)
     drain_rig_end(&r);
 }
 
-static void a_drain_on_which_nothing_acts_stays(void **state)
+static void unloaded_drain_stays(void **state)
 {
     (void)state;
     harness_property("alone", 8, rest_alone, NULL);
@@ -96,7 +96,7 @@ static void same_in_a_frame(harness_source *source, void *user)
     drain_rig_end(&plain);
 }
 
-static void the_shape_under_loads_does_not_depend_on_the_frame(void **state)
+static void static_shape_is_frame_invariant(void **state)
 {
     (void)state;
     harness_property("frames", 6, same_in_a_frame, NULL);
@@ -104,7 +104,7 @@ static void the_shape_under_loads_does_not_depend_on_the_frame(void **state)
 
 /* ---- what anchors bear */
 
-static void anchors_bear_the_load_of_a_mark(void **state)
+static void anchors_carry_target_load(void **state)
 {
     (void)state;
     const vec3 loads[] = {{0.03, 0.0, 0.0}, {0.0, 0.05, 0.0}, {0.0, -0.02, 0.08}};
@@ -120,7 +120,7 @@ static void anchors_bear_the_load_of_a_mark(void **state)
     }
 }
 
-static void anchors_bear_the_weight(void **state)
+static void anchors_carry_weight(void **state)
 {
     (void)state;
     drain_rig r;
@@ -147,10 +147,10 @@ static void anchors_bear_the_weight(void **state)
 int test_drain_statics(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_drain_on_which_nothing_acts_stays),
-        harness_test(the_shape_under_loads_does_not_depend_on_the_frame),
-        cmocka_unit_test(anchors_bear_the_load_of_a_mark),
-        cmocka_unit_test(anchors_bear_the_weight),
+        harness_test(unloaded_drain_stays),
+        harness_test(static_shape_is_frame_invariant),
+        cmocka_unit_test(anchors_carry_target_load),
+        cmocka_unit_test(anchors_carry_weight),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -77,7 +77,7 @@ static void expect_within(const closing *wanted, const closing *got, double mark
 }
 
 /* Another fine mesh says the same; and a feasibility study's of 1061 to 1863 nodes: 79 N/m, 132 N/m, 0.241 N. */
-static void fine_meshes_agree(void **state)
+static void fine_meshes_converge(void **state)
 {
     (void)state;
     closing other = close_slit(VBSS_DRAIN_MESH_181, 3, 1e-3);
@@ -87,7 +87,7 @@ static void fine_meshes_agree(void **state)
 }
 
 /* Seen of the default mesh: -1.1 % at the marks, +1.9 % of the gap, +1 % of the pull. */
-static void the_default_mesh_closes_as_a_fine_one(void **state)
+static void default_mesh_closes_like_fine_mesh(void **state)
 {
     (void)state;
     closing own = close_slit(VBSS_DRAIN_MESH_137, 1, 1e-3);
@@ -95,7 +95,7 @@ static void the_default_mesh_closes_as_a_fine_one(void **state)
 }
 
 /* Their bending stiffness is right where the default's is, but in large bending they fold sooner. */
-static void finer_meshes_close_as_a_fine_one_at_first(void **state)
+static void initial_closing_converges_with_mesh(void **state)
 {
     (void)state;
     const vbss_drain_mesh meshes[] = {VBSS_DRAIN_MESH_159, VBSS_DRAIN_MESH_181,
@@ -124,7 +124,7 @@ static double stiffness_of(double thickness, double modulus)
 }
 
 /* Between t of membrane alone and t^3 of bending alone: the study has 0.0790 and 0.0099 N/mm for 1 and 0.4 mm. */
-static void the_stiffness_grows_with_the_wall_and_the_modulus(void **state)
+static void stiffness_scales_with_wall_and_modulus(void **state)
 {
     (void)state;
     double thick = stiffness_of(1e-3, 1.2e6), thin = stiffness_of(0.4e-3, 1.2e6);
@@ -135,10 +135,10 @@ static void the_stiffness_grows_with_the_wall_and_the_modulus(void **state)
 int test_drain_stiffness(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fine_meshes_agree),
-        cmocka_unit_test(the_default_mesh_closes_as_a_fine_one),
-        cmocka_unit_test(finer_meshes_close_as_a_fine_one_at_first),
-        cmocka_unit_test(the_stiffness_grows_with_the_wall_and_the_modulus),
+        cmocka_unit_test(fine_meshes_converge),
+        cmocka_unit_test(default_mesh_closes_like_fine_mesh),
+        cmocka_unit_test(initial_closing_converges_with_mesh),
+        cmocka_unit_test(stiffness_scales_with_wall_and_modulus),
     };
     return cmocka_run_group_tests(tests, find_reference, NULL);
 }

@@ -54,7 +54,7 @@ static void begin_at(drain_rig *r, const loaded *l, double tear_stress)
     expect_ok(vbss_drain_set_state(r->drain, &l->x[0].x, NULL, r->places.node_count));
 }
 
-static void an_anchor_tears_at_its_strength(void **state)
+static void anchor_tears_at_strength(void **state)
 {
     (void)state;
     static loaded l;
@@ -77,7 +77,7 @@ static void an_anchor_tears_at_its_strength(void **state)
 }
 
 /* Far above what most of them bear, still the one that bears most, and its neighbours when they have taken over. */
-static void one_tears_a_step(void **state)
+static void one_anchor_tears_per_step(void **state)
 {
     (void)state;
     static loaded l;
@@ -97,7 +97,7 @@ static void one_tears_a_step(void **state)
     drain_rig_end(&r);
 }
 
-static void what_has_torn_is_free_for_ever(void **state)
+static void torn_node_stays_free(void **state)
 {
     (void)state;
     static loaded l;
@@ -139,7 +139,7 @@ static void what_has_torn_is_free_for_ever(void **state)
 }
 
 /* At the marks, as a hand would. */
-static void pulled_hard_the_whole_drain_comes_off(void **state)
+static void strong_pull_detaches_whole_drain(void **state)
 {
     (void)state;
     const double speeds[] = {0.05, 0.2};
@@ -181,10 +181,10 @@ static void pulled_hard_the_whole_drain_comes_off(void **state)
 int test_drain_tearing(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_anchor_tears_at_its_strength),
-        cmocka_unit_test(one_tears_a_step),
-        cmocka_unit_test(what_has_torn_is_free_for_ever),
-        cmocka_unit_test(pulled_hard_the_whole_drain_comes_off),
+        cmocka_unit_test(anchor_tears_at_strength),
+        cmocka_unit_test(one_anchor_tears_per_step),
+        cmocka_unit_test(torn_node_stays_free),
+        cmocka_unit_test(strong_pull_detaches_whole_drain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,7 +13,7 @@ static vbss_view view_of(drain_rig *r, vbss_drain_field field)
 
 /* ---- arrays */
 
-static void views_have_their_sizes(void **state)
+static void view_dimensions(void **state)
 {
     (void)state;
     const struct {
@@ -48,7 +48,7 @@ static void views_have_their_sizes(void **state)
     }
 }
 
-static void generations_change_with_every_step_and_edit(void **state)
+static void generation_changes_with_every_step_and_edit(void **state)
 {
     (void)state;
     drain_rig r;
@@ -92,7 +92,7 @@ static void generations_change_with_every_step_and_edit(void **state)
 /* ---- places */
 
 /* Marks and the middles of the edges face each other across the slit; a mark's arc is 4.5 mm before the opening. */
-static void places_are_where_they_shall_be(void **state)
+static void reference_points_are_placed_correctly(void **state)
 {
     (void)state;
     drain_rig r;
@@ -126,7 +126,7 @@ static void places_are_where_they_shall_be(void **state)
 
 /* ---- the gap */
 
-static void the_gap_at_rest_is_the_chord_of_the_opening(void **state)
+static void gap_at_rest_is_chord_of_opening(void **state)
 {
     (void)state;
     drain_rig r;
@@ -143,7 +143,7 @@ static void the_gap_at_rest_is_the_chord_of_the_opening(void **state)
 }
 
 /* Wherever the drain stands: its own frame says which side is which. */
-static void edges_that_have_crossed_have_a_negative_gap(void **state)
+static void crossed_edges_have_negative_gap(void **state)
 {
     (void)state;
     drain_rig r;
@@ -176,7 +176,7 @@ static void edges_that_have_crossed_have_a_negative_gap(void **state)
 /* ---- the lips */
 
 /* Their inner ends. A facet beside the edge leans as the tube does in its middle, not at the edge. */
-static void lips_at_rest_are_as_far_apart_as_their_inner_ends(void **state)
+static void lip_gap_at_rest_is_between_inner_ends(void **state)
 {
     (void)state;
     drain_rig r;
@@ -219,7 +219,7 @@ static void stand_up(drain_rig *r, double from_plane)
     drain_rig_run(r, 1e-3, 1);
 }
 
-static void lips_that_stand_face_to_face_are_apart_by_what_no_wall_fills(void **state)
+static void facing_lip_gap_is_wall_free_distance(void **state)
 {
     (void)state;
     const double walls = 1e-3, apart[] = {0.2e-3, 1e-3};
@@ -239,7 +239,7 @@ static void lips_that_stand_face_to_face_are_apart_by_what_no_wall_fills(void **
 
 /* ---- strains */
 
-static void nothing_is_strained_at_rest(void **state)
+static void strain_at_rest_is_zero(void **state)
 {
     (void)state;
     drain_rig r;
@@ -299,7 +299,7 @@ static grown grow(vbss_drain_mesh mesh, uint32_t divisions, double factor)
 
 /* (factor^2 - 1) / 2 of Green's strain everywhere, no shear; but for what the fold between two triangles takes from the
  * tangents at the middle of their side, which falls with the square of the cells. */
-static void a_drain_that_has_grown_is_strained_alike_everywhere(void **state)
+static void uniform_growth_has_uniform_strain(void **state)
 {
     (void)state;
     const double factors[] = {1.1, 0.9};
@@ -314,7 +314,7 @@ static void a_drain_that_has_grown_is_strained_alike_everywhere(void **state)
 }
 
 /* A pulse of speed on one node, weighed: kinetic energy of lumped masses; and height under gravity. */
-static void energies_are_those_of_lumped_masses(void **state)
+static void kinetic_energy_is_of_lumped_masses(void **state)
 {
     (void)state;
     static vec3 v[DRAIN_RIG_NODES];
@@ -340,7 +340,7 @@ static void energies_are_those_of_lumped_masses(void **state)
 
 /* ---- turned over */
 
-static void triangles_that_are_turned_over_are_counted(void **state)
+static void inverted_triangles_are_counted(void **state)
 {
     (void)state;
     static vec3 x[DRAIN_RIG_NODES];
@@ -372,17 +372,17 @@ static void triangles_that_are_turned_over_are_counted(void **state)
 int test_drain_views(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_have_their_sizes),
-        cmocka_unit_test(generations_change_with_every_step_and_edit),
-        cmocka_unit_test(places_are_where_they_shall_be),
-        cmocka_unit_test(the_gap_at_rest_is_the_chord_of_the_opening),
-        cmocka_unit_test(edges_that_have_crossed_have_a_negative_gap),
-        cmocka_unit_test(lips_at_rest_are_as_far_apart_as_their_inner_ends),
-        cmocka_unit_test(lips_that_stand_face_to_face_are_apart_by_what_no_wall_fills),
-        cmocka_unit_test(nothing_is_strained_at_rest),
-        cmocka_unit_test(a_drain_that_has_grown_is_strained_alike_everywhere),
-        cmocka_unit_test(energies_are_those_of_lumped_masses),
-        cmocka_unit_test(triangles_that_are_turned_over_are_counted),
+        cmocka_unit_test(view_dimensions),
+        cmocka_unit_test(generation_changes_with_every_step_and_edit),
+        cmocka_unit_test(reference_points_are_placed_correctly),
+        cmocka_unit_test(gap_at_rest_is_chord_of_opening),
+        cmocka_unit_test(crossed_edges_have_negative_gap),
+        cmocka_unit_test(lip_gap_at_rest_is_between_inner_ends),
+        cmocka_unit_test(facing_lip_gap_is_wall_free_distance),
+        cmocka_unit_test(strain_at_rest_is_zero),
+        cmocka_unit_test(uniform_growth_has_uniform_strain),
+        cmocka_unit_test(kinetic_energy_is_of_lumped_masses),
+        cmocka_unit_test(inverted_triangles_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

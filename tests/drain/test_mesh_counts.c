@@ -12,7 +12,7 @@ static void expect_counts(drain_mesh_kind kind, uint32_t nodes, uint32_t triangl
     mesh_rig_end(&rig);
 }
 
-static void named_meshes_have_their_counts(void **state)
+static void named_mesh_counts(void **state)
 {
     (void)state;
     drain_mesh_options o;
@@ -44,7 +44,7 @@ static void expect_lines(drain_mesh_kind kind, const double *degrees, uint32_t c
     }
 }
 
-static void lines_are_those_of_the_lists(void **state)
+static void line_lists_match_mesh(void **state)
 {
     (void)state;
     const double n[] = {0, 23, 39.67, 70, 110, 155, 180};
@@ -85,14 +85,14 @@ static void any_drain_has_lines_where_they_matter(harness_source *source, void *
     }
 }
 
-static void lines_stay_where_something_is(void **state)
+static void lines_stay_on_features(void **state)
 {
     (void)state;
     harness_property("lines", 2000, any_drain_has_lines_where_they_matter, NULL);
 }
 
 /* Divided, a mesh keeps its lines and gets others between them. */
-static void divisions_refine(void **state)
+static void subdivision_refines(void **state)
 {
     (void)state;
     drain_mesh_options o = mesh_rig_options(DRAIN_MESH_R);
@@ -111,7 +111,7 @@ static void divisions_refine(void **state)
 }
 
 /* Springs of the paper: along the drain, round it, and one diagonal a cell. */
-static void the_papers_grid_has_its_edges(void **state)
+static void published_grid_edge_count(void **state)
 {
     (void)state;
     mesh_rig rig;
@@ -141,11 +141,9 @@ static void the_papers_grid_has_its_edges(void **state)
 int test_mesh_counts(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(named_meshes_have_their_counts),
-        cmocka_unit_test(lines_are_those_of_the_lists),
-        harness_test(lines_stay_where_something_is),
-        cmocka_unit_test(divisions_refine),
-        cmocka_unit_test(the_papers_grid_has_its_edges),
+        cmocka_unit_test(named_mesh_counts),         cmocka_unit_test(line_lists_match_mesh),
+        harness_test(lines_stay_on_features),        cmocka_unit_test(subdivision_refines),
+        cmocka_unit_test(published_grid_edge_count),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

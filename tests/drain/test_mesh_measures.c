@@ -41,7 +41,7 @@ static void areas_converge(void **state)
 }
 
 /* A regular prism has an exact area. */
-static void equal_cells_have_the_area_of_a_prism(void **state)
+static void equal_cells_have_prism_area(void **state)
 {
     (void)state;
     mesh_rig rig;
@@ -78,7 +78,7 @@ static void any_lumped_areas_sum_to_all(harness_source *source, void *user)
     mesh_rig_end(&rig);
 }
 
-static void lumped_areas_sum_to_all(void **state)
+static void lumped_areas_sum_to_total(void **state)
 {
     (void)state;
     harness_property("lumped areas", 100, any_lumped_areas_sum_to_all, NULL);
@@ -86,7 +86,7 @@ static void lumped_areas_sum_to_all(void **state)
 
 /* ---- widths */
 
-static void widths_are_angles_round_the_axis(void **state)
+static void widths_are_axial_angles(void **state)
 {
     (void)state;
     mesh_rig rig;
@@ -166,7 +166,7 @@ static void any_left_half_mirrors_the_right(harness_source *source, void *user)
     mesh_rig_end(&rig);
 }
 
-static void halves_mirror_each_other(void **state)
+static void mesh_halves_are_mirror_images(void **state)
 {
     (void)state;
     harness_property("mirror", 100, any_left_half_mirrors_the_right, NULL);
@@ -195,7 +195,7 @@ static void any_mesh_is_well_shaped(harness_source *source, void *user)
     mesh_rig_end(&rig);
 }
 
-static void no_triangle_is_thin_or_folded(void **state)
+static void no_degenerate_or_folded_triangle(void **state)
 {
     (void)state;
     double least = 180.0;
@@ -216,11 +216,11 @@ int test_mesh_measures(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(areas_converge),
-        cmocka_unit_test(equal_cells_have_the_area_of_a_prism),
-        harness_test(lumped_areas_sum_to_all),
-        cmocka_unit_test(widths_are_angles_round_the_axis),
-        harness_test(halves_mirror_each_other),
-        harness_test(no_triangle_is_thin_or_folded),
+        cmocka_unit_test(equal_cells_have_prism_area),
+        harness_test(lumped_areas_sum_to_total),
+        cmocka_unit_test(widths_are_axial_angles),
+        harness_test(mesh_halves_are_mirror_images),
+        harness_test(no_degenerate_or_folded_triangle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

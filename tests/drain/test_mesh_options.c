@@ -24,7 +24,7 @@ static void refused(vbss_context *context, drain_mesh_options o, vbss_result wan
     assert_int_equal(0, m.node_count);
 }
 
-static void bad_numbers_are_told_by_name(void **state)
+static void bad_numbers_are_rejected_by_name(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -42,7 +42,7 @@ static void bad_numbers_are_told_by_name(void **state)
     harness_context_end(context, &memory);
 }
 
-static void what_makes_no_drain_is_refused(void **state)
+static void impossible_geometry_is_rejected(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -83,7 +83,7 @@ static void what_makes_no_drain_is_refused(void **state)
     harness_context_end(context, &memory);
 }
 
-static void equal_cells_that_do_not_fit_are_refused(void **state)
+static void nonfitting_equal_cells_are_rejected(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -136,7 +136,7 @@ static void any_numbers_are_refused_or_sound(harness_source *source, void *user)
     }
 }
 
-static void bad_options_make_no_bad_mesh(void **state)
+static void bad_options_make_no_mesh(void **state)
 {
     (void)state;
     uint32_t planned = 0;
@@ -159,7 +159,7 @@ static void expect_same_parts(drain_mesh *a, drain_mesh *b)
 }
 
 /* Also when the memory was used before. */
-static void the_same_options_give_the_same_mesh(void **state)
+static void mesh_is_deterministic(void **state)
 {
     (void)state;
     for (int kind = 0; kind < DRAIN_MESH_KINDS; kind++) {
@@ -185,11 +185,11 @@ static void the_same_options_give_the_same_mesh(void **state)
 int test_mesh_options(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_numbers_are_told_by_name),
-        cmocka_unit_test(what_makes_no_drain_is_refused),
-        cmocka_unit_test(equal_cells_that_do_not_fit_are_refused),
-        harness_test(bad_options_make_no_bad_mesh),
-        cmocka_unit_test(the_same_options_give_the_same_mesh),
+        cmocka_unit_test(bad_numbers_are_rejected_by_name),
+        cmocka_unit_test(impossible_geometry_is_rejected),
+        cmocka_unit_test(nonfitting_equal_cells_are_rejected),
+        harness_test(bad_options_make_no_mesh),
+        cmocka_unit_test(mesh_is_deterministic),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

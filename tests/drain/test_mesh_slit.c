@@ -33,13 +33,13 @@ static void any_edge_is_an_ellipse(harness_source *source, void *user)
     mesh_rig_end(&rig);
 }
 
-static void edges_are_ellipses(void **state)
+static void slit_edges_are_ellipses(void **state)
 {
     (void)state;
     harness_property("ellipse", 200, any_edge_is_an_ellipse, NULL);
 }
 
-static void the_slit_is_as_long_and_as_wide_as_it_should_be(void **state)
+static void slit_length_and_width(void **state)
 {
     (void)state;
     mesh_rig rig;
@@ -62,7 +62,7 @@ static void the_slit_is_as_long_and_as_wide_as_it_should_be(void **state)
 }
 
 /* Without opening, both nodes of a pair are at one place, and no node has moved. */
-static void a_plain_cut_moves_nothing(void **state)
+static void zero_width_cut_moves_no_node(void **state)
 {
     (void)state;
     for (int kind = 0; kind < DRAIN_MESH_KINDS; kind++) {
@@ -88,7 +88,7 @@ static void a_plain_cut_moves_nothing(void **state)
 
 /* Laplace's equation in arc and x, once the factor that ends the shift at the strip is taken away: the
  * five-point sum vanishes beside what a curvature of b/a^2 would give. */
-static void the_opening_spreads_harmonically(void **state)
+static void opening_decays_harmonically(void **state)
 {
     (void)state;
     drain_mesh m;
@@ -135,14 +135,14 @@ static void any_mark_is_where_it_should_be(harness_source *source, void *user)
     mesh_rig_end(&rig);
 }
 
-static void marks_are_where_they_should_be(void **state)
+static void target_positions(void **state)
 {
     (void)state;
     harness_property("marks", 300, any_mark_is_where_it_should_be, NULL);
 }
 
 /* 4.5 mm before the opening; 9.2 mm from each other at rest, as the study of the shell had them. */
-static void the_usual_marks(void **state)
+static void default_targets(void **state)
 {
     (void)state;
     mesh_rig rig;
@@ -158,7 +158,7 @@ static void the_usual_marks(void **state)
 }
 
 /* Nodes within 25 degrees of the bottom, three columns, where the tube is as it was; the paper's has none. */
-static void the_strip_is_below(void **state)
+static void anchor_strip_is_below(void **state)
 {
     (void)state;
     for (int kind = 0; kind < DRAIN_MESH_KINDS; kind++) {
@@ -184,7 +184,7 @@ static void the_strip_is_below(void **state)
     }
 }
 
-static void a_plain_tube_has_no_slit_and_no_marks(void **state)
+static void plain_tube_has_no_slit_or_targets(void **state)
 {
     (void)state;
     mesh_rig rig;
@@ -203,14 +203,14 @@ static void a_plain_tube_has_no_slit_and_no_marks(void **state)
 int test_mesh_slit(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(edges_are_ellipses),
-        cmocka_unit_test(the_slit_is_as_long_and_as_wide_as_it_should_be),
-        cmocka_unit_test(a_plain_cut_moves_nothing),
-        cmocka_unit_test(the_opening_spreads_harmonically),
-        harness_test(marks_are_where_they_should_be),
-        cmocka_unit_test(the_usual_marks),
-        cmocka_unit_test(the_strip_is_below),
-        cmocka_unit_test(a_plain_tube_has_no_slit_and_no_marks),
+        harness_test(slit_edges_are_ellipses),
+        cmocka_unit_test(slit_length_and_width),
+        cmocka_unit_test(zero_width_cut_moves_no_node),
+        cmocka_unit_test(opening_decays_harmonically),
+        harness_test(target_positions),
+        cmocka_unit_test(default_targets),
+        cmocka_unit_test(anchor_strip_is_below),
+        cmocka_unit_test(plain_tube_has_no_slit_or_targets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

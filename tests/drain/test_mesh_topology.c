@@ -120,7 +120,7 @@ static void expect_sound(const drain_mesh_options *o)
     mesh_rig_end(&rig);
 }
 
-static void every_mesh_hangs_together(void **state)
+static void mesh_is_connected(void **state)
 {
     (void)state;
     for (int kind = 0; kind < DRAIN_MESH_KINDS; kind++) {
@@ -136,7 +136,7 @@ static void every_mesh_hangs_together(void **state)
     }
 }
 
-static void equal_cells_take_a_slit(void **state)
+static void equal_cells_allow_slit(void **state)
 {
     (void)state;
     drain_mesh_options o = mesh_rig_tube(32, 36);
@@ -151,7 +151,7 @@ static void equal_cells_take_a_slit(void **state)
 }
 
 /* All diagonals of one side run one way, and its neighbour's over the mirror line the other. */
-static void diagonals_run_one_way(void **state)
+static void diagonals_have_one_direction(void **state)
 {
     (void)state;
     mesh_rig rig;
@@ -181,9 +181,9 @@ static void diagonals_run_one_way(void **state)
 int test_mesh_topology(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_mesh_hangs_together),
-        cmocka_unit_test(equal_cells_take_a_slit),
-        cmocka_unit_test(diagonals_run_one_way),
+        cmocka_unit_test(mesh_is_connected),
+        cmocka_unit_test(equal_cells_allow_slit),
+        cmocka_unit_test(diagonals_have_one_direction),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

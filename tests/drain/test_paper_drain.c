@@ -7,7 +7,7 @@
 
 /* 7 x 12 particles and one that doubles the middle of the slit; a segment for each cell along, round and across, and the
  * slit's two along are doubled. */
-static void the_mesh_is_the_published_one(void **state)
+static void mesh_matches_publication(void **state)
 {
     (void)state;
     paper_rig r;
@@ -35,7 +35,7 @@ static void the_mesh_is_the_published_one(void **state)
 }
 
 /* The slit is two cells long, 10.67 mm; the marks are on the lines at 30 degrees. */
-static void slit_and_marks_are_at_the_nearest_lines(void **state)
+static void slit_and_targets_snap_to_nearest_lines(void **state)
 {
     (void)state;
     paper_rig r;
@@ -60,7 +60,7 @@ static void slit_and_marks_are_at_the_nearest_lines(void **state)
 }
 
 /* The wall's mass: a little less than of a round tube, as triangles are chords and the slit is open. */
-static void particles_weigh_what_the_wall_weighs(void **state)
+static void particle_masses_sum_to_wall_mass(void **state)
 {
     (void)state;
     paper_rig r;
@@ -93,7 +93,7 @@ static void expect_others_at_rest(paper_rig *r, const uint32_t *pulled, uint32_t
     }
 }
 
-static void a_pulled_particle_goes_force_over_stiffness_and_takes_nobody_along(void **state)
+static void pulled_particle_moves_force_over_stiffness_alone(void **state)
 {
     (void)state;
     paper_rig r;
@@ -113,7 +113,7 @@ static void a_pulled_particle_goes_force_over_stiffness_and_takes_nobody_along(v
 }
 
 /* The usual test of a drain: the marks are drawn together, and the slit stands open as before. */
-static void marks_drawn_together_leave_the_slit_open(void **state)
+static void closing_targets_leaves_slit_open(void **state)
 {
     (void)state;
     paper_rig r;
@@ -136,7 +136,7 @@ static void marks_drawn_together_leave_the_slit_open(void **state)
     paper_end(&r);
 }
 
-static void lips_drawn_together_close_the_slit(void **state)
+static void closing_lips_closes_slit(void **state)
 {
     (void)state;
     paper_rig r;
@@ -157,7 +157,7 @@ static void lips_drawn_together_close_the_slit(void **state)
 }
 
 /* All particles hang by their own weight, each on its spring, in any frame. */
-static void gravity_lets_each_particle_hang_on_its_spring(void **state)
+static void each_particle_hangs_on_its_spring(void **state)
 {
     (void)state;
     paper_rig r;
@@ -177,7 +177,7 @@ static void gravity_lets_each_particle_hang_on_its_spring(void **state)
 }
 
 /* Strains are told though nothing resists them. */
-static void strains_are_those_of_the_surface(void **state)
+static void strain_is_of_surface(void **state)
 {
     (void)state;
     paper_rig r;
@@ -206,14 +206,14 @@ static void strains_are_those_of_the_surface(void **state)
 int test_paper_drain(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_mesh_is_the_published_one),
-        harness_test(slit_and_marks_are_at_the_nearest_lines),
-        harness_test(particles_weigh_what_the_wall_weighs),
-        harness_test(a_pulled_particle_goes_force_over_stiffness_and_takes_nobody_along),
-        harness_test(marks_drawn_together_leave_the_slit_open),
-        harness_test(lips_drawn_together_close_the_slit),
-        harness_test(gravity_lets_each_particle_hang_on_its_spring),
-        harness_test(strains_are_those_of_the_surface),
+        harness_test(mesh_matches_publication),
+        harness_test(slit_and_targets_snap_to_nearest_lines),
+        harness_test(particle_masses_sum_to_wall_mass),
+        harness_test(pulled_particle_moves_force_over_stiffness_alone),
+        harness_test(closing_targets_leaves_slit_open),
+        harness_test(closing_lips_closes_slit),
+        harness_test(each_particle_hangs_on_its_spring),
+        harness_test(strain_is_of_surface),
     };
     return cmocka_run_group_tests_name("drain.paper_drain", tests, NULL, NULL);
 }

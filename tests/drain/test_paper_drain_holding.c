@@ -1,7 +1,7 @@
 /* Method PAPER: what is attached to its particles. */
 #include "drain/paper_drain_rig.h"
 
-static void pinned_particles_go_evenly_to_their_targets(void **state)
+static void pinned_particles_move_linearly_to_targets(void **state)
 {
     (void)state;
     paper_rig r;
@@ -29,7 +29,7 @@ static void pinned_particles_go_evenly_to_their_targets(void **state)
 }
 
 /* In one explicit step: mass times acceleration, drag, and what else acts at the particle. */
-static void the_reaction_is_what_momentum_asks_for(void **state)
+static void reaction_equals_momentum_change(void **state)
 {
     (void)state;
     paper_rig r;
@@ -57,7 +57,7 @@ static void the_reaction_is_what_momentum_asks_for(void **state)
 }
 
 /* Implicit, so a spring of any stiffness is stable; and in balance with the particle's own. */
-static void attached_springs_pull_without_shorter_steps(void **state)
+static void attached_springs_need_no_shorter_steps(void **state)
 {
     (void)state;
     const double stiffness[] = {50.0, 1e4, 1e9};
@@ -78,7 +78,7 @@ static void attached_springs_pull_without_shorter_steps(void **state)
     }
 }
 
-static void a_drain_that_is_pinned_everywhere_stays(void **state)
+static void fully_pinned_drain_stays(void **state)
 {
     (void)state;
     paper_rig r;
@@ -102,10 +102,10 @@ static void a_drain_that_is_pinned_everywhere_stays(void **state)
 int test_paper_drain_holding(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(pinned_particles_go_evenly_to_their_targets),
-        harness_test(the_reaction_is_what_momentum_asks_for),
-        harness_test(attached_springs_pull_without_shorter_steps),
-        harness_test(a_drain_that_is_pinned_everywhere_stays),
+        harness_test(pinned_particles_move_linearly_to_targets),
+        harness_test(reaction_equals_momentum_change),
+        harness_test(attached_springs_need_no_shorter_steps),
+        harness_test(fully_pinned_drain_stays),
     };
     return cmocka_run_group_tests_name("drain.paper_drain_holding", tests, NULL, NULL);
 }

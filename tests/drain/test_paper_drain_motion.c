@@ -42,7 +42,7 @@ static void expect_oscillation(double damping, double drag, uint32_t substeps)
     paper_end(&r);
 }
 
-static void displaced_particles_swing_as_the_scheme_says(void **state)
+static void displaced_particles_oscillate_as_scheme(void **state)
 {
     (void)state;
     expect_oscillation(0.0, 0.0, 4);
@@ -72,7 +72,7 @@ static double error_of(uint32_t substeps)
     return largest;
 }
 
-static void motion_approaches_the_damped_oscillator_at_first_order(void **state)
+static void first_order_convergence_to_damped_oscillator(void **state)
 {
     (void)state;
     double coarse = error_of(128), medium = error_of(256), fine = error_of(512);
@@ -82,7 +82,7 @@ static void motion_approaches_the_damped_oscillator_at_first_order(void **state)
 }
 
 /* Damping takes what is relative to the rigid motion only: what one particle had, all have. */
-static void damping_keeps_momentum(void **state)
+static void damping_conserves_momentum(void **state)
 {
     (void)state;
     paper_rig r;
@@ -110,7 +110,7 @@ static void damping_keeps_momentum(void **state)
     paper_end(&r);
 }
 
-static void undamped_energy_stays(void **state)
+static void undamped_energy_is_conserved(void **state)
 {
     (void)state;
     paper_rig r;
@@ -150,7 +150,7 @@ static uint32_t lightest(const paper_rig *r)
     return node;
 }
 
-static void parts_are_chosen_for_the_lightest_particle(void **state)
+static void substeps_follow_lightest_particle(void **state)
 {
     (void)state;
     paper_rig r;
@@ -185,7 +185,7 @@ static double growth(uint32_t substeps, uint32_t steps)
     return factor;
 }
 
-static void steps_shorter_than_the_bound_are_stable_and_longer_ones_are_not(void **state)
+static void stability_bound_is_sharp(void **state)
 {
     (void)state;
     paper_rig r;
@@ -200,7 +200,7 @@ static void steps_shorter_than_the_bound_are_stable_and_longer_ones_are_not(void
     assert_in_range(chosen, (uint32_t)bound + 1, (uint32_t)(bound / 0.9) + 1);
 }
 
-static void what_runs_away_is_told_and_taken_back(void **state)
+static void diverged_step_is_reported_and_undone(void **state)
 {
     (void)state;
     paper_rig r;
@@ -218,13 +218,13 @@ static void what_runs_away_is_told_and_taken_back(void **state)
 int test_paper_drain_motion(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(displaced_particles_swing_as_the_scheme_says),
-        harness_test(motion_approaches_the_damped_oscillator_at_first_order),
-        harness_test(damping_keeps_momentum),
-        harness_test(undamped_energy_stays),
-        harness_test(parts_are_chosen_for_the_lightest_particle),
-        harness_test(steps_shorter_than_the_bound_are_stable_and_longer_ones_are_not),
-        harness_test(what_runs_away_is_told_and_taken_back),
+        harness_test(displaced_particles_oscillate_as_scheme),
+        harness_test(first_order_convergence_to_damped_oscillator),
+        harness_test(damping_conserves_momentum),
+        harness_test(undamped_energy_is_conserved),
+        harness_test(substeps_follow_lightest_particle),
+        harness_test(stability_bound_is_sharp),
+        harness_test(diverged_step_is_reported_and_undone),
     };
     return cmocka_run_group_tests_name("drain.paper_drain_motion", tests, NULL, NULL);
 }

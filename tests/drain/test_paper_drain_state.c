@@ -13,7 +13,7 @@ static vbss_result make(vbss_context *context, const vbss_drain_config *config)
     return vbss_drain_destroy(drain);
 }
 
-static void numbers_of_the_method_have_their_ranges(void **state)
+static void bad_method_numbers_are_rejected(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -73,7 +73,7 @@ static void any_drain_that_is_allowed_can_be_made(harness_source *source, void *
     paper_end(&r);
 }
 
-static void drains_of_any_measures_lie_at_rest(void **state)
+static void drain_of_any_size_is_at_rest(void **state)
 {
     (void)state;
     harness_property("paper's drain of any measures", 300, any_drain_that_is_allowed_can_be_made,
@@ -139,7 +139,7 @@ static harness_body tugged(vbss_drain_config *config)
     return body;
 }
 
-static void a_restored_drain_goes_on_to_the_same_bits(void **state)
+static void restored_drain_continues_bit_equal(void **state)
 {
     (void)state;
     vbss_drain_config config;
@@ -148,7 +148,7 @@ static void a_restored_drain_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue(&body, 37, 30);
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     vbss_drain_config config;
@@ -156,7 +156,7 @@ static void bad_snapshots_are_refused(void **state)
     harness_refuses_bad_snapshots(&body, 12);
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     vbss_drain_config config;
@@ -176,7 +176,7 @@ static vbss_result live(vbss_context *context, void *user)
     return destroy(drain);
 }
 
-static void every_failing_allocation_is_told(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     vbss_drain_config config = tugged_config();
@@ -199,7 +199,7 @@ static uint64_t hash_after(uint32_t steps)
     return hash;
 }
 
-static void the_same_run_has_the_same_bits(void **state)
+static void runs_are_bit_equal(void **state)
 {
     (void)state;
     assert_true(hash_after(200) == hash_after(200));
@@ -208,7 +208,7 @@ static void the_same_run_has_the_same_bits(void **state)
 
 /* ---- what is refused */
 
-static void a_state_of_another_configuration_is_refused(void **state)
+static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
     uint8_t bytes[16384];
@@ -232,7 +232,7 @@ static void a_state_of_another_configuration_is_refused(void **state)
     paper_end(&r);
 }
 
-static void numbers_that_are_none_are_refused(void **state)
+static void non_finite_numbers_are_rejected(void **state)
 {
     (void)state;
     paper_rig r;
@@ -258,15 +258,15 @@ static void numbers_that_are_none_are_refused(void **state)
 int test_paper_drain_state(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(numbers_of_the_method_have_their_ranges),
-        harness_test(drains_of_any_measures_lie_at_rest),
-        harness_test(a_restored_drain_goes_on_to_the_same_bits),
-        harness_test(bad_snapshots_are_refused),
-        harness_test(steps_allocate_nothing),
-        harness_test(every_failing_allocation_is_told),
-        harness_test(the_same_run_has_the_same_bits),
-        harness_test(a_state_of_another_configuration_is_refused),
-        harness_test(numbers_that_are_none_are_refused),
+        harness_test(bad_method_numbers_are_rejected),
+        harness_test(drain_of_any_size_is_at_rest),
+        harness_test(restored_drain_continues_bit_equal),
+        harness_test(bad_snapshots_are_rejected),
+        harness_test(steps_do_not_allocate),
+        harness_test(each_failed_allocation_is_reported),
+        harness_test(runs_are_bit_equal),
+        harness_test(snapshot_of_other_config_is_rejected),
+        harness_test(non_finite_numbers_are_rejected),
     };
     return cmocka_run_group_tests_name("drain.paper_drain_state", tests, NULL, NULL);
 }

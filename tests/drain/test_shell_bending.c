@@ -36,7 +36,7 @@ static vec3 column_mean(const shell_rig *r, const vec3 *of, uint32_t column, uin
 
 /* ---- rolled onto a cylinder: M11 = D k, M22 = nu D k, D k^2 / 2 of the area (Kirchhoff) */
 
-static void a_rolled_plate_bears_what_plate_theory_says(void **state)
+static void rolled_plate_moment_matches_plate_theory(void **state)
 {
     (void)state;
     const double nu = 0.47, radius = 20.0;
@@ -100,7 +100,7 @@ static double couple_ratio(uint32_t columns, uint32_t rows, double nu, bool rule
     return own / (beam * moment / bending);
 }
 
-static void a_strip_with_free_sides_bends_as_a_beam(void **state)
+static void free_strip_bends_as_beam(void **state)
 {
     (void)state;
     expect_near(1.0, couple_ratio(5, 1, 0.47, true), 0.02);
@@ -110,7 +110,7 @@ static void a_strip_with_free_sides_bends_as_a_beam(void **state)
 }
 
 /* Without the rule the moment across a free side is not zero: plane strain beside the edges. */
-static void without_the_rule_of_free_edges_it_is_too_stiff(void **state)
+static void missing_free_edge_rule_is_too_stiff(void **state)
 {
     (void)state;
     expect_near(0.88, couple_ratio(5, 1, 0.47, false), 0.01);
@@ -148,7 +148,7 @@ static double elastica_error(uint32_t columns, uint32_t rows, double factor)
     return vec3_distance(tip, vec3_make(e.x, 0.5 * s.width, -e.drop));
 }
 
-static void a_strip_follows_the_elastica(void **state)
+static void strip_follows_elastica(void **state)
 {
     (void)state;
     double coarse = elastica_error(10, 2, 4.0), fine = elastica_error(20, 4, 4.0);
@@ -161,10 +161,10 @@ static void a_strip_follows_the_elastica(void **state)
 int test_shell_bending(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rolled_plate_bears_what_plate_theory_says),
-        cmocka_unit_test(a_strip_with_free_sides_bends_as_a_beam),
-        cmocka_unit_test(without_the_rule_of_free_edges_it_is_too_stiff),
-        cmocka_unit_test(a_strip_follows_the_elastica),
+        cmocka_unit_test(rolled_plate_moment_matches_plate_theory),
+        cmocka_unit_test(free_strip_bends_as_beam),
+        cmocka_unit_test(missing_free_edge_rule_is_too_stiff),
+        cmocka_unit_test(strip_follows_elastica),
     };
     return cmocka_run_group_tests_name("drain.shell_bending", tests, NULL, NULL);
 }

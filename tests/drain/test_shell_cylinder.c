@@ -37,7 +37,7 @@ static double pinched_ratio(uint32_t cells, bool flipped)
     return moved / 1.8248e-5;
 }
 
-static void a_pinched_cylinder_converges(void **state)
+static void pinched_cylinder_converges(void **state)
 {
     (void)state;
     for (int flipped = 0; flipped < 2; flipped++) {
@@ -52,7 +52,7 @@ static void a_pinched_cylinder_converges(void **state)
 int test_shell_cylinder(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_pinched_cylinder_converges),
+        cmocka_unit_test(pinched_cylinder_converges),
     };
     return cmocka_run_group_tests_name("drain.shell_cylinder", tests, NULL, NULL);
 }

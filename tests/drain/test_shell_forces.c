@@ -36,7 +36,7 @@ static void force_is_slope(harness_source *source, void *user)
     shell_rig_end(&r);
 }
 
-static void forces_are_the_slope_of_the_energy(void **state)
+static void force_is_negative_energy_gradient(void **state)
 {
     (void)state;
     harness_property("shell forces are slopes", 60, force_is_slope, NULL);
@@ -61,7 +61,7 @@ static void forces_balance(harness_source *source, void *user)
     shell_rig_end(&r);
 }
 
-static void no_net_force_or_moment_in_any_state(void **state)
+static void net_force_and_moment_are_zero(void **state)
 {
     (void)state;
     harness_property("shell forces balance", 60, forces_balance, NULL);
@@ -85,7 +85,7 @@ static void rest_is_quiet(harness_source *source, void *user)
     shell_rig_end(&r);
 }
 
-static void rest_and_rigid_motions_are_free_of_stress(void **state)
+static void rigid_motion_has_no_stress(void **state)
 {
     (void)state;
     harness_property("shells rest", 60, rest_is_quiet, NULL);
@@ -130,7 +130,7 @@ static void mirror_image_agrees(harness_source *source, void *user)
     shell_rig_end(&r);
 }
 
-static void a_mirrored_shell_gives_mirrored_forces(void **state)
+static void mirrored_shell_has_mirrored_forces(void **state)
 {
     (void)state;
     harness_property("shells in the mirror", 40, mirror_image_agrees, NULL);
@@ -144,7 +144,7 @@ static vec3 flat(double u, double v, const void *user)
     return vec3_make(size[0] * u, size[1] * v, 0.0);
 }
 
-static void a_stretched_sheet_narrows_as_plane_stress_says(void **state)
+static void stretched_sheet_contracts_as_plane_stress(void **state)
 {
     (void)state;
     const double size[2] = {3.0, 2.0}, stretch = 1.2, nu = 0.47;
@@ -183,11 +183,11 @@ static void a_stretched_sheet_narrows_as_plane_stress_says(void **state)
 int test_shell_forces(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(forces_are_the_slope_of_the_energy),
-        harness_test(no_net_force_or_moment_in_any_state),
-        harness_test(rest_and_rigid_motions_are_free_of_stress),
-        harness_test(a_mirrored_shell_gives_mirrored_forces),
-        cmocka_unit_test(a_stretched_sheet_narrows_as_plane_stress_says),
+        harness_test(force_is_negative_energy_gradient),
+        harness_test(net_force_and_moment_are_zero),
+        harness_test(rigid_motion_has_no_stress),
+        harness_test(mirrored_shell_has_mirrored_forces),
+        cmocka_unit_test(stretched_sheet_contracts_as_plane_stress),
     };
     return cmocka_run_group_tests_name("drain.shell_forces", tests, NULL, NULL);
 }

@@ -24,7 +24,7 @@ static void expect_refused(shell_rig *r, const vbss_shell_input *in, vbss_result
     expect_result(result, vbss_shell_init(NULL, in, r->groups, &shell));
 }
 
-static void bad_numbers_are_refused(void **state)
+static void bad_numbers_are_rejected(void **state)
 {
     (void)state;
     shell_rig r;
@@ -50,7 +50,7 @@ static void bad_numbers_are_refused(void **state)
     shell_rig_end(&r);
 }
 
-static void bad_meshes_are_refused(void **state)
+static void bad_meshes_are_rejected(void **state)
 {
     (void)state;
     shell_rig r;
@@ -92,7 +92,7 @@ static uint32_t count_inverted(shell_rig *r)
     return count;
 }
 
-static void what_is_turned_over_is_told(void **state)
+static void inverted_elements_are_counted(void **state)
 {
     (void)state;
     shell_rig r;
@@ -122,7 +122,7 @@ static void what_is_turned_over_is_told(void **state)
     shell_rig_end(&r);
 }
 
-static void a_crease_is_no_inversion(void **state)
+static void crease_is_no_inversion(void **state)
 {
     (void)state;
     shell_rig r;
@@ -140,7 +140,7 @@ static void a_crease_is_no_inversion(void **state)
     shell_rig_end(&r);
 }
 
-static void the_mass_is_that_of_the_wall(void **state)
+static void mass_is_wall_mass(void **state)
 {
     (void)state;
     shell_rig r;
@@ -159,9 +159,11 @@ static void the_mass_is_that_of_the_wall(void **state)
 int test_shell_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_numbers_are_refused),      cmocka_unit_test(bad_meshes_are_refused),
-        cmocka_unit_test(what_is_turned_over_is_told),  cmocka_unit_test(a_crease_is_no_inversion),
-        cmocka_unit_test(the_mass_is_that_of_the_wall),
+        cmocka_unit_test(bad_numbers_are_rejected),
+        cmocka_unit_test(bad_meshes_are_rejected),
+        cmocka_unit_test(inverted_elements_are_counted),
+        cmocka_unit_test(crease_is_no_inversion),
+        cmocka_unit_test(mass_is_wall_mass),
     };
     return cmocka_run_group_tests_name("drain.shell_refusals", tests, NULL, NULL);
 }

@@ -79,7 +79,7 @@ static double pulled_ratio(uint32_t columns)
     return opened / (0.1488 * force / bending);
 }
 
-static void a_ring_pulled_at_two_points_opens_as_it_should(void **state)
+static void pulled_ring_opens_as_theory(void **state)
 {
     (void)state;
     expect_near(1.0, pulled_ratio(48), 0.025);
@@ -125,7 +125,7 @@ static double ovalled_ratio(uint32_t columns, bool corrected)
     return w / (load * r2 * r2 / 9.0 * 12.0 * (1.0 + 4.0 / (12.0 * r2)));
 }
 
-static void an_ovalling_ring_is_right_on_coarse_meshes(void **state)
+static void ovalling_ring_is_accurate_on_coarse_meshes(void **state)
 {
     (void)state;
     expect_near(1.0, ovalled_ratio(12, true), 0.07);
@@ -134,7 +134,7 @@ static void an_ovalling_ring_is_right_on_coarse_meshes(void **state)
     expect_near(1.0, ovalled_ratio(192, true), 0.0005);
 }
 
-static void without_the_correction_it_is_too_soft(void **state)
+static void missing_correction_is_too_soft(void **state)
 {
     (void)state;
     expect_near(1.345, ovalled_ratio(12, false), 0.01);
@@ -144,7 +144,7 @@ static void without_the_correction_it_is_too_soft(void **state)
 
 /* ---- under pressure, with open ends: hoop strain p R / (E t), and -nu of it along the axis */
 
-static void a_tube_under_pressure_widens_and_shortens(void **state)
+static void pressurised_tube_widens_and_shortens(void **state)
 {
     (void)state;
     const tube t = {1.0, 0.5, 48, 3};
@@ -185,10 +185,10 @@ static void a_tube_under_pressure_widens_and_shortens(void **state)
 int test_shell_rings(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_ring_pulled_at_two_points_opens_as_it_should),
-        cmocka_unit_test(an_ovalling_ring_is_right_on_coarse_meshes),
-        cmocka_unit_test(without_the_correction_it_is_too_soft),
-        cmocka_unit_test(a_tube_under_pressure_widens_and_shortens),
+        cmocka_unit_test(pulled_ring_opens_as_theory),
+        cmocka_unit_test(ovalling_ring_is_accurate_on_coarse_meshes),
+        cmocka_unit_test(missing_correction_is_too_soft),
+        cmocka_unit_test(pressurised_tube_widens_and_shortens),
     };
     return cmocka_run_group_tests_name("drain.shell_rings", tests, NULL, NULL);
 }

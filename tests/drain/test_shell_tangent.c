@@ -84,7 +84,7 @@ static void exact_at_rest(harness_source *source, void *user)
     shell_rig_end(&r);
 }
 
-static void at_rest_it_is_the_exact_hessian(void **state)
+static void tangent_at_rest_is_exact_hessian(void **state)
 {
     (void)state;
     harness_property("shell tangents at rest", 20, exact_at_rest, NULL);
@@ -110,7 +110,7 @@ static void exact_in_tension(harness_source *source, void *user)
     shell_rig_end(&r);
 }
 
-static void stretched_flat_it_is_the_exact_hessian(void **state)
+static void tangent_stretched_flat_is_exact_hessian(void **state)
 {
     (void)state;
     harness_property("shell tangents in tension", 20, exact_in_tension, NULL);
@@ -187,7 +187,7 @@ static void stays_positive(harness_source *source, void *user)
     shell_rig_end(&r);
 }
 
-static void it_is_symmetric_and_positive_semi_definite_anywhere(void **state)
+static void tangent_is_symmetric_positive_semidefinite(void **state)
 {
     (void)state;
     harness_property("shell tangents are positive", 60, stays_positive, NULL);
@@ -196,9 +196,9 @@ static void it_is_symmetric_and_positive_semi_definite_anywhere(void **state)
 int test_shell_tangent(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(at_rest_it_is_the_exact_hessian),
-        harness_test(stretched_flat_it_is_the_exact_hessian),
-        harness_test(it_is_symmetric_and_positive_semi_definite_anywhere),
+        harness_test(tangent_at_rest_is_exact_hessian),
+        harness_test(tangent_stretched_flat_is_exact_hessian),
+        harness_test(tangent_is_symmetric_positive_semidefinite),
     };
     return cmocka_run_group_tests_name("drain.shell_tangent", tests, NULL, NULL);
 }

@@ -13,7 +13,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     return result == VBSS_OK ? vbss_grasper_destroy(grasper) : result;
 }
 
-static void configs_of_all_sizes_are_told(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[] = {288, 320, 0};
@@ -21,7 +21,7 @@ static void configs_of_all_sizes_are_told(void **state)
     harness_config_protocol(&config);
 }
 
-static void no_configuration_is_the_default(void **state)
+static void null_config_is_default(void **state)
 {
     (void)state;
     fixture f;
@@ -116,7 +116,7 @@ static void with_number(fixture *f, const number *n, double value, vbss_result w
     f->config = kept;
 }
 
-static void bad_numbers_are_told(void **state)
+static void bad_numbers_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -137,7 +137,7 @@ static void bad_numbers_are_told(void **state)
     end(&f);
 }
 
-static void bad_choices_are_told(void **state)
+static void bad_choices_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -179,13 +179,13 @@ static vbss_result attempt(vbss_context *context, void *user)
     return create_and_destroy(context, NULL);
 }
 
-static void memory_that_fails_is_told(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     harness_fail_every_allocation(attempt, NULL);
 }
 
-static void presets_set_the_jaws_and_nothing_else(void **state)
+static void presets_change_jaws_only(void **state)
 {
     (void)state;
     vbss_grasper_config c, usual;
@@ -211,12 +211,9 @@ static void presets_set_the_jaws_and_nothing_else(void **state)
 int test_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(configs_of_all_sizes_are_told),
-        harness_test(no_configuration_is_the_default),
-        harness_test(bad_numbers_are_told),
-        harness_test(bad_choices_are_told),
-        harness_test(presets_set_the_jaws_and_nothing_else),
-        harness_test(memory_that_fails_is_told),
+        harness_test(config_size_protocol),     harness_test(null_config_is_default),
+        harness_test(bad_numbers_are_rejected), harness_test(bad_choices_are_rejected),
+        harness_test(presets_change_jaws_only), harness_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests_name("grasper.config", tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 #include "base/rotation.h"
 #include "held.h"
 
-static void the_limit_is_friction_of_both_faces(void **state)
+static void grip_limit_is_friction_of_both_faces(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
@@ -37,7 +37,7 @@ static void a_small_pull_changes_nothing(harness_source *source, void *user)
     expect_same_bits(OLD + s.h, s.grip.age);
 }
 
-static void what_is_within_the_limits_stays(void **state)
+static void load_within_limits_holds(void **state)
 {
     (void)state;
     harness_property("a small pull changes nothing", 500, a_small_pull_changes_nothing, NULL);
@@ -74,7 +74,7 @@ static void a_pull_meets_its_limit(harness_source *source, void *user)
     }
 }
 
-static void what_exceeds_the_limits_meets_them(void **state)
+static void load_above_limit_slips_at_limit(void **state)
 {
     (void)state;
     uint32_t yielded = 0;
@@ -83,7 +83,7 @@ static void what_exceeds_the_limits_meets_them(void **state)
 }
 
 /* Tension on the low side draws the thread toward smaller arc lengths: what is held then is further on. */
-static void a_thread_runs_the_way_it_is_pulled(void **state)
+static void thread_slips_along_pull(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
@@ -100,7 +100,7 @@ static void a_thread_runs_the_way_it_is_pulled(void **state)
     expect_same_bits(0.0, yield(&s).slip);
 }
 
-static void a_thread_across_the_pull_goes_aside(void **state)
+static void transverse_thread_slips_sideways(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
@@ -112,7 +112,7 @@ static void a_thread_across_the_pull_goes_aside(void **state)
     }
 }
 
-static void a_thread_that_stands_between_the_faces_does_not_run(void **state)
+static void thread_standing_between_faces_does_not_slip_axially(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(1.0, 0.5, 0.0));
@@ -125,7 +125,7 @@ static void a_thread_that_stands_between_the_faces_does_not_run(void **state)
     expect_near(4.0, along_faces_of(force_on_thread(&s)), 1e-12);
 }
 
-static void jaws_without_pressure_hold_nothing(void **state)
+static void zero_pressure_holds_nothing(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(0.0, 1.0, 1.0));
@@ -169,7 +169,7 @@ static void a_turn_meets_its_limit(harness_source *source, void *user)
     }
 }
 
-static void what_is_turned_harder_turns(void **state)
+static void torque_above_limit_turns_at_limit(void **state)
 {
     (void)state;
     uint32_t yielded = 0;
@@ -197,7 +197,7 @@ static void a_turn_beside_a_pull_meets_its_limit(harness_source *source, void *u
     *both += pulled && torque >= most * (1.0 - 1e-9);
 }
 
-static void what_is_pulled_and_turned_meets_both_limits(void **state)
+static void combined_pull_and_torque_meet_both_limits(void **state)
 {
     (void)state;
     uint32_t both = 0;
@@ -205,7 +205,7 @@ static void what_is_pulled_and_turned_meets_both_limits(void **state)
     assert_true(both > 300);
 }
 
-static void a_small_excess_turns_as_linear_springs_do(void **state)
+static void small_excess_torque_turns_as_linear_spring(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
@@ -240,7 +240,7 @@ static void any_yielding_loses_energy(harness_source *source, void *user)
     }
 }
 
-static void yielding_never_stores_energy(void **state)
+static void yielding_dissipates_energy(void **state)
 {
     (void)state;
     harness_property("any yielding loses energy", 2000, any_yielding_loses_energy, NULL);
@@ -249,17 +249,17 @@ static void yielding_never_stores_energy(void **state)
 int test_grip(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_limit_is_friction_of_both_faces),
-        harness_test(what_is_within_the_limits_stays),
-        harness_test(what_exceeds_the_limits_meets_them),
-        harness_test(a_thread_runs_the_way_it_is_pulled),
-        harness_test(a_thread_across_the_pull_goes_aside),
-        harness_test(a_thread_that_stands_between_the_faces_does_not_run),
-        harness_test(jaws_without_pressure_hold_nothing),
-        harness_test(what_is_turned_harder_turns),
-        harness_test(what_is_pulled_and_turned_meets_both_limits),
-        harness_test(a_small_excess_turns_as_linear_springs_do),
-        harness_test(yielding_never_stores_energy),
+        harness_test(grip_limit_is_friction_of_both_faces),
+        harness_test(load_within_limits_holds),
+        harness_test(load_above_limit_slips_at_limit),
+        harness_test(thread_slips_along_pull),
+        harness_test(transverse_thread_slips_sideways),
+        harness_test(thread_standing_between_faces_does_not_slip_axially),
+        harness_test(zero_pressure_holds_nothing),
+        harness_test(torque_above_limit_turns_at_limit),
+        harness_test(combined_pull_and_torque_meet_both_limits),
+        harness_test(small_excess_torque_turns_as_linear_spring),
+        harness_test(yielding_dissipates_energy),
     };
     return cmocka_run_group_tests_name("grasper.grip", tests, NULL, NULL);
 }

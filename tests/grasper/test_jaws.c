@@ -16,7 +16,7 @@ static grasper_object tool(double length, double radius, double bend)
 
 /* ---- where they are */
 
-static void the_tip_is_midway_between_the_ends_of_closed_jaws(void **state)
+static void tip_is_midpoint_of_closed_jaw_ends(void **state)
 {
     (void)state;
     grasper_capsule c[GRASPER_CAPSULES];
@@ -36,7 +36,7 @@ static void the_tip_is_midway_between_the_ends_of_closed_jaws(void **state)
 }
 
 /* The neck goes on in the line of the jaws, and the shaft begins where it ends. */
-static void the_bend_lies_behind_the_neck(void **state)
+static void bend_lies_behind_neck(void **state)
 {
     (void)state;
     grasper_capsule c[GRASPER_CAPSULES];
@@ -53,7 +53,7 @@ static void the_bend_lies_behind_the_neck(void **state)
     expect_near_vec3(vec3_add(bend, vec3_make(0.0, 0.0, 2.5e-3)), c[GRASPER_SHAFT].axis[0], 1e-17);
 }
 
-static void a_shaft_thicker_than_long_is_a_ball(void **state)
+static void thick_short_shaft_is_ball(void **state)
 {
     (void)state;
     grasper_capsule c[GRASPER_CAPSULES];
@@ -65,7 +65,7 @@ static void a_shaft_thicker_than_long_is_a_ball(void **state)
 }
 
 /* At every place of the one jaw the other is just twice the radius away. */
-static void closed_jaws_touch_along_their_length(void **state)
+static void closed_jaws_touch_along_length(void **state)
 {
     (void)state;
     grasper_capsule c[GRASPER_CAPSULES];
@@ -104,14 +104,14 @@ static void a_mouth_is_the_distance_of_the_facing_surfaces(harness_source *sourc
     }
 }
 
-static void mouths_are_distances(void **state)
+static void mouth_is_distance_between_jaws(void **state)
 {
     (void)state;
     harness_property("a mouth is a distance", 1000, a_mouth_is_the_distance_of_the_facing_surfaces,
                      NULL);
 }
 
-static void jaws_touch_where_their_mouth_is_the_diameter(void **state)
+static void jaws_touch_where_mouth_is_diameter(void **state)
 {
     (void)state;
     const double diameter = 0.25e-3;
@@ -128,7 +128,7 @@ static void jaws_touch_where_their_mouth_is_the_diameter(void **state)
     expect_same_bits(0.0, vbss_grasper_jaw_distance(0.0, 0.01));
 }
 
-static void the_jaws_are_those_of_the_kind(void **state)
+static void jaw_shape_follows_kind(void **state)
 {
     (void)state;
     grasper_object g = tool(13e-3, 0.7e-3, 0.2);
@@ -141,7 +141,7 @@ static void the_jaws_are_those_of_the_kind(void **state)
 
 /* ---- how they follow the handle */
 
-static void the_handle_goes_from_squeezed_to_open(void **state)
+static void handle_maps_squeezed_to_open(void **state)
 {
     (void)state;
     grasper_object g = tool(13e-3, 0.7e-3, 0.0);
@@ -158,7 +158,7 @@ static void the_handle_goes_from_squeezed_to_open(void **state)
     }
 }
 
-static void jaws_go_as_fast_as_they_may(void **state)
+static void jaw_speed_is_limited(void **state)
 {
     (void)state;
     const double h = 1e-3, step = 8e-3;
@@ -181,7 +181,7 @@ static void jaws_go_as_fast_as_they_may(void **state)
     expect_same_bits(0.35, vbss_grasper_next_angle(&g, h, -1.0));
 }
 
-static void what_is_between_them_stops_the_jaws(void **state)
+static void obstacle_stops_jaws(void **state)
 {
     (void)state;
     const double h = 1e-3;
@@ -199,7 +199,7 @@ static void what_is_between_them_stops_the_jaws(void **state)
     expect_near(0.028, vbss_grasper_next_angle(&g, h, 0.02), 1e-16);
 }
 
-static void pressure_grows_with_the_angle_they_are_kept_from(void **state)
+static void pressure_grows_with_blocked_angle(void **state)
 {
     (void)state;
     grasper_object g = tool(13e-3, 0.7e-3, 0.0);
@@ -218,17 +218,17 @@ static void pressure_grows_with_the_angle_they_are_kept_from(void **state)
 int test_jaws(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_tip_is_midway_between_the_ends_of_closed_jaws),
-        harness_test(the_bend_lies_behind_the_neck),
-        harness_test(a_shaft_thicker_than_long_is_a_ball),
-        harness_test(closed_jaws_touch_along_their_length),
-        harness_test(mouths_are_distances),
-        harness_test(jaws_touch_where_their_mouth_is_the_diameter),
-        harness_test(the_jaws_are_those_of_the_kind),
-        harness_test(the_handle_goes_from_squeezed_to_open),
-        harness_test(jaws_go_as_fast_as_they_may),
-        harness_test(what_is_between_them_stops_the_jaws),
-        harness_test(pressure_grows_with_the_angle_they_are_kept_from),
+        harness_test(tip_is_midpoint_of_closed_jaw_ends),
+        harness_test(bend_lies_behind_neck),
+        harness_test(thick_short_shaft_is_ball),
+        harness_test(closed_jaws_touch_along_length),
+        harness_test(mouth_is_distance_between_jaws),
+        harness_test(jaws_touch_where_mouth_is_diameter),
+        harness_test(jaw_shape_follows_kind),
+        harness_test(handle_maps_squeezed_to_open),
+        harness_test(jaw_speed_is_limited),
+        harness_test(obstacle_stops_jaws),
+        harness_test(pressure_grows_with_blocked_angle),
     };
     return cmocka_run_group_tests_name("grasper.jaws", tests, NULL, NULL);
 }

@@ -53,7 +53,7 @@ static harness_body body(void)
     return b;
 }
 
-static void a_restored_grasper_goes_on_to_the_same_bits(void **state)
+static void restored_grasper_continues_bit_equal(void **state)
 {
     (void)state;
     const harness_body b = body();
@@ -62,7 +62,7 @@ static void a_restored_grasper_goes_on_to_the_same_bits(void **state)
     }
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     const harness_body b = body();
@@ -70,7 +70,7 @@ static void bad_snapshots_are_refused(void **state)
     harness_refuses_bad_snapshots(&b, 5);
 }
 
-static void what_it_is_told_allocates_nothing(void **state)
+static void commands_do_not_allocate(void **state)
 {
     (void)state;
     const harness_body b = body();
@@ -79,7 +79,7 @@ static void what_it_is_told_allocates_nothing(void **state)
 
 /* ---- what is shown comes back too */
 
-static void a_restored_grasper_shows_what_it_showed(void **state)
+static void restored_grasper_shows_same_views(void **state)
 {
     (void)state;
     fixture f;
@@ -158,7 +158,7 @@ static void not_finite(grasper_object *g)
     g->hand_torque.y = (double)INFINITY;
 }
 
-static void nonsense_is_refused(void **state)
+static void impossible_state_is_rejected(void **state)
 {
     (void)state;
     static const spoiler spoilers[] = {
@@ -201,7 +201,7 @@ static void expect_foreign(fixture *f, vbss_grasper *other)
     expect_ok(vbss_grasper_destroy(grasper));
 }
 
-static void snapshots_of_another_configuration_are_refused(void **state)
+static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -235,12 +235,12 @@ static void snapshots_of_another_configuration_are_refused(void **state)
 int test_state(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_restored_grasper_goes_on_to_the_same_bits),
-        harness_test(bad_snapshots_are_refused),
-        harness_test(what_it_is_told_allocates_nothing),
-        harness_test(a_restored_grasper_shows_what_it_showed),
-        harness_test(nonsense_is_refused),
-        harness_test(snapshots_of_another_configuration_are_refused),
+        harness_test(restored_grasper_continues_bit_equal),
+        harness_test(bad_snapshots_are_rejected),
+        harness_test(commands_do_not_allocate),
+        harness_test(restored_grasper_shows_same_views),
+        harness_test(impossible_state_is_rejected),
+        harness_test(snapshot_of_other_config_is_rejected),
     };
     return cmocka_run_group_tests_name("grasper.state", tests, NULL, NULL);
 }

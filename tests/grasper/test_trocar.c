@@ -63,7 +63,7 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     expect_near(0.0, angle_between(again.orientation, target.orientation), 1e-14);
 }
 
-static void the_shaft_goes_through_its_trocar(void **state)
+static void shaft_passes_through_trocar(void **state)
 {
     (void)state;
     double worst = 0.0;
@@ -71,7 +71,7 @@ static void the_shaft_goes_through_its_trocar(void **state)
     assert_true(worst > 0.0 && worst < 1e-14);
 }
 
-static void the_roll_is_what_was_told(void **state)
+static void roll_matches_command(void **state)
 {
     (void)state;
     grasper_object g = {.kind = VBSS_GRASPER_SHEARS};
@@ -86,7 +86,7 @@ static void the_roll_is_what_was_told(void **state)
     }
 }
 
-static void a_tool_upside_down_is_turned_over(void **state)
+static void inverted_tool_is_turned_over(void **state)
 {
     (void)state;
     grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
@@ -114,7 +114,7 @@ static void a_tool_upside_down_is_turned_over(void **state)
 
 /* ---- too near */
 
-static void too_near_is_refused_and_changes_nothing(void **state)
+static void pose_too_near_trocar_is_rejected_and_changes_nothing(void **state)
 {
     (void)state;
     fixture f;
@@ -140,7 +140,7 @@ static void too_near_is_refused_and_changes_nothing(void **state)
     end(&f);
 }
 
-static void straight_jaws_may_come_as_near_as_they_like_but_not_into_it(void **state)
+static void straight_jaws_may_approach_but_not_enter_trocar(void **state)
 {
     (void)state;
     grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
@@ -160,7 +160,7 @@ static void straight_jaws_may_come_as_near_as_they_like_but_not_into_it(void **s
     assert_false(vbss_grasper_apply_trocar(&g, told, &target));
 }
 
-static void a_grasper_that_begins_in_its_trocar_lies_as_told(void **state)
+static void grasper_created_in_trocar_is_aligned(void **state)
 {
     (void)state;
     fixture f;
@@ -175,12 +175,12 @@ static void a_grasper_that_begins_in_its_trocar_lies_as_told(void **state)
 int test_trocar(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_shaft_goes_through_its_trocar),
-        harness_test(the_roll_is_what_was_told),
-        harness_test(a_tool_upside_down_is_turned_over),
-        harness_test(too_near_is_refused_and_changes_nothing),
-        harness_test(straight_jaws_may_come_as_near_as_they_like_but_not_into_it),
-        harness_test(a_grasper_that_begins_in_its_trocar_lies_as_told),
+        harness_test(shaft_passes_through_trocar),
+        harness_test(roll_matches_command),
+        harness_test(inverted_tool_is_turned_over),
+        harness_test(pose_too_near_trocar_is_rejected_and_changes_nothing),
+        harness_test(straight_jaws_may_approach_but_not_enter_trocar),
+        harness_test(grasper_created_in_trocar_is_aligned),
     };
     return cmocka_run_group_tests_name("grasper.trocar", tests, NULL, NULL);
 }

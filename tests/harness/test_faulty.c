@@ -101,7 +101,7 @@ static harness_body faulty_body(faulty *user)
     return body;
 }
 
-static void states_that_are_not_saved_are_found(void **state)
+static void unsaved_state_is_detected(void **state)
 {
     (void)state;
     const fault unsaved[] = {FORGETS_GROWTH, SETTLES_UNSAVED, EDIT_UNSAVED, AGES};
@@ -150,7 +150,7 @@ static void continue_with_a_field_that_only_the_last_step_needs(void **state)
     harness_save_restore_continue_at(&body, before, 2, 2);
 }
 
-static void an_allocation_in_a_step_is_counted(void **state)
+static void allocation_in_step_is_counted(void **state)
 {
     (void)state;
     faulty allocates = {1, 1, 0, ALLOCATES};
@@ -388,7 +388,7 @@ static void fail_at_once(void **state)
     fail();
 }
 
-static void fixtures_fail_on_what_is_faulty(void **state)
+static void harness_fails_on_faulty_body(void **state)
 {
     (void)state;
     unsetenv("VBSS_UPDATE_GOLDEN"); /* or the golden canaries would write files */
@@ -427,9 +427,9 @@ static void fixtures_fail_on_what_is_faulty(void **state)
 int test_faulty(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(states_that_are_not_saved_are_found),
-        harness_test(an_allocation_in_a_step_is_counted),
-        harness_test(fixtures_fail_on_what_is_faulty),
+        harness_test(unsaved_state_is_detected),
+        harness_test(allocation_in_step_is_counted),
+        harness_test(harness_fails_on_faulty_body),
     };
     return cmocka_run_group_tests_name("harness.faulty", tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static vbss_result create_and_destroy_rod(vbss_context *context, const void *con
     return rod_destroy(handle);
 }
 
-static void a_body_by_the_rules_passes(void **state)
+static void correct_body_passes(void **state)
 {
     (void)state;
     const harness_config config = {rod_config_sizes, init_rod_config, create_and_destroy_rod};
@@ -31,7 +31,7 @@ static void a_body_by_the_rules_passes(void **state)
     harness_refuses_bad_snapshots(&body, 5);
 }
 
-static void bad_numbers_are_refused_and_change_nothing(void **state)
+static void bad_numbers_are_rejected_and_change_nothing(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -85,7 +85,7 @@ static void bad_numbers_are_refused_and_change_nothing(void **state)
 
 /* ---- memory */
 
-static void wrong_releases_and_losses_are_seen(void **state)
+static void wrong_releases_and_leaks_are_detected(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -105,7 +105,7 @@ static void wrong_releases_and_losses_are_seen(void **state)
     assert_int_equal(memory.wrong_releases, 3);
 }
 
-static void the_chosen_allocation_fails(void **state)
+static void chosen_allocation_fails(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -149,7 +149,7 @@ static void give_back(size_t bytes)
     }
 }
 
-static void blocks_come_again_the_longest_kept_first(void **state)
+static void blocks_are_reused_oldest_first(void **state)
 {
     (void)state;
     unsigned char *a = harness_block_take(BLOCK), *b = harness_block_take(BLOCK);
@@ -171,7 +171,7 @@ static void blocks_come_again_the_longest_kept_first(void **state)
     harness_block_give_back(third, BLOCK);
 }
 
-static void what_was_released_must_not_be_touched_for_long(void **state)
+static void released_memory_is_poisoned(void **state)
 {
     (void)state;
     bool watched = harness_block_delay() > 0;
@@ -194,7 +194,7 @@ static void what_was_released_must_not_be_touched_for_long(void **state)
     harness_block_give_back(a, OTHER_BLOCK);
 }
 
-static void a_property_sees_the_same_cases_every_time(void **state)
+static void property_cases_are_deterministic(void **state)
 {
     (void)state;
     uint64_t first[2] = {0}, again[2] = {0};
@@ -204,7 +204,7 @@ static void a_property_sees_the_same_cases_every_time(void **state)
     assert_true(first[1] == again[1] && first[1] != 0);
 }
 
-static void one_case_can_be_replayed(void **state)
+static void single_case_can_be_replayed(void **state)
 {
     (void)state;
     uint64_t all[2] = {0}, rest[2] = {0};
@@ -220,7 +220,7 @@ static void one_case_can_be_replayed(void **state)
     assert_true(all[1] == rest[1]);
 }
 
-static void a_soak_fails_and_tells_its_figures(void **state)
+static void failing_soak_reports_figures(void **state)
 {
     (void)state;
     harness_soak soak = {.seed = 3};
@@ -232,7 +232,7 @@ static void a_soak_fails_and_tells_its_figures(void **state)
     assert_int_equal(soak.failures, 1);
 }
 
-static void bytes_can_drive_a_property(void **state)
+static void bytes_can_drive_property(void **state)
 {
     (void)state;
     const uint8_t bytes[10] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
@@ -244,7 +244,7 @@ static void bytes_can_drive_a_property(void **state)
     expect_same_bits(2.0, harness_draw_real(&source, 2.0, 3.0));
 }
 
-static void the_first_difference_is_named(void **state)
+static void first_difference_is_named(void **state)
 {
     (void)state;
     const uint64_t a[4] = {1, 2, 3, 4}, b[4] = {1, 2, 9, 4};
@@ -256,17 +256,17 @@ static void the_first_difference_is_named(void **state)
 int test_fixtures(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_body_by_the_rules_passes),
-        harness_test(bad_numbers_are_refused_and_change_nothing),
-        harness_test(wrong_releases_and_losses_are_seen),
-        harness_test(the_chosen_allocation_fails),
-        harness_test(blocks_come_again_the_longest_kept_first),
-        harness_test(what_was_released_must_not_be_touched_for_long),
-        harness_test(a_property_sees_the_same_cases_every_time),
-        harness_test(one_case_can_be_replayed),
-        harness_test(a_soak_fails_and_tells_its_figures),
-        harness_test(bytes_can_drive_a_property),
-        harness_test(the_first_difference_is_named),
+        harness_test(correct_body_passes),
+        harness_test(bad_numbers_are_rejected_and_change_nothing),
+        harness_test(wrong_releases_and_leaks_are_detected),
+        harness_test(chosen_allocation_fails),
+        harness_test(blocks_are_reused_oldest_first),
+        harness_test(released_memory_is_poisoned),
+        harness_test(property_cases_are_deterministic),
+        harness_test(single_case_can_be_replayed),
+        harness_test(failing_soak_reports_figures),
+        harness_test(bytes_can_drive_property),
+        harness_test(first_difference_is_named),
     };
     return cmocka_run_group_tests_name("harness.fixtures", tests, NULL, NULL);
 }

@@ -13,7 +13,7 @@ static uint64_t *hashes_of(const golden_scene *scene, size_t count)
 }
 
 /* The same scenes and files as the determinism table, in this very build. Each is run once in full, and once in short. */
-static void the_golden_scenes_give_the_golden_hashes(void **state)
+static void golden_hashes(void **state)
 {
     (void)state;
     for (size_t i = 0; i < golden_scene_count; i++) {
@@ -36,7 +36,7 @@ static void the_golden_scenes_give_the_golden_hashes(void **state)
 int test_golden(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_golden_scenes_give_the_golden_hashes),
+        harness_test(golden_hashes),
     };
     return cmocka_run_group_tests_name("harness.golden", tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ static const row table[] = {
     {{2, 1, 1}, 3, 45, -8, -2, 5, 7},
 };
 
-static void invariants_are_those_of_the_table(void **state)
+static void invariants_match_table(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
@@ -74,7 +74,7 @@ static void signatures_of_many_wraps(void **state)
     }
 }
 
-static void a_determinant_that_is_too_large_is_capped(void **state)
+static void large_determinant_is_capped(void **state)
 {
     (void)state;
     knot_factors factors = {.count = KNOT_THROWS};
@@ -86,7 +86,7 @@ static void a_determinant_that_is_too_large_is_capped(void **state)
     assert_int_equal(vbss_knot_invariants_of(&factors).determinant, INT64_MAX);
 }
 
-static void each_invariant_counts(void **state)
+static void each_invariant_distinguishes(void **state)
 {
     (void)state;
     const knot_factors factors = sum_of((const int[]){2, -1, 1}, 3);
@@ -113,7 +113,7 @@ static void each_invariant_counts(void **state)
 }
 
 /* Modulo 2^31 - 1, of either sign. */
-static void large_determinants_are_compared_as_they_are_computed(void **state)
+static void large_determinants_compare_as_computed(void **state)
 {
     (void)state;
     const int64_t prime = 2147483647;
@@ -160,7 +160,7 @@ static uint32_t all_sums(knot_factors *sums)
     return count;
 }
 
-static void all_sums_of_eight_are_told(void **state)
+static void sums_of_eight_are_identified(void **state)
 {
     (void)state;
     knot_factors *sums = calloc(SUMS, sizeof *sums);
@@ -179,7 +179,7 @@ static void all_sums_of_eight_are_told(void **state)
     free(sums);
 }
 
-static void other_knots_are_not_told(void **state)
+static void other_knots_are_rejected(void **state)
 {
     (void)state;
     static const knot_invariants others[] = {
@@ -206,13 +206,13 @@ static void other_knots_are_not_told(void **state)
 int test_catalogue(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(invariants_are_those_of_the_table),
+        cmocka_unit_test(invariants_match_table),
         cmocka_unit_test(signatures_of_many_wraps),
-        cmocka_unit_test(a_determinant_that_is_too_large_is_capped),
-        cmocka_unit_test(each_invariant_counts),
-        cmocka_unit_test(large_determinants_are_compared_as_they_are_computed),
-        cmocka_unit_test(all_sums_of_eight_are_told),
-        cmocka_unit_test(other_knots_are_not_told),
+        cmocka_unit_test(large_determinant_is_capped),
+        cmocka_unit_test(each_invariant_distinguishes),
+        cmocka_unit_test(large_determinants_compare_as_computed),
+        cmocka_unit_test(sums_of_eight_are_identified),
+        cmocka_unit_test(other_knots_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static bool is_planar(const char *entries, const char *signs)
     return vbss_knot_gauss_code_is_planar(&d.code);
 }
 
-static void known_diagrams_can_be_drawn(void **state)
+static void known_diagrams_are_planar(void **state)
 {
     (void)state;
     assert_true(is_planar("", ""));
@@ -48,7 +48,7 @@ static void known_diagrams_can_be_drawn(void **state)
     assert_true(is_planar(eight, eight_signs));
 }
 
-static void a_damaged_code_cannot_be_drawn(void **state)
+static void damaged_code_is_not_planar(void **state)
 {
     (void)state;
     assert_false(is_planar(trefoil, "++-"));
@@ -64,14 +64,14 @@ static void a_damaged_code_cannot_be_drawn(void **state)
     assert_false(vbss_knot_gauss_code_is_planar(&d.code));
 }
 
-static void what_is_over_may_be_exchanged_with_its_sign(void **state)
+static void crossing_change_keeps_planarity(void **state)
 {
     (void)state;
     assert_true(is_planar("abCABc", "-++"));
     assert_false(is_planar("abCABc", "--+"));
 }
 
-static void a_copy_is_the_same(void **state)
+static void copy_is_equal(void **state)
 {
     (void)state;
     diagram_set_code(&d.code, eight, eight_signs);
@@ -139,7 +139,7 @@ static void expect_trefoil(void)
     }
 }
 
-static void every_loop_is_undone(void **state)
+static void every_loop_is_reduced(void **state)
 {
     (void)state;
     for (int way = 0; way < 4 * PLACES; way++) {
@@ -152,7 +152,7 @@ static void every_loop_is_undone(void **state)
     }
 }
 
-static void every_bigon_of_one_strand_over_another_is_undone(void **state)
+static void every_nonalternating_bigon_is_reduced(void **state)
 {
     (void)state;
     int undone[2] = {0, 0};
@@ -172,7 +172,7 @@ static void every_bigon_of_one_strand_over_another_is_undone(void **state)
     assert_int_equal(44, undone[1]);
 }
 
-static void bigons_of_strands_that_alternate_stay(void **state)
+static void alternating_bigons_stay(void **state)
 {
     (void)state;
     diagram_set_code(&d.code, trefoil, "---");
@@ -183,7 +183,7 @@ static void bigons_of_strands_that_alternate_stay(void **state)
     diagram_expect_code(eight, eight_signs, &d.code);
 }
 
-static void strands_that_cross_twice_to_the_same_side_stay(void **state)
+static void same_side_double_crossings_stay(void **state)
 {
     (void)state;
     knot_ops work = 0;
@@ -195,7 +195,7 @@ static void strands_that_cross_twice_to_the_same_side_stay(void **state)
     assert_int_equal(0, d.code.n);
 }
 
-static void one_move_makes_room_for_the_next(void **state)
+static void one_move_enables_next(void **state)
 {
     (void)state;
     diagram_set_code(&d.code, "AbCDdcBa", "+-+-"); /* loops inside loops */
@@ -263,7 +263,7 @@ static void any_code_becomes_one_of_the_same_knot_without_moves(harness_source *
     assert_memory_equal(d.code.position, d.spare.position, entries * sizeof d.code.position[0]);
 }
 
-static void codes_keep_their_knot(void **state)
+static void reduction_keeps_knot_type(void **state)
 {
     (void)state;
     harness_property("codes keep their knot", 400,
@@ -273,16 +273,16 @@ static void codes_keep_their_knot(void **state)
 int test_code(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(known_diagrams_can_be_drawn),
-        harness_test(a_damaged_code_cannot_be_drawn),
-        harness_test(what_is_over_may_be_exchanged_with_its_sign),
-        harness_test(a_copy_is_the_same),
-        harness_test(every_loop_is_undone),
-        harness_test(every_bigon_of_one_strand_over_another_is_undone),
-        harness_test(bigons_of_strands_that_alternate_stay),
-        harness_test(strands_that_cross_twice_to_the_same_side_stay),
-        harness_test(one_move_makes_room_for_the_next),
-        harness_test(codes_keep_their_knot),
+        harness_test(known_diagrams_are_planar),
+        harness_test(damaged_code_is_not_planar),
+        harness_test(crossing_change_keeps_planarity),
+        harness_test(copy_is_equal),
+        harness_test(every_loop_is_reduced),
+        harness_test(every_nonalternating_bigon_is_reduced),
+        harness_test(alternating_bigons_stay),
+        harness_test(same_side_double_crossings_stay),
+        harness_test(one_move_enables_next),
+        harness_test(reduction_keeps_knot_type),
     };
     return cmocka_run_group_tests_name("code", tests, begin, end);
 }

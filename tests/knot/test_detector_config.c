@@ -6,7 +6,7 @@
 
 /* ---- what is there */
 
-static void the_defaults_are_those_that_are_documented(void **state)
+static void defaults_match_documentation(void **state)
 {
     (void)state;
     vbss_knot_config c;
@@ -38,7 +38,7 @@ static void the_defaults_are_those_that_are_documented(void **state)
     assert_memory_equal(&in, &input, sizeof in);
 }
 
-static void a_detector_can_be_made_from_the_defaults(void **state)
+static void default_detector(void **state)
 {
     (void)state;
     detector_rig r;
@@ -59,7 +59,7 @@ static void a_detector_can_be_made_from_the_defaults(void **state)
 
 /* ---- capacities at their ends */
 
-static void the_least_that_is_documented_is_enough_for_a_detector(void **state)
+static void documented_minimum_suffices(void **state)
 {
     (void)state;
     detector_rig r;
@@ -84,7 +84,7 @@ static void the_least_that_is_documented_is_enough_for_a_detector(void **state)
     }
 }
 
-static void the_most_that_is_documented_can_be_had(void **state)
+static void documented_maximum_is_accepted(void **state)
 {
     (void)state;
     detector_rig r;
@@ -140,7 +140,7 @@ static void expect_config(detector_rig *r, vbss_result wanted, const char *name)
 #field, offsetof(vbss_knot_config, field), (low), (high) \
     }
 
-static void bad_numbers_of_a_configuration_are_told(void **state)
+static void bad_config_numbers_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -172,7 +172,7 @@ static void bad_numbers_of_a_configuration_are_told(void **state)
     detector_rig_end(&r);
 }
 
-static void bad_counts_of_a_configuration_are_told(void **state)
+static void bad_config_counts_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -221,12 +221,12 @@ static void bad_counts_of_a_configuration_are_told(void **state)
 int test_detector_config(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_defaults_are_those_that_are_documented),
-        cmocka_unit_test(a_detector_can_be_made_from_the_defaults),
-        cmocka_unit_test(the_least_that_is_documented_is_enough_for_a_detector),
-        cmocka_unit_test(the_most_that_is_documented_can_be_had),
-        cmocka_unit_test(bad_numbers_of_a_configuration_are_told),
-        cmocka_unit_test(bad_counts_of_a_configuration_are_told),
+        cmocka_unit_test(defaults_match_documentation),
+        cmocka_unit_test(default_detector),
+        cmocka_unit_test(documented_minimum_suffices),
+        cmocka_unit_test(documented_maximum_is_accepted),
+        cmocka_unit_test(bad_config_numbers_are_rejected),
+        cmocka_unit_test(bad_config_counts_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@
 
 /* ---- flat */
 
-static void a_line_has_no_knot(void **state)
+static void line_is_unknot(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 256);
@@ -29,7 +29,7 @@ static void a_line_has_no_knot(void **state)
 }
 
 /* To and fro on one line: all of it touches. */
-static void a_line_that_folds_back_ends(void **state)
+static void folded_line_terminates(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 256);
@@ -44,7 +44,7 @@ static void a_line_that_folds_back_ends(void **state)
     odd_end();
 }
 
-static void a_point_has_no_knot(void **state)
+static void point_is_unknot(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 256);
@@ -61,7 +61,7 @@ static void a_point_has_no_knot(void **state)
 }
 
 /* A spiral, a zigzag and a meander in planes of all kinds: no knot, however it is turned. */
-static void flat_threads_have_no_knot(void **state)
+static void planar_threads_are_unknots(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 256);
@@ -104,7 +104,7 @@ static void flat_threads_have_no_knot(void **state)
 /* ---- touching */
 
 /* A thread that goes through a point of its own a second time, where nothing can part it. */
-static void a_thread_that_touches_itself_is_uncertain(void **state)
+static void self_touching_thread_is_uncertain(void **state)
 {
     (void)state;
     static thread_line line;
@@ -130,7 +130,7 @@ static void a_thread_that_touches_itself_is_uncertain(void **state)
     odd_end();
 }
 
-static void closed_threads_end(void **state)
+static void closed_threads_terminate(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 256);
@@ -184,7 +184,7 @@ static void expect_sense(harness_source *source, void *user)
     }
 }
 
-static void anything_at_all_makes_sense(void **state)
+static void any_input_gives_valid_result(void **state)
 {
     (void)state;
     uint32_t uncertain = 0;
@@ -197,13 +197,13 @@ static void anything_at_all_makes_sense(void **state)
 int test_detector_degenerate(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_line_has_no_knot),
-        harness_test(a_line_that_folds_back_ends),
-        harness_test(a_point_has_no_knot),
-        harness_test(flat_threads_have_no_knot),
-        harness_test(a_thread_that_touches_itself_is_uncertain),
-        harness_test(closed_threads_end),
-        harness_test(anything_at_all_makes_sense),
+        harness_test(line_is_unknot),
+        harness_test(folded_line_terminates),
+        harness_test(point_is_unknot),
+        harness_test(planar_threads_are_unknots),
+        harness_test(self_touching_thread_is_uncertain),
+        harness_test(closed_threads_terminate),
+        harness_test(any_input_gives_valid_result),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

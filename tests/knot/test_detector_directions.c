@@ -158,7 +158,7 @@ static void judge_with(uint32_t directions, uint32_t crossings, judge_counts *al
     }
 }
 
-static void one_direction_is_never_wrong(void **state)
+static void single_direction_is_never_wrong(void **state)
 {
     (void)state;
     judge_counts one = {0}, few = {0}, none = {0};
@@ -187,7 +187,7 @@ static uint32_t throws_left(judge *j, const thread_line *line, uint32_t from, bo
     return said.state.throw_count;
 }
 
-static void a_tail_that_is_drawn_back_loses_throws(void **state)
+static void drawn_back_tail_loses_throws(void **state)
 {
     (void)state;
     static const int throws[][3] = {{2, -1, 1}, {1, 1, -1}, {3, 2, 1}, {-2, -2, 2}};
@@ -224,8 +224,8 @@ int test_detector_directions(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(all_directions_agree),
-        harness_test(one_direction_is_never_wrong),
-        harness_test(a_tail_that_is_drawn_back_loses_throws),
+        harness_test(single_direction_is_never_wrong),
+        harness_test(drawn_back_tail_loses_throws),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,28 +49,28 @@ static void nothing_is_wrong_at(const least *l)
     assert_true(1000 * all.ordered >= l->ordered * all.heard);
 }
 
-static void nothing_is_wrong_at_60_segments(void **state)
+static void no_error_at_60_segments(void **state)
 {
     (void)state;
     const least l = {60, 210, 925, 925};
     nothing_is_wrong_at(&l);
 }
 
-static void nothing_is_wrong_at_120_segments(void **state)
+static void no_error_at_120_segments(void **state)
 {
     (void)state;
     const least l = {120, 235, 930, 930};
     nothing_is_wrong_at(&l);
 }
 
-static void nothing_is_wrong_at_240_segments(void **state)
+static void no_error_at_240_segments(void **state)
 {
     (void)state;
     const least l = {240, 235, 930, 930};
     nothing_is_wrong_at(&l);
 }
 
-static void nothing_is_wrong_at_300_segments(void **state)
+static void no_error_at_300_segments(void **state)
 {
     (void)state;
     const least l = {300, 235, 930, 930};
@@ -85,7 +85,7 @@ static void expect_fault(const judge_saying *saying, const family_case *truth)
 }
 
 /* Each number that is said, wrong by one, is found out. */
-static void the_judge_finds_every_fault(void **state)
+static void judge_finds_every_fault(void **state)
 {
     (void)state;
     static family_case made;
@@ -137,11 +137,9 @@ static void the_judge_finds_every_fault(void **state)
 int test_detector_families(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_judge_finds_every_fault),
-        harness_test(nothing_is_wrong_at_60_segments),
-        harness_test(nothing_is_wrong_at_120_segments),
-        harness_test(nothing_is_wrong_at_240_segments),
-        harness_test(nothing_is_wrong_at_300_segments),
+        harness_test(judge_finds_every_fault),  harness_test(no_error_at_60_segments),
+        harness_test(no_error_at_120_segments), harness_test(no_error_at_240_segments),
+        harness_test(no_error_at_300_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

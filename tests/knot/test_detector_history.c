@@ -167,7 +167,7 @@ static void make_uncertain(thread_line *line)
 }
 
 /* It may be another thread, and its first reading tells nothing: the next one must not follow the thread before. */
-static void doubt_outlives_a_reading_that_tells_nothing(void **state)
+static void uncertainty_survives_empty_reading(void **state)
 {
     (void)state;
     static thread_line unknown;
@@ -195,7 +195,7 @@ int test_detector_history(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(order_is_remembered),
         cmocka_unit_test(certainty_is_remembered),
-        cmocka_unit_test(doubt_outlives_a_reading_that_tells_nothing),
+        cmocka_unit_test(uncertainty_survives_empty_reading),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,7 +54,7 @@ static void mirror(const family_case *c)
     expect_same_truth(c, &how, -1);
 }
 
-static void a_mirror_shows_the_other_hand(void **state)
+static void mirror_flips_handedness(void **state)
 {
     (void)state;
     on_all_cases(mirror);
@@ -67,7 +67,7 @@ static void swap_limbs(const family_case *c)
     expect_same_truth(c, &how, 1);
 }
 
-static void limbs_may_change_places(void **state)
+static void limbs_can_be_exchanged(void **state)
 {
     (void)state;
     on_all_cases(swap_limbs);
@@ -90,7 +90,7 @@ static void carry_away(const family_case *c)
     }
 }
 
-static void size_and_place_do_not_matter(void **state)
+static void scale_and_position_invariance(void **state)
 {
     (void)state;
     on_all_cases(carry_away);
@@ -107,7 +107,7 @@ static void refine(const family_case *c)
     }
 }
 
-static void more_points_do_not_matter(void **state)
+static void resampling_invariance(void **state)
 {
     (void)state;
     on_all_cases(refine);
@@ -131,7 +131,7 @@ static void coarsen(const family_case *c)
     }
 }
 
-static void moves_that_are_free_change_nothing(void **state)
+static void isotopy_invariance(void **state)
 {
     (void)state;
     on_all_cases(coarsen);
@@ -140,9 +140,11 @@ static void moves_that_are_free_change_nothing(void **state)
 int test_detector_invariance(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_mirror_shows_the_other_hand),      harness_test(limbs_may_change_places),
-        harness_test(size_and_place_do_not_matter),       harness_test(more_points_do_not_matter),
-        harness_test(moves_that_are_free_change_nothing),
+        harness_test(mirror_flips_handedness),
+        harness_test(limbs_can_be_exchanged),
+        harness_test(scale_and_position_invariance),
+        harness_test(resampling_invariance),
+        harness_test(isotopy_invariance),
     };
     return cmocka_run_group_tests(tests, begin_cases, end_cases);
 }

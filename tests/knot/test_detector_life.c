@@ -44,7 +44,7 @@ static vbss_result show_and_destroy(vbss_context *context, const void *input)
     return result;
 }
 
-static void structs_that_come_in_keep_the_size_protocol(void **state)
+static void input_struct_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t config_sizes[] = {96, 0}, input_sizes[] = {136, 0};
@@ -54,7 +54,7 @@ static void structs_that_come_in_keep_the_size_protocol(void **state)
     harness_config_protocol(&input);
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     detector_rig r;
@@ -84,7 +84,7 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
 
 /* ---- handles */
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     detector_rig r;
@@ -133,7 +133,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->destroyed = vbss_knot_detector_destroy(l->detector);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -183,7 +183,7 @@ static vbss_result live(vbss_context *context, void *user)
     return result;
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -191,7 +191,7 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
     }
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -211,7 +211,7 @@ static void steps_allocate_nothing(void **state)
     detector_rig_end(&r);
 }
 
-static void contexts_end_with_detectors_alive(void **state)
+static void context_end_destroys_live_detectors(void **state)
 {
     (void)state;
     detector_rig r;
@@ -249,7 +249,7 @@ static void try_reset(knot_body_options *options, uint64_t lived)
     harness_context_end(context, &memory);
 }
 
-static void reset_forgets_all(void **state)
+static void reset_clears_all_state(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -262,14 +262,14 @@ static void reset_forgets_all(void **state)
 int test_detector_life(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(structs_that_come_in_keep_the_size_protocol),
-        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
-        cmocka_unit_test(wrong_handles_are_told_by_every_call),
-        cmocka_unit_test(nothing_changes_from_inside_a_callback),
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(contexts_end_with_detectors_alive),
-        cmocka_unit_test(reset_forgets_all),
+        cmocka_unit_test(input_struct_size_protocol),
+        cmocka_unit_test(output_struct_size_protocol),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
+        cmocka_unit_test(calls_inside_callback_are_rejected),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(context_end_destroys_live_detectors),
+        cmocka_unit_test(reset_clears_all_state),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -78,7 +78,7 @@ static void move_tissue(thread_line *line, vbss_random *random)
     line->holes[0] = line->holes[1] = tissue;
 }
 
-static void limbs_are_read_with_the_ray_wherever_it_goes(void **state)
+static void limbs_are_read_along_any_ray(void **state)
 {
     (void)state;
     static const char *const names[] = {"three throws", "high stacks", "crumpled", "torus knots",
@@ -164,7 +164,7 @@ static void compare_closures(judge *j, const thread_line *line)
     assert_int_equal(agreeing, job->agreeing);
 }
 
-static void ends_that_lie_inside_are_told(void **state)
+static void ends_inside_knot_are_reported(void **state)
 {
     (void)state;
     static family_case made;
@@ -204,8 +204,8 @@ static void ends_that_lie_inside_are_told(void **state)
 int test_detector_limbs(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(limbs_are_read_with_the_ray_wherever_it_goes),
-        harness_test(ends_that_lie_inside_are_told),
+        harness_test(limbs_are_read_along_any_ray),
+        harness_test(ends_inside_knot_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,7 +26,7 @@ static void put_torus(uint32_t count, int p, int q, double size)
     odd_x[count + 1] = vec3_add(odd_x[count], vec3_make(4.0 * size, -apart, 0.0));
 }
 
-static void symmetric_knots_are_told(void **state)
+static void symmetric_knots_are_identified(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 256);
@@ -49,7 +49,7 @@ static void symmetric_knots_are_told(void **state)
 
 /* ---- limits */
 
-static void long_threads_are_told(void **state)
+static void long_threads_are_identified(void **state)
 {
     (void)state;
     static thread_line line;
@@ -78,7 +78,7 @@ static void long_threads_are_told(void **state)
     odd_end();
 }
 
-static void too_many_crossings_are_told(void **state)
+static void too_many_crossings_are_reported(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 8);
@@ -91,7 +91,7 @@ static void too_many_crossings_are_told(void **state)
     odd_end();
 }
 
-static void sizes_do_not_matter(void **state)
+static void scale_does_not_matter(void **state)
 {
     (void)state;
     odd_begin(ODD_MOST, 256);
@@ -122,10 +122,10 @@ static void sizes_do_not_matter(void **state)
 int test_detector_limits(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(symmetric_knots_are_told),
-        harness_test(long_threads_are_told),
-        harness_test(too_many_crossings_are_told),
-        harness_test(sizes_do_not_matter),
+        harness_test(symmetric_knots_are_identified),
+        harness_test(long_threads_are_identified),
+        harness_test(too_many_crossings_are_reported),
+        harness_test(scale_does_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

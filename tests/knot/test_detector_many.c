@@ -5,7 +5,7 @@
 
 enum { SEEDS = 42, FIRST_SEED = 10000, CONFIGURATIONS = 32, SIZES = 4 };
 
-static void nothing_of_a_hundred_thousand_is_wrong(void **state)
+static void no_error_in_a_hundred_thousand(void **state)
 {
     (void)state;
     static const uint32_t segments[SIZES] = {60, 120, 240, 300};
@@ -39,7 +39,7 @@ static void nothing_of_a_hundred_thousand_is_wrong(void **state)
 int test_detector_many(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(nothing_of_a_hundred_thousand_is_wrong),
+        harness_test(no_error_in_a_hundred_thousand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

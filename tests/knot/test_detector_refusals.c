@@ -216,7 +216,7 @@ static void bad_structs_are_told(subject *s)
     expect_unchanged(s);
 }
 
-static void bad_inputs_are_told_and_change_nothing(void **state)
+static void bad_inputs_are_rejected_and_change_nothing(void **state)
 {
     (void)state;
     for (moment when = NOTHING_SHOWN; when < MOMENTS; when++) {
@@ -233,7 +233,7 @@ static void bad_inputs_are_told_and_change_nothing(void **state)
 }
 
 /* What a detector that is refused much goes on with is what one goes on with that is not. */
-static void a_refused_step_leaves_no_trace(void **state)
+static void rejected_step_leaves_no_trace(void **state)
 {
     (void)state;
     subject s, plain;
@@ -253,7 +253,7 @@ static void a_refused_step_leaves_no_trace(void **state)
 }
 
 /* What is said to be ignored may be anything. */
-static void what_is_ignored_may_be_anything(void **state)
+static void ignored_fields_may_hold_anything(void **state)
 {
     (void)state;
     subject s, plain;
@@ -275,7 +275,7 @@ static void what_is_ignored_may_be_anything(void **state)
 
 /* ---- arithmetic */
 
-static void other_rounding_is_refused(void **state)
+static void other_rounding_mode_is_rejected(void **state)
 {
     (void)state;
     subject s;
@@ -302,10 +302,10 @@ static void other_rounding_is_refused(void **state)
 int test_detector_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_inputs_are_told_and_change_nothing),
-        cmocka_unit_test(a_refused_step_leaves_no_trace),
-        cmocka_unit_test(what_is_ignored_may_be_anything),
-        cmocka_unit_test(other_rounding_is_refused),
+        cmocka_unit_test(bad_inputs_are_rejected_and_change_nothing),
+        cmocka_unit_test(rejected_step_leaves_no_trace),
+        cmocka_unit_test(ignored_fields_may_hold_anything),
+        cmocka_unit_test(other_rounding_mode_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -77,7 +77,7 @@ static void tie(const tied_case *c)
     harness_context_end(context, &memory);
 }
 
-static void small_knots_are_certified_all_the_time(void **state)
+static void small_knots_stay_certified(void **state)
 {
     (void)state;
     static const tied_case cases[] = {
@@ -92,7 +92,7 @@ static void small_knots_are_certified_all_the_time(void **state)
     }
 }
 
-static void the_knot_of_the_task_is_certified_all_the_time(void **state)
+static void task_knot_stays_certified(void **state)
 {
     (void)state;
     static const tied_case task = {KNOT_FLS, false, "2=1=1", VBSS_KNOT_NAME_FLS, 2400};
@@ -102,8 +102,8 @@ static void the_knot_of_the_task_is_certified_all_the_time(void **state)
 int test_detector_simulated(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(small_knots_are_certified_all_the_time),
-        cmocka_unit_test(the_knot_of_the_task_is_certified_all_the_time),
+        cmocka_unit_test(small_knots_stay_certified),
+        cmocka_unit_test(task_knot_stays_certified),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

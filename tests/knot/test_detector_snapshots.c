@@ -7,7 +7,7 @@
 static knot_body_options lives[] = {
     {VBSS_KNOT_TOPOLOGY, 300}, {VBSS_KNOT_TOPOLOGY, 2500}, {VBSS_KNOT_PROJECTION, 15000}};
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     const size_t moments[] = {0, 3, 44, 58, 100};
@@ -85,7 +85,7 @@ static void refuse_changed(detector_rig *r, const snapshot *good, uint8_t *at, u
     assert_int_equal(detector_rig_view(r, VBSS_KNOT_VIEW_EVENTS).count, events.count);
 }
 
-static void a_reading_that_cannot_be_is_refused(void **state)
+static void impossible_reading_is_rejected(void **state)
 {
     (void)state;
     detector_rig r, other;
@@ -113,7 +113,7 @@ static void a_reading_that_cannot_be_is_refused(void **state)
     detector_rig_end(&r);
 }
 
-static void nonsense_in_the_copied_thread_is_refused(void **state)
+static void bad_numbers_in_copied_thread_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -149,7 +149,7 @@ static void nonsense_in_the_copied_thread_is_refused(void **state)
     detector_rig_end(&r);
 }
 
-static void states_of_other_detectors_are_refused(void **state)
+static void snapshot_of_other_detector_is_rejected(void **state)
 {
     (void)state;
     static const size_t words[] = {
@@ -189,7 +189,7 @@ static void states_of_other_detectors_are_refused(void **state)
     detector_rig_end(&r);
 }
 
-static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
+static void small_buffer_reports_required_size(void **state)
 {
     (void)state;
     detector_rig r;
@@ -223,11 +223,11 @@ static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
 int test_detector_snapshots(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(a_reading_that_cannot_be_is_refused),
-        cmocka_unit_test(nonsense_in_the_copied_thread_is_refused),
-        cmocka_unit_test(states_of_other_detectors_are_refused),
-        cmocka_unit_test(a_buffer_that_is_too_small_is_told_with_the_size),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(impossible_reading_is_rejected),
+        cmocka_unit_test(bad_numbers_in_copied_thread_are_rejected),
+        cmocka_unit_test(snapshot_of_other_detector_is_rejected),
+        cmocka_unit_test(small_buffer_reports_required_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static const char *const knots[] = {"", "1", "2=1=1", "1x2"};
 
 /* ---- going on */
 
-static void a_restored_detector_goes_on_to_the_same_bits(void **state)
+static void restored_detector_continues_bit_equal(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -68,7 +68,7 @@ static void try_every_phase(knot_body_options *options, bool seen[KNOT_JOB_DONE]
     harness_context_end(context, &memory);
 }
 
-static void a_reading_goes_on_from_wherever_it_was(void **state)
+static void reading_resumes_at_any_point(void **state)
 {
     (void)state;
     bool seen[KNOT_JOB_DONE] = {false};
@@ -80,7 +80,7 @@ static void a_reading_goes_on_from_wherever_it_was(void **state)
     }
 }
 
-static void a_knot_of_any_kind_is_restored(void **state)
+static void any_knot_kind_is_restored(void **state)
 {
     (void)state;
     detector_rig r, other;
@@ -153,7 +153,7 @@ static void begin_knot(detector_rig *r, int knot, uint32_t work_limit)
     detector_rig_add_tools(r, knot % 2 == 0 ? 3 : 0);
 }
 
-static void results_do_not_depend_on_the_limit_of_work(void **state)
+static void results_do_not_depend_on_budget(void **state)
 {
     (void)state;
     const uint32_t limits[] = {100, 337, 1000, 15000, 1000000000};
@@ -179,7 +179,7 @@ static void results_do_not_depend_on_the_limit_of_work(void **state)
     }
 }
 
-static void judging_is_stepping_until_the_reading_ends(void **state)
+static void judge_equals_stepping_to_end(void **state)
 {
     (void)state;
     detector_rig stepped, judged;
@@ -196,7 +196,7 @@ static void judging_is_stepping_until_the_reading_ends(void **state)
 }
 
 /* A reading under way is dropped for one of what is shown now, and leaves nothing behind. */
-static void judging_drops_what_was_being_read(void **state)
+static void judge_discards_current_reading(void **state)
 {
     (void)state;
     detector_rig r, fresh;
@@ -231,7 +231,7 @@ static void judging_drops_what_was_being_read(void **state)
 
 /* ---- hashes */
 
-static void hashes_differ_when_anything_differs(void **state)
+static void hash_covers_all_state(void **state)
 {
     (void)state;
     enum { STEPS = MOVING_KNOT_PERIOD };
@@ -264,14 +264,14 @@ static void hashes_differ_when_anything_differs(void **state)
 int test_detector_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_detector_goes_on_to_the_same_bits),
-        cmocka_unit_test(a_reading_goes_on_from_wherever_it_was),
-        cmocka_unit_test(a_knot_of_any_kind_is_restored),
+        cmocka_unit_test(restored_detector_continues_bit_equal),
+        cmocka_unit_test(reading_resumes_at_any_point),
+        cmocka_unit_test(any_knot_kind_is_restored),
         cmocka_unit_test(events_belong_to_one_step),
-        cmocka_unit_test(results_do_not_depend_on_the_limit_of_work),
-        cmocka_unit_test(judging_is_stepping_until_the_reading_ends),
-        cmocka_unit_test(judging_drops_what_was_being_read),
-        cmocka_unit_test(hashes_differ_when_anything_differs),
+        cmocka_unit_test(results_do_not_depend_on_budget),
+        cmocka_unit_test(judge_equals_stepping_to_end),
+        cmocka_unit_test(judge_discards_current_reading),
+        cmocka_unit_test(hash_covers_all_state),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 
 /* ---- winding */
 
-static void winding_is_wrapped_until_a_quarter_below(void **state)
+static void winding_has_hysteresis(void **state)
 {
     (void)state;
     static const struct {
@@ -55,7 +55,7 @@ static void winding_is_wrapped_until_a_quarter_below(void **state)
     }
 }
 
-static void winding_is_that_of_the_tools_that_were_shown(void **state)
+static void winding_is_of_shown_tools(void **state)
 {
     (void)state;
     detector_rig r;
@@ -93,7 +93,7 @@ static void winding_is_that_of_the_tools_that_were_shown(void **state)
 
 /* ---- notation */
 
-static void notation_needs_room_for_its_last_zero(void **state)
+static void notation_needs_space_for_terminator(void **state)
 {
     (void)state;
     static const char *const knots[] = {"", "1", "2=1=1", "1x1x1x1=1=1=1=1"};
@@ -123,7 +123,7 @@ static void notation_needs_room_for_its_last_zero(void **state)
 
 /* ---- views */
 
-static void views_have_their_sizes(void **state)
+static void view_dimensions(void **state)
 {
     (void)state;
     detector_rig r;
@@ -163,7 +163,7 @@ static uint64_t generation(const detector_rig *r)
     return g;
 }
 
-static void the_generation_changes_with_every_step_and_edit(void **state)
+static void generation_changes_with_every_step_and_edit(void **state)
 {
     (void)state;
     detector_rig r;
@@ -202,7 +202,7 @@ static void the_generation_changes_with_every_step_and_edit(void **state)
     detector_rig_end(&r);
 }
 
-static void events_beyond_the_capacity_are_counted(void **state)
+static void events_above_capacity_are_counted(void **state)
 {
     (void)state;
     detector_rig r;
@@ -230,7 +230,7 @@ static void events_beyond_the_capacity_are_counted(void **state)
 
 /* ---- figures */
 
-static void figures_never_fall_and_add_up(void **state)
+static void counters_are_monotonic_and_add_up(void **state)
 {
     (void)state;
     knot_body_options options = {VBSS_KNOT_TOPOLOGY, 15000};
@@ -271,13 +271,13 @@ static void figures_never_fall_and_add_up(void **state)
 int test_detector_views(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(winding_is_wrapped_until_a_quarter_below),
-        cmocka_unit_test(winding_is_that_of_the_tools_that_were_shown),
-        cmocka_unit_test(notation_needs_room_for_its_last_zero),
-        cmocka_unit_test(views_have_their_sizes),
-        cmocka_unit_test(the_generation_changes_with_every_step_and_edit),
-        cmocka_unit_test(events_beyond_the_capacity_are_counted),
-        cmocka_unit_test(figures_never_fall_and_add_up),
+        cmocka_unit_test(winding_has_hysteresis),
+        cmocka_unit_test(winding_is_of_shown_tools),
+        cmocka_unit_test(notation_needs_space_for_terminator),
+        cmocka_unit_test(view_dimensions),
+        cmocka_unit_test(generation_changes_with_every_step_and_edit),
+        cmocka_unit_test(events_above_capacity_are_counted),
+        cmocka_unit_test(counters_are_monotonic_and_add_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -30,7 +30,7 @@ static int64_t determinant_of(const knot_gauss_code *code)
 
 /* ---- what is known */
 
-static void the_unknot_has_one(void **state)
+static void unknot_determinant_is_one(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -46,7 +46,7 @@ static void the_unknot_has_one(void **state)
     codes_free(code);
 }
 
-static void known_knots_have_theirs(void **state)
+static void known_knot_determinants(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -57,7 +57,7 @@ static void known_knots_have_theirs(void **state)
     codes_free(code);
 }
 
-static void torus_knots_have_theirs(void **state)
+static void torus_knot_determinants(void **state)
 {
     (void)state;
     static const int pairs[][2] = {{2, 1}, {2, 3}, {2, 5},  {2, 7},  {2, 63}, {3, 2},
@@ -83,7 +83,7 @@ static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void 
     assert_int_equal(wanted, determinant_of(code));
 }
 
-static void stacked_throws_have_the_product(void **state)
+static void stacked_throws_multiply(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -92,7 +92,7 @@ static void stacked_throws_have_the_product(void **state)
 }
 
 /* Closures of the braids (1, -2)^k: L(2 k) - 2, L being Lucas' numbers: up to 2^44. */
-static void large_ones_do_not_wrap(void **state)
+static void nonplanar_code_has_no_determinant(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -112,7 +112,7 @@ static void large_ones_do_not_wrap(void **state)
     codes_free(code);
 }
 
-static void what_is_not_plane_has_none(void **state)
+static void large_determinant_does_not_overflow(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -210,7 +210,7 @@ static void any_braid_has_that_of_colourings(harness_source *source, void *user)
     }
 }
 
-static void braids_have_that_of_colourings(void **state)
+static void braid_determinant_matches_colourings(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -235,7 +235,7 @@ static void any_diagram_has_the_same(harness_source *source, void *user)
     assert_int_equal(known->determinant, determinant_of(code));
 }
 
-static void diagrams_of_a_knot_have_the_same(void **state)
+static void determinant_is_diagram_invariant(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -246,14 +246,14 @@ static void diagrams_of_a_knot_have_the_same(void **state)
 int test_determinant(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_unknot_has_one),
-        harness_test(known_knots_have_theirs),
-        harness_test(torus_knots_have_theirs),
-        harness_test(stacked_throws_have_the_product),
-        harness_test(large_ones_do_not_wrap),
-        harness_test(what_is_not_plane_has_none),
-        harness_test(braids_have_that_of_colourings),
-        harness_test(diagrams_of_a_knot_have_the_same),
+        harness_test(unknot_determinant_is_one),
+        harness_test(known_knot_determinants),
+        harness_test(torus_knot_determinants),
+        harness_test(stacked_throws_multiply),
+        harness_test(nonplanar_code_has_no_determinant),
+        harness_test(large_determinant_does_not_overflow),
+        harness_test(braid_determinant_matches_colourings),
+        harness_test(determinant_is_diagram_invariant),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -77,7 +77,7 @@ static void check_family(const family *f)
     }
 }
 
-static void every_family_tells_the_truth(void **state)
+static void families_match_ground_truth(void **state)
 {
     (void)state;
     for (int i = 0; i < FAMILIES; i++) {
@@ -85,7 +85,7 @@ static void every_family_tells_the_truth(void **state)
     }
 }
 
-static void all_types_of_three_throws_are_there_and_true(void **state)
+static void three_throw_types_are_complete_and_correct(void **state)
 {
     (void)state;
     const family *three = family_named("three throws");
@@ -104,7 +104,7 @@ static void all_types_of_three_throws_are_there_and_true(void **state)
     assert_int_equal(216, types);
 }
 
-static void families_have_their_segments_and_repeat(void **state)
+static void families_have_segment_count_and_repeat(void **state)
 {
     (void)state;
     for (int i = 0; i < FAMILIES; i++) {
@@ -124,9 +124,9 @@ static void families_have_their_segments_and_repeat(void **state)
 int test_families(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_family_tells_the_truth),
-        cmocka_unit_test(all_types_of_three_throws_are_there_and_true),
-        cmocka_unit_test(families_have_their_segments_and_repeat),
+        cmocka_unit_test(families_match_ground_truth),
+        cmocka_unit_test(three_throw_types_are_complete_and_correct),
+        cmocka_unit_test(families_have_segment_count_and_repeat),
     };
     return cmocka_run_group_tests_name("families", tests, NULL, NULL);
 }

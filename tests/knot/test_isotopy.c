@@ -63,7 +63,7 @@ static isotopy drawn(uint64_t seed)
     return way;
 }
 
-static void isotopies_keep_knot_and_tissue(void **state)
+static void isotopy_keeps_knot_and_tissue(void **state)
 {
     (void)state;
     uint32_t made = 0;
@@ -80,7 +80,7 @@ static void isotopies_keep_knot_and_tissue(void **state)
     assert_true(made >= 95);
 }
 
-static void isotopies_move_the_thread_far(void **state)
+static void isotopy_moves_thread_far(void **state)
 {
     (void)state;
     tie(3, 60e-3);
@@ -100,7 +100,7 @@ static void isotopies_move_the_thread_far(void **state)
     assert_true(furthest > 3e-3);
 }
 
-static void marks_stay_on_the_thread(void **state)
+static void markers_stay_on_thread(void **state)
 {
     (void)state;
     tie(2, 60e-3);
@@ -117,7 +117,7 @@ static void marks_stay_on_the_thread(void **state)
     }
 }
 
-static void the_same_seed_gives_the_same_bits(void **state)
+static void seed_determines_bits(void **state)
 {
     (void)state;
     tie(3, 60e-3);
@@ -133,7 +133,7 @@ static void the_same_seed_gives_the_same_bits(void **state)
 
 /* ---- limbs that lie about */
 
-static void clutter_ties_nothing(void **state)
+static void clutter_ties_no_knot(void **state)
 {
     (void)state;
     for (uint64_t seed = 0; seed < 30; seed++) {
@@ -150,7 +150,7 @@ static void clutter_ties_nothing(void **state)
     }
 }
 
-static void clutter_below_something_is_refused(void **state)
+static void clutter_below_minimum_is_rejected(void **state)
 {
     (void)state;
     clutter under = {.up = {0.0, 0.0, -1.0}, .reach = 8e-3, .slope = 0.05, .passes = 10};
@@ -158,7 +158,7 @@ static void clutter_below_something_is_refused(void **state)
     assert_false(clutter_limb(&base, &under, 1));
 }
 
-static void a_throw_of_a_limb_round_itself_is_a_knot(void **state)
+static void limb_throw_is_a_knot(void **state)
 {
     (void)state;
     for (int k = 1; k <= 3; k++) {
@@ -184,7 +184,7 @@ static void put_corner(double height)
     swept_finish(&swept);
 }
 
-static void a_corner_goes_only_when_its_triangle_is_free(void **state)
+static void corner_is_removed_only_from_free_triangle(void **state)
 {
     (void)state;
     put_corner(0.1);
@@ -196,7 +196,7 @@ static void a_corner_goes_only_when_its_triangle_is_free(void **state)
     assert_int_equal(5, swept.count);
 }
 
-static void a_vertex_moves_only_where_nothing_is(void **state)
+static void vertex_moves_only_through_free_space(void **state)
 {
     (void)state;
     put_corner(-0.1);
@@ -209,7 +209,7 @@ static void a_vertex_moves_only_where_nothing_is(void **state)
 }
 
 /* The edge behind the corner's triangle goes on through it, or past it. */
-static void the_next_edge_may_be_in_the_way(void **state)
+static void next_edge_can_block(void **state)
 {
     (void)state;
     for (int inside = 0; inside < 2; inside++) {
@@ -221,7 +221,7 @@ static void the_next_edge_may_be_in_the_way(void **state)
     }
 }
 
-static void rays_are_in_the_way(void **state)
+static void rays_block(void **state)
 {
     (void)state;
     put_corner(0.1);
@@ -232,7 +232,7 @@ static void rays_are_in_the_way(void **state)
     assert_true(swept_remove(&swept, 1));
 }
 
-static void curves_nearer_than_they_stray_are_refused(void **state)
+static void curves_closer_than_amplitude_are_rejected(void **state)
 {
     (void)state;
     for (int near = 0; near < 2; near++) {
@@ -251,18 +251,18 @@ static void curves_nearer_than_they_stray_are_refused(void **state)
 int test_isotopy(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(isotopies_keep_knot_and_tissue),
-        cmocka_unit_test(isotopies_move_the_thread_far),
-        cmocka_unit_test(marks_stay_on_the_thread),
-        cmocka_unit_test(the_same_seed_gives_the_same_bits),
-        cmocka_unit_test(clutter_ties_nothing),
-        cmocka_unit_test(clutter_below_something_is_refused),
-        cmocka_unit_test(a_throw_of_a_limb_round_itself_is_a_knot),
-        cmocka_unit_test(a_corner_goes_only_when_its_triangle_is_free),
-        cmocka_unit_test(a_vertex_moves_only_where_nothing_is),
-        cmocka_unit_test(the_next_edge_may_be_in_the_way),
-        cmocka_unit_test(rays_are_in_the_way),
-        cmocka_unit_test(curves_nearer_than_they_stray_are_refused),
+        cmocka_unit_test(isotopy_keeps_knot_and_tissue),
+        cmocka_unit_test(isotopy_moves_thread_far),
+        cmocka_unit_test(markers_stay_on_thread),
+        cmocka_unit_test(seed_determines_bits),
+        cmocka_unit_test(clutter_ties_no_knot),
+        cmocka_unit_test(clutter_below_minimum_is_rejected),
+        cmocka_unit_test(limb_throw_is_a_knot),
+        cmocka_unit_test(corner_is_removed_only_from_free_triangle),
+        cmocka_unit_test(vertex_moves_only_through_free_space),
+        cmocka_unit_test(next_edge_can_block),
+        cmocka_unit_test(rays_block),
+        cmocka_unit_test(curves_closer_than_amplitude_are_rejected),
     };
     return cmocka_run_group_tests_name("isotopy", tests, NULL, NULL);
 }

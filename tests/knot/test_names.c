@@ -117,7 +117,7 @@ static void hitches_and_uncertain_readings(void **state)
     check(v, VBSS_KNOT_NAME_FLS, VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_UNCERTAIN, "2=1=1");
 }
 
-static void what_is_no_stack_is_other(void **state)
+static void non_stack_is_other(void **state)
 {
     (void)state;
     knot_classification v = {.other = true};
@@ -128,7 +128,7 @@ static void what_is_no_stack_is_other(void **state)
     check(v, VBSS_KNOT_NAME_OTHER, VBSS_KNOT_FAULT_TYPE | VBSS_KNOT_FAULT_STRAY, "? (1)");
 }
 
-static void knots_in_one_limb_do_not_count(void **state)
+static void knot_in_one_limb_is_ignored(void **state)
 {
     (void)state;
     knot_classification v = verdict_of((const int[]){2, 1, -1, 1, 0}, IN_ORDER);
@@ -142,7 +142,7 @@ static void knots_in_one_limb_do_not_count(void **state)
     check(v, VBSS_KNOT_NAME_NONE, VBSS_KNOT_FAULT_STRAY | FEW, "(3)");
 }
 
-static void long_notations_fit_or_say_that_they_do_not(void **state)
+static void long_notation_fits_or_is_marked(void **state)
 {
     (void)state;
     knot_classification v =
@@ -173,7 +173,7 @@ static void long_notations_fit_or_say_that_they_do_not(void **state)
 static const int hands[6] = {1, -1, 2, -2, 3, -3};
 
 /* Only 2=1=1 is the FLS knot, and it alone has no fault. */
-static void only_one_of_all_types_has_no_fault(void **state)
+static void only_one_type_is_faultless(void **state)
 {
     (void)state;
     uint32_t found = 0;
@@ -240,7 +240,7 @@ static void check_all_orders(const int *throws, uint32_t count)
     assert_true(!s.alike || strcmp(text, s.notation) == 0);
 }
 
-static void without_order_what_all_orders_have_is_told(void **state)
+static void without_order_common_faults_are_reported(void **state)
 {
     (void)state;
     for (uint32_t count = 1, all = 6; count <= 4; count++, all *= 6) {
@@ -259,11 +259,11 @@ int test_names(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(names_faults_and_notations),
         cmocka_unit_test(hitches_and_uncertain_readings),
-        cmocka_unit_test(what_is_no_stack_is_other),
-        cmocka_unit_test(knots_in_one_limb_do_not_count),
-        cmocka_unit_test(long_notations_fit_or_say_that_they_do_not),
-        cmocka_unit_test(only_one_of_all_types_has_no_fault),
-        cmocka_unit_test(without_order_what_all_orders_have_is_told),
+        cmocka_unit_test(non_stack_is_other),
+        cmocka_unit_test(knot_in_one_limb_is_ignored),
+        cmocka_unit_test(long_notation_fits_or_is_marked),
+        cmocka_unit_test(only_one_type_is_faultless),
+        cmocka_unit_test(without_order_common_faults_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,7 +22,7 @@ static double swept_turns(const paper_rig *rig)
     return angle / 6.283185307179586;
 }
 
-static void the_cases_are_counted_as_the_paper_counts(void **state)
+static void cases_match_paper_counts(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -40,7 +40,7 @@ static void the_cases_are_counted_as_the_paper_counts(void **state)
     paper_rig_end(&rig);
 }
 
-static void the_truth_is_another(void **state)
+static void paper_counts_differ_from_truth(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -66,7 +66,7 @@ static void the_truth_is_another(void **state)
 
 /* E: of three crossings of the end with the standing part the outermost is taken for the pair; the one next to
  * the tool, on which the throw depends, has above and below the other way round. */
-static void the_pair_of_a_curled_standing_part_is_the_wrong_one(void **state)
+static void curled_standing_part_pairs_wrongly(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -90,7 +90,7 @@ static void the_pair_of_a_curled_standing_part_is_the_wrong_one(void **state)
 }
 
 /* C: turns that coincide in the projection cross by the last bit, or by where points happen to lie. */
-static void an_exact_helix_closes_by_accident(void **state)
+static void exact_helix_closes_by_accident(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -111,10 +111,10 @@ static void an_exact_helix_closes_by_accident(void **state)
 int test_paper_cases(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_cases_are_counted_as_the_paper_counts),
-        cmocka_unit_test(the_truth_is_another),
-        cmocka_unit_test(the_pair_of_a_curled_standing_part_is_the_wrong_one),
-        cmocka_unit_test(an_exact_helix_closes_by_accident),
+        cmocka_unit_test(cases_match_paper_counts),
+        cmocka_unit_test(paper_counts_differ_from_truth),
+        cmocka_unit_test(curled_standing_part_pairs_wrongly),
+        cmocka_unit_test(exact_helix_closes_by_accident),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

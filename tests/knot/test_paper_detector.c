@@ -57,7 +57,7 @@ static const uint32_t *row(const vbss_view *view, uint64_t number)
     return (const uint32_t *)(const void *)((const char *)view->data + number * view->stride_bytes);
 }
 
-static void the_view_shows_all_loops(void **state)
+static void view_shows_all_loops(void **state)
 {
     (void)state;
     host h;
@@ -80,7 +80,7 @@ static void the_view_shows_all_loops(void **state)
     host_end(&h);
 }
 
-static void segments_are_counted_as_the_host_counts(void **state)
+static void segments_use_host_numbers(void **state)
 {
     (void)state;
     host h;
@@ -116,7 +116,7 @@ static void segments_are_counted_as_the_host_counts(void **state)
     host_end(&h);
 }
 
-static void a_throw_comes_and_goes(void **state)
+static void throw_appears_and_disappears(void **state)
 {
     (void)state;
     host h;
@@ -149,9 +149,9 @@ static void a_throw_comes_and_goes(void **state)
 int test_paper_detector(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_view_shows_all_loops),
-        cmocka_unit_test(segments_are_counted_as_the_host_counts),
-        cmocka_unit_test(a_throw_comes_and_goes),
+        cmocka_unit_test(view_shows_all_loops),
+        cmocka_unit_test(segments_use_host_numbers),
+        cmocka_unit_test(throw_appears_and_disappears),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,7 +27,7 @@ static void expect_point(double x, double y, double z, vec3 got)
     expect_near(1e-3 * z, got.z, 1e-17);
 }
 
-static void a_loop_is_found_with_its_pair(void **state)
+static void loop_is_found_with_its_pair(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -41,7 +41,7 @@ static void a_loop_is_found_with_its_pair(void **state)
     paper_rig_end(&rig);
 }
 
-static void what_does_not_cross_is_no_loop(void **state)
+static void non_crossing_curve_has_no_loop(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -55,7 +55,7 @@ static void what_does_not_cross_is_no_loop(void **state)
     paper_rig_end(&rig);
 }
 
-static void the_first_crossing_from_the_long_limb_closes_the_loop(void **state)
+static void first_crossing_from_long_limb_closes_loop(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -68,7 +68,7 @@ static void the_first_crossing_from_the_long_limb_closes_the_loop(void **state)
     paper_rig_end(&rig);
 }
 
-static void the_search_goes_on_behind_the_loop(void **state)
+static void search_continues_behind_loop(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -92,7 +92,7 @@ static void the_search_goes_on_behind_the_loop(void **state)
     paper_rig_end(&rig);
 }
 
-static void segments_of_a_loop_are_used_up(void **state)
+static void loop_segments_are_consumed(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -105,7 +105,7 @@ static void segments_of_a_loop_are_used_up(void **state)
     paper_rig_end(&rig);
 }
 
-static void the_tool_must_be_inside_an_odd_number_of_times(void **state)
+static void tool_crosses_loop_odd_times(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -127,7 +127,7 @@ static void the_tool_must_be_inside_an_odd_number_of_times(void **state)
     paper_rig_end(&rig);
 }
 
-static void a_point_on_a_segment_is_one_crossing(void **state)
+static void point_on_segment_is_one_crossing(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -142,7 +142,7 @@ static void a_point_on_a_segment_is_one_crossing(void **state)
     paper_rig_end(&rig);
 }
 
-static void above_is_nearer_to_the_handle(void **state)
+static void above_is_nearer_to_handle(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -159,7 +159,7 @@ static void above_is_nearer_to_the_handle(void **state)
     paper_rig_end(&rig);
 }
 
-static void a_tool_turned_round_swaps_above_and_below(void **state)
+static void reversed_tool_swaps_above_and_below(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -171,7 +171,7 @@ static void a_tool_turned_round_swaps_above_and_below(void **state)
     paper_rig_end(&rig);
 }
 
-static void only_the_last_capsule_is_asked_and_it_has_no_ends(void **state)
+static void only_last_capsule_is_tested_without_ends(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -186,7 +186,7 @@ static void only_the_last_capsule_is_asked_and_it_has_no_ends(void **state)
     paper_rig_end(&rig);
 }
 
-static void rays_come_from_the_seed_and_loops_are_appended(void **state)
+static void rays_follow_seed_and_loops_append(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -206,7 +206,7 @@ static void rays_come_from_the_seed_and_loops_are_appended(void **state)
 }
 
 /* Against the algorithm as it reads, two loops over all pairs. */
-static void lanes_find_what_the_plain_search_finds(void **state)
+static void simd_search_equals_plain_search(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -249,18 +249,18 @@ static void lanes_find_what_the_plain_search_finds(void **state)
 int test_paper_loops(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_loop_is_found_with_its_pair),
-        cmocka_unit_test(what_does_not_cross_is_no_loop),
-        cmocka_unit_test(the_first_crossing_from_the_long_limb_closes_the_loop),
-        cmocka_unit_test(the_search_goes_on_behind_the_loop),
-        cmocka_unit_test(segments_of_a_loop_are_used_up),
-        cmocka_unit_test(the_tool_must_be_inside_an_odd_number_of_times),
-        cmocka_unit_test(a_point_on_a_segment_is_one_crossing),
-        cmocka_unit_test(above_is_nearer_to_the_handle),
-        cmocka_unit_test(a_tool_turned_round_swaps_above_and_below),
-        cmocka_unit_test(only_the_last_capsule_is_asked_and_it_has_no_ends),
-        cmocka_unit_test(rays_come_from_the_seed_and_loops_are_appended),
-        cmocka_unit_test(lanes_find_what_the_plain_search_finds),
+        cmocka_unit_test(loop_is_found_with_its_pair),
+        cmocka_unit_test(non_crossing_curve_has_no_loop),
+        cmocka_unit_test(first_crossing_from_long_limb_closes_loop),
+        cmocka_unit_test(search_continues_behind_loop),
+        cmocka_unit_test(loop_segments_are_consumed),
+        cmocka_unit_test(tool_crosses_loop_odd_times),
+        cmocka_unit_test(point_on_segment_is_one_crossing),
+        cmocka_unit_test(above_is_nearer_to_handle),
+        cmocka_unit_test(reversed_tool_swaps_above_and_below),
+        cmocka_unit_test(only_last_capsule_is_tested_without_ends),
+        cmocka_unit_test(rays_follow_seed_and_loops_append),
+        cmocka_unit_test(simd_search_equals_plain_search),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static void expect_throw(paper_rig *rig, uint32_t loops, uint32_t undone)
     }
 }
 
-static void above_ties_inside_out_and_below_outside_in(void **state)
+static void above_ties_inward_and_below_outward(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -57,7 +57,7 @@ static void above_ties_inside_out_and_below_outside_in(void **state)
 }
 
 /* The same four with the long limb going through; the loop is given, so that none is sought. */
-static void the_long_limb_is_judged_by_its_own_strand(void **state)
+static void long_limb_uses_its_own_strand(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -87,7 +87,7 @@ static void the_long_limb_is_judged_by_its_own_strand(void **state)
     paper_rig_end(&rig);
 }
 
-static void outside_the_polygon_nothing_is_crossed(void **state)
+static void no_crossing_outside_polygon(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -99,7 +99,7 @@ static void outside_the_polygon_nothing_is_crossed(void **state)
     paper_rig_end(&rig);
 }
 
-static void the_plane_goes_with_the_tip(void **state)
+static void plane_moves_with_tip(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -113,7 +113,7 @@ static void the_plane_goes_with_the_tip(void **state)
 }
 
 /* The loop's own strands lie on the polygon. What comes before the meeting point does not. */
-static void a_loop_is_not_crossed_by_itself(void **state)
+static void loop_does_not_cross_itself(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -132,7 +132,7 @@ static void a_loop_is_not_crossed_by_itself(void **state)
     paper_rig_end(&rig);
 }
 
-static void one_segment_through_two_loops_is_a_double(void **state)
+static void segment_through_two_loops_is_double(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -149,7 +149,7 @@ static void one_segment_through_two_loops_is_a_double(void **state)
     paper_rig_end(&rig);
 }
 
-static void two_loops_crossed_by_two_segments_are_not(void **state)
+static void two_segments_through_two_loops_are_no_double(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -172,7 +172,7 @@ static void two_loops_crossed_by_two_segments_are_not(void **state)
 
 /* ---- pinned, though wrong */
 
-static void in_out_and_in_again_is_a_throw_and_an_undone_one(void **state)
+static void reentry_is_a_throw_and_an_undone_throw(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -204,7 +204,7 @@ static void throws_have_no_handedness(void **state)
     paper_rig_end(&rig);
 }
 
-static void the_end_from_which_the_search_begins_decides(void **state)
+static void search_end_decides_result(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -219,16 +219,16 @@ static void the_end_from_which_the_search_begins_decides(void **state)
 int test_paper_throws(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(above_ties_inside_out_and_below_outside_in),
-        cmocka_unit_test(the_long_limb_is_judged_by_its_own_strand),
-        cmocka_unit_test(outside_the_polygon_nothing_is_crossed),
-        cmocka_unit_test(the_plane_goes_with_the_tip),
-        cmocka_unit_test(a_loop_is_not_crossed_by_itself),
-        cmocka_unit_test(one_segment_through_two_loops_is_a_double),
-        cmocka_unit_test(two_loops_crossed_by_two_segments_are_not),
-        cmocka_unit_test(in_out_and_in_again_is_a_throw_and_an_undone_one),
+        cmocka_unit_test(above_ties_inward_and_below_outward),
+        cmocka_unit_test(long_limb_uses_its_own_strand),
+        cmocka_unit_test(no_crossing_outside_polygon),
+        cmocka_unit_test(plane_moves_with_tip),
+        cmocka_unit_test(loop_does_not_cross_itself),
+        cmocka_unit_test(segment_through_two_loops_is_double),
+        cmocka_unit_test(two_segments_through_two_loops_are_no_double),
+        cmocka_unit_test(reentry_is_a_throw_and_an_undone_throw),
         cmocka_unit_test(throws_have_no_handedness),
-        cmocka_unit_test(the_end_from_which_the_search_begins_decides),
+        cmocka_unit_test(search_end_decides_result),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

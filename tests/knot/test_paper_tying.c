@@ -42,7 +42,7 @@ static void expect_counts(counts c, uint32_t none, uint32_t single, uint32_t twi
     }
 }
 
-static void a_tail_drawn_through_is_mostly_found(void **state)
+static void drawn_through_tail_is_mostly_found(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -55,7 +55,7 @@ static void a_tail_drawn_through_is_mostly_found(void **state)
 }
 
 /* Half of the double throws are not found at all, and a sixth as single ones. */
-static void double_throws_are_mostly_not_found(void **state)
+static void double_throws_are_mostly_missed(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -64,7 +64,7 @@ static void double_throws_are_mostly_not_found(void **state)
     paper_rig_end(&rig);
 }
 
-static void wraps_towards_the_handle_are_mostly_undone(void **state)
+static void wraps_towards_handle_are_mostly_undone(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -74,7 +74,7 @@ static void wraps_towards_the_handle_are_mostly_undone(void **state)
     paper_rig_end(&rig);
 }
 
-static void a_wrap_is_no_throw(void **state)
+static void wrap_alone_is_no_throw(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -86,7 +86,7 @@ static void a_wrap_is_no_throw(void **state)
 }
 
 /* With P at the tip the tail in the jaws goes the wrong way through the turns before it is drawn. */
-static void where_the_plane_is_decides_on_a_tail_that_is_held(void **state)
+static void plane_position_decides_held_tail(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -98,7 +98,7 @@ static void where_the_plane_is_decides_on_a_tail_that_is_held(void **state)
     paper_rig_end(&rig);
 }
 
-static void a_tilted_tool_undoes_a_throw(void **state)
+static void tilted_tool_undoes_throw(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -122,7 +122,7 @@ static void a_tilted_tool_undoes_a_throw(void **state)
 }
 
 /* The scenes are what they are called: the tail continued through the tool. */
-static void the_throws_are_tied(void **state)
+static void throws_are_tied(void **state)
 {
     (void)state;
     vec3 points[PAPER_TYING_POINTS], closed[PAPER_TYING_POINTS];
@@ -146,13 +146,13 @@ static void the_throws_are_tied(void **state)
 int test_paper_tying(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_tail_drawn_through_is_mostly_found),
-        cmocka_unit_test(double_throws_are_mostly_not_found),
-        cmocka_unit_test(wraps_towards_the_handle_are_mostly_undone),
-        cmocka_unit_test(a_wrap_is_no_throw),
-        cmocka_unit_test(where_the_plane_is_decides_on_a_tail_that_is_held),
-        cmocka_unit_test(a_tilted_tool_undoes_a_throw),
-        cmocka_unit_test(the_throws_are_tied),
+        cmocka_unit_test(drawn_through_tail_is_mostly_found),
+        cmocka_unit_test(double_throws_are_mostly_missed),
+        cmocka_unit_test(wraps_towards_handle_are_mostly_undone),
+        cmocka_unit_test(wrap_alone_is_no_throw),
+        cmocka_unit_test(plane_position_decides_held_tail),
+        cmocka_unit_test(tilted_tool_undoes_throw),
+        cmocka_unit_test(throws_are_tied),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

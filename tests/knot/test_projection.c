@@ -37,7 +37,7 @@ static void set_polygon(const vec3 *x, uint32_t count)
 
 /* ---- known diagrams */
 
-static void a_trefoil_alternates_with_signs_of_its_hand(void **state)
+static void trefoil_alternates_with_its_sign(void **state)
 {
     (void)state;
     diagram_torus(&d, 2, 3, 40);
@@ -52,7 +52,7 @@ static void a_trefoil_alternates_with_signs_of_its_hand(void **state)
 }
 
 /* The house calls right-handed what the scenes and the oracle do. */
-static void a_throw_has_the_sign_of_its_handedness(void **state)
+static void throw_crossings_have_its_sign(void **state)
 {
     (void)state;
     for (int mirrored = 0; mirrored < 2; mirrored++) {
@@ -67,7 +67,7 @@ static void a_throw_has_the_sign_of_its_handedness(void **state)
     }
 }
 
-static void a_figure_eight_has_two_signs_of_each_kind(void **state)
+static void figure_eight_has_two_of_each_sign(void **state)
 {
     (void)state;
     diagram_figure_eight(&d, 64);
@@ -83,7 +83,7 @@ static void a_figure_eight_has_two_signs_of_each_kind(void **state)
     assert_int_equal(-1, diagram_v2(&d.code));
 }
 
-static void entries_tell_where_they_are(void **state)
+static void entries_report_positions(void **state)
 {
     (void)state;
     static const vec3 x[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 4, 1}, {1, -4, 1}, {0, -4, 0}};
@@ -94,7 +94,7 @@ static void entries_tell_where_they_are(void **state)
     expect_near(3.5, d.code.position[1], 1e-12);
 }
 
-static void long_edges_cross_each_other(void **state)
+static void long_edges_cross(void **state)
 {
     (void)state;
     static const vec3 far[] = {{10, 10, 0}, {10, 0, 1}, {0, 10, 1}};
@@ -109,7 +109,7 @@ static void long_edges_cross_each_other(void **state)
     assert_true(d.code.position[1] > 41.0 && d.code.position[1] < 42.0);
 }
 
-static void a_plane_curve_has_no_crossings(void **state)
+static void planar_curve_has_no_crossings(void **state)
 {
     (void)state;
     d.polygon.count = 50;
@@ -148,7 +148,7 @@ static void expect_same_from_everywhere(const knot_type *wanted, uint32_t direct
     assert_true(10 * plain >= 9 * directions);
 }
 
-static void knots_of_the_scenes_are_the_same_from_everywhere(void **state)
+static void scene_knots_are_view_invariant(void **state)
 {
     (void)state;
     static const double finest[] = {0.2e-3, 0.5e-3}, far[] = {3.0, 10.0, 100.0};
@@ -161,7 +161,7 @@ static void knots_of_the_scenes_are_the_same_from_everywhere(void **state)
     }
 }
 
-static void torus_knots_are_the_same_from_everywhere(void **state)
+static void torus_knots_are_view_invariant(void **state)
 {
     (void)state;
     static const int pairs[][2] = {{2, 1}, {2, 5}, {3, 2}, {3, 4}, {4, 5}, {5, 7}, {7, -3}};
@@ -222,7 +222,7 @@ static void any_polygon_keeps_its_diagram(harness_source *source, void *user)
     }
 }
 
-static void polygons_are_the_same_from_everywhere(void **state)
+static void polygons_are_view_invariant(void **state)
 {
     (void)state;
     harness_property("same from everywhere", 300, any_polygon_is_the_same_from_everywhere, NULL);
@@ -239,7 +239,7 @@ static void expect_degenerate(const vec3 *x, uint32_t count)
     assert_int_equal(KNOT_DIAGRAM_DEGENERATE, diagram_project(&d, up));
 }
 
-static void what_is_uncertain_is_degenerate(void **state)
+static void uncertain_crossing_is_degenerate(void **state)
 {
     (void)state;
     static const vec3 on_an_edge[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 0, 1}, {0, 4, 1}};
@@ -268,7 +268,7 @@ static void what_is_uncertain_is_degenerate(void **state)
     expect_degenerate(three_at_once, 7);
 }
 
-static void a_gap_that_is_small_is_a_gap(void **state)
+static void small_gap_is_resolved(void **state)
 {
     (void)state;
     static const vec3 x[] = {{0, 0, 0},     {4, 0, 0},      {4, 4, 0},
@@ -279,7 +279,7 @@ static void a_gap_that_is_small_is_a_gap(void **state)
 }
 
 /* Turns of a coil lie on each other when seen along it. */
-static void a_coil_along_its_axis_is_degenerate(void **state)
+static void coil_along_axis_is_degenerate(void **state)
 {
     (void)state;
     d.polygon.count = 104;
@@ -297,7 +297,7 @@ static void a_coil_along_its_axis_is_degenerate(void **state)
     expect_same_from_everywhere(&none, 30);
 }
 
-static void numbers_that_are_none_are_degenerate(void **state)
+static void non_finite_numbers_are_degenerate(void **state)
 {
     (void)state;
     diagram_torus(&d, 2, 3, 40);
@@ -311,7 +311,7 @@ static void numbers_that_are_none_are_degenerate(void **state)
     assert_int_equal(KNOT_DIAGRAM_DEGENERATE, diagram_project(&d, up));
 }
 
-static void a_code_that_is_full_is_told(void **state)
+static void full_code_is_reported(void **state)
 {
     (void)state;
     static diagram small;
@@ -326,7 +326,7 @@ static void a_code_that_is_full_is_told(void **state)
 
 /* ---- directions */
 
-static void directions_are_generic_and_lie_all_about(void **state)
+static void directions_are_generic_and_spread(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < 64; k++) {
@@ -348,21 +348,21 @@ static void directions_are_generic_and_lie_all_about(void **state)
 int test_projection(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_trefoil_alternates_with_signs_of_its_hand),
-        harness_test(a_throw_has_the_sign_of_its_handedness),
-        harness_test(a_figure_eight_has_two_signs_of_each_kind),
-        harness_test(entries_tell_where_they_are),
-        harness_test(long_edges_cross_each_other),
-        harness_test(a_plane_curve_has_no_crossings),
-        harness_test(knots_of_the_scenes_are_the_same_from_everywhere),
-        harness_test(torus_knots_are_the_same_from_everywhere),
-        harness_test(polygons_are_the_same_from_everywhere),
-        harness_test(what_is_uncertain_is_degenerate),
-        harness_test(a_gap_that_is_small_is_a_gap),
-        harness_test(a_coil_along_its_axis_is_degenerate),
-        harness_test(numbers_that_are_none_are_degenerate),
-        harness_test(a_code_that_is_full_is_told),
-        harness_test(directions_are_generic_and_lie_all_about),
+        harness_test(trefoil_alternates_with_its_sign),
+        harness_test(throw_crossings_have_its_sign),
+        harness_test(figure_eight_has_two_of_each_sign),
+        harness_test(entries_report_positions),
+        harness_test(long_edges_cross),
+        harness_test(planar_curve_has_no_crossings),
+        harness_test(scene_knots_are_view_invariant),
+        harness_test(torus_knots_are_view_invariant),
+        harness_test(polygons_are_view_invariant),
+        harness_test(uncertain_crossing_is_degenerate),
+        harness_test(small_gap_is_resolved),
+        harness_test(coil_along_axis_is_degenerate),
+        harness_test(non_finite_numbers_are_degenerate),
+        harness_test(full_code_is_reported),
+        harness_test(directions_are_generic_and_spread),
     };
     return cmocka_run_group_tests_name("projection", tests, begin, end);
 }

@@ -43,7 +43,7 @@ static void reduces_plainly(harness_source *source, void *user)
     reduction_expect(&p);
 }
 
-static void is_what_asking_every_edge_gives(void **state)
+static void matches_testing_every_edge(void **state)
 {
     (void)state;
     harness_property("as plainly", 3000, reduces_plainly, NULL);
@@ -70,7 +70,7 @@ static void does_not_depend_on_slices(void **state)
 
 /* ---- what has nothing in its way */
 
-static void leaves_a_triangle_of_a_plane_polygon(void **state)
+static void planar_polygon_reduces_to_triangle(void **state)
 {
     (void)state;
     for (int tilted = 0; tilted < 2; tilted++) {
@@ -86,7 +86,7 @@ static void leaves_a_triangle_of_a_plane_polygon(void **state)
     }
 }
 
-static void leaves_the_ends_of_a_straight_line(void **state)
+static void straight_line_reduces_to_ends(void **state)
 {
     (void)state;
     reduction_start(false);
@@ -101,7 +101,7 @@ static void leaves_the_ends_of_a_straight_line(void **state)
 
 /* ---- what has */
 
-static void keeps_a_ring_round_an_obstacle(void **state)
+static void ring_round_obstacle_stays(void **state)
 {
     (void)state;
     for (int through = 0; through < 2; through++) {
@@ -124,7 +124,7 @@ static void keeps_a_ring_round_an_obstacle(void **state)
     }
 }
 
-static void keeps_what_stays(void **state)
+static void kept_points_stay(void **state)
 {
     (void)state;
     reduction_start(false);
@@ -141,12 +141,12 @@ static void keeps_what_stays(void **state)
 int test_reduction(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(is_what_asking_every_edge_gives),
+        harness_test(matches_testing_every_edge),
         harness_test(does_not_depend_on_slices),
-        harness_test(leaves_a_triangle_of_a_plane_polygon),
-        harness_test(leaves_the_ends_of_a_straight_line),
-        harness_test(keeps_a_ring_round_an_obstacle),
-        harness_test(keeps_what_stays),
+        harness_test(planar_polygon_reduces_to_triangle),
+        harness_test(straight_line_reduces_to_ends),
+        harness_test(ring_round_obstacle_stays),
+        harness_test(kept_points_stay),
     };
     return cmocka_run_group_tests(tests, reduction_make_rig, reduction_end_rig);
 }

@@ -54,7 +54,7 @@ static void a_knot_stays_one(harness_source *source, void *user)
     assert_in_range(reduction_r.polygon.count, 2, 40);
 }
 
-static void keeps_the_type_of_knots(void **state)
+static void knot_type_is_kept(void **state)
 {
     (void)state;
     for (int kind = 0; kind < KNOT_KINDS; kind++) {
@@ -94,7 +94,7 @@ static void untangles(harness_source *source, void *user)
     assert_true(knot_type_same(type, knot_type_of_throws(0, NULL, NULL)));
 }
 
-static void undoes_tangles(void **state)
+static void tangles_are_undone(void **state)
 {
     (void)state;
     uint32_t left = 0;
@@ -105,8 +105,8 @@ static void undoes_tangles(void **state)
 int test_reduction_types(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(keeps_the_type_of_knots),
-        harness_test(undoes_tangles),
+        harness_test(knot_type_is_kept),
+        harness_test(tangles_are_undone),
     };
     return cmocka_run_group_tests(tests, reduction_make_rig, reduction_end_rig);
 }

@@ -41,7 +41,7 @@ static void expect_both(int ordinary, int tristram, const knot_gauss_code *code)
 
 /* ---- what is known */
 
-static void the_unknot_has_none(void **state)
+static void unknot_signature_is_zero(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -57,7 +57,7 @@ static void the_unknot_has_none(void **state)
     codes_free(code);
 }
 
-static void known_knots_have_theirs(void **state)
+static void known_knot_signatures(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -80,7 +80,7 @@ static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void 
     expect_both(ordinary, tristram, code);
 }
 
-static void stacked_throws_have_the_sum(void **state)
+static void stacked_throw_signatures_add(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -88,7 +88,7 @@ static void stacked_throws_have_the_sum(void **state)
     codes_free(code);
 }
 
-static void what_is_not_plane_has_none(void **state)
+static void nonplanar_code_has_no_signature(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -102,7 +102,7 @@ static void what_is_not_plane_has_none(void **state)
 
 /* Of T(2, q) every root theta = pi/q, 3 pi/q, ... below takes two away. Of T(2, 213) one lies 9e-8 beside
  * x = 0.894, nearer than rounding allows to tell; so it does in a sum, which is wrong by 4 if it is told. */
-static void next_to_a_root_nothing_is_told(void **state)
+static void signature_is_undefined_near_root(void **state)
 {
     (void)state;
     enum { Q = 213 };
@@ -228,7 +228,7 @@ static int signature_of_braid(const int *word, int letters, double x)
     return eigenvalue_signs(2 * count, a) / 2;
 }
 
-static void seifert_agrees_with_tables(void **state)
+static void seifert_form_matches_tables(void **state)
 {
     (void)state;
     for (size_t i = 0; i < CODES_KNOWN; i++) {
@@ -260,7 +260,7 @@ static void any_braid_has_that_of_seifert(harness_source *source, void *user)
     }
 }
 
-static void braids_have_that_of_seifert(void **state)
+static void braid_signature_matches_seifert_form(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -269,7 +269,7 @@ static void braids_have_that_of_seifert(void **state)
 }
 
 /* Delta(-1) = 1, and Delta has a root between this and theta = 2 acos(0.007). */
-static void a_root_next_to_pi_is_seen(void **state)
+static void root_near_pi_is_detected(void **state)
 {
     (void)state;
     static const int word[] = {4, -3, 4, 2,  -3, 1, 2, 2, 5, 1, 4, -3, 4, 2, 1,
@@ -302,7 +302,7 @@ static void any_diagram_has_the_same(harness_source *source, void *user)
     expect_both(-known->signature, -tristram, code);
 }
 
-static void diagrams_of_a_knot_have_the_same(void **state)
+static void signature_is_diagram_invariant(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -327,7 +327,7 @@ static void any_determinant_tells_half(harness_source *source, void *user)
     }
 }
 
-static void the_determinant_tells_it_modulo_4(void **state)
+static void determinant_fixes_signature_modulo_4(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -338,16 +338,16 @@ static void the_determinant_tells_it_modulo_4(void **state)
 int test_signature(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_unknot_has_none),
-        harness_test(known_knots_have_theirs),
-        harness_test(stacked_throws_have_the_sum),
-        harness_test(what_is_not_plane_has_none),
-        harness_test(next_to_a_root_nothing_is_told),
-        harness_test(seifert_agrees_with_tables),
-        harness_test(braids_have_that_of_seifert),
-        harness_test(a_root_next_to_pi_is_seen),
-        harness_test(diagrams_of_a_knot_have_the_same),
-        harness_test(the_determinant_tells_it_modulo_4),
+        harness_test(unknot_signature_is_zero),
+        harness_test(known_knot_signatures),
+        harness_test(stacked_throw_signatures_add),
+        harness_test(nonplanar_code_has_no_signature),
+        harness_test(signature_is_undefined_near_root),
+        harness_test(seifert_form_matches_tables),
+        harness_test(braid_signature_matches_seifert_form),
+        harness_test(root_near_pi_is_detected),
+        harness_test(signature_is_diagram_invariant),
+        harness_test(determinant_fixes_signature_modulo_4),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

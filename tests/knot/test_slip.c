@@ -31,7 +31,7 @@ static void helix(polyline *p, vec3 from, uint32_t steps, double angle, double r
     }
 }
 
-static void turning_is_the_sum_of_angles(void **state)
+static void total_turning_is_sum_of_angles(void **state)
 {
     (void)state;
     polyline p = {.count = 0};
@@ -47,7 +47,7 @@ static void turning_is_the_sum_of_angles(void **state)
     expect_near(-0.5, slip_of(&p, 20.0, 10.0, 60.0, 50.0), 1e-13);
 }
 
-static void nothing_turned_is_zero(void **state)
+static void no_turning_is_zero(void **state)
 {
     (void)state;
     polyline p = {.count = 20};
@@ -63,7 +63,7 @@ static void nothing_turned_is_zero(void **state)
 }
 
 /* What reverses on the spot has turned by half a turn. */
-static void sharp_turns_count_in_full(void **state)
+static void sharp_turns_count_fully(void **state)
 {
     (void)state;
     polyline p = {.count = 6,
@@ -86,7 +86,7 @@ static knot_line make(knot_kind kind, bool mirrored, bool cylinder, polyline *p)
     return line;
 }
 
-static void flat_throws_measure_zero(void **state)
+static void flat_throw_slip_is_zero(void **state)
 {
     (void)state;
     polyline p;
@@ -114,7 +114,7 @@ static void find(const polyline *p, bool post, double length, double places[2])
     }
 }
 
-static void half_hitches_on_a_post_measure_one(void **state)
+static void half_hitch_on_post_slip_is_one(void **state)
 {
     (void)state;
     polyline p, turned;
@@ -139,11 +139,9 @@ static void half_hitches_on_a_post_measure_one(void **state)
 int test_slip(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(turning_is_the_sum_of_angles),
-        cmocka_unit_test(nothing_turned_is_zero),
-        cmocka_unit_test(sharp_turns_count_in_full),
-        cmocka_unit_test(flat_throws_measure_zero),
-        cmocka_unit_test(half_hitches_on_a_post_measure_one),
+        cmocka_unit_test(total_turning_is_sum_of_angles), cmocka_unit_test(no_turning_is_zero),
+        cmocka_unit_test(sharp_turns_count_fully),        cmocka_unit_test(flat_throw_slip_is_zero),
+        cmocka_unit_test(half_hitch_on_post_slip_is_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

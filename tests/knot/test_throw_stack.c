@@ -27,7 +27,7 @@ static throw_stack numbered(uint32_t throws, uint32_t n)
     return stack;
 }
 
-static void all_types_of_three_throws_are_what_they_say(void **state)
+static void three_throw_types_match_names(void **state)
 {
     (void)state;
     for (uint32_t throws = 0, types = 1; throws <= 3; throws++, types *= 6) {
@@ -60,7 +60,7 @@ static knot_type limb_alone(const thread_line *made, bool tail)
     return type;
 }
 
-static void each_limb_alone_is_no_knot(void **state)
+static void each_limb_alone_is_unknot(void **state)
 {
     (void)state;
     for (uint32_t n = 0; n < 216; n++) {
@@ -86,7 +86,7 @@ static void cut_above(thread_line *made, double z)
     memmove(made->x, made->x + first, made->count * sizeof made->x[0]);
 }
 
-static void throws_are_stacked_from_the_tissue_outward(void **state)
+static void throws_stack_from_tissue_outward(void **state)
 {
     (void)state;
     for (uint32_t n = 0; n < 216; n++) {
@@ -102,7 +102,7 @@ static void throws_are_stacked_from_the_tissue_outward(void **state)
     }
 }
 
-static void holes_are_where_the_loop_goes_through_tissue(void **state)
+static void holes_are_at_tissue_crossings(void **state)
 {
     (void)state;
     throw_stack stack = numbered(3, 100);
@@ -119,7 +119,7 @@ static void holes_are_where_the_loop_goes_through_tissue(void **state)
     assert_true(line.hole_places[0] < line.tissue_place && line.tissue_place < line.hole_places[1]);
 }
 
-static void limbs_have_their_lengths(void **state)
+static void limb_lengths_match(void **state)
 {
     (void)state;
     throw_stack stack = numbered(1, 1);
@@ -133,7 +133,7 @@ static void limbs_have_their_lengths(void **state)
     assert_true(line.x[0].y == 0.0 && line.x[last].y == 0.0);
 }
 
-static void mirror_and_reverse_do_what_they_say(void **state)
+static void mirror_and_reverse_are_correct(void **state)
 {
     (void)state;
     for (uint32_t n = 0; n < 216; n += 5) {
@@ -155,7 +155,7 @@ static void mirror_and_reverse_do_what_they_say(void **state)
 
 /* ---- refusals */
 
-static void what_cannot_show_its_knot_is_refused(void **state)
+static void unreadable_knot_is_rejected(void **state)
 {
     (void)state;
     throw_stack stack = numbered(3, 43);
@@ -190,13 +190,13 @@ static void eight_triple_throws_fit(void **state)
 int test_throw_stack(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_types_of_three_throws_are_what_they_say),
-        cmocka_unit_test(each_limb_alone_is_no_knot),
-        cmocka_unit_test(throws_are_stacked_from_the_tissue_outward),
-        cmocka_unit_test(holes_are_where_the_loop_goes_through_tissue),
-        cmocka_unit_test(limbs_have_their_lengths),
-        cmocka_unit_test(mirror_and_reverse_do_what_they_say),
-        cmocka_unit_test(what_cannot_show_its_knot_is_refused),
+        cmocka_unit_test(three_throw_types_match_names),
+        cmocka_unit_test(each_limb_alone_is_unknot),
+        cmocka_unit_test(throws_stack_from_tissue_outward),
+        cmocka_unit_test(holes_are_at_tissue_crossings),
+        cmocka_unit_test(limb_lengths_match),
+        cmocka_unit_test(mirror_and_reverse_are_correct),
+        cmocka_unit_test(unreadable_knot_is_rejected),
         cmocka_unit_test(eight_triple_throws_fit),
     };
     return cmocka_run_group_tests_name("throw stack", tests, NULL, NULL);

@@ -188,7 +188,7 @@ static void small_numbers(harness_source *source, void *user)
     assert_true(t.misses > 0);
 }
 
-static void never_says_so_wrongly(void **state)
+static void empty_triangle_is_never_false_positive(void **state)
 {
     (void)state;
     harness_property("small numbers", 1000, small_numbers, NULL);
@@ -222,7 +222,7 @@ static void nearly_degenerate(harness_source *source, void *user)
     assert_true(t.misses > 0 && t.certain > 0);
 }
 
-static void never_says_so_wrongly_where_rounding_decides(void **state)
+static void empty_triangle_is_never_false_positive_at_rounding(void **state)
 {
     (void)state;
     harness_property("nearly degenerate", 300, nearly_degenerate, NULL);
@@ -243,7 +243,7 @@ static double certain_share(int axes, bool shared)
     return (double)t.certain / (double)t.misses;
 }
 
-static void says_so_nearly_always(void **state)
+static void empty_triangle_is_mostly_found(void **state)
 {
     (void)state;
     assert_true(certain_share(3, false) > 0.9999);
@@ -258,7 +258,7 @@ static void says_so_nearly_always(void **state)
 
 static const vec3 A = {0.0, 0.0, 0.0}, B = {2.0, 1.0, 0.0}, C = {4.0, 0.0, 0.0};
 
-static void lets_a_curve_in_a_plane_go_on(void **state)
+static void planar_curve_continues(void **state)
 {
     (void)state;
     assert_true(vbss_knot_segment_misses_triangle(A, B, C, vec3_make(-2.0, 1.0, 0.0), A));
@@ -267,7 +267,7 @@ static void lets_a_curve_in_a_plane_go_on(void **state)
                                                   vec3_make(2.0, 2.0, 0.0)));
 }
 
-static void lets_a_straight_curve_go_on(void **state)
+static void straight_curve_continues(void **state)
 {
     (void)state;
     vec3 step = vec3_make(0.1, -0.3, 0.7), x[5];
@@ -279,7 +279,7 @@ static void lets_a_straight_curve_go_on(void **state)
     assert_true(vbss_knot_segment_misses_triangle(x[0], x[1], x[2], x[3], x[4]));
 }
 
-static void tells_folding_back(void **state)
+static void fold_back_is_detected(void **state)
 {
     (void)state;
     assert_false(vbss_knot_segment_misses_triangle(A, B, C, C, A));
@@ -288,7 +288,7 @@ static void tells_folding_back(void **state)
     assert_false(vbss_knot_segment_misses_triangle(A, B, C, A, vec3_make(4.0, 1.0, 0.0)));
 }
 
-static void lets_points_be_the_same(void **state)
+static void coincident_points_are_allowed(void **state)
 {
     (void)state;
     vec3 far = vec3_make(-1.0, -1.0, 0.0);
@@ -304,13 +304,13 @@ static void lets_points_be_the_same(void **state)
 int test_triangle(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(never_says_so_wrongly),
-        harness_test(never_says_so_wrongly_where_rounding_decides),
-        harness_test(says_so_nearly_always),
-        harness_test(lets_a_curve_in_a_plane_go_on),
-        harness_test(lets_a_straight_curve_go_on),
-        harness_test(tells_folding_back),
-        harness_test(lets_points_be_the_same),
+        harness_test(empty_triangle_is_never_false_positive),
+        harness_test(empty_triangle_is_never_false_positive_at_rounding),
+        harness_test(empty_triangle_is_mostly_found),
+        harness_test(planar_curve_continues),
+        harness_test(straight_curve_continues),
+        harness_test(fold_back_is_detected),
+        harness_test(coincident_points_are_allowed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

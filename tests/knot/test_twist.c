@@ -49,7 +49,7 @@ static void refuse(const sum_diagram *d)
     assert_false(got.nested);
 }
 
-static void no_crossing_is_the_unknot(void **state)
+static void no_crossing_is_unknot(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -57,7 +57,7 @@ static void no_crossing_is_the_unknot(void **state)
     check(&d);
 }
 
-static void blocks_of_all_lengths_from_every_place(void **state)
+static void twist_blocks_of_any_length_and_start(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -74,7 +74,7 @@ static void blocks_of_all_lengths_from_every_place(void **state)
     }
 }
 
-static void a_stack_is_told_from_the_inside_out(void **state)
+static void stack_is_read_from_inside_out(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -88,7 +88,7 @@ static void a_stack_is_told_from_the_inside_out(void **state)
     assert_memory_equal(wanted, got.factors, sizeof wanted);
 }
 
-static void an_inner_knot_may_sit_between_any_two_entries(void **state)
+static void inner_knot_between_any_entries(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -124,13 +124,13 @@ static void sums_in_all_nestings(harness_source *source, void *user)
     }
 }
 
-static void sums_are_taken_apart(void **state)
+static void sums_are_decomposed(void **state)
 {
     (void)state;
     harness_property("sums", 3000, sums_in_all_nestings, NULL);
 }
 
-static void more_than_eight_are_refused(void **state)
+static void more_than_eight_are_rejected(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -170,7 +170,7 @@ static const word others[] = {
     {6, {1, 2, 3, 4, 5, 6, -1, -2, -3, -4, -5, -6}, {1, 1, 1, 1, 1, 1}},
 };
 
-static void other_codes_are_refused_alone_and_in_sums(void **state)
+static void other_codes_are_rejected_alone_and_in_sums(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -192,7 +192,7 @@ static void other_codes_are_refused_alone_and_in_sums(void **state)
     }
 }
 
-static void codes_that_are_none_are_refused(void **state)
+static void invalid_codes_are_rejected(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -205,7 +205,7 @@ static void codes_that_are_none_are_refused(void **state)
     refuse(&d); /* the same block twice */
 }
 
-static void all_single_damages(void **state)
+static void every_single_damage_is_handled(void **state)
 {
     (void)state;
     sum_diagram d;
@@ -261,7 +261,7 @@ static void random_codes(harness_source *source, void *user)
     *taken += wanted;
 }
 
-static void random_codes_as_by_definition(void **state)
+static void random_codes_match_definition(void **state)
 {
     (void)state;
     uint32_t taken = 0;
@@ -272,16 +272,16 @@ static void random_codes_as_by_definition(void **state)
 int test_twist(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_crossing_is_the_unknot),
-        cmocka_unit_test(blocks_of_all_lengths_from_every_place),
-        cmocka_unit_test(a_stack_is_told_from_the_inside_out),
-        cmocka_unit_test(an_inner_knot_may_sit_between_any_two_entries),
-        harness_test(sums_are_taken_apart),
-        cmocka_unit_test(more_than_eight_are_refused),
-        cmocka_unit_test(other_codes_are_refused_alone_and_in_sums),
-        cmocka_unit_test(codes_that_are_none_are_refused),
-        cmocka_unit_test(all_single_damages),
-        harness_test(random_codes_as_by_definition),
+        cmocka_unit_test(no_crossing_is_unknot),
+        cmocka_unit_test(twist_blocks_of_any_length_and_start),
+        cmocka_unit_test(stack_is_read_from_inside_out),
+        cmocka_unit_test(inner_knot_between_any_entries),
+        harness_test(sums_are_decomposed),
+        cmocka_unit_test(more_than_eight_are_rejected),
+        cmocka_unit_test(other_codes_are_rejected_alone_and_in_sums),
+        cmocka_unit_test(invalid_codes_are_rejected),
+        cmocka_unit_test(every_single_damage_is_handled),
+        harness_test(random_codes_match_definition),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -65,7 +65,7 @@ static void minimal_diagrams_stay(void **state)
 }
 
 /* Moves I and II do not see it: a trefoil lies on one side of a crossing, a figure-eight on the other. */
-static void a_loop_with_a_knot_on_it_is_undone(void **state)
+static void loop_with_knot_is_undone(void **state)
 {
     (void)state;
     static const char *const codes[] = {"AbCaDEfGeHgFhdBc", "AbCadEfGeHgFhDBc"};
@@ -81,7 +81,7 @@ static void a_loop_with_a_knot_on_it_is_undone(void **state)
 }
 
 /* All its memory is used up to here. */
-static void a_code_that_leaves_no_room_stays(void **state)
+static void code_without_capacity_stays(void **state)
 {
     (void)state;
     static diagram small;
@@ -123,7 +123,7 @@ static void any_code_becomes_a_smaller_one_of_the_same_knot(harness_source *sour
     *lowered += told ? 1 : 0;
 }
 
-static void codes_keep_their_knot(void **state)
+static void reduction_keeps_knot_type(void **state)
 {
     (void)state;
     uint32_t lowered = 0;
@@ -132,7 +132,7 @@ static void codes_keep_their_knot(void **state)
 }
 
 /* Of given polygons, as many as were when each strand took a shortest way. */
-static void few_crossings_are_left(void **state)
+static void few_crossings_remain(void **state)
 {
     (void)state;
     harness_source source = {0};
@@ -153,11 +153,9 @@ static void few_crossings_are_left(void **state)
 int test_untangle(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(minimal_diagrams_stay),
-        harness_test(a_loop_with_a_knot_on_it_is_undone),
-        harness_test(a_code_that_leaves_no_room_stays),
-        harness_test(codes_keep_their_knot),
-        harness_test(few_crossings_are_left),
+        harness_test(minimal_diagrams_stay),       harness_test(loop_with_knot_is_undone),
+        harness_test(code_without_capacity_stays), harness_test(reduction_keeps_knot_type),
+        harness_test(few_crossings_remain),
     };
     return cmocka_run_group_tests_name("untangle", tests, begin, end);
 }

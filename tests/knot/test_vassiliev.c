@@ -18,7 +18,7 @@ static void expect_both(int64_t v2, int64_t v3, const knot_gauss_code *code)
 
 /* ---- what is known */
 
-static void the_unknot_has_none(void **state)
+static void unknot_invariants_are_zero(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -30,7 +30,7 @@ static void the_unknot_has_none(void **state)
     codes_free(code);
 }
 
-static void known_knots_have_theirs(void **state)
+static void known_knot_invariants(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -43,7 +43,7 @@ static void known_knots_have_theirs(void **state)
 
 /* (p^2 - 1)(q^2 - 1)/24 and p q (p^2 - 1)(q^2 - 1)/144: M. Alvarez and J. M. F. Labastida, "Vassiliev
  * invariants for torus knots", Journal of Knot Theory and Its Ramifications 5 (1996). */
-static void torus_knots_have_theirs(void **state)
+static void torus_knot_invariants(void **state)
 {
     (void)state;
     static const int pairs[][2] = {{2, 1}, {2, 3}, {2, 9}, {2, 63}, {3, 4},  {3, 5},
@@ -70,7 +70,7 @@ static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void 
     expect_both(v2, v3, code);
 }
 
-static void stacked_throws_have_the_sum(void **state)
+static void stacked_throw_invariants_add(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -194,7 +194,7 @@ static void any_braid_has_conways_coefficient(harness_source *source, void *user
     }
 }
 
-static void v2_is_conways_coefficient(void **state)
+static void v2_is_conway_coefficient(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -291,7 +291,7 @@ static void any_braid_has_those_of_jones(harness_source *source, void *user)
     }
 }
 
-static void both_are_derivatives_of_jones(void **state)
+static void v2_and_v3_are_jones_derivatives(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -323,7 +323,7 @@ static void any_diagram_has_the_same(harness_source *source, void *user)
     expect_both(known->v2, -known->v3, code);
 }
 
-static void diagrams_of_a_knot_have_the_same(void **state)
+static void invariants_are_diagram_invariant(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -334,13 +334,13 @@ static void diagrams_of_a_knot_have_the_same(void **state)
 int test_vassiliev(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_unknot_has_none),
-        harness_test(known_knots_have_theirs),
-        harness_test(torus_knots_have_theirs),
-        harness_test(stacked_throws_have_the_sum),
-        harness_test(v2_is_conways_coefficient),
-        harness_test(both_are_derivatives_of_jones),
-        harness_test(diagrams_of_a_knot_have_the_same),
+        harness_test(unknot_invariants_are_zero),
+        harness_test(known_knot_invariants),
+        harness_test(torus_knot_invariants),
+        harness_test(stacked_throw_invariants_add),
+        harness_test(v2_is_conway_coefficient),
+        harness_test(v2_and_v3_are_jones_derivatives),
+        harness_test(invariants_are_diagram_invariant),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -68,7 +68,7 @@ static line reversed(const line *l)
 
 /* ---- helices */
 
-static void a_helix_has_its_turns(void **state)
+static void helix_has_its_turns(void **state)
 {
     (void)state;
     static const double slopes[] = {-0.02, -0.001, 0.0, 1e-5, 0.004, 0.015};
@@ -92,7 +92,7 @@ static void a_helix_has_its_turns(void **state)
     }
 }
 
-static void mirror_and_reversal_flip_the_sign(void **state)
+static void mirror_and_reversal_flip_sign(void **state)
 {
     (void)state;
     line l = helix(1.7, 3e-3, 0.02, 0.01, 0.3, 100), m = l, r = reversed(&l);
@@ -127,7 +127,7 @@ static void moved(harness_source *source, void *user)
     }
 }
 
-static void rotation_and_translation_change_nothing(void **state)
+static void rigid_motion_invariance(void **state)
 {
     (void)state;
     harness_property("winding moved", 200, moved, NULL);
@@ -157,7 +157,7 @@ static void resampled(harness_source *source, void *user)
     assert_int_equal(coarse.runs, got.runs);
 }
 
-static void resampling_changes_nothing(void **state)
+static void resampling_invariance(void **state)
 {
     (void)state;
     harness_property("winding resampled", 200, resampled, NULL);
@@ -165,7 +165,7 @@ static void resampling_changes_nothing(void **state)
 
 /* ---- runs */
 
-static void runs_end_where_the_thread_leaves(void **state)
+static void runs_end_where_thread_leaves(void **state)
 {
     (void)state;
     line l = {.count = 7}; /* past the tip and back, past the handle and back */
@@ -186,7 +186,7 @@ static void runs_end_where_the_thread_leaves(void **state)
     expect_near(vbss_atan2(1.5, 4.0) / (2.0 * PI), got.run_turns, 1e-13);
 }
 
-static void the_run_that_winds_most_is_told(void **state)
+static void largest_run_is_reported(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
@@ -206,7 +206,7 @@ static void the_run_that_winds_most_is_told(void **state)
     }
 }
 
-static void touching_an_end_is_no_gap(void **state)
+static void touching_at_end_is_no_gap(void **state)
 {
     (void)state;
     for (int end = 0; end < 2; end++) {
@@ -221,7 +221,7 @@ static void touching_an_end_is_no_gap(void **state)
 
 /* ---- sense */
 
-static void sense_is_that_from_the_tissue(void **state)
+static void sense_is_seen_from_tissue(void **state)
 {
     (void)state;
     line down = helix(1.5, 3e-3, 0.02, 0.01, 0.4, 120), up = reversed(&down);
@@ -241,7 +241,7 @@ static void sense_is_that_from_the_tissue(void **state)
     assert_int_equal(0, wind(&down).sense);
 }
 
-static void sense_is_that_of_what_is_wound_not_of_its_ends(void **state)
+static void sense_is_of_wound_part(void **state)
 {
     (void)state;
     /* Some have a quarter or three quarters of their turns done where the run began. */
@@ -277,7 +277,7 @@ static line joined(const line *lines, int count)
     return all;
 }
 
-static void winding_back_does_not_hide_the_sense(void **state)
+static void counter_winding_keeps_sense(void **state)
 {
     (void)state;
     /* A quarter is done first at 19 mm, later at 28; three quarters at 23. */
@@ -299,16 +299,11 @@ static void winding_back_does_not_hide_the_sense(void **state)
 int test_winding(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_helix_has_its_turns),
-        harness_test(mirror_and_reversal_flip_the_sign),
-        harness_test(rotation_and_translation_change_nothing),
-        harness_test(resampling_changes_nothing),
-        harness_test(runs_end_where_the_thread_leaves),
-        harness_test(the_run_that_winds_most_is_told),
-        harness_test(touching_an_end_is_no_gap),
-        harness_test(sense_is_that_from_the_tissue),
-        harness_test(sense_is_that_of_what_is_wound_not_of_its_ends),
-        harness_test(winding_back_does_not_hide_the_sense),
+        harness_test(helix_has_its_turns),          harness_test(mirror_and_reversal_flip_sign),
+        harness_test(rigid_motion_invariance),      harness_test(resampling_invariance),
+        harness_test(runs_end_where_thread_leaves), harness_test(largest_run_is_reported),
+        harness_test(touching_at_end_is_no_gap),    harness_test(sense_is_seen_from_tissue),
+        harness_test(sense_is_of_wound_part),       harness_test(counter_winding_keeps_sense),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

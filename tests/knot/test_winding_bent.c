@@ -87,14 +87,14 @@ static void follows(harness_source *source, void *user)
     }
 }
 
-static void a_helix_round_a_bent_tool_has_its_turns(void **state)
+static void helix_round_bent_tool_has_its_turns(void **state)
 {
     (void)state;
     harness_property("winding bent", 500, follows, NULL);
 }
 
 /* From beside the first piece to beside the last, between them beside both. */
-static void what_two_pieces_could_have_belongs_to_one(void **state)
+static void shared_turn_is_counted_once(void **state)
 {
     (void)state;
     knot_tool tool = {4,
@@ -159,7 +159,7 @@ static void summed(harness_source *source, void *user)
     expect_near(sum / (2.0 * PI), wind(&l, tool).turns, 1e-9);
 }
 
-static void turns_are_the_sum_of_angles(void **state)
+static void turns_are_sum_of_angles(void **state)
 {
     (void)state;
     harness_property("winding summed", 1000, summed, NULL);
@@ -195,7 +195,7 @@ static void lies_on_planes(harness_source *source, void *user)
     assert_true(fabs(once.turns) <= 0.5 * l.count);
 }
 
-static void points_on_planes_and_on_the_axis_are_no_trouble(void **state)
+static void points_on_planes_and_axis_are_handled(void **state)
 {
     (void)state;
     harness_property("winding on a lattice", 2000, lies_on_planes, NULL);
@@ -204,10 +204,10 @@ static void points_on_planes_and_on_the_axis_are_no_trouble(void **state)
 int test_winding_bent(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_helix_round_a_bent_tool_has_its_turns),
-        harness_test(what_two_pieces_could_have_belongs_to_one),
-        harness_test(turns_are_the_sum_of_angles),
-        harness_test(points_on_planes_and_on_the_axis_are_no_trouble),
+        harness_test(helix_round_bent_tool_has_its_turns),
+        harness_test(shared_turn_is_counted_once),
+        harness_test(turns_are_sum_of_angles),
+        harness_test(points_on_planes_and_axis_are_handled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

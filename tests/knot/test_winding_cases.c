@@ -36,7 +36,7 @@ static line honest_loop(double height, double turns)
     return l;
 }
 
-static void loops_round_the_tool_have_their_turns(void **state)
+static void loops_round_tool_have_turns(void **state)
 {
     (void)state;
     line a = honest_loop(0.01, 1.035); /* and 0.035 on the way in */
@@ -51,7 +51,7 @@ static void loops_round_the_tool_have_their_turns(void **state)
     expect_near(2.0, wind(&c, shaft()).turns, 1e-12);
 }
 
-static void a_turn_and_a_counter_turn_are_none(void **state)
+static void turn_and_counter_turn_cancel(void **state)
 {
     (void)state;
     line d = {.count = 0};
@@ -63,7 +63,7 @@ static void a_turn_and_a_counter_turn_are_none(void **state)
     assert_int_equal(0, got.sense);
 }
 
-static void loops_elsewhere_are_none(void **state)
+static void distant_loops_have_no_turns(void **state)
 {
     (void)state;
     line f = honest_loop(-0.02, 1.07), h = honest_loop(-0.045, 1.07),
@@ -85,7 +85,7 @@ static void loops_elsewhere_are_none(void **state)
 
 /* ---- through the axis */
 
-static void the_axis_is_passed_on_one_side(void **state)
+static void axis_crossing_is_one_sided(void **state)
 {
     (void)state;
     for (int way = 0; way < 8; way++) {
@@ -112,7 +112,7 @@ static void the_axis_is_passed_on_one_side(void **state)
 }
 
 /* Round tools along each coordinate, from each direction, with zeros of both signs. */
-static void signed_zeros_are_zeros(void **state)
+static void signed_zeros_are_equal(void **state)
 {
     (void)state;
     for (int k = 0; k < 6 * 8 * 8; k++) {
@@ -151,7 +151,7 @@ static line strand(double off, uint32_t count)
     return l;
 }
 
-static void a_held_strand_is_no_half_turn(void **state)
+static void held_strand_is_no_half_turn(void **state)
 {
     (void)state;
     for (uint32_t count = 2; count < 60; count++) {
@@ -173,7 +173,7 @@ static void a_held_strand_is_no_half_turn(void **state)
     }
 }
 
-static void what_is_wound_beside_the_held_place_counts(void **state)
+static void winding_beside_held_place_counts(void **state)
 {
     (void)state;
     knot_tool tool = shaft();
@@ -205,7 +205,7 @@ static void what_is_wound_beside_the_held_place_counts(void **state)
     assert_int_equal(1, wind(&l, tool).runs);
 }
 
-static void a_place_held_beyond_the_capsules_holds_nothing(void **state)
+static void held_place_beyond_capsules_holds_nothing(void **state)
 {
     (void)state;
     knot_tool tool = shaft();
@@ -227,7 +227,7 @@ static void a_place_held_beyond_the_capsules_holds_nothing(void **state)
     expect_near(1.5, wind(&back, tool).run_places[0], 1e-15);
 }
 
-static void a_strand_along_the_jaws_is_held_through_joints(void **state)
+static void strand_along_jaws_is_held_across_joints(void **state)
 {
     (void)state;
     knot_tool tool = {3,
@@ -259,15 +259,15 @@ static void a_strand_along_the_jaws_is_held_through_joints(void **state)
 int test_winding_cases(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(loops_round_the_tool_have_their_turns),
-        harness_test(a_turn_and_a_counter_turn_are_none),
-        harness_test(loops_elsewhere_are_none),
-        harness_test(the_axis_is_passed_on_one_side),
-        harness_test(signed_zeros_are_zeros),
-        harness_test(a_held_strand_is_no_half_turn),
-        harness_test(what_is_wound_beside_the_held_place_counts),
-        harness_test(a_place_held_beyond_the_capsules_holds_nothing),
-        harness_test(a_strand_along_the_jaws_is_held_through_joints),
+        harness_test(loops_round_tool_have_turns),
+        harness_test(turn_and_counter_turn_cancel),
+        harness_test(distant_loops_have_no_turns),
+        harness_test(axis_crossing_is_one_sided),
+        harness_test(signed_zeros_are_equal),
+        harness_test(held_strand_is_no_half_turn),
+        harness_test(winding_beside_held_place_counts),
+        harness_test(held_place_beyond_capsules_holds_nothing),
+        harness_test(strand_along_jaws_is_held_across_joints),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

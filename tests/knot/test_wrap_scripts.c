@@ -75,7 +75,7 @@ static void expect_room(void)
 
 /* ---- the law, and how each story ends */
 
-static void turns_tie_what_the_law_says(void **state)
+static void turns_tie_predicted_knot(void **state)
 {
     (void)state;
     for (uint32_t variant = 0; variant < 26; variant++) {
@@ -127,7 +127,7 @@ static bool ends_as_it_says(const char *name, bool passes, bool forms)
 }
 
 /* One pass through all stories, as each frame takes long to make. */
-static void stories_have_the_knots_turns_room_and_ends_that_they_say(void **state)
+static void script_knots_turns_holes_and_ends_match(void **state)
 {
     (void)state;
     size_t ended = 0;
@@ -152,7 +152,7 @@ static void stories_have_the_knots_turns_room_and_ends_that_they_say(void **stat
     assert_int_equal(ended, ENDINGS);
 }
 
-static void what_makes_no_sense_is_refused(void **state)
+static void invalid_scripts_are_rejected(void **state)
 {
     (void)state;
     assert_false(wrap_script_frame(WRAP_SCRIPTS, 0, 0.5, 240, &frame));
@@ -164,9 +164,9 @@ static void what_makes_no_sense_is_refused(void **state)
 int test_wrap_scripts(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(turns_tie_what_the_law_says),
-        cmocka_unit_test(stories_have_the_knots_turns_room_and_ends_that_they_say),
-        cmocka_unit_test(what_makes_no_sense_is_refused),
+        cmocka_unit_test(turns_tie_predicted_knot),
+        cmocka_unit_test(script_knots_turns_holes_and_ends_match),
+        cmocka_unit_test(invalid_scripts_are_rejected),
     };
     return cmocka_run_group_tests_name("wrap scripts", tests, NULL, NULL);
 }

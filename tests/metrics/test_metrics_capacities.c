@@ -1,7 +1,7 @@
 /* Room is fixed when a measurement is made: what does not fit is told or counted; a session of ten minutes fits. */
 #include "fixture.h"
 
-static void full_lists_are_told_and_nothing_changes(void **state)
+static void full_lists_are_reported_and_change_nothing(void **state)
 {
     (void)state;
     static const vbss_metrics_event_kind kinds[] = {
@@ -29,7 +29,7 @@ static void full_lists_are_told_and_nothing_changes(void **state)
     end(&f);
 }
 
-static void motion_beyond_the_room_is_counted(void **state)
+static void motion_above_capacity_is_counted(void **state)
 {
     (void)state;
     fixture f;
@@ -55,7 +55,7 @@ static void motion_beyond_the_room_is_counted(void **state)
 }
 
 /* The clock may jump: nothing is walked through for ever. */
-static void a_very_long_silence_takes_no_time(void **state)
+static void long_silence_costs_no_time(void **state)
 {
     (void)state;
     fixture f;
@@ -108,9 +108,9 @@ static void ten_minutes_are_measured(void **state)
 int test_metrics_capacities(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(full_lists_are_told_and_nothing_changes),
-        harness_test(motion_beyond_the_room_is_counted),
-        harness_test(a_very_long_silence_takes_no_time),
+        harness_test(full_lists_are_reported_and_change_nothing),
+        harness_test(motion_above_capacity_is_counted),
+        harness_test(long_silence_costs_no_time),
         harness_test(ten_minutes_are_measured),
     };
     return cmocka_run_group_tests_name("metrics.metrics_capacities", tests, NULL, NULL);

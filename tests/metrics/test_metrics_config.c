@@ -13,7 +13,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     return result == VBSS_OK ? vbss_metrics_destroy(metrics) : result;
 }
 
-static void configs_of_all_sizes_are_told(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[] = {176, 0};
@@ -21,7 +21,7 @@ static void configs_of_all_sizes_are_told(void **state)
     harness_config_protocol(&config);
 }
 
-static void no_configuration_is_the_default(void **state)
+static void null_config_is_default(void **state)
 {
     (void)state;
     fixture f;
@@ -60,7 +60,7 @@ static void expect_config(const fixture *f, vbss_result wanted)
     assert_true(before.bytes_allocated == after.bytes_allocated);
 }
 
-static void numbers_out_of_range_are_refused(void **state)
+static void out_of_range_numbers_are_rejected(void **state)
 {
     (void)state;
     static const double most[] = {7200.0, 1.0, 1e9, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1e6,
@@ -82,7 +82,7 @@ static void numbers_out_of_range_are_refused(void **state)
     end(&f);
 }
 
-static void words_out_of_range_are_refused(void **state)
+static void out_of_range_choices_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -114,7 +114,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return create_and_destroy(context, NULL);
 }
 
-static void memory_that_fails_is_told(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     harness_fail_every_allocation(attempt, NULL);
@@ -198,7 +198,7 @@ static vbss_result call_destroy(void *m)
     return m == NULL ? VBSS_ERROR_INVALID_HANDLE : vbss_metrics_destroy(m);
 }
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     static const harness_handle_call calls[] = {
@@ -218,12 +218,12 @@ static void wrong_handles_are_told_by_every_call(void **state)
 int test_metrics_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(configs_of_all_sizes_are_told),
-        harness_test(no_configuration_is_the_default),
-        harness_test(numbers_out_of_range_are_refused),
-        harness_test(words_out_of_range_are_refused),
-        harness_test(memory_that_fails_is_told),
-        harness_test(wrong_handles_are_told_by_every_call),
+        harness_test(config_size_protocol),
+        harness_test(null_config_is_default),
+        harness_test(out_of_range_numbers_are_rejected),
+        harness_test(out_of_range_choices_are_rejected),
+        harness_test(each_failed_allocation_is_reported),
+        harness_test(every_call_rejects_invalid_handles),
     };
     return cmocka_run_group_tests_name("metrics.metrics_config", tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
 #include "base/rotation.h"
 #include "fixture.h"
 
-static void deviation_is_the_geodesic_on_the_cylinder(void **state)
+static void deviation_is_geodesic_on_cylinder(void **state)
 {
     (void)state;
     fixture f;
@@ -19,7 +19,7 @@ static void deviation_is_the_geodesic_on_the_cylinder(void **state)
 }
 
 /* A cylinder that lies askew: what was put in by angle and height comes back. */
-static void offsets_are_read_off_a_cylinder_of_any_pose(void **state)
+static void offsets_use_cylinder_in_any_pose(void **state)
 {
     (void)state;
     const pose at = pose_make(vec3_make(0.1, -0.2, 0.05),
@@ -47,7 +47,7 @@ static void offsets_are_read_off_a_cylinder_of_any_pose(void **state)
     }
 }
 
-static void the_gap_is_that_of_two_points_and_the_largest(void **state)
+static void gap_and_maximum_gap(void **state)
 {
     (void)state;
     fixture f;
@@ -67,7 +67,7 @@ static void the_gap_is_that_of_two_points_and_the_largest(void **state)
     end(&f);
 }
 
-static void time_runs_from_the_needle_to_the_second_cut(void **state)
+static void time_runs_from_needle_to_second_cut(void **state)
 {
     (void)state;
     fixture f;
@@ -88,7 +88,7 @@ static void time_runs_from_the_needle_to_the_second_cut(void **state)
     end(&f);
 }
 
-static void throws_are_told_with_type_and_order(void **state)
+static void throw_type_and_order_are_reported(void **state)
 {
     (void)state;
     fixture f;
@@ -115,7 +115,7 @@ static void throws_are_told_with_type_and_order(void **state)
     end(&f);
 }
 
-static void phases_share_the_time(void **state)
+static void phases_partition_time(void **state)
 {
     (void)state;
     static const double begins[] = {1.0, 4.0, 4.0, 9.5};
@@ -163,12 +163,12 @@ static void incidents_are_counted(void **state)
 int test_metrics_events(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(deviation_is_the_geodesic_on_the_cylinder),
-        harness_test(offsets_are_read_off_a_cylinder_of_any_pose),
-        harness_test(the_gap_is_that_of_two_points_and_the_largest),
-        harness_test(time_runs_from_the_needle_to_the_second_cut),
-        harness_test(throws_are_told_with_type_and_order),
-        harness_test(phases_share_the_time),
+        harness_test(deviation_is_geodesic_on_cylinder),
+        harness_test(offsets_use_cylinder_in_any_pose),
+        harness_test(gap_and_maximum_gap),
+        harness_test(time_runs_from_needle_to_second_cut),
+        harness_test(throw_type_and_order_are_reported),
+        harness_test(phases_partition_time),
         harness_test(incidents_are_counted),
     };
     return cmocka_run_group_tests_name("metrics.metrics_events", tests, NULL, NULL);

@@ -21,7 +21,7 @@ static double cubic(double t)
 }
 
 /* Odd parts of a cubic: its slope is smoothed by what t^2 has in the window, its third derivative is exact. */
-static void polynomials_keep_their_third_derivative(void **state)
+static void cubic_third_derivative_is_exact(void **state)
 {
     (void)state;
     double speed, jerk;
@@ -53,7 +53,7 @@ static double jerk_gain(double hertz)
     return sqrt(jerk) / pow(2.0 * PI * hertz, 3.0);
 }
 
-static void it_is_flat_below_and_closed_above(void **state)
+static void passband_is_flat_and_stopband_closed(void **state)
 {
     (void)state;
     for (int i = 1; i <= 9; i++) {
@@ -74,7 +74,7 @@ static vec3 parabola(double t)
     return vec3_make(1.0 + t, 2.0 * t * t, -3.0 * t * t + t);
 }
 
-static void parabolas_are_met_at_uneven_times(void **state)
+static void parabola_is_exact_at_uneven_times(void **state)
 {
     (void)state;
     const double times[4] = {0.1, 0.13, 0.15, 0.2};
@@ -95,7 +95,7 @@ static void parabolas_are_met_at_uneven_times(void **state)
 }
 
 /* Two samples all but at once, with an error between them: no spike in what is measured. */
-static void samples_close_together_do_no_harm(void **state)
+static void dense_samples_do_no_harm(void **state)
 {
     (void)state;
     fixture f;
@@ -114,10 +114,10 @@ static void samples_close_together_do_no_harm(void **state)
 int test_metrics_filter(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(polynomials_keep_their_third_derivative),
-        harness_test(it_is_flat_below_and_closed_above),
-        harness_test(parabolas_are_met_at_uneven_times),
-        harness_test(samples_close_together_do_no_harm),
+        harness_test(cubic_third_derivative_is_exact),
+        harness_test(passband_is_flat_and_stopband_closed),
+        harness_test(parabola_is_exact_at_uneven_times),
+        harness_test(dense_samples_do_no_harm),
     };
     return cmocka_run_group_tests_name("metrics.metrics_filter", tests, NULL, NULL);
 }

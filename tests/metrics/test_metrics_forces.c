@@ -25,7 +25,7 @@ static void bear(const fixture *f, double rate)
     }
 }
 
-static void peak_and_integral_are_those_of_the_magnitude(void **state)
+static void peak_and_integral_are_of_magnitude(void **state)
 {
     (void)state;
     static const double rates[] = {30.0, 100.0, 1000.0, 2000.0};
@@ -45,7 +45,7 @@ static void peak_and_integral_are_those_of_the_magnitude(void **state)
     }
 }
 
-static void phases_share_the_integral(void **state)
+static void phases_partition_integral(void **state)
 {
     (void)state;
     fixture f;
@@ -60,7 +60,7 @@ static void phases_share_the_integral(void **state)
     end(&f);
 }
 
-static void nothing_is_known_between_samples_that_are_far_apart(void **state)
+static void long_sample_gap_is_unknown(void **state)
 {
     (void)state;
     fixture f;
@@ -75,7 +75,7 @@ static void nothing_is_known_between_samples_that_are_far_apart(void **state)
     end(&f);
 }
 
-static void only_the_task_counts_once_there_is_one(void **state)
+static void only_task_phase_counts(void **state)
 {
     (void)state;
     fixture f;
@@ -99,10 +99,10 @@ static void only_the_task_counts_once_there_is_one(void **state)
 int test_metrics_forces(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(peak_and_integral_are_those_of_the_magnitude),
-        harness_test(phases_share_the_integral),
-        harness_test(nothing_is_known_between_samples_that_are_far_apart),
-        harness_test(only_the_task_counts_once_there_is_one),
+        harness_test(peak_and_integral_are_of_magnitude),
+        harness_test(phases_partition_integral),
+        harness_test(long_sample_gap_is_unknown),
+        harness_test(only_task_phase_counts),
     };
     return cmocka_run_group_tests_name("metrics.metrics_forces", tests, NULL, NULL);
 }

@@ -47,7 +47,7 @@ static double correlation(curve left, curve right)
 }
 
 /* |cos| and |sin|: means 2/pi, squares 1/2, product 1/pi; so (1/pi - 4/pi^2)/(1/2 - 4/pi^2). */
-static void speeds_are_correlated_as_their_rhythms_are(void **state)
+static void speed_correlation_matches_rhythm(void **state)
 {
     (void)state;
     double in_turns = (1.0 / PI - 4.0 / (PI * PI)) / (0.5 - 4.0 / (PI * PI));
@@ -81,7 +81,7 @@ static double fast_time(double t, double threshold)
 }
 
 /* It begins to move above 6 mm/s and rests below 5 mm/s; times to a tick at each of the ends. */
-static void rest_and_work_share_the_time(void **state)
+static void rest_and_motion_partition_time(void **state)
 {
     (void)state;
     fixture f;
@@ -110,7 +110,7 @@ static vec3 slowing(double t)
 }
 
 /* Between both speeds what was goes on: one that always crept moves, one that stood rests. */
-static void hysteresis_keeps_what_was(void **state)
+static void hysteresis_keeps_status(void **state)
 {
     (void)state;
     fixture f;
@@ -124,9 +124,9 @@ static void hysteresis_keeps_what_was(void **state)
 int test_metrics_hands(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(speeds_are_correlated_as_their_rhythms_are),
-        harness_test(rest_and_work_share_the_time),
-        harness_test(hysteresis_keeps_what_was),
+        harness_test(speed_correlation_matches_rhythm),
+        harness_test(rest_and_motion_partition_time),
+        harness_test(hysteresis_keeps_status),
     };
     return cmocka_run_group_tests_name("metrics.metrics_hands", tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ static double foretold(double rate, double deviation)
     return 3.0 * 2.0 * deviation * deviation / rate * sum;
 }
 
-static void jerk_of_noise_is_what_the_band_lets_through(void **state)
+static void jerk_of_noise_matches_filter_band(void **state)
 {
     (void)state;
     static const double rates[] = {200.0, 1000.0};
@@ -55,7 +55,7 @@ static void jerk_of_noise_is_what_the_band_lets_through(void **state)
 }
 
 /* A tenth of a millimetre does not move a resting hand. */
-static void noise_of_a_sensor_is_rest(void **state)
+static void sensor_noise_is_rest(void **state)
 {
     (void)state;
     fixture f;
@@ -70,8 +70,8 @@ static void noise_of_a_sensor_is_rest(void **state)
 int test_metrics_noise(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(jerk_of_noise_is_what_the_band_lets_through),
-        harness_test(noise_of_a_sensor_is_rest),
+        harness_test(jerk_of_noise_matches_filter_band),
+        harness_test(sensor_noise_is_rest),
     };
     return cmocka_run_group_tests_name("metrics.metrics_noise", tests, NULL, NULL);
 }

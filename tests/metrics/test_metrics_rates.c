@@ -37,7 +37,7 @@ static void compare(double rate, double jitter, double part, double logarithms)
 
 /* What is lost at 30 Hz is what a cubic through its samples loses of the fastest reach: 0.4 % of the squared jerk, 1e-5 of
  * the path. Tolerances are twice what was measured. */
-static void the_rate_of_the_samples_does_not_matter(void **state)
+static void sample_rate_invariance(void **state)
 {
     (void)state;
     compare(30.0, 0.0, 3e-5, 0.01);
@@ -47,7 +47,7 @@ static void the_rate_of_the_samples_does_not_matter(void **state)
 }
 
 /* Where times are very uneven, slopes are those of chords: that is what is lost at 100 Hz. */
-static void nor_do_uneven_times(void **state)
+static void uneven_sampling_invariance(void **state)
 {
     (void)state;
     compare(30.0, 0.2, 2e-4, 0.01);
@@ -67,14 +67,14 @@ static double plain_jerk(double rate)
     return sum;
 }
 
-static void plain_differences_would_hang_on_the_rate(void **state)
+static void plain_differences_depend_on_rate(void **state)
 {
     (void)state;
     assert_true(log(plain_jerk(1000.0) / plain_jerk(30.0)) > 0.15);
 }
 
 /* Where the samples begin and end within a tick does not matter either. */
-static void a_shift_of_the_clock_changes_nothing_that_shows(void **state)
+static void clock_shift_invariance(void **state)
 {
     (void)state;
     fixture f, g;
@@ -99,10 +99,10 @@ static void a_shift_of_the_clock_changes_nothing_that_shows(void **state)
 int test_metrics_rates(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_rate_of_the_samples_does_not_matter),
-        harness_test(nor_do_uneven_times),
-        harness_test(plain_differences_would_hang_on_the_rate),
-        harness_test(a_shift_of_the_clock_changes_nothing_that_shows),
+        harness_test(sample_rate_invariance),
+        harness_test(uneven_sampling_invariance),
+        harness_test(plain_differences_depend_on_rate),
+        harness_test(clock_shift_invariance),
     };
     return cmocka_run_group_tests_name("metrics.metrics_rates", tests, NULL, NULL);
 }

@@ -52,7 +52,7 @@ static void bad_samples_change_nothing(void **state)
     end(&f);
 }
 
-static void time_never_runs_backwards(void **state)
+static void time_is_monotonic(void **state)
 {
     (void)state;
     fixture f;
@@ -155,7 +155,7 @@ static void bad_pulls_change_nothing(void **state)
     end(&f);
 }
 
-static void there_are_only_these_tools_phases_and_fields(void **state)
+static void unknown_tools_phases_and_fields_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -178,7 +178,7 @@ static void there_are_only_these_tools_phases_and_fields(void **state)
     end(&f);
 }
 
-static void another_rounding_is_refused(void **state)
+static void other_rounding_mode_is_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -195,11 +195,11 @@ int test_metrics_refusals(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(bad_samples_change_nothing),
-        harness_test(time_never_runs_backwards),
+        harness_test(time_is_monotonic),
         harness_test(bad_events_change_nothing),
         harness_test(bad_pulls_change_nothing),
-        harness_test(there_are_only_these_tools_phases_and_fields),
-        harness_test(another_rounding_is_refused),
+        harness_test(unknown_tools_phases_and_fields_are_rejected),
+        harness_test(other_rounding_mode_is_rejected),
     };
     return cmocka_run_group_tests_name("metrics.metrics_refusals", tests, NULL, NULL);
 }

@@ -35,7 +35,7 @@ static void expect_sums(const fixture *f)
     expect_near(fmax(f->config.max_time - r.time - sum, 0.0), r.score, 1e-9);
 }
 
-static void the_score_is_what_time_and_penalties_leave(void **state)
+static void score_is_time_minus_penalties(void **state)
 {
     (void)state;
     fixture f;
@@ -66,7 +66,7 @@ static void the_score_is_what_time_and_penalties_leave(void **state)
 }
 
 /* Korndorffer et al. 2005: 512 is the proficiency of experts; 88 s without a fault. */
-static void an_expert_without_faults_has_512(void **state)
+static void flawless_expert_scores_512(void **state)
 {
     (void)state;
     fixture f;
@@ -89,7 +89,7 @@ static void an_expert_without_faults_has_512(void **state)
     end(&f);
 }
 
-static void the_method_of_tightness_counts(void **state)
+static void tightness_method_is_applied(void **state)
 {
     (void)state;
     fixture f;
@@ -102,7 +102,7 @@ static void the_method_of_tightness_counts(void **state)
     end(&f);
 }
 
-static void every_fault_has_a_weight(void **state)
+static void every_fault_has_weight(void **state)
 {
     (void)state;
     fixture f;
@@ -129,7 +129,7 @@ static void every_fault_has_a_weight(void **state)
     end(&f);
 }
 
-static void faults_that_cost_nothing_are_told(void **state)
+static void zero_weight_faults_are_reported(void **state)
 {
     (void)state;
     fixture f;
@@ -156,7 +156,7 @@ static void expect_zero(const fixture *f, vbss_metrics_penalty_kind kind, uint32
     expect_sums(f);
 }
 
-static void the_time_is_up_at_its_end(void **state)
+static void timeout_is_at_limit(void **state)
 {
     (void)state;
     fixture f;
@@ -170,7 +170,7 @@ static void the_time_is_up_at_its_end(void **state)
     end(&f);
 }
 
-static void a_torn_drain_or_thread_takes_all_until_it_is_undone(void **state)
+static void torn_drain_or_thread_scores_zero_until_undone(void **state)
 {
     (void)state;
     fixture f;
@@ -187,7 +187,7 @@ static void a_torn_drain_or_thread_takes_all_until_it_is_undone(void **state)
     end(&f);
 }
 
-static void a_trial_that_is_given_up_has_no_score(void **state)
+static void abandoned_trial_has_no_score(void **state)
 {
     (void)state;
     fixture f;
@@ -203,14 +203,14 @@ static void a_trial_that_is_given_up_has_no_score(void **state)
 int test_metrics_score(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_score_is_what_time_and_penalties_leave),
-        harness_test(an_expert_without_faults_has_512),
-        harness_test(the_method_of_tightness_counts),
-        harness_test(every_fault_has_a_weight),
-        harness_test(faults_that_cost_nothing_are_told),
-        harness_test(the_time_is_up_at_its_end),
-        harness_test(a_torn_drain_or_thread_takes_all_until_it_is_undone),
-        harness_test(a_trial_that_is_given_up_has_no_score),
+        harness_test(score_is_time_minus_penalties),
+        harness_test(flawless_expert_scores_512),
+        harness_test(tightness_method_is_applied),
+        harness_test(every_fault_has_weight),
+        harness_test(zero_weight_faults_are_reported),
+        harness_test(timeout_is_at_limit),
+        harness_test(torn_drain_or_thread_scores_zero_until_undone),
+        harness_test(abandoned_trial_has_no_score),
     };
     return cmocka_run_group_tests_name("metrics.metrics_score", tests, NULL, NULL);
 }

@@ -39,7 +39,7 @@ static vbss_metrics_motion measured(fixture *f, curve at, double from, double to
 /* Of a minimum-jerk reach: L in all, 15/8 L/T at most, and 720 L^2/T^5 of squared jerk. The jerk jumps by 60 L/T^3 at
  * both ends; beyond the cut f of the filter lie 2 (60/(2 pi))^2 2/f = 0.507/(f T) of the 720, and some
  * of the rest is moved out of the reach: 8.5 % in all for 1 s. */
-static void a_minimum_jerk_reach_has_the_figures_of_its_formula(void **state)
+static void minimum_jerk_reach_matches_formula(void **state)
 {
     (void)state;
     static const double durations[] = {1.0, 2.0, 4.0};
@@ -60,7 +60,7 @@ static void a_minimum_jerk_reach_has_the_figures_of_its_formula(void **state)
 }
 
 /* x = a sin(w t) over whole periods: path 4 a f T, squared jerk a^2 w^6 T/2. */
-static void swings_have_the_figures_of_their_formula(void **state)
+static void oscillation_matches_formula(void **state)
 {
     (void)state;
     static const double frequencies[] = {0.5, 1.0, 2.0, 4.0};
@@ -94,7 +94,7 @@ static double arc_of_bell(double deviation)
 }
 
 /* Whatever its deviation, as SPARC must: 1.4165. The last frequency is one of a grid 16 times finer than 1/T. */
-static void a_bell_has_the_arc_of_its_spectrum(void **state)
+static void bell_profile_matches_spectral_arc_length(void **state)
 {
     (void)state;
     static const double deviations[] = {0.1, 0.2, 0.4};
@@ -116,7 +116,7 @@ static vec3 halting(double time)
     return vec3_make(s, 0.0, 0.0);
 }
 
-static void a_halting_reach_is_less_smooth(void **state)
+static void halting_reach_is_less_smooth(void **state)
 {
     (void)state;
     fixture smooth, rough;
@@ -138,10 +138,10 @@ static void a_halting_reach_is_less_smooth(void **state)
 int test_metrics_smoothness(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_minimum_jerk_reach_has_the_figures_of_its_formula),
-        harness_test(swings_have_the_figures_of_their_formula),
-        harness_test(a_bell_has_the_arc_of_its_spectrum),
-        harness_test(a_halting_reach_is_less_smooth),
+        harness_test(minimum_jerk_reach_matches_formula),
+        harness_test(oscillation_matches_formula),
+        harness_test(bell_profile_matches_spectral_arc_length),
+        harness_test(halting_reach_is_less_smooth),
     };
     return cmocka_run_group_tests_name("metrics.metrics_smoothness", tests, NULL, NULL);
 }

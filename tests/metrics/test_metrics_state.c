@@ -28,7 +28,7 @@ static harness_body body(void)
     return b;
 }
 
-static void a_restored_measurement_goes_on_to_the_same_bits(void **state)
+static void restored_metrics_continue_bit_equal(void **state)
 {
     (void)state;
     static const size_t at[] = {0, 1, 2, 35, 92, 116, 245};
@@ -36,7 +36,7 @@ static void a_restored_measurement_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue_at(&b, at, sizeof at / sizeof at[0], 50);
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     const harness_body b = body();
@@ -44,14 +44,14 @@ static void bad_snapshots_are_refused(void **state)
     harness_refuses_bad_snapshots(&b, 150);
 }
 
-static void telling_allocates_nothing(void **state)
+static void samples_and_events_do_not_allocate(void **state)
 {
     (void)state;
     const harness_body b = body();
     assert_int_equal(harness_step_allocations(&b, METRICS_RUN_STEPS), 0);
 }
 
-static void the_same_log_gives_the_same_bits(void **state)
+static void same_log_gives_same_bits(void **state)
 {
     (void)state;
     fixture f;
@@ -81,7 +81,7 @@ static void the_same_log_gives_the_same_bits(void **state)
     end(&f);
 }
 
-static void snapshots_of_another_configuration_are_refused(void **state)
+static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
     static uint8_t bytes[1 << 17];
@@ -119,11 +119,11 @@ static void snapshots_of_another_configuration_are_refused(void **state)
 int test_metrics_state(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_restored_measurement_goes_on_to_the_same_bits),
-        harness_test(bad_snapshots_are_refused),
-        harness_test(telling_allocates_nothing),
-        harness_test(the_same_log_gives_the_same_bits),
-        harness_test(snapshots_of_another_configuration_are_refused),
+        harness_test(restored_metrics_continue_bit_equal),
+        harness_test(bad_snapshots_are_rejected),
+        harness_test(samples_and_events_do_not_allocate),
+        harness_test(same_log_gives_same_bits),
+        harness_test(snapshot_of_other_config_is_rejected),
     };
     return cmocka_run_group_tests_name("metrics.metrics_state", tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static void pull_for(const fixture *f, double force, double held, double drawn_p
     }
 }
 
-static void a_knot_that_was_not_pulled_is_not_known(void **state)
+static void unpulled_knot_is_unknown(void **state)
 {
     (void)state;
     fixture f;
@@ -29,7 +29,7 @@ static void a_knot_that_was_not_pulled_is_not_known(void **state)
     end(&f);
 }
 
-static void a_tight_knot_is_tight_by_both(void **state)
+static void tight_knot_is_tight_by_both_methods(void **state)
 {
     (void)state;
     fixture f;
@@ -42,7 +42,7 @@ static void a_tight_knot_is_tight_by_both(void **state)
 }
 
 /* Capsized into half hitches: it bears the force while its tail creeps in. The paper sees the strain alone. */
-static void a_slipping_knot_that_bears_the_force_is_told_apart_by_ours_only(void **state)
+static void force_bearing_slip_is_found_by_ours_only(void **state)
 {
     (void)state;
     fixture f;
@@ -54,7 +54,7 @@ static void a_slipping_knot_that_bears_the_force_is_told_apart_by_ours_only(void
 }
 
 /* Slips at half a newton: the force is never reached. */
-static void a_knot_that_slips_early_slips_by_both(void **state)
+static void early_slip_is_found_by_both_methods(void **state)
 {
     (void)state;
     fixture f;
@@ -64,7 +64,7 @@ static void a_knot_that_slips_early_slips_by_both(void **state)
     end(&f);
 }
 
-static void a_knot_that_comes_apart_is_untied_by_both(void **state)
+static void untied_knot_is_found_by_both_methods(void **state)
 {
     (void)state;
     fixture f;
@@ -77,7 +77,7 @@ static void a_knot_that_comes_apart_is_untied_by_both(void **state)
     end(&f);
 }
 
-static void a_pull_that_is_too_short_or_interrupted_shows_nothing(void **state)
+static void short_or_interrupted_pull_is_inconclusive(void **state)
 {
     (void)state;
     fixture f;
@@ -110,7 +110,7 @@ static void both_sides_must_pull(void **state)
     end(&f);
 }
 
-static void the_threshold_is_the_strain_of_the_force_or_what_is_given(void **state)
+static void threshold_is_force_strain_or_given(void **state)
 {
     (void)state;
     fixture f;
@@ -128,7 +128,7 @@ static void the_threshold_is_the_strain_of_the_force_or_what_is_given(void **sta
     end(&f);
 }
 
-static void a_new_test_forgets_the_last_one(void **state)
+static void new_test_clears_last(void **state)
 {
     (void)state;
     fixture f;
@@ -147,15 +147,15 @@ static void a_new_test_forgets_the_last_one(void **state)
 int test_metrics_tightness(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_knot_that_was_not_pulled_is_not_known),
-        harness_test(a_tight_knot_is_tight_by_both),
-        harness_test(a_slipping_knot_that_bears_the_force_is_told_apart_by_ours_only),
-        harness_test(a_knot_that_slips_early_slips_by_both),
-        harness_test(a_knot_that_comes_apart_is_untied_by_both),
-        harness_test(a_pull_that_is_too_short_or_interrupted_shows_nothing),
+        harness_test(unpulled_knot_is_unknown),
+        harness_test(tight_knot_is_tight_by_both_methods),
+        harness_test(force_bearing_slip_is_found_by_ours_only),
+        harness_test(early_slip_is_found_by_both_methods),
+        harness_test(untied_knot_is_found_by_both_methods),
+        harness_test(short_or_interrupted_pull_is_inconclusive),
         harness_test(both_sides_must_pull),
-        harness_test(the_threshold_is_the_strain_of_the_force_or_what_is_given),
-        harness_test(a_new_test_forgets_the_last_one),
+        harness_test(threshold_is_force_strain_or_given),
+        harness_test(new_test_clears_last),
     };
     return cmocka_run_group_tests_name("metrics.metrics_tightness", tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* What is undone leaves the figures as if it had not been, but for attempts and records. */
 #include "fixture.h"
 
-static void a_withdrawn_puncture_is_an_attempt(void **state)
+static void withdrawn_puncture_is_an_attempt(void **state)
 {
     (void)state;
     fixture f;
@@ -18,7 +18,7 @@ static void a_withdrawn_puncture_is_an_attempt(void **state)
     end(&f);
 }
 
-static void an_untied_throw_is_gone_but_remembered(void **state)
+static void untied_throw_is_removed_and_counted(void **state)
 {
     (void)state;
     fixture f;
@@ -40,7 +40,7 @@ static void an_untied_throw_is_gone_but_remembered(void **state)
     end(&f);
 }
 
-static void a_cut_that_was_none_lets_the_clock_run_on(void **state)
+static void rejected_cut_keeps_clock_running(void **state)
 {
     (void)state;
     fixture f;
@@ -54,7 +54,7 @@ static void a_cut_that_was_none_lets_the_clock_run_on(void **state)
     end(&f);
 }
 
-static void everything_that_can_be_undone_leaves_nothing(void **state)
+static void undoing_everything_leaves_nothing(void **state)
 {
     (void)state;
     static const vbss_metrics_event_kind kinds[] = {VBSS_METRICS_EVENT_NEEDLE_APPEARS,
@@ -83,7 +83,7 @@ static void everything_that_can_be_undone_leaves_nothing(void **state)
     end(&f);
 }
 
-static void what_does_not_stand_cannot_be_undone(void **state)
+static void missing_fact_cannot_be_undone(void **state)
 {
     (void)state;
     fixture f;
@@ -104,11 +104,11 @@ static void what_does_not_stand_cannot_be_undone(void **state)
 int test_metrics_undone(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_withdrawn_puncture_is_an_attempt),
-        harness_test(an_untied_throw_is_gone_but_remembered),
-        harness_test(a_cut_that_was_none_lets_the_clock_run_on),
-        harness_test(everything_that_can_be_undone_leaves_nothing),
-        harness_test(what_does_not_stand_cannot_be_undone),
+        harness_test(withdrawn_puncture_is_an_attempt),
+        harness_test(untied_throw_is_removed_and_counted),
+        harness_test(rejected_cut_keeps_clock_running),
+        harness_test(undoing_everything_leaves_nothing),
+        harness_test(missing_fact_cannot_be_undone),
     };
     return cmocka_run_group_tests_name("metrics.metrics_undone", tests, NULL, NULL);
 }

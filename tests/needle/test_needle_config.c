@@ -15,7 +15,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     return result == VBSS_OK ? vbss_needle_destroy(needle) : result;
 }
 
-static void configs_of_all_sizes_are_told(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[] = {192, 0};
@@ -23,7 +23,7 @@ static void configs_of_all_sizes_are_told(void **state)
     harness_config_protocol(&config);
 }
 
-static void no_configuration_is_the_default(void **state)
+static void null_config_is_default(void **state)
 {
     (void)state;
     fixture f;
@@ -45,7 +45,7 @@ static void no_configuration_is_the_default(void **state)
     end(&f);
 }
 
-static void presets_set_the_shape_and_nothing_else(void **state)
+static void presets_change_shape_only(void **state)
 {
     (void)state;
     vbss_needle_config c, usual;
@@ -132,7 +132,7 @@ static void with_number(fixture *f, const number *n, double value, vbss_result w
     f->config = kept;
 }
 
-static void bad_numbers_are_told(void **state)
+static void bad_numbers_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -162,7 +162,7 @@ static void with_orientation(const fixture *f, const double q[4], vbss_result wa
     expect_config(&other, wanted);
 }
 
-static void bad_orientations_are_told(void **state)
+static void bad_orientations_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -187,7 +187,7 @@ static void bad_orientations_are_told(void **state)
     end(&f);
 }
 
-static void bad_choices_are_told(void **state)
+static void bad_choices_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -236,7 +236,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return result;
 }
 
-static void memory_that_fails_is_told(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     harness_fail_every_allocation(attempt, NULL);
@@ -245,13 +245,13 @@ static void memory_that_fails_is_told(void **state)
 int test_needle_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(configs_of_all_sizes_are_told),
-        harness_test(no_configuration_is_the_default),
-        harness_test(presets_set_the_shape_and_nothing_else),
-        harness_test(bad_numbers_are_told),
-        harness_test(bad_orientations_are_told),
-        harness_test(bad_choices_are_told),
-        harness_test(memory_that_fails_is_told),
+        harness_test(config_size_protocol),
+        harness_test(null_config_is_default),
+        harness_test(presets_change_shape_only),
+        harness_test(bad_numbers_are_rejected),
+        harness_test(bad_orientations_are_rejected),
+        harness_test(bad_choices_are_rejected),
+        harness_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests_name("needle.needle_config", tests, NULL, NULL);
 }

@@ -86,7 +86,7 @@ static drift fly(double h, uint32_t early, uint32_t all)
     return d;
 }
 
-static void a_tumbling_needle_keeps_its_angular_momentum_and_energy(void **state)
+static void tumbling_conserves_angular_momentum_and_energy(void **state)
 {
     (void)state;
     const drift d = fly(1e-3, 10000, 100000);
@@ -115,7 +115,7 @@ static double flight_error(double h, vec3 own)
     return error;
 }
 
-static void orientation_is_of_second_order(void **state)
+static void orientation_error_is_second_order(void **state)
 {
     (void)state;
     static const vec3 spins[] = {{20.0, 5.0, -10.0}, {30.0, 0.3, 0.3}, {-4.0, 25.0, 7.0}};
@@ -129,7 +129,7 @@ static void orientation_is_of_second_order(void **state)
 }
 
 /* Nothing to approximate: about a principal axis it turns as far as it should. */
-static void about_a_principal_axis_turning_is_exact(void **state)
+static void principal_axis_rotation_is_exact(void **state)
 {
     (void)state;
     for (int axis = 0; axis < 3; axis++) {
@@ -147,7 +147,7 @@ static void about_a_principal_axis_turning_is_exact(void **state)
     }
 }
 
-static void turning_about_z_drives_the_tip_forward_about_the_origin(void **state)
+static void rotation_about_z_drives_tip_forward(void **state)
 {
     (void)state;
     fixture f;
@@ -165,7 +165,7 @@ static void turning_about_z_drives_the_tip_forward_about_the_origin(void **state
     end(&f);
 }
 
-static void the_velocity_shown_is_that_of_the_origin(void **state)
+static void reported_velocity_is_of_origin(void **state)
 {
     (void)state;
     fixture f;
@@ -182,7 +182,7 @@ static void the_velocity_shown_is_that_of_the_origin(void **state)
     end(&f);
 }
 
-static void a_faster_turn_than_a_quarter_a_step_slows_down(void **state)
+static void overfast_rotation_is_damped(void **state)
 {
     (void)state;
     fixture f;
@@ -212,7 +212,7 @@ static vbss_needle *begin_falling(fixture *f, double drag)
     return make(f);
 }
 
-static void it_falls_along_the_parabola_of_backward_euler(void **state)
+static void fall_follows_backward_euler_parabola(void **state)
 {
     (void)state;
     fixture f;
@@ -230,7 +230,7 @@ static void it_falls_along_the_parabola_of_backward_euler(void **state)
 }
 
 /* v = v_end + (v_0 - v_end) k^n with v_end = g / drag and k = 1 / (1 + h drag), and x its sum. */
-static void drag_is_that_of_backward_euler_and_nears_the_exact_one(void **state)
+static void drag_follows_backward_euler_and_converges(void **state)
 {
     (void)state;
     double drag = 3.0, errors[3];
@@ -257,7 +257,7 @@ static void drag_is_that_of_backward_euler_and_nears_the_exact_one(void **state)
     assert_true(errors[2] < 1e-3);
 }
 
-static void energy_of_a_fall_is_told(void **state)
+static void fall_energy_is_reported(void **state)
 {
     (void)state;
     fixture f;
@@ -283,15 +283,15 @@ static void energy_of_a_fall_is_told(void **state)
 int test_needle_flight(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_tumbling_needle_keeps_its_angular_momentum_and_energy),
-        harness_test(orientation_is_of_second_order),
-        harness_test(about_a_principal_axis_turning_is_exact),
-        harness_test(turning_about_z_drives_the_tip_forward_about_the_origin),
-        harness_test(the_velocity_shown_is_that_of_the_origin),
-        harness_test(a_faster_turn_than_a_quarter_a_step_slows_down),
-        harness_test(it_falls_along_the_parabola_of_backward_euler),
-        harness_test(drag_is_that_of_backward_euler_and_nears_the_exact_one),
-        harness_test(energy_of_a_fall_is_told),
+        harness_test(tumbling_conserves_angular_momentum_and_energy),
+        harness_test(orientation_error_is_second_order),
+        harness_test(principal_axis_rotation_is_exact),
+        harness_test(rotation_about_z_drives_tip_forward),
+        harness_test(reported_velocity_is_of_origin),
+        harness_test(overfast_rotation_is_damped),
+        harness_test(fall_follows_backward_euler_parabola),
+        harness_test(drag_follows_backward_euler_and_converges),
+        harness_test(fall_energy_is_reported),
     };
     return cmocka_run_group_tests_name("needle.needle_flight", tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static vbss_result write_out(vbss_needle *needle, int which, void *out, uint32_t
     }
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[OUTS] = {208, 144, 32, sizeof(vbss_view)};
@@ -111,7 +111,7 @@ static const harness_handle_call calls[CALLS] = {
     call_step, call_set_state, call_restore, call_destroy,  call_place, call_save,
     call_hash, call_state,     call_mass,    call_energies, call_view};
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     fixture f;
@@ -146,7 +146,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->created = vbss_needle_create(l->context, NULL, &made);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -169,7 +169,7 @@ static void nothing_changes_from_inside_a_callback(void **state)
 
 /* ---- what a scene does with it */
 
-static void in_a_scene_the_host_may_only_look(void **state)
+static void in_scene_host_may_only_read(void **state)
 {
     (void)state;
     fixture f;
@@ -206,7 +206,7 @@ static void in_a_scene_the_host_may_only_look(void **state)
 
 /* ---- where it is put */
 
-static void it_begins_where_its_configuration_says(void **state)
+static void initial_state_matches_config(void **state)
 {
     (void)state;
     fixture f;
@@ -233,7 +233,7 @@ static void it_begins_where_its_configuration_says(void **state)
     end(&f);
 }
 
-static void it_can_be_put_anywhere(void **state)
+static void state_can_be_set_anywhere(void **state)
 {
     (void)state;
     const double p[3] = {0.3, 0.2, -0.1}, q[4] = {0.0, 3.0, 0.0, 4.0}, v[3] = {-1.0, 0.5, 2.0},
@@ -266,12 +266,12 @@ static void it_can_be_put_anywhere(void **state)
 int test_needle_life(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(structs_that_go_out_keep_the_size_protocol),
-        harness_test(wrong_handles_are_told_by_every_call),
-        harness_test(nothing_changes_from_inside_a_callback),
-        harness_test(in_a_scene_the_host_may_only_look),
-        harness_test(it_begins_where_its_configuration_says),
-        harness_test(it_can_be_put_anywhere),
+        harness_test(output_struct_size_protocol),
+        harness_test(every_call_rejects_invalid_handles),
+        harness_test(calls_inside_callback_are_rejected),
+        harness_test(in_scene_host_may_only_read),
+        harness_test(initial_state_matches_config),
+        harness_test(state_can_be_set_anywhere),
     };
     return cmocka_run_group_tests_name("needle.needle_life", tests, NULL, NULL);
 }

@@ -18,7 +18,7 @@ static vec3 beside(const needle_object *n, double at, double outward, double up)
     return vec3_add_scaled(p, up, vec3_make(0.0, 0.0, 1.0));
 }
 
-static void places_beside_the_arc_have_its_length(void **state)
+static void points_beside_arc_have_its_arc_length(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -36,7 +36,7 @@ static void places_beside_the_arc_have_its_length(void **state)
     }
 }
 
-static void beyond_both_ends_it_counts_on(void **state)
+static void arc_length_continues_beyond_ends(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -57,7 +57,7 @@ static void beyond_both_ends_it_counts_on(void **state)
 }
 
 /* What slides over an end does not jump there. */
-static void it_goes_on_evenly_across_the_ends(void **state)
+static void arc_length_is_continuous_across_ends(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -94,7 +94,7 @@ static void nothing_of_the_line_is_nearer(harness_source *source, void *user)
     }
 }
 
-static void it_is_the_nearest(void **state)
+static void nearest_point_is_minimal(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -108,10 +108,10 @@ static void it_is_the_nearest(void **state)
 int test_needle_nearest(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(places_beside_the_arc_have_its_length),
-        cmocka_unit_test(beyond_both_ends_it_counts_on),
-        cmocka_unit_test(it_goes_on_evenly_across_the_ends),
-        harness_test(it_is_the_nearest),
+        cmocka_unit_test(points_beside_arc_have_its_arc_length),
+        cmocka_unit_test(arc_length_continues_beyond_ends),
+        cmocka_unit_test(arc_length_is_continuous_across_ends),
+        harness_test(nearest_point_is_minimal),
     };
     return cmocka_run_group_tests_name("needle.needle_nearest", tests, NULL, NULL);
 }

@@ -49,7 +49,7 @@ static void bad_states_change_nothing(void **state)
     end(&f);
 }
 
-static void bad_steps_places_and_fields_are_told(void **state)
+static void bad_steps_places_and_fields_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -87,7 +87,7 @@ static void bad_steps_places_and_fields_are_told(void **state)
 }
 
 /* A speed that no host can set, but that a number holds. */
-static void a_step_without_a_finite_end_changes_nothing(void **state)
+static void non_finite_step_changes_nothing(void **state)
 {
     (void)state;
     fixture f;
@@ -101,7 +101,7 @@ static void a_step_without_a_finite_end_changes_nothing(void **state)
     end(&f);
 }
 
-static void other_rounding_is_refused(void **state)
+static void other_rounding_mode_is_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -120,9 +120,9 @@ int test_needle_refusals(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(bad_states_change_nothing),
-        harness_test(bad_steps_places_and_fields_are_told),
-        harness_test(a_step_without_a_finite_end_changes_nothing),
-        harness_test(other_rounding_is_refused),
+        harness_test(bad_steps_places_and_fields_are_rejected),
+        harness_test(non_finite_step_changes_nothing),
+        harness_test(other_rounding_mode_is_rejected),
     };
     return cmocka_run_group_tests_name("needle.needle_refusals", tests, NULL, NULL);
 }

@@ -86,7 +86,7 @@ static void expect_exact(vbss_needle *needle)
     }
 }
 
-static void mass_and_inertia_are_those_of_the_volume(void **state)
+static void mass_and_inertia_are_of_volume(void **state)
 {
     (void)state;
     static const double arcs[] = {0.1, 0.5, 1.5707963267948966, PI, 4.5, 6.0};
@@ -107,7 +107,7 @@ static void mass_and_inertia_are_those_of_the_volume(void **state)
 }
 
 /* The half circle of thin wire, as textbooks have it: centre at 2 R/pi. */
-static void a_thin_half_circle_is_that_of_textbooks(void **state)
+static void thin_half_circle_matches_textbook(void **state)
 {
     (void)state;
     fixture f;
@@ -145,7 +145,7 @@ static void begin_turned(fixture *f, pose *at)
     set_orientation(f, at->orientation);
 }
 
-static void the_ends_are_where_the_header_says(void **state)
+static void ends_match_header(void **state)
 {
     (void)state;
     static const double arcs[] = {PI, 0.1, 2.0, 6.0};
@@ -167,7 +167,7 @@ static void the_ends_are_where_the_header_says(void **state)
     end(&f);
 }
 
-static void places_lie_on_the_arc_at_their_length(void **state)
+static void places_lie_on_arc_at_length(void **state)
 {
     (void)state;
     fixture f;
@@ -192,7 +192,7 @@ static void places_lie_on_the_arc_at_their_length(void **state)
     end(&f);
 }
 
-static void beyond_its_ends_the_line_is_straight(void **state)
+static void line_is_straight_beyond_ends(void **state)
 {
     (void)state;
     fixture f;
@@ -218,7 +218,7 @@ static void beyond_its_ends_the_line_is_straight(void **state)
     end(&f);
 }
 
-static void the_view_shows_ends_of_capsules_on_the_arc(void **state)
+static void view_shows_capsule_ends_on_arc(void **state)
 {
     (void)state;
     static const uint32_t counts[] = {2, 8, 64};
@@ -255,12 +255,12 @@ static void the_view_shows_ends_of_capsules_on_the_arc(void **state)
 int test_needle_shape(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(mass_and_inertia_are_those_of_the_volume),
-        harness_test(a_thin_half_circle_is_that_of_textbooks),
-        harness_test(the_ends_are_where_the_header_says),
-        harness_test(places_lie_on_the_arc_at_their_length),
-        harness_test(beyond_its_ends_the_line_is_straight),
-        harness_test(the_view_shows_ends_of_capsules_on_the_arc),
+        harness_test(mass_and_inertia_are_of_volume),
+        harness_test(thin_half_circle_matches_textbook),
+        harness_test(ends_match_header),
+        harness_test(places_lie_on_arc_at_length),
+        harness_test(line_is_straight_beyond_ends),
+        harness_test(view_shows_capsule_ends_on_arc),
     };
     return cmocka_run_group_tests_name("needle.needle_shape", tests, NULL, NULL);
 }

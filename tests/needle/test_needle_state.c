@@ -49,7 +49,7 @@ static harness_body body(void)
     return b;
 }
 
-static void a_restored_needle_flies_on_to_the_same_bits(void **state)
+static void restored_needle_continues_bit_equal(void **state)
 {
     (void)state;
     const harness_body b = body();
@@ -58,7 +58,7 @@ static void a_restored_needle_flies_on_to_the_same_bits(void **state)
     }
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     const harness_body b = body();
@@ -66,7 +66,7 @@ static void bad_snapshots_are_refused(void **state)
     harness_refuses_bad_snapshots(&b, 5);
 }
 
-static void a_step_allocates_nothing(void **state)
+static void step_does_not_allocate(void **state)
 {
     (void)state;
     const harness_body b = body();
@@ -74,7 +74,7 @@ static void a_step_allocates_nothing(void **state)
 }
 
 /* Alone, beside others, and elsewhere in memory. */
-static void two_flights_have_the_same_bits(void **state)
+static void flights_are_bit_equal(void **state)
 {
     (void)state;
     fixture f;
@@ -98,7 +98,7 @@ static void two_flights_have_the_same_bits(void **state)
 
 /* ---- what is shown comes back too */
 
-static void a_restored_needle_shows_what_it_showed(void **state)
+static void restored_needle_shows_same_views(void **state)
 {
     (void)state;
     fixture f;
@@ -124,7 +124,7 @@ static void a_restored_needle_shows_what_it_showed(void **state)
 
 /* ---- nonsense, and what belongs to others */
 
-static void nonsense_is_refused(void **state)
+static void impossible_state_is_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -157,7 +157,7 @@ static void expect_foreign(const fixture *f)
     expect_ok(vbss_needle_destroy(plain));
 }
 
-static void snapshots_of_another_configuration_are_refused(void **state)
+static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -184,13 +184,13 @@ static void snapshots_of_another_configuration_are_refused(void **state)
 int test_needle_state(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_restored_needle_flies_on_to_the_same_bits),
-        harness_test(bad_snapshots_are_refused),
-        harness_test(a_step_allocates_nothing),
-        harness_test(two_flights_have_the_same_bits),
-        harness_test(a_restored_needle_shows_what_it_showed),
-        harness_test(nonsense_is_refused),
-        harness_test(snapshots_of_another_configuration_are_refused),
+        harness_test(restored_needle_continues_bit_equal),
+        harness_test(bad_snapshots_are_rejected),
+        harness_test(step_does_not_allocate),
+        harness_test(flights_are_bit_equal),
+        harness_test(restored_needle_shows_same_views),
+        harness_test(impossible_state_is_rejected),
+        harness_test(snapshot_of_other_config_is_rejected),
     };
     return cmocka_run_group_tests_name("needle.needle_state", tests, NULL, NULL);
 }

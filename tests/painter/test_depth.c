@@ -27,7 +27,7 @@ static void add_ball(painter *p, double x, double y, double z, double radius, pa
 
 /* ---- */
 
-static void the_nearer_capsule_hides_the_farther_one(void **state)
+static void nearer_capsule_occludes(void **state)
 {
     (void)state;
     for (int upright_in_front = 0; upright_in_front < 2; upright_in_front++) {
@@ -55,7 +55,7 @@ static void the_nearer_capsule_hides_the_farther_one(void **state)
     }
 }
 
-static void depth_is_that_of_the_surface(void **state)
+static void depth_is_of_surface(void **state)
 {
     (void)state;
     static canvas c;
@@ -71,7 +71,7 @@ static void depth_is_that_of_the_surface(void **state)
     }
 }
 
-static void a_small_ball_comes_out_of_a_large_one_where_it_is_nearer(void **state)
+static void intersecting_balls_show_nearer_surface(void **state)
 {
     (void)state;
     static canvas c;
@@ -89,7 +89,7 @@ static void a_small_ball_comes_out_of_a_large_one_where_it_is_nearer(void **stat
         canvas_looks_like(canvas_pixel(&c, canvas_column(-3e-3), canvas_row(-3e-3)), PAINTER_BLUE));
 }
 
-static void sizes_and_places_are_to_scale(void **state)
+static void sizes_and_positions_are_to_scale(void **state)
 {
     (void)state;
     static canvas c;
@@ -112,7 +112,7 @@ static void sizes_and_places_are_to_scale(void **state)
     assert_true(canvas_covered(&c, canvas_row(-6.8e-3)) > 0);
 }
 
-static void perspective_makes_far_things_small(void **state)
+static void perspective_shrinks_with_distance(void **state)
 {
     (void)state;
     static canvas at_one, at_two;
@@ -132,7 +132,7 @@ static void perspective_makes_far_things_small(void **state)
     assert_true(canvas_looks_like(canvas_pixel(&at_one, CANVAS / 2, CANVAS / 2), PAINTER_GREEN));
 }
 
-static void a_capsule_beside_and_behind_the_eye_is_cut_off(void **state)
+static void capsule_behind_eye_is_clipped(void **state)
 {
     (void)state;
     static canvas c;
@@ -146,7 +146,7 @@ static void a_capsule_beside_and_behind_the_eye_is_cut_off(void **state)
     assert_true(canvas_is_background(&c, CANVAS / 2, CANVAS / 4));
 }
 
-static void the_eye_may_look_along_a_capsule(void **state)
+static void view_along_capsule_axis(void **state)
 {
     (void)state;
     static canvas c;
@@ -166,7 +166,7 @@ static void the_eye_may_look_along_a_capsule(void **state)
     }
 }
 
-static void triangles_and_floors_take_part(void **state)
+static void triangles_and_floor_are_depth_tested(void **state)
 {
     (void)state;
     static canvas c;
@@ -195,14 +195,14 @@ static void triangles_and_floors_take_part(void **state)
 int test_depth(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_nearer_capsule_hides_the_farther_one),
-        cmocka_unit_test(depth_is_that_of_the_surface),
-        cmocka_unit_test(a_small_ball_comes_out_of_a_large_one_where_it_is_nearer),
-        cmocka_unit_test(sizes_and_places_are_to_scale),
-        cmocka_unit_test(perspective_makes_far_things_small),
-        cmocka_unit_test(a_capsule_beside_and_behind_the_eye_is_cut_off),
-        cmocka_unit_test(the_eye_may_look_along_a_capsule),
-        cmocka_unit_test(triangles_and_floors_take_part),
+        cmocka_unit_test(nearer_capsule_occludes),
+        cmocka_unit_test(depth_is_of_surface),
+        cmocka_unit_test(intersecting_balls_show_nearer_surface),
+        cmocka_unit_test(sizes_and_positions_are_to_scale),
+        cmocka_unit_test(perspective_shrinks_with_distance),
+        cmocka_unit_test(capsule_behind_eye_is_clipped),
+        cmocka_unit_test(view_along_capsule_axis),
+        cmocka_unit_test(triangles_and_floor_are_depth_tested),
     };
     return cmocka_run_group_tests_name("painter.depth", tests, NULL, NULL);
 }

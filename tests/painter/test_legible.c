@@ -12,7 +12,7 @@ static const double thread_radius = 0.125e-3;
 
 /* ---- crossings */
 
-static void what_is_under_a_crossing_gets_dark_beside_it(void **state)
+static void strand_below_crossing_is_darkened(void **state)
 {
     (void)state;
     static canvas c;
@@ -33,7 +33,7 @@ static void what_is_under_a_crossing_gets_dark_beside_it(void **state)
     assert_true(canvas_brightness(&c, middle, canvas_row(r) - 1) > far_left - 60);
 }
 
-static void the_joints_of_a_chain_do_not_show(void **state)
+static void chain_joints_are_invisible(void **state)
 {
     (void)state;
     enum { COUNT = 41 };
@@ -59,7 +59,7 @@ static void the_joints_of_a_chain_do_not_show(void **state)
     }
 }
 
-static void a_strand_that_crosses_itself_shows_it(void **state)
+static void self_crossing_is_visible(void **state)
 {
     (void)state;
     enum { COUNT = 201 };
@@ -91,7 +91,7 @@ static void a_strand_that_crosses_itself_shows_it(void **state)
     assert_true((changes == 4 && other == 0) || (changes == 0 && other == 4));
 }
 
-static void things_throw_shadows_away_from_the_light(void **state)
+static void shadows_point_away_from_light(void **state)
 {
     (void)state;
     static canvas c;
@@ -121,7 +121,7 @@ static int widest_column_run(const canvas *c, int column)
     return run;
 }
 
-static void a_thread_is_seen_however_thin(void **state)
+static void thin_thread_is_visible(void **state)
 {
     (void)state;
     static canvas c;
@@ -143,7 +143,7 @@ static void a_thread_is_seen_however_thin(void **state)
 
 /* ---- colours */
 
-static void each_segment_has_its_colour_and_stride_is_kept(void **state)
+static void segment_colours_and_stride(void **state)
 {
     (void)state;
     static canvas packed, apart;
@@ -171,7 +171,7 @@ static int luma(painter_colour colour)
     return (int)(3 * (colour >> 16) + 6 * (colour >> 8 & 255) + (colour & 255));
 }
 
-static void the_ramp_gets_lighter_step_by_step(void **state)
+static void colour_ramp_is_monotonic(void **state)
 {
     (void)state;
     int last = luma(painter_ramp(-1.0, 0.0, 2.0));
@@ -204,7 +204,7 @@ static int changed_pixels(const canvas *a, const canvas *b, int left, int right,
     return count;
 }
 
-static void captions_bars_and_dots_are_where_they_belong(void **state)
+static void captions_bars_and_dots_are_placed(void **state)
 {
     (void)state;
     static canvas plain, text, label, bar, ramp, dots;
@@ -234,7 +234,7 @@ static void captions_bars_and_dots_are_where_they_belong(void **state)
 
 /* ---- cameras that find the scene, and pictures that repeat */
 
-static void all_is_in_sight_by_itself(void **state)
+static void default_camera_frames_all(void **state)
 {
     (void)state;
     static canvas c;
@@ -259,7 +259,7 @@ static void all_is_in_sight_by_itself(void **state)
     }
 }
 
-static void the_same_scene_gives_the_same_pixels(void **state)
+static void pixels_are_deterministic(void **state)
 {
     (void)state;
     static canvas pictures[2];
@@ -280,16 +280,16 @@ static void the_same_scene_gives_the_same_pixels(void **state)
 int test_legible(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_under_a_crossing_gets_dark_beside_it),
-        cmocka_unit_test(the_joints_of_a_chain_do_not_show),
-        cmocka_unit_test(a_strand_that_crosses_itself_shows_it),
-        cmocka_unit_test(things_throw_shadows_away_from_the_light),
-        cmocka_unit_test(a_thread_is_seen_however_thin),
-        cmocka_unit_test(each_segment_has_its_colour_and_stride_is_kept),
-        cmocka_unit_test(the_ramp_gets_lighter_step_by_step),
-        cmocka_unit_test(captions_bars_and_dots_are_where_they_belong),
-        cmocka_unit_test(all_is_in_sight_by_itself),
-        cmocka_unit_test(the_same_scene_gives_the_same_pixels),
+        cmocka_unit_test(strand_below_crossing_is_darkened),
+        cmocka_unit_test(chain_joints_are_invisible),
+        cmocka_unit_test(self_crossing_is_visible),
+        cmocka_unit_test(shadows_point_away_from_light),
+        cmocka_unit_test(thin_thread_is_visible),
+        cmocka_unit_test(segment_colours_and_stride),
+        cmocka_unit_test(colour_ramp_is_monotonic),
+        cmocka_unit_test(captions_bars_and_dots_are_placed),
+        cmocka_unit_test(default_camera_frames_all),
+        cmocka_unit_test(pixels_are_deterministic),
     };
     return cmocka_run_group_tests_name("painter.legible", tests, NULL, NULL);
 }

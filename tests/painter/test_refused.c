@@ -63,7 +63,7 @@ static painter_result paint_everything(painter **p, const char *path)
     return result;
 }
 
-static void every_allocation_may_fail(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     long count = 0;
@@ -84,7 +84,7 @@ static void every_allocation_may_fail(void **state)
 
 /* ---- arguments */
 
-static void a_painter_needs_a_size(void **state)
+static void painter_needs_a_size(void **state)
 {
     (void)state;
     painter *p;
@@ -131,7 +131,7 @@ static void calls_without_painter(void)
     refused(p, wanted, painter_save_png("x", NULL, 1, 1));
 }
 
-static void null_is_refused(void **state)
+static void null_is_rejected(void **state)
 {
     (void)state;
     painter *p = canvas_painter();
@@ -219,7 +219,7 @@ static painter_result call_with(painter *p, int which, double number)
     }
 }
 
-static void bad_numbers_are_refused_and_change_nothing(void **state)
+static void bad_numbers_are_rejected_and_change_nothing(void **state)
 {
     (void)state;
     static canvas before, after;
@@ -261,7 +261,7 @@ static void bad_numbers_are_refused_and_change_nothing(void **state)
     assert_memory_equal(before.pixels, after.pixels, sizeof before.pixels);
 }
 
-static void a_file_that_cannot_be_written_is_told(void **state)
+static void unwritable_file_is_reported(void **state)
 {
     (void)state;
     /* A folder that is not there, a folder, and on some machines a disk that is full. */
@@ -282,7 +282,7 @@ static void a_file_that_cannot_be_written_is_told(void **state)
     painter_destroy(p);
 }
 
-static void odd_but_good_input_is_painted(void **state)
+static void odd_valid_input_is_painted(void **state)
 {
     (void)state;
     static canvas picture;
@@ -316,12 +316,12 @@ static void odd_but_good_input_is_painted(void **state)
 int test_refused(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_allocation_may_fail),
-        cmocka_unit_test(a_painter_needs_a_size),
-        cmocka_unit_test(null_is_refused),
-        cmocka_unit_test(bad_numbers_are_refused_and_change_nothing),
-        cmocka_unit_test(a_file_that_cannot_be_written_is_told),
-        cmocka_unit_test(odd_but_good_input_is_painted),
+        cmocka_unit_test(each_failed_allocation_is_reported),
+        cmocka_unit_test(painter_needs_a_size),
+        cmocka_unit_test(null_is_rejected),
+        cmocka_unit_test(bad_numbers_are_rejected_and_change_nothing),
+        cmocka_unit_test(unwritable_file_is_reported),
+        cmocka_unit_test(odd_valid_input_is_painted),
     };
     return cmocka_run_group_tests_name("painter.refused", tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ static void expect_numbers_back(const double *numbers, uint32_t count, size_t mo
     assert_true(vbss_log_bits_are_complete(&in));
 }
 
-static void hard_numbers_come_back_to_the_bit(void **state)
+static void hard_numbers_round_trip_bit_exact(void **state)
 {
     (void)state;
     const double hard[] = {
@@ -44,7 +44,7 @@ static void hard_numbers_come_back_to_the_bit(void **state)
     expect_numbers_back(hard, count, (size_t)count * LOG_MAX_NUMBER_BITS / 8 + 1);
 }
 
-static void smooth_numbers_take_less_than_three_bytes(void **state)
+static void smooth_numbers_take_below_three_bytes(void **state)
 {
     (void)state;
     enum { COUNT = 2000 };
@@ -182,13 +182,13 @@ static void code_steps(harness_source *source, void *user)
     book_end(&b);
 }
 
-static void steps_come_back_as_they_were_written(void **state)
+static void steps_round_trip(void **state)
 {
     (void)state;
     harness_property("steps", 300, code_steps, NULL);
 }
 
-static void a_step_that_must_stand_alone_and_does_not_is_refused(void **state)
+static void dependent_step_is_rejected_as_keyframe(void **state)
 {
     (void)state;
     uint8_t bytes[64];
@@ -229,7 +229,7 @@ static void decode_anything(harness_source *source, void *user)
     }
 }
 
-static void any_bits_are_a_step_or_refused(void **state)
+static void any_bits_decode_or_are_rejected(void **state)
 {
     (void)state;
     book b;
@@ -268,13 +268,13 @@ static void pack_and_unpack(harness_source *source, void *user)
     }
 }
 
-static void packed_bytes_come_back(void **state)
+static void packed_bytes_round_trip(void **state)
 {
     (void)state;
     harness_property("packed bytes", 400, pack_and_unpack, NULL);
 }
 
-static void long_runs_take_little(void **state)
+static void long_runs_compress(void **state)
 {
     (void)state;
     static uint32_t table[LOG_HASH_TABLE_SIZE];
@@ -288,7 +288,7 @@ static void long_runs_take_little(void **state)
 /* ---- the mode of the processor */
 
 /* Predictions round: in another mode other numbers would be read, behind right checksums. */
-static void a_log_is_not_read_with_other_rounding(void **state)
+static void log_is_rejected_with_other_rounding_mode(void **state)
 {
     (void)state;
     const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
@@ -334,14 +334,14 @@ static void a_log_is_not_read_with_other_rounding(void **state)
 int test_coding(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hard_numbers_come_back_to_the_bit),
-        cmocka_unit_test(smooth_numbers_take_less_than_three_bytes),
-        harness_test(steps_come_back_as_they_were_written),
-        cmocka_unit_test(a_step_that_must_stand_alone_and_does_not_is_refused),
-        harness_test(any_bits_are_a_step_or_refused),
-        harness_test(packed_bytes_come_back),
-        cmocka_unit_test(long_runs_take_little),
-        cmocka_unit_test(a_log_is_not_read_with_other_rounding),
+        cmocka_unit_test(hard_numbers_round_trip_bit_exact),
+        cmocka_unit_test(smooth_numbers_take_below_three_bytes),
+        harness_test(steps_round_trip),
+        cmocka_unit_test(dependent_step_is_rejected_as_keyframe),
+        harness_test(any_bits_decode_or_are_rejected),
+        harness_test(packed_bytes_round_trip),
+        cmocka_unit_test(long_runs_compress),
+        cmocka_unit_test(log_is_rejected_with_other_rounding_mode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

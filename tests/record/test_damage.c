@@ -3,7 +3,7 @@
 
 /* ---- power loss */
 
-static void a_log_cut_anywhere_is_told_and_read_up_to_there(void **state)
+static void truncated_log_is_reported_and_read_up_to_cut(void **state)
 {
     (void)state;
     damage d;
@@ -21,7 +21,7 @@ static void a_log_cut_anywhere_is_told_and_read_up_to_there(void **state)
     damage_end(&d);
 }
 
-static void the_steps_before_a_cut_are_replayed(void **state)
+static void steps_before_cut_are_replayed(void **state)
 {
     (void)state;
     damage d;
@@ -39,7 +39,7 @@ static void the_steps_before_a_cut_are_replayed(void **state)
 
 /* ---- damage */
 
-static void a_changed_byte_is_told_where_it_is(void **state)
+static void changed_byte_is_located(void **state)
 {
     (void)state;
     damage d;
@@ -64,7 +64,7 @@ static void a_changed_byte_is_told_where_it_is(void **state)
 }
 
 /* A tail of zeros, as some file systems leave it. */
-static void a_tail_of_zeros_is_told(void **state)
+static void zero_tail_is_reported(void **state)
 {
     (void)state;
     damage d;
@@ -76,7 +76,7 @@ static void a_tail_of_zeros_is_told(void **state)
     damage_end(&d);
 }
 
-static void records_out_of_order_are_told(void **state)
+static void out_of_order_records_are_reported(void **state)
 {
     (void)state;
     damage d;
@@ -114,11 +114,11 @@ static void records_out_of_order_are_told(void **state)
 int test_damage(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_log_cut_anywhere_is_told_and_read_up_to_there),
-        cmocka_unit_test(the_steps_before_a_cut_are_replayed),
-        cmocka_unit_test(a_changed_byte_is_told_where_it_is),
-        cmocka_unit_test(a_tail_of_zeros_is_told),
-        cmocka_unit_test(records_out_of_order_are_told),
+        cmocka_unit_test(truncated_log_is_reported_and_read_up_to_cut),
+        cmocka_unit_test(steps_before_cut_are_replayed),
+        cmocka_unit_test(changed_byte_is_located),
+        cmocka_unit_test(zero_tail_is_reported),
+        cmocka_unit_test(out_of_order_records_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

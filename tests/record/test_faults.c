@@ -20,7 +20,7 @@ static vbss_log_report check(damage *d, const log_bytes *log)
     return report;
 }
 
-static void a_good_log_is_counted(void **state)
+static void good_log_is_counted(void **state)
 {
     (void)state;
     damage d;
@@ -55,7 +55,7 @@ static void a_good_log_is_counted(void **state)
     damage_end(&d);
 }
 
-static void a_cut_is_told_at_the_last_complete_record(void **state)
+static void cut_is_reported_at_last_complete_record(void **state)
 {
     (void)state;
     damage d;
@@ -79,7 +79,7 @@ static void a_cut_is_told_at_the_last_complete_record(void **state)
     damage_end(&d);
 }
 
-static void a_changed_byte_is_told_in_its_record_and_the_rest_is_found(void **state)
+static void changed_byte_is_reported_and_rest_is_found(void **state)
 {
     (void)state;
     damage d;
@@ -102,7 +102,7 @@ static void a_changed_byte_is_told_in_its_record_and_the_rest_is_found(void **st
     damage_end(&d);
 }
 
-static void all_faults_are_told(void **state)
+static void all_faults_are_reported(void **state)
 {
     (void)state;
     damage d;
@@ -122,7 +122,7 @@ static void all_faults_are_told(void **state)
     damage_end(&d);
 }
 
-static void nonsense_under_right_checksums_is_told(void **state)
+static void invalid_content_with_valid_checksum_is_reported(void **state)
 {
     (void)state;
     damage d;
@@ -181,7 +181,7 @@ static void check_anything(harness_source *source, void *user)
     assert_true(check(d, &log).result != VBSS_OK);
 }
 
-static void any_bytes_are_checked(void **state)
+static void any_bytes_can_be_checked(void **state)
 {
     (void)state;
     damage d;
@@ -198,12 +198,12 @@ static void any_bytes_are_checked(void **state)
 int test_faults(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_log_is_counted),
-        cmocka_unit_test(a_cut_is_told_at_the_last_complete_record),
-        cmocka_unit_test(a_changed_byte_is_told_in_its_record_and_the_rest_is_found),
-        cmocka_unit_test(all_faults_are_told),
-        cmocka_unit_test(nonsense_under_right_checksums_is_told),
-        harness_test(any_bytes_are_checked),
+        cmocka_unit_test(good_log_is_counted),
+        cmocka_unit_test(cut_is_reported_at_last_complete_record),
+        cmocka_unit_test(changed_byte_is_reported_and_rest_is_found),
+        cmocka_unit_test(all_faults_are_reported),
+        cmocka_unit_test(invalid_content_with_valid_checksum_is_reported),
+        harness_test(any_bytes_can_be_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

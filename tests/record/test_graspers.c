@@ -54,7 +54,7 @@ static void expect_replayed(stage *recorded, const log_bytes *log, vbss_method m
 }
 
 /* A whole round: taken, drawn, taken by the other, slid, let go, exchanged. */
-static void a_session_with_graspers_is_replayed_to_the_bit(void **state)
+static void grasper_session_replays_bit_equal(void **state)
 {
     (void)state;
     stage recorded, plain;
@@ -71,7 +71,7 @@ static void a_session_with_graspers_is_replayed_to_the_bit(void **state)
     log_free(&log);
 }
 
-static void so_is_one_that_begins_while_both_hold(void **state)
+static void session_starting_with_held_thread_replays_bit_equal(void **state)
 {
     (void)state;
     stage recorded;
@@ -85,7 +85,7 @@ static void so_is_one_that_begins_while_both_hold(void **state)
     log_free(&log);
 }
 
-static void so_is_one_of_the_papers_method(void **state)
+static void paper_session_replays_bit_equal(void **state)
 {
     (void)state;
     stage recorded;
@@ -97,7 +97,7 @@ static void so_is_one_of_the_papers_method(void **state)
 }
 
 /* The room that the header promises for a step of two graspers. */
-static void a_step_takes_the_room_that_is_promised(void **state)
+static void step_takes_documented_space(void **state)
 {
     (void)state;
     stage s;
@@ -122,7 +122,7 @@ static void a_step_takes_the_room_that_is_promised(void **state)
 
 /* ---- refused */
 
-static void what_is_told_past_the_record_is_found_out(void **state)
+static void unrecorded_commands_are_detected(void **state)
 {
     (void)state;
     for (int how = 0; how < 3; how++) {
@@ -145,7 +145,7 @@ static void what_is_told_past_the_record_is_found_out(void **state)
 }
 
 /* And leaves the record as it was. */
-static void what_a_grasper_refuses_is_not_recorded(void **state)
+static void rejected_commands_are_not_recorded(void **state)
 {
     (void)state;
     stage s;
@@ -176,12 +176,12 @@ static void what_a_grasper_refuses_is_not_recorded(void **state)
 int test_graspers(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_session_with_graspers_is_replayed_to_the_bit),
-        cmocka_unit_test(so_is_one_that_begins_while_both_hold),
-        cmocka_unit_test(so_is_one_of_the_papers_method),
-        cmocka_unit_test(a_step_takes_the_room_that_is_promised),
-        cmocka_unit_test(what_is_told_past_the_record_is_found_out),
-        cmocka_unit_test(what_a_grasper_refuses_is_not_recorded),
+        cmocka_unit_test(grasper_session_replays_bit_equal),
+        cmocka_unit_test(session_starting_with_held_thread_replays_bit_equal),
+        cmocka_unit_test(paper_session_replays_bit_equal),
+        cmocka_unit_test(step_takes_documented_space),
+        cmocka_unit_test(unrecorded_commands_are_detected),
+        cmocka_unit_test(rejected_commands_are_not_recorded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

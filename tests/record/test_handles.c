@@ -120,7 +120,7 @@ static vbss_result call_begin_in(void *handle)
     return vbss_replay_begin(the_replay, handle);
 }
 
-static void bad_handles_are_told(void **state)
+static void bad_handles_are_rejected(void **state)
 {
     (void)state;
     const harness_handle_call of_records[] = {call_take,   call_move_rigid, call_pin,
@@ -155,7 +155,7 @@ static void bad_handles_are_told(void **state)
     log_free(&log);
 }
 
-static void missing_pointers_are_told(void **state)
+static void null_pointers_are_rejected(void **state)
 {
     (void)state;
     stage s;
@@ -197,7 +197,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     }
 }
 
-static void callbacks_may_not_record(void **state)
+static void recording_inside_callback_is_rejected(void **state)
 {
     (void)state;
     listener l = {NULL, NULL, 0, 0};
@@ -241,9 +241,9 @@ static void callbacks_may_not_record(void **state)
 int test_handles(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_handles_are_told),
-        cmocka_unit_test(missing_pointers_are_told),
-        cmocka_unit_test(callbacks_may_not_record),
+        cmocka_unit_test(bad_handles_are_rejected),
+        cmocka_unit_test(null_pointers_are_rejected),
+        cmocka_unit_test(recording_inside_callback_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     return result;
 }
 
-static void the_config_keeps_the_size_protocol(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[] = {32, 40, 0};
@@ -49,7 +49,7 @@ static vbss_result write_out(vbss_replay *replay, int which, void *out, uint32_t
     }
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[5] = {48, 48, 176, 48, 72};
@@ -84,7 +84,7 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
     log_free(&log);
 }
 
-static void so_does_what_is_found_in_a_log(void **state)
+static void log_output_struct_size_protocol(void **state)
 {
     (void)state;
     unsigned char out[256];
@@ -104,7 +104,7 @@ static void so_does_what_is_found_in_a_log(void **state)
     log_free(&log);
 }
 
-static void bad_configurations_are_told(void **state)
+static void bad_configs_are_rejected(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -137,7 +137,7 @@ static void bad_configurations_are_told(void **state)
 
 /* ---- memory */
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     stage s;
@@ -211,7 +211,7 @@ static vbss_result live(vbss_context *context, void *user)
     return result;
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     stage s;
@@ -225,12 +225,12 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
 int test_life(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_config_keeps_the_size_protocol),
-        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
-        cmocka_unit_test(so_does_what_is_found_in_a_log),
-        cmocka_unit_test(bad_configurations_are_told),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
+        cmocka_unit_test(config_size_protocol),
+        cmocka_unit_test(output_struct_size_protocol),
+        cmocka_unit_test(log_output_struct_size_protocol),
+        cmocka_unit_test(bad_configs_are_rejected),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -47,7 +47,7 @@ static vbss_log_step read_step(vbss_replay *replay, uint64_t number)
     return step;
 }
 
-static void the_events_of_a_scene_are_in_its_log(void **state)
+static void scene_events_are_in_log(void **state)
 {
     (void)state;
     static seen v;
@@ -68,7 +68,7 @@ static void the_events_of_a_scene_are_in_its_log(void **state)
     log_free(&log);
 }
 
-static void so_are_hashes_times_and_places(void **state)
+static void hashes_times_and_positions_are_in_log(void **state)
 {
     (void)state;
     static seen v;
@@ -94,7 +94,7 @@ static void so_are_hashes_times_and_places(void **state)
     log_free(&log);
 }
 
-static void inputs_are_read_as_they_were_told(void **state)
+static void inputs_are_read_as_given(void **state)
 {
     (void)state;
     stage s;
@@ -128,7 +128,7 @@ static void inputs_are_read_as_they_were_told(void **state)
     log_free(&log);
 }
 
-static void steps_are_read_in_any_order_beside_a_replay(void **state)
+static void steps_are_read_in_any_order_beside_replay(void **state)
 {
     (void)state;
     stage s;
@@ -152,7 +152,7 @@ static void steps_are_read_in_any_order_beside_a_replay(void **state)
     log_free(&log);
 }
 
-static void what_a_cut_or_damage_leaves_is_read(void **state)
+static void readable_part_of_damaged_log_is_read(void **state)
 {
     (void)state;
     damage d;
@@ -169,7 +169,7 @@ static void what_a_cut_or_damage_leaves_is_read(void **state)
 }
 
 /* Of an older library: the same begin but for the format. */
-static void a_log_of_an_older_format_is_refused_by_name(void **state)
+static void older_format_is_rejected_by_name(void **state)
 {
     (void)state;
     damage d;
@@ -186,12 +186,12 @@ static void a_log_of_an_older_format_is_refused_by_name(void **state)
 int test_reading(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_events_of_a_scene_are_in_its_log),
-        cmocka_unit_test(so_are_hashes_times_and_places),
-        cmocka_unit_test(inputs_are_read_as_they_were_told),
-        cmocka_unit_test(steps_are_read_in_any_order_beside_a_replay),
-        cmocka_unit_test(what_a_cut_or_damage_leaves_is_read),
-        cmocka_unit_test(a_log_of_an_older_format_is_refused_by_name),
+        cmocka_unit_test(scene_events_are_in_log),
+        cmocka_unit_test(hashes_times_and_positions_are_in_log),
+        cmocka_unit_test(inputs_are_read_as_given),
+        cmocka_unit_test(steps_are_read_in_any_order_beside_replay),
+        cmocka_unit_test(readable_part_of_damaged_log_is_read),
+        cmocka_unit_test(older_format_is_rejected_by_name),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

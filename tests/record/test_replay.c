@@ -7,7 +7,7 @@
 enum { STEPS = 240 };
 #define STEP VBSS_CODE('S', 'T', 'E', 'P')
 
-static void a_scene_is_replayed_to_the_bit_in_a_fresh_context(void **state)
+static void scene_replays_bit_equal_in_fresh_context(void **state)
 {
     (void)state;
     stage recorded, plain, replayed;
@@ -48,7 +48,7 @@ static void a_scene_is_replayed_to_the_bit_in_a_fresh_context(void **state)
     log_free(&log);
 }
 
-static void so_is_a_scene_of_the_papers_method(void **state)
+static void paper_scene_replays_bit_equal(void **state)
 {
     (void)state;
     stage recorded, replayed;
@@ -73,7 +73,7 @@ static void so_is_a_scene_of_the_papers_method(void **state)
 }
 
 /* A log may begin anywhere in a scene's life, and be replayed in a scene that has lived otherwise. */
-static void a_log_may_begin_in_mid_life(void **state)
+static void log_may_start_mid_life(void **state)
 {
     (void)state;
     stage recorded, replayed;
@@ -126,7 +126,7 @@ static uint8_t *first_number(const log_bytes *log, uint32_t step)
     return count + 4 + (8 + inputs) + (8 + 8) + 8; /* kinds, words */
 }
 
-static void a_changed_input_is_named_at_its_step(void **state)
+static void changed_input_is_located_by_step(void **state)
 {
     (void)state;
     stage recorded;
@@ -155,7 +155,7 @@ static void a_changed_input_is_named_at_its_step(void **state)
     log_free(&log);
 }
 
-static void hashes_at_intervals_name_the_interval(void **state)
+static void hash_interval_locates_difference(void **state)
 {
     (void)state;
     vbss_record_config config;
@@ -202,7 +202,7 @@ static vbss_result begin_in(const log_bytes *log, const stage_options *options, 
     return result;
 }
 
-static void another_scene_is_refused_with_what_differs(void **state)
+static void other_scene_is_rejected_with_difference(void **state)
 {
     (void)state;
     stage recorded;
@@ -224,7 +224,7 @@ static void another_scene_is_refused_with_what_differs(void **state)
 }
 
 /* A scene with less room than the recorded one fails where that matters, and is told. */
-static void a_step_that_fails_stops_the_replay(void **state)
+static void failing_step_stops_replay(void **state)
 {
     (void)state;
     stage recorded, s;
@@ -247,7 +247,7 @@ static void a_step_that_fails_stops_the_replay(void **state)
 
 /* ---- what a log says about itself */
 
-static void a_log_tells_what_it_was_made_from(void **state)
+static void log_reports_its_origin(void **state)
 {
     (void)state;
     const char note[] = "scene=rubbing seed=7";
@@ -296,14 +296,14 @@ static void a_log_tells_what_it_was_made_from(void **state)
 int test_replay(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_scene_is_replayed_to_the_bit_in_a_fresh_context),
-        cmocka_unit_test(so_is_a_scene_of_the_papers_method),
-        cmocka_unit_test(a_log_may_begin_in_mid_life),
-        cmocka_unit_test(a_changed_input_is_named_at_its_step),
-        cmocka_unit_test(hashes_at_intervals_name_the_interval),
-        cmocka_unit_test(another_scene_is_refused_with_what_differs),
-        cmocka_unit_test(a_step_that_fails_stops_the_replay),
-        cmocka_unit_test(a_log_tells_what_it_was_made_from),
+        cmocka_unit_test(scene_replays_bit_equal_in_fresh_context),
+        cmocka_unit_test(paper_scene_replays_bit_equal),
+        cmocka_unit_test(log_may_start_mid_life),
+        cmocka_unit_test(changed_input_is_located_by_step),
+        cmocka_unit_test(hash_interval_locates_difference),
+        cmocka_unit_test(other_scene_is_rejected_with_difference),
+        cmocka_unit_test(failing_step_stops_replay),
+        cmocka_unit_test(log_reports_its_origin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

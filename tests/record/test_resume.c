@@ -84,7 +84,7 @@ static log_bytes first_part(uint32_t steps)
     return log;
 }
 
-static void a_log_that_has_ended_goes_on(void **state)
+static void finished_log_can_be_resumed(void **state)
 {
     (void)state;
     const vbss_record_config config = config_of(6);
@@ -100,7 +100,7 @@ static void a_log_that_has_ended_goes_on(void **state)
     log_free(&log);
 }
 
-static void a_log_that_was_cut_off_anywhere_goes_on(void **state)
+static void truncated_log_can_be_resumed_at_any_cut(void **state)
 {
     (void)state;
     log_bytes log = first_part(12);
@@ -150,7 +150,7 @@ static void expect_refused(const log_bytes *log, const stage_options *options, v
     stage_end(&s);
 }
 
-static void a_damaged_log_is_refused_and_its_good_part_is_not(void **state)
+static void damaged_log_is_rejected_and_good_part_accepted(void **state)
 {
     (void)state;
     log_bytes log = first_part(FIRST);
@@ -171,7 +171,7 @@ static void a_damaged_log_is_refused_and_its_good_part_is_not(void **state)
     log_free(&log);
 }
 
-static void a_log_that_is_made_otherwise_here_is_refused(void **state)
+static void log_of_other_build_is_rejected(void **state)
 {
     (void)state;
     log_bytes log = first_part(FIRST);
@@ -193,7 +193,7 @@ static void a_log_that_is_made_otherwise_here_is_refused(void **state)
     log_free(&log);
 }
 
-static void what_is_no_use_is_told(void **state)
+static void bad_resume_arguments_are_rejected(void **state)
 {
     (void)state;
     stage s;
@@ -223,11 +223,11 @@ static void what_is_no_use_is_told(void **state)
 int test_resume(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_log_that_has_ended_goes_on),
-        cmocka_unit_test(a_log_that_was_cut_off_anywhere_goes_on),
-        cmocka_unit_test(a_damaged_log_is_refused_and_its_good_part_is_not),
-        cmocka_unit_test(a_log_that_is_made_otherwise_here_is_refused),
-        cmocka_unit_test(what_is_no_use_is_told),
+        cmocka_unit_test(finished_log_can_be_resumed),
+        cmocka_unit_test(truncated_log_can_be_resumed_at_any_cut),
+        cmocka_unit_test(damaged_log_is_rejected_and_good_part_accepted),
+        cmocka_unit_test(log_of_other_build_is_rejected),
+        cmocka_unit_test(bad_resume_arguments_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

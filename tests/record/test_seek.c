@@ -72,7 +72,7 @@ static vbss_replay_report seek(sought *p, uint64_t step)
     return report;
 }
 
-static void snapshots_stand_behind_the_steps_they_are_of(void **state)
+static void snapshots_follow_their_steps(void **state)
 {
     (void)state;
     sought p;
@@ -88,7 +88,7 @@ static void snapshots_stand_behind_the_steps_they_are_of(void **state)
     sought_end(&p);
 }
 
-static void every_step_can_be_sought_from_every_other(void **state)
+static void every_step_is_reachable_from_every_other(void **state)
 {
     (void)state;
     const uint64_t steps[] = {0, 1, 15, 16, 17, 31, 33, 48, 59, 60};
@@ -106,7 +106,7 @@ static void every_step_can_be_sought_from_every_other(void **state)
     }
 }
 
-static void a_replay_goes_on_from_where_it_was_brought(void **state)
+static void replay_continues_after_seek(void **state)
 {
     (void)state;
     sought p;
@@ -127,7 +127,7 @@ static void a_replay_goes_on_from_where_it_was_brought(void **state)
 }
 
 /* So that it was the snapshot which brought it there: what lies before is not replayed. */
-static void only_the_steps_after_a_snapshot_are_made(void **state)
+static void seek_replays_only_from_last_snapshot(void **state)
 {
     (void)state;
     sought p;
@@ -149,7 +149,7 @@ static void only_the_steps_after_a_snapshot_are_made(void **state)
     sought_end(&p);
 }
 
-static void a_step_that_the_log_has_not_is_told_and_nothing_moves(void **state)
+static void missing_step_is_rejected_and_nothing_moves(void **state)
 {
     (void)state;
     sought p;
@@ -174,7 +174,7 @@ static void a_step_that_the_log_has_not_is_told_and_nothing_moves(void **state)
 }
 
 /* A snapshot that says something else than the steps before it. */
-static void a_snapshot_of_another_state_is_found_out(void **state)
+static void mismatching_snapshot_is_detected(void **state)
 {
     (void)state;
     sought p;
@@ -194,7 +194,7 @@ static void a_snapshot_of_another_state_is_found_out(void **state)
     sought_end(&p);
 }
 
-static void a_snapshot_without_room_waits(void **state)
+static void snapshot_without_space_is_deferred(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -241,13 +241,13 @@ static void a_snapshot_without_room_waits(void **state)
 int test_seek(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(snapshots_stand_behind_the_steps_they_are_of),
-        cmocka_unit_test(every_step_can_be_sought_from_every_other),
-        cmocka_unit_test(a_replay_goes_on_from_where_it_was_brought),
-        cmocka_unit_test(only_the_steps_after_a_snapshot_are_made),
-        cmocka_unit_test(a_step_that_the_log_has_not_is_told_and_nothing_moves),
-        cmocka_unit_test(a_snapshot_of_another_state_is_found_out),
-        cmocka_unit_test(a_snapshot_without_room_waits),
+        cmocka_unit_test(snapshots_follow_their_steps),
+        cmocka_unit_test(every_step_is_reachable_from_every_other),
+        cmocka_unit_test(replay_continues_after_seek),
+        cmocka_unit_test(seek_replays_only_from_last_snapshot),
+        cmocka_unit_test(missing_step_is_rejected_and_nothing_moves),
+        cmocka_unit_test(mismatching_snapshot_is_detected),
+        cmocka_unit_test(snapshot_without_space_is_deferred),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

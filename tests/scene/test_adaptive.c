@@ -55,7 +55,7 @@ static double taken_up(tied *k)
     return vbss_thread_arc_length(t, last) - vec3_distance(t->now.x[0], t->now.x[last]);
 }
 
-static void a_coarse_knot_pulled_tight_takes_up_what_a_fine_one_does(void **state)
+static void coarse_knot_takes_up_as_much_as_fine(void **state)
 {
     (void)state;
     static const mesh fine = {VBSS_MESH_FIXED, 0.3e-3, 2e-3, 0};
@@ -79,7 +79,7 @@ static void a_coarse_knot_pulled_tight_takes_up_what_a_fine_one_does(void **stat
     }
 }
 
-static void what_does_not_fit_into_thread_or_scene_is_counted(void **state)
+static void rejected_refinements_are_counted(void **state)
 {
     (void)state;
     static const mesh full = {VBSS_MESH_ADAPTIVE, 1.2e-3, 1.2e-3, 140};
@@ -115,7 +115,7 @@ static void what_does_not_fit_into_thread_or_scene_is_counted(void **state)
 /* ---- what is near */
 
 /* A strand comes down beside another in the middle; both are 40 mm long. */
-static void strands_that_come_near_are_fine_and_coarse_again_when_they_part(void **state)
+static void contact_refines_and_separation_coarsens(void **state)
 {
     (void)state;
     small s;
@@ -170,7 +170,7 @@ static void strands_that_come_near_are_fine_and_coarse_again_when_they_part(void
     small_end(&s);
 }
 
-static void a_tool_asks_for_a_quarter_of_its_radius_and_the_floor_for_nothing(void **state)
+static void refinement_follows_tool_radius_and_ignores_floor(void **state)
 {
     (void)state;
     small s;
@@ -199,10 +199,10 @@ static void a_tool_asks_for_a_quarter_of_its_radius_and_the_floor_for_nothing(vo
 int test_adaptive(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_coarse_knot_pulled_tight_takes_up_what_a_fine_one_does),
-        cmocka_unit_test(what_does_not_fit_into_thread_or_scene_is_counted),
-        cmocka_unit_test(strands_that_come_near_are_fine_and_coarse_again_when_they_part),
-        cmocka_unit_test(a_tool_asks_for_a_quarter_of_its_radius_and_the_floor_for_nothing),
+        cmocka_unit_test(coarse_knot_takes_up_as_much_as_fine),
+        cmocka_unit_test(rejected_refinements_are_counted),
+        cmocka_unit_test(contact_refines_and_separation_coarsens),
+        cmocka_unit_test(refinement_follows_tool_radius_and_ignores_floor),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static void finish(scene_object *s, const scene_body *b)
     s->pattern_hash = 0;
 }
 
-static void contacts_of_a_divided_segment_are_those_of_its_halves(void **state)
+static void split_segment_contacts_move_to_halves(void **state)
 {
     (void)state;
     static remembered_list before, now;
@@ -82,7 +82,7 @@ static void contacts_of_a_divided_segment_are_those_of_its_halves(void **state)
     vbss_context_destroy(context);
 }
 
-static void a_node_that_goes_takes_no_contact_of_others_with_it(void **state)
+static void removed_node_takes_no_foreign_contact(void **state)
 {
     (void)state;
     static remembered_list before, now;
@@ -108,7 +108,7 @@ static void a_node_that_goes_takes_no_contact_of_others_with_it(void **state)
     vbss_context_destroy(context);
 }
 
-static void a_coarse_contact_on_a_tool_becomes_one_of_a_node(void **state)
+static void coarse_tool_contact_becomes_node_contact(void **state)
 {
     (void)state;
     small s;
@@ -142,7 +142,7 @@ static void a_coarse_contact_on_a_tool_becomes_one_of_a_node(void **state)
 
 /* ---- pins and welds */
 
-static void pins_and_welds_hold_the_same_places(void **state)
+static void pins_and_welds_keep_their_places(void **state)
 {
     (void)state;
     small s;
@@ -182,7 +182,7 @@ static void pins_and_welds_hold_the_same_places(void **state)
 }
 
 /* A straight fine thread: all of it may be coarse but what is held. */
-static void nothing_goes_beside_what_is_held(void **state)
+static void no_coarsening_beside_held_nodes(void **state)
 {
     (void)state;
     tools_rig r;
@@ -214,7 +214,7 @@ static void nothing_goes_beside_what_is_held(void **state)
 
 /* ---- grasps */
 
-static void what_jaws_hold_stays_where_they_hold_it(void **state)
+static void grasped_thread_stays_at_its_arc(void **state)
 {
     (void)state;
     tools_rig r;
@@ -266,7 +266,7 @@ static void what_jaws_hold_stays_where_they_hold_it(void **state)
 
 /* ---- cuts */
 
-static void both_ends_of_a_cut_adapt_when_they_have_come_apart(void **state)
+static void both_cut_ends_adapt_after_separating(void **state)
 {
     (void)state;
     small s;
@@ -303,13 +303,13 @@ static void both_ends_of_a_cut_adapt_when_they_have_come_apart(void **state)
 int test_adaptive_holders(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contacts_of_a_divided_segment_are_those_of_its_halves),
-        cmocka_unit_test(a_node_that_goes_takes_no_contact_of_others_with_it),
-        cmocka_unit_test(a_coarse_contact_on_a_tool_becomes_one_of_a_node),
-        cmocka_unit_test(pins_and_welds_hold_the_same_places),
-        cmocka_unit_test(nothing_goes_beside_what_is_held),
-        cmocka_unit_test(what_jaws_hold_stays_where_they_hold_it),
-        cmocka_unit_test(both_ends_of_a_cut_adapt_when_they_have_come_apart),
+        cmocka_unit_test(split_segment_contacts_move_to_halves),
+        cmocka_unit_test(removed_node_takes_no_foreign_contact),
+        cmocka_unit_test(coarse_tool_contact_becomes_node_contact),
+        cmocka_unit_test(pins_and_welds_keep_their_places),
+        cmocka_unit_test(no_coarsening_beside_held_nodes),
+        cmocka_unit_test(grasped_thread_stays_at_its_arc),
+        cmocka_unit_test(both_cut_ends_adapt_after_separating),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -164,7 +164,7 @@ static void pull(const pulled *p)
     vbss_context_destroy(context);
 }
 
-static void nothing_passes_in_a_knot_that_adapts(void **state)
+static void adaptive_knot_has_no_passage(void **state)
 {
     (void)state;
     static const pulled cases[] = {{KNOT_OVERHAND, false, VBSS_BENDING_SPLINE},
@@ -175,7 +175,7 @@ static void nothing_passes_in_a_knot_that_adapts(void **state)
     }
 }
 
-static void nothing_passes_whatever_changes_are_made(void **state)
+static void random_mesh_changes_have_no_passage(void **state)
 {
     (void)state;
     static const pulled cases[] = {{KNOT_OVERHAND, true, VBSS_BENDING_SPLINE},
@@ -188,8 +188,8 @@ static void nothing_passes_whatever_changes_are_made(void **state)
 int test_adaptive_passing(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_passes_in_a_knot_that_adapts),
-        cmocka_unit_test(nothing_passes_whatever_changes_are_made),
+        cmocka_unit_test(adaptive_knot_has_no_passage),
+        cmocka_unit_test(random_mesh_changes_have_no_passage),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

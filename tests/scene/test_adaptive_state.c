@@ -78,7 +78,7 @@ static harness_body body_of(int bending)
 }
 
 /* The scene does what it is there for. */
-static void the_scene_adapts_on_both_sides_of_a_cut(void **state)
+static void mesh_adapts_on_both_sides_of_cut(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -98,7 +98,7 @@ static void the_scene_adapts_on_both_sides_of_a_cut(void **state)
     harness_context_end(context, &memory);
 }
 
-static void a_restored_scene_adapts_to_the_same_bits(void **state)
+static void restored_scene_adapts_bit_equal(void **state)
 {
     (void)state;
     for (int bending = 0; bending < 2; bending++) {
@@ -108,14 +108,14 @@ static void a_restored_scene_adapts_to_the_same_bits(void **state)
     }
 }
 
-static void steps_that_adapt_allocate_nothing(void **state)
+static void adapting_steps_do_not_allocate(void **state)
 {
     (void)state;
     harness_body body = body_of(0);
     assert_int_equal(harness_step_allocations(&body, 120), 0);
 }
 
-static void bad_states_of_adapted_scenes_are_refused(void **state)
+static void bad_adapted_snapshots_are_rejected(void **state)
 {
     (void)state;
     harness_body body = body_of(0);
@@ -141,7 +141,7 @@ static uint64_t hash_after(bool wide, uint32_t steps)
     return hash;
 }
 
-static void both_copies_of_the_search_adapt_alike(void **state)
+static void scalar_and_simd_search_adapt_alike(void **state)
 {
     (void)state;
     assert_true(hash_after(false, 120) == hash_after(true, 120));
@@ -150,11 +150,11 @@ static void both_copies_of_the_search_adapt_alike(void **state)
 int test_adaptive_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_scene_adapts_on_both_sides_of_a_cut),
-        cmocka_unit_test(a_restored_scene_adapts_to_the_same_bits),
-        cmocka_unit_test(steps_that_adapt_allocate_nothing),
-        cmocka_unit_test(bad_states_of_adapted_scenes_are_refused),
-        cmocka_unit_test(both_copies_of_the_search_adapt_alike),
+        cmocka_unit_test(mesh_adapts_on_both_sides_of_cut),
+        cmocka_unit_test(restored_scene_adapts_bit_equal),
+        cmocka_unit_test(adapting_steps_do_not_allocate),
+        cmocka_unit_test(bad_adapted_snapshots_are_rejected),
+        cmocka_unit_test(scalar_and_simd_search_adapt_alike),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

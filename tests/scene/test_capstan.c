@@ -162,19 +162,19 @@ static void check_law(vbss_bending bending, double tolerance)
     }
 }
 
-static void tension_grows_by_the_law_of_the_rope(void **state)
+static void tension_follows_capstan_equation(void **state)
 {
     (void)state;
     check_law(VBSS_BENDING_SPLINE, 0.01);
 }
 
-static void so_it_does_with_bending_of_neighbours_alone(void **state)
+static void tension_follows_capstan_equation_with_local_bending(void **state)
 {
     (void)state;
     check_law(VBSS_BENDING_LOCAL, 0.005);
 }
 
-static void the_error_is_of_second_order_in_the_length_of_segments(void **state)
+static void capstan_error_is_second_order_in_segment_length(void **state)
 {
     (void)state;
     const double fineness[] = {0.85, 0.5, 0.25, 0.125}, tolerance[] = {0.03, 0.022, 0.006, 0.0018};
@@ -191,7 +191,7 @@ static void the_error_is_of_second_order_in_the_length_of_segments(void **state)
 }
 
 /* Ten times as fast too: nothing brakes but friction. */
-static void without_friction_the_tension_stays(void **state)
+static void frictionless_tension_is_constant(void **state)
 {
     (void)state;
     const double speeds[] = {0.01, 0.1};
@@ -203,7 +203,7 @@ static void without_friction_the_tension_stays(void **state)
     }
 }
 
-static void when_the_pull_turns_back_friction_does(void **state)
+static void friction_reverses_with_pull(void **state)
 {
     (void)state;
     capstan c = half_turn(0.3);
@@ -220,7 +220,7 @@ static void when_the_pull_turns_back_friction_does(void **state)
 }
 
 /* Of the largest ratio that friction could hold: 99 % is held, without creep. */
-static void what_friction_can_hold_it_holds(void **state)
+static void load_below_capstan_limit_holds(void **state)
 {
     (void)state;
     capstan c = half_turn(0.3);
@@ -241,12 +241,12 @@ static void what_friction_can_hold_it_holds(void **state)
 int test_capstan(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tension_grows_by_the_law_of_the_rope),
-        cmocka_unit_test(so_it_does_with_bending_of_neighbours_alone),
-        cmocka_unit_test(the_error_is_of_second_order_in_the_length_of_segments),
-        cmocka_unit_test(without_friction_the_tension_stays),
-        cmocka_unit_test(when_the_pull_turns_back_friction_does),
-        cmocka_unit_test(what_friction_can_hold_it_holds),
+        cmocka_unit_test(tension_follows_capstan_equation),
+        cmocka_unit_test(tension_follows_capstan_equation_with_local_bending),
+        cmocka_unit_test(capstan_error_is_second_order_in_segment_length),
+        cmocka_unit_test(frictionless_tension_is_constant),
+        cmocka_unit_test(friction_reverses_with_pull),
+        cmocka_unit_test(load_below_capstan_limit_holds),
     };
     return cmocka_run_group_tests_name("scene.capstan", tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ static uint32_t line(small *s, uint32_t cuts, vbss_thread **thread)
     return small_thread(s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 20, thread);
 }
 
-static void what_lies_beyond_the_cut_is_a_body_of_its_own(void **state)
+static void part_beyond_cut_is_a_new_body(void **state)
 {
     (void)state;
     static const struct {
@@ -55,7 +55,7 @@ static void what_lies_beyond_the_cut_is_a_body_of_its_own(void **state)
     }
 }
 
-static void at_an_end_nothing_is_cut(void **state)
+static void cut_at_end_does_nothing(void **state)
 {
     (void)state;
     const double refused[] = {0.0, 1e-9, 0.009e-3, 0.02, 0.02 - 0.009e-3};
@@ -100,7 +100,7 @@ static void at_an_end_nothing_is_cut(void **state)
 
 /* ---- what holds a node goes with it */
 
-static void pins_and_attachments_go_with_their_nodes(void **state)
+static void pins_and_attachments_move_with_nodes(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) { /* within a segment; at a free node; at the node of the weld */
@@ -156,7 +156,7 @@ static void pins_and_attachments_go_with_their_nodes(void **state)
 
 /* ---- the ends */
 
-static void ends_at_a_cut_do_not_push_each_other_until_they_are_apart(void **state)
+static void cut_ends_do_not_repel_until_separated(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -207,7 +207,7 @@ static void ends_at_a_cut_do_not_push_each_other_until_they_are_apart(void **sta
 }
 
 /* Exactly the pairs that did not touch before do not now. */
-static void what_did_not_touch_along_the_thread_does_not_across_the_cut(void **state)
+static void contact_exclusion_survives_cut(void **state)
 {
     (void)state;
     double lengths[60];
@@ -251,7 +251,7 @@ static void what_did_not_touch_along_the_thread_does_not_across_the_cut(void **s
     }
 }
 
-static void ends_at_a_cut_do_not_push_each_other_in_scenes_of_the_paper(void **state)
+static void cut_ends_do_not_repel_in_paper_scene(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -272,7 +272,7 @@ static void ends_at_a_cut_do_not_push_each_other_in_scenes_of_the_paper(void **s
 }
 
 /* Stretched by hands to 5 N and cut: the ends fly back, lose what they had, and nothing blows up. */
-static void ends_under_tension_fly_back_and_come_to_rest(void **state)
+static void taut_ends_recoil_and_come_to_rest(void **state)
 {
     (void)state;
     for (int k = 0; k < 8; k++) {
@@ -317,7 +317,7 @@ static void ends_under_tension_fly_back_and_come_to_rest(void **state)
 
 /* ---- again and again */
 
-static void pieces_are_cut_again(void **state)
+static void pieces_can_be_cut_again(void **state)
 {
     (void)state;
     small s;
@@ -350,7 +350,7 @@ static void pieces_are_cut_again(void **state)
 }
 
 /* Nearer to each other than what does not touch: the middle piece is all within. */
-static void cuts_close_to_each_other_do_not_push(void **state)
+static void close_cuts_do_not_repel(void **state)
 {
     (void)state;
     const double arcs[][2] = {
@@ -374,15 +374,15 @@ static void cuts_close_to_each_other_do_not_push(void **state)
 int test_cuts(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_lies_beyond_the_cut_is_a_body_of_its_own),
-        cmocka_unit_test(at_an_end_nothing_is_cut),
-        cmocka_unit_test(pins_and_attachments_go_with_their_nodes),
-        cmocka_unit_test(ends_at_a_cut_do_not_push_each_other_until_they_are_apart),
-        cmocka_unit_test(what_did_not_touch_along_the_thread_does_not_across_the_cut),
-        cmocka_unit_test(ends_at_a_cut_do_not_push_each_other_in_scenes_of_the_paper),
-        cmocka_unit_test(ends_under_tension_fly_back_and_come_to_rest),
-        cmocka_unit_test(pieces_are_cut_again),
-        cmocka_unit_test(cuts_close_to_each_other_do_not_push),
+        cmocka_unit_test(part_beyond_cut_is_a_new_body),
+        cmocka_unit_test(cut_at_end_does_nothing),
+        cmocka_unit_test(pins_and_attachments_move_with_nodes),
+        cmocka_unit_test(cut_ends_do_not_repel_until_separated),
+        cmocka_unit_test(contact_exclusion_survives_cut),
+        cmocka_unit_test(cut_ends_do_not_repel_in_paper_scene),
+        cmocka_unit_test(taut_ends_recoil_and_come_to_rest),
+        cmocka_unit_test(pieces_can_be_cut_again),
+        cmocka_unit_test(close_cuts_do_not_repel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,7 +76,7 @@ static harness_body body_of(int method)
 }
 
 /* Restored into scenes that were not cut, were cut elsewhere, and were cut more often. */
-static void a_scene_goes_on_to_the_same_bits_across_cuts(void **state)
+static void restored_scene_continues_bit_equal_across_cuts(void **state)
 {
     (void)state;
     const size_t moments[] = {5, 12, 13, 14, 20, 25, 26, 27, 40};
@@ -86,7 +86,7 @@ static void a_scene_goes_on_to_the_same_bits_across_cuts(void **state)
     }
 }
 
-static void cuts_and_steps_allocate_nothing(void **state)
+static void cuts_and_steps_do_not_allocate(void **state)
 {
     (void)state;
     for (int method = 0; method < 2; method++) {
@@ -95,7 +95,7 @@ static void cuts_and_steps_allocate_nothing(void **state)
     }
 }
 
-static void bad_states_of_pieces_are_refused(void **state)
+static void bad_piece_snapshots_are_rejected(void **state)
 {
     (void)state;
     harness_body body = body_of(0);
@@ -112,7 +112,7 @@ static void line(small *s, vbss_thread **thread)
     (void)small_thread(s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 20, thread);
 }
 
-static void a_piece_lives_as_long_as_its_cut(void **state)
+static void piece_lives_as_long_as_its_cut(void **state)
 {
     (void)state;
     small s;
@@ -158,7 +158,7 @@ static void a_piece_lives_as_long_as_its_cut(void **state)
 }
 
 /* Nothing is left in a place of the piece that it had before. */
-static void a_cut_that_was_undone_is_made_again_to_the_same_bits(void **state)
+static void undone_cut_repeats_bit_equal(void **state)
 {
     (void)state;
     small s;
@@ -185,7 +185,7 @@ static void a_cut_that_was_undone_is_made_again_to_the_same_bits(void **state)
 }
 
 /* What must be the same for the state of a cut scene to be one of this scene. */
-static void cuts_of_other_scenes_are_refused(void **state)
+static void snapshot_of_other_cuts_is_rejected(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
@@ -213,7 +213,7 @@ static void cuts_of_other_scenes_are_refused(void **state)
 }
 
 /* States that nobody saved. */
-static void pieces_that_cannot_be_are_refused(void **state)
+static void impossible_pieces_are_rejected(void **state)
 {
     (void)state;
     small s;
@@ -262,13 +262,13 @@ static void pieces_that_cannot_be_are_refused(void **state)
 int test_cuts_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_scene_goes_on_to_the_same_bits_across_cuts),
-        cmocka_unit_test(cuts_and_steps_allocate_nothing),
-        cmocka_unit_test(bad_states_of_pieces_are_refused),
-        cmocka_unit_test(a_piece_lives_as_long_as_its_cut),
-        cmocka_unit_test(a_cut_that_was_undone_is_made_again_to_the_same_bits),
-        cmocka_unit_test(cuts_of_other_scenes_are_refused),
-        cmocka_unit_test(pieces_that_cannot_be_are_refused),
+        cmocka_unit_test(restored_scene_continues_bit_equal_across_cuts),
+        cmocka_unit_test(cuts_and_steps_do_not_allocate),
+        cmocka_unit_test(bad_piece_snapshots_are_rejected),
+        cmocka_unit_test(piece_lives_as_long_as_its_cut),
+        cmocka_unit_test(undone_cut_repeats_bit_equal),
+        cmocka_unit_test(snapshot_of_other_cuts_is_rejected),
+        cmocka_unit_test(impossible_pieces_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

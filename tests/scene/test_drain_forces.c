@@ -27,7 +27,7 @@ static void expect_vec3(vec3 wanted, vec3 got, double tolerance)
 }
 
 /* At rest, what the tool does to the drain the anchors take, and the hand feels. */
-static void anchors_and_hand_bear_what_touches(void **state)
+static void anchors_and_hand_balance_contact(void **state)
 {
     (void)state;
     begin();
@@ -124,7 +124,7 @@ static double table_at(double depth)
 
 /* A pin that takes the mark where the ball has pushed it needs nearly the force of the ball, which slides off it a little; and a force alone, which lets the dent go
  * aside, makes the dents of the table. */
-static void a_ball_at_a_mark_feels_the_wall(void **state)
+static void ball_at_target_feels_wall(void **state)
 {
     static const double ways[4] = {0.55e-3, 1.1e-3, 2.1e-3, 4e-3};
     (void)state;
@@ -159,7 +159,7 @@ static double sum_contacts(vec3 *across)
 }
 
 /* A rod is drawn along the side of the drain, pressed on it by its coupling. */
-static void a_tool_that_slides_drags(void **state)
+static void sliding_tool_drags_wall(void **state)
 {
     (void)state;
     begin();
@@ -190,9 +190,9 @@ static void a_tool_that_slides_drags(void **state)
 int test_drain_forces(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(anchors_and_hand_bear_what_touches),
-        cmocka_unit_test(a_ball_at_a_mark_feels_the_wall),
-        cmocka_unit_test(a_tool_that_slides_drags),
+        cmocka_unit_test(anchors_and_hand_balance_contact),
+        cmocka_unit_test(ball_at_target_feels_wall),
+        cmocka_unit_test(sliding_tool_drags_wall),
     };
     return cmocka_run_group_tests_name("drain forces", tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@ static void begin(void)
 }
 
 /* A rod across, down to where the top lies on the bottom. */
-static void a_rod_across_pinches_it_flat_and_leaves(void **state)
+static void transverse_rod_pinches_drain_flat_and_leaves(void **state)
 {
     (void)state;
     begin();
@@ -31,7 +31,7 @@ static void a_rod_across_pinches_it_flat_and_leaves(void **state)
 
 /* A rod along it, as wide as the slit: the top stays folded down on the bottom when the rod has gone, as a tube that is
  * stiffer against being bent back than against being folded; the lips lie on each other. */
-static void a_rod_along_leaves_it_folded(void **state)
+static void axial_rod_leaves_fold(void **state)
 {
     (void)state;
     begin();
@@ -51,7 +51,7 @@ static void a_rod_along_leaves_it_folded(void **state)
 }
 
 /* Beside the slit the wall dents until its dome is turned in. */
-static void a_tip_pokes_it_inside_out(void **state)
+static void tip_pokes_wall_inside_out(void **state)
 {
     (void)state;
     begin();
@@ -69,9 +69,9 @@ static void a_tip_pokes_it_inside_out(void **state)
 int test_drain_pressed(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rod_across_pinches_it_flat_and_leaves),
-        cmocka_unit_test(a_rod_along_leaves_it_folded),
-        cmocka_unit_test(a_tip_pokes_it_inside_out),
+        cmocka_unit_test(transverse_rod_pinches_drain_flat_and_leaves),
+        cmocka_unit_test(axial_rod_leaves_fold),
+        cmocka_unit_test(tip_pokes_wall_inside_out),
     };
     return cmocka_run_group_tests_name("drain pressed", tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@ static drain_case c;
 #define TOP 7.0e-3
 
 /* The rod goes in and up: anchors tear one after the other, then all hangs on the rod. */
-static void a_rod_in_the_lumen_tears_it_off(void **state)
+static void rod_in_lumen_tears_drain_off(void **state)
 {
     (void)state;
     drain_case_begin(&c);
@@ -59,7 +59,7 @@ static void fall(double thickness)
     expect_near(0.0, weight.z, 1e-4 * 9.81 * mass);
 }
 
-static void a_loose_drain_falls_and_bears_its_weight(void **state)
+static void loose_drain_falls_and_carries_weight(void **state)
 {
     (void)state;
     fall(1e-3);
@@ -69,7 +69,7 @@ static void a_loose_drain_falls_and_bears_its_weight(void **state)
 }
 
 /* By two hooks beside each other in the slit, that go apart until it is open by 10 mm: their surfaces are. */
-static void two_rods_pull_the_slit_open(void **state)
+static void two_rods_open_slit(void **state)
 {
     (void)state;
     const double radius = 0.5e-3;
@@ -107,7 +107,7 @@ static void two_rods_pull_the_slit_open(void **state)
 }
 
 /* The marks by pins: apart so far that the slit is 10 mm, then past each other, and let go. */
-static void pins_open_the_slit_and_cross_the_lips(void **state)
+static void pins_open_slit_and_cross_lips(void **state)
 {
     (void)state;
     drain_case_begin(&c);
@@ -169,7 +169,7 @@ static void pull_thread(uint32_t segments, vec3 way, double force, uint32_t step
     }
 }
 
-static void a_thread_over_it_is_pulled_down(void **state)
+static void overlying_thread_is_pulled_down(void **state)
 {
     (void)state;
     drain_case_begin(&c);
@@ -185,7 +185,7 @@ static void a_thread_over_it_is_pulled_down(void **state)
     drain_case_end(&c);
 }
 
-static void a_thread_through_the_lumen_is_pulled_up(void **state)
+static void thread_through_lumen_is_pulled_up(void **state)
 {
     (void)state;
     drain_case_begin(&c);
@@ -202,12 +202,12 @@ static void a_thread_through_the_lumen_is_pulled_up(void **state)
 int test_drain_pulled(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rod_in_the_lumen_tears_it_off),
-        cmocka_unit_test(a_loose_drain_falls_and_bears_its_weight),
-        cmocka_unit_test(two_rods_pull_the_slit_open),
-        cmocka_unit_test(pins_open_the_slit_and_cross_the_lips),
-        cmocka_unit_test(a_thread_over_it_is_pulled_down),
-        cmocka_unit_test(a_thread_through_the_lumen_is_pulled_up),
+        cmocka_unit_test(rod_in_lumen_tears_drain_off),
+        cmocka_unit_test(loose_drain_falls_and_carries_weight),
+        cmocka_unit_test(two_rods_open_slit),
+        cmocka_unit_test(pins_open_slit_and_cross_lips),
+        cmocka_unit_test(overlying_thread_is_pulled_down),
+        cmocka_unit_test(thread_through_lumen_is_pulled_up),
     };
     return cmocka_run_group_tests_name("drain pulled", tests, NULL, NULL);
 }

@@ -36,13 +36,13 @@ static void stir(const char *name, double thickness)
     drain_case_finish(&c, name, 0.05);
 }
 
-static void a_rod_in_the_lumen_stirs(void **state)
+static void rod_stirs_in_lumen(void **state)
 {
     (void)state;
     stir("stirred", 1e-3);
 }
 
-static void a_rod_in_a_thin_lumen_stirs(void **state)
+static void rod_stirs_in_thin_lumen(void **state)
 {
     (void)state;
     stir("stirred, thin", 0.4e-3);
@@ -61,7 +61,7 @@ static void strike(const char *name, double speed, vec3 from, vec3 way, vec3 hal
     drain_case_finish(&c, name, 0.05);
 }
 
-static void a_fast_rod_strikes_the_side(void **state)
+static void fast_rod_strikes_side(void **state)
 {
     (void)state;
     const vec3 from = {3e-3, 1e-3, 20e-3}, way = {0.0, 0.0, -18e-3}, half = {0.0, 8e-3, 0.0};
@@ -69,7 +69,7 @@ static void a_fast_rod_strikes_the_side(void **state)
     strike("struck at 1 m/s", 1.0, from, way, half);
 }
 
-static void a_fast_tip_strikes_the_top(void **state)
+static void fast_tip_strikes_top(void **state)
 {
     (void)state;
     const vec3 from = {0.5e-3, 25e-3, 4e-3}, way = {0.0, -14e-3, 0.0}, half = {0.0, 8e-3, 0.0};
@@ -78,7 +78,7 @@ static void a_fast_tip_strikes_the_top(void **state)
 }
 
 /* What cannot be stopped by forces is stopped by the guard, and that is counted. */
-static void a_driven_rod_is_stopped_at_the_bottom(void **state)
+static void driven_rod_stops_at_bottom(void **state)
 {
     (void)state;
     begin(1e-3);
@@ -98,7 +98,7 @@ static void a_driven_rod_is_stopped_at_the_bottom(void **state)
 }
 
 /* One inside, one outside: the wall is between them. */
-static void two_rods_squeeze_a_wall(void **state)
+static void two_rods_squeeze_wall(void **state)
 {
     (void)state;
     begin(1e-3);
@@ -125,12 +125,9 @@ static void two_rods_squeeze_a_wall(void **state)
 int test_drain_stirred(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rod_in_the_lumen_stirs),
-        cmocka_unit_test(a_rod_in_a_thin_lumen_stirs),
-        cmocka_unit_test(a_fast_rod_strikes_the_side),
-        cmocka_unit_test(a_fast_tip_strikes_the_top),
-        cmocka_unit_test(a_driven_rod_is_stopped_at_the_bottom),
-        cmocka_unit_test(two_rods_squeeze_a_wall),
+        cmocka_unit_test(rod_stirs_in_lumen),         cmocka_unit_test(rod_stirs_in_thin_lumen),
+        cmocka_unit_test(fast_rod_strikes_side),      cmocka_unit_test(fast_tip_strikes_top),
+        cmocka_unit_test(driven_rod_stops_at_bottom), cmocka_unit_test(two_rods_squeeze_wall),
     };
     return cmocka_run_group_tests_name("drain stirred", tests, NULL, NULL);
 }

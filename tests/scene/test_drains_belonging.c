@@ -47,7 +47,7 @@ static void look_and_attach(vbss_drain *drain)
     assert_int_equal(statistics.struct_size, sizeof statistics);
 }
 
-static void a_drain_belongs_to_its_scene_until_it_leaves(void **state)
+static void drain_belongs_to_scene_until_removed(void **state)
 {
     (void)state;
     for (int end = 0; end < 2; end++) {
@@ -101,7 +101,7 @@ static void expect_refused(small *s, vbss_result wanted, vbss_drain *drain)
     assert_true(small_view(s, VBSS_SCENE_VIEW_EVENTS).generation == generation);
 }
 
-static void what_is_no_drain_for_the_scene_is_told(void **state)
+static void invalid_drain_is_rejected(void **state)
 {
     (void)state;
     small s, other;
@@ -134,7 +134,7 @@ static void what_is_no_drain_for_the_scene_is_told(void **state)
     small_end(&s);
 }
 
-static void drains_find_room_or_are_refused(void **state)
+static void drain_needs_capacity(void **state)
 {
     (void)state;
     for (uint32_t capacity = 0; capacity <= 3; capacity++) {
@@ -164,7 +164,7 @@ static void drains_find_room_or_are_refused(void **state)
 }
 
 /* A drain is neither a thread nor a tool. */
-static void calls_about_other_bodies_are_told(void **state)
+static void calls_about_other_bodies_are_rejected(void **state)
 {
     (void)state;
     small s;
@@ -194,7 +194,7 @@ static void calls_about_other_bodies_are_told(void **state)
 
 /* ---- ends, in any order */
 
-static void a_context_ends_whatever_was_made_first(void **state)
+static void context_end_destroys_in_any_order(void **state)
 {
     (void)state;
     for (int order = 0; order < 16; order++) {
@@ -245,7 +245,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->removed = vbss_scene_remove(l->scene, 1);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     small s;
@@ -275,12 +275,12 @@ static void nothing_changes_from_inside_a_callback(void **state)
 int test_drains_belonging(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_drain_belongs_to_its_scene_until_it_leaves),
-        cmocka_unit_test(what_is_no_drain_for_the_scene_is_told),
-        cmocka_unit_test(drains_find_room_or_are_refused),
-        cmocka_unit_test(calls_about_other_bodies_are_told),
-        cmocka_unit_test(a_context_ends_whatever_was_made_first),
-        cmocka_unit_test(nothing_changes_from_inside_a_callback),
+        cmocka_unit_test(drain_belongs_to_scene_until_removed),
+        cmocka_unit_test(invalid_drain_is_rejected),
+        cmocka_unit_test(drain_needs_capacity),
+        cmocka_unit_test(calls_about_other_bodies_are_rejected),
+        cmocka_unit_test(context_end_destroys_in_any_order),
+        cmocka_unit_test(calls_inside_callback_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 #include "scene/drains_rig.h"
 
 /* Cut, flipped and foreign bytes: told, and the scene is as it was. */
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     drain_hands hands;
@@ -40,7 +40,7 @@ static vbss_drain *begin_life(small *s, drain_hands *hands)
 
 /* What is damaged under a right checksum is refused, or is a state, from which steps go on or are refused: nothing else may
  * happen. Of a few thousand bytes each bit of which is turned over in turn, one here and there. */
-static void damaged_states_that_are_taken_can_be_stepped(void **state)
+static void accepted_damaged_states_can_be_stepped(void **state)
 {
     enum { APART = 37 };
     (void)state;
@@ -76,7 +76,7 @@ static void damaged_states_that_are_taken_can_be_stepped(void **state)
 }
 
 /* What a snapshot with a right checksum may hold: finite, and no place where anything could be. */
-static void absurd_states_end_in_numbers_or_are_told(void **state)
+static void absurd_states_end_finite_or_are_reported(void **state)
 {
     enum { FIELDS = 8, NUMBERS = 6 };
     (void)state;
@@ -124,9 +124,9 @@ static void absurd_states_end_in_numbers_or_are_told(void **state)
 int test_drains_damage(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(damaged_states_that_are_taken_can_be_stepped),
-        cmocka_unit_test(absurd_states_end_in_numbers_or_are_told),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(accepted_damaged_states_can_be_stepped),
+        cmocka_unit_test(absurd_states_end_finite_or_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static void listen(const small *s, uint32_t a, uint32_t b, story *y)
     assert_true(!shown || y->touches);
 }
 
-static void tools_and_threads_touch_and_part(void **state)
+static void tools_and_threads_touch_and_separate(void **state)
 {
     (void)state;
     small s;
@@ -71,7 +71,7 @@ static uint32_t hold(vbss_drain *drain, uint32_t node)
 }
 
 /* Both edges of the slit are drawn to each other, and let go. */
-static void a_slit_that_is_shut_touches_itself(void **state)
+static void shut_slit_touches_itself(void **state)
 {
     (void)state;
     small s;
@@ -117,7 +117,7 @@ static uint32_t drop(small *s, vec3 from, vbss_drain **drain)
     return small_drain(s, drain);
 }
 
-static void a_drain_that_falls_touches_the_floor(void **state)
+static void falling_drain_touches_floor(void **state)
 {
     (void)state;
     small s;
@@ -140,7 +140,7 @@ static void a_drain_that_falls_touches_the_floor(void **state)
     small_end(&s);
 }
 
-static void a_drain_touches_another(void **state)
+static void two_drains_touch(void **state)
 {
     (void)state;
     small s;
@@ -165,10 +165,10 @@ static void a_drain_touches_another(void **state)
 int test_drains_events(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tools_and_threads_touch_and_part),
-        cmocka_unit_test(a_slit_that_is_shut_touches_itself),
-        cmocka_unit_test(a_drain_that_falls_touches_the_floor),
-        cmocka_unit_test(a_drain_touches_another),
+        cmocka_unit_test(tools_and_threads_touch_and_separate),
+        cmocka_unit_test(shut_slit_touches_itself),
+        cmocka_unit_test(falling_drain_touches_floor),
+        cmocka_unit_test(two_drains_touch),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return result;
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     plan p;
@@ -46,7 +46,7 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
 }
 
 /* What fails leaves the scene and the drain as they were, beside a drain that is there already too. */
-static void a_drain_that_found_no_memory_is_not_there(void **state)
+static void drain_without_memory_is_not_added(void **state)
 {
     (void)state;
     uint32_t failures = 0;
@@ -85,7 +85,7 @@ static void a_drain_that_found_no_memory_is_not_there(void **state)
     assert_true(failures >= 3);
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     drain_hands hands;
@@ -94,7 +94,7 @@ static void steps_allocate_nothing(void **state)
     assert_int_equal(harness_step_allocations(&body, 250), 0);
 }
 
-static void drains_that_come_and_go_need_no_more_memory(void **state)
+static void drain_churn_does_not_grow_memory(void **state)
 {
     (void)state;
     small s;
@@ -151,7 +151,7 @@ static uint32_t crowd_steps(crowd *c, uint32_t most)
     return most;
 }
 
-static void a_step_without_room_changes_nothing(void **state)
+static void step_without_capacity_changes_nothing(void **state)
 {
     enum { STEPS = 420, ROOMS = 9 };
     (void)state;
@@ -183,11 +183,11 @@ static void a_step_without_room_changes_nothing(void **state)
 int test_drains_memory(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
-        cmocka_unit_test(a_drain_that_found_no_memory_is_not_there),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(drains_that_come_and_go_need_no_more_memory),
-        cmocka_unit_test(a_step_without_room_changes_nothing),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
+        cmocka_unit_test(drain_without_memory_is_not_added),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(drain_churn_does_not_grow_memory),
+        cmocka_unit_test(step_without_capacity_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 #include "scene/drains_rig.h"
 
 /* The thread lies on it from some 20 steps on, the tool touches at 8, is deep at 130, stirs, is up at 300. */
-static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+static void restored_scene_continues_bit_equal(void **state)
 {
     (void)state;
     const size_t moments[] = {1, 12, 60, 150, 205, 320};
@@ -15,7 +15,7 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
 }
 
 /* With drains of other meshes, walls and glue; anchors tear while the tool is at work. */
-static void other_drains_go_on_to_the_same_bits(void **state)
+static void restored_other_drains_continue_bit_equal(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -31,7 +31,7 @@ static void other_drains_go_on_to_the_same_bits(void **state)
 }
 
 /* What has to wait is half done, or not begun, while a hand holds the drain. */
-static void a_scene_that_waits_goes_on_to_the_same_bits(void **state)
+static void restored_suspended_scene_continues_bit_equal(void **state)
 {
     (void)state;
     vbss_scene_config config;
@@ -73,7 +73,7 @@ static void expect_drains_alike(vbss_drain *x, vbss_drain *y)
     assert_memory_equal(&p, &q, sizeof p);
 }
 
-static void what_is_shown_comes_back_too(void **state)
+static void views_are_restored(void **state)
 {
     (void)state;
     small s, other;
@@ -99,7 +99,7 @@ static void what_is_shown_comes_back_too(void **state)
 
 /* ---- what a state belongs to */
 
-static void states_of_other_drains_are_refused(void **state)
+static void snapshot_of_other_drain_is_rejected(void **state)
 {
     enum { DIFFERENT = 9 };
     (void)state;
@@ -140,7 +140,7 @@ static void states_of_other_drains_are_refused(void **state)
     small_end(&s);
 }
 
-static void hashes_differ_when_a_drain_does(void **state)
+static void hash_covers_drain(void **state)
 {
     (void)state;
     small s;
@@ -177,12 +177,12 @@ static void hashes_differ_when_a_drain_does(void **state)
 int test_drains_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_scene_goes_on_to_the_same_bits),
-        cmocka_unit_test(other_drains_go_on_to_the_same_bits),
-        cmocka_unit_test(a_scene_that_waits_goes_on_to_the_same_bits),
-        cmocka_unit_test(what_is_shown_comes_back_too),
-        cmocka_unit_test(states_of_other_drains_are_refused),
-        cmocka_unit_test(hashes_differ_when_a_drain_does),
+        cmocka_unit_test(restored_scene_continues_bit_equal),
+        cmocka_unit_test(restored_other_drains_continue_bit_equal),
+        cmocka_unit_test(restored_suspended_scene_continues_bit_equal),
+        cmocka_unit_test(views_are_restored),
+        cmocka_unit_test(snapshot_of_other_drain_is_rejected),
+        cmocka_unit_test(hash_covers_drain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

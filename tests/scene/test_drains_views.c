@@ -139,7 +139,7 @@ static void expect_felt(const small *s, uint32_t tool)
 
 /* ---- the scenes */
 
-static void contacts_of_tools_and_threads_are_sound(void **state)
+static void tool_and_thread_contacts_are_consistent(void **state)
 {
     (void)state;
     small s;
@@ -159,7 +159,7 @@ static void contacts_of_tools_and_threads_are_sound(void **state)
 }
 
 /* Both marks are drawn together until the edges of the slit press on each other. */
-static void contacts_of_a_drain_with_itself_are_sound(void **state)
+static void self_contacts_are_consistent(void **state)
 {
     (void)state;
     small s;
@@ -181,7 +181,7 @@ static void contacts_of_a_drain_with_itself_are_sound(void **state)
 }
 
 /* Off its block and on the floor. */
-static void contacts_with_the_floor_are_sound(void **state)
+static void floor_contacts_are_consistent(void **state)
 {
     (void)state;
     small s;
@@ -206,9 +206,9 @@ static void contacts_with_the_floor_are_sound(void **state)
 int test_drains_views(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contacts_of_tools_and_threads_are_sound),
-        cmocka_unit_test(contacts_of_a_drain_with_itself_are_sound),
-        cmocka_unit_test(contacts_with_the_floor_are_sound),
+        cmocka_unit_test(tool_and_thread_contacts_are_consistent),
+        cmocka_unit_test(self_contacts_are_consistent),
+        cmocka_unit_test(floor_contacts_are_consistent),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,7 +25,7 @@ static uint32_t put(scene_rig *r, vec3 middle, vec3 axis, double mass, double fr
     return scene_rig_add(r, &body);
 }
 
-static void the_floor_carries_its_weight_without_jitter(void **state)
+static void floor_carries_weight_without_jitter(void **state)
 {
     (void)state;
     const double masses[] = {1e-6, 1e-4, 1e-2, 0.1, 1.0};
@@ -52,7 +52,7 @@ static void the_floor_carries_its_weight_without_jitter(void **state)
 }
 
 /* Levers: three ninths and six ninths of the weight. */
-static void two_rails_carry_it_by_their_distances(void **state)
+static void two_rails_share_weight_by_distance(void **state)
 {
     (void)state;
     const double places[2] = {-6e-3, 3e-3}, shares[2] = {1.0 / 3.0, 2.0 / 3.0}, mass = 0.01;
@@ -82,7 +82,7 @@ static void two_rails_carry_it_by_their_distances(void **state)
 
 /* ---- dropped */
 
-static void dropped_at_any_tilt_it_comes_to_rest(void **state)
+static void dropped_capsule_comes_to_rest_at_any_tilt(void **state)
 {
     (void)state;
     const double tilts[] = {0.0, 0.1, 0.4, 0.8, 1.2, 1.5};
@@ -108,7 +108,7 @@ static void dropped_at_any_tilt_it_comes_to_rest(void **state)
 }
 
 /* Thrown and spinning about all axes: afterwards it may roll, but evenly. */
-static void thrown_and_spinning_it_rolls_on_evenly(void **state)
+static void thrown_spinning_capsule_rolls_evenly(void **state)
 {
     (void)state;
     for (int i = 0; i < 12; i++) {
@@ -169,7 +169,7 @@ static rolling roll(double angle, double friction, double speed, double h, doubl
     return result;
 }
 
-static void it_rolls_down_without_slipping(void **state)
+static void capsule_rolls_down_without_slip(void **state)
 {
     (void)state;
     const double degrees[] = {1.0, 10.0, 20.0, 40.0};
@@ -183,7 +183,7 @@ static void it_rolls_down_without_slipping(void **state)
 }
 
 /* Steeper than tan = mu (1 + m r^2 / I) friction cannot turn it fast enough. */
-static void on_a_steep_slope_it_slips_while_it_rolls(void **state)
+static void capsule_slips_and_rolls_on_steep_slope(void **state)
 {
     (void)state;
     double steepest = atan(0.1 * (1.0 + 1.0 / turning_share()));
@@ -196,7 +196,7 @@ static void on_a_steep_slope_it_slips_while_it_rolls(void **state)
 }
 
 /* Thrown without a spin: the angular momentum about the line of contact stays. */
-static void what_slides_comes_to_roll(void **state)
+static void sliding_capsule_starts_to_roll(void **state)
 {
     (void)state;
     const double speeds[] = {0.05, 0.2, 1.0};
@@ -210,13 +210,13 @@ static void what_slides_comes_to_roll(void **state)
 int test_free_capsule(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_floor_carries_its_weight_without_jitter),
-        cmocka_unit_test(two_rails_carry_it_by_their_distances),
-        cmocka_unit_test(dropped_at_any_tilt_it_comes_to_rest),
-        cmocka_unit_test(thrown_and_spinning_it_rolls_on_evenly),
-        cmocka_unit_test(it_rolls_down_without_slipping),
-        cmocka_unit_test(on_a_steep_slope_it_slips_while_it_rolls),
-        cmocka_unit_test(what_slides_comes_to_roll),
+        cmocka_unit_test(floor_carries_weight_without_jitter),
+        cmocka_unit_test(two_rails_share_weight_by_distance),
+        cmocka_unit_test(dropped_capsule_comes_to_rest_at_any_tilt),
+        cmocka_unit_test(thrown_spinning_capsule_rolls_evenly),
+        cmocka_unit_test(capsule_rolls_down_without_slip),
+        cmocka_unit_test(capsule_slips_and_rolls_on_steep_slope),
+        cmocka_unit_test(sliding_capsule_starts_to_roll),
     };
     return cmocka_run_group_tests_name("scene.free_capsule", tests, NULL, NULL);
 }

@@ -43,7 +43,7 @@ static pull pulled_through(double pressure, double friction, double speed)
     return p;
 }
 
-static void a_thread_slides_at_the_friction_of_both_faces(void **state)
+static void grasped_thread_slides_at_friction_of_both_faces(void **state)
 {
     (void)state;
     const double cases[][2] = {{8.0, 0.5}, {8.0, 0.25}, {2.0, 0.5}, {4.0, 0.1}};
@@ -57,7 +57,7 @@ static void a_thread_slides_at_the_friction_of_both_faces(void **state)
 }
 
 /* What exceeds the limit is let go at the end of a step: within one it is what the springs gain. */
-static void it_lags_by_the_way_of_one_step(void **state)
+static void grip_force_lags_by_one_step(void **state)
 {
     (void)state;
     const double speeds[] = {1e-3, 1e-2, 5e-2, 0.1};
@@ -71,7 +71,7 @@ static void it_lags_by_the_way_of_one_step(void **state)
 }
 
 /* The handle presses as far as it is squeezed beyond what the jaws hold. */
-static void the_limit_grows_with_the_pressure(void **state)
+static void grip_limit_grows_with_pressure(void **state)
 {
     (void)state;
     tools_rig r;
@@ -96,7 +96,7 @@ static void the_limit_grows_with_the_pressure(void **state)
     tools_end(&r);
 }
 
-static void of_two_tools_the_weaker_slips(void **state)
+static void weaker_of_two_tools_slips(void **state)
 {
     (void)state;
     for (int weak = 0; weak < 2; weak++) {
@@ -137,7 +137,7 @@ static void of_two_tools_the_weaker_slips(void **state)
 }
 
 /* A rod that the tool turns, ends pinned: the jaws bear half a grip's length times half their limit. */
-static void a_thread_turns_in_the_jaws_at_their_torque(void **state)
+static void grasped_thread_turns_at_torque_limit(void **state)
 {
     (void)state;
     tools_rig r;
@@ -172,7 +172,7 @@ static void a_thread_turns_in_the_jaws_at_their_torque(void **state)
 }
 
 /* Pulled from face to face, a thread pries the jaws with no more than they press, and comes out. */
-static void jaws_are_pried_open_by_more_than_they_press(void **state)
+static void jaws_are_pried_open_above_closing_force(void **state)
 {
     (void)state;
     tools_rig r;
@@ -198,7 +198,7 @@ static void jaws_are_pried_open_by_more_than_they_press(void **state)
 }
 
 /* Out over the thread's end: once, and then nothing holds it; nothing of it is lost. */
-static void a_thread_is_torn_out_over_its_end(void **state)
+static void thread_is_torn_out_over_its_end(void **state)
 {
     (void)state;
     for (int up = 0; up < 2; up++) {
@@ -236,13 +236,13 @@ static void a_thread_is_torn_out_over_its_end(void **state)
 int test_grasp_limits(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_thread_slides_at_the_friction_of_both_faces),
-        cmocka_unit_test(it_lags_by_the_way_of_one_step),
-        cmocka_unit_test(the_limit_grows_with_the_pressure),
-        cmocka_unit_test(of_two_tools_the_weaker_slips),
-        cmocka_unit_test(a_thread_turns_in_the_jaws_at_their_torque),
-        cmocka_unit_test(jaws_are_pried_open_by_more_than_they_press),
-        cmocka_unit_test(a_thread_is_torn_out_over_its_end),
+        cmocka_unit_test(grasped_thread_slides_at_friction_of_both_faces),
+        cmocka_unit_test(grip_force_lags_by_one_step),
+        cmocka_unit_test(grip_limit_grows_with_pressure),
+        cmocka_unit_test(weaker_of_two_tools_slips),
+        cmocka_unit_test(grasped_thread_turns_at_torque_limit),
+        cmocka_unit_test(jaws_are_pried_open_above_closing_force),
+        cmocka_unit_test(thread_is_torn_out_over_its_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static const size_t moments[] = {TOOL_SCENE_CLOSING, TOOL_SCENE_TAKEN, TOOL_SCEN
                                  TOOL_SCENE_SLIDING, TOOL_SCENE_LET_GO};
 enum { MOMENTS = sizeof moments / sizeof moments[0] };
 
-static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+static void restored_scene_continues_bit_equal(void **state)
 {
     (void)state;
     harness_body body = as_body(0);
@@ -51,7 +51,7 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue(&body, TOOL_SCENE_TAKEN, 10);
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     harness_body body = as_body(0);
@@ -59,7 +59,7 @@ static void bad_snapshots_are_refused(void **state)
 }
 
 /* What happens there must be what the names say, or the tests above show little; and no step allocates. */
-static void the_moments_are_what_they_are_called_and_steps_allocate_nothing(void **state)
+static void state_cases_cover_events_and_steps_do_not_allocate(void **state)
 {
     (void)state;
     for (int method = 0; method < 2; method++) {
@@ -183,7 +183,7 @@ static void expect_nothing_changed(uint32_t work_limit)
     }
 }
 
-static void a_step_that_fails_changes_nothing(void **state)
+static void failed_step_changes_nothing(void **state)
 {
     (void)state;
     expect_nothing_changed(0);
@@ -194,10 +194,10 @@ static void a_step_that_fails_changes_nothing(void **state)
 int test_grasp_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_scene_goes_on_to_the_same_bits),
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(the_moments_are_what_they_are_called_and_steps_allocate_nothing),
-        cmocka_unit_test(a_step_that_fails_changes_nothing),
+        cmocka_unit_test(restored_scene_continues_bit_equal),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(state_cases_cover_events_and_steps_do_not_allocate),
+        cmocka_unit_test(failed_step_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

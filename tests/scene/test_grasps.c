@@ -12,7 +12,7 @@ static double touching_angle(const tools_rig *r)
 
 /* ---- taking */
 
-static void jaws_take_what_they_touch_from_both_sides(void **state)
+static void jaws_grasp_on_contact_from_both_sides(void **state)
 {
     (void)state;
     tools_rig r;
@@ -52,7 +52,7 @@ static void jaws_take_what_they_touch_from_both_sides(void **state)
 }
 
 /* Beyond the tip, beside the faces, behind a jaw: all within a millimetre of jaws that close. */
-static void jaws_take_nothing_that_is_only_near(void **state)
+static void jaws_ignore_near_thread(void **state)
 {
     (void)state;
     const vec3 tips[] = {{0.0, 0.0, 0.9e-3}, {0.0, 0.0158, -2e-3}, {-5.7e-3, 0.0, -2e-3}};
@@ -79,7 +79,7 @@ static void jaws_take_nothing_that_is_only_near(void **state)
 
 /* A thread as stiff as a rod sticks 10 mm out of the jaws and is pulled aside: the clamp gives way by K, and, as
  * its springs are half a grip s from the middle, turns by 2/3 K s^2. */
-static void direction_is_held(void **state)
+static void grasp_keeps_thread_direction(void **state)
 {
     (void)state;
     tools_rig r;
@@ -122,7 +122,7 @@ static void direction_is_held(void **state)
 }
 
 /* At rest what the hand bears is what holds the thread's ends. */
-static void what_is_held_is_felt_by_the_hand(void **state)
+static void hand_feels_grasped_thread(void **state)
 {
     (void)state;
     tools_rig r;
@@ -152,7 +152,7 @@ static void what_is_held_is_felt_by_the_hand(void **state)
 }
 
 /* Ten seconds at 2 N. */
-static void what_is_held_does_not_creep(void **state)
+static void grasp_does_not_creep(void **state)
 {
     (void)state;
     tools_rig r;
@@ -181,7 +181,7 @@ static void what_is_held_does_not_creep(void **state)
 
 /* Same length, same place of the thread, no jump: where it is at the end of the step and how fast follows from
  * the forces that held it. */
-static void a_released_thread_is_what_was_held(void **state)
+static void released_thread_is_unchanged(void **state)
 {
     (void)state;
     tools_rig r;
@@ -232,7 +232,7 @@ static void a_released_thread_is_what_was_held(void **state)
 }
 
 /* What was held without force lies on as it did. */
-static void a_thread_at_rest_is_not_disturbed_by_its_release(void **state)
+static void release_does_not_disturb_resting_thread(void **state)
 {
     (void)state;
     tools_rig r;
@@ -258,13 +258,13 @@ static void a_thread_at_rest_is_not_disturbed_by_its_release(void **state)
 int test_grasps(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(jaws_take_what_they_touch_from_both_sides),
-        cmocka_unit_test(jaws_take_nothing_that_is_only_near),
-        cmocka_unit_test(direction_is_held),
-        cmocka_unit_test(what_is_held_is_felt_by_the_hand),
-        cmocka_unit_test(what_is_held_does_not_creep),
-        cmocka_unit_test(a_released_thread_is_what_was_held),
-        cmocka_unit_test(a_thread_at_rest_is_not_disturbed_by_its_release),
+        cmocka_unit_test(jaws_grasp_on_contact_from_both_sides),
+        cmocka_unit_test(jaws_ignore_near_thread),
+        cmocka_unit_test(grasp_keeps_thread_direction),
+        cmocka_unit_test(hand_feels_grasped_thread),
+        cmocka_unit_test(grasp_does_not_creep),
+        cmocka_unit_test(released_thread_is_unchanged),
+        cmocka_unit_test(release_does_not_disturb_resting_thread),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,7 +43,7 @@ static double peak_of(knot_kind kind, double friction, held_knot_end *end)
 }
 
 /* Reference, one noisy run each at another friction: 3.3 and 0.06 N. */
-static void a_square_holds_where_a_granny_slips(void **state)
+static void square_knot_holds_where_granny_slips(void **state)
 {
     held_knot_end square, granny;
     (void)state;
@@ -54,7 +54,7 @@ static void a_square_holds_where_a_granny_slips(void **state)
 }
 
 /* Elastic thread that rubs little keeps nothing: it is open before anything pulls. */
-static void a_square_of_slippery_thread_springs_open(void **state)
+static void slippery_square_knot_springs_open(void **state)
 {
     held t;
     (void)state;
@@ -69,7 +69,7 @@ static void a_square_of_slippery_thread_springs_open(void **state)
 
 /* Each rod is pulled by both limbs of the loop. Line is drawn round it from the knot to the far side, which bears
  * more by what half a turn rubs. */
-static void the_rods_feel_what_the_loop_bears(void **state)
+static void rods_feel_loop_load(void **state)
 {
     held t;
     bool goes_on = true;
@@ -95,7 +95,7 @@ static void the_rods_feel_what_the_loop_bears(void **state)
 }
 
 /* What a circle's perimeter gains, two rods' outline gains on both sides: twice their distance. */
-static void the_rods_part_as_a_cylinder_would_grow(void **state)
+static void rods_separate_like_growing_cylinder(void **state)
 {
     enum { BEFORE = 100, STEPS = 100 };
     held t;
@@ -119,7 +119,7 @@ static void the_rods_part_as_a_cylinder_would_grow(void **state)
     held_end(&t);
 }
 
-static void tails_inside_and_loop_are_the_thread(void **state)
+static void tails_inside_and_loop_sum_to_thread_length(void **state)
 {
     held t;
     (void)state;
@@ -135,7 +135,7 @@ static void tails_inside_and_loop_are_the_thread(void **state)
     held_end(&t);
 }
 
-static void of_two_tails_the_one_that_is_drawn_in_more_counts(void **state)
+static void more_drawn_in_tail_counts(void **state)
 {
     const held_knot_edges before = {{0.05, 0.10}, {0.06, 0.08}};
     held_knot_edges after = {{0.047, 0.101}, {0.06, 0.08}};
@@ -145,7 +145,7 @@ static void of_two_tails_the_one_that_is_drawn_in_more_counts(void **state)
     expect_near(4e-3, held_knot_drawn_in(&before, &after), 1e-15);
 }
 
-static void the_strand_has_the_knot_of_its_kind(void **state)
+static void strand_has_knot_of_its_kind(void **state)
 {
     held t;
     const vec3 *x;
@@ -169,7 +169,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void a_disturbance_is_part_of_a_diameter(void **state)
+static void disturbance_is_fraction_of_diameter(void **state)
 {
     held a, b;
     vbss_view left, right;
@@ -216,14 +216,14 @@ static void seeds_repeat_and_differ(void **state)
 int test_held_knot(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_square_holds_where_a_granny_slips),
-        cmocka_unit_test(a_square_of_slippery_thread_springs_open),
-        cmocka_unit_test(the_rods_feel_what_the_loop_bears),
-        cmocka_unit_test(the_rods_part_as_a_cylinder_would_grow),
-        cmocka_unit_test(tails_inside_and_loop_are_the_thread),
-        cmocka_unit_test(of_two_tails_the_one_that_is_drawn_in_more_counts),
-        cmocka_unit_test(the_strand_has_the_knot_of_its_kind),
-        cmocka_unit_test(a_disturbance_is_part_of_a_diameter),
+        cmocka_unit_test(square_knot_holds_where_granny_slips),
+        cmocka_unit_test(slippery_square_knot_springs_open),
+        cmocka_unit_test(rods_feel_loop_load),
+        cmocka_unit_test(rods_separate_like_growing_cylinder),
+        cmocka_unit_test(tails_inside_and_loop_sum_to_thread_length),
+        cmocka_unit_test(more_drawn_in_tail_counts),
+        cmocka_unit_test(strand_has_knot_of_its_kind),
+        cmocka_unit_test(disturbance_is_fraction_of_diameter),
         cmocka_unit_test(seeds_repeat_and_differ),
     };
     return cmocka_run_group_tests_name("held_knot", tests, NULL, NULL);

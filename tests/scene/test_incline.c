@@ -83,7 +83,7 @@ static double angle_of_friction(const double *friction, bool is_thread)
     return atan(is_thread ? friction[1] : sqrt(friction[0] * friction[1])) * 180.0 / pi;
 }
 
-static void below_the_angle_of_friction_nothing_creeps(void **state)
+static void no_creep_below_friction_angle(void **state)
 {
     (void)state;
     for (int i = 0; i < 2 * FRICTIONS; i++) {
@@ -99,7 +99,7 @@ static void below_the_angle_of_friction_nothing_creeps(void **state)
     }
 }
 
-static void above_it_everything_slides(void **state)
+static void sliding_above_friction_angle(void **state)
 {
     (void)state;
     for (int i = 0; i < 2 * FRICTIONS; i++) {
@@ -116,7 +116,7 @@ static void above_it_everything_slides(void **state)
 
 /* ---- motion */
 
-static void it_slides_as_fast_as_coulomb_says(void **state)
+static void sliding_acceleration_follows_coulomb(void **state)
 {
     (void)state;
     const double degrees[] = {5.0, 10.0, 20.0, 40.0, 70.0};
@@ -133,7 +133,7 @@ static void it_slides_as_fast_as_coulomb_says(void **state)
 }
 
 /* What is thrown comes to rest within v^2 / (2 mu g), but for half a step, and stays there. */
-static void what_is_thrown_stops_in_time_and_stays(void **state)
+static void thrown_thread_stops_in_coulomb_distance(void **state)
 {
     (void)state;
     const double speed = 0.4, h = 2e-4;
@@ -154,7 +154,7 @@ static void what_is_thrown_stops_in_time_and_stays(void **state)
 }
 
 /* The floor bears the weight's part across it and rubs with the other, sticking or sliding. */
-static void the_floor_pushes_as_it_must(void **state)
+static void floor_force_balances(void **state)
 {
     (void)state;
     for (int i = 0; i < 4; i++) {
@@ -174,11 +174,11 @@ static void the_floor_pushes_as_it_must(void **state)
 int test_incline(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(below_the_angle_of_friction_nothing_creeps),
-        cmocka_unit_test(above_it_everything_slides),
-        cmocka_unit_test(it_slides_as_fast_as_coulomb_says),
-        cmocka_unit_test(what_is_thrown_stops_in_time_and_stays),
-        cmocka_unit_test(the_floor_pushes_as_it_must),
+        cmocka_unit_test(no_creep_below_friction_angle),
+        cmocka_unit_test(sliding_above_friction_angle),
+        cmocka_unit_test(sliding_acceleration_follows_coulomb),
+        cmocka_unit_test(thrown_thread_stops_in_coulomb_distance),
+        cmocka_unit_test(floor_force_balances),
     };
     return cmocka_run_group_tests_name("scene.incline", tests, NULL, NULL);
 }

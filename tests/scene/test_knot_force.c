@@ -48,7 +48,7 @@ static const struct {
              {KNOT_DOUBLE_OVERHAND, VBSS_BENDING_SPLINE}};
 enum { KNOTS = 3 };
 
-static void without_friction_the_pull_is_the_slope_of_the_energy(void **state)
+static void frictionless_pull_is_energy_gradient(void **state)
 {
     (void)state;
     for (int i = 0; i < KNOTS; i++) {
@@ -67,7 +67,7 @@ static void without_friction_the_pull_is_the_slope_of_the_energy(void **state)
 }
 
 /* Of one turn it also has the size that Audoly, Clauvelin and Neukirch (2007) derive for loose knots. */
-static void friction_adds_its_share_of_the_pressure(void **state)
+static void friction_adds_pressure_times_coefficient(void **state)
 {
     (void)state;
     const double frictions[] = {0.1, 0.3, 0.1};
@@ -92,7 +92,7 @@ static void friction_adds_its_share_of_the_pressure(void **state)
 
 /* ---- tight */
 
-static void a_knot_pulled_tight_holds(void **state)
+static void tight_knot_holds(void **state)
 {
     (void)state;
     scene_rig r;
@@ -114,9 +114,9 @@ static void a_knot_pulled_tight_holds(void **state)
 int test_knot_force(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(without_friction_the_pull_is_the_slope_of_the_energy),
-        cmocka_unit_test(friction_adds_its_share_of_the_pressure),
-        cmocka_unit_test(a_knot_pulled_tight_holds),
+        cmocka_unit_test(frictionless_pull_is_energy_gradient),
+        cmocka_unit_test(friction_adds_pressure_times_coefficient),
+        cmocka_unit_test(tight_knot_holds),
     };
     return cmocka_run_group_tests_name("scene.knot_force", tests, NULL, NULL);
 }

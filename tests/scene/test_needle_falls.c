@@ -111,7 +111,7 @@ static void expect_rest(const needles_rig *r)
     assert_int_equal(small_statistics(&r->tools.s).paused, 0);
 }
 
-static void it_comes_to_rest_however_it_falls(void **state)
+static void falling_needle_comes_to_rest_at_any_orientation(void **state)
 {
     (void)state;
     /* Flat; upright on its tip, which is below its middle of mass; on both ends; on its back: each leaning a little. But
@@ -151,7 +151,7 @@ static double rocking_period(const needles_rig *r)
 
 /* Capsules are a polygon of 64 sides: a twentieth of a radian each, to swings of a fifth. Hardly anything tilts what
  * stands upright in its plane, but as of an inverted pendulum a hair of it grows: after a second it lies. */
-static void it_rolls_on_its_arc(void **state)
+static void needle_rolls_on_its_arc(void **state)
 {
     (void)state;
     needles_rig r;
@@ -193,8 +193,8 @@ static void it_rolls_on_its_arc(void **state)
 int test_needle_falls(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(it_comes_to_rest_however_it_falls),
-        harness_test(it_rolls_on_its_arc),
+        harness_test(falling_needle_comes_to_rest_at_any_orientation),
+        harness_test(needle_rolls_on_its_arc),
     };
     return cmocka_run_group_tests_name("scene.needle_falls", tests, NULL, NULL);
 }

@@ -29,7 +29,7 @@ static void expect_owned(vbss_needle *needle, bool owned)
     assert_true(own_hash(needle) == hash);
 }
 
-static void a_needle_belongs_to_its_scene_until_it_leaves(void **state)
+static void needle_belongs_to_scene_until_removed(void **state)
 {
     (void)state;
     for (int end = 0; end < 2; end++) {
@@ -86,7 +86,7 @@ static void expect_refused(small *s, vbss_result wanted, vbss_needle *needle)
     assert_true(small_view(s, VBSS_SCENE_VIEW_EVENTS).generation == generation);
 }
 
-static void what_is_no_needle_for_the_scene_is_told(void **state)
+static void invalid_needle_is_rejected(void **state)
 {
     (void)state;
     needles_rig r;
@@ -120,7 +120,7 @@ static void what_is_no_needle_for_the_scene_is_told(void **state)
 }
 
 /* Either way. */
-static void a_needle_of_another_method_is_refused(void **state)
+static void needle_of_other_method_is_rejected(void **state)
 {
     (void)state;
     for (int method = VBSS_METHOD_OURS; method <= VBSS_METHOD_PAPER; method++) {
@@ -135,7 +135,7 @@ static void a_needle_of_another_method_is_refused(void **state)
     }
 }
 
-static void needles_find_room_or_are_refused(void **state)
+static void needle_needs_capacity(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) { /* for bodies, for capsules */
@@ -163,7 +163,7 @@ static void needles_find_room_or_are_refused(void **state)
 /* ---- what is held goes */
 
 /* Without an event: what is no longer there was not let go. The jaws close on. */
-static void a_needle_that_is_held_may_be_removed(void **state)
+static void held_needle_can_be_removed(void **state)
 {
     (void)state;
     needles_rig r;
@@ -196,7 +196,7 @@ static void a_needle_that_is_held_may_be_removed(void **state)
     needles_end(&r);
 }
 
-static void a_tool_that_holds_may_be_removed(void **state)
+static void holding_tool_can_be_removed(void **state)
 {
     (void)state;
     needles_rig r;
@@ -213,7 +213,7 @@ static void a_tool_that_holds_may_be_removed(void **state)
 }
 
 /* Its thread stays, and is pinned to nothing. */
-static void a_needle_with_a_thread_may_be_removed(void **state)
+static void swaged_needle_can_be_removed(void **state)
 {
     (void)state;
     small s;
@@ -233,7 +233,7 @@ static void a_needle_with_a_thread_may_be_removed(void **state)
 
 /* ---- ends, in any order */
 
-static void a_context_ends_whatever_was_made_first(void **state)
+static void context_end_destroys_in_any_order(void **state)
 {
     (void)state;
     for (int order = 0; order < 16; order++) {
@@ -291,7 +291,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return result;
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     vbss_scene_config config;
@@ -302,7 +302,7 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
     harness_fail_every_allocation(attempt, &config);
 }
 
-static void needles_that_come_and_go_need_no_more_memory(void **state)
+static void needle_churn_does_not_grow_memory(void **state)
 {
     (void)state;
     needles_rig r;
@@ -323,16 +323,16 @@ static void needles_that_come_and_go_need_no_more_memory(void **state)
 int test_needle_life(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_needle_belongs_to_its_scene_until_it_leaves),
-        harness_test(what_is_no_needle_for_the_scene_is_told),
-        harness_test(a_needle_of_another_method_is_refused),
-        harness_test(needles_find_room_or_are_refused),
-        harness_test(a_needle_that_is_held_may_be_removed),
-        harness_test(a_tool_that_holds_may_be_removed),
-        harness_test(a_needle_with_a_thread_may_be_removed),
-        harness_test(a_context_ends_whatever_was_made_first),
-        harness_test(every_failing_allocation_is_told_and_nothing_is_lost),
-        harness_test(needles_that_come_and_go_need_no_more_memory),
+        harness_test(needle_belongs_to_scene_until_removed),
+        harness_test(invalid_needle_is_rejected),
+        harness_test(needle_of_other_method_is_rejected),
+        harness_test(needle_needs_capacity),
+        harness_test(held_needle_can_be_removed),
+        harness_test(holding_tool_can_be_removed),
+        harness_test(swaged_needle_can_be_removed),
+        harness_test(context_end_destroys_in_any_order),
+        harness_test(each_failed_allocation_is_reported_without_leak),
+        harness_test(needle_churn_does_not_grow_memory),
     };
     return cmocka_run_group_tests_name("scene.needle_life", tests, NULL, NULL);
 }

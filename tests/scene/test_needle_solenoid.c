@@ -54,7 +54,7 @@ static void across(handle *h)
 }
 
 /* In the step in which the jaws have touched it from both sides, if the handle is closed then. */
-static void it_goes_on_with_the_grasp_and_off_with_the_release(void **state)
+static void solenoid_follows_grasp_and_release(void **state)
 {
     (void)state;
     handle h;
@@ -83,7 +83,7 @@ static void it_goes_on_with_the_grasp_and_off_with_the_release(void **state)
 }
 
 /* Held by a handle that is half open: nothing, until it is squeezed; then, as long as it is held. */
-static void it_waits_until_the_handle_is_squeezed(void **state)
+static void solenoid_waits_for_squeezed_handle(void **state)
 {
     (void)state;
     handle h;
@@ -106,7 +106,7 @@ static void it_waits_until_the_handle_is_squeezed(void **state)
     end(&h);
 }
 
-static void never_for_threads_or_empty_jaws(void **state)
+static void no_solenoid_for_thread_or_empty_jaws(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -124,7 +124,7 @@ static void never_for_threads_or_empty_jaws(void **state)
     }
 }
 
-static void stale_data_a_stop_and_too_long_switch_it_off(void **state)
+static void stale_input_stop_and_timeout_switch_solenoid_off(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -145,7 +145,7 @@ static void stale_data_a_stop_and_too_long_switch_it_off(void **state)
     }
 }
 
-static void a_needle_that_slips_out_switches_it_off(void **state)
+static void slipping_needle_switches_solenoid_off(void **state)
 {
     (void)state;
     handle h;
@@ -168,11 +168,11 @@ static void a_needle_that_slips_out_switches_it_off(void **state)
 int test_needle_solenoid(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(it_goes_on_with_the_grasp_and_off_with_the_release),
-        harness_test(it_waits_until_the_handle_is_squeezed),
-        harness_test(never_for_threads_or_empty_jaws),
-        harness_test(stale_data_a_stop_and_too_long_switch_it_off),
-        harness_test(a_needle_that_slips_out_switches_it_off),
+        harness_test(solenoid_follows_grasp_and_release),
+        harness_test(solenoid_waits_for_squeezed_handle),
+        harness_test(no_solenoid_for_thread_or_empty_jaws),
+        harness_test(stale_input_stop_and_timeout_switch_solenoid_off),
+        harness_test(slipping_needle_switches_solenoid_off),
     };
     return cmocka_run_group_tests_name("scene.needle_solenoid", tests, NULL, NULL);
 }

@@ -35,7 +35,7 @@ static const size_t moments[] = {NEEDLE_SCENE_LYING, NEEDLE_SCENE_TAKEN,  NEEDLE
                                  NEEDLE_SCENE_BOTH,  NEEDLE_SCENE_HANDED, NEEDLE_SCENE_DROPPED};
 enum { MOMENTS = sizeof moments / sizeof moments[0] };
 
-static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+static void restored_scene_continues_bit_equal(void **state)
 {
     (void)state;
     harness_save_restore_continue_at(&body, moments, MOMENTS, 60);
@@ -44,13 +44,13 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue(&body, 1099, 20); /* is let go */
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     assert_int_equal(harness_step_allocations(&body, NEEDLE_SCENE_STEPS), 0);
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     harness_refuses_bad_snapshots(&body, NEEDLE_SCENE_BOTH);
@@ -79,7 +79,7 @@ static void spoil(scene_needle_grasp *hold, int which)
 }
 
 /* What the harness would not guess: sealed snapshots of holds that cannot be. */
-static void a_hold_that_cannot_be_is_refused(void **state)
+static void impossible_grasp_is_rejected(void **state)
 {
     (void)state;
     small s;
@@ -149,7 +149,7 @@ static look look_at(const small *s)
 }
 
 /* What happens there must be what the names say, or the tests above show little. */
-static void the_moments_are_what_they_are_called(void **state)
+static void state_cases_cover_events(void **state)
 {
     (void)state;
     static const bool first[MOMENTS] = {false, true, true, true, false, false};
@@ -189,7 +189,7 @@ static void the_moments_are_what_they_are_called(void **state)
     small_end(&s);
 }
 
-static void two_runs_are_the_same_to_the_bit(void **state)
+static void runs_are_bit_equal(void **state)
 {
     (void)state;
     uint64_t hashes[2][NEEDLE_SCENE_STEPS / 100];
@@ -295,7 +295,7 @@ static void expect_nothing_changed(uint32_t contacts, uint32_t candidates)
     needles_end(&r);
 }
 
-static void a_step_that_fails_changes_nothing(void **state)
+static void failed_step_changes_nothing(void **state)
 {
     (void)state;
     expect_nothing_changed(16, 4096);
@@ -305,14 +305,14 @@ static void a_step_that_fails_changes_nothing(void **state)
 int test_needle_state(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_moments_are_what_they_are_called),
-        harness_test(two_runs_are_the_same_to_the_bit),
-        harness_test(a_restored_scene_goes_on_to_the_same_bits),
-        harness_test(steps_allocate_nothing),
-        harness_test(bad_snapshots_are_refused),
-        harness_test(a_hold_that_cannot_be_is_refused),
+        harness_test(state_cases_cover_events),
+        harness_test(runs_are_bit_equal),
+        harness_test(restored_scene_continues_bit_equal),
+        harness_test(steps_do_not_allocate),
+        harness_test(bad_snapshots_are_rejected),
+        harness_test(impossible_grasp_is_rejected),
         harness_test(long_jaws_are_restored),
-        harness_test(a_step_that_fails_changes_nothing),
+        harness_test(failed_step_changes_nothing),
     };
     return cmocka_run_group_tests_name("scene.needle_state", tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ static void attach_all_kinds(const stage_drain *d)
 }
 
 /* To the bit, counters and forces of attachments included. A thread falls beside it, a tool stands by. */
-static void without_contact_it_steps_as_alone(void **state)
+static void contact_free_drain_equals_standalone(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -49,7 +49,7 @@ static void without_contact_it_steps_as_alone(void **state)
 }
 
 /* The scene's rules while it is there, its own afterwards. */
-static void it_belongs_to_the_scene_until_it_is_removed(void **state)
+static void drain_belongs_to_scene_until_removed(void **state)
 {
     (void)state;
     stage s;
@@ -71,7 +71,7 @@ static void it_belongs_to_the_scene_until_it_is_removed(void **state)
 }
 
 /* A spring pulls with what it is stretched by where the tool has left its particle. */
-static void spring_tells_what_it_pulls_with_after_the_response(void **state)
+static void spring_force_is_reported_after_response(void **state)
 {
     (void)state;
     stage s;
@@ -99,7 +99,7 @@ static void expect_undone(stage *s, const stage_drain *d, vbss_result wanted)
     assert_memory_equal(x, d->object->x, sizeof x);
 }
 
-static void step_that_fails_changes_nothing(void **state)
+static void failed_step_changes_nothing(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -181,7 +181,7 @@ static vbss_result destroy_poked(void *handle)
 static const harness_body poked = {"poked paper drain", &vbss_scene_kind, create_poked, NULL,
                                    step_poked,          destroy_poked,    NULL};
 
-static void a_step_allocates_nothing_and_goes_on_elsewhere(void **state)
+static void step_does_not_allocate_and_restores_bit_equal(void **state)
 {
     (void)state;
     assert_int_equal(0, harness_step_allocations(&poked, 60));
@@ -189,7 +189,7 @@ static void a_step_allocates_nothing_and_goes_on_elsewhere(void **state)
     harness_refuses_bad_snapshots(&poked, 30);
 }
 
-static void two_runs_have_the_same_bits(void **state)
+static void runs_are_bit_equal(void **state)
 {
     (void)state;
     expect_runs_alike(&poked, 400);
@@ -198,12 +198,12 @@ static void two_runs_have_the_same_bits(void **state)
 int test_paper_drain_promises(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(without_contact_it_steps_as_alone),
-        harness_test(it_belongs_to_the_scene_until_it_is_removed),
-        harness_test(spring_tells_what_it_pulls_with_after_the_response),
-        harness_test(step_that_fails_changes_nothing),
-        harness_test(a_step_allocates_nothing_and_goes_on_elsewhere),
-        harness_test(two_runs_have_the_same_bits),
+        harness_test(contact_free_drain_equals_standalone),
+        harness_test(drain_belongs_to_scene_until_removed),
+        harness_test(spring_force_is_reported_after_response),
+        harness_test(failed_step_changes_nothing),
+        harness_test(step_does_not_allocate_and_restores_bit_equal),
+        harness_test(runs_are_bit_equal),
     };
     return cmocka_run_group_tests_name("scene.paper_drain_promises", tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ static hands lay_across(stage *s, double height, uint32_t segments)
 
 /* Its hands go 3 mm down. It is stopped and stretched; who has not come does not yield, however hard it pulls: the paper's
  * shares. */
-static void thread_laid_over_is_held_and_moves_nothing(void **state)
+static void overlying_thread_is_carried_without_motion(void **state)
 {
     (void)state;
     stage s;
@@ -74,7 +74,7 @@ static void free_thread_slides_off(void **state)
 }
 
 /* A segment whose ends are both held is as good as a tool. */
-static void held_segment_moves_the_drain(void **state)
+static void held_segment_moves_drain(void **state)
 {
     (void)state;
     stage s;
@@ -95,7 +95,7 @@ static void held_segment_moves_the_drain(void **state)
 }
 
 /* It flies against a thread that rests, and is put back and aside; the thread stays. */
-static void particle_that_comes_yields_to_a_thread_at_rest(void **state)
+static void moving_particle_yields_to_resting_thread(void **state)
 {
     (void)state;
     stage s;
@@ -124,7 +124,7 @@ static void particle_that_comes_yields_to_a_thread_at_rest(void **state)
 }
 
 /* Half the wall above it. */
-static void floor_carries_it(void **state)
+static void floor_carries_drain(void **state)
 {
     (void)state;
     stage s;
@@ -182,11 +182,11 @@ static void two_drains_touch(void **state)
 int test_paper_drain_threads(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(thread_laid_over_is_held_and_moves_nothing),
+        harness_test(overlying_thread_is_carried_without_motion),
         harness_test(free_thread_slides_off),
-        harness_test(held_segment_moves_the_drain),
-        harness_test(particle_that_comes_yields_to_a_thread_at_rest),
-        harness_test(floor_carries_it),
+        harness_test(held_segment_moves_drain),
+        harness_test(moving_particle_yields_to_resting_thread),
+        harness_test(floor_carries_drain),
         harness_test(two_drains_touch),
     };
     return cmocka_run_group_tests_name("scene.paper_drain_threads", tests, NULL, NULL);

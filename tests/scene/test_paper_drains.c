@@ -4,7 +4,7 @@
 /* ---- what collides */
 
 /* Those of the grid along, round and across, as tests/drain/test_paper_drain.c counts them. */
-static void its_collision_edges_are_the_segments_of_its_grid(void **state)
+static void collision_edges_are_grid_segments(void **state)
 {
     (void)state;
     stage s;
@@ -97,7 +97,7 @@ static void poked_drain_yields_and_springs_back(void **state)
 }
 
 /* As side a, whichever came first. */
-static void what_was_there_before_the_drain_is_told_alike(void **state)
+static void creation_order_does_not_change_reports(void **state)
 {
     (void)state;
     stage s;
@@ -114,7 +114,7 @@ static void what_was_there_before_the_drain_is_told_alike(void **state)
 
 /* ---- what does not move */
 
-static void pinned_particle_stays_under_a_tool(void **state)
+static void pinned_particle_stays_under_tool(void **state)
 {
     (void)state;
     stage s;
@@ -131,7 +131,7 @@ static void pinned_particle_stays_under_a_tool(void **state)
 }
 
 /* Lips may cross: edges of a drain are not tested against each other. */
-static void drain_does_not_touch_itself_and_opens_again(void **state)
+static void drain_ignores_self_contact_and_opens_again(void **state)
 {
     (void)state;
     stage s;
@@ -160,7 +160,7 @@ static void drain_does_not_touch_itself_and_opens_again(void **state)
 /* ---- what is let through: known weaknesses, as measured */
 
 /* Along itself the axis stays where it is as seen from an edge: no sign changes, and at the end it is far away. */
-static void tool_that_goes_through_along_itself_within_a_step_is_not_seen(void **state)
+static void axial_tool_passage_within_step_is_missed(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -185,7 +185,7 @@ static void tool_that_goes_through_along_itself_within_a_step_is_not_seen(void *
 }
 
 /* Across itself it is. */
-static void tool_that_goes_through_sideways_takes_the_edges_along(void **state)
+static void lateral_tool_passage_takes_edges_along(void **state)
 {
     (void)state;
     stage s;
@@ -198,7 +198,7 @@ static void tool_that_goes_through_sideways_takes_the_edges_along(void **state)
 }
 
 /* Of no triangle, only its sides: the largest circle in one is 1.2 mm. */
-static void slim_tip_goes_in_between_the_edges(void **state)
+static void slim_tip_enters_between_edges(void **state)
 {
     (void)state;
     stage s;
@@ -228,14 +228,14 @@ static void slim_tip_goes_in_between_the_edges(void **state)
 int test_paper_drains(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(its_collision_edges_are_the_segments_of_its_grid),
+        harness_test(collision_edges_are_grid_segments),
         harness_test(poked_drain_yields_and_springs_back),
-        harness_test(what_was_there_before_the_drain_is_told_alike),
-        harness_test(pinned_particle_stays_under_a_tool),
-        harness_test(drain_does_not_touch_itself_and_opens_again),
-        harness_test(tool_that_goes_through_along_itself_within_a_step_is_not_seen),
-        harness_test(tool_that_goes_through_sideways_takes_the_edges_along),
-        harness_test(slim_tip_goes_in_between_the_edges),
+        harness_test(creation_order_does_not_change_reports),
+        harness_test(pinned_particle_stays_under_tool),
+        harness_test(drain_ignores_self_contact_and_opens_again),
+        harness_test(axial_tool_passage_within_step_is_missed),
+        harness_test(lateral_tool_passage_takes_edges_along),
+        harness_test(slim_tip_enters_between_edges),
     };
     return cmocka_run_group_tests_name("scene.paper_drains", tests, NULL, NULL);
 }

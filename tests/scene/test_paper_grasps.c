@@ -30,7 +30,7 @@ static bool close_jaws(tools_rig *r, uint32_t tool, uint32_t event[4])
     return taken == 1;
 }
 
-static void closed_jaws_carry_the_nearest_node(void **state)
+static void closed_jaws_carry_nearest_node(void **state)
 {
     (void)state;
     tools_rig r;
@@ -64,7 +64,7 @@ static void closed_jaws_carry_the_nearest_node(void **state)
     tools_end(&r);
 }
 
-static void jaws_take_nothing_beyond_their_distance(void **state)
+static void jaws_ignore_nodes_beyond_reach(void **state)
 {
     (void)state;
     const vec3 tips[] = {{0.0, 0.0, 2.2e-3}, {0.0, 0.0176, 0.0}, {6e-3, 0.0, -1e-3}};
@@ -83,7 +83,7 @@ static void jaws_take_nothing_beyond_their_distance(void **state)
 }
 
 /* The second changes nothing until the first lets go. */
-static void the_first_tool_leads_and_the_second_takes_over(void **state)
+static void first_tool_leads_and_second_takes_over(void **state)
 {
     (void)state;
     tools_rig r;
@@ -111,7 +111,7 @@ static void the_first_tool_leads_and_the_second_takes_over(void **state)
 }
 
 /* What it waits for is not its own, and shears do not wait. */
-static void a_tool_that_waits_holds_nothing(void **state)
+static void waiting_tool_holds_nothing(void **state)
 {
     (void)state;
     tools_rig r;
@@ -139,7 +139,7 @@ static void a_tool_that_waits_holds_nothing(void **state)
 }
 
 /* k_s (stretched length - length) of both sections beside the node. */
-static void the_hand_feels_the_stretch_of_the_sections(void **state)
+static void hand_feels_section_stretch(void **state)
 {
     (void)state;
     tools_rig r;
@@ -168,7 +168,7 @@ static void the_hand_feels_the_stretch_of_the_sections(void **state)
 }
 
 /* Also of the last node, which no segment begins at. */
-static void what_is_carried_comes_back_with_a_state(void **state)
+static void carried_node_is_restored(void **state)
 {
     (void)state;
     const double y[] = {0.0, 0.0149, -0.0149};
@@ -198,12 +198,12 @@ static void what_is_carried_comes_back_with_a_state(void **state)
 int test_paper_grasps(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_jaws_carry_the_nearest_node),
-        cmocka_unit_test(jaws_take_nothing_beyond_their_distance),
-        cmocka_unit_test(the_first_tool_leads_and_the_second_takes_over),
-        cmocka_unit_test(a_tool_that_waits_holds_nothing),
-        cmocka_unit_test(the_hand_feels_the_stretch_of_the_sections),
-        cmocka_unit_test(what_is_carried_comes_back_with_a_state),
+        cmocka_unit_test(closed_jaws_carry_nearest_node),
+        cmocka_unit_test(jaws_ignore_nodes_beyond_reach),
+        cmocka_unit_test(first_tool_leads_and_second_takes_over),
+        cmocka_unit_test(waiting_tool_holds_nothing),
+        cmocka_unit_test(hand_feels_section_stretch),
+        cmocka_unit_test(carried_node_is_restored),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
 #include "scene/paper_prick.h"
 
 /* No force enters: a tip within a triangle touches nothing and moves nothing. */
-static void the_wall_does_not_feel_the_tip(void **state)
+static void wall_ignores_tip(void **state)
 {
     (void)state;
     prick p;
@@ -13,7 +13,7 @@ static void the_wall_does_not_feel_the_tip(void **state)
     needles_end(&p.r);
 }
 
-static void particles_follow_the_needle_by_their_weights(void **state)
+static void particles_follow_needle_by_weight(void **state)
 {
     (void)state;
     prick p;
@@ -63,7 +63,7 @@ static uint32_t sides(const prick *p)
 }
 
 /* Beside an edge it presses that aside, until it is in the hole. */
-static void the_wall_round_a_hole_does_not_touch(void **state)
+static void wall_near_hole_has_no_contact(void **state)
 {
     (void)state;
     static const double beside[3] = {0.46, 0.46, 0.08};
@@ -85,7 +85,7 @@ static void the_wall_round_a_hole_does_not_touch(void **state)
 }
 
 /* The springs of the particles would have to be pulled along: it stays where it was let go. */
-static void a_free_needle_stays_in_the_wall(void **state)
+static void free_needle_stays_in_wall(void **state)
 {
     (void)state;
     prick p;
@@ -112,10 +112,10 @@ static void a_free_needle_stays_in_the_wall(void **state)
 int test_paper_holes(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_wall_does_not_feel_the_tip),
-        harness_test(particles_follow_the_needle_by_their_weights),
-        harness_test(the_wall_round_a_hole_does_not_touch),
-        harness_test(a_free_needle_stays_in_the_wall),
+        harness_test(wall_ignores_tip),
+        harness_test(particles_follow_needle_by_weight),
+        harness_test(wall_near_hole_has_no_contact),
+        harness_test(free_needle_stays_in_wall),
     };
     return cmocka_run_group_tests_name("scene.paper_holes", tests, NULL, NULL);
 }

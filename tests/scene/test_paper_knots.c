@@ -194,7 +194,7 @@ static double largest_tension(const throw *t)
 
 /* 95 of 146 mm stay in the loops however often it is pulled: that is what the pins hold. The type is lost all the
  * same, and the forces are those of springs that an explicit step allows. */
-static void pins_on_both_strands_hold_a_throw(void **state)
+static void pins_on_both_strands_hold_throw(void **state)
 {
     (void)state;
     throw t;
@@ -222,7 +222,7 @@ static void pins_on_both_strands_hold_a_throw(void **state)
     end(&t);
 }
 
-static void one_pin_keeps_its_place_but_not_the_loops(void **state)
+static void single_pin_keeps_place_but_not_loops(void **state)
 {
     (void)state;
     throw t;
@@ -238,7 +238,7 @@ static void one_pin_keeps_its_place_but_not_the_loops(void **state)
 }
 
 /* Steps of a frame: strands pass each other within the first, before anybody pulls. */
-static void throw_without_pins_comes_out(void **state)
+static void unpinned_throw_opens(void **state)
 {
     (void)state;
     throw t;
@@ -254,7 +254,7 @@ static void throw_without_pins_comes_out(void **state)
 }
 
 /* It is the step that is too long: without friction the hands alone hold a throw. */
-static void short_steps_hold_a_throw_without_pins(void **state)
+static void short_steps_hold_unpinned_throw(void **state)
 {
     (void)state;
     throw t;
@@ -272,7 +272,7 @@ static void short_steps_hold_a_throw_without_pins(void **state)
 }
 
 /* 0.3 mm in the knot: some 300 explicit steps in one of 1 ms, and lost at the second all the same. */
-static void fine_thread_is_lost_at_once(void **state)
+static void fine_thread_loses_throw_at_once(void **state)
 {
     (void)state;
     throw t;
@@ -292,11 +292,11 @@ static void fine_thread_is_lost_at_once(void **state)
 int test_paper_knots(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(pins_on_both_strands_hold_a_throw),
-        harness_test(one_pin_keeps_its_place_but_not_the_loops),
-        harness_test(throw_without_pins_comes_out),
-        harness_test(short_steps_hold_a_throw_without_pins),
-        harness_test(fine_thread_is_lost_at_once),
+        harness_test(pins_on_both_strands_hold_throw),
+        harness_test(single_pin_keeps_place_but_not_loops),
+        harness_test(unpinned_throw_opens),
+        harness_test(short_steps_hold_unpinned_throw),
+        harness_test(fine_thread_loses_throw_at_once),
     };
     return cmocka_run_group_tests_name("scene.paper_knots", tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static double speed(const needles_rig *r)
 }
 
 /* Backward Euler: n steps of h take it down by g h^2 n (n + 1) / 2. */
-static void a_dropped_needle_falls_by_the_law(void **state)
+static void dropped_needle_follows_ballistic_law(void **state)
 {
     (void)state;
     needles_rig r;
@@ -61,7 +61,7 @@ static void a_dropped_needle_falls_by_the_law(void **state)
 }
 
 /* Thrown: what the tool had is what it goes on with. */
-static void a_needle_goes_on_as_fast_as_it_was_led(void **state)
+static void released_needle_keeps_led_velocity(void **state)
 {
     (void)state;
     needles_rig r;
@@ -81,7 +81,7 @@ static void a_needle_goes_on_as_fast_as_it_was_led(void **state)
     needles_end(&r);
 }
 
-static void in_the_air_it_is_the_needle_alone_to_the_bit(void **state)
+static void free_flight_equals_standalone_bit_exact(void **state)
 {
     (void)state;
     needles_rig r;
@@ -105,7 +105,7 @@ static void in_the_air_it_is_the_needle_alone_to_the_bit(void **state)
 }
 
 /* Flat, it stops at once; however it comes down, it is never below the floor and never gains energy. */
-static void it_comes_to_rest_on_the_floor(void **state)
+static void falling_needle_comes_to_rest_on_floor(void **state)
 {
     (void)state;
     for (uint64_t seed = 0; seed < 12; seed++) {
@@ -141,7 +141,7 @@ static void it_comes_to_rest_on_the_floor(void **state)
     }
 }
 
-static void a_floor_keeps_its_distance(void **state)
+static void floor_keeps_distance(void **state)
 {
     (void)state;
     needles_rig r;
@@ -165,11 +165,11 @@ static void a_floor_keeps_its_distance(void **state)
 int test_paper_needle_falls(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_dropped_needle_falls_by_the_law),
-        harness_test(a_needle_goes_on_as_fast_as_it_was_led),
-        harness_test(in_the_air_it_is_the_needle_alone_to_the_bit),
-        harness_test(it_comes_to_rest_on_the_floor),
-        harness_test(a_floor_keeps_its_distance),
+        harness_test(dropped_needle_follows_ballistic_law),
+        harness_test(released_needle_keeps_led_velocity),
+        harness_test(free_flight_equals_standalone_bit_exact),
+        harness_test(falling_needle_comes_to_rest_on_floor),
+        harness_test(floor_keeps_distance),
     };
     return cmocka_run_group_tests_name("scene.paper_needle_falls", tests, NULL, NULL);
 }

@@ -30,7 +30,7 @@ static vbss_result destroy(void *handle)
 static const harness_body body = {"paper needle", &vbss_scene_kind, create, NULL,
                                   step,           destroy,          NULL};
 
-static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+static void restored_scene_continues_bit_equal(void **state)
 {
     (void)state;
     const size_t moments[] = {PAPER_NEEDLE_SCENE_TAKEN,   165, /* on its way through the wall */
@@ -39,13 +39,13 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 60);
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     assert_int_equal(harness_step_allocations(&body, PAPER_NEEDLE_SCENE_STEPS), 0);
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     harness_refuses_bad_snapshots(&body, PAPER_NEEDLE_SCENE_BOTH);
@@ -53,7 +53,7 @@ static void bad_snapshots_are_refused(void **state)
 
 /* ---- the moments */
 
-static void the_moments_are_what_they_are_called(void **state)
+static void state_cases_cover_events(void **state)
 {
     (void)state;
     static const uint32_t wanted[] = {[VBSS_EVENT_GRASP] = 2,
@@ -131,7 +131,7 @@ static void spoil(scene_object *s, int which)
     }
 }
 
-static void what_cannot_be_is_refused(void **state)
+static void impossible_state_is_rejected(void **state)
 {
     (void)state;
     small s;
@@ -158,7 +158,7 @@ static void what_cannot_be_is_refused(void **state)
 /* ---- steps that fail */
 
 /* Of a thread that is torn to pieces, while the needle is led: needle, tool and pins are as before. */
-static void a_step_that_fails_leaves_all_as_it_was(void **state)
+static void failed_step_changes_nothing(void **state)
 {
     (void)state;
     small s;
@@ -190,7 +190,7 @@ static void a_step_that_fails_leaves_all_as_it_was(void **state)
 
 /* ---- what leaves */
 
-static void a_leader_that_is_removed_lets_go(void **state)
+static void removed_leader_releases_needle(void **state)
 {
     (void)state;
     small s;
@@ -216,13 +216,13 @@ static void a_leader_that_is_removed_lets_go(void **state)
 int test_paper_needle_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_scene_goes_on_to_the_same_bits),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(the_moments_are_what_they_are_called),
-        cmocka_unit_test(what_cannot_be_is_refused),
-        cmocka_unit_test(a_step_that_fails_leaves_all_as_it_was),
-        cmocka_unit_test(a_leader_that_is_removed_lets_go),
+        cmocka_unit_test(restored_scene_continues_bit_equal),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(state_cases_cover_events),
+        cmocka_unit_test(impossible_state_is_rejected),
+        cmocka_unit_test(failed_step_changes_nothing),
+        cmocka_unit_test(removed_leader_releases_needle),
     };
     return cmocka_run_group_tests_name("scene.paper_needle_state", tests, NULL, NULL);
 }

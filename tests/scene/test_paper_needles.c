@@ -67,7 +67,7 @@ static void wander(needles_rig *r, uint32_t tool, vec3 home, uint32_t steps, uin
     }
 }
 
-static void a_needle_follows_its_tool_exactly(void **state)
+static void needle_follows_tool_exactly(void **state)
 {
     (void)state;
     needles_rig r;
@@ -96,7 +96,7 @@ static void a_needle_follows_its_tool_exactly(void **state)
 }
 
 /* It neither moves the needle nor holds it; when the first lets go, the needle is its own from where it is. */
-static void a_second_tool_waits_and_takes_over(void **state)
+static void second_tool_waits_and_takes_over(void **state)
 {
     (void)state;
     needles_rig r;
@@ -140,7 +140,7 @@ static void a_second_tool_waits_and_takes_over(void **state)
     needles_end(&r);
 }
 
-static void who_stops_waiting_does_not_take_over(void **state)
+static void leaving_waiter_does_not_take_over(void **state)
 {
     (void)state;
     needles_rig r;
@@ -167,7 +167,7 @@ typedef struct location {
     bool taken;
 } place;
 
-static void jaws_take_what_is_near_and_lies_across_them(void **state)
+static void jaws_grasp_near_transverse_needle(void **state)
 {
     (void)state;
     static const place places[] = {
@@ -191,7 +191,7 @@ static void jaws_take_what_is_near_and_lies_across_them(void **state)
     }
 }
 
-static void jaws_do_not_take_what_lies_along_them_or_comes_later(void **state)
+static void jaws_ignore_parallel_or_late_needle(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -212,7 +212,7 @@ static void jaws_do_not_take_what_lies_along_them_or_comes_later(void **state)
 }
 
 /* The thread is fixed to the swage, pulls at nothing, and is felt by the hand that has the needle. */
-static void a_swaged_thread_goes_with_the_needle(void **state)
+static void swaged_thread_follows_needle(void **state)
 {
     (void)state;
     needles_rig r;
@@ -253,7 +253,7 @@ typedef struct stretch {
     uint32_t steps, wanted;
 } stretch;
 
-static void the_solenoid_follows_the_grasp(void **state)
+static void solenoid_follows_grasp(void **state)
 {
     (void)state;
     static const stretch script[] = {{1.0, 20, 0}, {0.21, 20, 0}, {0.1, 20, 1}, {0.21, 20, 1},
@@ -292,13 +292,13 @@ static void the_solenoid_follows_the_grasp(void **state)
 int test_paper_needles(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_needle_follows_its_tool_exactly),
-        harness_test(a_second_tool_waits_and_takes_over),
-        harness_test(who_stops_waiting_does_not_take_over),
-        harness_test(jaws_take_what_is_near_and_lies_across_them),
-        harness_test(jaws_do_not_take_what_lies_along_them_or_comes_later),
-        harness_test(a_swaged_thread_goes_with_the_needle),
-        harness_test(the_solenoid_follows_the_grasp),
+        harness_test(needle_follows_tool_exactly),
+        harness_test(second_tool_waits_and_takes_over),
+        harness_test(leaving_waiter_does_not_take_over),
+        harness_test(jaws_grasp_near_transverse_needle),
+        harness_test(jaws_ignore_parallel_or_late_needle),
+        harness_test(swaged_thread_follows_needle),
+        harness_test(solenoid_follows_grasp),
     };
     return cmocka_run_group_tests_name("scene.paper_needles", tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ static vec3 point_of(stage *s, uint32_t tool, const double point[3])
 
 /* The node goes where its point goes, turned with the tool; the thread comes out of it without touching it; the
  * hand carries the weight. A coupled tool is as rigid as a driven one, and a free one stands still. */
-static void pinned_node_moves_with_its_tool(void **state)
+static void pinned_node_moves_with_tool(void **state)
 {
     (void)state;
     const vbss_rigid_kind kinds[] = {VBSS_RIGID_DRIVEN, VBSS_RIGID_COUPLED, VBSS_RIGID_FREE};
@@ -68,7 +68,7 @@ static void pinned_node_moves_with_its_tool(void **state)
     }
 }
 
-static void pins_that_cannot_be_are_refused(void **state)
+static void impossible_pins_are_rejected(void **state)
 {
     (void)state;
     stage s;
@@ -107,7 +107,7 @@ static void pins_that_cannot_be_are_refused(void **state)
 }
 
 /* Also where pins were to be taken along. */
-static void failed_step_leaves_pins_where_they_were(void **state)
+static void failed_step_keeps_pins(void **state)
 {
     (void)state;
     stage s;
@@ -127,9 +127,9 @@ static void failed_step_leaves_pins_where_they_were(void **state)
 int test_paper_pins(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(pinned_node_moves_with_its_tool),
-        harness_test(pins_that_cannot_be_are_refused),
-        harness_test(failed_step_leaves_pins_where_they_were),
+        harness_test(pinned_node_moves_with_tool),
+        harness_test(impossible_pins_are_rejected),
+        harness_test(failed_step_keeps_pins),
     };
     return cmocka_run_group_tests_name("scene.paper_pins", tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ static void expect_undone(stage *s, vbss_result wanted)
     assert_int_equal(before, hash_of(s->scene));
 }
 
-static void step_that_fails_is_undone(void **state)
+static void failed_step_is_undone(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -43,7 +43,7 @@ static void step_that_fails_is_undone(void **state)
     }
 }
 
-static void what_is_not_the_papers_is_refused(void **state)
+static void options_of_other_method_are_rejected(void **state)
 {
     (void)state;
     stage s;
@@ -121,7 +121,7 @@ static vbss_result destroy_heap(void *handle)
 static const harness_body heap = {"paper scene", &vbss_scene_kind, create_heap, NULL,
                                   step_heap,     destroy_heap,     NULL};
 
-static void a_step_allocates_nothing_and_goes_on_elsewhere(void **state)
+static void step_does_not_allocate_and_restores_bit_equal(void **state)
 {
     (void)state;
     assert_int_equal(0, harness_step_allocations(&heap, 60));
@@ -129,7 +129,7 @@ static void a_step_allocates_nothing_and_goes_on_elsewhere(void **state)
     harness_refuses_bad_snapshots(&heap, 40);
 }
 
-static void two_runs_have_the_same_bits(void **state)
+static void runs_are_bit_equal(void **state)
 {
     (void)state;
     expect_runs_alike(&heap, 100);
@@ -138,10 +138,10 @@ static void two_runs_have_the_same_bits(void **state)
 int test_paper_promises(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(step_that_fails_is_undone),
-        harness_test(what_is_not_the_papers_is_refused),
-        harness_test(a_step_allocates_nothing_and_goes_on_elsewhere),
-        harness_test(two_runs_have_the_same_bits),
+        harness_test(failed_step_is_undone),
+        harness_test(options_of_other_method_are_rejected),
+        harness_test(step_does_not_allocate_and_restores_bit_equal),
+        harness_test(runs_are_bit_equal),
     };
     return cmocka_run_group_tests_name("scene.paper_promises", tests, NULL, NULL);
 }

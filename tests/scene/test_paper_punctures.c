@@ -1,7 +1,7 @@
 /* Algorithm 3 of the paper: when a needle has gone through a wall. */
 #include "scene/paper_prick.h"
 
-static void the_first_sub_segment_alone_makes_no_hole(void **state)
+static void first_sub_segment_alone_makes_no_hole(void **state)
 {
     (void)state;
     prick p;
@@ -17,7 +17,7 @@ static void the_first_sub_segment_alone_makes_no_hole(void **state)
 }
 
 /* It is one wall in when the second sub-segment is crossed. */
-static void a_needle_is_counted_a_wall_behind_its_tip(void **state)
+static void hole_is_counted_one_wall_behind_tip(void **state)
 {
     (void)state;
     prick p;
@@ -40,7 +40,7 @@ static void a_needle_is_counted_a_wall_behind_its_tip(void **state)
     needles_end(&p.r);
 }
 
-static void tremor_counts_once(void **state)
+static void tremor_is_counted_once(void **state)
 {
     (void)state;
     prick p;
@@ -57,7 +57,7 @@ static void tremor_counts_once(void **state)
     needles_end(&p.r);
 }
 
-static void a_needle_that_is_pulled_out_leaves_and_may_come_again(void **state)
+static void withdrawn_needle_leaves_and_reenters(void **state)
 {
     (void)state;
     prick p;
@@ -103,7 +103,7 @@ static void two_walls_are_counted_twice(void **state)
 }
 
 /* More than a wall in a step: the tip is never seen between two steps on its way, which is the paper's limit. */
-static void a_tip_that_crosses_both_in_a_step_is_not_seen(void **state)
+static void tip_crossing_both_walls_in_one_step_is_missed(void **state)
 {
     (void)state;
     prick p;
@@ -115,7 +115,7 @@ static void a_tip_that_crosses_both_in_a_step_is_not_seen(void **state)
     needles_end(&p.r);
 }
 
-static void what_finds_no_room_is_told(void **state)
+static void hole_above_capacity_is_reported(void **state)
 {
     (void)state;
     prick p;
@@ -135,13 +135,13 @@ static void what_finds_no_room_is_told(void **state)
 int test_paper_punctures(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_first_sub_segment_alone_makes_no_hole),
-        harness_test(a_needle_is_counted_a_wall_behind_its_tip),
-        harness_test(tremor_counts_once),
-        harness_test(a_needle_that_is_pulled_out_leaves_and_may_come_again),
+        harness_test(first_sub_segment_alone_makes_no_hole),
+        harness_test(hole_is_counted_one_wall_behind_tip),
+        harness_test(tremor_is_counted_once),
+        harness_test(withdrawn_needle_leaves_and_reenters),
         harness_test(two_walls_are_counted_twice),
-        harness_test(a_tip_that_crosses_both_in_a_step_is_not_seen),
-        harness_test(what_finds_no_room_is_told),
+        harness_test(tip_crossing_both_walls_in_one_step_is_missed),
+        harness_test(hole_above_capacity_is_reported),
     };
     return cmocka_run_group_tests_name("scene.paper_punctures", tests, NULL, NULL);
 }

@@ -26,7 +26,7 @@ static double height(stage *s, int which)
 }
 
 /* Printed, shares of 1e4 would throw both away. */
-static void threads_that_move_together_are_not_thrown(void **state)
+static void comoving_threads_are_not_pushed(void **state)
 {
     (void)state;
     stage s;
@@ -43,7 +43,7 @@ static void threads_that_move_together_are_not_thrown(void **state)
 }
 
 /* Found between begin and end, not at the end: whoever moved is put back to its side. */
-static void thread_that_passes_within_a_step_is_put_back(void **state)
+static void thread_passing_within_step_is_moved_back(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -61,7 +61,7 @@ static void thread_that_passes_within_a_step_is_put_back(void **state)
 }
 
 /* A tool beside a held node: the other end of its segment is a lever of 50 to 1. */
-static void node_beside_a_held_one_is_not_thrown(void **state)
+static void neighbour_of_held_node_is_not_thrown(void **state)
 {
     (void)state;
     stage s;
@@ -84,7 +84,7 @@ static void node_beside_a_held_one_is_not_thrown(void **state)
     end(&s);
 }
 
-static void thickness_keeps_more_than_the_radii_apart(void **state)
+static void thickness_keeps_features_beyond_radii(void **state)
 {
     (void)state;
     stage s;
@@ -123,7 +123,7 @@ static void add_jaw(stage *s, double radius, double from, double to)
 
 /* A segment between two jaws that close on it: the second drives it through the first, and one pass sees no
  * more of it. */
-static void segment_driven_through_a_tool_is_told_as_deep(void **state)
+static void segment_driven_through_tool_reports_depth(void **state)
 {
     (void)state;
     stage s;
@@ -156,7 +156,7 @@ static void segment_driven_through_a_tool_is_told_as_deep(void **state)
 }
 
 /* After its turn in the only pass: no contact, but an overlap. */
-static void segment_pushed_into_a_tool_is_told_as_deep(void **state)
+static void segment_pushed_into_tool_reports_depth(void **state)
 {
     (void)state;
     stage s;
@@ -174,7 +174,7 @@ static void segment_pushed_into_a_tool_is_told_as_deep(void **state)
 }
 
 /* Two tools that were there before the thread: found by tool, told by segment, each pair once. */
-static void contacts_are_told_in_the_order_of_their_features(void **state)
+static void contacts_are_in_feature_order(void **state)
 {
     (void)state;
     stage s;
@@ -201,7 +201,7 @@ static void contacts_are_told_in_the_order_of_their_features(void **state)
 }
 
 /* Nothing can move: neither a contact nor a reason for another pass. Nor is rounding, where something rests. */
-static void what_cannot_move_and_what_rests_ask_for_no_more_passes(void **state)
+static void immobile_and_resting_features_need_no_extra_pass(void **state)
 {
     (void)state;
     stage s;
@@ -224,14 +224,14 @@ static void what_cannot_move_and_what_rests_ask_for_no_more_passes(void **state)
 int test_paper_rules(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(threads_that_move_together_are_not_thrown),
-        harness_test(thread_that_passes_within_a_step_is_put_back),
-        harness_test(segment_driven_through_a_tool_is_told_as_deep),
-        harness_test(segment_pushed_into_a_tool_is_told_as_deep),
-        harness_test(contacts_are_told_in_the_order_of_their_features),
-        harness_test(what_cannot_move_and_what_rests_ask_for_no_more_passes),
-        harness_test(node_beside_a_held_one_is_not_thrown),
-        harness_test(thickness_keeps_more_than_the_radii_apart),
+        harness_test(comoving_threads_are_not_pushed),
+        harness_test(thread_passing_within_step_is_moved_back),
+        harness_test(segment_driven_through_tool_reports_depth),
+        harness_test(segment_pushed_into_tool_reports_depth),
+        harness_test(contacts_are_in_feature_order),
+        harness_test(immobile_and_resting_features_need_no_extra_pass),
+        harness_test(neighbour_of_held_node_is_not_thrown),
+        harness_test(thickness_keeps_features_beyond_radii),
     };
     return cmocka_run_group_tests_name("scene.paper_rules", tests, NULL, NULL);
 }

@@ -60,7 +60,7 @@ static double tilt_of_forces(stage *s)
 }
 
 /* No friction: forces stand across both, and what is drawn along goes alone. */
-static void crossing_threads_stop_each_other_and_slide(void **state)
+static void crossing_threads_stop_and_slide(void **state)
 {
     (void)state;
     const double h = 2e-4;
@@ -96,7 +96,7 @@ static void crossing_threads_stop_each_other_and_slide(void **state)
 }
 
 /* The steps of the paper are long: the thread that is lowered is held up a frame at a time, and stretched. */
-static void long_steps_stop_a_thread_but_stretch_it(void **state)
+static void long_steps_stop_thread_but_stretch_it(void **state)
 {
     (void)state;
     stage s;
@@ -119,7 +119,7 @@ static void long_steps_stop_a_thread_but_stretch_it(void **state)
 /* ---- a tool */
 
 /* What the hand carries is the thread's weight; a coupled tool goes where it is told like a driven one. */
-static void thread_rests_on_a_tool_and_is_lifted_by_it(void **state)
+static void tool_carries_and_lifts_thread(void **state)
 {
     (void)state;
     const vbss_rigid_kind kinds[] = {VBSS_RIGID_DRIVEN, VBSS_RIGID_COUPLED};
@@ -155,7 +155,7 @@ static void thread_rests_on_a_tool_and_is_lifted_by_it(void **state)
 
 /* ---- the floor */
 
-static void thread_falls_on_the_floor_and_stays_there(void **state)
+static void thread_falls_and_rests_on_floor(void **state)
 {
     (void)state;
     stage s;
@@ -191,10 +191,10 @@ static void thread_falls_on_the_floor_and_stays_there(void **state)
 int test_paper_scene(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(crossing_threads_stop_each_other_and_slide),
-        harness_test(long_steps_stop_a_thread_but_stretch_it),
-        harness_test(thread_rests_on_a_tool_and_is_lifted_by_it),
-        harness_test(thread_falls_on_the_floor_and_stays_there),
+        harness_test(crossing_threads_stop_and_slide),
+        harness_test(long_steps_stop_thread_but_stretch_it),
+        harness_test(tool_carries_and_lifts_thread),
+        harness_test(thread_falls_and_rests_on_floor),
     };
     return cmocka_run_group_tests_name("scene.paper_scene", tests, NULL, NULL);
 }

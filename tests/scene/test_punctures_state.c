@@ -57,7 +57,7 @@ static uint32_t count_of(vbss_scene *scene, vbss_event_kind kind)
 }
 
 /* What the other tests stand on: moments 63 to 73 are about the first entry, 170 to 185 about the second. */
-static void it_lives_through_all_events(void **state)
+static void state_cases_cover_events(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -79,7 +79,7 @@ static void it_lives_through_all_events(void **state)
     harness_context_end(context, &memory);
 }
 
-static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+static void restored_scene_continues_bit_equal(void **state)
 {
     (void)state;
     const size_t moments[] = {20, 55, 66, 70, 90, 120, 160, 176, 190, 220, 300};
@@ -88,7 +88,7 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 25);
 }
 
-static void bad_snapshots_are_told(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     pricked p = {2};
@@ -96,7 +96,7 @@ static void bad_snapshots_are_told(void **state)
     harness_refuses_bad_snapshots(&body, 190);
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     pricked p = {16};
@@ -104,7 +104,7 @@ static void steps_allocate_nothing(void **state)
     assert_int_equal(harness_step_allocations(&body, 400), 0);
 }
 
-static void a_wall_holds_where_there_is_no_room_for_a_hole(void **state)
+static void wall_holds_without_hole_capacity(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -124,7 +124,7 @@ static void a_wall_holds_where_there_is_no_room_for_a_hole(void **state)
     harness_context_end(context, &memory);
 }
 
-static void removed_bodies_take_their_holes_with_them(void **state)
+static void removed_bodies_remove_holes(void **state)
 {
     (void)state;
     for (uint32_t which = 1; which <= 2; which++) {
@@ -150,12 +150,12 @@ static void removed_bodies_take_their_holes_with_them(void **state)
 int test_punctures_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_lives_through_all_events),
-        cmocka_unit_test(a_restored_scene_goes_on_to_the_same_bits),
-        cmocka_unit_test(bad_snapshots_are_told),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(a_wall_holds_where_there_is_no_room_for_a_hole),
-        cmocka_unit_test(removed_bodies_take_their_holes_with_them),
+        cmocka_unit_test(state_cases_cover_events),
+        cmocka_unit_test(restored_scene_continues_bit_equal),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(wall_holds_without_hole_capacity),
+        cmocka_unit_test(removed_bodies_remove_holes),
     };
     return cmocka_run_group_tests_name("scene.punctures_state", tests, NULL, NULL);
 }

@@ -40,7 +40,7 @@ static void look_and_attach(vbss_thread *thread)
     assert_int_equal(statistics.struct_size, sizeof statistics);
 }
 
-static void a_thread_belongs_to_its_scene_until_it_leaves(void **state)
+static void thread_belongs_to_scene_until_removed(void **state)
 {
     (void)state;
     for (int end = 0; end < 2; end++) {
@@ -78,7 +78,7 @@ static void a_thread_belongs_to_its_scene_until_it_leaves(void **state)
     }
 }
 
-static void a_thread_of_another_context_is_no_thread(void **state)
+static void thread_of_other_context_is_rejected(void **state)
 {
     (void)state;
     small s, other;
@@ -101,7 +101,7 @@ static void a_thread_of_another_context_is_no_thread(void **state)
 
 /* ---- ends, in any order */
 
-static void a_context_ends_whatever_was_made_first(void **state)
+static void context_end_destroys_in_any_order(void **state)
 {
     (void)state;
     for (int order = 0; order < 16; order++) {
@@ -133,7 +133,7 @@ static void a_context_ends_whatever_was_made_first(void **state)
     }
 }
 
-static void scenes_that_come_and_go_need_no_more_memory(void **state)
+static void scene_churn_does_not_grow_memory(void **state)
 {
     (void)state;
     small s;
@@ -154,7 +154,7 @@ static void scenes_that_come_and_go_need_no_more_memory(void **state)
 }
 
 /* Numbers are never used again, places are. */
-static void bodies_that_come_and_go_find_room(void **state)
+static void removed_bodies_free_capacity(void **state)
 {
     (void)state;
     small s;
@@ -190,11 +190,11 @@ static void bodies_that_come_and_go_find_room(void **state)
 int test_scene_belonging(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_thread_belongs_to_its_scene_until_it_leaves),
-        cmocka_unit_test(a_thread_of_another_context_is_no_thread),
-        cmocka_unit_test(a_context_ends_whatever_was_made_first),
-        cmocka_unit_test(scenes_that_come_and_go_need_no_more_memory),
-        cmocka_unit_test(bodies_that_come_and_go_find_room),
+        cmocka_unit_test(thread_belongs_to_scene_until_removed),
+        cmocka_unit_test(thread_of_other_context_is_rejected),
+        cmocka_unit_test(context_end_destroys_in_any_order),
+        cmocka_unit_test(scene_churn_does_not_grow_memory),
+        cmocka_unit_test(removed_bodies_free_capacity),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

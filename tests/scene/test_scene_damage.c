@@ -4,7 +4,7 @@
 #include "scene/small.h"
 #include "fixtures/scene_body.h"
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
@@ -78,14 +78,14 @@ static void step_all_damaged(vbss_method method)
     small_end(&s);
 }
 
-static void damaged_states_that_are_taken_can_be_stepped(void **state)
+static void accepted_damaged_states_can_be_stepped(void **state)
 {
     (void)state;
     step_all_damaged(VBSS_METHOD_OURS);
     step_all_damaged(VBSS_METHOD_PAPER);
 }
 
-static void states_of_a_newer_version_are_told(void **state)
+static void snapshot_of_newer_version_is_rejected(void **state)
 {
     (void)state;
     small s;
@@ -110,7 +110,7 @@ static void states_of_a_newer_version_are_told(void **state)
 }
 
 /* What a snapshot with a right checksum may hold: finite, and no place where anything could be. */
-static void absurd_states_end_in_numbers_or_are_told(void **state)
+static void absurd_states_end_finite_or_are_reported(void **state)
 {
     (void)state;
     const double absurd[] = {1e10, 1e30, 1e100, 1e160, 1e300, -DBL_MAX};
@@ -145,10 +145,10 @@ static void absurd_states_end_in_numbers_or_are_told(void **state)
 int test_scene_damage(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(damaged_states_that_are_taken_can_be_stepped),
-        cmocka_unit_test(states_of_a_newer_version_are_told),
-        cmocka_unit_test(absurd_states_end_in_numbers_or_are_told),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(accepted_damaged_states_can_be_stepped),
+        cmocka_unit_test(snapshot_of_newer_version_is_rejected),
+        cmocka_unit_test(absurd_states_end_finite_or_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

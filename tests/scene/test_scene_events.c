@@ -17,7 +17,7 @@ static void expect_event(const small *s, vbss_event_kind kind, uint32_t count, u
 }
 
 /* A coupled tool goes down to a driven one and up again. */
-static void bodies_touch_once_and_part_once(void **state)
+static void touch_and_separate_events_pair(void **state)
 {
     (void)state;
     small s;
@@ -70,7 +70,7 @@ static uint32_t drop_eight(small *s)
 }
 
 /* Many contacts of two bodies are one touch; the floor is body 0, and a thread may touch itself. */
-static void a_touch_is_between_bodies(void **state)
+static void contact_event_is_per_body_pair(void **state)
 {
     (void)state;
     small s;
@@ -99,7 +99,7 @@ static void a_touch_is_between_bodies(void **state)
 }
 
 /* A body that leaves while it touches has parted, which shows in the next step. */
-static void a_body_that_leaves_parts(void **state)
+static void removed_body_emits_separate(void **state)
 {
     (void)state;
     small s;
@@ -118,7 +118,7 @@ static void a_body_that_leaves_parts(void **state)
     small_end(&s);
 }
 
-static void a_step_that_is_cut_short_says_how_much(void **state)
+static void truncated_step_reports_fraction(void **state)
 {
     (void)state;
     small s;
@@ -162,7 +162,7 @@ static uint32_t drop(small *s, uint32_t capacity)
     return (uint32_t)small_view(s, VBSS_SCENE_VIEW_EVENTS).count;
 }
 
-static void events_beyond_the_capacity_are_counted(void **state)
+static void events_above_capacity_are_counted(void **state)
 {
     (void)state;
     for (uint32_t capacity = 0; capacity <= 8; capacity++) {
@@ -182,7 +182,7 @@ static void events_beyond_the_capacity_are_counted(void **state)
 }
 
 /* What is told does not depend on whether somebody has room to hear it. */
-static void room_for_events_changes_nothing_else(void **state)
+static void event_capacity_changes_nothing_else(void **state)
 {
     (void)state;
     small none, some;
@@ -199,12 +199,12 @@ static void room_for_events_changes_nothing_else(void **state)
 int test_scene_events(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bodies_touch_once_and_part_once),
-        cmocka_unit_test(a_touch_is_between_bodies),
-        cmocka_unit_test(a_body_that_leaves_parts),
-        cmocka_unit_test(a_step_that_is_cut_short_says_how_much),
-        cmocka_unit_test(events_beyond_the_capacity_are_counted),
-        cmocka_unit_test(room_for_events_changes_nothing_else),
+        cmocka_unit_test(touch_and_separate_events_pair),
+        cmocka_unit_test(contact_event_is_per_body_pair),
+        cmocka_unit_test(removed_body_emits_separate),
+        cmocka_unit_test(truncated_step_reports_fraction),
+        cmocka_unit_test(events_above_capacity_are_counted),
+        cmocka_unit_test(event_capacity_changes_nothing_else),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

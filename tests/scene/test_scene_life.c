@@ -44,7 +44,7 @@ static vbss_result add_rigid_and_destroy(vbss_context *context, const void *conf
     return result;
 }
 
-static void configs_keep_the_size_protocol(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t scene_sizes[] = {160, 168, 176, 0}, rigid_sizes[] = {200, 0};
@@ -66,7 +66,7 @@ static vbss_result write_out(vbss_scene *scene, int which, void *out, uint32_t s
     }
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[3] = {264, sizeof(vbss_view), sizeof(vbss_scene_statistics)};
@@ -94,7 +94,7 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
     small_end(&s);
 }
 
-static void a_scene_can_be_made_from_the_defaults(void **state)
+static void default_scene(void **state)
 {
     (void)state;
     small s;
@@ -192,7 +192,7 @@ static const harness_handle_call calls[CALLS] = {
     call_add_thread, call_add_rigid, call_pin,  call_move,  call_step, call_unpin,     call_remove,
     call_restore,    call_save,      call_hash, call_rigid, call_view, call_statistics};
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     small *s = &at_hand;
@@ -237,7 +237,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->destroyed = vbss_scene_destroy(l->scene);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -273,11 +273,11 @@ static void nothing_changes_from_inside_a_callback(void **state)
 int test_scene_life(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(configs_keep_the_size_protocol),
-        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
-        cmocka_unit_test(a_scene_can_be_made_from_the_defaults),
-        cmocka_unit_test(wrong_handles_are_told_by_every_call),
-        cmocka_unit_test(nothing_changes_from_inside_a_callback),
+        cmocka_unit_test(config_size_protocol),
+        cmocka_unit_test(output_struct_size_protocol),
+        cmocka_unit_test(default_scene),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
+        cmocka_unit_test(calls_inside_callback_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,7 +49,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return result;
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     plan p;
@@ -73,7 +73,7 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
 }
 
 /* What fails leaves the scene as it was, and what comes afterwards finds all its room. */
-static void a_body_that_found_no_memory_is_not_there(void **state)
+static void body_without_memory_is_not_added(void **state)
 {
     (void)state;
     for (uint64_t k = 1; k <= 12; k++) {
@@ -110,7 +110,7 @@ static void a_body_that_found_no_memory_is_not_there(void **state)
     }
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
@@ -163,7 +163,7 @@ static uint32_t crowd_steps(crowd *c)
     return 80;
 }
 
-static void a_step_without_room_changes_nothing(void **state)
+static void step_without_capacity_changes_nothing(void **state)
 {
     (void)state;
     const uint32_t contacts[] = {0, 1, 5, 12, 16}, candidates[] = {0, 1, 2, 3};
@@ -185,7 +185,7 @@ static void a_step_without_room_changes_nothing(void **state)
 }
 
 /* Also when parts of the step were made before: a thread flies at the floor, halved on the way. */
-static void a_step_that_fails_in_its_middle_changes_nothing(void **state)
+static void step_failing_midway_changes_nothing(void **state)
 {
     (void)state;
     uint32_t in_the_middle = 0;
@@ -222,11 +222,11 @@ static void a_step_that_fails_in_its_middle_changes_nothing(void **state)
 int test_scene_memory(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
-        cmocka_unit_test(a_body_that_found_no_memory_is_not_there),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(a_step_without_room_changes_nothing),
-        cmocka_unit_test(a_step_that_fails_in_its_middle_changes_nothing),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
+        cmocka_unit_test(body_without_memory_is_not_added),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(step_without_capacity_changes_nothing),
+        cmocka_unit_test(step_failing_midway_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

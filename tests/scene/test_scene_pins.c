@@ -33,7 +33,7 @@ static vec3 pinned_point(const line *l)
     return pose_apply(pose_make(vec3_load(r.position), q), vec3_make(2e-3, -1e-3, 0.0));
 }
 
-static void a_pin_on_the_world_stays(void **state)
+static void world_pin_stays(void **state)
 {
     (void)state;
     small s;
@@ -55,7 +55,7 @@ static void a_pin_on_the_world_stays(void **state)
 }
 
 /* Carried round: the node is the point of the body at the end of each step, wherever that went. */
-static void a_pin_on_a_driven_body_goes_along(void **state)
+static void pin_on_driven_body_follows(void **state)
 {
     (void)state;
     line l;
@@ -72,7 +72,7 @@ static void a_pin_on_a_driven_body_goes_along(void **state)
     small_end(&l.s);
 }
 
-static void a_pin_on_a_body_that_moves_as_forces_say_goes_along(void **state)
+static void pin_on_dynamic_body_follows(void **state)
 {
     (void)state;
     for (int k = VBSS_RIGID_COUPLED; k <= VBSS_RIGID_FREE; k++) {
@@ -97,7 +97,7 @@ static void a_pin_on_a_body_that_moves_as_forces_say_goes_along(void **state)
 }
 
 /* A given point, away from where the node is: it comes within the next step. */
-static void a_node_is_taken_to_its_point(void **state)
+static void node_is_moved_to_pin_target(void **state)
 {
     (void)state;
     for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
@@ -120,7 +120,7 @@ static void a_node_is_taken_to_its_point(void **state)
 /* ---- the force that it transmits */
 
 /* A taut thread between the world and a body: what the body feels is the tension. */
-static void a_body_feels_what_it_holds(void **state)
+static void body_feels_pin_force(void **state)
 {
     (void)state;
     for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_COUPLED; k++) {
@@ -146,7 +146,7 @@ static void a_body_feels_what_it_holds(void **state)
 
 /* ---- let go */
 
-static void an_unpinned_node_is_free(void **state)
+static void unpinned_node_is_free(void **state)
 {
     (void)state;
     for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
@@ -181,7 +181,7 @@ static uint32_t holders(vbss_thread *thread)
     return count;
 }
 
-static void a_body_that_leaves_takes_its_pins_along(void **state)
+static void removed_body_removes_pins(void **state)
 {
     (void)state;
     for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
@@ -209,7 +209,7 @@ static void a_body_that_leaves_takes_its_pins_along(void **state)
 
 /* ---- what a host does to the thread itself */
 
-static void a_node_that_a_body_holds_is_held_by_nobody_else(void **state)
+static void body_pin_excludes_other_holders(void **state)
 {
     (void)state;
     for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
@@ -230,7 +230,7 @@ static void a_node_that_a_body_holds_is_held_by_nobody_else(void **state)
     }
 }
 
-static void a_pin_that_the_host_detached_is_gone_without_harm(void **state)
+static void detached_pin_is_harmless(void **state)
 {
     (void)state;
     line l;
@@ -246,7 +246,7 @@ static void a_pin_that_the_host_detached_is_gone_without_harm(void **state)
 
 /* ---- two welds side by side: a swage that holds the thread's direction too */
 
-static void neighbours_welded_to_one_body_move_with_it(void **state)
+static void adjacent_welded_nodes_move_with_body(void **state)
 {
     (void)state;
     for (uint32_t count = 1; count <= 4; count++) {
@@ -276,16 +276,16 @@ static void neighbours_welded_to_one_body_move_with_it(void **state)
 int test_scene_pins(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_pin_on_the_world_stays),
-        cmocka_unit_test(a_pin_on_a_driven_body_goes_along),
-        cmocka_unit_test(a_pin_on_a_body_that_moves_as_forces_say_goes_along),
-        cmocka_unit_test(a_node_is_taken_to_its_point),
-        cmocka_unit_test(a_body_feels_what_it_holds),
-        cmocka_unit_test(an_unpinned_node_is_free),
-        cmocka_unit_test(a_body_that_leaves_takes_its_pins_along),
-        cmocka_unit_test(a_node_that_a_body_holds_is_held_by_nobody_else),
-        cmocka_unit_test(a_pin_that_the_host_detached_is_gone_without_harm),
-        cmocka_unit_test(neighbours_welded_to_one_body_move_with_it),
+        cmocka_unit_test(world_pin_stays),
+        cmocka_unit_test(pin_on_driven_body_follows),
+        cmocka_unit_test(pin_on_dynamic_body_follows),
+        cmocka_unit_test(node_is_moved_to_pin_target),
+        cmocka_unit_test(body_feels_pin_force),
+        cmocka_unit_test(unpinned_node_is_free),
+        cmocka_unit_test(removed_body_removes_pins),
+        cmocka_unit_test(body_pin_excludes_other_holders),
+        cmocka_unit_test(detached_pin_is_harmless),
+        cmocka_unit_test(adjacent_welded_nodes_move_with_body),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -112,7 +112,7 @@ static void try_number(small *s, void *config, const number *n, expect_config ex
     with_number(s, config, n->offset, n->high, expect, VBSS_OK);
 }
 
-static void bad_numbers_of_a_scene_are_told(void **state)
+static void bad_scene_numbers_are_rejected(void **state)
 {
     (void)state;
     small s;
@@ -135,7 +135,7 @@ static void bad_numbers_of_a_scene_are_told(void **state)
     small_end(&s);
 }
 
-static void bad_choices_of_a_scene_are_told(void **state)
+static void bad_scene_choices_are_rejected(void **state)
 {
     (void)state;
     small s;
@@ -160,7 +160,7 @@ static void bad_choices_of_a_scene_are_told(void **state)
 }
 
 /* The most that is documented can be had. */
-static void a_scene_of_the_most_nodes_can_be_made(void **state)
+static void maximum_node_count_is_accepted(void **state)
 {
     (void)state;
     small s;
@@ -189,7 +189,7 @@ static void expect_rigid(small *s, vbss_result wanted)
     t->generation = small_view(s, VBSS_SCENE_VIEW_EVENTS).generation;
 }
 
-static void bad_rigid_bodies_are_told(void **state)
+static void bad_rigid_bodies_are_rejected(void **state)
 {
     (void)state;
     subject t;
@@ -248,10 +248,10 @@ static void bad_rigid_bodies_are_told(void **state)
 int test_scene_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_numbers_of_a_scene_are_told),
-        cmocka_unit_test(bad_choices_of_a_scene_are_told),
-        cmocka_unit_test(a_scene_of_the_most_nodes_can_be_made),
-        cmocka_unit_test(bad_rigid_bodies_are_told),
+        cmocka_unit_test(bad_scene_numbers_are_rejected),
+        cmocka_unit_test(bad_scene_choices_are_rejected),
+        cmocka_unit_test(maximum_node_count_is_accepted),
+        cmocka_unit_test(bad_rigid_bodies_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 
 #include "scene/small_subject.h"
 
-static void bad_threads_are_told(void **state)
+static void bad_threads_are_rejected(void **state)
 {
     (void)state;
     subject t;
@@ -38,7 +38,7 @@ static void bad_threads_are_told(void **state)
     small_end(&t.s);
 }
 
-static void bad_names_and_moves_are_told(void **state)
+static void bad_names_and_moves_are_rejected(void **state)
 {
     (void)state;
     subject t;
@@ -76,7 +76,7 @@ static void bad_names_and_moves_are_told(void **state)
     small_end(&t.s);
 }
 
-static void bad_pins_are_told(void **state)
+static void bad_pins_are_rejected(void **state)
 {
     (void)state;
     subject t;
@@ -119,7 +119,7 @@ static void bad_pins_are_told(void **state)
     small_end(&t.s);
 }
 
-static void a_thread_without_room_for_attachments_is_not_pinned(void **state)
+static void pin_needs_attachment_capacity(void **state)
 {
     (void)state;
     small s;
@@ -135,7 +135,7 @@ static void a_thread_without_room_for_attachments_is_not_pinned(void **state)
     small_end(&s);
 }
 
-static void bad_steps_views_and_buffers_are_told(void **state)
+static void bad_steps_views_and_buffers_are_rejected(void **state)
 {
     (void)state;
     subject t;
@@ -162,7 +162,7 @@ static void bad_steps_views_and_buffers_are_told(void **state)
     small_end(&t.s);
 }
 
-static void a_step_with_other_rounding_is_refused(void **state)
+static void other_rounding_mode_is_rejected(void **state)
 {
     (void)state;
     subject t;
@@ -181,12 +181,12 @@ static void a_step_with_other_rounding_is_refused(void **state)
 int test_scene_refused_calls(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_threads_are_told),
-        cmocka_unit_test(bad_names_and_moves_are_told),
-        cmocka_unit_test(bad_pins_are_told),
-        cmocka_unit_test(a_thread_without_room_for_attachments_is_not_pinned),
-        cmocka_unit_test(bad_steps_views_and_buffers_are_told),
-        cmocka_unit_test(a_step_with_other_rounding_is_refused),
+        cmocka_unit_test(bad_threads_are_rejected),
+        cmocka_unit_test(bad_names_and_moves_are_rejected),
+        cmocka_unit_test(bad_pins_are_rejected),
+        cmocka_unit_test(pin_needs_attachment_capacity),
+        cmocka_unit_test(bad_steps_views_and_buffers_are_rejected),
+        cmocka_unit_test(other_rounding_mode_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

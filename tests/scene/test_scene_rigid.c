@@ -12,7 +12,7 @@ static quat orientation_of(const vbss_rigid_state *r)
 
 /* ---- each kind alone */
 
-static void a_driven_body_is_where_it_is_told(void **state)
+static void driven_body_is_at_target(void **state)
 {
     (void)state;
     small s;
@@ -55,7 +55,7 @@ static void a_driven_body_is_where_it_is_told(void **state)
 }
 
 /* A driven body bears anything, and takes part in no equation: also when it is moved fast. */
-static void driven_bodies_do_not_mind_each_other_or_the_floor(void **state)
+static void driven_bodies_ignore_each_other_and_floor(void **state)
 {
     (void)state;
     small s;
@@ -80,7 +80,7 @@ static void driven_bodies_do_not_mind_each_other_or_the_floor(void **state)
 }
 
 /* Without contacts: a mass, a spring and a damper, by backward Euler; the hand feels the spring. */
-static void a_coupled_body_lags_and_pulls_at_the_hand(void **state)
+static void coupled_body_lags_and_pulls_hand(void **state)
 {
     (void)state;
     small s;
@@ -106,7 +106,7 @@ static void a_coupled_body_lags_and_pulls_at_the_hand(void **state)
     small_end(&s);
 }
 
-static void a_coupled_body_turns_after_its_target(void **state)
+static void coupled_body_rotates_after_target(void **state)
 {
     (void)state;
     small s;
@@ -126,7 +126,7 @@ static void a_coupled_body_turns_after_its_target(void **state)
     small_end(&s);
 }
 
-static void a_free_body_falls_and_spins(void **state)
+static void free_body_falls_and_spins(void **state)
 {
     (void)state;
     small s;
@@ -149,7 +149,7 @@ static void a_free_body_falls_and_spins(void **state)
 }
 
 /* The frame's origin far from the mass: velocities given and told are the origin's. */
-static void velocities_are_of_the_origin_of_the_frame(void **state)
+static void velocity_is_of_frame_origin(void **state)
 {
     (void)state;
     small s;
@@ -172,7 +172,7 @@ static void velocities_are_of_the_origin_of_the_frame(void **state)
 
 /* ---- mass: a coupled body answers a push with what it was given */
 
-static void the_mass_is_that_of_the_body_however_many_capsules(void **state)
+static void mass_is_independent_of_capsule_count(void **state)
 {
     (void)state;
     for (uint32_t count = 1; count <= 3; count++) {
@@ -201,7 +201,7 @@ static void the_mass_is_that_of_the_body_however_many_capsules(void **state)
 
 /* ---- floors */
 
-static void a_ball_rests_on_a_floor_of_any_slope_that_holds_it(void **state)
+static void ball_rests_below_friction_angle(void **state)
 {
     (void)state;
     const vec3 normals[] = {{0.0, 1.0, 0.0}, {0.1, 1.0, 0.0}, {0.0, 2.0, 0.4}, {-0.3, 3.0, 0.3}};
@@ -245,7 +245,7 @@ static void a_ball_rests_on_a_floor_of_any_slope_that_holds_it(void **state)
     }
 }
 
-static void a_tool_pressed_on_the_floor_pushes_back(void **state)
+static void floor_pushes_back_on_tool(void **state)
 {
     (void)state;
     small s;
@@ -267,15 +267,15 @@ static void a_tool_pressed_on_the_floor_pushes_back(void **state)
 int test_scene_rigid(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_driven_body_is_where_it_is_told),
-        cmocka_unit_test(driven_bodies_do_not_mind_each_other_or_the_floor),
-        cmocka_unit_test(a_coupled_body_lags_and_pulls_at_the_hand),
-        cmocka_unit_test(a_coupled_body_turns_after_its_target),
-        cmocka_unit_test(a_free_body_falls_and_spins),
-        cmocka_unit_test(velocities_are_of_the_origin_of_the_frame),
-        cmocka_unit_test(the_mass_is_that_of_the_body_however_many_capsules),
-        cmocka_unit_test(a_ball_rests_on_a_floor_of_any_slope_that_holds_it),
-        cmocka_unit_test(a_tool_pressed_on_the_floor_pushes_back),
+        cmocka_unit_test(driven_body_is_at_target),
+        cmocka_unit_test(driven_bodies_ignore_each_other_and_floor),
+        cmocka_unit_test(coupled_body_lags_and_pulls_hand),
+        cmocka_unit_test(coupled_body_rotates_after_target),
+        cmocka_unit_test(free_body_falls_and_spins),
+        cmocka_unit_test(velocity_is_of_frame_origin),
+        cmocka_unit_test(mass_is_independent_of_capsule_count),
+        cmocka_unit_test(ball_rests_below_friction_angle),
+        cmocka_unit_test(floor_pushes_back_on_tool),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@
 static scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
 
 /* The knot is in contact from the first steps on, and tight at 290; the tools press from 20 on. */
-static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+static void restored_scene_continues_bit_equal(void **state)
 {
     (void)state;
     const size_t moments[] = {1, 5, 12, 40};
@@ -17,7 +17,7 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     }
 }
 
-static void a_knot_that_is_tight_goes_on_to_the_same_bits(void **state)
+static void restored_tight_knot_continues_bit_equal(void **state)
 {
     (void)state;
     harness_body body = scene_as_body(&kinds[0]);
@@ -49,7 +49,7 @@ static void expect_events_alike(const small *x, const small *y)
     }
 }
 
-static void what_is_shown_comes_back_too(void **state)
+static void views_are_restored(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -85,7 +85,7 @@ static void make_pair(small *s, uint32_t segments, double radius)
                   radius);
 }
 
-static void states_of_other_scenes_are_refused(void **state)
+static void snapshot_of_other_scene_is_rejected(void **state)
 {
     (void)state;
     static const size_t numbers[] = {offsetof(vbss_scene_config, floor_height),
@@ -155,7 +155,7 @@ static void states_of_other_scenes_are_refused(void **state)
     small_end(&s);
 }
 
-static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
+static void small_buffer_reports_required_size(void **state)
 {
     (void)state;
     small s;
@@ -190,7 +190,7 @@ static uint32_t note(uint64_t seen[], uint32_t count, const small *s)
     return count + 1;
 }
 
-static void hashes_differ_when_anything_differs(void **state)
+static void hash_covers_all_state(void **state)
 {
     (void)state;
     small s;
@@ -234,7 +234,7 @@ static void hashes_differ_when_anything_differs(void **state)
 }
 
 /* Two scenes made alike and driven alike are alike, whatever else lives in their contexts. */
-static void equal_lives_have_equal_hashes(void **state)
+static void equal_runs_have_equal_hashes(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -259,13 +259,13 @@ static void equal_lives_have_equal_hashes(void **state)
 int test_scene_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_scene_goes_on_to_the_same_bits),
-        cmocka_unit_test(a_knot_that_is_tight_goes_on_to_the_same_bits),
-        cmocka_unit_test(what_is_shown_comes_back_too),
-        cmocka_unit_test(states_of_other_scenes_are_refused),
-        cmocka_unit_test(a_buffer_that_is_too_small_is_told_with_the_size),
-        cmocka_unit_test(hashes_differ_when_anything_differs),
-        cmocka_unit_test(equal_lives_have_equal_hashes),
+        cmocka_unit_test(restored_scene_continues_bit_equal),
+        cmocka_unit_test(restored_tight_knot_continues_bit_equal),
+        cmocka_unit_test(views_are_restored),
+        cmocka_unit_test(snapshot_of_other_scene_is_rejected),
+        cmocka_unit_test(small_buffer_reports_required_size),
+        cmocka_unit_test(hash_covers_all_state),
+        cmocka_unit_test(equal_runs_have_equal_hashes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@ static void expect_vector(vec3 wanted, vec3 got, double tolerance)
 }
 
 /* Two hands press their tools together by 1 mm: as much on the one as on the other, and as their springs say. */
-static void tools_pressed_together_push_back_alike(void **state)
+static void pressed_tools_push_back_equally(void **state)
 {
     (void)state;
     small s;
@@ -42,7 +42,7 @@ static void tools_pressed_together_push_back_alike(void **state)
 }
 
 /* One tool drags across another: Coulomb's force along the way, with the mean coefficient. */
-static void a_tool_that_is_drawn_over_another_rubs(void **state)
+static void sliding_tool_rubs(void **state)
 {
     (void)state;
     small s;
@@ -66,7 +66,7 @@ static void a_tool_that_is_drawn_over_another_rubs(void **state)
 }
 
 /* A driven roller turns under a tool: its surface goes, though its axis does not. */
-static void a_roller_rubs(void **state)
+static void roller_rubs(void **state)
 {
     (void)state;
     small s;
@@ -91,7 +91,7 @@ static void a_roller_rubs(void **state)
 }
 
 /* Pushed a little, it sticks, and does not creep. */
-static void a_tool_on_the_floor_sticks_and_then_slides(void **state)
+static void tool_on_floor_sticks_then_slides(void **state)
 {
     (void)state;
     small s;
@@ -129,7 +129,7 @@ static void a_tool_on_the_floor_sticks_and_then_slides(void **state)
 
 /* A free stick lies across two driven ones, which are drawn away below it: it rolls, and so comes along by
  * I / (I + m r^2) of their way. */
-static void friction_rolls_a_stick_along(void **state)
+static void friction_rolls_stick_along(void **state)
 {
     (void)state;
     small s;
@@ -161,7 +161,7 @@ static void friction_rolls_a_stick_along(void **state)
 }
 
 /* Pressed from the side a ball goes off along the normal; a capsule about its end. */
-static void a_push_off_the_middle_turns(void **state)
+static void off_centre_push_rotates(void **state)
 {
     (void)state;
     small s;
@@ -188,12 +188,12 @@ static void a_push_off_the_middle_turns(void **state)
 int test_scene_tools(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tools_pressed_together_push_back_alike),
-        cmocka_unit_test(a_tool_that_is_drawn_over_another_rubs),
-        cmocka_unit_test(a_roller_rubs),
-        cmocka_unit_test(a_tool_on_the_floor_sticks_and_then_slides),
-        cmocka_unit_test(friction_rolls_a_stick_along),
-        cmocka_unit_test(a_push_off_the_middle_turns),
+        cmocka_unit_test(pressed_tools_push_back_equally),
+        cmocka_unit_test(sliding_tool_rubs),
+        cmocka_unit_test(roller_rubs),
+        cmocka_unit_test(tool_on_floor_sticks_then_slides),
+        cmocka_unit_test(friction_rolls_stick_along),
+        cmocka_unit_test(off_centre_push_rotates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

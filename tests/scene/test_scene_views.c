@@ -52,7 +52,7 @@ static void begin_all_kinds(small *s)
     small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(4e-3, y, -5e-3), vec3_make(2e-3, 0.0, 0.0), 5e-4);
 }
 
-static void every_kind_of_contact_shows(void **state)
+static void every_contact_kind_is_shown(void **state)
 {
     (void)state;
     small s;
@@ -105,7 +105,7 @@ static void check_features(const uint32_t f[5], const scene_object *object)
     assert_non_null(vbss_scene_body(object, f[1]));
 }
 
-static void contacts_are_sound(void **state)
+static void contacts_are_consistent(void **state)
 {
     (void)state;
     small s;
@@ -145,7 +145,7 @@ static void contacts_are_sound(void **state)
     small_end(&s);
 }
 
-static void forces_add_up_to_what_bodies_feel(void **state)
+static void contact_forces_sum_to_body_forces(void **state)
 {
     (void)state;
     small s;
@@ -180,7 +180,7 @@ static void forces_add_up_to_what_bodies_feel(void **state)
 }
 
 /* Newton: what the floor bears is the weight, once all is at rest. */
-static void the_floor_bears_the_weight(void **state)
+static void floor_carries_weight(void **state)
 {
     (void)state;
     small s;
@@ -202,7 +202,7 @@ static void the_floor_bears_the_weight(void **state)
 }
 
 /* Where two segments of each thread meet in a node there are four pairs, and one contact. */
-static void a_contact_at_a_node_is_one(void **state)
+static void node_contact_is_single(void **state)
 {
     (void)state;
     small s;
@@ -218,7 +218,7 @@ static void a_contact_at_a_node_is_one(void **state)
 }
 
 /* Near other things, and a few steps after, motion is damped; and only then. */
-static void a_thread_is_damped_while_something_is_near(void **state)
+static void near_thread_is_damped(void **state)
 {
     (void)state;
     small s;
@@ -262,7 +262,7 @@ static uint64_t generation(const small *s)
     return g;
 }
 
-static void the_generation_changes_with_every_step_and_edit(void **state)
+static void generation_changes_with_every_step_and_edit(void **state)
 {
     (void)state;
     small s;
@@ -317,13 +317,13 @@ static void the_generation_changes_with_every_step_and_edit(void **state)
 int test_scene_views(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kind_of_contact_shows),
-        cmocka_unit_test(contacts_are_sound),
-        cmocka_unit_test(forces_add_up_to_what_bodies_feel),
-        cmocka_unit_test(the_floor_bears_the_weight),
-        cmocka_unit_test(a_contact_at_a_node_is_one),
-        cmocka_unit_test(a_thread_is_damped_while_something_is_near),
-        cmocka_unit_test(the_generation_changes_with_every_step_and_edit),
+        cmocka_unit_test(every_contact_kind_is_shown),
+        cmocka_unit_test(contacts_are_consistent),
+        cmocka_unit_test(contact_forces_sum_to_body_forces),
+        cmocka_unit_test(floor_carries_weight),
+        cmocka_unit_test(node_contact_is_single),
+        cmocka_unit_test(near_thread_is_damped),
+        cmocka_unit_test(generation_changes_with_every_step_and_edit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

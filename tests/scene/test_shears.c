@@ -26,7 +26,7 @@ static double off_the_plane(const shears_rig *r)
 /* ---- where it lies */
 
 /* Between the ends of the whole range of a straight thread; blades that are turned cut where their plane is. */
-static void a_thread_is_cut_where_it_lies(void **state)
+static void thread_is_cut_in_place(void **state)
 {
     (void)state;
     const double places[] = {-14.2e-3, -7.31e-3, -0.13e-3, 0.0, 5.26e-3, 14.4e-3};
@@ -54,7 +54,7 @@ static void a_thread_is_cut_where_it_lies(void **state)
 }
 
 /* A thread that rises through the plane, as chords: the share of the way is the share of the arc. */
-static void a_slanting_thread_is_cut_in_the_plane_of_the_blades(void **state)
+static void slanting_thread_is_cut_in_blade_plane(void **state)
 {
     (void)state;
     for (int k = 0; k < 5; k++) {
@@ -78,7 +78,7 @@ static void a_slanting_thread_is_cut_in_the_plane_of_the_blades(void **state)
 }
 
 /* A blade comes first to a thread beside the middle, and takes it along: cut where it then lies. */
-static void a_thread_beside_the_middle_is_taken_along_and_cut(void **state)
+static void off_centre_thread_is_dragged_and_cut(void **state)
 {
     (void)state;
     for (int side = -1; side <= 1; side += 2) {
@@ -99,7 +99,7 @@ static void a_thread_beside_the_middle_is_taken_along_and_cut(void **state)
 }
 
 /* A cut on a node adds none: both parts have it; nearer than a hundredth of a segment it snaps. */
-static void a_cut_at_a_node_goes_through_it(void **state)
+static void cut_at_node_splits_node(void **state)
 {
     (void)state;
     const double beside[] = {0.0, 4e-6, -4e-6, 0.1e-3};
@@ -150,7 +150,7 @@ static void blades_close_on_nothing(void **state)
 }
 
 /* Less than the thread is thick is not cut off: blades close, whatever lies between them. */
-static void at_an_end_nothing_is_cut_and_blades_close(void **state)
+static void cut_at_end_does_nothing_and_blades_close(void **state)
 {
     (void)state;
     for (int k = -10; k <= 10; k += 2) {
@@ -263,7 +263,7 @@ static uint32_t exchanges(const shears_rig *r, vbss_event_kind kind, uint32_t ev
 }
 
 /* A driver holds, lets go, leaves the work volume, comes back as shears and cuts. */
-static void a_driver_is_exchanged_for_shears_that_cut(void **state)
+static void driver_exchanged_for_shears_cuts(void **state)
 {
     (void)state;
     for (int method = 0; method < 2; method++) {
@@ -322,15 +322,15 @@ static void a_driver_is_exchanged_for_shears_that_cut(void **state)
 int test_shears(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_thread_is_cut_where_it_lies),
-        cmocka_unit_test(a_slanting_thread_is_cut_in_the_plane_of_the_blades),
-        cmocka_unit_test(a_thread_beside_the_middle_is_taken_along_and_cut),
-        cmocka_unit_test(a_cut_at_a_node_goes_through_it),
+        cmocka_unit_test(thread_is_cut_in_place),
+        cmocka_unit_test(slanting_thread_is_cut_in_blade_plane),
+        cmocka_unit_test(off_centre_thread_is_dragged_and_cut),
+        cmocka_unit_test(cut_at_node_splits_node),
         cmocka_unit_test(blades_close_on_nothing),
-        cmocka_unit_test(at_an_end_nothing_is_cut_and_blades_close),
+        cmocka_unit_test(cut_at_end_does_nothing_and_blades_close),
         cmocka_unit_test(only_closing_cuts),
         cmocka_unit_test(two_strands_are_cut_in_one_step),
-        cmocka_unit_test(a_driver_is_exchanged_for_shears_that_cut),
+        cmocka_unit_test(driver_exchanged_for_shears_cuts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

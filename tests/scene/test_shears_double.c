@@ -2,7 +2,7 @@
  * limit: docs/known-limits.md. */
 #include "scene/cut_throw.h"
 
-static void a_double_overhand_is_cut_through_with_known_waiting(void **state)
+static void double_overhand_cut_pauses_as_documented(void **state)
 {
     (void)state;
     const cut_case bars = {KNOT_DOUBLE_OVERHAND, true, 0.06, 3, 0, 0.04};
@@ -12,7 +12,7 @@ static void a_double_overhand_is_cut_through_with_known_waiting(void **state)
 int test_shears_double(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_double_overhand_is_cut_through_with_known_waiting),
+        cmocka_unit_test(double_overhand_cut_pauses_as_documented),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
  * limit: docs/known-limits.md. */
 #include "scene/cut_throw.h"
 
-static void an_overhand_is_cut_through_with_known_waiting(void **state)
+static void overhand_cut_pauses_as_documented(void **state)
 {
     (void)state;
     const cut_case bars = {KNOT_OVERHAND, true, 0.06, 3, 0, 0.0};
@@ -12,7 +12,7 @@ static void an_overhand_is_cut_through_with_known_waiting(void **state)
 int test_shears_overhand(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_overhand_is_cut_through_with_known_waiting),
+        cmocka_unit_test(overhand_cut_pauses_as_documented),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

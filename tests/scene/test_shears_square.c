@@ -1,7 +1,7 @@
 /* Blades that close on a square drawn tight, with the default limit of work. */
 #include "scene/cut_throw.h"
 
-static void a_square_is_cut_through_with_little_waiting(void **state)
+static void square_knot_cut_pauses_little(void **state)
 {
     (void)state;
     const cut_case bars = {KNOT_SQUARE, true, 0.09, 4, 20, 0.1};
@@ -14,7 +14,7 @@ static void a_square_is_cut_through_with_little_waiting(void **state)
 int test_shears_square(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_square_is_cut_through_with_little_waiting),
+        cmocka_unit_test(square_knot_cut_pauses_little),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

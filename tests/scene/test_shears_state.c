@@ -148,7 +148,7 @@ static uint32_t cuts_of(vbss_scene *scene)
 /* ---- */
 
 /* The moments that the tests below are about. */
-static void it_cuts_when_it_should(void **state)
+static void cuts_happen_at_expected_steps(void **state)
 {
     (void)state;
     for (int method = 0; method < 2; method++) {
@@ -173,7 +173,7 @@ static void it_cuts_when_it_should(void **state)
     }
 }
 
-static void steps_that_cut_allocate_nothing(void **state)
+static void cutting_steps_do_not_allocate(void **state)
 {
     (void)state;
     for (int method = 0; method < 2; method++) {
@@ -183,7 +183,7 @@ static void steps_that_cut_allocate_nothing(void **state)
 }
 
 /* Before the step that cuts, after it, while the blades close through the ends, and later. */
-static void a_scene_goes_on_to_the_same_bits_across_a_cut(void **state)
+static void restored_scene_continues_bit_equal_across_cut(void **state)
 {
     (void)state;
     const size_t moments[] = {EXCHANGED_AT, CUT_AT - 2, CUT_AT - 1,     CUT_AT,
@@ -194,7 +194,7 @@ static void a_scene_goes_on_to_the_same_bits_across_a_cut(void **state)
     }
 }
 
-static void bad_states_of_cut_scenes_are_refused(void **state)
+static void bad_snapshots_of_cut_scene_are_rejected(void **state)
 {
     (void)state;
     for (int method = 0; method < 2; method++) {
@@ -221,7 +221,7 @@ static void take(bytes *log, vbss_record *record)
     log->count += count;
 }
 
-static void an_exchange_and_cuts_are_replayed_to_the_bit(void **state)
+static void exchange_and_cuts_replay_bit_equal(void **state)
 {
     (void)state;
     for (int method = 0; method < 2; method++) {
@@ -271,11 +271,11 @@ static void an_exchange_and_cuts_are_replayed_to_the_bit(void **state)
 int test_shears_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_cuts_when_it_should),
-        cmocka_unit_test(steps_that_cut_allocate_nothing),
-        cmocka_unit_test(a_scene_goes_on_to_the_same_bits_across_a_cut),
-        cmocka_unit_test(bad_states_of_cut_scenes_are_refused),
-        cmocka_unit_test(an_exchange_and_cuts_are_replayed_to_the_bit),
+        cmocka_unit_test(cuts_happen_at_expected_steps),
+        cmocka_unit_test(cutting_steps_do_not_allocate),
+        cmocka_unit_test(restored_scene_continues_bit_equal_across_cut),
+        cmocka_unit_test(bad_snapshots_of_cut_scene_are_rejected),
+        cmocka_unit_test(exchange_and_cuts_replay_bit_equal),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ enum { LIMITS = 9 };
 static const double shares[LIMITS] = {0.88, 0.92, 0.96, 1.0, 1.04,
                                       1.08, 1.12, 1.2,  1.4}; /* of the default */
 
-static void a_tight_throw_is_cut_through(void **state)
+static void tight_throw_is_cut_through(void **state)
 {
     (void)state;
     const cut_case cases[] = {
@@ -35,7 +35,7 @@ static double median(double values[LIMITS])
     return values[LIMITS / 2];
 }
 
-static void other_limits_of_work_do_not_change_it_much(void **state)
+static void cut_depends_little_on_budget(void **state)
 {
     (void)state;
     const cut_case cases[] = {{KNOT_OVERHAND, true, 0.06, 3, 0, 0.002},
@@ -62,8 +62,8 @@ static void other_limits_of_work_do_not_change_it_much(void **state)
 int test_shears_throws(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_tight_throw_is_cut_through),
-        cmocka_unit_test(other_limits_of_work_do_not_change_it_much),
+        cmocka_unit_test(tight_throw_is_cut_through),
+        cmocka_unit_test(cut_depends_little_on_budget),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,7 +72,7 @@ static pulled pull_through(double friction, double degrees, double tail)
     return p;
 }
 
-static void what_is_pulled_through_rubs_as_a_rope_round_posts(void **state)
+static void sliding_friction_in_holes_follows_capstan_equation(void **state)
 {
     (void)state;
     const double frictions[] = {0.1, 0.3, 0.5}, degrees[] = {0.0, 30.0, 60.0, 90.0};
@@ -87,7 +87,7 @@ static void what_is_pulled_through_rubs_as_a_rope_round_posts(void **state)
     }
 }
 
-static void a_tighter_thread_rubs_in_proportion(void **state)
+static void hole_friction_is_proportional_to_tension(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -98,7 +98,7 @@ static void a_tighter_thread_rubs_in_proportion(void **state)
 
 /* ---- at rest */
 
-static void what_is_held_by_less_than_friction_stays_to_the_nanometre(void **state)
+static void load_below_friction_does_not_creep(void **state)
 {
     (void)state;
     stitch_rig_begin(&c);
@@ -141,7 +141,7 @@ static vec3 anchor_sum(void)
 }
 
 /* Hands, holes, contacts and the block: each body is in balance, and so are all. */
-static void forces_are_passed_on_from_hand_to_block(void **state)
+static void forces_transmit_from_hand_to_block(void **state)
 {
     (void)state;
     stitch_rig_begin(&c);
@@ -177,10 +177,10 @@ static void forces_are_passed_on_from_hand_to_block(void **state)
 int test_stitch(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_pulled_through_rubs_as_a_rope_round_posts),
-        cmocka_unit_test(a_tighter_thread_rubs_in_proportion),
-        cmocka_unit_test(what_is_held_by_less_than_friction_stays_to_the_nanometre),
-        cmocka_unit_test(forces_are_passed_on_from_hand_to_block),
+        cmocka_unit_test(sliding_friction_in_holes_follows_capstan_equation),
+        cmocka_unit_test(hole_friction_is_proportional_to_tension),
+        cmocka_unit_test(load_below_friction_does_not_creep),
+        cmocka_unit_test(forces_transmit_from_hand_to_block),
     };
     return cmocka_run_group_tests_name("scene.stitch", tests, NULL, NULL);
 }

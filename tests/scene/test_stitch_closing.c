@@ -20,7 +20,7 @@ static void tie(double most, uint32_t work)
     stitch_rig_pull(&c, 700, 0.03, most);
 }
 
-static void limbs_that_are_pulled_shut_the_slit_and_the_throw_keeps_it_shut(void **state)
+static void pulled_limbs_close_slit_and_throw_holds_it(void **state)
 {
     (void)state;
     tie(2.0, 0);
@@ -45,7 +45,7 @@ static void limbs_that_are_pulled_shut_the_slit_and_the_throw_keeps_it_shut(void
 }
 
 /* What searches that are stopped miss holds beside friction: the throw gives by more without a limit, and then stays too. */
-static void without_a_limit_of_work_the_throw_gives_more_and_stays(void **state)
+static void unlimited_budget_throw_yields_more_and_holds(void **state)
 {
     (void)state;
     tie(2.0, NO_LIMIT);
@@ -64,7 +64,7 @@ static void without_a_limit_of_work_the_throw_gives_more_and_stays(void **state)
     stitch_rig_end(&c);
 }
 
-static void without_the_thread_it_stands_open_again(void **state)
+static void without_thread_slit_reopens(void **state)
 {
     (void)state;
     vbss_drain_gap rest;
@@ -189,7 +189,7 @@ static lag lag_of(double friction, uint32_t work)
 }
 
 /* Searches that are stopped leave gaps of one pull that differ by more than without a limit of work. */
-static void more_tension_is_less_gap_and_only_friction_tells_on_from_back(void **state)
+static void gap_decreases_with_tension_and_hysteresis_is_friction(void **state)
 {
     (void)state;
     lag exact = lag_of(0.0, NO_LIMIT), none = lag_of(0.0, 0), rubs = lag_of(0.3, 0);
@@ -207,10 +207,10 @@ static void more_tension_is_less_gap_and_only_friction_tells_on_from_back(void *
 int test_stitch_closing(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(limbs_that_are_pulled_shut_the_slit_and_the_throw_keeps_it_shut),
-        cmocka_unit_test(without_a_limit_of_work_the_throw_gives_more_and_stays),
-        cmocka_unit_test(without_the_thread_it_stands_open_again),
-        cmocka_unit_test(more_tension_is_less_gap_and_only_friction_tells_on_from_back),
+        cmocka_unit_test(pulled_limbs_close_slit_and_throw_holds_it),
+        cmocka_unit_test(unlimited_budget_throw_yields_more_and_holds),
+        cmocka_unit_test(without_thread_slit_reopens),
+        cmocka_unit_test(gap_decreases_with_tension_and_hysteresis_is_friction),
     };
     return cmocka_run_group_tests_name("scene.stitch_closing", tests, NULL, NULL);
 }

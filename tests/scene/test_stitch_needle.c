@@ -6,7 +6,7 @@
 
 static needle_stitch n;
 
-static void it_rests_with_the_needle_in_one_hole_and_the_thread_in_the_other(void **state)
+static void needle_and_thread_rest_in_two_holes(void **state)
 {
     (void)state;
     needle_stitch_begin(&n);
@@ -17,7 +17,7 @@ static void it_rests_with_the_needle_in_one_hole_and_the_thread_in_the_other(voi
     needle_stitch_finish(&n, "needle and thread");
 }
 
-static void drawn_on_the_needle_leaves_a_stitch(void **state)
+static void drawn_through_needle_leaves_stitch(void **state)
 {
     (void)state;
     needle_stitch_begin(&n);
@@ -33,8 +33,8 @@ static void drawn_on_the_needle_leaves_a_stitch(void **state)
 int test_stitch_needle(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_rests_with_the_needle_in_one_hole_and_the_thread_in_the_other),
-        cmocka_unit_test(drawn_on_the_needle_leaves_a_stitch),
+        cmocka_unit_test(needle_and_thread_rest_in_two_holes),
+        cmocka_unit_test(drawn_through_needle_leaves_stitch),
     };
     return cmocka_run_group_tests_name("scene.stitch_needle", tests, NULL, NULL);
 }

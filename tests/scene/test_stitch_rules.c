@@ -29,7 +29,7 @@ static void expect_refused(vbss_result wanted, asked a)
     assert_true(before == small_hash(&c.s));
 }
 
-static void what_is_no_hole_is_refused_and_changes_nothing(void **state)
+static void impossible_hole_is_rejected_and_changes_nothing(void **state)
 {
     (void)state;
     static const double below[3] = {-0.1, 1.0, 0.1}, more[3] = {0.5, 0.5, 0.5};
@@ -91,7 +91,7 @@ static void what_is_no_hole_is_refused_and_changes_nothing(void **state)
     stitch_case_end(&c);
 }
 
-static void there_are_no_more_holes_than_there_is_room_for(void **state)
+static void hole_count_is_limited_by_capacity(void **state)
 {
     (void)state;
     vbss_hole hole;
@@ -108,7 +108,7 @@ static void there_are_no_more_holes_than_there_is_room_for(void **state)
 
 /* ---- what goes with a body */
 
-static void holes_go_with_their_thread(void **state)
+static void removed_thread_removes_holes(void **state)
 {
     (void)state;
     stitch_case_open(&c, 0);
@@ -121,7 +121,7 @@ static void holes_go_with_their_thread(void **state)
     stitch_case_finish(&c, "thread removed", 0.05);
 }
 
-static void holes_go_with_their_drain(void **state)
+static void removed_drain_removes_holes(void **state)
 {
     (void)state;
     vbss_hole hole;
@@ -147,7 +147,7 @@ static void tug(uint32_t steps)
 }
 
 /* The thread slides on in its holes after it as before it, and leaves one. */
-static void a_state_from_the_middle_goes_on_to_the_same_bits(void **state)
+static void restored_scene_continues_bit_equal(void **state)
 {
     (void)state;
     stitch_case_open(&c, 0);
@@ -169,7 +169,7 @@ static void a_state_from_the_middle_goes_on_to_the_same_bits(void **state)
 /* ---- more holes */
 
 /* Two more threads, straight through both walls beside the stitch. */
-static void several_threads_are_in_one_drain(void **state)
+static void several_threads_share_one_drain(void **state)
 {
     (void)state;
     drain_object *d;
@@ -216,7 +216,7 @@ static void several_threads_are_in_one_drain(void **state)
 }
 
 /* A piece of one segment has no curve that a hole could slide along. */
-static void a_piece_of_one_segment_falls_out_of_its_hole(void **state)
+static void single_segment_piece_leaves_hole(void **state)
 {
     (void)state;
     vbss_hole hole;
@@ -243,13 +243,13 @@ static void a_piece_of_one_segment_falls_out_of_its_hole(void **state)
 int test_stitch_rules(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_no_hole_is_refused_and_changes_nothing),
-        cmocka_unit_test(there_are_no_more_holes_than_there_is_room_for),
-        cmocka_unit_test(holes_go_with_their_thread),
-        cmocka_unit_test(holes_go_with_their_drain),
-        cmocka_unit_test(a_state_from_the_middle_goes_on_to_the_same_bits),
-        cmocka_unit_test(several_threads_are_in_one_drain),
-        cmocka_unit_test(a_piece_of_one_segment_falls_out_of_its_hole),
+        cmocka_unit_test(impossible_hole_is_rejected_and_changes_nothing),
+        cmocka_unit_test(hole_count_is_limited_by_capacity),
+        cmocka_unit_test(removed_thread_removes_holes),
+        cmocka_unit_test(removed_drain_removes_holes),
+        cmocka_unit_test(restored_scene_continues_bit_equal),
+        cmocka_unit_test(several_threads_share_one_drain),
+        cmocka_unit_test(single_segment_piece_leaves_hole),
     };
     return cmocka_run_group_tests_name("scene.stitch_rules", tests, NULL, NULL);
 }

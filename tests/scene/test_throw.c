@@ -79,13 +79,13 @@ static void expect_slides_off(bool twice, uint32_t most_solves)
     harness_context_end(context, &memory);
 }
 
-static void loops_slide_off_a_tool(void **state)
+static void loops_slide_off_tool(void **state)
 {
     (void)state;
     expect_slides_off(false, 14);
 }
 
-static void loops_of_a_double_throw_slide_off_a_tool(void **state)
+static void double_throw_loops_slide_off_tool(void **state)
 {
     (void)state;
     expect_slides_off(true, 30);
@@ -100,7 +100,7 @@ static void run_to(throw_scene *scene, uint32_t step)
     }
 }
 
-static void a_restored_throw_goes_on_as_the_saved_one(void **state)
+static void restored_throw_continues_bit_equal(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -144,7 +144,7 @@ static void spoil(const throw_scene *scene, uint64_t seed, double deep)
     t->is_acceleration_unknown = true;
 }
 
-static void a_bad_state_is_left_in_a_few_steps(void **state)
+static void bad_state_recovers_in_few_steps(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -172,10 +172,10 @@ static void a_bad_state_is_left_in_a_few_steps(void **state)
 int test_throw(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loops_slide_off_a_tool),
-        cmocka_unit_test(loops_of_a_double_throw_slide_off_a_tool),
-        cmocka_unit_test(a_restored_throw_goes_on_as_the_saved_one),
-        cmocka_unit_test(a_bad_state_is_left_in_a_few_steps),
+        cmocka_unit_test(loops_slide_off_tool),
+        cmocka_unit_test(double_throw_loops_slide_off_tool),
+        cmocka_unit_test(restored_throw_continues_bit_equal),
+        cmocka_unit_test(bad_state_recovers_in_few_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

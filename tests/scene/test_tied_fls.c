@@ -16,7 +16,7 @@ static void expect_tied(const tied_knot_options *options, double extent, double 
     tied_end(&t);
 }
 
-static void an_fls_knot_tied_in_turn_is_tight(void **state)
+static void fls_knot_tied_in_turn_is_tight(void **state)
 {
     tied t;
     (void)state;
@@ -24,7 +24,7 @@ static void an_fls_knot_tied_in_turn_is_tight(void **state)
     expect_tied(&t.options, FLS_EXTENT, FLS_TAKEN_UP);
 }
 
-static void so_is_its_mirror_image_of_real_silk(void **state)
+static void mirrored_fls_knot_of_silk_is_tight(void **state)
 {
     tied t;
     (void)state;
@@ -35,7 +35,7 @@ static void so_is_its_mirror_image_of_real_silk(void **state)
     expect_tied(&t.options, FLS_EXTENT, FLS_TAKEN_UP);
 }
 
-static void a_surgeons_knot_tied_in_turn_is_tight(void **state)
+static void surgeons_knot_tied_in_turn_is_tight(void **state)
 {
     tied t;
     (void)state;
@@ -57,7 +57,7 @@ static double loop_radius(const tied *t)
 }
 
 /* While the others are laid. If nobody kept it, it would open to 5.1 mm. */
-static void the_first_throw_does_not_open(void **state)
+static void first_throw_stays_closed(void **state)
 {
     tied t;
     (void)state;
@@ -73,7 +73,7 @@ static void the_first_throw_does_not_open(void **state)
 }
 
 /* Why it is tied in turn: the top throw locks first and leaves a loop below. The type is kept all the same. */
-static void pulled_at_once_a_loop_stays(void **state)
+static void pulled_all_at_once_leaves_loop(void **state)
 {
     static const knot_kind kinds[] = {KNOT_SURGEON, KNOT_FLS};
     static const double tied_up[] = {SURGEON_TAKEN_UP, FLS_TAKEN_UP};
@@ -92,11 +92,11 @@ static void pulled_at_once_a_loop_stays(void **state)
 int test_tied_fls(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_fls_knot_tied_in_turn_is_tight),
-        cmocka_unit_test(so_is_its_mirror_image_of_real_silk),
-        cmocka_unit_test(a_surgeons_knot_tied_in_turn_is_tight),
-        cmocka_unit_test(the_first_throw_does_not_open),
-        cmocka_unit_test(pulled_at_once_a_loop_stays),
+        cmocka_unit_test(fls_knot_tied_in_turn_is_tight),
+        cmocka_unit_test(mirrored_fls_knot_of_silk_is_tight),
+        cmocka_unit_test(surgeons_knot_tied_in_turn_is_tight),
+        cmocka_unit_test(first_throw_stays_closed),
+        cmocka_unit_test(pulled_all_at_once_leaves_loop),
     };
     return cmocka_run_group_tests_name("tied_fls", tests, NULL, NULL);
 }

@@ -14,25 +14,25 @@ static void expect_tied(knot_kind kind, double extent, double taken_up)
     tied_end(&t);
 }
 
-static void a_square_tied_in_turn_is_tight(void **state)
+static void square_knot_tied_in_turn_is_tight(void **state)
 {
     (void)state;
     expect_tied(KNOT_SQUARE, 0.8e-3, 22e-3);
 }
 
-static void a_granny_tied_in_turn_is_tight(void **state)
+static void granny_tied_in_turn_is_tight(void **state)
 {
     (void)state;
     expect_tied(KNOT_GRANNY, 0.9e-3, 22.5e-3);
 }
 
-static void half_hitches_pulled_by_their_ends_are_tight(void **state)
+static void half_hitches_pulled_by_ends_are_tight(void **state)
 {
     (void)state;
     expect_tied(KNOT_HALF_HITCHES, 0.9e-3, 23e-3);
 }
 
-static void an_overhand_round_nothing_is_tight(void **state)
+static void overhand_without_post_is_tight(void **state)
 {
     tied t;
     (void)state;
@@ -46,7 +46,7 @@ static void an_overhand_round_nothing_is_tight(void **state)
 
 /* ---- the same again */
 
-static void a_restored_knot_is_tied_as_the_saved_one(void **state)
+static void restored_tying_continues_bit_equal(void **state)
 {
     enum { BEFORE = 260, AFTER = 120 }; /* from where the first throw is kept by slipping fingers */
     static uint64_t hashes[AFTER];
@@ -85,11 +85,11 @@ static void a_restored_knot_is_tied_as_the_saved_one(void **state)
 int test_tied_knot(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_square_tied_in_turn_is_tight),
-        cmocka_unit_test(a_granny_tied_in_turn_is_tight),
-        cmocka_unit_test(half_hitches_pulled_by_their_ends_are_tight),
-        cmocka_unit_test(an_overhand_round_nothing_is_tight),
-        cmocka_unit_test(a_restored_knot_is_tied_as_the_saved_one),
+        cmocka_unit_test(square_knot_tied_in_turn_is_tight),
+        cmocka_unit_test(granny_tied_in_turn_is_tight),
+        cmocka_unit_test(half_hitches_pulled_by_ends_are_tight),
+        cmocka_unit_test(overhand_without_post_is_tight),
+        cmocka_unit_test(restored_tying_continues_bit_equal),
     };
     return cmocka_run_group_tests_name("tied_knot", tests, NULL, NULL);
 }

@@ -58,7 +58,7 @@ static double jawed_force(double shortness)
     return force;
 }
 
-static void the_published_curve_has_its_samples(void **state)
+static void published_curve_samples(void **state)
 {
     (void)state;
     const double samples[4][2] = {{3.70203e-4, 1.58688e-4},
@@ -211,7 +211,7 @@ static scene_pull_means pull(const rod *k)
 
 /* With more friction strands press more, by 7 % at mu = 0.1 and 16 % at 0.3 (the same on finer meshes, in
  * shorter steps, slower, with stiffer contact): the theory is of first order in mu. */
-static void one_turn_follows_audoly(void **state)
+static void single_turn_follows_audoly(void **state)
 {
     (void)state;
     const rod smooth = {1, 25e-6, 0.1}, rough = {1, 25e-6, 0.3};
@@ -222,7 +222,7 @@ static void one_turn_follows_audoly(void **state)
 }
 
 /* To first order in (h / R)^1/2, of which each rod here has half as much as the one before. */
-static void strands_press_as_asymptotics_say_the_more_the_thinner_they_are(void **state)
+static void strand_pressure_converges_to_asymptote(void **state)
 {
     (void)state;
     for (int turns = 1; turns <= 2; turns++) {
@@ -257,7 +257,7 @@ static void more_turns_follow_jawed(void **state)
 /* ---- tight */
 
 /* A tight knot needs segments of about a diameter, 0.25 mm. */
-static void a_tight_knot_keeps_the_same_length_on_fine_meshes(void **state)
+static void tight_knot_length_converges_with_mesh(void **state)
 {
     (void)state;
     const double finest[] = {0.6e-3, 0.4e-3, 0.3e-3, 0.25e-3, 0.2e-3};
@@ -279,11 +279,11 @@ static void a_tight_knot_keeps_the_same_length_on_fine_meshes(void **state)
 int test_tightening_curve(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_published_curve_has_its_samples),
-        cmocka_unit_test(one_turn_follows_audoly),
-        cmocka_unit_test(strands_press_as_asymptotics_say_the_more_the_thinner_they_are),
+        cmocka_unit_test(published_curve_samples),
+        cmocka_unit_test(single_turn_follows_audoly),
+        cmocka_unit_test(strand_pressure_converges_to_asymptote),
         cmocka_unit_test(more_turns_follow_jawed),
-        cmocka_unit_test(a_tight_knot_keeps_the_same_length_on_fine_meshes),
+        cmocka_unit_test(tight_knot_length_converges_with_mesh),
     };
     return cmocka_run_group_tests_name("scene.tightening_curve", tests, NULL, NULL);
 }

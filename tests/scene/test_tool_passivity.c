@@ -90,7 +90,7 @@ static gains most_gained(meeting what, double stiffness, double damping)
 }
 
 /* The bar is 1 mJ; with an arm that damps nothing. */
-static void closed_ways_gain_no_energy_at_400_newton_a_metre(void **state)
+static void closed_paths_gain_no_energy_at_400_n_per_m(void **state)
 {
     (void)state;
     for (int what = NOTHING; what < MEETINGS; what++) {
@@ -105,7 +105,7 @@ static void closed_ways_gain_no_energy_at_400_newton_a_metre(void **state)
 }
 
 /* So that the test above can fail: less damping than the delay takes. */
-static void a_coupling_without_its_damping_gains(void **state)
+static void undamped_coupling_gains_energy(void **state)
 {
     (void)state;
     gains most = most_gained(THREAD, 2000.0, 1.0);
@@ -139,7 +139,7 @@ static double swing(meeting what, double stiffness, double damping, int delay, d
     return fabs(x) < 0.1 ? high - low : 1.0;
 }
 
-static void a_hand_comes_to_rest_at_a_wall(void **state)
+static void hand_comes_to_rest_at_wall(void **state)
 {
     (void)state;
     for (int what = WALL_BELOW; what <= WALL_BESIDE; what++) {
@@ -156,9 +156,9 @@ static void a_hand_comes_to_rest_at_a_wall(void **state)
 int test_tool_passivity(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_ways_gain_no_energy_at_400_newton_a_metre),
-        cmocka_unit_test(a_coupling_without_its_damping_gains),
-        cmocka_unit_test(a_hand_comes_to_rest_at_a_wall),
+        cmocka_unit_test(closed_paths_gain_no_energy_at_400_n_per_m),
+        cmocka_unit_test(undamped_coupling_gains_energy),
+        cmocka_unit_test(hand_comes_to_rest_at_wall),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ static capsules capsules_of(const tools_rig *r, uint32_t tool)
 
 /* ---- jaws */
 
-static void jaws_follow_the_handle_as_fast_as_they_go(void **state)
+static void jaws_follow_handle_at_limited_speed(void **state)
 {
     (void)state;
     tools_rig r;
@@ -52,7 +52,7 @@ static void jaws_follow_the_handle_as_fast_as_they_go(void **state)
 }
 
 /* Jaws that open against a wall push the tool away from it, as far as the hand lets them. */
-static void opening_jaws_push_against_what_is_beside_them(void **state)
+static void opening_jaws_push_neighbours(void **state)
 {
     (void)state;
     tools_rig r;
@@ -77,7 +77,7 @@ static void opening_jaws_push_against_what_is_beside_them(void **state)
 /* ---- what tools touch */
 
 /* Two shafts crossed and pressed together: as much on the one as on the other. */
-static void tools_push_one_another(void **state)
+static void tools_push_each_other(void **state)
 {
     (void)state;
     tools_rig r;
@@ -117,7 +117,7 @@ static void tools_push_one_another(void **state)
 }
 
 /* A hand that presses closed jaws on the floor by 1 mm feels what its spring says, less what the floor gives. */
-static void the_floor_bears_jaws(void **state)
+static void floor_carries_jaws(void **state)
 {
     (void)state;
     tools_rig r;
@@ -153,7 +153,7 @@ static double off_the_trocar(const tools_rig *r, uint32_t tool)
     return sqrt(trocar.x * trocar.x + (trocar.y - lean) * (trocar.y - lean));
 }
 
-static void a_shaft_goes_through_its_trocar(void **state)
+static void shaft_passes_through_trocar(void **state)
 {
     (void)state;
     const double bends[] = {0.0, 0.3};
@@ -196,7 +196,7 @@ static void a_shaft_goes_through_its_trocar(void **state)
 
 /* ---- exchange */
 
-static void tools_are_exchanged_with_empty_jaws_outside(void **state)
+static void tools_are_exchanged_only_empty_and_outside(void **state)
 {
     (void)state;
     tools_rig r;
@@ -247,12 +247,12 @@ static void tools_are_exchanged_with_empty_jaws_outside(void **state)
 int test_tools(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(jaws_follow_the_handle_as_fast_as_they_go),
-        cmocka_unit_test(opening_jaws_push_against_what_is_beside_them),
-        cmocka_unit_test(tools_push_one_another),
-        cmocka_unit_test(the_floor_bears_jaws),
-        cmocka_unit_test(a_shaft_goes_through_its_trocar),
-        cmocka_unit_test(tools_are_exchanged_with_empty_jaws_outside),
+        cmocka_unit_test(jaws_follow_handle_at_limited_speed),
+        cmocka_unit_test(opening_jaws_push_neighbours),
+        cmocka_unit_test(tools_push_each_other),
+        cmocka_unit_test(floor_carries_jaws),
+        cmocka_unit_test(shaft_passes_through_trocar),
+        cmocka_unit_test(tools_are_exchanged_only_empty_and_outside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

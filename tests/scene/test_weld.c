@@ -133,7 +133,7 @@ static double node_of(double ratio)
     return ratio < 1.0 ? 3.2e-3 : 3.2e-7;
 }
 
-static void the_node_stays_on_its_point(void **state)
+static void welded_node_stays_on_its_point(void **state)
 {
     (void)state;
     for (int i = 0; i < RATIOS; i++) {
@@ -162,7 +162,7 @@ static vec3 lost_in_flight(double ratio, double h)
 }
 
 /* Backward Euler, which a welded thread is stepped by, loses angular momentum to first order. */
-static void momentum_stays_and_angular_momentum_nearly(void **state)
+static void momentum_is_conserved_and_angular_momentum_nearly(void **state)
 {
     (void)state;
     for (int i = 0; i < RATIOS; i++) {
@@ -175,7 +175,7 @@ static void momentum_stays_and_angular_momentum_nearly(void **state)
 
 /* ---- hanging */
 
-static void the_thread_carries_the_weight(void **state)
+static void thread_carries_weight(void **state)
 {
     (void)state;
     const double heavier[] = {1e-3, 1.0, 1e3, 1e6};
@@ -197,7 +197,7 @@ static void the_thread_carries_the_weight(void **state)
 }
 
 /* A needle and its swage do not push each other, however deep the node sits. */
-static void a_node_on_or_in_the_capsule_touches_nothing(void **state)
+static void welded_node_has_no_contact_with_its_capsule(void **state)
 {
     (void)state;
     const double gaps[] = {0.0, -1e-3, -radius};
@@ -250,7 +250,7 @@ static double measured_period(welded *w)
 }
 
 /* A swing of a radians takes longer by a^2 / 16. */
-static void it_swings_as_a_pendulum_does(void **state)
+static void pendulum_period(void **state)
 {
     (void)state;
     const double masses[] = {1e-3, 1e-2, 0.1, 0.32};
@@ -274,11 +274,11 @@ static void it_swings_as_a_pendulum_does(void **state)
 int test_weld(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_node_stays_on_its_point),
-        cmocka_unit_test(momentum_stays_and_angular_momentum_nearly),
-        cmocka_unit_test(the_thread_carries_the_weight),
-        cmocka_unit_test(a_node_on_or_in_the_capsule_touches_nothing),
-        cmocka_unit_test(it_swings_as_a_pendulum_does),
+        cmocka_unit_test(welded_node_stays_on_its_point),
+        cmocka_unit_test(momentum_is_conserved_and_angular_momentum_nearly),
+        cmocka_unit_test(thread_carries_weight),
+        cmocka_unit_test(welded_node_has_no_contact_with_its_capsule),
+        cmocka_unit_test(pendulum_period),
     };
     return cmocka_run_group_tests_name("scene.weld", tests, NULL, NULL);
 }

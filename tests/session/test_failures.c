@@ -20,7 +20,7 @@ static uint32_t flags_of(const rig *r)
     return report.flags;
 }
 
-static void the_time_is_up(void **state)
+static void timeout(void **state)
 {
     (void)state;
     rig r;
@@ -35,7 +35,7 @@ static void the_time_is_up(void **state)
     rig_end(&r);
 }
 
-static void the_drain_is_torn_off(void **state)
+static void drain_torn_off(void **state)
 {
     (void)state;
     rig r;
@@ -51,7 +51,7 @@ static void the_drain_is_torn_off(void **state)
     rig_end(&r);
 }
 
-static void the_thread_is_cut_early(void **state)
+static void thread_cut_early(void **state)
 {
     (void)state;
     rig r;
@@ -64,7 +64,7 @@ static void the_thread_is_cut_early(void **state)
     rig_end(&r);
 }
 
-static void the_thread_is_cut_before_the_stitch(void **state)
+static void thread_cut_before_stitch(void **state)
 {
     (void)state;
     rig r;
@@ -85,7 +85,7 @@ static void to_located_knot(rig *r)
     r->s->knot.end_arcs[SESSION_EXIT] = r->look.holes[1].arc - 4e-3;
 }
 
-static void the_knot_is_cut_into_from_the_tail(void **state)
+static void knot_cut_from_tail_side(void **state)
 {
     (void)state;
     rig r;
@@ -105,7 +105,7 @@ static void cut_limb(rig *r, double left)
     rig_thread_through(r, RIG_EXIT, left);
 }
 
-static void the_knot_is_cut_into_from_the_needle(void **state)
+static void knot_cut_from_needle_side(void **state)
 {
     (void)state;
     rig r;
@@ -116,7 +116,7 @@ static void the_knot_is_cut_into_from_the_needle(void **state)
     rig_end(&r);
 }
 
-static void a_cut_beside_the_knot_is_measured_from_it(void **state)
+static void cut_distance_is_measured_from_knot(void **state)
 {
     (void)state;
     rig r;
@@ -130,7 +130,7 @@ static void a_cut_beside_the_knot_is_measured_from_it(void **state)
     rig_end(&r);
 }
 
-static void the_stitch_is_cut_in_the_tissue(void **state)
+static void stitch_cut_in_tissue(void **state)
 {
     (void)state;
     rig r;
@@ -143,7 +143,7 @@ static void the_stitch_is_cut_in_the_tissue(void **state)
     rig_end(&r);
 }
 
-static void the_thread_breaks_if_it_can(void **state)
+static void thread_breaks_if_breakable(void **state)
 {
     (void)state;
     rig r;
@@ -167,7 +167,7 @@ static void the_thread_breaks_if_it_can(void **state)
     rig_end(&r);
 }
 
-static void a_body_that_is_gone_ends_it(void **state)
+static void removed_body_ends_session(void **state)
 {
     (void)state;
     rig r;
@@ -186,16 +186,16 @@ static void a_body_that_is_gone_ends_it(void **state)
 int test_failures(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_time_is_up),
-        cmocka_unit_test(the_drain_is_torn_off),
-        cmocka_unit_test(the_thread_is_cut_early),
-        cmocka_unit_test(the_thread_is_cut_before_the_stitch),
-        cmocka_unit_test(the_knot_is_cut_into_from_the_tail),
-        cmocka_unit_test(the_knot_is_cut_into_from_the_needle),
-        cmocka_unit_test(a_cut_beside_the_knot_is_measured_from_it),
-        cmocka_unit_test(the_stitch_is_cut_in_the_tissue),
-        cmocka_unit_test(the_thread_breaks_if_it_can),
-        cmocka_unit_test(a_body_that_is_gone_ends_it),
+        cmocka_unit_test(timeout),
+        cmocka_unit_test(drain_torn_off),
+        cmocka_unit_test(thread_cut_early),
+        cmocka_unit_test(thread_cut_before_stitch),
+        cmocka_unit_test(knot_cut_from_tail_side),
+        cmocka_unit_test(knot_cut_from_needle_side),
+        cmocka_unit_test(cut_distance_is_measured_from_knot),
+        cmocka_unit_test(stitch_cut_in_tissue),
+        cmocka_unit_test(thread_breaks_if_breakable),
+        cmocka_unit_test(removed_body_ends_session),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -79,7 +79,7 @@ static uint64_t replay(const log_bytes *log)
     return hash;
 }
 
-static void devices_hand_a_needle_over(void **state)
+static void devices_hand_needle_over(void **state)
 {
     (void)state;
     static const int tools[2] = {0, 1};
@@ -121,6 +121,6 @@ static void devices_hand_a_needle_over(void **state)
 
 int test_hands(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(devices_hand_a_needle_over)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(devices_hand_needle_over)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

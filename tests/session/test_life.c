@@ -43,7 +43,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     return vbss_session_destroy(session);
 }
 
-static void configs_follow_the_size_protocol(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[] = {
@@ -60,7 +60,7 @@ static void expect_refused(rig *r, vbss_result wanted, const vbss_session_config
     assert_null(session);
 }
 
-static void bodies_must_be_what_they_are_called(void **state)
+static void bodies_must_have_their_kind(void **state)
 {
     (void)state;
     rig r;
@@ -84,7 +84,7 @@ static void bodies_must_be_what_they_are_called(void **state)
     rig_end(&r);
 }
 
-static void bad_numbers_are_refused(void **state)
+static void bad_numbers_are_rejected(void **state)
 {
     (void)state;
     rig r;
@@ -117,7 +117,7 @@ static void bad_numbers_are_refused(void **state)
     rig_end(&r);
 }
 
-static void what_gapes_is_between_the_lips_or_the_edges(void **state)
+static void gap_is_measured_between_lips_or_edges(void **state)
 {
     (void)state;
     for (int i = VBSS_SESSION_GAP_LIPS; i <= VBSS_SESSION_GAP_EDGES; i++) {
@@ -173,7 +173,7 @@ static void parts_must_be_alive_and_of_this_context(void **state)
     rig_end(&r);
 }
 
-static void a_scene_that_is_stepped_past_its_session_is_told(void **state)
+static void scene_stepped_outside_session_is_detected(void **state)
 {
     (void)state;
     rig r;
@@ -234,7 +234,7 @@ static vbss_result call_destroy(void *handle)
     return handle == NULL ? VBSS_ERROR_INVALID_HANDLE : vbss_session_destroy(handle);
 }
 
-static void bad_handles_are_told(void **state)
+static void bad_handles_are_rejected(void **state)
 {
     (void)state;
     static const harness_handle_call calls[] = {call_step,      call_set_record, call_get_status,
@@ -264,7 +264,7 @@ static vbss_result make_and_step(rig *r)
     return result;
 }
 
-static void each_allocation_may_fail(void **state)
+static void each_failed_allocation_is_reported(void **state)
 {
     (void)state;
     rig r;
@@ -300,7 +300,7 @@ static void each_allocation_may_fail(void **state)
 
 /* ---- events */
 
-static void lost_events_are_told(void **state)
+static void lost_events_are_reported(void **state)
 {
     (void)state;
     rig r;
@@ -345,7 +345,7 @@ static void hear(void *user, const vbss_session_event *event)
     }
 }
 
-static void who_listens_hears_each_event_once(void **state)
+static void listener_receives_each_event_once(void **state)
 {
     (void)state;
     rig r;
@@ -365,16 +365,16 @@ static void who_listens_hears_each_event_once(void **state)
 int test_life(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(configs_follow_the_size_protocol),
-        cmocka_unit_test(bodies_must_be_what_they_are_called),
-        cmocka_unit_test(bad_numbers_are_refused),
-        cmocka_unit_test(what_gapes_is_between_the_lips_or_the_edges),
+        cmocka_unit_test(config_size_protocol),
+        cmocka_unit_test(bodies_must_have_their_kind),
+        cmocka_unit_test(bad_numbers_are_rejected),
+        cmocka_unit_test(gap_is_measured_between_lips_or_edges),
         cmocka_unit_test(parts_must_be_alive_and_of_this_context),
-        cmocka_unit_test(a_scene_that_is_stepped_past_its_session_is_told),
-        cmocka_unit_test(bad_handles_are_told),
-        cmocka_unit_test(each_allocation_may_fail),
-        cmocka_unit_test(lost_events_are_told),
-        cmocka_unit_test(who_listens_hears_each_event_once),
+        cmocka_unit_test(scene_stepped_outside_session_is_detected),
+        cmocka_unit_test(bad_handles_are_rejected),
+        cmocka_unit_test(each_failed_allocation_is_reported),
+        cmocka_unit_test(lost_events_are_reported),
+        cmocka_unit_test(listener_receives_each_event_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,7 +71,7 @@ static uint32_t replay(trial *t, vbss_result wanted)
     return steps;
 }
 
-static void a_log_replays_to_the_same_task(void **state)
+static void log_replays_to_same_task(void **state)
 {
     (void)state;
     static trial t;
@@ -86,7 +86,7 @@ static void a_log_replays_to_the_same_task(void **state)
 }
 
 /* The scene is the same to the bit, the task is not: with another limit, or without a detector. */
-static void another_task_is_told(void **state)
+static void other_task_is_rejected(void **state)
 {
     (void)state;
     static trial t;
@@ -116,7 +116,7 @@ static void another_task_is_told(void **state)
     free(log.bytes);
 }
 
-static void a_session_goes_on_from_a_log_that_was_cut_off(void **state)
+static void session_resumes_truncated_log(void **state)
 {
     (void)state;
     static trial t;
@@ -148,7 +148,7 @@ static void a_session_goes_on_from_a_log_that_was_cut_off(void **state)
 }
 
 /* Who knows no sessions passes over their marks. */
-static void a_log_with_marks_is_a_log(void **state)
+static void log_with_hashes_is_a_valid_log(void **state)
 {
     (void)state;
     static trial t;
@@ -170,10 +170,10 @@ static void a_log_with_marks_is_a_log(void **state)
 int test_log(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_log_replays_to_the_same_task),
-        cmocka_unit_test(another_task_is_told),
-        cmocka_unit_test(a_session_goes_on_from_a_log_that_was_cut_off),
-        cmocka_unit_test(a_log_with_marks_is_a_log),
+        cmocka_unit_test(log_replays_to_same_task),
+        cmocka_unit_test(other_task_is_rejected),
+        cmocka_unit_test(session_resumes_truncated_log),
+        cmocka_unit_test(log_with_hashes_is_a_valid_log),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* A session goes to a step of its log from the states that are in it, to the same bits, and goes on live from there. */
 #include "followed.h"
 
-static void a_log_holds_states_of_its_session_and_is_a_third_of_them_at_most(void **state)
+static void session_snapshots_take_at_most_a_third_of_log(void **state)
 {
     (void)state;
     static trial_log was;
@@ -16,7 +16,7 @@ static void a_log_holds_states_of_its_session_and_is_a_third_of_them_at_most(voi
 }
 
 /* Forwards, backwards, to the begin, to a state and beside one; and on from there to the end. */
-static void a_session_goes_to_any_step_to_the_same_bits(void **state)
+static void seek_to_any_step_is_bit_equal(void **state)
 {
     (void)state;
     static const uint32_t ways[] = {150, 30, 0, TRIAL_STEPS, 20, 60, 61, 1, 259};
@@ -39,7 +39,7 @@ static void a_session_goes_to_any_step_to_the_same_bits(void **state)
 }
 
 /* The steps before the newest state are not made again: a log whose early steps cannot be made shows it. */
-static void steps_before_the_state_are_not_made(void **state)
+static void seek_replays_only_from_last_snapshot(void **state)
 {
     (void)state;
     static trial_log was;
@@ -69,7 +69,7 @@ static void on_event(void *user, const vbss_session_event *event)
     ++*(uint32_t *)user;
 }
 
-static void nobody_hears_of_events_on_the_way_but_all_can_be_read(void **state)
+static void seek_is_silent_but_events_are_readable(void **state)
 {
     (void)state;
     static trial_log was;
@@ -95,7 +95,7 @@ static void nobody_hears_of_events_on_the_way_but_all_can_be_read(void **state)
 }
 
 /* As after a loss of power: the last complete step is sought, and the session_trial goes on with the same log. */
-static void a_session_goes_on_live_from_a_state_in_its_log(void **state)
+static void live_session_continues_from_logged_state(void **state)
 {
     (void)state;
     static trial_log was;
@@ -130,7 +130,7 @@ static void a_session_goes_on_live_from_a_state_in_its_log(void **state)
 }
 
 /* A record that begins in the middle of a session_trial has the session's state at its begin. */
-static void a_log_from_the_middle_of_a_trial_is_followed(void **state)
+static void mid_trial_log_is_followed(void **state)
 {
     (void)state;
     static trial_log was;
@@ -160,7 +160,7 @@ static void a_log_from_the_middle_of_a_trial_is_followed(void **state)
     free(was.log.bytes);
 }
 
-static void what_cannot_be_sought_changes_nothing(void **state)
+static void impossible_seek_changes_nothing(void **state)
 {
     (void)state;
     static trial_log was;
@@ -179,7 +179,7 @@ static void what_cannot_be_sought_changes_nothing(void **state)
 }
 
 /* A log of a scene without a session, as there were before. */
-static void a_log_without_states_is_told(void **state)
+static void log_without_snapshots_is_reported(void **state)
 {
     (void)state;
     static session_trial t;
@@ -201,14 +201,14 @@ static void a_log_without_states_is_told(void **state)
 int test_seek(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_log_holds_states_of_its_session_and_is_a_third_of_them_at_most),
-        cmocka_unit_test(a_session_goes_to_any_step_to_the_same_bits),
-        cmocka_unit_test(steps_before_the_state_are_not_made),
-        cmocka_unit_test(nobody_hears_of_events_on_the_way_but_all_can_be_read),
-        cmocka_unit_test(a_session_goes_on_live_from_a_state_in_its_log),
-        cmocka_unit_test(a_log_from_the_middle_of_a_trial_is_followed),
-        cmocka_unit_test(what_cannot_be_sought_changes_nothing),
-        cmocka_unit_test(a_log_without_states_is_told),
+        cmocka_unit_test(session_snapshots_take_at_most_a_third_of_log),
+        cmocka_unit_test(seek_to_any_step_is_bit_equal),
+        cmocka_unit_test(seek_replays_only_from_last_snapshot),
+        cmocka_unit_test(seek_is_silent_but_events_are_readable),
+        cmocka_unit_test(live_session_continues_from_logged_state),
+        cmocka_unit_test(mid_trial_log_is_followed),
+        cmocka_unit_test(impossible_seek_changes_nothing),
+        cmocka_unit_test(log_without_snapshots_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

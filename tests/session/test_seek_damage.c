@@ -2,7 +2,7 @@
 #include "followed.h"
 #include "fuzz/fuzz.h"
 
-static void a_log_that_is_cut_off_is_sought_up_to_the_cut(void **state)
+static void truncated_log_seeks_up_to_cut(void **state)
 {
     (void)state;
     static trial_log was;
@@ -26,7 +26,7 @@ static void a_log_that_is_cut_off_is_sought_up_to_the_cut(void **state)
 }
 
 /* Bytes of a state are changed under right checksums: a status, and nothing has changed, or it was no state's meaning. */
-static void a_state_that_is_none_is_refused_and_changes_nothing(void **state)
+static void invalid_snapshot_is_rejected_and_changes_nothing(void **state)
 {
     (void)state;
     static trial_log was;
@@ -60,7 +60,7 @@ static void a_state_that_is_none_is_refused_and_changes_nothing(void **state)
     free(was.log.bytes);
 }
 
-static void a_state_of_another_session_is_refused(void **state)
+static void snapshot_of_other_session_is_rejected(void **state)
 {
     (void)state;
     static trial_log was;
@@ -79,9 +79,9 @@ static void a_state_of_another_session_is_refused(void **state)
 int test_seek_damage(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_log_that_is_cut_off_is_sought_up_to_the_cut),
-        cmocka_unit_test(a_state_that_is_none_is_refused_and_changes_nothing),
-        cmocka_unit_test(a_state_of_another_session_is_refused),
+        cmocka_unit_test(truncated_log_seeks_up_to_cut),
+        cmocka_unit_test(invalid_snapshot_is_rejected_and_changes_nothing),
+        cmocka_unit_test(snapshot_of_other_session_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

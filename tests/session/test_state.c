@@ -67,7 +67,7 @@ static harness_body body(void *crossings)
     return b;
 }
 
-static void a_restored_session_goes_on_to_the_same_bits(void **state)
+static void restored_session_continues_bit_equal(void **state)
 {
     (void)state;
     static const size_t at[] = {0, 1, 60, 128};
@@ -76,7 +76,7 @@ static void a_restored_session_goes_on_to_the_same_bits(void **state)
     harness_save_restore_continue_at(&b, at, sizeof at / sizeof at[0], 30);
 }
 
-static void a_step_allocates_nothing(void **state)
+static void step_does_not_allocate(void **state)
 {
     (void)state;
     uint32_t crossings = 3;
@@ -140,7 +140,7 @@ static vbss_result destroy_alone(void *handle)
     return vbss_session_destroy(handle);
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     const harness_body b = {.name = "a session",
@@ -152,7 +152,7 @@ static void bad_snapshots_are_refused(void **state)
     harness_refuses_bad_snapshots(&b, 4);
 }
 
-static void a_state_wants_its_scene_at_the_same_step(void **state)
+static void snapshot_needs_scene_at_same_step(void **state)
 {
     (void)state;
     static uint8_t bytes[1u << 20];
@@ -172,10 +172,10 @@ static void a_state_wants_its_scene_at_the_same_step(void **state)
 int test_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_session_goes_on_to_the_same_bits),
-        cmocka_unit_test(a_step_allocates_nothing),
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(a_state_wants_its_scene_at_the_same_step),
+        cmocka_unit_test(restored_session_continues_bit_equal),
+        cmocka_unit_test(step_does_not_allocate),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(snapshot_needs_scene_at_same_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

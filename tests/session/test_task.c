@@ -18,7 +18,7 @@ static void cut(rig *r, uint32_t limb, double left)
     rig_thread_through(r, RIG_EXIT, left);
 }
 
-static void the_task_is_done_phase_by_phase(void **state)
+static void task_completes_phase_by_phase(void **state)
 {
     (void)state;
     rig r;
@@ -63,7 +63,7 @@ static void the_task_is_done_phase_by_phase(void **state)
     rig_end(&r);
 }
 
-static void the_order_of_the_cuts_is_free(void **state)
+static void cut_order_is_free(void **state)
 {
     (void)state;
     rig r;
@@ -84,7 +84,7 @@ static void the_order_of_the_cuts_is_free(void **state)
     rig_end(&r);
 }
 
-static void what_is_done_stays_done(void **state)
+static void completed_phases_stay_complete(void **state)
 {
     (void)state;
     rig r;
@@ -106,7 +106,7 @@ static void what_is_done_stays_done(void **state)
     rig_end(&r);
 }
 
-static void a_hole_at_either_mark_may_be_the_one_in(void **state)
+static void entry_hole_may_be_at_either_target(void **state)
 {
     (void)state;
     rig r;
@@ -131,7 +131,7 @@ static void a_hole_at_either_mark_may_be_the_one_in(void **state)
 }
 
 /* What a host laid out: the hole farther from the needle is the one in. */
-static void a_stitch_that_is_there_at_once_is_read_from_its_tail(void **state)
+static void instant_stitch_is_read_from_tail(void **state)
 {
     (void)state;
     rig r;
@@ -158,11 +158,11 @@ static void a_stitch_that_is_there_at_once_is_read_from_its_tail(void **state)
 int test_task(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_task_is_done_phase_by_phase),
-        cmocka_unit_test(the_order_of_the_cuts_is_free),
-        cmocka_unit_test(what_is_done_stays_done),
-        cmocka_unit_test(a_hole_at_either_mark_may_be_the_one_in),
-        cmocka_unit_test(a_stitch_that_is_there_at_once_is_read_from_its_tail),
+        cmocka_unit_test(task_completes_phase_by_phase),
+        cmocka_unit_test(cut_order_is_free),
+        cmocka_unit_test(completed_phases_stay_complete),
+        cmocka_unit_test(entry_hole_may_be_at_either_target),
+        cmocka_unit_test(instant_stitch_is_read_from_tail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

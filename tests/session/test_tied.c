@@ -90,7 +90,7 @@ static void expect_tension(const tied *t, int hand, double told)
     expect_near(most, told, 0.0);
 }
 
-static void a_stitch_without_a_throw_is_none(void **state)
+static void stitch_without_throw_is_incomplete(void **state)
 {
     (void)state;
     static tied t;
@@ -133,20 +133,20 @@ static void expect_tied(uint32_t crossings, int32_t wraps, uint32_t faults)
     harness_context_end(t.context, &t.memory);
 }
 
-static void a_double_throw_is_tied_and_seated(void **state)
+static void double_throw_is_tied_and_seated(void **state)
 {
     (void)state;
     expect_tied(5, 2, 0);
 }
 
-static void a_single_one_has_too_few_wraps(void **state)
+static void single_throw_has_too_few_wraps(void **state)
 {
     (void)state;
     expect_tied(3, 1, VBSS_KNOT_FAULT_FIRST);
 }
 
 /* Blades are not wanted for it: the host cuts. */
-static void a_thread_that_is_cut_early_fails(void **state)
+static void early_cut_fails(void **state)
 {
     (void)state;
     rig r;
@@ -163,10 +163,10 @@ static void a_thread_that_is_cut_early_fails(void **state)
 int test_tied(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_stitch_without_a_throw_is_none),
-        cmocka_unit_test(a_double_throw_is_tied_and_seated),
-        cmocka_unit_test(a_single_one_has_too_few_wraps),
-        cmocka_unit_test(a_thread_that_is_cut_early_fails),
+        cmocka_unit_test(stitch_without_throw_is_incomplete),
+        cmocka_unit_test(double_throw_is_tied_and_seated),
+        cmocka_unit_test(single_throw_has_too_few_wraps),
+        cmocka_unit_test(early_cut_fails),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,26 +23,26 @@ static void of_a_kind(harness_source *source, void *user)
     twin_end(&subject);
 }
 
-static void condensed_runs_give_what_a_band_solve_gives(void **state)
+static void condensed_runs_match_band_solve(void **state)
 {
     (void)state;
     harness_property("runs", 150, of_a_kind, &(variety){TWIN_RUNS, 300});
 }
 
 /* Trap: fill that meets separators on both sides of a run, or past a narrow one. */
-static void scattered_separators_change_nothing(void **state)
+static void scattered_separators_match_band_solve(void **state)
 {
     (void)state;
     harness_property("scattered separators", 200, of_a_kind, &(variety){TWIN_SCATTERED, 80});
 }
 
-static void groups_of_separators_change_nothing_in_the_documented_room(void **state)
+static void grouped_separators_fit_documented_capacity(void **state)
 {
     (void)state;
     harness_property("groups of separators", 200, of_a_kind, &(variety){TWIN_GROUPS, 300});
 }
 
-static void given_blocks_have_no_equation_and_do_not_move(void **state)
+static void prescribed_blocks_have_no_equation_and_stay(void **state)
 {
     (void)state;
     harness_property("given blocks", 150, of_a_kind, &(variety){TWIN_GIVEN, 300});
@@ -55,7 +55,7 @@ static void separators_alone_are_solved(void **state)
     harness_property("all separators", 100, of_a_kind, &(variety){TWIN_SEPARATORS, 120});
 }
 
-static void all_roles_mix(void **state)
+static void mixed_roles_match_band_solve(void **state)
 {
     (void)state;
     harness_property("mixed roles", 300, of_a_kind, &(variety){TWIN_MIXED, 80});
@@ -153,7 +153,7 @@ static void stiff_thread(harness_source *source, void *user)
     twin_end(&subject);
 }
 
-static void a_thread_as_stiff_as_silk_is_solved_in_its_soft_directions_too(void **state)
+static void silk_stiff_thread_is_accurate_in_soft_directions(void **state)
 {
     (void)state;
     static const double stretches[] = {4e6, 2e8, 1e10};
@@ -198,7 +198,7 @@ static void again_after_clear(harness_source *source, void *user)
     twin_end(&subject);
 }
 
-static void solving_again_after_a_clear_gives_the_same_bits(void **state)
+static void repeated_solve_is_bit_equal(void **state)
 {
     (void)state;
     harness_property("again after clear", 100, again_after_clear, NULL);
@@ -207,14 +207,14 @@ static void solving_again_after_a_clear_gives_the_same_bits(void **state)
 int test_condensed(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(condensed_runs_give_what_a_band_solve_gives),
-        harness_test(scattered_separators_change_nothing),
-        harness_test(groups_of_separators_change_nothing_in_the_documented_room),
-        harness_test(given_blocks_have_no_equation_and_do_not_move),
+        harness_test(condensed_runs_match_band_solve),
+        harness_test(scattered_separators_match_band_solve),
+        harness_test(grouped_separators_fit_documented_capacity),
+        harness_test(prescribed_blocks_have_no_equation_and_stay),
         harness_test(separators_alone_are_solved),
-        harness_test(all_roles_mix),
-        harness_test(a_thread_as_stiff_as_silk_is_solved_in_its_soft_directions_too),
-        harness_test(solving_again_after_a_clear_gives_the_same_bits),
+        harness_test(mixed_roles_match_band_solve),
+        harness_test(silk_stiff_thread_is_accurate_in_soft_directions),
+        harness_test(repeated_solve_is_bit_equal),
     };
     return cmocka_run_group_tests_name("solver.condensed", tests, NULL, NULL);
 }

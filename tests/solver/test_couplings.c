@@ -85,13 +85,13 @@ static void couple_often(harness_source *source, void *user)
     end(&f);
 }
 
-static void a_pair_that_is_coupled_already_is_not_coupled_again(void **state)
+static void coupled_pair_is_not_coupled_again(void **state)
 {
     (void)state;
     harness_property("couple once", 100, couple_often, NULL);
 }
 
-static void what_is_there_already_needs_no_room(void **state)
+static void existing_coupling_needs_no_capacity(void **state)
 {
     (void)state;
     fixture f;
@@ -111,7 +111,7 @@ static void what_is_there_already_needs_no_room(void **state)
 }
 
 /* Nobody sets its numbers: what stood there before must not be seen. */
-static void the_pair_of_couple_once_is_empty_when_taken(void **state)
+static void couple_once_pair_is_empty_when_taken(void **state)
 {
     (void)state;
     fixture f;
@@ -160,7 +160,7 @@ static void bodies_couple_before_others(void **state)
 
 /* ---- couplings between chains */
 
-static void a_run_is_not_coupled_with_another_chain(void **state)
+static void run_does_not_couple_with_other_chain(void **state)
 {
     (void)state;
     fixture f;
@@ -190,11 +190,11 @@ static void a_run_is_not_coupled_with_another_chain(void **state)
 int test_couplings(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_pair_that_is_coupled_already_is_not_coupled_again),
-        harness_test(what_is_there_already_needs_no_room),
-        harness_test(the_pair_of_couple_once_is_empty_when_taken),
+        harness_test(coupled_pair_is_not_coupled_again),
+        harness_test(existing_coupling_needs_no_capacity),
+        harness_test(couple_once_pair_is_empty_when_taken),
         harness_test(bodies_couple_before_others),
-        harness_test(a_run_is_not_coupled_with_another_chain),
+        harness_test(run_does_not_couple_with_other_chain),
     };
     return cmocka_run_group_tests_name("solver.couplings", tests, NULL, NULL);
 }

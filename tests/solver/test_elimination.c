@@ -102,7 +102,7 @@ static void again(harness_source *source, void *user)
     end_knot(t);
 }
 
-static void solving_changes_nothing_so_it_gives_the_same_bits_again(void **state)
+static void solve_is_repeatable_bit_exact(void **state)
 {
     (void)state;
     harness_property("again", 40, again, NULL);
@@ -138,7 +138,7 @@ static void shuffled(harness_source *source, void *user)
     end_knot(t);
 }
 
-static void the_order_of_registration_does_not_matter(void **state)
+static void registration_order_does_not_matter(void **state)
 {
     (void)state;
     harness_property("shuffled", 40, shuffled, NULL);
@@ -167,7 +167,7 @@ static void by_both_copies(harness_source *source, void *user)
     end_knot(t);
 }
 
-static void both_copies_give_the_same_order_and_the_same_bits(void **state)
+static void scalar_and_simd_order_and_bits_are_equal(void **state)
 {
     (void)state;
     harness_property("both copies", 40, by_both_copies, NULL);
@@ -200,7 +200,7 @@ static void a_row_of_zeros(harness_source *source, void *user)
     end_knot(t);
 }
 
-static void a_singular_knot_is_told_and_counted_and_taken_again_it_is_not(void **state)
+static void singular_knot_is_reported_counted_and_recoverable(void **state)
 {
     (void)state;
     harness_property("a row of zeros", 60, a_row_of_zeros, NULL);
@@ -226,7 +226,7 @@ static vbss_result register_pairs(twin *t, uint32_t separators, const uint32_t (
     return twin_register(t);
 }
 
-static void fill_without_room_is_told(void **state)
+static void fill_above_capacity_is_reported(void **state)
 {
     (void)state;
     static const uint32_t ring[][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 4}};
@@ -239,7 +239,7 @@ static void fill_without_room_is_told(void **state)
 
 /* ---- the order */
 
-static void trees_fill_nothing(void **state)
+static void trees_have_no_fill(void **state)
 {
     (void)state;
     static const uint32_t star[][2] = {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}, {0, 6}};
@@ -253,7 +253,7 @@ static void trees_fill_nothing(void **state)
     }
 }
 
-static void of_equal_separators_the_first_is_eliminated_first(void **state)
+static void minimum_degree_ties_take_first(void **state)
 {
     (void)state;
     static const uint32_t ring[][2] = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
@@ -268,7 +268,7 @@ static void of_equal_separators_the_first_is_eliminated_first(void **state)
 }
 
 /* By block numbers, one strand after the other, nearly everything would be filled in. */
-static void strands_side_by_side_fill_in_proportion_to_their_length(void **state)
+static void parallel_strands_fill_linearly(void **state)
 {
     (void)state;
     enum { LENGTH = 140 };
@@ -292,14 +292,14 @@ int test_elimination(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(knots_of_several_strands_are_solved),
-        harness_test(solving_changes_nothing_so_it_gives_the_same_bits_again),
-        harness_test(the_order_of_registration_does_not_matter),
-        harness_test(both_copies_give_the_same_order_and_the_same_bits),
-        harness_test(a_singular_knot_is_told_and_counted_and_taken_again_it_is_not),
-        harness_test(fill_without_room_is_told),
-        harness_test(trees_fill_nothing),
-        harness_test(of_equal_separators_the_first_is_eliminated_first),
-        harness_test(strands_side_by_side_fill_in_proportion_to_their_length),
+        harness_test(solve_is_repeatable_bit_exact),
+        harness_test(registration_order_does_not_matter),
+        harness_test(scalar_and_simd_order_and_bits_are_equal),
+        harness_test(singular_knot_is_reported_counted_and_recoverable),
+        harness_test(fill_above_capacity_is_reported),
+        harness_test(trees_have_no_fill),
+        harness_test(minimum_degree_ties_take_first),
+        harness_test(parallel_strands_fill_linearly),
     };
     return cmocka_run_group_tests_name("solver.elimination", tests, NULL, NULL);
 }

@@ -61,13 +61,13 @@ static void recurrences(harness_source *source, void *user)
     expect_vec3(a1, next.a, 1e-14 / (h * h));
 }
 
-static void the_coefficients_are_those_of_the_recurrences(void **state)
+static void coefficients_match_recurrences(void **state)
 {
     (void)state;
     harness_property("recurrences", 2000, recurrences, NULL);
 }
 
-static void backward_euler_is_itself_to_the_bit(void **state)
+static void backward_euler_is_bit_exact(void **state)
 {
     (void)state;
     /* Short fractions of two: nothing rounds. */
@@ -86,7 +86,7 @@ static void backward_euler_is_itself_to_the_bit(void **state)
     expect_near(1e-3, i.h, 0.0);
 }
 
-static void constant_acceleration_is_followed_exactly(void **state)
+static void constant_acceleration_is_exact(void **state)
 {
     (void)state;
     vec3 g = vec3_make(0.25, -9.81, 3.0);
@@ -124,7 +124,7 @@ static vec3 oscillator_error(const vbss_integration *i)
     return vec3_make(m.x.x - cos(6.0), m.v.x / 2.0 + sin(6.0), 0.0);
 }
 
-static void the_error_is_of_order_two_and_of_backward_euler_one(void **state)
+static void generalised_alpha_is_second_order_and_backward_euler_first(void **state)
 {
     (void)state;
     for (int k = 0; k <= 8; k++) {
@@ -180,7 +180,7 @@ static double spectral_radius(mat3 m)
 }
 
 /* All three eigenvalues are the same there, so that rounding moves them by its cube root. */
-static void infinitely_fast_motion_decays_as_configured(void **state)
+static void infinite_frequency_decays_as_configured(void **state)
 {
     (void)state;
     for (int k = 0; k <= 16; k++) {
@@ -193,7 +193,7 @@ static void infinitely_fast_motion_decays_as_configured(void **state)
     expect_near(0.0, spectral_radius(amplification(&euler, 0.0)), 1e-4);
 }
 
-static void no_oscillation_grows_at_any_frequency(void **state)
+static void no_frequency_is_amplified(void **state)
 {
     (void)state;
     for (int k = 0; k <= 16; k++) {
@@ -214,12 +214,12 @@ static void no_oscillation_grows_at_any_frequency(void **state)
 int test_integration(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_coefficients_are_those_of_the_recurrences),
-        harness_test(backward_euler_is_itself_to_the_bit),
-        harness_test(constant_acceleration_is_followed_exactly),
-        harness_test(the_error_is_of_order_two_and_of_backward_euler_one),
-        harness_test(infinitely_fast_motion_decays_as_configured),
-        harness_test(no_oscillation_grows_at_any_frequency),
+        harness_test(coefficients_match_recurrences),
+        harness_test(backward_euler_is_bit_exact),
+        harness_test(constant_acceleration_is_exact),
+        harness_test(generalised_alpha_is_second_order_and_backward_euler_first),
+        harness_test(infinite_frequency_decays_as_configured),
+        harness_test(no_frequency_is_amplified),
     };
     return cmocka_run_group_tests_name("solver.integration", tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@ static twin subject;
 /* ---- what is added where */
 
 /* Chains of three so that, by roles, either block of a couple may be eliminated first. */
-static void a_coupling_holds_the_rows_of_the_higher_block(void **state)
+static void coupling_stores_rows_of_higher_block(void **state)
 {
     (void)state;
     twin *t = &subject;
@@ -100,7 +100,7 @@ static void pairs_of_separators(harness_source *source, void *user)
     twin_end(t);
 }
 
-static void pairs_have_places_when_coupled_or_joined_by_runs_and_nobody_else_has(void **state)
+static void schur_pattern_is_coupled_or_joined(void **state)
 {
     (void)state;
     harness_property("pairs of separators", 200, pairs_of_separators, NULL);
@@ -126,7 +126,7 @@ static void make_chains(twin *t, uint32_t chains, uint32_t each, uint32_t reach)
 }
 
 /* So a contact on a long thread costs no more than its own few blocks. */
-static void runs_are_eliminated_toward_their_separators_and_fill_nothing(void **state)
+static void runs_eliminate_toward_separators_without_fill(void **state)
 {
     (void)state;
     twin *t = &subject;
@@ -142,7 +142,7 @@ static void runs_are_eliminated_toward_their_separators_and_fill_nothing(void **
     }
 }
 
-static void runs_without_separators_are_eliminated_from_both_ends_in_turn(void **state)
+static void runs_without_separators_eliminate_from_both_ends(void **state)
 {
     (void)state;
     static const uint32_t wanted[] = {0, 4, 1, 3, 2, 5, 9, 6, 8, 7, 10, 14, 11, 13};
@@ -160,7 +160,7 @@ static void runs_without_separators_are_eliminated_from_both_ends_in_turn(void *
 
 /* ---- analysing anew */
 
-static void a_new_chain_has_no_roles_yet(void **state)
+static void new_chain_has_no_roles(void **state)
 {
     (void)state;
     twin *t = &subject;
@@ -207,7 +207,7 @@ static void other_roles(harness_source *source, void *user)
     twin_end(t);
 }
 
-static void analysed_anew_a_system_forgets_the_pattern_before(void **state)
+static void new_analysis_forgets_old_pattern(void **state)
 {
     (void)state;
     harness_property("other roles", 60, other_roles, NULL);
@@ -216,12 +216,12 @@ static void analysed_anew_a_system_forgets_the_pattern_before(void **state)
 int test_pattern(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_coupling_holds_the_rows_of_the_higher_block),
-        harness_test(pairs_have_places_when_coupled_or_joined_by_runs_and_nobody_else_has),
-        harness_test(runs_are_eliminated_toward_their_separators_and_fill_nothing),
-        harness_test(runs_without_separators_are_eliminated_from_both_ends_in_turn),
-        harness_test(a_new_chain_has_no_roles_yet),
-        harness_test(analysed_anew_a_system_forgets_the_pattern_before),
+        harness_test(coupling_stores_rows_of_higher_block),
+        harness_test(schur_pattern_is_coupled_or_joined),
+        harness_test(runs_eliminate_toward_separators_without_fill),
+        harness_test(runs_without_separators_eliminate_from_both_ends),
+        harness_test(new_chain_has_no_roles),
+        harness_test(new_analysis_forgets_old_pattern),
     };
     return cmocka_run_group_tests_name("solver.pattern", tests, NULL, NULL);
 }

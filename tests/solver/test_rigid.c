@@ -127,7 +127,7 @@ static void any_blocks(harness_source *source, void *user)
     end_bodies();
 }
 
-static void blocks_are_symmetric_and_positive_definite_wherever_the_trial_is(void **state)
+static void blocks_are_symmetric_positive_definite(void **state)
 {
     (void)state;
     harness_property("blocks", 200, any_blocks, NULL);
@@ -170,7 +170,7 @@ static void bodies_beside_each_other_do_not_meet(harness_source *source, void *u
     end_bodies();
 }
 
-static void a_body_moves_alike_alone_and_among_others_in_any_role(void **state)
+static void motion_is_independent_of_role_and_neighbours(void **state)
 {
     (void)state;
     harness_property("bodies", 50, bodies_beside_each_other_do_not_meet, NULL);
@@ -178,7 +178,7 @@ static void a_body_moves_alike_alone_and_among_others_in_any_role(void **state)
 
 /* Others add a spring at an arm, with the coupling of both blocks: K, -K [r], [r]^T K [r]. It pulls the
  * point of the arm to where it belongs, and its force turns the body too. */
-static void what_others_add_at_an_arm_couples_both_blocks(void **state)
+static void spring_at_arm_couples_both_blocks(void **state)
 {
     (void)state;
     static const vbss_role each[2] = {VBSS_ROLE_INTERIOR, VBSS_ROLE_SEPARATOR};
@@ -220,7 +220,7 @@ static void what_others_add_at_an_arm_couples_both_blocks(void **state)
     }
 }
 
-static void a_driven_body_goes_where_it_is_taken(void **state)
+static void driven_body_reaches_target(void **state)
 {
     (void)state;
     rigid_rig rig;
@@ -246,7 +246,7 @@ static void a_driven_body_goes_where_it_is_taken(void **state)
     rigid_rig_end(&rig);
 }
 
-static void blocks_without_room_are_told(void **state)
+static void missing_block_capacity_is_reported(void **state)
 {
     (void)state;
     harness_memory memory;
@@ -264,11 +264,11 @@ static void blocks_without_room_are_told(void **state)
 int test_rigid(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(blocks_are_symmetric_and_positive_definite_wherever_the_trial_is),
-        harness_test(a_body_moves_alike_alone_and_among_others_in_any_role),
-        harness_test(what_others_add_at_an_arm_couples_both_blocks),
-        harness_test(a_driven_body_goes_where_it_is_taken),
-        harness_test(blocks_without_room_are_told),
+        harness_test(blocks_are_symmetric_positive_definite),
+        harness_test(motion_is_independent_of_role_and_neighbours),
+        harness_test(spring_at_arm_couples_both_blocks),
+        harness_test(driven_body_reaches_target),
+        harness_test(missing_block_capacity_is_reported),
     };
     return cmocka_run_group_tests_name("solver.rigid", tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ static void expect_axes_of_the_frame(const vbss_rigid_mass *m)
 
 /* ---- known ones */
 
-static void a_capsule_of_no_length_is_a_ball(void **state)
+static void zero_length_capsule_is_ball(void **state)
 {
     (void)state;
     vbss_rigid_capsule ball = {{0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}, 0.02, 1000.0};
@@ -45,7 +45,7 @@ static void a_capsule_of_no_length_is_a_ball(void **state)
     expect_near(0.0, vec3_distance(m.frame.position, ball.a), 0.0);
 }
 
-static void a_thin_capsule_is_a_rod(void **state)
+static void thin_capsule_is_rod(void **state)
 {
     (void)state;
     vbss_rigid_capsule rod = {{-0.15, 0.0, 0.0}, {0.15, 0.0, 0.0}, 1e-5, 8000.0};
@@ -58,7 +58,7 @@ static void a_thin_capsule_is_a_rod(void **state)
 }
 
 /* Half balls: twice the moment of a whole one less the parallel axis is not what a half has. */
-static void a_short_capsule_is_known_in_closed_form(void **state)
+static void short_capsule_matches_closed_form(void **state)
 {
     (void)state;
     /* r = 1, l = 2, density 1/pi: cylinder 2, ball 4/3. */
@@ -70,7 +70,7 @@ static void a_short_capsule_is_known_in_closed_form(void **state)
     expect_axes_of_the_frame(&m);
 }
 
-static void two_capsules_make_a_cross(void **state)
+static void two_capsules_make_cross(void **state)
 {
     (void)state;
     vbss_rigid_capsule cross[2] = {{{-0.5, 0.2, 0.1}, {0.5, 0.2, 0.1}, 0.1, 100.0},
@@ -93,7 +93,7 @@ static void overlaps_count_twice(void **state)
     expect_moments(2.0 * one.inertia.x, 2.0 * one.inertia.y, 2.0 * one.inertia.z, &two, 1e-14);
 }
 
-static void the_axis_of_a_slender_shaft_is_found(void **state)
+static void slender_shaft_axis_is_found(void **state)
 {
     (void)state;
     vec3 way = vec3_unit_or(vec3_make(0.3, -0.5, 0.7), vec3_zero());
@@ -189,7 +189,7 @@ static void any_capsules(harness_source *source, void *user)
     expect_near(1.0, quat_dot(m.frame.orientation, m.frame.orientation), 1e-15);
 }
 
-static void any_set_of_capsules_has_the_moments_of_its_slices(void **state)
+static void inertia_matches_slices_for_any_capsules(void **state)
 {
     (void)state;
     harness_property("capsules", 200, any_capsules, NULL);
@@ -215,7 +215,7 @@ static void axes_are_principal_to_rounding(harness_source *source, void *user)
     assert_true(mass_of(capsules, 2).mass < m.mass);
 }
 
-static void equal_moments_are_found_wherever_the_body_is(void **state)
+static void equal_moments_are_found_in_any_pose(void **state)
 {
     (void)state;
     harness_property("equal moments", 50, axes_are_principal_to_rounding, NULL);
@@ -223,7 +223,7 @@ static void equal_moments_are_found_wherever_the_body_is(void **state)
 
 /* ---- refused */
 
-static void what_has_no_mass_is_refused(void **state)
+static void massless_bodies_are_rejected(void **state)
 {
     (void)state;
     vbss_rigid_mass m, before;
@@ -256,15 +256,15 @@ static void what_has_no_mass_is_refused(void **state)
 int test_rigid_capsules(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_capsule_of_no_length_is_a_ball),
-        harness_test(a_thin_capsule_is_a_rod),
-        harness_test(a_short_capsule_is_known_in_closed_form),
-        harness_test(two_capsules_make_a_cross),
+        harness_test(zero_length_capsule_is_ball),
+        harness_test(thin_capsule_is_rod),
+        harness_test(short_capsule_matches_closed_form),
+        harness_test(two_capsules_make_cross),
         harness_test(overlaps_count_twice),
-        harness_test(the_axis_of_a_slender_shaft_is_found),
-        harness_test(any_set_of_capsules_has_the_moments_of_its_slices),
-        harness_test(equal_moments_are_found_wherever_the_body_is),
-        harness_test(what_has_no_mass_is_refused),
+        harness_test(slender_shaft_axis_is_found),
+        harness_test(inertia_matches_slices_for_any_capsules),
+        harness_test(equal_moments_are_found_in_any_pose),
+        harness_test(massless_bodies_are_rejected),
     };
     return cmocka_run_group_tests_name("solver.rigid_capsules", tests, NULL, NULL);
 }

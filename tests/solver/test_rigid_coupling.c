@@ -29,7 +29,7 @@ static vec3 turning_lag(void)
 
 /* ---- at rest */
 
-static void force_and_torque_are_carried_by_the_spring(void **state)
+static void spring_carries_force_and_torque(void **state)
 {
     (void)state;
     begin_tied(200.0, 5.0);
@@ -45,7 +45,7 @@ static void force_and_torque_are_carried_by_the_spring(void **state)
 }
 
 /* What is told to have acted is what changed the motion. */
-static void the_pull_is_what_changed_the_motion(void **state)
+static void impulse_equals_momentum_change(void **state)
 {
     (void)state;
     begin_tied(300.0, 2.0);
@@ -106,7 +106,7 @@ static void swing_errors(double h, double errors[4])
     }
 }
 
-static void a_damped_swing_goes_to_the_analytic_one_in_first_order(void **state)
+static void damped_oscillation_converges_at_first_order(void **state)
 {
     (void)state;
     double coarse[4], fine[4];
@@ -134,7 +134,7 @@ static double oblique_error(double h)
     return error;
 }
 
-static void an_oblique_swing_converges_in_first_order(void **state)
+static void oblique_oscillation_converges_at_first_order(void **state)
 {
     (void)state;
     double coarse = oblique_error(1e-4), fine = oblique_error(5e-5);
@@ -160,7 +160,7 @@ static void jerk_about(harness_source *source, const vbss_rigid_coupling *coupli
     assert_true(vec3_is_finite(rig.body.now.v) && vec3_is_finite(rig.body.now.w));
 }
 
-static void stiff_couplings_of_light_bodies_hold_whatever_the_hand_does(void **state)
+static void stiff_coupling_of_light_body_holds(void **state)
 {
     (void)state;
     harness_source source = {0};
@@ -183,7 +183,7 @@ static void stiff_couplings_of_light_bodies_hold_whatever_the_hand_does(void **s
     }
 }
 
-static void soft_couplings_of_heavy_bodies_hardly_move_them(void **state)
+static void soft_coupling_of_heavy_body_hardly_moves_it(void **state)
 {
     (void)state;
     rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
@@ -199,7 +199,7 @@ static void soft_couplings_of_heavy_bodies_hardly_move_them(void **state)
 }
 
 /* At 1 ms a spin of 1000 turns a second looks like rest, and one of 900 like 100 the other way. */
-static void a_spin_too_fast_to_be_seen_ends_in_a_stiff_coupling(void **state)
+static void unresolvable_spin_ends_in_stiff_coupling(void **state)
 {
     (void)state;
     for (int i = 1; i <= 20; i++) {
@@ -215,13 +215,13 @@ static void a_spin_too_fast_to_be_seen_ends_in_a_stiff_coupling(void **state)
 int test_rigid_coupling(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(force_and_torque_are_carried_by_the_spring),
-        harness_test(the_pull_is_what_changed_the_motion),
-        harness_test(a_damped_swing_goes_to_the_analytic_one_in_first_order),
-        harness_test(an_oblique_swing_converges_in_first_order),
-        harness_test(stiff_couplings_of_light_bodies_hold_whatever_the_hand_does),
-        harness_test(soft_couplings_of_heavy_bodies_hardly_move_them),
-        harness_test(a_spin_too_fast_to_be_seen_ends_in_a_stiff_coupling),
+        harness_test(spring_carries_force_and_torque),
+        harness_test(impulse_equals_momentum_change),
+        harness_test(damped_oscillation_converges_at_first_order),
+        harness_test(oblique_oscillation_converges_at_first_order),
+        harness_test(stiff_coupling_of_light_body_holds),
+        harness_test(soft_coupling_of_heavy_body_hardly_moves_it),
+        harness_test(unresolvable_spin_ends_in_stiff_coupling),
     };
     return cmocka_run_group_tests_name("solver.rigid_coupling", tests, NULL, NULL);
 }

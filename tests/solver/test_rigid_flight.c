@@ -15,7 +15,7 @@ static void begin_flying(vec3 w)
 
 /* ---- translation */
 
-static void a_body_falls_as_backward_euler_falls(void **state)
+static void fall_follows_backward_euler(void **state)
 {
     (void)state;
     rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
@@ -31,7 +31,7 @@ static void a_body_falls_as_backward_euler_falls(void **state)
     rigid_rig_end(&rig);
 }
 
-static void drag_ends_a_fall_at_its_speed_and_stops_a_spin(void **state)
+static void drag_limits_fall_speed_and_stops_spin(void **state)
 {
     (void)state;
     begin_flying(vec3_make(3.0, 4.0, 5.0));
@@ -53,7 +53,7 @@ static void drag_ends_a_fall_at_its_speed_and_stops_a_spin(void **state)
 
 /* ---- rotation */
 
-static void angular_momentum_stays_over_many_steps(void **state)
+static void angular_momentum_is_conserved(void **state)
 {
     (void)state;
     /* Also near the middle axis, where the motion turns over for ever. */
@@ -89,7 +89,7 @@ static void energy_changes(double h, uint32_t first, uint32_t all, double change
     rigid_rig_end(&rig);
 }
 
-static void energy_swings_in_second_order_and_does_not_drift(void **state)
+static void energy_error_is_second_order_without_drift(void **state)
 {
     (void)state;
     double coarse[2], fine[2];
@@ -114,7 +114,7 @@ static double flight_error(double h)
     return error;
 }
 
-static void orientation_is_of_second_order(void **state)
+static void orientation_error_is_second_order(void **state)
 {
     (void)state;
     double coarse = flight_error(2e-3), middle = flight_error(1e-3), fine = flight_error(5e-4);
@@ -124,7 +124,7 @@ static void orientation_is_of_second_order(void **state)
 }
 
 /* The axis of a top goes round its angular momentum at |L| / A, in closed form. */
-static void a_top_precesses_exactly_whichever_axis_is_its_own(void **state)
+static void top_precesses_exactly_about_any_axis(void **state)
 {
     (void)state;
     for (int axis = 0; axis < 3; axis++) {
@@ -143,7 +143,7 @@ static void a_top_precesses_exactly_whichever_axis_is_its_own(void **state)
     }
 }
 
-static void a_body_at_rest_stays_there_to_the_bit(void **state)
+static void resting_body_stays_bit_exact(void **state)
 {
     (void)state;
     begin_flying(vec3_zero());
@@ -159,7 +159,7 @@ static void a_body_at_rest_stays_there_to_the_bit(void **state)
 
 /* ---- under torque */
 
-static void a_ball_gains_the_angular_momentum_of_the_torque(void **state)
+static void ball_gains_angular_momentum_of_torque(void **state)
 {
     (void)state;
     begin_flying(vec3_make(1.0, 2.0, 3.0));
@@ -185,7 +185,7 @@ static double torque_error(double h)
     return error;
 }
 
-static void turning_under_a_torque_is_of_first_order(void **state)
+static void rotation_under_torque_is_first_order(void **state)
 {
     (void)state;
     double coarse = torque_error(1e-3), fine = torque_error(5e-4);
@@ -195,7 +195,7 @@ static void turning_under_a_torque_is_of_first_order(void **state)
 
 /* Trap: velocities from the angular momentum at the new orientation. A shaft that is struck across would
  * spin about its axis, by the ratio of its moments. */
-static void a_struck_shaft_does_not_spin_about_its_axis(void **state)
+static void struck_shaft_does_not_spin_about_axis(void **state)
 {
     (void)state;
     rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
@@ -215,16 +215,16 @@ static void a_struck_shaft_does_not_spin_about_its_axis(void **state)
 int test_rigid_flight(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_body_falls_as_backward_euler_falls),
-        harness_test(drag_ends_a_fall_at_its_speed_and_stops_a_spin),
-        harness_test(angular_momentum_stays_over_many_steps),
-        harness_test(energy_swings_in_second_order_and_does_not_drift),
-        harness_test(orientation_is_of_second_order),
-        harness_test(a_top_precesses_exactly_whichever_axis_is_its_own),
-        harness_test(a_body_at_rest_stays_there_to_the_bit),
-        harness_test(a_ball_gains_the_angular_momentum_of_the_torque),
-        harness_test(turning_under_a_torque_is_of_first_order),
-        harness_test(a_struck_shaft_does_not_spin_about_its_axis),
+        harness_test(fall_follows_backward_euler),
+        harness_test(drag_limits_fall_speed_and_stops_spin),
+        harness_test(angular_momentum_is_conserved),
+        harness_test(energy_error_is_second_order_without_drift),
+        harness_test(orientation_error_is_second_order),
+        harness_test(top_precesses_exactly_about_any_axis),
+        harness_test(resting_body_stays_bit_exact),
+        harness_test(ball_gains_angular_momentum_of_torque),
+        harness_test(rotation_under_torque_is_first_order),
+        harness_test(struck_shaft_does_not_spin_about_axis),
     };
     return cmocka_run_group_tests_name("solver.rigid_flight", tests, NULL, NULL);
 }

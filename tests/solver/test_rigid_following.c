@@ -29,7 +29,7 @@ static vec3 turning_lag(void)
 
 /* ---- following */
 
-static void a_steady_hand_is_followed_with_the_lag_of_the_drag_alone(void **state)
+static void steady_target_lag_is_drag_only(void **state)
 {
     (void)state;
     for (int with_drag = 0; with_drag < 2; with_drag++) {
@@ -55,7 +55,7 @@ static void a_steady_hand_is_followed_with_the_lag_of_the_drag_alone(void **stat
     }
 }
 
-static void a_hand_that_gains_speed_is_followed_with_the_lag_of_inertia(void **state)
+static void accelerating_target_lag_is_inertia(void **state)
 {
     (void)state;
     begin_tied(100.0, 3.0);
@@ -70,7 +70,7 @@ static void a_hand_that_gains_speed_is_followed_with_the_lag_of_inertia(void **s
 }
 
 /* The quaternion of a turn changes sign past pi: the same orientation. */
-static void turns_past_pi_and_quaternions_of_either_sign_are_followed(void **state)
+static void rotations_past_pi_and_either_quaternion_sign_are_followed(void **state)
 {
     (void)state;
     begin_tied(1000.0, 3.0);
@@ -130,14 +130,14 @@ static void any_frame(harness_source *source, void *user)
     expect_near(0.0, vec3_distance(quat_rotate(frame.orientation, plain.w), other.w), 1e-8);
 }
 
-static void the_same_happens_in_every_frame(void **state)
+static void frame_invariance(void **state)
 {
     (void)state;
     harness_property("frames", 30, any_frame, NULL);
 }
 
 /* Four parts of a step are four steps of a quarter, as the given pose crosses evenly. */
-static void parts_of_a_step_are_short_steps(void **state)
+static void substeps_are_short_steps(void **state)
 {
     (void)state;
     pose begin, end = {vec3_make(0.11, -0.19, 0.3),
@@ -167,11 +167,11 @@ static void parts_of_a_step_are_short_steps(void **state)
 int test_rigid_following(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_steady_hand_is_followed_with_the_lag_of_the_drag_alone),
-        harness_test(a_hand_that_gains_speed_is_followed_with_the_lag_of_inertia),
-        harness_test(turns_past_pi_and_quaternions_of_either_sign_are_followed),
-        harness_test(the_same_happens_in_every_frame),
-        harness_test(parts_of_a_step_are_short_steps),
+        harness_test(steady_target_lag_is_drag_only),
+        harness_test(accelerating_target_lag_is_inertia),
+        harness_test(rotations_past_pi_and_either_quaternion_sign_are_followed),
+        harness_test(frame_invariance),
+        harness_test(substeps_are_short_steps),
     };
     return cmocka_run_group_tests_name("solver.rigid_following", tests, NULL, NULL);
 }

@@ -51,7 +51,7 @@ static void begin_moving(rigid_rig *rig)
     rigid_rig_steps(rig, 20);
 }
 
-static void a_restored_body_goes_on_to_the_bit(void **state)
+static void restored_body_continues_bit_equal(void **state)
 {
     (void)state;
     rigid_rig rig;
@@ -68,7 +68,7 @@ static void a_restored_body_goes_on_to_the_bit(void **state)
     rigid_rig_end(&rig);
 }
 
-static void a_body_of_other_mass_or_moments_is_refused(void **state)
+static void body_of_other_mass_or_moments_is_rejected(void **state)
 {
     (void)state;
     rigid_rig rig;
@@ -100,7 +100,7 @@ static void expect_nonsense(vbss_rigid *body, double *number, double nonsense)
     expect_ok(load(&other, &s, true));
 }
 
-static void nonsense_is_refused_on_reading(void **state)
+static void impossible_state_is_rejected_on_read(void **state)
 {
     (void)state;
     rigid_rig rig;
@@ -129,7 +129,7 @@ static void nonsense_is_refused_on_reading(void **state)
     rigid_rig_end(&rig);
 }
 
-static void impossible_masses_are_not_sound(void **state)
+static void impossible_masses_are_invalid(void **state)
 {
     (void)state;
     rigid_rig rig;
@@ -156,10 +156,10 @@ static void impossible_masses_are_not_sound(void **state)
 int test_rigid_state(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_restored_body_goes_on_to_the_bit),
-        harness_test(a_body_of_other_mass_or_moments_is_refused),
-        harness_test(nonsense_is_refused_on_reading),
-        harness_test(impossible_masses_are_not_sound),
+        harness_test(restored_body_continues_bit_equal),
+        harness_test(body_of_other_mass_or_moments_is_rejected),
+        harness_test(impossible_state_is_rejected_on_read),
+        harness_test(impossible_masses_are_invalid),
     };
     return cmocka_run_group_tests_name("solver.rigid_state", tests, NULL, NULL);
 }

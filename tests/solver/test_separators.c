@@ -43,7 +43,7 @@ static void with_contacts(harness_source *source, void *user)
     twin_end(t);
 }
 
-static void what_others_add_to_separators_counts_where_it_was_added(void **state)
+static void additions_to_separators_land_in_place(void **state)
 {
     (void)state;
     twin_roles kinds[] = {TWIN_SCATTERED, TWIN_GROUPS, TWIN_SEPARATORS, TWIN_MIXED};
@@ -69,7 +69,7 @@ static void taken_twice(harness_source *source, void *user)
     twin_end(t);
 }
 
-static void separators_taken_again_have_forgotten_what_was_added(void **state)
+static void retaken_separators_are_cleared(void **state)
 {
     (void)state;
     harness_property("separators taken again", 100, taken_twice, NULL);
@@ -78,7 +78,7 @@ static void separators_taken_again_have_forgotten_what_was_added(void **state)
 /* ---- inside a block */
 
 /* Separators of which none is coupled: each block's solution is known. */
-static void rows_of_a_block_are_exchanged_where_its_diagonal_is_empty(void **state)
+static void zero_diagonal_block_is_pivoted(void **state)
 {
     (void)state;
     static const uint8_t orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
@@ -186,10 +186,10 @@ static void thousands_of_separators_are_solved(void **state)
 int test_separators(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(what_others_add_to_separators_counts_where_it_was_added),
-        harness_test(separators_taken_again_have_forgotten_what_was_added),
+        harness_test(additions_to_separators_land_in_place),
+        harness_test(retaken_separators_are_cleared),
         harness_test(thousands_of_separators_are_solved),
-        harness_test(rows_of_a_block_are_exchanged_where_its_diagonal_is_empty),
+        harness_test(zero_diagonal_block_is_pivoted),
     };
     return cmocka_run_group_tests_name("solver.separators", tests, NULL, NULL);
 }

@@ -36,7 +36,7 @@ static void any_joint_has_no_step(harness_source *source, void *user)
     }
 }
 
-static void its_spans_join_without_a_step_up_to_the_curvature(void **state)
+static void spans_join_with_continuous_curvature(void **state)
 {
     (void)state;
     harness_property("joints", 200, any_joint_has_no_step, NULL);
@@ -68,14 +68,14 @@ static void any_end_goes_on_straight(harness_source *source, void *user)
     }
 }
 
-static void it_ends_in_its_last_nodes_and_goes_on_straight(void **state)
+static void curve_ends_in_last_nodes_and_extends_straight(void **state)
 {
     (void)state;
     harness_property("ends", 100, any_end_goes_on_straight, NULL);
 }
 
 /* Whatever the segments are: arc length and place have the same weights. Also beyond the ends. */
-static void a_straight_thread_is_measured_exactly(void **state)
+static void straight_thread_is_measured_exactly(void **state)
 {
     (void)state;
     const double rest[2][6] = {{1e-3, 0.2e-3, 3e-3, 0.5e-3, 0.5e-3, 1.7e-3},
@@ -136,7 +136,7 @@ static void any_nearest_place_is_one(harness_source *source, void *user)
     *inside += off > least - 1e-6; /* not beyond an end */
 }
 
-static void the_nearest_place_is_square_and_nothing_nearby_is_nearer(void **state)
+static void nearest_point_is_perpendicular_and_minimal(void **state)
 {
     (void)state;
     int inside = 0;
@@ -145,7 +145,7 @@ static void the_nearest_place_is_square_and_nothing_nearby_is_nearer(void **stat
 }
 
 /* From wherever the search begins on a thread that is nearly straight; and no further than a span beside the one given. */
-static void the_search_ends_where_it_should(void **state)
+static void search_ends_at_expected_point(void **state)
 {
     (void)state;
     laid l;
@@ -207,7 +207,7 @@ static void any_search_beside_a_span_goes_on_straight(harness_source *source, vo
     }
 }
 
-static void beside_a_span_the_search_goes_on_straight(void **state)
+static void search_extends_straight_beside_span(void **state)
 {
     (void)state;
     harness_property("beside", 200, any_search_beside_a_span_goes_on_straight, NULL);
@@ -230,7 +230,7 @@ static void any_arc_is_in_its_span(harness_source *source, void *user)
     expect_near(0.0, vec3_distance(turn_by_hand(&wanted), place.curvature), 1e-6);
 }
 
-static void arc_lengths_are_in_the_spans_whose_places_have_them(void **state)
+static void arc_length_matches_span_of_point(void **state)
 {
     (void)state;
     harness_property("spans", 300, any_arc_is_in_its_span, NULL);
@@ -276,7 +276,7 @@ static void any_slopes_are_those_of_weights_and_tangent(harness_source *source, 
     *joints += a.span != b.span;
 }
 
-static void slopes_and_turn_are_those_of_weights_and_tangent(void **state)
+static void jacobian_matches_weights_and_tangent(void **state)
 {
     (void)state;
     int joints = 0;
@@ -287,14 +287,14 @@ static void slopes_and_turn_are_those_of_weights_and_tangent(void **state)
 int test_curve(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(its_spans_join_without_a_step_up_to_the_curvature),
-        harness_test(it_ends_in_its_last_nodes_and_goes_on_straight),
-        cmocka_unit_test(a_straight_thread_is_measured_exactly),
-        harness_test(the_nearest_place_is_square_and_nothing_nearby_is_nearer),
-        cmocka_unit_test(the_search_ends_where_it_should),
-        harness_test(beside_a_span_the_search_goes_on_straight),
-        harness_test(arc_lengths_are_in_the_spans_whose_places_have_them),
-        harness_test(slopes_and_turn_are_those_of_weights_and_tangent),
+        harness_test(spans_join_with_continuous_curvature),
+        harness_test(curve_ends_in_last_nodes_and_extends_straight),
+        cmocka_unit_test(straight_thread_is_measured_exactly),
+        harness_test(nearest_point_is_perpendicular_and_minimal),
+        cmocka_unit_test(search_ends_at_expected_point),
+        harness_test(search_extends_straight_beside_span),
+        harness_test(arc_length_matches_span_of_point),
+        harness_test(jacobian_matches_weights_and_tangent),
     };
     return cmocka_run_group_tests_name("suture.curve", tests, NULL, NULL);
 }

@@ -97,7 +97,7 @@ static void any_curve_goes_on_over_the_swage(harness_source *source, void *user)
     assert_true(before.span >= 1 && before.span != SUTURE_ON_NEEDLE);
 }
 
-static void it_goes_on_over_the_swage_without_a_corner(void **state)
+static void curve_is_smooth_over_swage(void **state)
 {
     (void)state;
     fixture f;
@@ -122,7 +122,7 @@ static void any_joint_has_no_step(harness_source *source, void *user)
     expect_near(l.line.swage_arc, swage_by_hand(&l, 0.0).arc, 0.0);
 }
 
-static void it_leaves_the_needles_end_along_the_needle_and_joins_the_thread(void **state)
+static void curve_leaves_needle_tangentially_and_joins_thread(void **state)
 {
     (void)state;
     fixture f;
@@ -161,7 +161,7 @@ static void any_search_passes_the_swage(harness_source *source, void *user)
     }
 }
 
-static void the_search_passes_the_swage_both_ways(void **state)
+static void search_crosses_swage_both_ways(void **state)
 {
     (void)state;
     fixture f;
@@ -189,7 +189,7 @@ static void any_nearest_place_is_one(harness_source *source, void *user)
     assert_true(vec3_distance(place.position, to) <= least + 1e-12);
 }
 
-static void the_nearest_place_is_square_and_nothing_nearby_is_nearer(void **state)
+static void nearest_point_is_perpendicular_and_minimal(void **state)
 {
     (void)state;
     fixture f;
@@ -199,7 +199,7 @@ static void the_nearest_place_is_square_and_nothing_nearby_is_nearer(void **stat
 }
 
 /* A needle alone is its arc, straight beyond its ends; so is a thread alone where there is no needle. */
-static void a_needle_alone_is_its_arc(void **state)
+static void needle_alone_is_its_arc(void **state)
 {
     (void)state;
     fixture f;
@@ -255,7 +255,7 @@ static void any_slopes_hold_over_the_swage(harness_source *source, void *user)
     expect_near(0.0, vec3_dot(here.curvature, here.tangent), 1e-9);
 }
 
-static void slopes_hold_over_the_swage(void **state)
+static void jacobian_holds_over_swage(void **state)
 {
     (void)state;
     fixture f;
@@ -267,12 +267,12 @@ static void slopes_hold_over_the_swage(void **state)
 int test_curve_swage(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(it_goes_on_over_the_swage_without_a_corner),
-        harness_test(it_leaves_the_needles_end_along_the_needle_and_joins_the_thread),
-        harness_test(the_search_passes_the_swage_both_ways),
-        harness_test(the_nearest_place_is_square_and_nothing_nearby_is_nearer),
-        cmocka_unit_test(a_needle_alone_is_its_arc),
-        harness_test(slopes_hold_over_the_swage),
+        harness_test(curve_is_smooth_over_swage),
+        harness_test(curve_leaves_needle_tangentially_and_joins_thread),
+        harness_test(search_crosses_swage_both_ways),
+        harness_test(nearest_point_is_perpendicular_and_minimal),
+        cmocka_unit_test(needle_alone_is_its_arc),
+        harness_test(jacobian_holds_over_swage),
     };
     return cmocka_run_group_tests_name("suture.curve_swage", tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static double mixed(double along, double aside, double mu)
     return (along + MIXED * mu) / (aside + MIXED);
 }
 
-static void in_a_symmetric_bend_it_is_the_ropes(void **state)
+static void symmetric_bend_grip_is_capstan(void **state)
 {
     (void)state;
     for (int i = 1; i <= 28; i++) {
@@ -53,7 +53,7 @@ static void in_a_symmetric_bend_it_is_the_ropes(void **state)
     }
 }
 
-static void straight_on_it_is_the_coefficient(void **state)
+static void straight_grip_is_friction_coefficient(void **state)
 {
     (void)state;
     const double angles[] = {0.0, 1e-9, 1e-6, 1e-4, 1e-2};
@@ -78,7 +78,7 @@ static void straight_on_it_is_the_coefficient(void **state)
 /* Nearer to one limb than to the other, it holds back more against what runs toward the nearer: the pull of that limb, which is
  * the greater by then, is along. Bent are the two spans beside the corner; from one and a half on one of the ways, two segments off, begins to
  * turn round it. */
-static void beside_the_middle_the_two_ways_differ(void **state)
+static void grip_depends_on_direction_beside_middle(void **state)
 {
     (void)state;
     const double theta = 1.2, mu = 0.4;
@@ -107,7 +107,7 @@ static void beside_the_middle_the_two_ways_differ(void **state)
 }
 
 /* What jumped from span to span pushed a thread that hardly rubbed to and fro between two of them. */
-static void it_goes_on_from_span_to_span_without_a_jump(void **state)
+static void grip_is_continuous_across_spans(void **state)
 {
     (void)state;
     double last[2] = {0.0, 0.0}, most = 0.0;
@@ -130,7 +130,7 @@ static void it_goes_on_from_span_to_span_without_a_jump(void **state)
 }
 
 /* The bend is that of what is beyond the nodes which the place moves: from the segment two before its own to that two after. */
-static void only_what_is_near_bends_it(void **state)
+static void only_nearby_bend_counts(void **state)
 {
     (void)state;
     double straight[2], bent[2];
@@ -151,7 +151,7 @@ static void only_what_is_near_bends_it(void **state)
 }
 
 /* A straight thread under an angle with its needle: the first two spans are moved by the swage, and beyond is the needle. */
-static void behind_the_swage_it_comes_from_the_needle(void **state)
+static void grip_behind_swage_is_of_needle(void **state)
 {
     (void)state;
     const double mu = 0.5;
@@ -182,12 +182,12 @@ static void behind_the_swage_it_comes_from_the_needle(void **state)
 int test_grip(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(in_a_symmetric_bend_it_is_the_ropes),
-        cmocka_unit_test(straight_on_it_is_the_coefficient),
-        cmocka_unit_test(beside_the_middle_the_two_ways_differ),
-        cmocka_unit_test(it_goes_on_from_span_to_span_without_a_jump),
-        cmocka_unit_test(only_what_is_near_bends_it),
-        cmocka_unit_test(behind_the_swage_it_comes_from_the_needle),
+        cmocka_unit_test(symmetric_bend_grip_is_capstan),
+        cmocka_unit_test(straight_grip_is_friction_coefficient),
+        cmocka_unit_test(grip_depends_on_direction_beside_middle),
+        cmocka_unit_test(grip_is_continuous_across_spans),
+        cmocka_unit_test(only_nearby_bend_counts),
+        cmocka_unit_test(grip_behind_swage_is_of_needle),
     };
     return cmocka_run_group_tests_name("suture.grip", tests, NULL, NULL);
 }

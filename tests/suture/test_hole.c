@@ -19,7 +19,7 @@ static suture_hole some_hole(void)
 
 /* ---- the bound */
 
-static void what_it_bears_falls_over_the_tip_to_friction(void **state)
+static void yield_force_falls_over_tip_to_friction(void **state)
 {
     (void)state;
     fixture f;
@@ -79,7 +79,7 @@ static void begin_tail(tail *t, const needle_object *n)
 }
 
 /* Over the length of a tip from the needle's bound to the thread's. */
-static void behind_the_swage_it_becomes_the_threads(void **state)
+static void friction_behind_swage_is_of_thread(void **state)
 {
     (void)state;
     fixture f;
@@ -142,7 +142,7 @@ static suture_curve_point some_place(void)
 
 /* A thread that leaves the needle's end askew, or back along it, is no rope there: over two segments it grips as the needle does,
  * and then goes over to the rope's without a jump. */
-static void a_bend_at_the_swage_grips_as_the_needle(void **state)
+static void bend_at_swage_grips_as_needle(void **state)
 {
     (void)state;
     fixture f;
@@ -186,7 +186,7 @@ static void a_bend_at_the_swage_grips_as_the_needle(void **state)
     end(&f);
 }
 
-static void its_row_ties_across_and_slides_along(void **state)
+static void hole_constraint_is_stiff_across_and_frictional_along(void **state)
 {
     (void)state;
     fixture f;
@@ -214,7 +214,7 @@ static void its_row_ties_across_and_slides_along(void **state)
 }
 
 /* All of it, what yields too: nothing is cut off. */
-static void what_was_found_is_kept(void **state)
+static void solution_is_stored_unclipped(void **state)
 {
     (void)state;
     fixture f;
@@ -253,7 +253,7 @@ static vbss_result visit(vbss_stream *stream, uint16_t version, suture_hole *hol
 }
 
 /* Version 4 knows no threads: what is read into forgets its own. */
-static void it_is_read_as_it_was_written(void **state)
+static void snapshot_round_trip(void **state)
 {
     (void)state;
     size_t sizes[2];
@@ -291,7 +291,7 @@ static void it_is_read_as_it_was_written(void **state)
     assert_int_equal(sizes[1], sizes[0] + sizeof(uint32_t));
 }
 
-static void what_no_hole_is_like_is_told(void **state)
+static void invalid_holes_are_rejected(void **state)
 {
     (void)state;
     suture_hole hole = some_hole();
@@ -317,13 +317,13 @@ static void what_no_hole_is_like_is_told(void **state)
 int test_hole(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_it_bears_falls_over_the_tip_to_friction),
-        cmocka_unit_test(behind_the_swage_it_becomes_the_threads),
-        cmocka_unit_test(a_bend_at_the_swage_grips_as_the_needle),
-        cmocka_unit_test(its_row_ties_across_and_slides_along),
-        cmocka_unit_test(what_was_found_is_kept),
-        cmocka_unit_test(it_is_read_as_it_was_written),
-        cmocka_unit_test(what_no_hole_is_like_is_told),
+        cmocka_unit_test(yield_force_falls_over_tip_to_friction),
+        cmocka_unit_test(friction_behind_swage_is_of_thread),
+        cmocka_unit_test(bend_at_swage_grips_as_needle),
+        cmocka_unit_test(hole_constraint_is_stiff_across_and_frictional_along),
+        cmocka_unit_test(solution_is_stored_unclipped),
+        cmocka_unit_test(snapshot_round_trip),
+        cmocka_unit_test(invalid_holes_are_rejected),
     };
     return cmocka_run_group_tests_name("suture.hole", tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 
 /* ---- when */
 
-static void it_enters_at_the_force_of_the_wall(void **state)
+static void entry_at_wall_force(void **state)
 {
     (void)state;
     vbss_drain_config c;
@@ -18,7 +18,7 @@ static void it_enters_at_the_force_of_the_wall(void **state)
     }
 }
 
-static void it_slides_when_it_is_pushed_along(void **state)
+static void oblique_push_slides(void **state)
 {
     (void)state;
     vbss_drain_config c;
@@ -50,7 +50,7 @@ static void expect_hole_at(const fixture *f, const suture_hole *hole, vec3 point
     assert_true(vbss_hole_is_valid(&own));
 }
 
-static void inside_a_triangle_it_is_where_the_tip_points(void **state)
+static void hole_in_triangle_is_at_tip_ray(void **state)
 {
     (void)state;
     fixture f;
@@ -82,7 +82,7 @@ static void inside_a_triangle_it_is_where_the_tip_points(void **state)
 }
 
 /* However rounding goes: each side from a hundred directions. */
-static void on_a_side_of_two_triangles_there_is_always_one(void **state)
+static void shared_edge_has_exactly_one_hole(void **state)
 {
     (void)state;
     fixture f;
@@ -109,7 +109,7 @@ static void on_a_side_of_two_triangles_there_is_always_one(void **state)
     end(&f);
 }
 
-static void at_a_node_there_is_one(void **state)
+static void shared_node_has_exactly_one_hole(void **state)
 {
     (void)state;
     fixture f;
@@ -148,7 +148,7 @@ static void no_hole_is_within_a_wire_of_an_edge(harness_source *source, void *us
     }
 }
 
-static void there_is_wall_all_round_a_hole(void **state)
+static void hole_needs_wall_all_round(void **state)
 {
     (void)state;
     fixture f;
@@ -157,7 +157,7 @@ static void there_is_wall_all_round_a_hole(void **state)
     end(&f);
 }
 
-static void what_is_anchored_is_not_pierced(void **state)
+static void anchored_wall_is_not_pierced(void **state)
 {
     (void)state;
     fixture f;
@@ -213,7 +213,7 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     expect_near(hole.arc, now.arc, 1e-12);
 }
 
-static void the_hole_takes_over_the_forces_of_the_tip(void **state)
+static void hole_takes_over_tip_force(void **state)
 {
     (void)state;
     fixture f;
@@ -225,14 +225,14 @@ static void the_hole_takes_over_the_forces_of_the_tip(void **state)
 int test_puncture(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_enters_at_the_force_of_the_wall),
-        cmocka_unit_test(it_slides_when_it_is_pushed_along),
-        cmocka_unit_test(inside_a_triangle_it_is_where_the_tip_points),
-        cmocka_unit_test(on_a_side_of_two_triangles_there_is_always_one),
-        cmocka_unit_test(at_a_node_there_is_one),
-        harness_test(there_is_wall_all_round_a_hole),
-        cmocka_unit_test(what_is_anchored_is_not_pierced),
-        harness_test(the_hole_takes_over_the_forces_of_the_tip),
+        cmocka_unit_test(entry_at_wall_force),
+        cmocka_unit_test(oblique_push_slides),
+        cmocka_unit_test(hole_in_triangle_is_at_tip_ray),
+        cmocka_unit_test(shared_edge_has_exactly_one_hole),
+        cmocka_unit_test(shared_node_has_exactly_one_hole),
+        harness_test(hole_needs_wall_all_round),
+        cmocka_unit_test(anchored_wall_is_not_pierced),
+        harness_test(hole_takes_over_tip_force),
     };
     return cmocka_run_group_tests_name("suture.puncture", tests, NULL, NULL);
 }

@@ -101,13 +101,13 @@ static void changes_keep_sums(harness_source *source, void *user)
     rig_end(&r);
 }
 
-static void any_changes_keep_rest_length_mass_and_momentum(void **state)
+static void mesh_changes_conserve_length_mass_and_momentum(void **state)
 {
     (void)state;
     harness_property("changes of a mesh", 60, changes_keep_sums, NULL);
 }
 
-static void a_division_undone_leaves_what_was_there(void **state)
+static void undone_split_is_identity(void **state)
 {
     (void)state;
     rig r;
@@ -188,7 +188,7 @@ static jump jump_of(rig *r, uint32_t segment, bool divide, double room)
 }
 
 /* At rest and under way, in both discretisations: a segment that turns by 0.1 to 0.2 rad. */
-static void a_change_leaves_energy_and_tension_nearly_as_they_were(void **state)
+static void mesh_change_keeps_energy_and_tension(void **state)
 {
     (void)state;
     static const jump bounds[2][2] = {
@@ -218,7 +218,7 @@ static void a_change_leaves_energy_and_tension_nearly_as_they_were(void **state)
 
 /* Why nodes are laid on the arc, and settled: on the chord a segment's bending energy nearly doubles, and with
  * lengths of arcs its tension goes by a tenth of a newton. */
-static void without_room_the_shape_stays_and_energy_jumps(void **state)
+static void chord_split_keeps_shape_and_raises_energy(void **state)
 {
     (void)state;
     rig r;
@@ -283,7 +283,7 @@ static double energy_left(bool change, uint32_t every)
     return (end.total - begin.total) / fmax(swing, 1e-9);
 }
 
-static void a_pendulum_changed_at_random_keeps_its_energy_as_a_fixed_one_does(void **state)
+static void adaptive_pendulum_conserves_energy(void **state)
 {
     (void)state;
     double fixed = energy_left(false, 1);
@@ -293,7 +293,7 @@ static void a_pendulum_changed_at_random_keeps_its_energy_as_a_fixed_one_does(vo
 
 /* ---- by itself */
 
-static void a_thread_alone_refines_where_it_is_bent_and_coarsens_where_it_is_not(void **state)
+static void mesh_refines_at_bends_and_coarsens_elsewhere(void **state)
 {
     (void)state;
     rig r;
@@ -323,7 +323,7 @@ static void a_thread_alone_refines_where_it_is_bent_and_coarsens_where_it_is_not
     rig_end(&r);
 }
 
-static void what_does_not_fit_is_counted(void **state)
+static void rejected_refinements_are_counted(void **state)
 {
     (void)state;
     rig r;
@@ -342,7 +342,7 @@ static void what_does_not_fit_is_counted(void **state)
     rig_end(&r);
 }
 
-static void nothing_changes_beside_what_is_held(void **state)
+static void no_change_beside_held_nodes(void **state)
 {
     (void)state;
     rig r;
@@ -376,7 +376,7 @@ static void nothing_changes_beside_what_is_held(void **state)
     rig_end(&r);
 }
 
-static void the_sagitta_of_each_segment_is_told(void **state)
+static void segment_sagitta_is_reported(void **state)
 {
     (void)state;
     rig r;
@@ -403,15 +403,15 @@ static void the_sagitta_of_each_segment_is_told(void **state)
 int test_adaptive(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_changes_keep_rest_length_mass_and_momentum),
-        cmocka_unit_test(a_division_undone_leaves_what_was_there),
-        cmocka_unit_test(a_change_leaves_energy_and_tension_nearly_as_they_were),
-        cmocka_unit_test(without_room_the_shape_stays_and_energy_jumps),
-        cmocka_unit_test(a_pendulum_changed_at_random_keeps_its_energy_as_a_fixed_one_does),
-        cmocka_unit_test(a_thread_alone_refines_where_it_is_bent_and_coarsens_where_it_is_not),
-        cmocka_unit_test(what_does_not_fit_is_counted),
-        cmocka_unit_test(nothing_changes_beside_what_is_held),
-        cmocka_unit_test(the_sagitta_of_each_segment_is_told),
+        cmocka_unit_test(mesh_changes_conserve_length_mass_and_momentum),
+        cmocka_unit_test(undone_split_is_identity),
+        cmocka_unit_test(mesh_change_keeps_energy_and_tension),
+        cmocka_unit_test(chord_split_keeps_shape_and_raises_energy),
+        cmocka_unit_test(adaptive_pendulum_conserves_energy),
+        cmocka_unit_test(mesh_refines_at_bends_and_coarsens_elsewhere),
+        cmocka_unit_test(rejected_refinements_are_counted),
+        cmocka_unit_test(no_change_beside_held_nodes),
+        cmocka_unit_test(segment_sagitta_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -44,7 +44,7 @@ static void with_word(fixture *f, size_t offset, uint32_t value, vbss_result wan
 }
 
 /* Of a fixed mesh too: a host that mistypes one is told before it needs it. */
-static void bad_numbers_of_a_mesh_are_told(void **state)
+static void bad_mesh_numbers_are_rejected(void **state)
 {
     (void)state;
     static const number numbers[] = {
@@ -70,7 +70,7 @@ static void bad_numbers_of_a_mesh_are_told(void **state)
     end(&f);
 }
 
-static void bad_choices_of_a_mesh_are_told(void **state)
+static void bad_mesh_choices_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -94,7 +94,7 @@ static void bad_choices_of_a_mesh_are_told(void **state)
     end(&f);
 }
 
-static void a_capacity_of_zero_is_four_times_the_segments(void **state)
+static void zero_capacity_is_four_times_segments(void **state)
 {
     (void)state;
     static const uint32_t segments[] = {1, 12, 16383, 16385};
@@ -158,7 +158,7 @@ static harness_body body_of(int bending)
     return body;
 }
 
-static void a_restored_thread_adapts_to_the_same_bits(void **state)
+static void restored_thread_adapts_bit_equal(void **state)
 {
     (void)state;
     for (int bending = 0; bending < 2; bending++) {
@@ -169,14 +169,14 @@ static void a_restored_thread_adapts_to_the_same_bits(void **state)
     }
 }
 
-static void steps_that_adapt_allocate_nothing(void **state)
+static void adapting_steps_do_not_allocate(void **state)
 {
     (void)state;
     harness_body body = body_of(0);
     assert_int_equal(harness_step_allocations(&body, 150), 0);
 }
 
-static void bad_states_of_adapted_threads_are_refused(void **state)
+static void bad_adapted_snapshots_are_rejected(void **state)
 {
     (void)state;
     harness_body body = body_of(0);
@@ -184,7 +184,7 @@ static void bad_states_of_adapted_threads_are_refused(void **state)
 }
 
 /* States of one kind of mesh are none of the other. */
-static void states_of_other_meshes_are_refused(void **state)
+static void snapshot_of_other_mesh_is_rejected(void **state)
 {
     (void)state;
     static uint8_t bytes[2][16384];
@@ -208,7 +208,7 @@ static void states_of_other_meshes_are_refused(void **state)
 
 /* ---- cuts */
 
-static void parts_of_a_cut_thread_adapt_each(void **state)
+static void each_part_of_cut_thread_adapts(void **state)
 {
     (void)state;
     fixture f;
@@ -241,14 +241,14 @@ static void parts_of_a_cut_thread_adapt_each(void **state)
 int test_adaptive_config(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_numbers_of_a_mesh_are_told),
-        cmocka_unit_test(bad_choices_of_a_mesh_are_told),
-        cmocka_unit_test(a_capacity_of_zero_is_four_times_the_segments),
-        cmocka_unit_test(a_restored_thread_adapts_to_the_same_bits),
-        cmocka_unit_test(steps_that_adapt_allocate_nothing),
-        cmocka_unit_test(bad_states_of_adapted_threads_are_refused),
-        cmocka_unit_test(states_of_other_meshes_are_refused),
-        cmocka_unit_test(parts_of_a_cut_thread_adapt_each),
+        cmocka_unit_test(bad_mesh_numbers_are_rejected),
+        cmocka_unit_test(bad_mesh_choices_are_rejected),
+        cmocka_unit_test(zero_capacity_is_four_times_segments),
+        cmocka_unit_test(restored_thread_adapts_bit_equal),
+        cmocka_unit_test(adapting_steps_do_not_allocate),
+        cmocka_unit_test(bad_adapted_snapshots_are_rejected),
+        cmocka_unit_test(snapshot_of_other_mesh_is_rejected),
+        cmocka_unit_test(each_part_of_cut_thread_adapts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

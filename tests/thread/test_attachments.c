@@ -3,7 +3,7 @@
 
 /* ---- ids and places */
 
-static void ids_count_up_and_are_never_used_again(void **state)
+static void ids_increase_and_are_never_reused(void **state)
 {
     (void)state;
     fixture f;
@@ -23,7 +23,7 @@ static void ids_count_up_and_are_never_used_again(void **state)
     end(&f);
 }
 
-static void a_full_thread_takes_no_more(void **state)
+static void full_thread_rejects_attachment(void **state)
 {
     (void)state;
     const uint32_t capacities[] = {0, 1, 3, 256};
@@ -50,7 +50,7 @@ static void a_full_thread_takes_no_more(void **state)
     }
 }
 
-static void a_node_is_held_once_and_loaded_as_often_as_wanted(void **state)
+static void node_takes_one_hold_and_many_loads(void **state)
 {
     (void)state;
     const vbss_attachment_kind kinds[] = {VBSS_ATTACHMENT_PIN, VBSS_ATTACHMENT_CLAMP};
@@ -78,7 +78,7 @@ static void a_node_is_held_once_and_loaded_as_often_as_wanted(void **state)
 
 /* ---- where they take the thread */
 
-static void a_held_node_is_where_it_shall_be_after_each_step(void **state)
+static void held_node_reaches_target_after_step(void **state)
 {
     (void)state;
     fixture f;
@@ -107,7 +107,7 @@ static void a_held_node_is_where_it_shall_be_after_each_step(void **state)
 }
 
 /* A hand at constant speed gives its node that speed: let go, the node flies on with it. */
-static void a_held_node_has_the_speed_of_what_holds_it(void **state)
+static void held_node_has_holder_velocity(void **state)
 {
     (void)state;
     fixture f;
@@ -125,7 +125,7 @@ static void a_held_node_has_the_speed_of_what_holds_it(void **state)
 }
 
 /* Step sizes that differ leave no speed in a hand that rests. */
-static void a_node_let_go_from_a_resting_hand_stays(void **state)
+static void node_released_from_resting_hand_stays(void **state)
 {
     (void)state;
     fixture f;
@@ -166,7 +166,7 @@ static void expect_balance(fixture *f, vbss_thread *thread, const uint32_t *ids,
     expect_vector(vec3_zero(), torque, 1e-6 * scale * f->config.length);
 }
 
-static void reactions_balance_the_weight(void **state)
+static void reactions_balance_weight(void **state)
 {
     (void)state;
     for (int bending = 0; bending < 2; bending++) {
@@ -198,7 +198,7 @@ static void reactions_balance_the_weight(void **state)
     }
 }
 
-static void an_attached_mass_is_weighed_and_accelerated(void **state)
+static void attached_mass_has_weight_and_inertia(void **state)
 {
     (void)state;
     fixture f;
@@ -219,7 +219,7 @@ static void an_attached_mass_is_weighed_and_accelerated(void **state)
 }
 
 /* Momentum is force times time: the force, and its change at once. */
-static void a_force_changes_momentum_at_its_rate(void **state)
+static void force_changes_momentum_at_its_rate(void **state)
 {
     (void)state;
     fixture f;
@@ -248,7 +248,7 @@ static void a_force_changes_momentum_at_its_rate(void **state)
 
 /* ---- everywhere and in any order */
 
-static void any_order_of_attaching_and_detaching_works(void **state)
+static void attach_detach_order_does_not_matter(void **state)
 {
     (void)state;
     vbss_random random;
@@ -288,16 +288,16 @@ static void any_order_of_attaching_and_detaching_works(void **state)
 int test_attachments(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ids_count_up_and_are_never_used_again),
-        cmocka_unit_test(a_full_thread_takes_no_more),
-        cmocka_unit_test(a_node_is_held_once_and_loaded_as_often_as_wanted),
-        cmocka_unit_test(a_held_node_is_where_it_shall_be_after_each_step),
-        cmocka_unit_test(a_held_node_has_the_speed_of_what_holds_it),
-        cmocka_unit_test(a_node_let_go_from_a_resting_hand_stays),
-        cmocka_unit_test(reactions_balance_the_weight),
-        cmocka_unit_test(an_attached_mass_is_weighed_and_accelerated),
-        cmocka_unit_test(a_force_changes_momentum_at_its_rate),
-        cmocka_unit_test(any_order_of_attaching_and_detaching_works),
+        cmocka_unit_test(ids_increase_and_are_never_reused),
+        cmocka_unit_test(full_thread_rejects_attachment),
+        cmocka_unit_test(node_takes_one_hold_and_many_loads),
+        cmocka_unit_test(held_node_reaches_target_after_step),
+        cmocka_unit_test(held_node_has_holder_velocity),
+        cmocka_unit_test(node_released_from_resting_hand_stays),
+        cmocka_unit_test(reactions_balance_weight),
+        cmocka_unit_test(attached_mass_has_weight_and_inertia),
+        cmocka_unit_test(force_changes_momentum_at_its_rate),
+        cmocka_unit_test(attach_detach_order_does_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -89,7 +89,7 @@ static void check_threshold(column kind, double expected, double spline, double 
     expect_near(1.0, with_local / expected, local);
 }
 
-static void a_clamped_column_buckles_at_eulers_load(void **state)
+static void clamped_column_buckles_at_euler_load(void **state)
 {
     (void)state;
     double euler = pi * pi * bending_stiffness / (4.0 * length * length);
@@ -97,13 +97,13 @@ static void a_clamped_column_buckles_at_eulers_load(void **state)
     check_threshold(CLAMPED_FREE, euler, 2e-5, 1.5e-3);
 }
 
-static void a_pinned_column_bears_four_times_as_much(void **state)
+static void pinned_column_carries_four_times_euler_load(void **state)
 {
     (void)state;
     check_threshold(PINNED, pi * pi * bending_stiffness / (length * length), 3e-5, 5e-3);
 }
 
-static void a_thread_of_fifty_millimetres_cannot_stand(void **state)
+static void fifty_millimetre_thread_buckles(void **state)
 {
     (void)state;
     double critical = cbrt(7.8373474 * bending_stiffness / weight);
@@ -131,7 +131,7 @@ static vec3 tip_of_standing(double standing)
     return tip;
 }
 
-static void a_short_thread_stands_up_again_and_a_long_one_lies_down(void **state)
+static void short_thread_recovers_and_long_one_falls(void **state)
 {
     (void)state;
     vec3 standing = tip_of_standing(0.042), fallen = tip_of_standing(0.06);
@@ -158,7 +158,7 @@ static void elliptic(double k, double *first, double *second)
 }
 
 /* Euler's elastica between pins: shortening 2 (1 - E/K), load (2 K)^2, height k / K. */
-static void a_buckled_thread_is_eulers_elastica(void **state)
+static void buckled_shape_is_euler_elastica(void **state)
 {
     (void)state;
     const double moduli[] = {0.2, 0.5, 0.8};
@@ -196,11 +196,11 @@ static void a_buckled_thread_is_eulers_elastica(void **state)
 int test_buckling(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_clamped_column_buckles_at_eulers_load),
-        cmocka_unit_test(a_pinned_column_bears_four_times_as_much),
-        cmocka_unit_test(a_thread_of_fifty_millimetres_cannot_stand),
-        cmocka_unit_test(a_short_thread_stands_up_again_and_a_long_one_lies_down),
-        cmocka_unit_test(a_buckled_thread_is_eulers_elastica),
+        cmocka_unit_test(clamped_column_buckles_at_euler_load),
+        cmocka_unit_test(pinned_column_carries_four_times_euler_load),
+        cmocka_unit_test(fifty_millimetre_thread_buckles),
+        cmocka_unit_test(short_thread_recovers_and_long_one_falls),
+        cmocka_unit_test(buckled_shape_is_euler_elastica),
     };
     return cmocka_run_group_tests_name("thread.buckling", tests, NULL, NULL);
 }

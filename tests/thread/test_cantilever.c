@@ -92,7 +92,7 @@ static double error_of(vbss_thread_config c, double load)
 
 /* ---- tests */
 
-static void the_reference_is_what_was_published(void **state)
+static void reference_matches_publication(void **state)
 {
     (void)state;
     for (int i = 0; i < HEAVY; i++) {
@@ -116,7 +116,7 @@ static void the_reference_is_what_was_published(void **state)
     }
 }
 
-static void a_heavy_cantilever_hangs_like_the_elastica(void **state)
+static void heavy_cantilever_matches_elastica(void **state)
 {
     (void)state;
     for (int i = 0; i < 2 * HEAVY; i++) {
@@ -133,7 +133,7 @@ static void a_heavy_cantilever_hangs_like_the_elastica(void **state)
     }
 }
 
-static void a_loaded_tip_bends_the_thread_like_the_elastica(void **state)
+static void tip_load_matches_elastica(void **state)
 {
     (void)state;
     for (int i = 0; i < LOADED; i++) {
@@ -161,7 +161,7 @@ static double order_of(double parameter, vbss_bending bending, bool at_the_tip)
     return log2(error[0] / error[1]) / 3.0;
 }
 
-static void spline_bending_is_of_fourth_order(void **state)
+static void spline_bending_is_fourth_order(void **state)
 {
     (void)state;
     assert_true(order_of(0.1, VBSS_BENDING_SPLINE, false) >= 3.5);
@@ -169,7 +169,7 @@ static void spline_bending_is_of_fourth_order(void **state)
     assert_true(order_of(1.0, VBSS_BENDING_SPLINE, true) >= 3.5);
 }
 
-static void local_bending_is_of_second_order(void **state)
+static void local_bending_is_second_order(void **state)
 {
     (void)state;
     assert_true(order_of(1.0, VBSS_BENDING_LOCAL, false) >= 1.85);
@@ -177,7 +177,7 @@ static void local_bending_is_of_second_order(void **state)
     assert_true(order_of(1.0, VBSS_BENDING_LOCAL, true) >= 1.85);
 }
 
-static void the_thread_of_the_paper_hangs_where_it_should(void **state)
+static void paper_thread_sag(void **state)
 {
     (void)state;
     const double bounds[2] = {1.0e-5, 4e-7};
@@ -187,7 +187,7 @@ static void the_thread_of_the_paper_hangs_where_it_should(void **state)
     }
 }
 
-static void either_end_may_be_the_clamped_one(void **state)
+static void clamp_at_either_end_is_equivalent(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -259,7 +259,7 @@ static double unequal_error(division divide, vbss_bending bending, double *order
     return error[1];
 }
 
-static void unequal_segments_hang_as_equal_ones_do(void **state)
+static void uneven_segments_sag_as_even(void **state)
 {
     (void)state;
     const struct {
@@ -284,14 +284,14 @@ static void unequal_segments_hang_as_equal_ones_do(void **state)
 int test_cantilever(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_reference_is_what_was_published),
-        cmocka_unit_test(a_heavy_cantilever_hangs_like_the_elastica),
-        cmocka_unit_test(a_loaded_tip_bends_the_thread_like_the_elastica),
-        cmocka_unit_test(spline_bending_is_of_fourth_order),
-        cmocka_unit_test(local_bending_is_of_second_order),
-        cmocka_unit_test(the_thread_of_the_paper_hangs_where_it_should),
-        cmocka_unit_test(either_end_may_be_the_clamped_one),
-        cmocka_unit_test(unequal_segments_hang_as_equal_ones_do),
+        cmocka_unit_test(reference_matches_publication),
+        cmocka_unit_test(heavy_cantilever_matches_elastica),
+        cmocka_unit_test(tip_load_matches_elastica),
+        cmocka_unit_test(spline_bending_is_fourth_order),
+        cmocka_unit_test(local_bending_is_second_order),
+        cmocka_unit_test(paper_thread_sag),
+        cmocka_unit_test(clamp_at_either_end_is_equivalent),
+        cmocka_unit_test(uneven_segments_sag_as_even),
     };
     return cmocka_run_group_tests_name("thread.cantilever", tests, NULL, NULL);
 }

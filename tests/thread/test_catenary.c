@@ -66,7 +66,7 @@ static errors hang_and_compare(uint32_t segments, vbss_bending bending)
     return e;
 }
 
-static void a_chain_between_two_pins_is_a_catenary(void **state)
+static void pinned_chain_is_catenary(void **state)
 {
     (void)state;
     assert_true(fabs(2.0 * a * sinh(0.5 * span / a) / length - 1.0) < 1e-7);
@@ -91,7 +91,7 @@ static void a_chain_between_two_pins_is_a_catenary(void **state)
 }
 
 /* Along any line: each segment carries what hangs below it, and stretches by that over EA. */
-static void a_hanging_thread_carries_what_is_below(void **state)
+static void hanging_thread_tension_is_weight_below(void **state)
 {
     (void)state;
     const vec3 down = {2.0, -6.0, 3.0}; /* 7 m/s^2 */
@@ -123,8 +123,8 @@ static void a_hanging_thread_carries_what_is_below(void **state)
 int test_catenary(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_chain_between_two_pins_is_a_catenary),
-        cmocka_unit_test(a_hanging_thread_carries_what_is_below),
+        cmocka_unit_test(pinned_chain_is_catenary),
+        cmocka_unit_test(hanging_thread_tension_is_weight_below),
     };
     return cmocka_run_group_tests_name("thread.catenary", tests, NULL, NULL);
 }

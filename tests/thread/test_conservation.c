@@ -63,7 +63,7 @@ static void damping_keeps_momentum(harness_source *source, void *user)
     expect_near(0.0, vec3_distance(before.angular, after.angular) / before.swing, s->angular);
 }
 
-static void damping_keeps_momentum_of_any_section(void **state)
+static void damping_conserves_momentum_of_any_section(void **state)
 {
     (void)state;
     section sections[] = {{1.0, 1e-12}, {1e-1, 1e-12}, {1e-2, 1e-12}, {0.0, 1e-12}};
@@ -74,7 +74,7 @@ static void damping_keeps_momentum_of_any_section(void **state)
 
 /* Inertia about the line is small there and the rotation about it fast, which costs digits of what
  * turns across it; below 3e-7 there is none, and what turns about the line may be lost. */
-static void damping_keeps_momentum_of_nearly_straight_sections(void **state)
+static void damping_conserves_momentum_of_nearly_straight_sections(void **state)
 {
     (void)state;
     section sections[] = {{1e-3, 2e-12}, {1e-4, 1e-9}, {1e-5, 1e-8}, {1e-6, 1e-6}, {1e-8, 1e-6}};
@@ -83,7 +83,7 @@ static void damping_keeps_momentum_of_nearly_straight_sections(void **state)
     }
 }
 
-static void damping_leaves_rigid_motion_and_takes_its_share_of_the_rest(void **state)
+static void damping_spares_rigid_motion_and_decays_the_rest(void **state)
 {
     (void)state;
     const double mass[] = {1.0, 2.0, 3.0, 1.5};
@@ -195,7 +195,7 @@ static drift fly(const vbss_thread_config *config, double mass, double h, uint32
     return d;
 }
 
-static void a_free_thread_keeps_linear_momentum_to_rounding(void **state)
+static void linear_momentum_is_conserved_to_rounding(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
@@ -211,7 +211,7 @@ static void a_free_thread_keeps_linear_momentum_to_rounding(void **state)
     }
 }
 
-static void angular_momentum_and_energy_are_kept_to_second_order(void **state)
+static void angular_momentum_and_energy_errors_are_second_order(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
@@ -226,7 +226,7 @@ static void angular_momentum_and_energy_are_kept_to_second_order(void **state)
     }
 }
 
-static void without_numerical_damping_energy_stays_close(void **state)
+static void undamped_energy_stays_bounded(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -254,7 +254,7 @@ static double wandering(rig *r)
     return worst;
 }
 
-static void a_straight_thread_at_rest_stays(void **state)
+static void straight_resting_thread_stays(void **state)
 {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -269,7 +269,7 @@ static void a_straight_thread_at_rest_stays(void **state)
     }
 }
 
-static void a_hanging_thread_at_rest_stays(void **state)
+static void hanging_resting_thread_stays(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -294,14 +294,14 @@ static void a_hanging_thread_at_rest_stays(void **state)
 int test_conservation(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(damping_keeps_momentum_of_any_section),
-        harness_test(damping_keeps_momentum_of_nearly_straight_sections),
-        harness_test(damping_leaves_rigid_motion_and_takes_its_share_of_the_rest),
-        harness_test(a_free_thread_keeps_linear_momentum_to_rounding),
-        harness_test(angular_momentum_and_energy_are_kept_to_second_order),
-        harness_test(without_numerical_damping_energy_stays_close),
-        harness_test(a_straight_thread_at_rest_stays),
-        harness_test(a_hanging_thread_at_rest_stays),
+        harness_test(damping_conserves_momentum_of_any_section),
+        harness_test(damping_conserves_momentum_of_nearly_straight_sections),
+        harness_test(damping_spares_rigid_motion_and_decays_the_rest),
+        harness_test(linear_momentum_is_conserved_to_rounding),
+        harness_test(angular_momentum_and_energy_errors_are_second_order),
+        harness_test(undamped_energy_stays_bounded),
+        harness_test(straight_resting_thread_stays),
+        harness_test(hanging_resting_thread_stays),
     };
     return cmocka_run_group_tests_name("thread.conservation", tests, NULL, NULL);
 }

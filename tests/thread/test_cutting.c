@@ -89,7 +89,7 @@ static void every_place_can_be_cut(void **state)
     cut_everywhere(VBSS_METHOD_PAPER);
 }
 
-static void attachments_go_with_their_nodes(void **state)
+static void attachments_move_with_nodes(void **state)
 {
     (void)state;
     for (int doubled = 0; doubled < 2; doubled++) {
@@ -119,7 +119,7 @@ static void attachments_go_with_their_nodes(void **state)
     }
 }
 
-static void parts_are_cut_again_up_to_the_common_capacity(void **state)
+static void parts_are_cut_up_to_shared_capacity(void **state)
 {
     (void)state;
     fixture f;
@@ -153,7 +153,7 @@ static void parts_are_cut_again_up_to_the_common_capacity(void **state)
 }
 
 /* Slivers: the first segment cut again and again, as close to its end as a cut may come. */
-static void the_same_end_is_cut_until_nothing_is_left(void **state)
+static void repeated_end_cuts_stay_finite(void **state)
 {
     (void)state;
     for (int bending = 0; bending < 2; bending++) {
@@ -178,7 +178,7 @@ static void the_same_end_is_cut_until_nothing_is_left(void **state)
 }
 
 /* A swinging thread: the held part goes on swinging, the other flies as a free body does. */
-static void both_parts_go_on_with_the_right_forces(void **state)
+static void both_parts_have_correct_forces(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -219,7 +219,7 @@ static void both_parts_go_on_with_the_right_forces(void **state)
 
 /* ---- saved before, restored after: the thread is whole again, the piece a thread of its own */
 
-static void a_state_before_a_cut_comes_back(void **state)
+static void snapshot_before_cut_is_restored(void **state)
 {
     (void)state;
     fixture f;
@@ -274,7 +274,7 @@ static double bending_across(vbss_thread *thread, uint32_t node)
 
 /* A clamp's direction is taken at once by what has made no step, and in the next step else: the parts
  * of a cut know which they are. */
-static void a_piece_takes_a_clamp_as_its_thread_does(void **state)
+static void piece_takes_clamp_like_thread(void **state)
 {
     (void)state;
     for (int moved = 0; moved < 2; moved++) {
@@ -303,12 +303,12 @@ int test_cutting(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_place_can_be_cut),
-        cmocka_unit_test(attachments_go_with_their_nodes),
-        cmocka_unit_test(parts_are_cut_again_up_to_the_common_capacity),
-        cmocka_unit_test(the_same_end_is_cut_until_nothing_is_left),
-        cmocka_unit_test(both_parts_go_on_with_the_right_forces),
-        cmocka_unit_test(a_state_before_a_cut_comes_back),
-        cmocka_unit_test(a_piece_takes_a_clamp_as_its_thread_does),
+        cmocka_unit_test(attachments_move_with_nodes),
+        cmocka_unit_test(parts_are_cut_up_to_shared_capacity),
+        cmocka_unit_test(repeated_end_cuts_stay_finite),
+        cmocka_unit_test(both_parts_have_correct_forces),
+        cmocka_unit_test(snapshot_before_cut_is_restored),
+        cmocka_unit_test(piece_takes_clamp_like_thread),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

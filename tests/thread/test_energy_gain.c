@@ -27,7 +27,7 @@ static void whirl(double spectral_radius, const double *sizes, uint32_t count)
     end(&f);
 }
 
-static void whirling_in_equal_steps_gains_nothing(void **state)
+static void whirling_in_equal_steps_gains_no_energy(void **state)
 {
     (void)state;
     const double sizes[] = {1e-3};
@@ -35,7 +35,7 @@ static void whirling_in_equal_steps_gains_nothing(void **state)
     whirl(0.5, sizes, 1);
 }
 
-static void whirling_in_unequal_steps_gains_nothing(void **state)
+static void whirling_in_unequal_steps_gains_no_energy(void **state)
 {
     (void)state;
     const double sizes[] = {1e-4, 1e-3}, mixed[] = {1e-3, 1e-3, 5e-4, 2e-3, 1e-4};
@@ -46,7 +46,7 @@ static void whirling_in_unequal_steps_gains_nothing(void **state)
 }
 
 /* 10 N along a straight thread: it is stretched, and not turned over and back for ever. */
-static void a_thread_pulled_along_itself_comes_to_rest(void **state)
+static void axially_pulled_thread_comes_to_rest(void **state)
 {
     (void)state;
     fixture f;
@@ -67,7 +67,7 @@ static void a_thread_pulled_along_itself_comes_to_rest(void **state)
 }
 
 /* Three segments of 1 mm between clamps on a circle: there is nothing to make it zigzag. */
-static void a_short_stretch_between_clamps_stays_as_it_is(void **state)
+static void short_stretch_between_clamps_stays(void **state)
 {
     (void)state;
     const double radius = 0.02;
@@ -102,7 +102,7 @@ static void a_short_stretch_between_clamps_stays_as_it_is(void **state)
 
 /* A clamp across a straight thread that is there already turns it within a step: that puts the energy
  * of bending into it, some ten times as much to take its neighbours along, and nothing afterwards. */
-static void a_clamp_across_the_thread_turns_it_and_feeds_nothing(void **state)
+static void transverse_clamp_adds_no_energy(void **state)
 {
     (void)state;
     for (int bending = 0; bending < 2; bending++) {
@@ -131,7 +131,7 @@ static void a_clamp_across_the_thread_turns_it_and_feeds_nothing(void **state)
 
 /* New velocities do not make a thread that has moved one that is being set up: the clamp's direction
  * is taken in the next step, as without them. */
-static void a_clamp_after_new_velocities_waits_for_the_step(void **state)
+static void clamp_direction_waits_for_step_after_velocity_change(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
@@ -190,7 +190,7 @@ static void spring_round(vbss_bending bending, double h)
     end(&f);
 }
 
-static void springing_about_its_rest_curvature_gains_nothing(void **state)
+static void oscillation_about_rest_curvature_gains_no_energy(void **state)
 {
     (void)state;
     const double sizes[] = {1e-4, 5e-4, 1e-3, 2e-3};
@@ -200,7 +200,7 @@ static void springing_about_its_rest_curvature_gains_nothing(void **state)
 }
 
 /* Pulled by some mN, which is hardly any strain, and let go at one end. */
-static void a_thread_let_go_gains_nothing(void **state)
+static void released_thread_gains_no_energy(void **state)
 {
     (void)state;
     for (int n = 15; n <= 120; n *= 2) {
@@ -231,14 +231,14 @@ static void a_thread_let_go_gains_nothing(void **state)
 int test_energy_gain(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_thread_let_go_gains_nothing),
-        cmocka_unit_test(whirling_in_equal_steps_gains_nothing),
-        cmocka_unit_test(whirling_in_unequal_steps_gains_nothing),
-        cmocka_unit_test(a_thread_pulled_along_itself_comes_to_rest),
-        cmocka_unit_test(a_clamp_across_the_thread_turns_it_and_feeds_nothing),
-        cmocka_unit_test(a_clamp_after_new_velocities_waits_for_the_step),
-        cmocka_unit_test(springing_about_its_rest_curvature_gains_nothing),
-        cmocka_unit_test(a_short_stretch_between_clamps_stays_as_it_is),
+        cmocka_unit_test(released_thread_gains_no_energy),
+        cmocka_unit_test(whirling_in_equal_steps_gains_no_energy),
+        cmocka_unit_test(whirling_in_unequal_steps_gains_no_energy),
+        cmocka_unit_test(axially_pulled_thread_comes_to_rest),
+        cmocka_unit_test(transverse_clamp_adds_no_energy),
+        cmocka_unit_test(clamp_direction_waits_for_step_after_velocity_change),
+        cmocka_unit_test(oscillation_about_rest_curvature_gains_no_energy),
+        cmocka_unit_test(short_stretch_between_clamps_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

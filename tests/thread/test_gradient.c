@@ -220,14 +220,14 @@ static void forces_are_slopes(harness_source *source, void *user)
     rig_end(&s.r);
 }
 
-static void forces_are_the_slope_of_the_energy(void **state)
+static void force_is_negative_energy_gradient(void **state)
 {
     (void)state;
     double rest_curvature = 0.0;
     harness_property("forces are slopes", 40, forces_are_slopes, &rest_curvature);
 }
 
-static void with_rest_curvature_too(void **state)
+static void force_is_negative_energy_gradient_with_rest_curvature(void **state)
 {
     (void)state;
     double rest_curvature = 80.0;
@@ -235,7 +235,7 @@ static void with_rest_curvature_too(void **state)
 }
 
 /* From the last node but one the spline reaches beyond the end of the thread: it must not. */
-static void any_single_clamp_is_well(void **state)
+static void single_clamp_gradient(void **state)
 {
     (void)state;
     for (uint32_t nodes = 2; nodes <= MOST_NODES; nodes++) {
@@ -256,9 +256,9 @@ static void any_single_clamp_is_well(void **state)
 int test_gradient(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_single_clamp_is_well),
-        harness_test(forces_are_the_slope_of_the_energy),
-        harness_test(with_rest_curvature_too),
+        cmocka_unit_test(single_clamp_gradient),
+        harness_test(force_is_negative_energy_gradient),
+        harness_test(force_is_negative_energy_gradient_with_rest_curvature),
     };
     return cmocka_run_group_tests_name("thread.gradient", tests, NULL, NULL);
 }

@@ -54,14 +54,14 @@ static void any_grading_keeps_its_promises(harness_source *source, void *user)
     expect_near(g.length, sum, 1e-12 * g.length);
 }
 
-static void gradings_keep_their_promises(void **state)
+static void grading_bounds_hold(void **state)
 {
     (void)state;
     harness_property("grading", 3000, any_grading_keeps_its_promises, NULL);
 }
 
 /* What is graded makes a thread. */
-static void graded_lengths_make_a_thread(void **state)
+static void graded_lengths_make_thread(void **state)
 {
     (void)state;
     static graded g = {
@@ -87,7 +87,7 @@ static void graded_lengths_make_a_thread(void **state)
     end(&f);
 }
 
-static void what_does_not_fit_is_told_with_its_number(void **state)
+static void excess_count_is_reported(void **state)
 {
     (void)state;
     static graded g = {
@@ -113,7 +113,7 @@ static void what_does_not_fit_is_told_with_its_number(void **state)
                   vbss_thread_grade(1e3, 0.5, 2e-7, 2e-7, 1.0, NULL, 0, &count));
 }
 
-static void bad_numbers_are_told(void **state)
+static void bad_numbers_are_rejected(void **state)
 {
     (void)state;
     double lengths[256];
@@ -137,10 +137,10 @@ static void bad_numbers_are_told(void **state)
 int test_grading(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(gradings_keep_their_promises),
-        cmocka_unit_test(graded_lengths_make_a_thread),
-        cmocka_unit_test(what_does_not_fit_is_told_with_its_number),
-        cmocka_unit_test(bad_numbers_are_told),
+        harness_test(grading_bounds_hold),
+        cmocka_unit_test(graded_lengths_make_thread),
+        cmocka_unit_test(excess_count_is_reported),
+        cmocka_unit_test(bad_numbers_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -61,7 +61,7 @@ static vec3 orders(const vbss_thread_config *config, start how, uint32_t steps)
     return vec3_make(log2(coarse.x / fine.x), log2(coarse.y / fine.y), log2(coarse.z / fine.z));
 }
 
-static void generalised_alpha_is_of_second_order(void **state)
+static void generalised_alpha_is_second_order(void **state)
 {
     (void)state;
     for (int k = 0; k < 6; k++) {
@@ -71,14 +71,14 @@ static void generalised_alpha_is_of_second_order(void **state)
     }
 }
 
-static void backward_euler_is_of_first_order(void **state)
+static void backward_euler_is_first_order(void **state)
 {
     (void)state;
     vbss_thread_config config = soft_config(0.5, 427.0);
     expect_near_vec3(vec3_make(1.0, 1.0, 1.0), orders(&config, NEVER_SECOND_ORDER, 1000), 0.1);
 }
 
-static void a_few_starts_do_not_spoil_the_order(void **state)
+static void few_restarts_keep_order(void **state)
 {
     (void)state;
     vbss_thread_config config = soft_config(0.5, 427.0);
@@ -87,7 +87,7 @@ static void a_few_starts_do_not_spoil_the_order(void **state)
 
 /* As under a host that attaches or places something all the time: the motion is one, and what falls
  * from rest has no energy to gain. */
-static void starts_in_every_step_are_harmless(void **state)
+static void restart_in_every_step_is_harmless(void **state)
 {
     (void)state;
     const double sizes[] = {1e-3, 0.5e-3, 0.25e-3, 0.125e-3};
@@ -111,7 +111,7 @@ static void starts_in_every_step_are_harmless(void **state)
     }
 }
 
-static void a_stiff_thread_keeps_the_order(void **state)
+static void stiff_thread_keeps_order(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -122,7 +122,7 @@ static void a_stiff_thread_keeps_the_order(void **state)
 }
 
 /* Rest curvature is in the forces only, not in the system: iterated, it must not cost the order. */
-static void a_thread_curved_at_rest_keeps_the_order(void **state)
+static void curved_rest_shape_keeps_order(void **state)
 {
     (void)state;
     const double stiffness[] = {0.01, 0.01, 427.0};
@@ -215,7 +215,7 @@ static double drag_error(double h)
     return worst;
 }
 
-static void a_falling_thread_reaches_its_speed_as_drag_says(void **state)
+static void drag_limits_fall_speed(void **state)
 {
     (void)state;
     double coarse = drag_error(4e-3), fine = drag_error(2e-3);
@@ -225,7 +225,7 @@ static void a_falling_thread_reaches_its_speed_as_drag_says(void **state)
 
 /* ---- damping: 1 / (1 + damping h) a step, of what is not rigid */
 
-static void damping_has_its_rate(void **state)
+static void damping_rate_is_exact(void **state)
 {
     (void)state;
     for (uint32_t segments = 1; segments <= 2; segments++) {
@@ -249,7 +249,7 @@ static void damping_has_its_rate(void **state)
 
 /* ---- turning */
 
-static void a_spun_straight_thread_turns_rigidly(void **state)
+static void spun_straight_thread_rotates_rigidly(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -293,16 +293,16 @@ static void a_spun_straight_thread_turns_rigidly(void **state)
 int test_integration_order(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(generalised_alpha_is_of_second_order),
-        harness_test(backward_euler_is_of_first_order),
-        harness_test(a_few_starts_do_not_spoil_the_order),
-        harness_test(starts_in_every_step_are_harmless),
-        harness_test(a_stiff_thread_keeps_the_order),
-        harness_test(a_thread_curved_at_rest_keeps_the_order),
+        harness_test(generalised_alpha_is_second_order),
+        harness_test(backward_euler_is_first_order),
+        harness_test(few_restarts_keep_order),
+        harness_test(restart_in_every_step_is_harmless),
+        harness_test(stiff_thread_keeps_order),
+        harness_test(curved_rest_shape_keeps_order),
         harness_test(free_fall_is_exact),
-        harness_test(a_falling_thread_reaches_its_speed_as_drag_says),
-        harness_test(damping_has_its_rate),
-        harness_test(a_spun_straight_thread_turns_rigidly),
+        harness_test(drag_limits_fall_speed),
+        harness_test(damping_rate_is_exact),
+        harness_test(spun_straight_thread_rotates_rigidly),
     };
     return cmocka_run_group_tests_name("thread.integration_order", tests, NULL, NULL);
 }

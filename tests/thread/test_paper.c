@@ -68,7 +68,7 @@ static void forces_are_slopes(harness_source *source, void *user)
     rig_end(&l.r);
 }
 
-static void bending_forces_are_slopes_of_the_energy_and_balance_the_clamp(void **state)
+static void bending_force_is_energy_gradient_and_balances_clamp(void **state)
 {
     (void)state;
     double straight = 0.0, curved = 5.0;
@@ -77,7 +77,7 @@ static void bending_forces_are_slopes_of_the_energy_and_balance_the_clamp(void *
 }
 
 /* A whole circle of its rest curvature has no energy; a straight thread EI/2 k^2 L. */
-static void rest_curvature_is_where_the_energy_is_least(void **state)
+static void rest_curvature_minimises_energy(void **state)
 {
     (void)state;
     loose l;
@@ -112,7 +112,7 @@ static double settled_error(uint32_t segments, double stiffness)
     return error;
 }
 
-static void cantilever_settles_on_the_elastica_to_second_order(void **state)
+static void cantilever_converges_to_elastica_at_second_order(void **state)
 {
     (void)state;
     double coarse = settled_error(15, 0.0), medium = settled_error(30, 0.0);
@@ -146,7 +146,7 @@ static vec3 extrapolated(vec3 coarse, vec3 fine)
     return vec3_add(fine, vec3_sub(fine, coarse));
 }
 
-static void release_approaches_the_motion_at_first_order_in_time(void **state)
+static void release_converges_at_first_order_in_time(void **state)
 {
     (void)state;
     vec3 wanted = falling_tip[1], tips[3]; /* after 0.1 s */
@@ -171,7 +171,7 @@ static uint64_t substeps_of_next_step(rig *r)
     return rig_statistics(r).substeps - before;
 }
 
-static void substeps_are_chosen_for_bending(void **state)
+static void substeps_follow_bending_stiffness(void **state)
 {
     (void)state;
     /* 1/0.9 of h omega / 2 with omega = 4 / l^2 sqrt(EI / density), rounded up. */
@@ -186,7 +186,7 @@ static void substeps_are_chosen_for_bending(void **state)
 }
 
 /* A turn of 90 degrees is eight times as stiff as a straight one. */
-static void turns_ask_for_shorter_steps(void **state)
+static void rotation_needs_shorter_steps(void **state)
 {
     (void)state;
     rig r;
@@ -203,7 +203,7 @@ static void turns_ask_for_shorter_steps(void **state)
     rig_end(&r);
 }
 
-static void tension_asks_for_shorter_steps(void **state)
+static void tension_needs_shorter_steps(void **state)
 {
     (void)state;
     rig r;
@@ -228,7 +228,7 @@ static void tension_asks_for_shorter_steps(void **state)
 
 /* ---- what holds it */
 
-static void held_nodes_go_evenly_to_their_targets(void **state)
+static void held_nodes_move_linearly_to_targets(void **state)
 {
     (void)state;
     rig r;
@@ -249,7 +249,7 @@ static void held_nodes_go_evenly_to_their_targets(void **state)
 }
 
 /* Straight between two pins: no constraint can move anything, and none needs to. */
-static void straight_section_between_held_ends_stays(void **state)
+static void straight_section_between_holds_stays(void **state)
 {
     (void)state;
     rig r;
@@ -267,15 +267,15 @@ static void straight_section_between_held_ends_stays(void **state)
 int test_paper(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(bending_forces_are_slopes_of_the_energy_and_balance_the_clamp),
-        harness_test(rest_curvature_is_where_the_energy_is_least),
-        harness_test(cantilever_settles_on_the_elastica_to_second_order),
-        harness_test(release_approaches_the_motion_at_first_order_in_time),
-        harness_test(substeps_are_chosen_for_bending),
-        harness_test(turns_ask_for_shorter_steps),
-        harness_test(tension_asks_for_shorter_steps),
-        harness_test(held_nodes_go_evenly_to_their_targets),
-        harness_test(straight_section_between_held_ends_stays),
+        harness_test(bending_force_is_energy_gradient_and_balances_clamp),
+        harness_test(rest_curvature_minimises_energy),
+        harness_test(cantilever_converges_to_elastica_at_second_order),
+        harness_test(release_converges_at_first_order_in_time),
+        harness_test(substeps_follow_bending_stiffness),
+        harness_test(rotation_needs_shorter_steps),
+        harness_test(tension_needs_shorter_steps),
+        harness_test(held_nodes_move_linearly_to_targets),
+        harness_test(straight_section_between_holds_stays),
     };
     return cmocka_run_group_tests_name("thread.paper", tests, NULL, NULL);
 }

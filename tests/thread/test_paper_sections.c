@@ -47,7 +47,7 @@ static double tumble(uint32_t substeps)
     return change(before.angular, after.angular);
 }
 
-static void free_section_keeps_its_lengths_and_momenta(void **state)
+static void free_section_conserves_length_and_momentum(void **state)
 {
     (void)state;
     double coarse = tumble(4), fine = tumble(8);
@@ -56,7 +56,7 @@ static void free_section_keeps_its_lengths_and_momenta(void **state)
 }
 
 /* Full damping leaves the rigid motion of each section: a pin in the middle divides them. */
-static void damping_acts_on_each_section_alone(void **state)
+static void damping_is_per_section(void **state)
 {
     (void)state;
     enum { NODES = 21, MIDDLE = 10 };
@@ -91,7 +91,7 @@ static void pull(rig *r, uint32_t id, double from, double to)
     }
 }
 
-static void overstretched_section_falls_back_to_its_points(void **state)
+static void overstretched_section_falls_back_to_points(void **state)
 {
     (void)state;
     rig r;
@@ -133,7 +133,7 @@ static void overstretched_section_falls_back_to_its_points(void **state)
     rig_end(&r);
 }
 
-static void coincident_nodes_find_their_lengths(void **state)
+static void coincident_nodes_recover_length(void **state)
 {
     (void)state;
     rig r;
@@ -173,7 +173,7 @@ static void clamp_carries_weight_and_moment(void **state)
 }
 
 /* What pulls at the thread from outside is what changes its momentum, moved ends included. */
-static void reactions_change_the_momentum(void **state)
+static void reactions_equal_momentum_change(void **state)
 {
     (void)state;
     rig r;
@@ -203,7 +203,7 @@ static void reactions_change_the_momentum(void **state)
     rig_end(&r);
 }
 
-static void springs_and_masses_carry_what_they_should(void **state)
+static void springs_and_masses_carry_load(void **state)
 {
     (void)state;
     rig r;
@@ -222,7 +222,7 @@ static void springs_and_masses_carry_what_they_should(void **state)
 
 /* ---- the promises of a step */
 
-static void state_that_is_not_finite_is_told_and_undone(void **state)
+static void non_finite_state_is_reported_and_undone(void **state)
 {
     (void)state;
     rig r;
@@ -270,7 +270,7 @@ static vbss_result destroy(void *handle)
     return vbss_thread_destroy(handle);
 }
 
-static void a_step_allocates_nothing_and_goes_on_elsewhere(void **state)
+static void step_does_not_allocate_and_restores_bit_equal(void **state)
 {
     (void)state;
     harness_body body = {"paper thread", &vbss_thread_kind, make, hold, step, destroy, NULL};
@@ -285,7 +285,7 @@ static vec3 curvature_behind(rig *r, uint32_t node, vec3 direction)
     return vec3_scale(vec3_sub(vec3_scale(chord, 1.0 / 0.005), direction), 2.0 / 0.005);
 }
 
-static void a_clamped_thread_shows_its_curvature(void **state)
+static void clamped_thread_shows_curvature(void **state)
 {
     (void)state;
     const uint32_t nodes[] = {0, 5};
@@ -310,7 +310,7 @@ static void a_clamped_thread_shows_its_curvature(void **state)
 }
 
 /* Cosines of straight turns round to beyond one. */
-static void a_straight_thread_has_no_bending_in_any_direction(void **state)
+static void straight_thread_has_no_bending_in_any_direction(void **state)
 {
     (void)state;
     vbss_random random;
@@ -328,7 +328,7 @@ static void a_straight_thread_has_no_bending_in_any_direction(void **state)
 }
 
 /* Also where a load strains the last segment by half of itself within one explicit step. */
-static void a_loaded_thread_has_the_load_in_every_segment(void **state)
+static void loaded_thread_has_load_in_every_segment(void **state)
 {
     (void)state;
     const double loads[] = {1e-4, 1e-2, 0.1};
@@ -352,18 +352,18 @@ static void a_loaded_thread_has_the_load_in_every_segment(void **state)
 int test_paper_sections(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_loaded_thread_has_the_load_in_every_segment),
-        cmocka_unit_test(a_straight_thread_has_no_bending_in_any_direction),
-        cmocka_unit_test(a_clamped_thread_shows_its_curvature),
-        harness_test(free_section_keeps_its_lengths_and_momenta),
-        harness_test(damping_acts_on_each_section_alone),
-        harness_test(overstretched_section_falls_back_to_its_points),
-        harness_test(coincident_nodes_find_their_lengths),
+        cmocka_unit_test(loaded_thread_has_load_in_every_segment),
+        cmocka_unit_test(straight_thread_has_no_bending_in_any_direction),
+        cmocka_unit_test(clamped_thread_shows_curvature),
+        harness_test(free_section_conserves_length_and_momentum),
+        harness_test(damping_is_per_section),
+        harness_test(overstretched_section_falls_back_to_points),
+        harness_test(coincident_nodes_recover_length),
         harness_test(clamp_carries_weight_and_moment),
-        harness_test(reactions_change_the_momentum),
-        harness_test(springs_and_masses_carry_what_they_should),
-        harness_test(state_that_is_not_finite_is_told_and_undone),
-        harness_test(a_step_allocates_nothing_and_goes_on_elsewhere),
+        harness_test(reactions_equal_momentum_change),
+        harness_test(springs_and_masses_carry_load),
+        harness_test(non_finite_state_is_reported_and_undone),
+        harness_test(step_does_not_allocate_and_restores_bit_equal),
     };
     return cmocka_run_group_tests_name("thread.paper_sections", tests, NULL, NULL);
 }

@@ -27,7 +27,7 @@ static vec3 moment_of_weight(rig *r, vec3 about)
     return vec3_cross(vec3_sub(vec3_load(m.centre), about), weight);
 }
 
-static void a_clamp_carries_the_weight_and_its_moment(void **state)
+static void clamp_carries_weight_and_moment(void **state)
 {
     (void)state;
     const vec3 directions[] = {
@@ -51,7 +51,7 @@ static void a_clamp_carries_the_weight_and_its_moment(void **state)
 }
 
 /* Clamped in the middle and at an end, pinned at the other: no single one is determined. */
-static void attachments_together_are_in_balance(void **state)
+static void attachment_forces_balance(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -84,7 +84,7 @@ static void attachments_together_are_in_balance(void **state)
     }
 }
 
-static void a_spring_stretches_by_what_hangs_on_it(void **state)
+static void spring_extension_is_hanging_weight(void **state)
 {
     (void)state;
     const double stiffness = 0.02;
@@ -108,7 +108,7 @@ static void a_spring_stretches_by_what_hangs_on_it(void **state)
 }
 
 /* A spring's force at the end of each step is what its ends then say. */
-static void a_spring_damper_follows_its_law_in_motion(void **state)
+static void spring_damper_follows_its_law(void **state)
 {
     (void)state;
     const double stiffness = 5.0, damping = 0.01, h = 1e-3;
@@ -151,7 +151,7 @@ static void forces_and_masses_report_themselves(void **state)
     rig_end(&r);
 }
 
-static void in_free_fall_a_mass_weighs_nothing(void **state)
+static void mass_in_free_fall_is_weightless(void **state)
 {
     (void)state;
     vbss_thread_config c = rig_config(length, 12);
@@ -165,7 +165,7 @@ static void in_free_fall_a_mass_weighs_nothing(void **state)
 }
 
 /* A force on a node that something holds goes into what holds it, not into the thread. */
-static void a_held_node_bears_what_acts_on_it(void **state)
+static void held_node_carries_applied_load(void **state)
 {
     (void)state;
     vbss_thread_config c = settling(12, VBSS_BENDING_SPLINE);
@@ -209,7 +209,7 @@ static void twenty_newtons_are_held(void **state)
 }
 
 /* Both ends clamped and drawn apart in one step; EA alone decides the force. */
-static void two_clamps_drawn_apart_feel_the_stretch(void **state)
+static void separated_clamps_feel_stretch(void **state)
 {
     (void)state;
     vbss_thread_config c = settling(30, VBSS_BENDING_SPLINE);
@@ -246,7 +246,7 @@ static void expect_same_vector(vec3 wanted, vec3 got)
 
 static const vec3 x_axis = {1.0, 0.0, 0.0};
 
-static void reactions_are_those_of_the_last_step(void **state)
+static void reactions_are_of_last_step(void **state)
 {
     (void)state;
     for (int way = 0; way < 3; way++) {
@@ -313,16 +313,16 @@ static void reactions_are_those_of_the_last_step(void **state)
 int test_reactions(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reactions_are_those_of_the_last_step),
-        cmocka_unit_test(a_clamp_carries_the_weight_and_its_moment),
-        cmocka_unit_test(attachments_together_are_in_balance),
-        cmocka_unit_test(a_spring_stretches_by_what_hangs_on_it),
-        cmocka_unit_test(a_spring_damper_follows_its_law_in_motion),
+        cmocka_unit_test(reactions_are_of_last_step),
+        cmocka_unit_test(clamp_carries_weight_and_moment),
+        cmocka_unit_test(attachment_forces_balance),
+        cmocka_unit_test(spring_extension_is_hanging_weight),
+        cmocka_unit_test(spring_damper_follows_its_law),
         cmocka_unit_test(forces_and_masses_report_themselves),
-        cmocka_unit_test(in_free_fall_a_mass_weighs_nothing),
-        cmocka_unit_test(a_held_node_bears_what_acts_on_it),
+        cmocka_unit_test(mass_in_free_fall_is_weightless),
+        cmocka_unit_test(held_node_carries_applied_load),
         cmocka_unit_test(twenty_newtons_are_held),
-        cmocka_unit_test(two_clamps_drawn_apart_feel_the_stretch),
+        cmocka_unit_test(separated_clamps_feel_stretch),
     };
     return cmocka_run_group_tests_name("thread.reactions", tests, NULL, NULL);
 }

@@ -43,7 +43,7 @@ static void compare(const run *c)
     rig_end(&r);
 }
 
-static void the_tip_falls_as_in_the_converged_solution(void **state)
+static void tip_fall_matches_converged_solution(void **state)
 {
     (void)state;
     const run runs[] = {
@@ -94,7 +94,7 @@ static void order_in_time(vbss_bending bending, double spectral_radius)
     expect_near(2.3, log2(coarse.z / fine.z), 0.5); /* of tension: 2 and a fading start */
 }
 
-static void halving_the_step_quarters_the_error(void **state)
+static void error_is_second_order_in_step(void **state)
 {
     (void)state;
     order_in_time(VBSS_BENDING_SPLINE, 0.5);
@@ -134,14 +134,14 @@ static void let_go(uint32_t segments, double spectral_radius, bool by_force)
     rig_end(&r);
 }
 
-static void a_force_that_ends_lets_a_taut_thread_relax(void **state)
+static void removed_force_relaxes_taut_thread(void **state)
 {
     (void)state;
     let_go(30, 0.5, true);
     let_go(30, 0.0, true);
 }
 
-static void a_taut_thread_that_is_detached_relaxes(void **state)
+static void detached_taut_thread_relaxes(void **state)
 {
     (void)state;
     let_go(30, 0.5, false);
@@ -152,10 +152,10 @@ static void a_taut_thread_that_is_detached_relaxes(void **state)
 int test_release(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_tip_falls_as_in_the_converged_solution),
-        harness_test(halving_the_step_quarters_the_error),
-        harness_test(a_force_that_ends_lets_a_taut_thread_relax),
-        harness_test(a_taut_thread_that_is_detached_relaxes),
+        harness_test(tip_fall_matches_converged_solution),
+        harness_test(error_is_second_order_in_step),
+        harness_test(removed_force_relaxes_taut_thread),
+        harness_test(detached_taut_thread_relaxes),
     };
     return cmocka_run_group_tests_name("thread.release", tests, NULL, NULL);
 }

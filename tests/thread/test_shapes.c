@@ -35,7 +35,7 @@ static void wind_up(rig *r, uint32_t clamp, double length, double angle)
 }
 
 /* A quarter of a turn to a whole one: no force, EI times the curvature at either end. */
-static void clamps_turned_against_each_other_make_an_arc(void **state)
+static void opposed_clamps_make_arc(void **state)
 {
     (void)state;
     const struct {
@@ -107,7 +107,7 @@ static vec3 settled_s(uint32_t segments, vbss_bending bending)
     return vec3_scale(quarter, 1.0 / length);
 }
 
-static void parallel_clamps_make_a_symmetric_s(void **state)
+static void parallel_clamps_make_symmetric_s(void **state)
 {
     (void)state;
     vec3 exact = settled_s(96, VBSS_BENDING_SPLINE);
@@ -116,7 +116,7 @@ static void parallel_clamps_make_a_symmetric_s(void **state)
 }
 
 /* All nodes on a circle, clamped at the ends, 1 to 8 segments: what the shortest stretches know. */
-static void a_short_arc_has_the_energy_of_its_curvature(void **state)
+static void short_arc_energy_is_of_its_curvature(void **state)
 {
     (void)state;
     const double curvature = 20.0, segment = 0.002;
@@ -151,7 +151,7 @@ static void a_short_arc_has_the_energy_of_its_curvature(void **state)
 }
 
 /* Towards the centre, one over the radius long; segments of 1 to 4 mm. */
-static void curvatures_of_unequal_segments_are_those_of_the_circle(void **state)
+static void curvature_of_uneven_segments_is_of_circle(void **state)
 {
     (void)state;
     const double curvature = 20.0, rest_lengths[6] = {1e-3, 4e-3, 2e-3, 1e-3, 3e-3, 3e-3};
@@ -178,7 +178,7 @@ static void curvatures_of_unequal_segments_are_those_of_the_circle(void **state)
 /* ---- clamps inside */
 
 /* F a^3 b^3 / (3 EI (a + b)^3) under a force between two clamps 2 to 8 segments apart. */
-static void a_short_stretch_between_clamps_is_as_stiff_as_a_beam(void **state)
+static void short_stretch_is_as_stiff_as_beam(void **state)
 {
     (void)state;
     const double spline[] = {1e-6, 1e-6, 3e-6, 4e-2, 3e-2, 2e-2, 1.5e-2};
@@ -206,7 +206,7 @@ static void a_short_stretch_between_clamps_is_as_stiff_as_a_beam(void **state)
     }
 }
 
-static void a_clamp_inside_holds_two_cantilevers(void **state)
+static void inner_clamp_holds_two_cantilevers(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -235,7 +235,7 @@ static void a_clamp_inside_holds_two_cantilevers(void **state)
 /* ---- curved at rest */
 
 /* From a little less curved, as without twist a straight place may bend to any side. */
-static void a_thread_curved_at_rest_becomes_a_circle(void **state)
+static void curved_rest_shape_becomes_circle(void **state)
 {
     (void)state;
     const double length = 0.08, curvature = 60.0;
@@ -283,13 +283,13 @@ static void a_thread_curved_at_rest_becomes_a_circle(void **state)
 int test_shapes(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clamps_turned_against_each_other_make_an_arc),
-        cmocka_unit_test(parallel_clamps_make_a_symmetric_s),
-        cmocka_unit_test(a_short_arc_has_the_energy_of_its_curvature),
-        cmocka_unit_test(curvatures_of_unequal_segments_are_those_of_the_circle),
-        cmocka_unit_test(a_short_stretch_between_clamps_is_as_stiff_as_a_beam),
-        cmocka_unit_test(a_clamp_inside_holds_two_cantilevers),
-        cmocka_unit_test(a_thread_curved_at_rest_becomes_a_circle),
+        cmocka_unit_test(opposed_clamps_make_arc),
+        cmocka_unit_test(parallel_clamps_make_symmetric_s),
+        cmocka_unit_test(short_arc_energy_is_of_its_curvature),
+        cmocka_unit_test(curvature_of_uneven_segments_is_of_circle),
+        cmocka_unit_test(short_stretch_is_as_stiff_as_beam),
+        cmocka_unit_test(inner_clamp_holds_two_cantilevers),
+        cmocka_unit_test(curved_rest_shape_becomes_circle),
     };
     return cmocka_run_group_tests_name("thread.shapes", tests, NULL, NULL);
 }

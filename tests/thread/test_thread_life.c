@@ -34,7 +34,7 @@ static vbss_result attach_and_destroy(vbss_context *context, const void *attachm
     return result;
 }
 
-static void configs_keep_the_size_protocol(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     static const uint32_t config_sizes[] = {240, 304, 0}, attachment_sizes[] = {112, 0};
@@ -60,7 +60,7 @@ static vbss_result write_out(vbss_thread *thread, int which, void *out, uint32_t
     }
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[5] = {56, sizeof(vbss_view), 48, 88, 168};
@@ -91,7 +91,7 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
 
 /* ---- materials */
 
-static void presets_are_what_is_documented(void **state)
+static void presets_match_documentation(void **state)
 {
     (void)state;
     const struct {
@@ -201,7 +201,7 @@ static const harness_handle_call calls[CALLS] = {
     call_cut,  call_restore,   call_save,     call_hash,      call_reaction,
     call_view, call_energies,  call_momentum, call_statistics};
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     fixture f;
@@ -244,7 +244,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->destroyed = vbss_thread_destroy(l->thread);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -280,11 +280,11 @@ static void nothing_changes_from_inside_a_callback(void **state)
 int test_thread_life(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(configs_keep_the_size_protocol),
-        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
-        cmocka_unit_test(presets_are_what_is_documented),
-        cmocka_unit_test(wrong_handles_are_told_by_every_call),
-        cmocka_unit_test(nothing_changes_from_inside_a_callback),
+        cmocka_unit_test(config_size_protocol),
+        cmocka_unit_test(output_struct_size_protocol),
+        cmocka_unit_test(presets_match_documentation),
+        cmocka_unit_test(every_call_rejects_invalid_handles),
+        cmocka_unit_test(calls_inside_callback_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

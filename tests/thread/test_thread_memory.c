@@ -38,7 +38,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return live(context, user);
 }
 
-static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     vbss_thread_config config;
@@ -56,7 +56,7 @@ static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
 }
 
 /* Four parts of one thread; each order in which they end gives all memory back. */
-static void memory_comes_back_in_any_order(void **state)
+static void memory_is_returned_in_any_order(void **state)
 {
     (void)state;
     for (int order = 0; order < 24; order++) {
@@ -89,7 +89,7 @@ static void memory_comes_back_in_any_order(void **state)
     }
 }
 
-static void a_context_ends_with_living_pieces(void **state)
+static void context_end_destroys_live_pieces(void **state)
 {
     (void)state;
     for (int destroyed = 0; destroyed < 3; destroyed++) {
@@ -106,7 +106,7 @@ static void a_context_ends_with_living_pieces(void **state)
 }
 
 /* What memory there is after the first thread is what there is after the last. */
-static void threads_that_come_and_go_need_no_more_memory(void **state)
+static void thread_churn_does_not_grow_memory(void **state)
 {
     (void)state;
     fixture f;
@@ -126,7 +126,7 @@ static void threads_that_come_and_go_need_no_more_memory(void **state)
 
 /* ---- what is left to refuse, on a thread that has lived */
 
-static void bad_moves_are_told(void **state)
+static void bad_moves_are_rejected(void **state)
 {
     (void)state;
     subject s;
@@ -160,7 +160,7 @@ static void bad_moves_are_told(void **state)
     end_subject(&s);
 }
 
-static void bad_steps_states_and_cuts_are_told(void **state)
+static void bad_steps_states_and_cuts_are_rejected(void **state)
 {
     (void)state;
     subject s;
@@ -210,12 +210,12 @@ static void bad_steps_states_and_cuts_are_told(void **state)
 int test_thread_memory(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
-        cmocka_unit_test(memory_comes_back_in_any_order),
-        cmocka_unit_test(a_context_ends_with_living_pieces),
-        cmocka_unit_test(threads_that_come_and_go_need_no_more_memory),
-        cmocka_unit_test(bad_moves_are_told),
-        cmocka_unit_test(bad_steps_states_and_cuts_are_told),
+        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
+        cmocka_unit_test(memory_is_returned_in_any_order),
+        cmocka_unit_test(context_end_destroys_live_pieces),
+        cmocka_unit_test(thread_churn_does_not_grow_memory),
+        cmocka_unit_test(bad_moves_are_rejected),
+        cmocka_unit_test(bad_steps_states_and_cuts_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

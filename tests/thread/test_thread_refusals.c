@@ -62,7 +62,7 @@ static void with_number(fixture *f, size_t offset, double value, vbss_result wan
     f->config = kept;
 }
 
-static void bad_numbers_of_a_configuration_are_told(void **state)
+static void bad_config_numbers_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -93,7 +93,7 @@ static void bad_numbers_of_a_configuration_are_told(void **state)
     end(&f);
 }
 
-static void bad_choices_of_a_configuration_are_told(void **state)
+static void bad_config_choices_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -140,7 +140,7 @@ static void bad_choices_of_a_configuration_are_told(void **state)
     end(&f);
 }
 
-static void bad_entries_of_given_arrays_are_told(void **state)
+static void bad_array_entries_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -186,7 +186,7 @@ static vbss_result attach_with(subject *s, size_t offset, double value)
     return result;
 }
 
-static void bad_attachments_are_told(void **state)
+static void bad_attachments_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -238,10 +238,10 @@ static void bad_attachments_are_told(void **state)
 int test_thread_refusals(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_numbers_of_a_configuration_are_told),
-        cmocka_unit_test(bad_choices_of_a_configuration_are_told),
-        cmocka_unit_test(bad_entries_of_given_arrays_are_told),
-        cmocka_unit_test(bad_attachments_are_told),
+        cmocka_unit_test(bad_config_numbers_are_rejected),
+        cmocka_unit_test(bad_config_choices_are_rejected),
+        cmocka_unit_test(bad_array_entries_are_rejected),
+        cmocka_unit_test(bad_attachments_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

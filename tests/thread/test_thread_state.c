@@ -15,7 +15,7 @@ static const thread_body_options lives[] = {
 };
 enum { LIVES = sizeof lives / sizeof lives[0] };
 
-static void a_restored_thread_goes_on_to_the_same_bits(void **state)
+static void restored_thread_continues_bit_equal(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -26,7 +26,7 @@ static void a_restored_thread_goes_on_to_the_same_bits(void **state)
     }
 }
 
-static void bad_snapshots_are_refused(void **state)
+static void bad_snapshots_are_rejected(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -37,7 +37,7 @@ static void bad_snapshots_are_refused(void **state)
     }
 }
 
-static void steps_allocate_nothing(void **state)
+static void steps_do_not_allocate(void **state)
 {
     (void)state;
     for (int i = 0; i < LIVES; i++) {
@@ -49,7 +49,7 @@ static void steps_allocate_nothing(void **state)
 
 /* ---- the public functions */
 
-static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
+static void small_buffer_reports_required_size(void **state)
 {
     (void)state;
     fixture f;
@@ -76,7 +76,7 @@ static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
 }
 
 /* Every number of the configuration that the motion depends on. */
-static void snapshots_of_another_configuration_are_refused(void **state)
+static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
     static const size_t numbers[] = {offsetof(vbss_thread_config, radius),
@@ -133,7 +133,7 @@ static void snapshots_of_another_configuration_are_refused(void **state)
 }
 
 /* Everything a host can set shows in the hash. */
-static void hashes_differ_when_anything_differs(void **state)
+static void hash_covers_all_state(void **state)
 {
     (void)state;
     fixture f;
@@ -179,7 +179,7 @@ static void hashes_differ_when_anything_differs(void **state)
 }
 
 /* What was damaged by hand under a right checksum cannot make a step that is not finite a success. */
-static void a_state_that_is_finite_but_absurd_is_told_by_the_step(void **state)
+static void finite_absurd_state_is_reported_by_step(void **state)
 {
     (void)state;
     const double absurd[] = {1e30, 1e100, 1e160, 1e300, DBL_MAX};
@@ -207,13 +207,13 @@ static void a_state_that_is_finite_but_absurd_is_told_by_the_step(void **state)
 int test_thread_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_restored_thread_goes_on_to_the_same_bits),
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(steps_allocate_nothing),
-        cmocka_unit_test(a_buffer_that_is_too_small_is_told_with_the_size),
-        cmocka_unit_test(snapshots_of_another_configuration_are_refused),
-        cmocka_unit_test(hashes_differ_when_anything_differs),
-        cmocka_unit_test(a_state_that_is_finite_but_absurd_is_told_by_the_step),
+        cmocka_unit_test(restored_thread_continues_bit_equal),
+        cmocka_unit_test(bad_snapshots_are_rejected),
+        cmocka_unit_test(steps_do_not_allocate),
+        cmocka_unit_test(small_buffer_reports_required_size),
+        cmocka_unit_test(snapshot_of_other_config_is_rejected),
+        cmocka_unit_test(hash_covers_all_state),
+        cmocka_unit_test(finite_absurd_state_is_reported_by_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -112,7 +112,7 @@ static void compare(mode m, vbss_bending bending, const double bounds[2])
     assert_true(log2(coarse / fine) > order);
 }
 
-static void a_hanging_chain_has_bessels_frequencies(void **state)
+static void hanging_chain_has_bessel_frequencies(void **state)
 {
     (void)state;
     const double zeros[] = {2.40482556, 5.52007811, 8.65372791}; /* 1.5476, 3.5524, 5.5691 Hz */
@@ -124,7 +124,7 @@ static void a_hanging_chain_has_bessels_frequencies(void **state)
     }
 }
 
-static void a_cantilever_has_its_frequencies(void **state)
+static void cantilever_frequencies(void **state)
 {
     (void)state;
     /* 7.772, 48.71, 136.4, 267.3 Hz */
@@ -141,7 +141,7 @@ static void a_cantilever_has_its_frequencies(void **state)
 
 /* ---- one segment: half of its mass at the tip, a pendulum of length L (the rod would be faster) */
 
-static void one_segment_is_a_pendulum_at_any_amplitude(void **state)
+static void single_segment_is_pendulum_at_any_amplitude(void **state)
 {
     (void)state;
     for (int degrees = 30; degrees <= 150; degrees += 60) {
@@ -174,7 +174,7 @@ static void one_segment_is_a_pendulum_at_any_amplitude(void **state)
 
 /* ---- masses and springs */
 
-static void a_mass_on_the_thread_swings_on_its_stretch(void **state)
+static void mass_on_thread_oscillates_axially(void **state)
 {
     (void)state;
     enum { COUNT = 400 };
@@ -218,7 +218,7 @@ static void begin_oscillator(oscillator *o, double radius, double x, double v, d
     o->spring = rig_spring(&o->r, 0, vec3_zero(), stiffness_of, damping);
 }
 
-static void a_mass_on_a_spring_has_its_frequency(void **state)
+static void mass_on_spring_frequency(void **state)
 {
     (void)state;
     oscillator o;
@@ -260,7 +260,7 @@ static double driven_error(double ratio, double damping, double radius, double h
 }
 
 /* With a damper the order is one: it feels how the end has moved in the step, half a step late. */
-static void a_driven_spring_answers_as_it_must(void **state)
+static void driven_spring_response(void **state)
 {
     (void)state;
     double damping = 0.2 * sqrt(stiffness_of * mass_of);
@@ -280,12 +280,12 @@ static void a_driven_spring_answers_as_it_must(void **state)
 int test_vibration(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_hanging_chain_has_bessels_frequencies),
-        harness_test(a_cantilever_has_its_frequencies),
-        harness_test(one_segment_is_a_pendulum_at_any_amplitude),
-        harness_test(a_mass_on_the_thread_swings_on_its_stretch),
-        harness_test(a_mass_on_a_spring_has_its_frequency),
-        harness_test(a_driven_spring_answers_as_it_must),
+        harness_test(hanging_chain_has_bessel_frequencies),
+        harness_test(cantilever_frequencies),
+        harness_test(single_segment_is_pendulum_at_any_amplitude),
+        harness_test(mass_on_thread_oscillates_axially),
+        harness_test(mass_on_spring_frequency),
+        harness_test(driven_spring_response),
     };
     return cmocka_run_group_tests_name("thread.vibration", tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ static void choose_way(fixture *f, int way)
     f->config.bending = way == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
 }
 
-static void views_have_their_sizes(void **state)
+static void view_dimensions(void **state)
 {
     (void)state;
     const struct {
@@ -77,7 +77,7 @@ static void sections_are_divided_by_what_is_held_once(int way)
     end(&f);
 }
 
-static void sections_are_divided_by_what_is_held(void **state)
+static void sections_are_divided_by_holds(void **state)
 {
     (void)state;
     for (int way = 0; way < WAYS; way++) {
@@ -145,7 +145,7 @@ static void the_generation_changes_with_every_step_and_edit_once(int way)
     end(&f);
 }
 
-static void the_generation_changes_with_every_step_and_edit(void **state)
+static void generation_changes_with_every_step_and_edit(void **state)
 {
     (void)state;
     for (int way = 0; way < WAYS; way++) {
@@ -155,7 +155,7 @@ static void the_generation_changes_with_every_step_and_edit(void **state)
 
 /* ---- values */
 
-static void tension_is_positive_when_pulled(void **state)
+static void tension_is_positive_under_pull(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
@@ -187,7 +187,7 @@ static void tension_is_positive_when_pulled(void **state)
     }
 }
 
-static void a_circle_has_its_curvature(void **state)
+static void circle_curvature(void **state)
 {
     (void)state;
     const double radius = 0.02;
@@ -256,7 +256,7 @@ static void energies_add_up_once(int way)
     end(&f);
 }
 
-static void energies_add_up(void **state)
+static void energies_sum_to_total(void **state)
 {
     (void)state;
     for (int way = 0; way < WAYS; way++) {
@@ -300,7 +300,7 @@ static void rigid_motion_has_its_momentum_once(int way)
     end(&f);
 }
 
-static void rigid_motion_has_its_momentum(void **state)
+static void rigid_motion_momentum(void **state)
 {
     (void)state;
     for (int way = 0; way < WAYS; way++) {
@@ -311,13 +311,13 @@ static void rigid_motion_has_its_momentum(void **state)
 int test_views(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_have_their_sizes),
-        cmocka_unit_test(sections_are_divided_by_what_is_held),
-        cmocka_unit_test(the_generation_changes_with_every_step_and_edit),
-        cmocka_unit_test(tension_is_positive_when_pulled),
-        cmocka_unit_test(a_circle_has_its_curvature),
-        cmocka_unit_test(energies_add_up),
-        cmocka_unit_test(rigid_motion_has_its_momentum),
+        cmocka_unit_test(view_dimensions),
+        cmocka_unit_test(sections_are_divided_by_holds),
+        cmocka_unit_test(generation_changes_with_every_step_and_edit),
+        cmocka_unit_test(tension_is_positive_under_pull),
+        cmocka_unit_test(circle_curvature),
+        cmocka_unit_test(energies_sum_to_total),
+        cmocka_unit_test(rigid_motion_momentum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static vbss_thread_config wave_config(uint32_t segments)
 
 /* A short pull at the free node 0 runs to the other end: c = sqrt(EA / lambda) = 2583 m/s, speed of
  * the nodes F / sqrt(EA lambda), twice that where it turns back. */
-static void a_pull_arrives_with_the_speed_of_sound(void **state)
+static void tension_wave_travels_at_sound_speed(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -89,7 +89,7 @@ static void pluck(vbss_bending bending, uint32_t n, double bounds[2])
     rig_end(&r);
 }
 
-static void a_plucked_bump_comes_back_upside_down(void **state)
+static void plucked_bump_reflects_inverted(void **state)
 {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -143,7 +143,7 @@ static void drive_chain(uint32_t n, double *tip_error, double *force_error)
     rig_end(&r);
 }
 
-static void a_shaken_chain_answers_as_it_must(void **state)
+static void shaken_chain_response(void **state)
 {
     (void)state;
     double tip[2], force[2];
@@ -181,7 +181,7 @@ static double force_error_of_a_shaken_thread(double h)
     return worst / (mass * drive * drive * amplitude);
 }
 
-static void a_shaken_end_feels_the_threads_inertia(void **state)
+static void shaken_end_feels_thread_inertia(void **state)
 {
     (void)state;
     double coarse = force_error_of_a_shaken_thread(1e-3);
@@ -193,7 +193,7 @@ static void a_shaken_end_feels_the_threads_inertia(void **state)
 }
 
 /* What an end gives that starts to move at once is the thread's momentum; then its weight and drag. */
-static void an_end_that_starts_to_move_gives_the_threads_momentum(void **state)
+static void moving_end_transfers_thread_momentum(void **state)
 {
     (void)state;
     rig r;
@@ -221,11 +221,11 @@ static void an_end_that_starts_to_move_gives_the_threads_momentum(void **state)
 int test_waves(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_pull_arrives_with_the_speed_of_sound),
-        harness_test(a_plucked_bump_comes_back_upside_down),
-        harness_test(a_shaken_chain_answers_as_it_must),
-        harness_test(a_shaken_end_feels_the_threads_inertia),
-        harness_test(an_end_that_starts_to_move_gives_the_threads_momentum),
+        harness_test(tension_wave_travels_at_sound_speed),
+        harness_test(plucked_bump_reflects_inverted),
+        harness_test(shaken_chain_response),
+        harness_test(shaken_end_feels_thread_inertia),
+        harness_test(moving_end_transfers_thread_momentum),
     };
     return cmocka_run_group_tests_name("thread.waves", tests, NULL, NULL);
 }

@@ -99,7 +99,7 @@ static double recorded_tremor(const rest *r, const hand *h)
 
 /* ---- what is asked of them */
 
-static void devices_deliver_the_tremor_that_is_asked_for(void **state)
+static void devices_deliver_requested_tremor(void **state)
 {
     (void)state;
     static rest r;
@@ -122,7 +122,7 @@ static void devices_deliver_the_tremor_that_is_asked_for(void **state)
     }
 }
 
-static void who_is_not_asked_for_is_an_expert(void **state)
+static void default_skill_is_expert(void **state)
 {
     (void)state;
     static rest nobody, expert, novice, again;
@@ -140,7 +140,7 @@ static void who_is_not_asked_for_is_an_expert(void **state)
     end(&again);
 }
 
-static void worse_hands_are_slower_aim_worse_and_hesitate(void **state)
+static void low_skill_is_slower_less_accurate_and_hesitates(void **state)
 {
     (void)state;
     for (size_t i = 1; i < sizeof names / sizeof names[0]; i++) {
@@ -152,7 +152,7 @@ static void worse_hands_are_slower_aim_worse_and_hesitate(void **state)
     }
 }
 
-static void a_hesitation_is_as_long_as_is_asked_for(void **state)
+static void hesitation_has_requested_length(void **state)
 {
     (void)state;
     enum { THINGS = 2000 };
@@ -177,10 +177,10 @@ static void a_hesitation_is_as_long_as_is_asked_for(void **state)
 int test_skill(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(devices_deliver_the_tremor_that_is_asked_for),
-        cmocka_unit_test(who_is_not_asked_for_is_an_expert),
-        cmocka_unit_test(worse_hands_are_slower_aim_worse_and_hesitate),
-        cmocka_unit_test(a_hesitation_is_as_long_as_is_asked_for),
+        cmocka_unit_test(devices_deliver_requested_tremor),
+        cmocka_unit_test(default_skill_is_expert),
+        cmocka_unit_test(low_skill_is_slower_less_accurate_and_hesitates),
+        cmocka_unit_test(hesitation_has_requested_length),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

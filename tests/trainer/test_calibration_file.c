@@ -32,7 +32,7 @@ static void expect_same(const vbss_device_calibration *a, const vbss_device_cali
     assert_memory_equal(a, b, sizeof *a);
 }
 
-static void it_is_read_as_it_was_written(void **state)
+static void file_round_trip(void **state)
 {
     (void)state;
     calibration written, found;
@@ -47,7 +47,7 @@ static void it_is_read_as_it_was_written(void **state)
     }
 }
 
-static void a_hand_that_is_not_known_stays_so(void **state)
+static void unknown_hand_stays_unknown(void **state)
 {
     (void)state;
     calibration written, found, usual;
@@ -76,7 +76,7 @@ static void write_text(const char *text)
     "left.axes 1 -3 2\nleft.scale 1\nleft.offset 0 0 0\nleft.mount 1 0 0 0\n" \
     "left.workspace_low -1 -1 -1\nleft.workspace_high 1 1 1\nleft.jaw_closed_open 0 1\n"
 
-static void what_is_wrong_is_refused(void **state)
+static void invalid_file_is_rejected(void **state)
 {
     (void)state;
     static const char *const texts[] = {
@@ -118,9 +118,9 @@ static void what_is_wrong_is_refused(void **state)
 int test_calibration_file(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_is_read_as_it_was_written),
-        cmocka_unit_test(a_hand_that_is_not_known_stays_so),
-        cmocka_unit_test(what_is_wrong_is_refused),
+        cmocka_unit_test(file_round_trip),
+        cmocka_unit_test(unknown_hand_stays_unknown),
+        cmocka_unit_test(invalid_file_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,7 +57,7 @@ static bool slot(grip_rig *r, uint32_t buttons, vbss_grasper_kind kind)
 }
 
 /* One press one exchange, from the tool that is there, also where one was refused; a button that is stuck is none. */
-static void the_button_exchanges_where_a_handle_closes(void **state)
+static void button_exchanges_where_handle_closes(void **state)
 {
     (void)state;
     grip_rig r;
@@ -80,7 +80,7 @@ static void the_button_exchanges_where_a_handle_closes(void **state)
     harness_context_end(r.context, &r.memory);
 }
 
-static void without_a_handle_it_closes_the_jaws(void **state)
+static void button_closes_jaws_without_handle(void **state)
 {
     (void)state;
     grip_rig r;
@@ -92,7 +92,7 @@ static void without_a_handle_it_closes_the_jaws(void **state)
     harness_context_end(r.context, &r.memory);
 }
 
-static void a_device_may_tell_its_tool(void **state)
+static void device_may_report_tool(void **state)
 {
     (void)state;
     grip_rig r;
@@ -107,7 +107,7 @@ static void a_device_may_tell_its_tool(void **state)
 }
 
 /* A tool that is where it was 2 ms ago has gone on: a spring to where it was would draw the hand back. */
-static void a_tool_that_is_late_is_felt_where_it_is_by_now(void **state)
+static void late_tool_force_uses_current_pose(void **state)
 {
     (void)state;
     double felt[2];
@@ -137,10 +137,10 @@ static void a_tool_that_is_late_is_felt_where_it_is_by_now(void **state)
 int test_grip(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_button_exchanges_where_a_handle_closes),
-        cmocka_unit_test(without_a_handle_it_closes_the_jaws),
-        cmocka_unit_test(a_device_may_tell_its_tool),
-        cmocka_unit_test(a_tool_that_is_late_is_felt_where_it_is_by_now),
+        cmocka_unit_test(button_exchanges_where_handle_closes),
+        cmocka_unit_test(button_closes_jaws_without_handle),
+        cmocka_unit_test(device_may_report_tool),
+        cmocka_unit_test(late_tool_force_uses_current_pose),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

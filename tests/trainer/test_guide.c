@@ -124,7 +124,7 @@ static void expect_world(bench *b)
     harness_context_end(context, &memory);
 }
 
-static void every_way_an_arm_can_stand_is_found(void **state)
+static void every_arm_mounting_is_found(void **state)
 {
     (void)state;
     static const int turns[6][3] = {{1, 2, 3}, {2, 3, 1}, {3, 1, 2},
@@ -141,7 +141,7 @@ static void every_way_an_arm_can_stand_is_found(void **state)
     }
 }
 
-static void a_motion_that_tells_nothing_is_asked_for_again(void **state)
+static void uninformative_motion_is_repeated(void **state)
 {
     (void)state;
     bench b;
@@ -156,7 +156,7 @@ static void a_motion_that_tells_nothing_is_asked_for_again(void **state)
     assert_int_equal(b.g.step, GUIDE_UP);
 }
 
-static void a_reach_or_handle_that_hardly_moves_is_asked_for_again(void **state)
+static void small_reach_or_handle_range_is_repeated(void **state)
 {
     (void)state;
     bench b;
@@ -173,7 +173,7 @@ static void a_reach_or_handle_that_hardly_moves_is_asked_for_again(void **state)
     assert_null(squeeze(&b, 1.06));
 }
 
-static void only_what_is_there_is_asked_for(void **state)
+static void only_present_devices_are_calibrated(void **state)
 {
     (void)state;
     guide g;
@@ -190,10 +190,10 @@ static void only_what_is_there_is_asked_for(void **state)
 int test_guide(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_way_an_arm_can_stand_is_found),
-        cmocka_unit_test(a_motion_that_tells_nothing_is_asked_for_again),
-        cmocka_unit_test(a_reach_or_handle_that_hardly_moves_is_asked_for_again),
-        cmocka_unit_test(only_what_is_there_is_asked_for),
+        cmocka_unit_test(every_arm_mounting_is_found),
+        cmocka_unit_test(uninformative_motion_is_repeated),
+        cmocka_unit_test(small_reach_or_handle_range_is_repeated),
+        cmocka_unit_test(only_present_devices_are_calibrated),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -52,7 +52,7 @@ static void devices_combine_freely(void **state)
     assert_true(o.faults[0].from == 1.5 && o.faults[0].until == 1.75);
 }
 
-static void words_that_are_none_are_refused(void **state)
+static void unknown_words_are_rejected(void **state)
 {
     (void)state;
     static const char *const lines[] = {"--mack",
@@ -90,7 +90,7 @@ static void words_that_are_none_are_refused(void **state)
     }
 }
 
-static void names_that_are_too_long_are_refused(void **state)
+static void overlong_names_are_rejected(void **state)
 {
     (void)state;
     options o;
@@ -103,8 +103,8 @@ int test_options(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(devices_combine_freely),
-        cmocka_unit_test(words_that_are_none_are_refused),
-        cmocka_unit_test(names_that_are_too_long_are_refused),
+        cmocka_unit_test(unknown_words_are_rejected),
+        cmocka_unit_test(overlong_names_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static void sticks_shift_and_roll(void **state)
     assert_int_equal(w.pressed, 0);
 }
 
-static void the_bumper_makes_shifts_turns(void **state)
+static void bumper_switches_to_rotation(void **state)
 {
     (void)state;
     pad p = {.known = false};
@@ -66,7 +66,7 @@ static void presses_count_once(void **state)
 }
 
 /* One that is plugged in with its trigger drawn, or is gone and comes back so, asks for nothing. */
-static void what_was_down_before_does_not_count(void **state)
+static void press_before_connect_is_ignored(void **state)
 {
     (void)state;
     pad p = {.known = false};
@@ -110,7 +110,7 @@ static void run(rig *r, int from, int steps)
     }
 }
 
-static void a_stick_at_its_end_moves_with_the_speed_of_the_mapping(void **state)
+static void full_stick_moves_at_mapping_speed(void **state)
 {
     (void)state;
     static const double axes[6] = {1.0, 0.0, -1.0}, nothing[6];
@@ -132,7 +132,7 @@ static void a_stick_at_its_end_moves_with_the_speed_of_the_mapping(void **state)
     assert_int_equal(vbss_context_destroy(r.context), VBSS_OK);
 }
 
-static void the_last_axis_rolls_the_tool_about_its_own(void **state)
+static void last_axis_rolls_tool_about_its_axis(void **state)
 {
     (void)state;
     static const double axes[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
@@ -150,11 +150,11 @@ int test_pad(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sticks_shift_and_roll),
-        cmocka_unit_test(the_bumper_makes_shifts_turns),
+        cmocka_unit_test(bumper_switches_to_rotation),
         cmocka_unit_test(presses_count_once),
-        cmocka_unit_test(what_was_down_before_does_not_count),
-        cmocka_unit_test(a_stick_at_its_end_moves_with_the_speed_of_the_mapping),
-        cmocka_unit_test(the_last_axis_rolls_the_tool_about_its_own),
+        cmocka_unit_test(press_before_connect_is_ignored),
+        cmocka_unit_test(full_stick_moves_at_mapping_speed),
+        cmocka_unit_test(last_axis_rolls_tool_about_its_axis),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

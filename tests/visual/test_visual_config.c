@@ -13,7 +13,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     return result == VBSS_OK ? vbss_visual_destroy(visual) : result;
 }
 
-static void configs_of_all_sizes_are_told(void **state)
+static void config_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[] = {104, 0};
@@ -21,7 +21,7 @@ static void configs_of_all_sizes_are_told(void **state)
     harness_config_protocol(&config);
 }
 
-static void no_configuration_is_the_default(void **state)
+static void null_config_is_default(void **state)
 {
     (void)state;
     fixture f;
@@ -48,7 +48,7 @@ static void expect_config(const fixture *f, vbss_result wanted)
     assert_true(after.objects_alive == before.objects_alive);
 }
 
-static void numbers_outside_their_ranges_are_told(void **state)
+static void out_of_range_numbers_are_rejected(void **state)
 {
     (void)state;
     fixture f;
@@ -103,7 +103,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return create_and_destroy(context, NULL);
 }
 
-static void memory_that_fails_is_told_and_none_is_lost(void **state)
+static void each_failed_allocation_is_reported_without_leak(void **state)
 {
     (void)state;
     harness_fail_every_allocation(attempt, NULL);
@@ -112,10 +112,10 @@ static void memory_that_fails_is_told_and_none_is_lost(void **state)
 int test_visual_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(configs_of_all_sizes_are_told),
-        harness_test(no_configuration_is_the_default),
-        harness_test(numbers_outside_their_ranges_are_told),
-        harness_test(memory_that_fails_is_told_and_none_is_lost),
+        harness_test(config_size_protocol),
+        harness_test(null_config_is_default),
+        harness_test(out_of_range_numbers_are_rejected),
+        harness_test(each_failed_allocation_is_reported_without_leak),
     };
     return cmocka_run_group_tests_name("visual.visual_config", tests, NULL, NULL);
 }

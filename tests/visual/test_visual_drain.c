@@ -31,7 +31,7 @@ static double value_of(const drawn *d, uint32_t vertex)
     return (double)d->vertices[vertex].value;
 }
 
-static void the_wall_is_closed_at_any_division(void **state)
+static void wall_mesh_is_closed_at_any_subdivision(void **state)
 {
     (void)state;
     for (uint32_t limit = 1; limit <= 12; limit++) {
@@ -58,7 +58,7 @@ static void the_wall_is_closed_at_any_division(void **state)
 }
 
 /* Of a tube that is a cylinder at rest: both faces are half a wall from the middle, and normals are radii. */
-static void the_faces_are_half_a_wall_from_the_cylinder(void **state)
+static void faces_are_half_wall_thickness_from_cylinder(void **state)
 {
     (void)state;
     fixture f;
@@ -127,7 +127,7 @@ static double deviation(const drawn *d, const drain_object *drain)
     return worst;
 }
 
-static void the_surface_keeps_its_tolerance(void **state)
+static void surface_tolerance_holds(void **state)
 {
     (void)state;
     const double tolerances[4] = {4e-4, 1e-4, 2.5e-5, 6e-6};
@@ -147,7 +147,7 @@ static void the_surface_keeps_its_tolerance(void **state)
     }
 }
 
-static void rims_are_as_wide_as_the_wall_and_look_out_of_it(void **state)
+static void rims_have_wall_width_and_face_outward(void **state)
 {
     (void)state;
     fixture f;
@@ -179,7 +179,7 @@ static void rims_are_as_wide_as_the_wall_and_look_out_of_it(void **state)
 }
 
 /* Vertices know where they were; linear between those of a triangle, as places of holes are. */
-static void material_is_where_nodes_rest(void **state)
+static void material_coordinates_are_of_rest_nodes(void **state)
 {
     (void)state;
     fixture f;
@@ -214,7 +214,7 @@ static void material_is_where_nodes_rest(void **state)
 }
 
 /* Pushed out of shape it stays closed; deep dents are not turned over. */
-static void a_dented_wall_stays_sound(void **state)
+static void dented_wall_is_valid(void **state)
 {
     (void)state;
     fixture f;
@@ -241,12 +241,12 @@ static void a_dented_wall_stays_sound(void **state)
 int test_visual_drain(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_wall_is_closed_at_any_division),
-        harness_test(the_faces_are_half_a_wall_from_the_cylinder),
-        harness_test(the_surface_keeps_its_tolerance),
-        harness_test(rims_are_as_wide_as_the_wall_and_look_out_of_it),
-        harness_test(material_is_where_nodes_rest),
-        harness_test(a_dented_wall_stays_sound),
+        harness_test(wall_mesh_is_closed_at_any_subdivision),
+        harness_test(faces_are_half_wall_thickness_from_cylinder),
+        harness_test(surface_tolerance_holds),
+        harness_test(rims_have_wall_width_and_face_outward),
+        harness_test(material_coordinates_are_of_rest_nodes),
+        harness_test(dented_wall_is_valid),
     };
     return cmocka_run_group_tests_name("visual.visual_drain", tests, NULL, NULL);
 }

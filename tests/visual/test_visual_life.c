@@ -72,7 +72,7 @@ static const harness_handle_call calls[CALLS] = {
     call_add_scene, call_add_thread, call_add_drain, call_add_needle, call_add_grasper,
     call_remove,    call_update,     call_destroy,   call_view,       call_statistics};
 
-static void wrong_handles_are_told_by_every_call(void **state)
+static void every_call_rejects_invalid_handles(void **state)
 {
     (void)state;
     fixture f;
@@ -90,7 +90,7 @@ static void wrong_handles_are_told_by_every_call(void **state)
     end(&f);
 }
 
-static void wrong_bodies_are_told(void **state)
+static void wrong_bodies_are_rejected(void **state)
 {
     (void)state;
     fixture f, other;
@@ -129,7 +129,7 @@ static void listen(void *user, vbss_log_level level, const char *message)
     l->created = vbss_visual_create(l->context, NULL, &made);
 }
 
-static void nothing_changes_from_inside_a_callback(void **state)
+static void calls_inside_callback_are_rejected(void **state)
 {
     (void)state;
     listener l = {0};
@@ -157,7 +157,7 @@ static vbss_result write_out(vbss_visual *visual, int which, void *out, uint32_t
                       : vbss_visual_get_view(visual, VBSS_VISUAL_VIEW_PARTS, out, size);
 }
 
-static void structs_that_go_out_keep_the_size_protocol(void **state)
+static void output_struct_size_protocol(void **state)
 {
     (void)state;
     const uint32_t sizes[2] = {32, sizeof(vbss_view)};
@@ -182,7 +182,7 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
     end(&f);
 }
 
-static void views_have_the_shapes_that_are_told(void **state)
+static void view_dimensions_match_documentation(void **state)
 {
     (void)state;
     const struct {
@@ -211,7 +211,7 @@ static void views_have_the_shapes_that_are_told(void **state)
 
 /* ---- sources */
 
-static void sources_come_and_go(void **state)
+static void sources_can_be_added_and_removed(void **state)
 {
     (void)state;
     fixture f;
@@ -276,7 +276,7 @@ static void expect_full(fixture *f)
     end(f);
 }
 
-static void what_does_not_fit_is_told(void **state)
+static void overflow_is_reported(void **state)
 {
     (void)state;
     fixture f;
@@ -297,7 +297,7 @@ static void what_does_not_fit_is_told(void **state)
     expect_full(&f);
 }
 
-static void exactly_what_there_is_room_for_fits(void **state)
+static void exact_capacity_fits(void **state)
 {
     (void)state;
     fixture f;
@@ -318,7 +318,7 @@ static void exactly_what_there_is_room_for_fits(void **state)
 }
 
 /* The arrays of one frame stay while the next is written beside them. */
-static void views_stay_until_the_update_after_the_next(void **state)
+static void views_live_until_second_update(void **state)
 {
     (void)state;
     fixture f;
@@ -337,7 +337,7 @@ static void views_stay_until_the_update_after_the_next(void **state)
 }
 
 /* Far away, where floats are coarse, the origin helps. */
-static void vertices_count_from_the_origin(void **state)
+static void vertices_are_relative_to_origin(void **state)
 {
     (void)state;
     fixture f;
@@ -362,16 +362,16 @@ static void vertices_count_from_the_origin(void **state)
 int test_visual_life(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(wrong_handles_are_told_by_every_call),
-        harness_test(wrong_bodies_are_told),
-        harness_test(nothing_changes_from_inside_a_callback),
-        harness_test(structs_that_go_out_keep_the_size_protocol),
-        harness_test(views_have_the_shapes_that_are_told),
-        harness_test(sources_come_and_go),
-        harness_test(what_does_not_fit_is_told),
-        harness_test(exactly_what_there_is_room_for_fits),
-        harness_test(views_stay_until_the_update_after_the_next),
-        harness_test(vertices_count_from_the_origin),
+        harness_test(every_call_rejects_invalid_handles),
+        harness_test(wrong_bodies_are_rejected),
+        harness_test(calls_inside_callback_are_rejected),
+        harness_test(output_struct_size_protocol),
+        harness_test(view_dimensions_match_documentation),
+        harness_test(sources_can_be_added_and_removed),
+        harness_test(overflow_is_reported),
+        harness_test(exact_capacity_fits),
+        harness_test(views_live_until_second_update),
+        harness_test(vertices_are_relative_to_origin),
     };
     return cmocka_run_group_tests_name("visual.visual_life", tests, NULL, NULL);
 }

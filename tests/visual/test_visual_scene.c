@@ -102,7 +102,7 @@ static void holes_are_spots_of_their_drain(void **state)
 }
 
 /* The same scene twice gives the same bits. */
-static void pictures_repeat_to_the_bit(void **state)
+static void pictures_are_bit_equal(void **state)
 {
     (void)state;
     uint64_t hashes[2];
@@ -132,7 +132,7 @@ int test_visual_scene(void)
     const struct CMUnitTest tests[] = {
         harness_test(pieces_and_exchanged_tools_are_drawn),
         harness_test(holes_are_spots_of_their_drain),
-        harness_test(pictures_repeat_to_the_bit),
+        harness_test(pictures_are_bit_equal),
     };
     return cmocka_run_group_tests_name("visual.visual_scene", tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static uint32_t sides_of(const drawn *d)
     return n;
 }
 
-static void the_tube_is_closed_and_looks_outward(void **state)
+static void tube_is_closed_and_faces_outward(void **state)
 {
     (void)state;
     fixture f;
@@ -54,7 +54,7 @@ static void the_tube_is_closed_and_looks_outward(void **state)
     end(&f);
 }
 
-static void the_tube_goes_through_the_nodes(void **state)
+static void tube_passes_through_nodes(void **state)
 {
     (void)state;
     fixture f;
@@ -88,7 +88,7 @@ static double from_helix(vec3 p, double radius, double rise)
 }
 
 /* Chords between rings keep the tolerance, and no better than they need. */
-static void the_line_keeps_its_tolerance(void **state)
+static void line_tolerance_holds(void **state)
 {
     (void)state;
     const double radius = 5e-3, rise = 2e-3;
@@ -132,7 +132,7 @@ static double twist_of(const drawn *d, uint32_t first, uint32_t stride)
 }
 
 /* A frame that does not turn about a helix turns in its Frenet frame by the torsion, back (Bishop 1975). */
-static void frames_do_not_turn_about_the_line(void **state)
+static void frames_are_twist_free(void **state)
 {
     (void)state;
     fixture f;
@@ -197,7 +197,7 @@ static double error_of_carrying(int steps)
     return fabs(off - 2.0 * VISUAL_PI * floor(off / (2.0 * VISUAL_PI) + 0.5));
 }
 
-static void frames_are_carried_in_fourth_order(void **state)
+static void frame_transport_is_fourth_order(void **state)
 {
     (void)state;
     double coarse = error_of_carrying(16), fine = error_of_carrying(32);
@@ -240,7 +240,7 @@ static void frames_are_continuous_in_time(void **state)
 }
 
 /* Short segments between long ones neither swing out nor fold the tube. */
-static void short_segments_do_no_harm(void **state)
+static void short_segments_are_handled(void **state)
 {
     (void)state;
     fixture f;
@@ -281,7 +281,7 @@ static void short_segments_do_no_harm(void **state)
     end(&f);
 }
 
-static void vertices_tell_where_they_are_along_the_thread(void **state)
+static void vertices_carry_arc_length(void **state)
 {
     (void)state;
     fixture f;
@@ -311,14 +311,14 @@ static void vertices_tell_where_they_are_along_the_thread(void **state)
 int test_visual_thread(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(the_tube_is_closed_and_looks_outward),
-        harness_test(the_tube_goes_through_the_nodes),
-        harness_test(the_line_keeps_its_tolerance),
-        harness_test(frames_do_not_turn_about_the_line),
-        harness_test(frames_are_carried_in_fourth_order),
+        harness_test(tube_is_closed_and_faces_outward),
+        harness_test(tube_passes_through_nodes),
+        harness_test(line_tolerance_holds),
+        harness_test(frames_are_twist_free),
+        harness_test(frame_transport_is_fourth_order),
         harness_test(frames_are_continuous_in_time),
-        harness_test(short_segments_do_no_harm),
-        harness_test(vertices_tell_where_they_are_along_the_thread),
+        harness_test(short_segments_are_handled),
+        harness_test(vertices_carry_arc_length),
     };
     return cmocka_run_group_tests_name("visual.visual_thread", tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ static vbss_needle *make_needle(const fixture *f)
     return needle;
 }
 
-static void a_needle_is_a_wire_with_a_tip(void **state)
+static void needle_is_wire_with_tip(void **state)
 {
     (void)state;
     fixture f;
@@ -55,7 +55,7 @@ static void a_needle_is_a_wire_with_a_tip(void **state)
     end(&f);
 }
 
-static void a_needle_without_a_tip_ends_round(void **state)
+static void needle_without_tip_ends_round(void **state)
 {
     (void)state;
     fixture f;
@@ -105,7 +105,7 @@ static void expect_within_capsules(const drawn *d, vbss_grasper *grasper)
     assert_true(outside < 0.42 * 0.5e-3); /* sqrt(2) - 1 of a jaw */
 }
 
-static void a_grasper_is_drawn_where_its_capsules_are(void **state)
+static void grasper_is_drawn_at_its_capsules(void **state)
 {
     (void)state;
     const vbss_grasper_preset presets[2] = {VBSS_GRASPER_PRESET_STRAIGHT,
@@ -164,7 +164,7 @@ static void jaws_open_and_close(void **state)
     end(&f);
 }
 
-static void shears_have_blades_that_become_thin(void **state)
+static void shears_have_tapered_blades(void **state)
 {
     (void)state;
     fixture f;
@@ -181,7 +181,7 @@ static void shears_have_blades_that_become_thin(void **state)
 
 /* ---- other bodies of a scene, and its floor */
 
-static void capsules_balls_and_the_floor_are_drawn(void **state)
+static void capsules_balls_and_floor_are_drawn(void **state)
 {
     (void)state;
     fixture f;
@@ -231,12 +231,12 @@ static void capsules_balls_and_the_floor_are_drawn(void **state)
 int test_visual_tools(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_needle_is_a_wire_with_a_tip),
-        harness_test(a_needle_without_a_tip_ends_round),
-        harness_test(a_grasper_is_drawn_where_its_capsules_are),
+        harness_test(needle_is_wire_with_tip),
+        harness_test(needle_without_tip_ends_round),
+        harness_test(grasper_is_drawn_at_its_capsules),
         harness_test(jaws_open_and_close),
-        harness_test(shears_have_blades_that_become_thin),
-        harness_test(capsules_balls_and_the_floor_are_drawn),
+        harness_test(shears_have_tapered_blades),
+        harness_test(capsules_balls_and_floor_are_drawn),
     };
     return cmocka_run_group_tests_name("visual.visual_tools", tests, NULL, NULL);
 }

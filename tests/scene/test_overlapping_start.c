@@ -1,0 +1,121 @@
+/* What begins nearer than it may come: it may leave, and not go on. */
+#include "scene/small_watch.h"
+
+static const vec3 half = {0.0, 0.0, 5e-3};
+static const vec3 along = {5e-3, 0.0, 0.0};
+
+/* An axis within a third of the distance of touching: pressed on by 0.1 N it comes out, or stays; it does not
+ * go through. Let go it leaves. */
+static void overlapping_start_may_leave_but_not_pass(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        small s;
+        small_watch w;
+        vbss_thread *thread;
+        bool pressed = k % 2 == 1, floor = k >= 2;
+        small_begin(&s);
+        s.config.floor = floor;
+        small_create(&s);
+        double y = floor ? 0.3 * 0.125e-3 : 0.3 * 1.125e-3;
+        s.thread.gravity[1] = pressed ? -1e4 : 0.0;
+        small_thread(&s, vec3_make(-6e-3, y, 0.0), vec3_make(6e-3, y, 0.0), 24, &thread);
+        if (!floor) {
+            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+        }
+        small_watch_begin(&s, &w);
+        small_steps(&s, 200, 1e-3);
+        small_watch_expect_nothing(&w);
+        assert_true(small_statistics(&s).recovering > 0);
+        if (!pressed) { /* out, to where they touch */
+            double wanted = floor ? 0.125e-3 : 1.125e-3;
+            assert_true(small_node(thread, 12).y > 0.85 * wanted);
+        }
+        small_end(&s);
+    }
+}
+
+/* By a tenth of what is left in a part, at most; and not at all when hardly anything is left. */
+static void overlapping_start_approaches_slowly(void **state)
+{
+    (void)state;
+    double share = 0.9;
+    for (int i = 0; i < 9; i++) { /* to 1.8e-3 */
+        share *= 0.5;
+        small s;
+        small_begin(&s);
+        s.config.halving_limit = 0;
+        s.config.attempt_limit = 1;
+        small_create(&s);
+        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+        double y = share * 2e-3;
+        uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, y, 0.0), along, 1e-3);
+        small_move(&s, tool, vec3_make(0.0, -5e-3, 0.0));
+        small_steps(&s, 1, 1e-3);
+        double now = small_position(&s, tool).y;
+        assert_true(now <= y && now >= 0.9 * y);
+        small_move(&s, tool, vec3_make(0.0, 5e-3, 0.0));
+        small_steps(&s, 1, 1e-3);
+        expect_near(5e-3, small_position(&s, tool).y, 1e-16);
+        small_end(&s);
+    }
+}
+
+/* The floor stops what is driven at half its radius. */
+static void driven_tool_stays_out_of_floor(void **state)
+{
+    (void)state;
+    for (int limited = 0; limited < 2; limited++) {
+        small s;
+        small_watch w;
+        small_begin(&s);
+        if (!limited) {
+            s.config.work_limit = 0;
+            s.config.attempt_limit = 16;
+        }
+        s.config.floor = 1;
+        small_create(&s);
+        uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 4e-3, 0.0), half, 1e-3);
+        small_watch_begin(&s, &w);
+        for (int i = 0; i < 3; i++) {
+            small_move(&s, tool, vec3_make(0.0, -5e-3, 0.0));
+            small_steps(&s, 1, 1e-3);
+            double y = small_position(&s, tool).y;
+            assert_true(i == 0 ? y > 0.49e-3 : y > 0.0);
+        }
+        small_watch_expect_nothing(&w);
+        small_move(&s, tool, vec3_make(0.0, 4e-3, 0.0));
+        small_steps(&s, limited ? 3 : 1, 1e-3); /* it begins in small parts */
+        expect_near(4e-3, small_position(&s, tool).y, 1e-16);
+        small_end(&s);
+    }
+}
+
+/* What is below already may not go far; nor does it take others along. */
+static void start_below_floor_rises_or_stays(void **state)
+{
+    (void)state;
+    small s;
+    vbss_thread *thread;
+    small_begin(&s);
+    s.config.floor = 1;
+    small_create(&s);
+    s.thread.gravity[1] = -9.81;
+    small_thread(&s, vec3_make(-6e-3, -5e-4, 0.0), vec3_make(6e-3, -5e-4, 0.0), 24, &thread);
+    small_steps(&s, 100, 1e-3);
+    for (uint32_t i = 0; i <= 24; i++) {
+        assert_true(small_node(thread, i).y > 0.9 * 0.125e-3);
+    }
+    small_end(&s);
+}
+
+int test_overlapping_start(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(overlapping_start_may_leave_but_not_pass),
+        cmocka_unit_test(overlapping_start_approaches_slowly),
+        cmocka_unit_test(driven_tool_stays_out_of_floor),
+        cmocka_unit_test(start_below_floor_rises_or_stays),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
