@@ -9,14 +9,9 @@
 #include "scene/topology/topology.h"
 
 #include "collision/closest.h"
+#include "scene/tuning.h"
 
 #include <string.h>
-
-/* No node is moved by more than so many times the contact point's shift: two free ones of equal mass never are
- * by more than 1.21. Near a held node the other has a long lever. */
-#define LEVER 1.25
-/* Axes nearer than this have no direction, m. */
-#define NO_DISTANCE 1e-12
 
 /* ---- features */
 
@@ -203,7 +198,7 @@ static vbss_result respond(const feature *a, const feature *b, double thickness,
 
 static void limit_side(double displacement[6], double share, double wanted, double depth)
 {
-    double factor = share != 0.0 ? wanted / share : 0.0, most = LEVER * wanted * depth;
+    double factor = share != 0.0 ? wanted / share : 0.0, most = BASELINE_MAX_LEVER * wanted * depth;
     double largest = factor * vbss_max(vec3_norm(vec3_load(displacement)),
                                        vec3_norm(vec3_load(displacement + 3)));
     factor *= largest > most ? most / largest : 1.0;
@@ -350,7 +345,7 @@ static void lay_hit(const scene_object *s, scene_contact_record *hit)
     double at[2];
     vec3 apart = apart_at_end(&f, &g, at), here = vec3_lerp(*f.end[0], *f.end[1], at[0]);
     double distance = vec3_norm(apart), side = vec3_dot(apart, hit->normal) < 0.0 ? -1.0 : 1.0;
-    if (distance > NO_DISTANCE) {
+    if (distance > SCENE_MIN_DISTANCE) {
         hit->normal = vec3_scale(apart, side / distance);
     }
     hit->gap = side * distance - f.radius - g.radius;

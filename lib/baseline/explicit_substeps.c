@@ -2,14 +2,13 @@
 #include "baseline/explicit_substeps.h"
 
 #include <math.h>
+#include "solver/tuning.h"
 
-/* A part is at most this share of the longest that is stable: what is stiff becomes stiffer within a step. */
-#define STABILITY_FRACTION 0.9
 #define MOST_PARTS 100000u
 
 uint32_t vbss_baseline_substep_count(double h, double rate)
 {
-    double wanted = h * sqrt(rate) * (1.0 / STABILITY_FRACTION);
+    double wanted = h * sqrt(rate) * (1.0 / SOLVER_STABILITY_FRACTION);
     if (!(wanted < MOST_PARTS)) {
         return MOST_PARTS;
     }

@@ -9,6 +9,7 @@
 
 #include "base/elementary.h"
 #include "base/lanes.h"
+#include "base/pi.h"
 
 /* A loop takes three segments at least, so that all of sixteen tools have room. */
 enum { MAX_TOOLS = 16, LOOP_SEGMENTS = 3 };
@@ -86,7 +87,7 @@ bool vbss_baseline_is_inside_loop(baseline_loops *p, plane_point meeting, uint32
 {
     const double *x = projected_x(p), *y = projected_y(p);
     plane_point ray;
-    vbss_sincos(6.283185307179586 * vbss_random_uniform(p->random), &ray.y, &ray.x);
+    vbss_sincos(VBSS_TWO_PI * vbss_random_uniform(p->random), &ray.y, &ray.x);
     plane_point begin = from_ray(ray, meeting.x - point.x, meeting.y - point.y), a = begin;
     bool odd = false;
     for (uint32_t k = first + 1; k <= last; k++) {

@@ -4,13 +4,10 @@
 #include "baseline/scene.h"
 
 #include "collision/closest.h"
+#include "scene/tuning.h"
 
-/* The arc is looked at in so many straight pieces a capsule. */
-enum { PIECES = 4 };
 /* Jaws hold a needle that goes across them: cosine of the largest angle, 45 degrees, between it and the width of the jaws. */
 #define MIN_ACROSS 0.70710678118654752
-/* Rounds over the ends of the capsules that are on the floor. */
-enum { ROUNDS = 200 };
 
 /* ---- the floor: nothing of it below, nothing pulled down, so that it comes down and does not bounce */
 
@@ -84,7 +81,8 @@ static void land(const scene_object *s, const scene_rigid *r, pose *at)
     l.up = s->floor_normal;
     l.height = s->config.floor_height + thickness;
     begin_landing(&l, *at, count);
-    for (int i = 0; i < ROUNDS && make_round(&l, count) > BASELINE_MIN_DEPTH_RATIO * thickness;
+    for (int i = 0; i < BASELINE_LANDING_ROUNDS &&
+                    make_round(&l, count) > BASELINE_MIN_DEPTH_RATIO * thickness;
          i++) {
     }
     vbss_rigid_apply_increment(at, l.moved, l.turned);
@@ -235,7 +233,7 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_needle
     pose jaws = vbss_scene_jaw_frame(&tool->rigid, tool->rigid.body.now.pose);
     pose needle = pose_mul(b->rigid.body.now.pose, pose_inverse(b->rigid.frame));
     pose seen = pose_mul(pose_inverse(jaws), needle);
-    uint32_t pieces = PIECES * n->config.segment_count;
+    uint32_t pieces = BASELINE_NEEDLE_ARC_SAMPLES * n->config.segment_count;
     double length = vbss_needle_length(n) / pieces;
     for (uint32_t i = 0; i < pieces; i++) {
         double at[2];

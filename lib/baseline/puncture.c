@@ -1,10 +1,6 @@
 /* Algorithm 3 of VBLaST-SS: detection of a puncture at the ends of steps. */
 #include "baseline/puncture.h"
-
-/* A sub-segment on the border of two triangles crosses one of them, however weights are rounded. */
-#define ROUNDING 1e-9
-/* A tip is at a hole until so many walls of the needle have gone through. */
-#define AT_HOLE 3.0
+#include "suture/tuning.h"
 
 void vbss_baseline_set_probe_points(const needle_object *n, pose needle, double thickness,
                                     vec3 points[3])
@@ -45,7 +41,8 @@ static bool crosses(const baseline_probe *p, uint32_t t, int first, crossing *c)
     c->weights[2] = vec3_dot(normal, vec3_cross(e1, off)) / size;
     c->weights[0] = 1.0 - c->weights[1] - c->weights[2];
     c->outward = behind < 0.0;
-    return c->weights[0] >= -ROUNDING && c->weights[1] >= -ROUNDING && c->weights[2] >= -ROUNDING;
+    return c->weights[0] >= -SUTURE_WEIGHT_ROUNDING && c->weights[1] >= -SUTURE_WEIGHT_ROUNDING &&
+           c->weights[2] >= -SUTURE_WEIGHT_ROUNDING;
 }
 
 /* Whether triangles are equal or share a corner, so that a tip can move from one to the other. */
@@ -84,7 +81,7 @@ static bool is_at_hole(const baseline_probe *p, uint32_t t)
     for (uint32_t i = 0; i < p->hole_count; i++) {
         const suture_hole *hole = &p->holes[i];
         if (hole->id != 0 && hole->needle == p->needle && hole->drain == p->drain &&
-            hole->arc < AT_HOLE * p->wall->config.thickness &&
+            hole->arc < BASELINE_AT_HOLE_RATIO * p->wall->config.thickness &&
             are_beside(p->wall, hole->triangle, t)) {
             return true;
         }

@@ -6,6 +6,7 @@
 #include "collision/collision.h"
 
 #include "collision/closest.h"
+#include "collision/tuning.h"
 
 _Static_assert(sizeof(vbss_response) == 144, "published size");
 
@@ -13,13 +14,6 @@ static const uint32_t response_sizes[] = {144, 0}, impact_sizes[] = {136, 0};
 static const vbss_layout response_layout = {"vbss_response", NULL, response_sizes};
 static const vbss_impact no_impact = {.struct_size = sizeof no_impact};
 static const vbss_layout impact_layout = {"vbss_impact", &no_impact, impact_sizes};
-
-/* Vectors shorter than this share of the features have no direction. */
-#define NO_DIRECTION 1e-12
-/* Motion along q of less than this share of all motion does not tell who closed the gap. */
-#define NO_CLOSING 1e-9
-/* A contact point that moves by less than this share of what its loosest vertex would: not at all. */
-#define IMMOVABLE 1e-12
 
 typedef struct hit_pair {
     vbss_pair_kind kind;
@@ -81,7 +75,7 @@ static void separate_point(const vec3 corners[3], separation *s)
     s->weights[0] = 1.0;
     vec3 e = vec3_sub(corners[1], corners[0]), f = vec3_sub(corners[2], corners[0]);
     vec3 n = vec3_cross(e, f);
-    if (vec3_norm(n) > NO_DIRECTION * vec3_norm(e) * vec3_norm(f)) {
+    if (vec3_norm(n) > BASELINE_MIN_DIRECTION_RATIO * vec3_norm(e) * vec3_norm(f)) {
         s->across = n;
         s->line = back_along(n, corners[0]);
     }
@@ -96,7 +90,7 @@ static separation separate(const hit_pair *pair, const vec3 at[4])
         to[k] = vec3_sub(at[k + 1], at[0]);
         size = larger_component(size, to[k]);
     }
-    s.least = NO_DIRECTION * size;
+    s.least = BASELINE_MIN_DIRECTION_RATIO * size;
     if (pair->kind == VBSS_PAIR_EDGE_EDGE) {
         separate_edges(to[0], vec3_sub(to[2], to[1]), to[1], &s);
     } else {
@@ -192,7 +186,7 @@ static side side_of(const hit_pair *pair, const double weights[4], int first, in
         largest = m > largest ? m : largest;
     }
     s.rigid = largest == 0.0;
-    if (s.mobility <= IMMOVABLE * largest) {
+    if (s.mobility <= BASELINE_MIN_MOBILITY_RATIO * largest) {
         s.mobility = 0.0;
     }
     return s;
@@ -205,7 +199,7 @@ static double share_of_a(const side *a, const side *b, correction *c)
         return a->mobility > 0.0 ? 1.0 : b->mobility > 0.0 ? 0.0 : 0.5;
     }
     double closing_a = -vec3_dot(a->way, c->q), closing = closing_a + vec3_dot(b->way, c->q);
-    if (fabs(closing) > NO_CLOSING * (vec3_norm(a->way) + vec3_norm(b->way))) {
+    if (fabs(closing) > BASELINE_MIN_CLOSING_RATIO * (vec3_norm(a->way) + vec3_norm(b->way))) {
         return closing_a / closing;
     }
     c->completed = true;

@@ -4,6 +4,7 @@
 #define VBSS_BASELINE_SCENE_H
 
 #include "baseline/puncture.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 typedef struct baseline_body {
@@ -36,9 +37,6 @@ static inline baseline_body *baseline_body_of(const scene_object *s, const scene
 {
     return &s->baseline->bodies[b - s->bodies];
 }
-
-/* A response of less than this share of the contact distance is rounding. */
-#define BASELINE_MIN_DEPTH_RATIO 1e-9
 
 /* ---- scene_step.c: a step of h seconds, as scene_method asks for it */
 vbss_result vbss_baseline_scene_step(scene_object *s, double h);

@@ -8,15 +8,7 @@
  * projection would cancel; the gradients here are whole, so that there is none. They are couples:
  * with M the moment of a turn, dE/de = t x M / |e| before it and M x t' / |e| behind it. */
 #include "baseline/thread.h"
-
-/* 1 + cos(phi) at 120 degrees. The moment grows without bound towards a fold, where k has no
- * direction, and its stiffness with it: at this turn to 40 times that of a straight thread, 6.3
- * times the explicit steps. Beyond, the energy goes on linearly in the cosine. A thread that bends
- * over less than a segment is not resolved anyway. */
-#define FOLD 0.5
-/* Beyond this stretch the projection gave up and the tension is the spring's, which is chosen for
- * dt: a shorter one would only bring a stiffer spring. */
-#define STRETCHED 1e-3
+#include "thread/tuning.h"
 
 /* |k|^2 by the cosine of the turn, and minus its slope. */
 typedef struct bend {
@@ -26,9 +18,9 @@ typedef struct bend {
 static bend bend_of(double cosine)
 {
     double c = 1.0 + cosine, beyond = 0.0;
-    if (c < FOLD) {
-        beyond = FOLD - c;
-        c = FOLD;
+    if (c < BASELINE_FOLD_COSINE) {
+        beyond = BASELINE_FOLD_COSINE - c;
+        c = BASELINE_FOLD_COSINE;
     }
     double inverse = 1.0 / c;
     c = c < 2.0 ? c : 2.0; /* of a straight thread, but for rounding */
@@ -45,7 +37,7 @@ static double rest_bend(const thread_object *t, double span)
 
 static double smoothed(double square, double rest)
 {
-    return sqrt(square + 1e-6 * rest * rest);
+    return sqrt(square + BASELINE_SMOOTH_CURVATURE_SQUARED * rest * rest);
 }
 
 static vec3 moment_between(const thread_object *t, double span, vec3 before, vec3 behind)
@@ -71,8 +63,10 @@ static double energy_between(const thread_object *t, double span, vec3 before, v
 static double hardening(vec3 before, vec3 behind)
 {
     double cosine = 1.0 + vec3_dot(before, behind);
-    double u = (2.0 - cosine) / (cosine > FOLD ? cosine : FOLD);
-    u = u < (2.0 - FOLD) / FOLD ? u : (2.0 - FOLD) / FOLD;
+    double u = (2.0 - cosine) / (cosine > BASELINE_FOLD_COSINE ? cosine : BASELINE_FOLD_COSINE);
+    u = u < (2.0 - BASELINE_FOLD_COSINE) / BASELINE_FOLD_COSINE
+            ? u
+            : (2.0 - BASELINE_FOLD_COSINE) / BASELINE_FOLD_COSINE;
     return (1.0 + u) * (1.0 + 3.0 * u);
 }
 
@@ -221,7 +215,7 @@ double vbss_baseline_thread_rate(thread_object *t)
     add_bending_rates(t);
     for (uint32_t i = 0; i < t->node_count; i++) {
         bool taut = i + 1 < t->node_count && t->now.tension[i] > 0.0 &&
-                    t->strains[i].elongation < STRETCHED * t->rest[i];
+                    t->strains[i].elongation < BASELINE_MAX_STRETCH * t->rest[i];
         double next = taut ? t->now.tension[i] / t->rest[i] : 0.0;
         double bending = 0.25 * rows[i].right, tension = 0.75 * 2.0 * (pull + next);
         double rate = rows[i].inverse_mass * (bending > tension ? bending : tension);

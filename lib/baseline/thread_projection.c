@@ -4,13 +4,9 @@
  * all C_i are small: solve (J M^-1 J^T) u = C, a tridiagonal system, and move x by -M^-1 J^T u.
  * Held nodes have no inverse mass, so they do not move. */
 #include "baseline/thread.h"
+#include "thread/tuning.h"
 
 #include <string.h>
-
-/* Pivots below this share of the diagonal: straight between held ends, where only constraints that
- * are fulfilled already have a solution. One for the sake of the tensions alone must be sound. */
-#define SINGULAR 1e-13
-#define UNSOUND 1e-6
 
 /* Edges, and C_i / l_i as right-hand sides. Returns the largest, not finite if one is not. */
 static double measure(thread_object *t, uint32_t first, uint32_t last)
@@ -93,7 +89,8 @@ bool vbss_baseline_project_section(thread_object *t, uint32_t first, uint32_t la
             break;
         }
         bool more = k < t->config.paper_iteration_limit && error < 1e100;
-        if (!more || !solve(t, first, last, good ? UNSOUND : SINGULAR)) {
+        if (!more || !solve(t, first, last,
+                            good ? BASELINE_UNSOUND_PIVOT_RATIO : BASELINE_SINGULAR_PIVOT_RATIO)) {
             if (good) { /* and nothing can move */
                 break;
             }

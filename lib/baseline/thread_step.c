@@ -5,9 +5,7 @@
 #include "base/error.h"
 #include "baseline/explicit_substeps.h"
 #include "baseline/thread.h"
-
-/* Spring constants that are chosen, as a share of what is stable. */
-#define SPRING_SHARE 0.75
+#include "thread/tuning.h"
 
 static uint32_t count_parts(thread_object *t, double h)
 {
@@ -53,7 +51,7 @@ static void prepare_springs(thread_object *t, double dt)
         double stiffness = t->config.paper_stiffness;
         if (stiffness == 0.0 && mobility > 0.0) {
             double most = t->config.axial_stiffness / t->rest[i];
-            stiffness = 2.0 * SPRING_SHARE / (dt * dt * mobility);
+            stiffness = 2.0 * BASELINE_SPRING_FRACTION / (dt * dt * mobility);
             stiffness = stiffness < most ? stiffness : most;
         }
         t->baseline->rows[i].stiffness = stiffness;

@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/shapes.h"
+#include "collision/tuning.h"
 
 #include <string.h>
 
@@ -73,8 +74,6 @@ static uint32_t exclusive_scan(uint32_t *offsets, uint32_t count, uint32_t offse
 
 /* ---- sorting the pairs of a traversal in tree order */
 
-#define INSERTION_SORT_LIMIT 24u /* pairs that are sorted faster by inserting */
-
 static void insertion_sort(collision_pair *pairs, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {
@@ -92,7 +91,7 @@ static void radix_sort(collision_object *c, uint32_t first, uint32_t features)
 {
     collision_pair *pairs = c->search.pairs + first, *spare = c->sort_buffer;
     uint32_t count = c->search.pair_count - first, *offsets = c->buckets;
-    if (count <= INSERTION_SORT_LIMIT) {
+    if (count <= COLLISION_INSERTION_SORT_LIMIT) {
         insertion_sort(pairs, count);
         return;
     }

@@ -4,9 +4,7 @@
  * vertices has opposite signs before and after, and in between the crossing point stays inside both
  * features. */
 #include "collision/ccd_crossing.h"
-
-/* Half of the span of time that is looked at. */
-#define SPAN 0x1p-20
+#include "collision/tuning.h"
 
 /* Rounding of cross products and volumes, for vectors that are differences of relative vertices with
  * coordinates up to `size`: docs/collision.md derives 460 u size^2, of differences too, and 600 u size^3. */
@@ -79,7 +77,8 @@ static int largest_component(vec3 v)
 
 bool vbss_collision_certifies_crossing(const collision_relative_motion *m, bool edges, double t)
 {
-    double low = t - SPAN < 0.0 ? 0.0 : t - SPAN, high = t + SPAN > 1.0 ? 1.0 : t + SPAN;
+    double low = t - COLLISION_CROSSING_SPAN < 0.0 ? 0.0 : t - COLLISION_CROSSING_SPAN,
+           high = t + COLLISION_CROSSING_SPAN > 1.0 ? 1.0 : t + COLLISION_CROSSING_SPAN;
     vectors l = vectors_at(m, edges, low), h = vectors_at(m, edges, high);
     vec3 n_low = vec3_cross(l.a, l.b), n_high = vec3_cross(h.a, h.b);
     double before = vec3_dot(l.c, n_low), after = vec3_dot(h.c, n_high), size = m->size;

@@ -7,6 +7,7 @@
 #include "collision/closest.h"
 #include "collision/conservative_advancement.h"
 #include "collision/ccd_batch.h"
+#include "collision/tuning.h"
 
 static inline lanes clamp_unit_lanes(lanes x)
 {
@@ -275,7 +276,7 @@ static inline bounds_lanes bounds_of(double tolerance, lanes thickness, lanes si
 {
     lanes min_tolerance = lanes_times(lanes_splat(MIN_TOLERANCE), lanes_add(size, thickness));
     lanes whole = lanes_max(lanes_times(lanes_splat(tolerance), thickness), min_tolerance);
-    lanes near = lanes_add(thickness, lanes_times(lanes_splat(HIT_FRACTION), whole));
+    lanes near = lanes_add(thickness, lanes_times(lanes_splat(COLLISION_HIT_FRACTION), whole));
     lanes_mask tiny = lanes_and(lanes_less(thickness, lanes_splat(COLLISION_MIN_THICKNESS)),
                                 lanes_less(size, lanes_splat(TINY_SIZE)));
     lanes rounding = lanes_times(lanes_splat(ROUNDING_FRACTION), size);
@@ -304,9 +305,6 @@ static inline void store_hits(const closest_points_lanes *now, lanes t, lanes di
         lanes_store(outcome->weights[k], lanes_select(hit, now->weights[k], zero));
     }
 }
-
-/* Before the caller sees to the limit again. */
-enum { MAX_ROUNDS = 8 };
 
 static inline void advance(const collision_ccd_options *options, bool edges, bool first,
                            collision_ccd_lanes *four, collision_ccd_outcome *outcome)
@@ -350,7 +348,8 @@ static inline void advance(const collision_ccd_options *options, bool edges, boo
              * pass. */
             t = lanes_select(pending, until, t);
         }
-    } while (!first && (pending_bits & (pending_bits - 1)) != 0 && ++rounds < MAX_ROUNDS);
+    } while (!first && (pending_bits & (pending_bits - 1)) != 0 &&
+             ++rounds < COLLISION_LANE_ROUNDS);
     lanes distance = lanes_sqrt(now.distance_squared);
     /* Vectors within rounding error, and zero thickness, are left to the scalar code. */
     lanes_mask rounding = lanes_or(lanes_less(now.distance_squared, bounds.rounding_square),

@@ -8,9 +8,7 @@
 
 #include "base/compiler.h"
 #include "base/linear.h"
-
-/* Edges whose squared sine is below this are taken for parallel: products of dot products lose digits. */
-#define CLOSEST_PARALLEL 1e-4
+#include "collision/tuning.h"
 
 /* x clamped to [0, 1]; 0 for NaN. */
 static inline double clamp_unit(double x)

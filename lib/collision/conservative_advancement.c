@@ -249,7 +249,7 @@ VBSS_ALWAYS_INLINE bool hits_at_start(const collision_relative_motion *m,
 {
     closest_at_positions(edges, m->start[0], m->start[1], m->start[2], now);
     result->passes = 1;
-    double near = thickness + HIT_FRACTION * (options->tolerance * thickness);
+    double near = thickness + COLLISION_HIT_FRACTION * (options->tolerance * thickness);
     if (!(now->distance_squared <= near * near)) {
         return false;
     }
@@ -335,7 +335,7 @@ bool vbss_collision_proves_separation(const collision_ccd_query *query)
 {
     static const collision_ccd_options options = {.tolerance = 0.0};
     collision_ccd_result result = vbss_collision_ccd_miss(VBSS_DECISION_PROVED);
-    run_test_of_kind(&options, ZERO_PASS_LIMIT, query, &result);
+    run_test_of_kind(&options, COLLISION_ZERO_PASS_LIMIT, query, &result);
     return result.hit == 0;
 }
 
@@ -377,8 +377,8 @@ static void run_zero_thickness(const collision_ccd_options *options,
     }
     if (result->decision == VBSS_DECISION_UNDECIDED && options->pass_limit > limit) {
         /* The limit stopped the first run. Continue to the contact if it is not too far. */
-        limit =
-            options->pass_limit < ZERO_HIT_PASS_LIMIT ? options->pass_limit : ZERO_HIT_PASS_LIMIT;
+        limit = options->pass_limit < COLLISION_ZERO_HIT_PASS_LIMIT ? options->pass_limit
+                                                                    : COLLISION_ZERO_HIT_PASS_LIMIT;
         *result = vbss_collision_ccd_miss(VBSS_DECISION_PROVED);
         run_test_of_kind(options, limit, query, result);
     }

@@ -3,6 +3,7 @@
 #define VBSS_COLLISION_CONSERVATIVE_ADVANCEMENT_H
 
 #include "collision/collision.h"
+#include "collision/tuning.h"
 
 /* Vertices 1, 2 and 3 of a query relative to vertex 0. */
 typedef struct collision_relative_motion {
@@ -27,21 +28,16 @@ typedef struct conservative_bounds {
     double rounding_square; /* shorter vectors than the root of this have no direction */
 } conservative_bounds;
 
-/* The least tolerance, as a share of size and D; how much of it a hit may use, a hair less than all, so
- * that rounding does not let it beyond; and below which share of the size a vector is all rounding. */
+/* The least tolerance, as a share of size and D; and below which share of the size a vector is all rounding. */
 #define MIN_TOLERANCE (128.0 * DBL_EPSILON)
-#define HIT_FRACTION 0.999
 #define ROUNDING_FRACTION (16.0 * DBL_EPSILON)
 /* With D = 0: fourth powers of lengths might underflow below this size. */
 #define TINY_SIZE 1e-50
 
-/* With D = 0 exact arithmetic comes sooner; a hit may then take more passes to come near its place. */
-#define ZERO_PASS_LIMIT 32u
-#define ZERO_HIT_PASS_LIMIT 256u
-
 static inline uint32_t conservative_pass_limit(uint32_t limit, double thickness)
 {
-    return thickness == 0.0 && limit > ZERO_PASS_LIMIT ? ZERO_PASS_LIMIT : limit;
+    return thickness == 0.0 && limit > COLLISION_ZERO_PASS_LIMIT ? COLLISION_ZERO_PASS_LIMIT
+                                                                 : limit;
 }
 
 /* `size` is the largest coordinate of the query relative to its first vertex. docs/collision.md
@@ -51,7 +47,7 @@ static inline conservative_bounds conservative_bounds_of(double tolerance, doubl
 {
     double min_tolerance = MIN_TOLERANCE * (size + thickness), wanted = tolerance * thickness;
     double whole = wanted < min_tolerance ? min_tolerance : wanted;
-    double near = thickness + HIT_FRACTION * whole;
+    double near = thickness + COLLISION_HIT_FRACTION * whole;
     /* Nothing can be proved at this size; everything is left to exact arithmetic. */
     bool tiny = thickness == 0.0 && size < TINY_SIZE;
     double rounding = ROUNDING_FRACTION * size;

@@ -5,16 +5,14 @@
  * If a solve overshoots, the line search accepts a fraction of it, and the next solve starts from
  * there. */
 #include "contact/contact.h"
+#include "contact/tuning.h"
 
 #include <string.h>
-
-/* Of a solve, in products of blocks beside its own, for each separator: taken out, put in; and the rows between them. */
-enum { COST_OF_SEPARATOR = 70 };
 
 static uint64_t solve_cost(const vbss_system *system)
 {
     uint32_t separators = system->unknown_count - system->interior_count;
-    return system->elimination.product_count + (uint64_t)COST_OF_SEPARATOR * separators;
+    return system->elimination.product_count + (uint64_t)CONTACT_SEPARATOR_COST * separators;
 }
 
 static bool solve(contact_set *set, const contact_active_set_options *options)
@@ -100,22 +98,9 @@ static void accept_solution(contact_set *set)
  * It is negative as long as the contact law drives the motion on, and zero where the contacts would
  * come to rest. For fixed friction bounds, the energy along the step is minimal there. */
 
-/* Nothing is cut when the work at the end is no larger than this share of that at the begin; and the place is
- * good enough with such a share of that, or after so many looks. */
-#define FULL_STEP_SLOPE_RATIO 0.5
-#define SLOPE_TOLERANCE 0.1
-enum { LOOKS = 8, MAX_BISECTION_STEPS = 8 };
-/* Less than this share is no way to get on. False position that ends below a share and not at rest is gone on with by halves:
- * below SHORT_STEP_FRACTION, once rows have been softened below SHORTEST. */
-#define SHORTEST 0.005
-#define SHORT_STEP_FRACTION 0.1
-/* Where the law does not drive at all, and what comes is worse. */
-#define DOUBTFUL_STEP_FRACTION 0.5
-
-/* Finds the fraction of the step with zero slope by false position; an end that is kept twice
- * counts half (Illinois). The slope rises sharply where a constraint closes. False position then
- * stays before that point: no status changes, and the next solve leads to the same point. Bisection
- * follows, and the fraction beyond the rise is accepted. */
+/* False position; an end that stays twice counts half (Illinois). Where a row closes on the way work rises so sharply that
+ * this stays before it, all states would be as they were, and the next solve would lead to the same place: then halves, and
+ * what is beyond. */
 static double line_search(contact_set *set, bool wide, bool softened)
 {
     vbss_contact_begin_line_search(set, wide);
@@ -124,13 +109,15 @@ static double line_search(contact_set *set, bool wide, bool softened)
     const double initial_descent = -slope_low;
     /* friction may drive the step alone, and has no energy to minimise */
     if (!(initial_descent > 0.0)) {
-        return slope_high > -initial_descent ? DOUBTFUL_STEP_FRACTION : 1.0;
+        return slope_high > -initial_descent ? CONTACT_DOUBTFUL_STEP_FRACTION : 1.0;
     }
-    if (!(slope_high > FULL_STEP_SLOPE_RATIO * initial_descent)) {
+    if (!(slope_high > CONTACT_FULL_STEP_SLOPE_RATIO * initial_descent)) {
         return 1.0;
     }
     double fraction = high, slope = slope_high;
-    for (int k = 0, side = 0; k < LOOKS && fabs(slope) > SLOPE_TOLERANCE * initial_descent; k++) {
+    for (int k = 0, side = 0; k < CONTACT_FALSE_POSITION_STEPS &&
+                              fabs(slope) > CONTACT_SLOPE_TOLERANCE * initial_descent;
+         k++) {
         fraction = low - slope_low * (high - low) / (slope_high - slope_low);
         slope = vbss_contact_line_search_slope(set, wide, fraction);
         if (slope > 0.0) {
@@ -145,11 +132,12 @@ static double line_search(contact_set *set, bool wide, bool softened)
             side = -1;
         }
     }
-    if (fraction >= (softened ? SHORTEST : SHORT_STEP_FRACTION) ||
-        fabs(slope) <= SLOPE_TOLERANCE * initial_descent) {
-        return vbss_max(fraction, SHORTEST);
+    if (fraction >= (softened ? CONTACT_MIN_STEP_FRACTION : CONTACT_SHORT_STEP_FRACTION) ||
+        fabs(slope) <= CONTACT_SLOPE_TOLERANCE * initial_descent) {
+        return vbss_max(fraction, CONTACT_MIN_STEP_FRACTION);
     }
-    for (int k = 0; k < MAX_BISECTION_STEPS && fabs(slope) > SLOPE_TOLERANCE * initial_descent;
+    for (int k = 0;
+         k < CONTACT_BISECTION_STEPS && fabs(slope) > CONTACT_SLOPE_TOLERANCE * initial_descent;
          k++) {
         fraction = 0.5 * (low + high);
         slope = vbss_contact_line_search_slope(set, wide, fraction);
@@ -159,7 +147,8 @@ static double line_search(contact_set *set, bool wide, bool softened)
             low = fraction;
         }
     }
-    return vbss_max(fabs(slope) > SLOPE_TOLERANCE * initial_descent ? high : fraction, SHORTEST);
+    return vbss_max(fabs(slope) > CONTACT_SLOPE_TOLERANCE * initial_descent ? high : fraction,
+                    CONTACT_MIN_STEP_FRACTION);
 }
 
 /* Moves to the iterate from which the next solve continues. The first solve has no earlier
@@ -184,17 +173,7 @@ static void advance_iterates(contact_set *set, const contact_active_set_options 
 
 /* ---- iteration */
 
-/* From this overlap on, as a share of the thickness, rows that close all at once would throw
- * each other about; and after so many solves they do. Then all are softened, and stiffened again in steps as
- * their states settle, or after some solves. */
-#define DEEP 0.2
-enum { DEEP_SOLVES = 2, STUCK_SOLVES = 9, SOFT_SOLVES = 5 };
-#define SOFT_STIFFNESS_SCALE (1.0 / 256.0)
-#define STIFFEN_FACTOR 16.0
-/* What is settled while soft. */
-#define SOFT_OVERLAP_TOLERANCE 0.05
-
-/* Tracks the residual, so that an iteration that still converges is not stopped early. */
+/* What comes nearer to the law with each solve is not left before it is there. */
 static void track_convergence(contact_active_set_progress *progress,
                               const contact_active_set_options *options,
                               const active_set_residual *residual, bool first)
@@ -203,7 +182,7 @@ static void track_convergence(contact_active_set_progress *progress,
         vbss_max(residual->force / (residual->normal_force + options->absolute_force_tolerance),
                  residual->overlap);
     progress->stalled_solves++;
-    if (first || relative_residual <= 0.5 * progress->reference_residual) {
+    if (first || relative_residual <= CONTACT_PROGRESS_RATIO * progress->reference_residual) {
         progress->reference_residual = relative_residual;
         progress->stalled_solves = 0;
     }
@@ -227,16 +206,17 @@ static void soften_or_stiffen(contact_set *set, contact_active_set_progress *pro
     progress->solves_at_scale++;
     if (progress->stiffness_scale < 1.0) {
         bool is_converged =
-            residual->overlap <= SOFT_OVERLAP_TOLERANCE && residual->force <= loose_tolerance;
-        if (is_converged || progress->solves_at_scale == SOFT_SOLVES) {
-            scale_stiffness(set, progress, STIFFEN_FACTOR);
+            residual->overlap <= CONTACT_SOFT_OVERLAP && residual->force <= loose_tolerance;
+        if (is_converged || progress->solves_at_scale == CONTACT_SOFT_SOLVES) {
+            scale_stiffness(set, progress, CONTACT_STIFFEN_FACTOR);
         }
         return;
     }
-    bool is_deep = progress->solves_at_scale <= DEEP_SOLVES && residual->overlap > DEEP;
-    if (!progress->has_softened && (is_deep || progress->solves_at_scale == STUCK_SOLVES)) {
+    bool is_deep = progress->solves_at_scale <= CONTACT_DEEP_SOLVES &&
+                   residual->overlap > CONTACT_DEEP_OVERLAP;
+    if (!progress->has_softened && (is_deep || progress->solves_at_scale == CONTACT_STUCK_SOLVES)) {
         progress->has_softened = true;
-        scale_stiffness(set, progress, SOFT_STIFFNESS_SCALE);
+        scale_stiffness(set, progress, CONTACT_SOFT_STIFFNESS_SCALE);
     }
 }
 

@@ -8,13 +8,7 @@
  * of (tangential_force - r v) to it (Alart, Curnier 1991). Sticking means v = 0. Slipping is
  * linearised exactly, which makes the stiffness unsymmetric. */
 #include "contact/contact.h"
-
-/* A row that slips with all of its augmented force sticks across. */
-#define MAX_FRICTION_RATIO 0.999999
-/* The way of a row that has just closed is a guess, which it shall be able to leave. */
-#define MAX_FIRST_FRICTION_RATIO 0.9
-/* A row that has just closed rubs against its motion if that is larger than this, m; else it sticks. */
-#define MIN_SLIP_ON_CLOSING 1e-7
+#include "contact/tuning.h"
 
 static vec3 tangential_component(vec3 v, vec3 normal)
 {
@@ -26,7 +20,8 @@ vec3 vbss_contact_rotate_to_tangent_plane(vec3 force, vec3 normal)
     double before = vec3_norm_squared(force);
     vec3 in_plane = tangential_component(force, normal);
     double after = vec3_norm_squared(in_plane);
-    if (!(after > 1e-12 * before)) { /* the force was normal to the new plane */
+    if (!(after >
+          CONTACT_MIN_TANGENT_SQUARED * before)) { /* the force was normal to the new plane */
         return vec3_zero();
     }
     return vec3_scale(in_plane, sqrt(before / after));
@@ -49,9 +44,6 @@ static double stiffness_across_slip(const contact_constraint *constraint)
  *     sliding.
  * Beyond it a damper in series with the spring yields: f = limit + c v at any speed and any step
  * length (Perzyna 1966). */
-
-/* A direction of the force across that is off by so little changes it by its square. */
-#define SLEEVE_TOLERANCE 1e-4
 
 typedef struct sleeve_force {
     vec3 transverse;
@@ -127,7 +119,7 @@ static double sleeve_residual(const contact_constraint *constraint, vec3 u,
     double residual = fabs(next->normal_force - linearised_sleeve_force(constraint, u).axial);
     bool is_same_status = next->status == constraint->solution.status;
     double size = vec3_norm(next->tangential_force) + fabs(next->normal_force);
-    return is_same_status && residual <= SLEEVE_TOLERANCE * size ? 0.0 : residual;
+    return is_same_status && residual <= CONTACT_SLEEVE_TOLERANCE * size ? 0.0 : residual;
 }
 
 static vec3 total_sleeve_force(const contact_constraint *constraint, sleeve_force f)
@@ -233,7 +225,7 @@ static void set_slipping(const contact_constraint *constraint, vec3 direction, d
     next->status = CONTACT_SLIP;
     next->slip_direction = direction;
     next->friction_ratio =
-        friction_ratio < MAX_FRICTION_RATIO ? friction_ratio : MAX_FRICTION_RATIO;
+        friction_ratio < CONTACT_MAX_FRICTION_RATIO ? friction_ratio : CONTACT_MAX_FRICTION_RATIO;
 }
 
 /* Solution of a constraint that was open and is now closed. */
@@ -242,12 +234,12 @@ static void close_contact(const contact_constraint *constraint, vec3 tangential_
 {
     double slip_distance = vec3_norm(tangential_displacement);
     next->status = CONTACT_STICK;
-    if (constraint->friction > 0.0 && slip_distance > MIN_SLIP_ON_CLOSING) {
+    if (constraint->friction > 0.0 && slip_distance > CONTACT_MIN_SLIP_ON_CLOSING) {
         vec3 direction = vec3_scale(tangential_displacement, -1.0 / slip_distance);
         double max_friction = constraint->friction * next->normal_force;
         set_slipping(constraint, direction, max_friction + constraint->augmentation * slip_distance,
                      next);
-        next->friction_ratio = vbss_min(next->friction_ratio, MAX_FIRST_FRICTION_RATIO);
+        next->friction_ratio = vbss_min(next->friction_ratio, CONTACT_FIRST_FRICTION_RATIO);
         next->tangential_force = vec3_scale(direction, max_friction);
     }
 }

@@ -23,6 +23,7 @@
 #include "base/elementary.h"
 #include "base/linear.h"
 #include "base/slot.h"
+#include "device/tuning.h"
 
 /* ---- layouts of public structs */
 extern const vbss_layout vbss_device_sample_layout, vbss_device_capabilities_layout;
@@ -39,11 +40,7 @@ extern const vbss_layout vbss_output_result_layout, vbss_output_statistics_layou
      VBSS_DEVICE_HAS_TOOL | VBSS_DEVICE_HAS_TEMPERATURE)
 #define DEVICE_OUTPUTS (VBSS_DEVICE_OUT_FORCE | VBSS_DEVICE_OUT_TORQUE | VBSS_DEVICE_OUT_SOLENOID)
 
-/* Later by less is no new sample, s. */
-#define DEVICE_MIN_SAMPLE_SPACING 1e-6
-
-/* Fraction of a change of its input that a low-pass filter follows within h seconds. `time` is the
- * time constant, s; with 0 there is no filter, and the fraction is 1. */
+/* Part of the way to a new value that a filter with a time constant goes in h seconds. */
 static inline double device_smoothing_factor(double h, double time)
 {
     return time > 0.0 ? 1.0 - vbss_exp(-vbss_max(h, 0.0) / time) : 1.0;
@@ -180,8 +177,6 @@ device_sample_status vbss_device_check_sample(const device_source *s,
 
 /* Older than anything. */
 #define OUTPUT_NEVER 1e9
-/* The longest step that forces may rise for, s. */
-#define OUTPUT_MAX_RISE_TIME 0.01
 
 /* Input of a step of the output stage. Forces are in the device's frame. */
 typedef struct output_demand {

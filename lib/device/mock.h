@@ -12,7 +12,7 @@ typedef struct mock_fault {
     double from, until, value;
 } mock_fault;
 
-/* now, force, torque, solenoid, flags */
+/* Format of a row, chosen: now, force, torque, solenoid, flags. */
 enum { MOCK_ROW_NUMBERS = 9 };
 
 typedef struct mock_object {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/stream.h"
+#include "device/tuning.h"
 
 _Static_assert(sizeof(vbss_openhaptics_config) == 16 + 6 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_openhaptics_status) == 104, "published size");
@@ -24,9 +25,6 @@ static const vbss_layout config_layout = {"vbss_openhaptics_config", &config_def
 static const uint32_t status_sizes[] = {104, 0};
 static const vbss_layout status_layout = {"vbss_openhaptics_status", NULL, status_sizes};
 
-/* So long the servo is waited for at the end, ms. */
-#define PATIENCE 200
-
 vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32_t struct_size)
 {
     return vbss_config_init(&config_layout, config, struct_size);
@@ -38,7 +36,7 @@ vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32
 static void end_servo(openhaptics_object *o)
 {
     atomic_store_explicit(&o->stop_requested, true, memory_order_release);
-    for (int i = 0; o->is_started && i < PATIENCE; i++) {
+    for (int i = 0; o->is_started && i < DEVICE_SERVO_STOP_TIME; i++) {
         if (atomic_load_explicit(&o->has_stopped, memory_order_acquire)) {
             break;
         }

@@ -7,12 +7,7 @@
 #include <string.h>
 
 #include "device/openhaptics.h"
-
-/* Ticks between two looks at what changes slowly. */
-#define SLOW_POLL_TICKS 100
-/* An arm that fails is lost for so long at least, and one that refuses forces gets none, s. */
-#define LOST_TIME 0.1
-#define REFUSED_TIME 1.0
+#include "device/tuning.h"
 
 /* ---- errors */
 
@@ -38,9 +33,9 @@ static void record_error(openhaptics_object *o, haptic_arm *a, const hd_error *e
     a->status.error = error->code;
     a->status.internal_error = error->internal;
     if (error->code >= HD_WARM_MOTORS && error->code <= HD_FORCE_ERROR) {
-        a->refused_until_tick = o->tick + ticks_of(o, REFUSED_TIME);
+        a->refused_until_tick = o->tick + ticks_of(o, DEVICE_REFUSED_TIME);
     } else { /* a fault of the arm, or of our calls */
-        a->lost_until_tick = o->tick + ticks_of(o, LOST_TIME);
+        a->lost_until_tick = o->tick + ticks_of(o, DEVICE_LOST_TIME);
         a->failed_tick = o->tick;
     }
 }
@@ -134,7 +129,7 @@ static void measure_arm(openhaptics_object *o, haptic_arm *a)
     millimetres_to_metres(velocity, s->velocity);
     store_orientation(transform, s->orientation);
     s->buttons = (uint32_t)buttons;
-    if (o->tick % SLOW_POLL_TICKS == 1) {
+    if (o->tick % DEVICE_SLOW_POLL_TICKS == 1) {
         read_slow_signals(o, a);
     }
 }

@@ -8,9 +8,8 @@
 
 #include "base/check.h"
 #include "device/device.h"
+#include "device/tuning.h"
 
-/* The load at which forces begin to be lowered, as a part of what may go on for ever. */
-#define LOAD_KNEE 0.75
 /* Of a part that has nothing to say. */
 #define NO_LIMIT DBL_MAX
 
@@ -49,7 +48,7 @@ static double continuous_limit(const vector_limits *l, double load)
     if (limit_squared < 1e-100 || load >= limit_squared) {
         return l->continuous;
     }
-    double fraction = (limit_squared - load) / ((1.0 - LOAD_KNEE) * limit_squared);
+    double fraction = (limit_squared - load) / ((1.0 - DEVICE_LOAD_KNEE) * limit_squared);
     return fraction < 1.0 ? sqrt(limit_squared + fraction * (l->max * l->max - limit_squared))
                           : NO_LIMIT;
 }
@@ -82,7 +81,7 @@ static vec3 apply_limits(const vbss_output_config *c, const vector_limits *l, ve
     vec3 v = clamp_length(wanted, l->max, VBSS_OUTPUT_CLAMPED, flags);
     v = clamp_length(v, continuous_limit(l, load), VBSS_OUTPUT_CONTINUOUS, flags);
     v = clamp_length(v, thermal_limit(c, l, temperature), VBSS_OUTPUT_WARM, flags);
-    return limit_rise(last, v, l->rise_rate * vbss_min(h, OUTPUT_MAX_RISE_TIME), flags);
+    return limit_rise(last, v, l->rise_rate * vbss_min(h, DEVICE_MAX_RISE_TIME), flags);
 }
 
 /* Mean square after h seconds of a constant v: exp(-h/T) load + (1 - exp(-h/T)) v^2. `factor` is

@@ -57,6 +57,7 @@ double vbss_device_time(void);
  * writer owns one, the reader owns one, and each swaps its copy with the third. The struct has only
  * the indices of the copies. */
 
+/* A flag beside the index of a copy, 0 to 2; chosen. */
 #define DEVICE_TRIPLE_BUFFER_NEW 4u
 
 typedef struct device_triple_buffer {

@@ -2,11 +2,7 @@
  * cannot be trusted. */
 #include "base/check.h"
 #include "device/device.h"
-
-/* So long every sample is older than the last: the adapter's clock has begun anew, s. */
-#define PATIENCE 0.1
-/* A shared clock may be that far ahead: a sample is measured while the host goes on, s. */
-#define MAX_CLOCK_LEAD 0.1
+#include "device/tuning.h"
 
 static bool are_finite(const double *values, int count)
 {
@@ -63,14 +59,14 @@ device_sample_status vbss_device_check_sample(const device_source *s,
         return DEVICE_SAMPLE_REPEATED;
     }
     bool older = s->has_time && sample->time < s->time;
-    if (older && now - s->received_at <= PATIENCE) {
+    if (older && now - s->received_at <= DEVICE_CLOCK_RESTART_TIME) {
         return DEVICE_SAMPLE_OUT_OF_ORDER;
     }
     if (!is_finite(sample, valid)) {
         return DEVICE_SAMPLE_NOT_FINITE;
     }
     if (fabs(sample->time) > 1e9 || !is_in_range(sample, valid) ||
-        (config->clock == VBSS_DEVICE_CLOCK_SHARED && sample->time > now + MAX_CLOCK_LEAD)) {
+        (config->clock == VBSS_DEVICE_CLOCK_SHARED && sample->time > now + DEVICE_MAX_CLOCK_LEAD)) {
         return DEVICE_SAMPLE_OUT_OF_RANGE;
     }
     if ((valid & VBSS_DEVICE_HAS_ORIENTATION) != 0 &&

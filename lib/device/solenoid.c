@@ -34,7 +34,7 @@ uint32_t vbss_output_switch_solenoid(const vbss_output_config *c, output_solenoi
     }
     /* The next step is assumed to be about as long as this one. */
     if (s->is_exhausted ||
-        !(s->time_left > 0.0 && s->time_left >= vbss_min(h, OUTPUT_MAX_RISE_TIME))) {
+        !(s->time_left > 0.0 && s->time_left >= vbss_min(h, DEVICE_MAX_RISE_TIME))) {
         s->is_exhausted = true;
         return VBSS_OUTPUT_SOLENOID_SPENT;
     }

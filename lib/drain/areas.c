@@ -1,5 +1,6 @@
 /* Node areas and angular widths at rest. Both halves are summed in the same order, so that mirrored
  * triangles have the same bits. */
+#include "base/pi.h"
 #include "drain/mesh.h"
 
 static double area_of(const drain_mesh *m, const uint32_t triangle[3])
@@ -12,7 +13,7 @@ static double area_of(const drain_mesh *m, const uint32_t triangle[3])
 /* No triangle crosses the top or the bottom line, so absolute angles are enough. */
 static double width_of(const drain_mesh *m, const uint32_t triangle[3])
 {
-    double low = DRAIN_PI, high = 0.0;
+    double low = VBSS_PI, high = 0.0;
     for (int k = 0; k < 3; k++) {
         double angle = fabs(m->angle[triangle[k]]);
         low = vbss_min(low, angle);

@@ -14,6 +14,7 @@
 #include "base/slot.h"
 #include "drain/mesh.h"
 #include "drain/shell.h"
+#include "drain/tuning.h"
 #include "solver/solver.h"
 
 typedef struct drain_attachment {
@@ -225,13 +226,7 @@ bool vbss_drain_has_pins(const drain_object *d);
  * s. For pins, internal_forces must be those of the current state. */
 void vbss_drain_update_reactions(drain_object *d, double h);
 
-/* ---- substep.c: a part of a step, whose blocks in a system begin with `first`. A correction that moves nothing farther than
- * DRAIN_MAX_CORRECTION_RATIO of what it corrects is believed; a part in which a node goes beyond DRAIN_MAX_MOVE_RATIO move_limits is halved,
- * beyond one it gets another linearisation. */
-#define DRAIN_MAX_CORRECTION_RATIO 0.5
-#define DRAIN_MAX_MOVE_RATIO 4.0
-
-/* Resets the trial state to the start of the substep. */
+/* ---- substep.c: a part of a step, whose blocks in a system begin with `first`. */
 void vbss_drain_reset_trial(drain_object *d);
 
 /* Largest increment of a node in the system's solution, m. `first`: first block of the drain. */

@@ -1,4 +1,5 @@
 /* Graded grids: rows and columns of meshes that are fine near the slit. */
+#include "base/pi.h"
 #include "drain/mesh.h"
 
 /* One half of a grid, for a drain of default size: columns in degrees from the top, rows in mm from
@@ -9,7 +10,7 @@ typedef struct half_grid {
     double degrees[11], mm[6];
 } half_grid;
 
-/* Row of the tips, in all of them; lines that are stretched to where those of the drain are. */
+/* Row of the tips, in all of them; lines that are stretched to where those of the drain are. Chosen. */
 enum { TIP_ROW = 3 };
 #define LISTED_MARK 39.67
 #define LISTED_STRIP 155.0
@@ -94,8 +95,7 @@ double vbss_drain_row_x(const drain_mesh *m, uint32_t row)
 double vbss_drain_column_angle(const drain_mesh *m, uint32_t column)
 {
     static const double from[4] = {0.0, LISTED_MARK, LISTED_STRIP, LISTED_BOTTOM};
-    const double to[4] = {0.0, m->options.mark_arc / m->options.radius, DRAIN_STRIP_ANGLE,
-                          DRAIN_PI};
+    const double to[4] = {0.0, m->options.mark_arc / m->options.radius, DRAIN_STRIP_ANGLE, VBSS_PI};
     if (!is_graded(m)) {
         return vbss_drain_uniform_column_angle(m, column);
     }

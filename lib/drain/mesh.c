@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/pi.h"
 
 #include <string.h>
 
@@ -30,7 +31,7 @@ static vbss_result check_slit(vbss_context *context, const drain_mesh_options *o
     VBSS_TRY(vbss_check_range(context, o->slit_length, r, 0.7 * o->length, "slit_length"));
     VBSS_TRY(
         vbss_check_range(context, o->opening, 0.0, vbss_min(0.4 * o->slit_length, r), "opening"));
-    double low = vbss_max(0.5 * o->opening, DRAIN_PI / 9.0 * r), high = 0.5 * DRAIN_PI * r;
+    double low = vbss_max(0.5 * o->opening, VBSS_PI / 9.0 * r), high = 0.5 * VBSS_PI * r;
     return vbss_check_range(context, o->mark_arc, low, high,
                             "mark_arc, between opening and fixed strip,");
 }

@@ -18,11 +18,11 @@
 
 #include "base/linear.h"
 #include "base/memory.h"
+#include "base/pi.h"
 
 #define DRAIN_NONE UINT32_MAX
-#define DRAIN_PI 3.14159265358979323846
-/* From the top to where the fixed strip begins; the strip is 25 degrees to either side of the bottom. */
-#define DRAIN_STRIP_ANGLE (155.0 / 180.0 * DRAIN_PI)
+/* From the top to where the fixed strip begins; the strip is 25 degrees to either side of the bottom. Chosen. */
+#define DRAIN_STRIP_ANGLE (155.0 / 180.0 * VBSS_PI)
 
 /* N, D, S and R are graded: fine near the slit, see graded_grid.c. */
 typedef enum drain_mesh_kind {

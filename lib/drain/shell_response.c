@@ -2,6 +2,7 @@
 #include <stddef.h>
 
 #include "drain/shell_strain.h"
+#include "drain/tuning.h"
 
 /* Bending moment and energy: stiffness times curvature. */
 static void set_moment(const vbss_shell_group *g, int lane, vbss_shell_response *s)
@@ -49,7 +50,7 @@ bool vbss_shell_is_inverted(const vbss_shell *shell, uint32_t triangle, const ve
         at[n] = x[g->node[n][lane]];
     }
     vec3 own = vec3_cross(vec3_sub(at[1], at[0]), vec3_sub(at[2], at[0]));
-    bool inverted = !(vec3_norm(own) > 0.02 * lanes_at(g->area, lane));
+    bool inverted = !(vec3_norm(own) > DRAIN_INVERTED_AREA_RATIO * lanes_at(g->area, lane));
     for (int s = 0; s < 3; s++) {
         vec3 along = vec3_sub(at[(s + 1) % 3], at[(s + 2) % 3]);
         vec3 across = vec3_sub(at[3 + s], at[s]);

@@ -1,16 +1,14 @@
 /* Uniform grids: meshes of equal cells, for validation and for the baseline method. */
 #include "base/check.h"
 #include "base/error.h"
+#include "base/pi.h"
 #include "drain/mesh.h"
+#include "drain/tuning.h"
 
-/* Qi et al. 2017: 7 particles along the drain, 12 round it, which leaves no line for tips and marks. */
+/* Published, Qi et al. 2017: 7 particles along the drain, 12 round it, which leaves no line for tips and marks. */
 enum { AXIAL_CELLS = 6, ROUND_CELLS = 12 };
-/* Collision takes meshes of 65536 nodes; a slit doubles fewer than 512. */
+/* Collision takes meshes of 65536 nodes; a slit doubles fewer than 512. Derived. */
 #define MAX_NODES (65536.0 - 512.0)
-/* Share of a cell by which a line may miss what lies on it. */
-#define LINE_TOLERANCE 1e-6
-/* Flatter cells have no use. */
-#define MAX_CELL_ASPECT 20.0
 
 /* The nearest line, from 1 to `last`. */
 static uint32_t nearest_line(double cells, uint32_t last)
@@ -21,7 +19,7 @@ static uint32_t nearest_line(double cells, uint32_t last)
 
 static vbss_result check_line(vbss_context *context, double cells, uint32_t line, const char *name)
 {
-    return fabs(cells - line) <= LINE_TOLERANCE
+    return fabs(cells - line) <= DRAIN_LINE_TOLERANCE
                ? VBSS_OK
                : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
                            "%s is %.9g cells: no line of equal cells is there", name, cells);
@@ -42,8 +40,8 @@ static vbss_result check_uniform(vbss_context *context, const drain_mesh_options
     }
     VBSS_TRY(vbss_check_range(context, (o->axial_cells + 1.0) * o->round_cells, 0.0, MAX_NODES,
                               "number of nodes"));
-    double cell = o->length / o->axial_cells * o->round_cells / (2.0 * DRAIN_PI * o->radius);
-    return vbss_check_range(context, cell, 1.0 / MAX_CELL_ASPECT, MAX_CELL_ASPECT,
+    double cell = o->length / o->axial_cells * o->round_cells / (2.0 * VBSS_PI * o->radius);
+    return vbss_check_range(context, cell, 1.0 / DRAIN_MAX_CELL_ASPECT, DRAIN_MAX_CELL_ASPECT,
                             "length of a cell over its width");
 }
 
@@ -62,7 +60,7 @@ vbss_result vbss_drain_plan_uniform_grid(vbss_context *context, drain_mesh *m)
         return VBSS_OK;
     }
     double tip = 0.5 * o->slit_length / o->length * g->axial_cells;
-    double mark = o->mark_arc / o->radius / (2.0 * DRAIN_PI) * g->round_cells;
+    double mark = o->mark_arc / o->radius / (2.0 * VBSS_PI) * g->round_cells;
     g->tip_rows = nearest_line(tip, g->axial_cells / 2 - 1);
     g->mark_column = nearest_line(mark, g->round_cells / 2 - 1);
     if (!is_fixed) {
@@ -80,5 +78,5 @@ double vbss_drain_uniform_row_x(const drain_mesh *m, uint32_t row)
 
 double vbss_drain_uniform_column_angle(const drain_mesh *m, uint32_t column)
 {
-    return DRAIN_PI * (2.0 * column / m->grid.round_cells);
+    return VBSS_PI * (2.0 * column / m->grid.round_cells);
 }

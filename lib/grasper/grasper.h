@@ -15,15 +15,12 @@
 
 #include "base/linear.h"
 #include "base/slot.h"
+#include "grasper/tuning.h"
 
 /* Capsules of a grasper: shaft, the jaws at +x and -x, neck. */
 enum { GRASPER_CAPSULES = 4, GRASPER_SHAFT = 0, GRASPER_JAW = 1, GRASPER_NECK = 3 };
 
-/* Largest offset from the middle plane of the round jaws at which they hold or cut, relative to
- * their radius. */
-#define GRASPER_MAX_OFFSET_RATIO 0.5
-
-/* Shape of the jaws of a needle driver or of shears. */
+/* Of a needle driver or of shears. */
 typedef struct grasper_jaws {
     /* from the configuration; lengths in m, bend and opening in rad */
     double length, radius, bend, opening, neck;
@@ -110,9 +107,6 @@ void vbss_grasper_update_view(grasper_object *g);
 /* ---- thread_clamp.c: a clamp that holds a thread at three points, half a clamp length apart */
 
 enum { GRASPER_THREAD_POINTS = 3 };
-/* Stiffness of the clamp across the faces, relative to that along them, because the faces of the
- * jaws do not yield. A power of two. */
-#define GRASPER_NORMAL_STIFFNESS_RATIO 64.0
 typedef struct grasper_thread_clamp {
     vec3 anchor[GRASPER_THREAD_POINTS]; /* the three points in the jaws' frame, m */
     /* time since the grasp, s; in the first moments the points move to the middle of the jaws */

@@ -1,5 +1,6 @@
 /* Position of the jaws, their motion with the handle, and their force. */
 #include "base/elementary.h"
+#include "base/pi.h"
 #include "grasper/grasper.h"
 
 /* ---- position */
@@ -98,7 +99,7 @@ double vbss_grasper_jaw_force_at(const grasper_object *g, double angle)
 double vbss_grasper_touching_angle(double thread_diameter, double from_pivot)
 {
     if (!(2.0 * from_pivot > thread_diameter)) {
-        return 0.5 * 3.141592653589793;
+        return 0.5 * VBSS_PI;
     }
     double sine = thread_diameter / (2.0 * from_pivot);
     return vbss_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));

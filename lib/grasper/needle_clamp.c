@@ -8,9 +8,7 @@
  * in the springs. */
 #include "base/rotation.h"
 #include "grasper/grasper.h"
-
-/* In which a needle that was just taken comes to lie in the middle of the jaws, s. */
-#define CENTRING_TIME 0.08
+#include "grasper/tuning.h"
 
 vec3 vbss_grasper_needle_clamp_point(const grasper_object *g, vec3 middle, uint32_t i)
 {
@@ -63,7 +61,7 @@ static double turn(const grasper_object *g, pose *at, const grasper_needle_load 
 
 static void centre_in_jaws(pose *at, double *age, double h)
 {
-    double remaining = CENTRING_TIME - *age;
+    double remaining = GRASPER_CENTRING_TIME - *age;
     if (remaining > 0.0) {
         at->position.x *= 1.0 - vbss_min(h / remaining, 1.0);
     }

@@ -6,12 +6,8 @@
  * energy in the springs. */
 #include "base/elementary.h"
 #include "grasper/grasper.h"
+#include "grasper/tuning.h"
 
-/* In which a thread that was just taken comes to lie straight in the middle of the jaws, s. */
-#define CENTRING_TIME 0.08
-/* Of the thread's direction along the faces: one that stands steeper between them goes aside and does
- * not run through. */
-#define MIN_ALONG 0.5
 /* What has no direction, N. */
 #define MIN_FORCE 1e-150
 
@@ -81,7 +77,7 @@ static void yield_across(clamp_springs *c, double jaw_force)
 static double slide_through(clamp_springs *c, vec3 *excess, vec3 along)
 {
     double fraction = vec3_norm(in_face_plane(along));
-    if (!(fraction >= MIN_ALONG)) {
+    if (!(fraction >= GRASPER_MIN_ALONG_FRACTION)) {
         return 0.0;
     }
     vec3 direction = vec3_scale(in_face_plane(along), 1.0 / fraction);
@@ -146,7 +142,7 @@ static void yield_torque(clamp_springs *c, double limit)
 
 static void centre_in_jaws(grasper_thread_clamp *clamp, const grasper_thread_load *load)
 {
-    double remaining = CENTRING_TIME - clamp->age;
+    double remaining = GRASPER_CENTRING_TIME - clamp->age;
     if (remaining > 0.0) {
         vec3 direction =
             vec3_unit_or(in_face_plane(load->thread_direction), vec3_make(0.0, 1.0, 0.0));

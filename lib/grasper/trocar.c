@@ -1,8 +1,6 @@
 /* Rotation of a commanded pose so that the shaft passes through the trocar. */
 #include "grasper/grasper.h"
-
-/* A tip that is in its trocar, m: there is no way from one to the other. */
-#define MIN_TROCAR_DISTANCE 1e-12
+#include "grasper/tuning.h"
 
 bool vbss_grasper_apply_trocar(const grasper_object *g, pose commanded, pose *target)
 {
@@ -13,7 +11,7 @@ bool vbss_grasper_apply_trocar(const grasper_object *g, pose commanded, pose *ta
     vec3 direction = vec3_sub(vec3_load(g->config.trocar), commanded.position);
     double distance = vec3_norm(direction);
     double aside = vbss_grasper_bend_point(g).y, reach = fabs(aside);
-    if (!(distance > reach * (1.0 + 1e-9)) || !(distance > MIN_TROCAR_DISTANCE)) {
+    if (!(distance > reach * (1.0 + 1e-9)) || !(distance > GRASPER_MIN_TROCAR_DISTANCE)) {
         return false;
     }
     /* Bent jaws put the axis of the shaft beside the tip. This is the point of the axis at the

@@ -1,6 +1,7 @@
 /* Extensions of a thread's ends to infinity: straight outward, in other directions for comparison,
  * and through the tools that hold them. */
 #include "knot/knot.h"
+#include "knot/tuning.h"
 
 /* ---- the frame: far distance and outward directions */
 
@@ -50,7 +51,7 @@ static void set_directions(vec3 out[1 + KNOT_CLOSURES], vec3 first, uint32_t alt
     out[0] = first;
     for (uint32_t i = 0; i < alternative_count; i++) {
         vec3 aside = vbss_knot_direction(from + 2 * i);
-        out[1 + i] = vec3_unit_or(vec3_add_scaled(first, 0.87, aside), first);
+        out[1 + i] = vec3_unit_or(vec3_add_scaled(first, KNOT_DIRECTION_SPREAD, aside), first);
     }
 }
 
@@ -209,11 +210,12 @@ void vbss_knot_close_end(const knot_closure *c, knot_polygon *polygon, const kno
     vbss_knot_polygon_add(polygon, far_point(c, end), -1.0, false);
     vec3 between = vec3_add(tail->direction, end->direction);
     if (vec3_dot(tail->direction, end->direction) < 0.0) {
-        if (vec3_norm_squared(between) < 1e-6) {
+        if (vec3_norm_squared(between) < KNOT_OPPOSITE_SQUARED) {
             between = vec3_any_normal(tail->direction);
         }
         between = vec3_unit_or(between, vec3_any_normal(tail->direction));
-        vbss_knot_polygon_add(polygon, vec3_add_scaled(c->centre, 1.5 * c->far_distance, between),
-                              -1.0, false);
+        vbss_knot_polygon_add(
+            polygon, vec3_add_scaled(c->centre, KNOT_FAR_DETOUR_RATIO * c->far_distance, between),
+            -1.0, false);
     }
 }

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "knot/knot.h"
+#include "knot/tuning.h"
 
 #include <string.h>
 
@@ -215,7 +216,7 @@ static bool update_winding(knot_detector *d, uint32_t tool)
     memcpy(t->winding.run_places, places, sizeof places);
     double turns = fabs(t->winding.run_turns);
     bool was = t->wrapped;
-    t->wrapped = turns >= d->config.wrap_turns - (was ? 0.25 : 0.0);
+    t->wrapped = turns >= d->config.wrap_turns - (was ? KNOT_UNWRAP_HYSTERESIS : 0.0);
     if (t->wrapped && !was) {
         vbss_knot_emit_event(d, VBSS_KNOT_EVENT_WRAPPED, tool, 1 + (t->winding.run_turns > 0.0), 0);
     } else if (was && !t->wrapped) {
@@ -254,13 +255,11 @@ static bool is_tying(const knot_detector *d)
     return tying;
 }
 
-enum { TYING_INTERVAL = 20 };
-
 static bool is_due(const knot_detector *d)
 {
     uint32_t interval = d->config.interval;
     if (interval == 0 && is_tying(d)) {
-        interval = TYING_INTERVAL;
+        interval = KNOT_TYING_INTERVAL;
     }
     return d->reading_due || (interval > 0 && d->steps >= d->job_start_step + interval);
 }

@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-/* 2^31 - 1 and the prime before it are 2^31 - below. */
+/* 2^31 - 1 and the prime before it are 2^31 - below. Derived, as said above. */
 enum { BELOW_FIRST = 1, BELOW_SECOND = 19, ONE_PRIME_CROSSINGS = 32 };
 
 void vbss_knot_algebra_arrays(knot_algebra *a, uint32_t capacity,

@@ -1,14 +1,12 @@
 /* One reading of the topology, from the copied input to all results, in pieces that fit a budget of
  * operations. */
 #include "knot/knot.h"
+#include "knot/tuning.h"
 
 bool vbss_knot_job_is_active(const knot_job *job)
 {
     return job->stage != KNOT_JOB_IDLE && job->stage != KNOT_JOB_DONE;
 }
-
-/* A thread without extent has no knot; its determinants would be smaller than numbers can be. */
-#define MIN_FAR_DISTANCE 1e-9
 
 static knot_reading no_knot(void)
 {
@@ -33,7 +31,7 @@ void vbss_knot_job_begin(knot_job *job, const vbss_knot_config *config, uint64_t
     job->has_tools = job->closure.tail_hold >= 0.0 || job->closure.long_hold >= 0.0;
     vbss_knot_core_begin(&job->core, &job->closure, &job->input);
     job->stage = KNOT_JOB_CORE;
-    if (job->closure.far_distance < MIN_FAR_DISTANCE) {
+    if (job->closure.far_distance < KNOT_MIN_EXTENT) {
         job->outward = job->tail = job->long_limb = no_knot();
         job->closure.alternative_count = 0;
         job->has_tools = false;

@@ -17,6 +17,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "base/slot.h"
+#include "knot/tuning.h"
 
 enum { KNOT_THROWS = 8, KNOT_AXIS_POINTS = 4 };
 
@@ -188,7 +189,7 @@ int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_gauss_code *code
  * factorisations prove its inertia, with shifts that exceed the effect of rounding on an
  * eigenvalue. Returns false if that fails. KNOT_X_ORDINARY_1000 gives the ordinary signature, at
  * -1. */
-#define KNOT_X_TRISTRAM_1000 911 /* thousandths: theta = 0.2704 pi, between pi/5 and 3 pi/11 */
+#define KNOT_X_TRISTRAM_1000 911 /* chosen: theta = 0.2704 pi, between pi/5 and 3 pi/11 */
 #define KNOT_X_ORDINARY_1000 0
 bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_1000,
                          int32_t *signature, knot_ops *budget);
@@ -276,7 +277,7 @@ typedef enum knot_curve_stage {
     KNOT_CURVE_READ
 } knot_curve_stage;
 
-enum { KNOT_CODES = 3, KNOT_TRIES = 400 /* strands that are laid anew in a diagram */ };
+enum { KNOT_CODES = 3 };
 
 typedef struct knot_curve {
     knot_polygon polygon; /* set by the caller before vbss_knot_curve_begin */

@@ -3,15 +3,13 @@
  * Edges in the lanes of one group are neighbours on the curve, and the group has a box. Edges much
  * longer than most, those of a closure, have no box, because they would overlap every group. */
 #include "knot/projected_edges.h"
+#include "knot/tuning.h"
 
 enum { FLAT_ARRAYS = 7, BOX_ARRAYS = 4 };
 
 /* A coordinate in the frame is wrong by four roundings (moved, then turned) of a vector's length, which is at
  * most sqrt(3) times the largest coordinate. */
 #define COORDINATE_ERROR (8.0 * 0x1p-53)
-
-/* Edges of more than LONG times the mean of all that are not longer than the mean. */
-#define LONG_EDGE_RATIO 8.0
 
 /* ---- arrays */
 
@@ -127,7 +125,7 @@ static double longest_with_box(const knot_projected_edges *s, double sum)
         short_sum += is_short ? length : 0.0;
         shorts += is_short ? 1.0 : 0.0;
     }
-    return shorts > 0.0 ? LONG_EDGE_RATIO * (short_sum / shorts) : mean;
+    return shorts > 0.0 ? KNOT_LONG_EDGE_RATIO * (short_sum / shorts) : mean;
 }
 
 void vbss_knot_projected_edges_set_box(knot_projected_edges *s, uint32_t i, uint32_t to)

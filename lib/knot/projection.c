@@ -7,11 +7,7 @@
 #include "base/compiler.h"
 #include "base/elementary.h"
 #include "knot/projected_edges.h"
-
-/* What is too near to be told, in shares of an edge: a vertex, or another crossing; of the polygon's size: the
- * strand above. */
-#define NEAR_PLACE 1e-6
-#define NEAR_HEIGHT 1e-12
+#include "knot/tuning.h"
 
 /* ---- two edges */
 
@@ -62,7 +58,7 @@ static int sign_of(const knot_projected_edges *s, uint32_t i, uint32_t j, double
     double b_long = fabs(bx) + fabs(by) + fabs(bz);
     double products = i_long * j_long + b_long * (i_long + j_long);
     double error = s->error * (8.0 * products + 64.0 * s->error * (i_long + j_long + b_long));
-    double bound = vbss_max(error, NEAR_HEIGHT * s->size * fabs(d));
+    double bound = vbss_max(error, KNOT_NEAR_HEIGHT * s->size * fabs(d));
     return (volume > bound) - (volume < -bound);
 }
 
@@ -80,7 +76,7 @@ static knot_diagram_status intersect_edges(knot_projected_edges *s, uint32_t i, 
     double bx = s->x[j] - s->x[i], by = s->y[j] - s->y[i];
     double d = s->dx[i] * s->dy[j] - s->dy[i] * s->dx[j];
     double from_i = bx * s->dy[j] - by * s->dx[j], from_j = bx * s->dy[i] - by * s->dx[i];
-    double bound = s->bound[i] + s->bound[j], near = NEAR_PLACE * fabs(d);
+    double bound = s->bound[i] + s->bound[j], near = KNOT_NEAR_PLACE * fabs(d);
     double outside_i = outside(from_i, d), outside_j = outside(from_j, d);
     if (vbss_max(outside_i, outside_j) > bound) {
         return KNOT_DIAGRAM_REGULAR;
@@ -247,7 +243,7 @@ static bool list_passages(const knot_projected_edges *s, uint16_t *order)
         double last = -1.0;
         for (uint32_t entry = s->heads[edge]; entry != KNOT_NO_ENTRY;
              entry = code->scratch[entry]) {
-            if (!(code->position[entry] - last > NEAR_PLACE)) {
+            if (!(code->position[entry] - last > KNOT_NEAR_PLACE)) {
                 return false;
             }
             last = code->position[entry];

@@ -7,10 +7,9 @@
 #include "knot/boxes.h"
 #include "knot/knot.h"
 #include "knot/triangle.h"
+#include "knot/tuning.h"
 
 #define NONE UINT32_MAX
-/* Work in about nanoseconds, as measured. */
-enum { OPS_SKIP = 2, OPS_VISIT = 55, OPS_EDGE = 12, OPS_REMOVE = 15, OPS_COMPACT = 5 };
 
 /* ---- entries: one for each obstacle, then one for each vertex and the edge after it */
 
@@ -136,7 +135,7 @@ void vbss_knot_reduction_begin(knot_reduction *r, knot_polygon *polygon, const k
     r->remaining = polygon->count;
     r->removed = 0;
     r->timestamp = 1;
-    r->deferred_ops = (knot_ops)OPS_COMPACT * ((knot_ops)polygon->count + obstacle_count);
+    r->deferred_ops = (knot_ops)KNOT_COMPACT_OPS * ((knot_ops)polygon->count + obstacle_count);
 
     parts p = parts_of(r);
     box_grid grid = grid_of(polygon);
@@ -221,7 +220,7 @@ static uint32_t find_blocker(const knot_reduction *r, const parts *p, uint32_t v
         while (edges != 0) {
             uint32_t s = super * 64 + box_pop_bit(&edges);
             knot_edge e = edge_of(r, p, s);
-            *budget -= OPS_EDGE;
+            *budget -= KNOT_EDGE_OPS;
             if (knot_triangle_side(t, e.start) * knot_triangle_side(t, e.end) <= 0 &&
                 blocks(t, e)) {
                 return s;
@@ -282,7 +281,7 @@ static void remove_vertex(knot_reduction *r, const parts *p, uint32_t v)
 static bool try_remove(knot_reduction *r, const parts *p, uint32_t v, knot_ops *budget)
 {
     uint32_t before = p->before[v], next = p->next[v], blocker = p->blocker[v];
-    *budget -= OPS_SKIP;
+    *budget -= KNOT_SKIP_OPS;
     if (r->polygon->is_fixed[v - p->first] != 0 || before == NONE || next == NONE ||
         (r->polygon->closed && r->remaining <= 3)) {
         return false;
@@ -292,12 +291,12 @@ static bool try_remove(knot_reduction *r, const parts *p, uint32_t v, knot_ops *
         p->changed_at[before] < tested_at && p->changed_at[v] < tested_at) {
         return false;
     }
-    *budget -= OPS_VISIT;
+    *budget -= KNOT_VISIT_OPS;
     p->tested_at[v] = ++r->timestamp;
     if (!is_free(r, p, v, budget)) {
         return false;
     }
-    *budget -= OPS_REMOVE;
+    *budget -= KNOT_REMOVE_OPS;
     r->timestamp++;
     remove_vertex(r, p, v);
     return true;
@@ -345,7 +344,7 @@ bool vbss_knot_reduction_resume(knot_reduction *r, knot_ops *budget)
                 *budget -= 1;
                 return true;
             }
-            *budget -= (knot_ops)OPS_COMPACT * r->polygon->count + 1;
+            *budget -= (knot_ops)KNOT_COMPACT_OPS * r->polygon->count + 1;
             compact(r);
             p = parts_of(r);
         } else {

@@ -21,7 +21,7 @@
 /* J. R. Bunch and L. Kaufman, "Some stable methods for calculating inertia and solving symmetric linear
  * systems", Mathematics of Computation 31 (1977): (1 + sqrt 17) / 8. */
 #define BUNCH_KAUFMAN_ALPHA 0.6403882032022076
-/* Rows times the rounding of as many updates, a hundred roundings each, of numbers up to LARGEST_ENTRY. */
+/* Rows times the rounding of as many updates, a hundred roundings each, of numbers up to LARGEST_ENTRY. Derived. */
 #define SHIFT_BY_SQUARE_OF_ROWS 1e-11
 #define LARGEST_ENTRY 1e3
 

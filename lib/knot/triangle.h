@@ -3,6 +3,7 @@
 #define VBSS_KNOT_TRIANGLE_H
 
 #include "base/linear.h"
+#include "knot/tuning.h"
 
 /* On which side of a plane: the sign of a determinant, where it is certain.
  *
@@ -12,7 +13,6 @@
  * coordinates are below 1e100. Certain is here what exceeds KNOT_CLEARANCE of the product of the lengths, a million times as
  * much: a thread that lay in a plane would otherwise be left with strands an accident of rounding apart, which no
  * projection could tell. Where products overflow nothing is certain. */
-#define KNOT_CLEARANCE 1e-9
 #define KNOT_UNDERFLOW 1e-200
 
 /* u x v for differences of coordinates, and the sums of the magnitudes of its products. */

@@ -19,8 +19,8 @@
 #include "base/compiler.h"
 #include "base/elementary.h"
 #include "base/lanes.h"
-
-#define FULL_TURN 6.283185307179586
+#include "base/pi.h"
+#include "knot/tuning.h"
 
 enum { PIECES = KNOT_AXIS_POINTS - 1 };
 _Static_assert(KNOT_AXIS_POINTS == (int)LANES, "a lane for each plane");
@@ -97,7 +97,7 @@ static void set_up(winding_tracer *w, const knot_input *input, const knot_tool *
         set_chart(&w->charts[c], e1, up, under);
         /* Heights are lengths along the axis. A folded tool has no bisecting plane. */
         double straight = 1.0 + vec3_dot(below, up);
-        bool end = c + 1 == n || straight < 1e-6;
+        bool end = c + 1 == n || straight < KNOT_MIN_FOLD_COSINE;
         set_plane(rows, c + 1, end ? up : vec3_scale(vec3_add(below, up), 1.0 / straight), under);
     }
     set_plane(rows, 0, up, vec3_sub(tool->axis[0], w->tip));
@@ -120,7 +120,7 @@ static void spin(winding_tracer *w, double angle)
         to->offset1 = -(c * from.offset1 + s * from.offset2);
         to->offset2 = s * from.offset1 - c * from.offset2;
     }
-    w->max_run_angle -= angle - 0.5 * FULL_TURN;
+    w->max_run_angle -= angle - 0.5 * VBSS_TWO_PI;
 }
 
 /* ---- points */
@@ -182,7 +182,7 @@ static void end_run(winding_tracer *w)
         return;
     }
     double angle = vbss_atan2(w->y + 0.0, w->x + 0.0) - w->first_angle;
-    double turns = angle / FULL_TURN + (double)w->crossings;
+    double turns = angle / VBSS_TWO_PI + (double)w->crossings;
     knot_winding *winding = w->winding;
     winding->turns += turns;
     if (winding->runs == 0 || fabs(turns) > fabs(winding->run_turns)) {
@@ -388,10 +388,10 @@ static bool find_turn_fraction(winding_tracer *w, double fraction, bool last)
     const knot_winding *winding = w->winding;
     double turns = fraction * fabs(winding->run_turns),
            sign = winding->run_turns < 0.0 ? -1.0 : 1.0;
-    if (fabs(turns - floor(turns + 0.5)) < 1e-6) {
-        turns -= 2e-6; /* so that the run does not start on the half-line */
+    if (fabs(turns - floor(turns + 0.5)) < KNOT_TURN_ROUNDING) {
+        turns -= 2.0 * KNOT_TURN_ROUNDING; /* so that the run does not start on the half-line */
     }
-    spin(w, w->max_run_angle + sign * turns * FULL_TURN);
+    spin(w, w->max_run_angle + sign * turns * VBSS_TWO_PI);
     w->wanted = (int32_t)sign * (1 + (int32_t)floor(turns));
     w->wants_last = last;
     w->found = false;
@@ -403,12 +403,13 @@ static bool find_turn_fraction(winding_tracer *w, double fraction, bool last)
 /* Usually the long limb winds: the tissue is before the run unless it is known to be after it. */
 static int32_t find_sense(winding_tracer *w, const knot_tool *tool)
 {
-    if (!(fabs(w->winding->run_turns) >= 0.5) || !find_turn_fraction(w, 0.25, false)) {
+    if (!(fabs(w->winding->run_turns) >= KNOT_SENSE_MIN_TURNS) ||
+        !find_turn_fraction(w, KNOT_SENSE_QUARTILE, false)) {
         return 0;
     }
-    double place = w->found_place, width = 0.1 * tool->radius[w->found_piece];
+    double place = w->found_place, width = KNOT_SENSE_WIDTH_RATIO * tool->radius[w->found_piece];
     double down = height_at(w, place, w->found_piece);
-    if (!find_turn_fraction(w, 0.75, true)) {
+    if (!find_turn_fraction(w, 1.0 - KNOT_SENSE_QUARTILE, true)) {
         return 0;
     }
     down -= height_at(w, w->found_place, w->found_piece);

@@ -14,6 +14,7 @@
 
 #include "base/linear.h"
 #include "base/slot.h"
+#include "metrics/tuning.h"
 
 enum { METRICS_HANDS = 2 };
 
@@ -23,7 +24,7 @@ enum { METRICS_HANDS = 2 };
 #define METRICS_TICK_RATE 100.0
 #define METRICS_TICK_SECONDS 0.01
 enum {
-    METRICS_FINE_PER_TICK = 10,
+    METRICS_FINE_PER_TICK = 10,      /* derived */
     METRICS_FILTER_HALF_WIDTH = 250, /* half width of the filter, in fine samples */
     /* half width of the filter's third difference */
     METRICS_KERNEL_HALF_WIDTH = METRICS_FILTER_HALF_WIDTH + 2,
@@ -34,8 +35,6 @@ enum {
 #define METRICS_LARGEST_TIME 1e9
 #define METRICS_LARGEST_POSITION 1e3
 #define METRICS_LARGEST_FORCE 1e6
-/* A tool without a sample for longer than this, s, is not seen: three samples at 30 Hz. */
-#define METRICS_MAX_SAMPLE_GAP 0.1
 
 /* Differences of the filter's taps: weights for the first and third derivative, for pairs of
  * samples i to both sides. */

@@ -4,14 +4,13 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "metrics/metrics.h"
+#include "metrics/tuning.h"
 
 _Static_assert(sizeof(vbss_metrics_motion) == 120, "published size");
 _Static_assert(sizeof(vbss_metrics_bimanual) == 56, "published size");
 static const uint32_t motion_sizes[] = {120, 0}, bimanual_sizes[] = {56, 0};
 static const vbss_layout motion_layout = {"vbss_metrics_motion", NULL, motion_sizes};
 static const vbss_layout bimanual_layout = {"vbss_metrics_bimanual", NULL, bimanual_sizes};
-
-enum { SHORTEST_MOVEMENT = 20 }; /* ticks */
 
 /* ---- windows of ticks; `end` is exclusive */
 
@@ -108,7 +107,7 @@ static void add_movements(const metrics_object *m, const metrics_hand *h, tick_w
             continue;
         }
         uint32_t count = i - start;
-        if (count >= SHORTEST_MOVEMENT && count <= METRICS_SPECTRUM_TICKS &&
+        if (count >= METRICS_SHORTEST_MOVEMENT && count <= METRICS_SPECTRUM_TICKS &&
             vbss_metrics_sparc(h->speed + start, count, m->spectrum_buffer, &sparc)) {
             sum += sparc;
             out->movement_count++;

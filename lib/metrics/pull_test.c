@@ -3,14 +3,12 @@
 #include "base/config.h"
 #include "base/error.h"
 #include "metrics/metrics.h"
+#include "metrics/tuning.h"
 
 _Static_assert(sizeof(vbss_metrics_pull) == 72, "published size");
 static const vbss_metrics_pull defaults = {.struct_size = sizeof(vbss_metrics_pull), .tied = 1};
 static const uint32_t sizes[] = {72, 0};
 static const vbss_layout layout = {"vbss_metrics_pull", &defaults, sizes};
-
-/* While it lasts, a pull may be so much weaker: hands and controllers are not steady. */
-#define HOLD_HYSTERESIS 0.9
 
 vbss_result vbss_metrics_pull_init(vbss_metrics_pull *pull, uint32_t struct_size)
 {
@@ -45,7 +43,7 @@ static void update_hold(const vbss_metrics_config *c, metrics_pull *pull,
         pull->is_untied = 1;
         return;
     }
-    if (min_force < (pull->is_holding ? HOLD_HYSTERESIS : 1.0) * c->pull_force) {
+    if (min_force < (pull->is_holding ? METRICS_HOLD_HYSTERESIS : 1.0) * c->pull_force) {
         pull->is_holding = 0;
     } else if (!pull->is_holding) {
         pull->is_holding = 1;

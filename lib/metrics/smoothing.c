@@ -1,22 +1,21 @@
 /* A smooth curve through samples at any times: a cubic between two samples, and a low-pass filter.
  * Derivatives are differences of the filter's taps. docs/metrics.md, "Motion". */
 #include "base/elementary.h"
+#include "base/pi.h"
 #include "metrics/metrics.h"
-
-#define PI 3.14159265358979323846
-#define CUTOFF_FREQUENCY 10.0 /* Hz; half of the amplitude passes here */
+#include "metrics/tuning.h"
 
 /* ---- the filter: an ideal low-pass at this cutoff in a Blackman window of +-0.25 s. At the ends
  * of the window the sine of the ideal filter is zero, which bounds the third derivative. */
 
 static double filter_tap(int i)
 {
-    double t = i / METRICS_FINE_RATE, phase = PI * i / METRICS_FILTER_HALF_WIDTH;
+    double t = i / METRICS_FINE_RATE, phase = VBSS_PI * i / METRICS_FILTER_HALF_WIDTH;
     if (i < -METRICS_FILTER_HALF_WIDTH || i > METRICS_FILTER_HALF_WIDTH) {
         return 0.0;
     }
-    double ideal =
-        i == 0 ? 2.0 * CUTOFF_FREQUENCY : vbss_sin(2.0 * PI * CUTOFF_FREQUENCY * t) / (PI * t);
+    double ideal = i == 0 ? 2.0 * METRICS_CUTOFF_FREQUENCY
+                          : vbss_sin(2.0 * VBSS_PI * METRICS_CUTOFF_FREQUENCY * t) / (VBSS_PI * t);
     return ideal * (0.42 + 0.5 * vbss_cos(phase) + 0.08 * vbss_cos(2.0 * phase));
 }
 

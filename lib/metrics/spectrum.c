@@ -2,12 +2,9 @@
  * spectrum (Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015). docs/metrics.md says which
  * parts are not verified. */
 #include "base/elementary.h"
+#include "base/pi.h"
 #include "metrics/metrics.h"
-
-#define TWO_PI 6.283185307179586476925286766559
-#define MAX_FREQUENCY 20.0 /* Hz */
-/* Of the amplitude at 0 Hz: above the last frequency that has it nothing counts. */
-#define AMPLITUDE_THRESHOLD 0.05
+#include "metrics/tuning.h"
 
 /* ---- discrete Fourier transform of `size` complex numbers, a power of two: decimation in
  * frequency, result in bit-reversed order */
@@ -17,7 +14,7 @@ static void fourier_transform(double *x, uint32_t size)
     for (uint32_t half = size / 2; half >= 1; half /= 2) {
         for (uint32_t k = 0; k < half; k++) {
             double sine, cosine;
-            vbss_sincos(-TWO_PI * (double)k / (2.0 * (double)half), &sine, &cosine);
+            vbss_sincos(-VBSS_TWO_PI * (double)k / (2.0 * (double)half), &sine, &cosine);
             for (uint32_t i = k; i < size; i += 2 * half) {
                 double *a = x + 2 * (size_t)i, *b = x + 2 * ((size_t)i + half);
                 double re = a[0] - b[0], im = a[1] - b[1];
@@ -63,8 +60,8 @@ bool vbss_metrics_sparc(const double *speed, uint32_t count, double *buffer, dou
     if (!(dc_amplitude > 0.0)) {
         return false;
     }
-    uint32_t last = (uint32_t)(MAX_FREQUENCY * (double)size / METRICS_TICK_RATE);
-    while (last > 1 && amplitude(buffer, last, size) < AMPLITUDE_THRESHOLD * dc_amplitude) {
+    uint32_t last = (uint32_t)(METRICS_MAX_FREQUENCY * (double)size / METRICS_TICK_RATE);
+    while (last > 1 && amplitude(buffer, last, size) < METRICS_AMPLITUDE_THRESHOLD * dc_amplitude) {
         last--;
     }
     for (uint32_t k = 1; k <= last; k++) {

@@ -1,9 +1,8 @@
 /* Shape, mass and inertia of a needle. */
 #include "base/elementary.h"
+#include "base/pi.h"
 #include "base/rotation.h"
 #include "needle/needle.h"
-
-#define PI 3.14159265358979323846
 
 /* ---- the middle line */
 
@@ -42,12 +41,12 @@ vec3 vbss_needle_point(const needle_object *n, double arc_length)
 
 double vbss_needle_nearest_arc(const needle_object *n, vec3 point)
 {
-    double open = 2.0 * PI - n->config.arc, length = vbss_needle_length(n);
+    double open = 2.0 * VBSS_PI - n->config.arc, length = vbss_needle_length(n);
     /* angle of the point, from the tip into the open side */
     double angle = vbss_atan2(point.y, point.x);
-    angle = angle < 0.0 ? angle + 2.0 * PI : angle;
+    angle = angle < 0.0 ? angle + 2.0 * VBSS_PI : angle;
     if (angle >= open) {
-        return (2.0 * PI - angle) * n->config.radius;
+        return (2.0 * VBSS_PI - angle) * n->config.radius;
     }
     bool at_tip = angle < 0.5 * open;
     double end = at_tip ? 0.0 : length;
@@ -85,7 +84,7 @@ static arc_means means_over(double a)
 vbss_rigid_mass vbss_needle_mass_properties(const vbss_needle_config *config)
 {
     double big = config->radius, r2 = config->wire_radius * config->wire_radius;
-    double mass = config->density * PI * r2 * big * config->arc;
+    double mass = config->density * VBSS_PI * r2 * big * config->arc;
     const arc_means arc = means_over(config->arc);
     double q = big + 0.25 * r2 / big, q_squared = big * big + 0.75 * r2, z_squared = 0.25 * r2;
     double q_variance = 0.25 * r2 * (1.0 - 0.25 * r2 / (big * big));

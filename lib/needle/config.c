@@ -2,6 +2,7 @@
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
+#include "base/pi.h"
 #include "needle/needle.h"
 
 _Static_assert(sizeof(vbss_needle_config) == 192, "published size");
@@ -12,7 +13,7 @@ static const vbss_needle_config defaults = {
     .segment_count = 8,
     .radius = 10.5e-3,
     .wire_radius = 0.35e-3,
-    .arc = 3.14159265358979323846,
+    .arc = VBSS_PI,
     .density = 7900.0,
     .friction = 0.2,
     .orientation = {1.0, 0.0, 0.0, 0.0},

@@ -1,15 +1,12 @@
 /* Input and output of devices: hands move the tools before the step, and feel forces after it. */
 #include "base/error.h"
 #include "session/session.h"
+#include "session/tuning.h"
 
 _Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_NEEDLE_DRIVER &&
                    (int)VBSS_DEVICE_TOOL_SHEARS == (int)VBSS_GRASPER_SHEARS,
                "tools of devices and of scenes have the same numbers");
 
-/* Steps after which a tool that has refused to be exchanged is told again. */
-enum { EXCHANGE_RETRY_STEPS = 250 };
-
-/* NULL: the tool has left the scene. */
 static vbss_grasper *tool_of_hand(const session_object *s, uint32_t hand)
 {
     return vbss_scene_inspect_body(s->scene, s->config.tools[hand]).grasper;
@@ -47,7 +44,7 @@ static vbss_result exchange_tool(const session_object *s, uint32_t hand,
     vbss_grasper *grasper = tool_of_hand(s, hand);
     vbss_grasper_state state;
     bool is_due = (input->events & (uint32_t)VBSS_DEVICE_EVENT_TOOL) != 0 ||
-                  s->steps % EXCHANGE_RETRY_STEPS == 0;
+                  s->steps % SESSION_EXCHANGE_RETRY_STEPS == 0;
     if (!is_due || input->tool == VBSS_DEVICE_TOOL_NONE) {
         return VBSS_OK;
     }

@@ -1,8 +1,6 @@
 /* The end of the task: both limbs are cut, or it has failed. */
 #include "session/session.h"
-
-/* Less than this a thread does not lose in a cut, m: blades do not slice off less than it is thick. */
-#define MIN_CUT_LENGTH 1e-6
+#include "session/tuning.h"
 
 void vbss_session_fail(session_object *s, vbss_session_failure failure)
 {
@@ -62,7 +60,7 @@ void vbss_session_update_cuts(session_object *s, const session_observation *obse
     double lost_length = s->thread_length - observed->thread_length;
     bool is_new = observed->thread != s->thread, is_length_known = s->thread_length > 0.0;
     s->thread_length = observed->thread_length;
-    if (!is_length_known || (!is_new && lost_length < MIN_CUT_LENGTH)) {
+    if (!is_length_known || (!is_new && lost_length < SESSION_MIN_CUT_LENGTH)) {
         return;
     }
     uint32_t limb = is_new ? SESSION_EXIT : SESSION_ENTRY;

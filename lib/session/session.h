@@ -25,8 +25,9 @@
 #include "record/record.h"
 #include "scene/api/inspect.h"
 
+/* Hands and tools of the task; capacities, chosen. */
 enum { SESSION_HANDS = 2, SESSION_TOOLS = 3, SESSION_MAX_THROWS = 8, SESSION_MAX_STRAYS = 16 };
-/* Throws of the knot; transfers between them. */
+/* Throws of the knot; transfers between them. Published, as the task. */
 enum { SESSION_REQUIRED_THROWS = 3, SESSION_TRANSFERS = 2 };
 /* Indices of the two holes of the stitch, and of the two limbs of the thread that leave them: the
  * tail at the entry, the needle's limb at the exit. */

@@ -1,6 +1,7 @@
 /* Damping that conserves linear and angular momentum: it reduces the motion of particles relative
  * to their best rigid motion (Mueller et al. 2007, as in VBLaST-SS). */
 #include "solver/solver.h"
+#include "solver/tuning.h"
 
 /* The angular velocity w with inertia w = momentum, by elimination with the largest diagonal first.
  * The inertia is zero about an axis that contains all mass; the component there is set to zero. */
@@ -23,7 +24,7 @@ static vec3 rotation_rate(mat3 inertia, vec3 momentum)
             p = !used[i] && (p < 0 || a[i][i] > a[p][p]) ? i : p;
         }
         used[p] = true;
-        bool is_singular = !(a[p][p] > 1e-13 * largest);
+        bool is_singular = !(a[p][p] > SOLVER_DAMPING_MIN_PIVOT_RATIO * largest);
         for (int j = 0; j < 4; j++) {
             a[p][j] = is_singular ? (j == p ? 1.0 : 0.0) : a[p][j];
         }

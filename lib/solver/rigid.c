@@ -2,12 +2,13 @@
 #include "solver/rigid.h"
 
 #include "base/error.h"
+#include "base/pi.h"
 #include "base/rotation.h"
 #include "base/stream.h"
 
 /* The most that a body turns in one part, half of what could be told from turning the other way: a
- * faster spin, met once a part, would look like a slower one, and a stiff coupling would hold it. */
-#define MOST_TURN 1.5707963267948966
+ * faster spin, met once a part, would look like a slower one, and a stiff coupling would hold it. Derived. */
+#define MOST_TURN (0.5 * VBSS_PI)
 
 /* ---- rotation */
 

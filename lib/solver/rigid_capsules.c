@@ -1,7 +1,6 @@
 /* Mass, centre of mass and principal axes of solid capsules. */
+#include "base/pi.h"
 #include "solver/rigid.h"
-
-#define PI 3.14159265358979323846
 
 /* ---- one capsule: a cylinder, and two hemispheres that together are a ball */
 
@@ -16,7 +15,8 @@ static capsule_mass mass_of(const vbss_rigid_capsule *c)
 {
     vec3 axis_vector = vec3_sub(c->b, c->a);
     double r = c->radius, l = vec3_norm(axis_vector), r2 = r * r, l2 = l * l;
-    double cylinder = c->density * PI * r2 * l, ball = c->density * PI * (4.0 / 3.0) * r2 * r;
+    double cylinder = c->density * VBSS_PI * r2 * l,
+           ball = c->density * VBSS_PI * (4.0 / 3.0) * r2 * r;
     capsule_mass m;
     m.mass = cylinder + ball;
     m.centre = vec3_lerp(c->a, c->b, 0.5);

@@ -3,9 +3,7 @@
  * The factor is left-looking: each column is computed from its working blocks and the earlier
  * columns. Pivoting is inside blocks only. */
 #include "solver/solver.h"
-
-/* A pivot below this share of its block's largest number has lost its digits. */
-#define SMALLEST_PIVOT 1e-15
+#include "solver/tuning.h"
 
 /* ---- 3x3 LU with row exchanges */
 
@@ -28,7 +26,7 @@ static inline double largest_of(const block *a)
  * The comparisons fail for NaN. */
 static bool factor_pivot(const block *a, pivoted_lu *p)
 {
-    double smallest = SMALLEST_PIVOT * largest_of(a), c0[LANES], c1[LANES], c2[LANES];
+    double smallest = SOLVER_MIN_PIVOT_RATIO * largest_of(a), c0[LANES], c1[LANES], c2[LANES];
     lanes_store(c0, a->column[0]);
     lanes_store(c1, a->column[1]);
     lanes_store(c2, a->column[2]);

@@ -1,10 +1,7 @@
 /* Static condensation: elimination of the interior blocks by a block LDL^T, and back
  * substitution. */
 #include "solver/solver.h"
-
-/* Within a block, a pivot below this share of its diagonal has lost its digits. Loss across blocks is
- * not looked for: bodies have inertia, which keeps every block away from zero. */
-#define SMALLEST_PIVOT 1e-15
+#include "solver/tuning.h"
 
 /* L D L^T of a symmetric 3x3 block. Returns false if a pivot is too small. */
 static bool factor_pivot(const block *b, vbss_pivot *pivot)
@@ -20,14 +17,14 @@ static bool factor_pivot(const block *b, vbss_pivot *pivot)
     pivot->l10 = m10 * pivot->inverse[0];
     pivot->l20 = m20 * pivot->inverse[0];
     double d1 = m11 - pivot->l10 * m10;
-    if (!(d1 >= DBL_MIN && d1 > SMALLEST_PIVOT * m11)) {
+    if (!(d1 >= DBL_MIN && d1 > SOLVER_MIN_PIVOT_RATIO * m11)) {
         return false;
     }
     double e21 = m21 - pivot->l20 * m10;
     pivot->inverse[1] = 1.0 / d1;
     pivot->l21 = e21 * pivot->inverse[1];
     double d2 = m22 - pivot->l20 * m20 - pivot->l21 * e21;
-    if (!(d2 >= DBL_MIN && d2 > SMALLEST_PIVOT * m22)) {
+    if (!(d2 >= DBL_MIN && d2 > SOLVER_MIN_PIVOT_RATIO * m22)) {
         return false;
     }
     pivot->inverse[2] = 1.0 / d2;

@@ -7,11 +7,9 @@
  * needle's end, along the needle. */
 #include "base/elementary.h"
 #include "suture/suture.h"
+#include "suture/tuning.h"
 
 #include <string.h>
-
-/* Steps of the search in a span: the last bits take few. */
-enum { MAX_ITERATIONS = 24 };
 
 /* ---- spans */
 
@@ -134,7 +132,7 @@ static double nearest_parameter(const span *p, vec3 to)
     double low = 0.0, high = 1.0, at_low = distance_derivative(p, to, low),
            at_high = distance_derivative(p, to, high);
     double u = low;
-    for (int i = 0, side = 0; i < MAX_ITERATIONS && at_high > at_low; i++) {
+    for (int i = 0, side = 0; i < SUTURE_MAX_ITERATIONS && at_high > at_low; i++) {
         u = low - at_low * (high - low) / (at_high - at_low);
         double found = distance_derivative(p, to, u);
         if (!(found != 0.0) || !(u > low) || !(u < high)) {
@@ -338,17 +336,14 @@ static void directions_at(const suture_curve *curve, const suture_curve_point *p
     direction[1] = vec3_unit_or(vec3_neg(direction[1]), vec3_neg(point->tangent));
 }
 
-/* As much bend as this is none: a straight suture rubs as what is pressed across. */
-#define BEND_REGULARISATION 0.01
-
-/* Axial over transverse force for tensions of 1 on one side and `ratio` on the other. */
+/* With tensions 1 on one side and exp(mu theta) on the other: the force along over that across. */
 static double capstan_ratio(vec3 low, vec3 high, vec3 along, double ratio, double friction)
 {
     double along_force = -ratio * vec3_dot(high, along) - vec3_dot(low, along);
     vec3 sum = vec3_add_scaled(low, ratio, high);
     vec3 across = vec3_add_scaled(sum, -vec3_dot(sum, along), along);
-    return (along_force + BEND_REGULARISATION * friction) /
-           (vec3_norm(across) + BEND_REGULARISATION);
+    return (along_force + SUTURE_BEND_REGULARISATION * friction) /
+           (vec3_norm(across) + SUTURE_BEND_REGULARISATION);
 }
 
 void vbss_suture_capstan_friction(const suture_curve *curve, const suture_curve_point *point,

@@ -1,6 +1,7 @@
 /* The law of a hole: transverse stiffness, and friction along the suture. */
 #include "base/stream.h"
 #include "suture/suture.h"
+#include "suture/tuning.h"
 
 /* First version of the stream in which threads pass through holes. */
 enum { VERSION_WITH_THREADS = 5 };
@@ -30,10 +31,6 @@ static double thread_fraction(const suture_curve *curve, const vbss_drain_config
                                                                    : distance / config->tip_length;
 }
 
-/* What the needle's end bends, the first two segments, is no rope round a post: if the thread leaves it askew, that would bear
- * ten times as much along as across, of which neither sticking nor sliding comes. There it rubs as the needle does. */
-enum { NEEDLE_BENT_SEGMENTS = 2 };
-
 hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain_config *config,
                                        const suture_curve *curve, const suture_curve_point *point)
 {
@@ -44,7 +41,7 @@ hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain
         return b;
     }
     const uint32_t last = curve->thread->node_count - 1;
-    const uint32_t end = last < NEEDLE_BENT_SEGMENTS ? last : NEEDLE_BENT_SEGMENTS;
+    const uint32_t end = last < SUTURE_NEEDLE_BENT_SEGMENTS ? last : SUTURE_NEEDLE_BENT_SEGMENTS;
     const double bent_length = vbss_thread_arc_length(curve->thread, end);
     const double fraction = thread_fraction(curve, config, past_swage - bent_length);
     b.force += thread_fraction(curve, config, past_swage) * (config->thread_force - b.force);

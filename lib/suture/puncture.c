@@ -2,11 +2,7 @@
 #include "suture/suture.h"
 
 #include "collision/closest.h"
-
-/* Beyond this from the free edge, in radii of the wire, there is wall all round it. */
-#define MIN_EDGE_DISTANCE 1.0
-/* A line through a side meets one of its triangles, however weights are rounded. */
-#define ROUNDING 1e-9
+#include "suture/tuning.h"
 
 bool vbss_suture_tip_punctures(const vbss_drain_config *config, const suture_tip *tip)
 {
@@ -33,8 +29,8 @@ static bool intersects_triangle(const vec3 corner[3], vec3 from, vec3 direction,
     barycentric[2] = vec3_dot(direction, aside) / determinant;
     barycentric[0] = 1.0 - barycentric[1] - barycentric[2];
     *distance = vec3_dot(e2, aside) / determinant;
-    return barycentric[0] >= -ROUNDING && barycentric[1] >= -ROUNDING &&
-           barycentric[2] >= -ROUNDING;
+    return barycentric[0] >= -SUTURE_WEIGHT_ROUNDING && barycentric[1] >= -SUTURE_WEIGHT_ROUNDING &&
+           barycentric[2] >= -SUTURE_WEIGHT_ROUNDING;
 }
 
 void vbss_suture_normalise_barycentric(double barycentric[3])
@@ -142,7 +138,7 @@ bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double 
         vbss_suture_normalise_barycentric(barycentric);
         nearest = distance;
         found = !is_at_edge(d, t, vec3_add_scaled(from, distance, tip->direction),
-                            MIN_EDGE_DISTANCE * wire_radius) &&
+                            SUTURE_MIN_EDGE_DISTANCE * wire_radius) &&
                 !is_anchored(d, t);
         *hole = (suture_hole){.triangle = t,
                               .barycentric = {barycentric[0], barycentric[1], barycentric[2]},

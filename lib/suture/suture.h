@@ -12,6 +12,7 @@
 #include "drain/drain.h"
 #include "needle/needle.h"
 
+#include "suture/tuning.h"
 #include "thread/thread.h"
 
 typedef struct vbss_stream vbss_stream;
@@ -92,10 +93,7 @@ typedef struct suture_tip {
     /* unit direction of that force without friction, away from the wall */
     vec3 normal;
 } suture_tip;
-/* Smallest cosine between the tip's direction and the inward normal; below it the tip slides along
- * the wall. */
-#define SUTURE_MIN_ENTRY_COSINE 0.3
-/* Whether the tip presses on the wall hard and steeply enough to puncture it. */
+/* Whether it is pressed in, and not along, so that the wall gives way. */
 bool vbss_suture_tip_punctures(const vbss_drain_config *config, const suture_tip *tip);
 /* Makes the hole where the line of the tip meets the wall within `reach`, m. Returns false if it
  * misses, or meets the wall too near a free edge or where it is fixed. */

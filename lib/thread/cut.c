@@ -2,13 +2,9 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "thread/thread.h"
+#include "thread/tuning.h"
 
 #include <string.h>
-
-/* A cut so close to a node, as a share of the segment or in m, goes through the node: slivers would
- * need tiny steps. */
-#define SNAP_FRACTION 0.01
-#define MIN_SEGMENT_LENGTH 1e-7
 
 bool vbss_thread_locate_cut(const thread_object *t, double arc_length, thread_cut *cut)
 {
@@ -17,8 +13,9 @@ bool vbss_thread_locate_cut(const thread_object *t, double arc_length, thread_cu
     for (; i + 1 < segments && remaining > t->rest[i]; i++) {
         remaining -= t->rest[i];
     }
-    double l = t->rest[i],
-           snap = SNAP_FRACTION * l > MIN_SEGMENT_LENGTH ? SNAP_FRACTION : MIN_SEGMENT_LENGTH / l;
+    double l = t->rest[i], snap = THREAD_CUT_SNAP_FRACTION * l > THREAD_CUT_MIN_LENGTH
+                                      ? THREAD_CUT_SNAP_FRACTION
+                                      : THREAD_CUT_MIN_LENGTH / l;
     double fraction = remaining / l;
     if (!(fraction >= snap)) {
         if (i == 0) {

@@ -7,16 +7,10 @@
  * backward Euler. */
 #include "base/error.h"
 #include "thread/thread.h"
+#include "thread/tuning.h"
 
 #include <string.h>
 
-/* The first part of a step in which a motion starts, as a share of it. */
-#define START_SUBSTEP_FRACTION (1.0 / 64.0)
-/* A step that needs more linearisations is no smooth motion; the next ones are made by backward Euler,
- * which damps what it cannot resolve. */
-enum { MAX_SMOOTH_ITERATIONS = 4, DAMPED_STEPS = 2 };
-/* Linearisations in which the pull of rest curvature follows the shape. */
-enum { REST_CURVATURE_UPDATES = 30 };
 /* More compression than any thread carries. */
 #define UNLIMITED_COMPRESSION (-1e30)
 
@@ -40,7 +34,8 @@ static bool solve(thread_object *t, const thread_substep *substep)
  * that of a free end (each reduced by a tenth, as lengths and bends differ), and none. */
 static double raise_min_tension(const thread_substep *substep)
 {
-    double inside = -1.8 * substep->buckling_load, at_end = -0.9 * substep->buckling_load;
+    double inside = -THREAD_INNER_COMPRESSION * substep->buckling_load,
+           at_end = -THREAD_END_COMPRESSION * substep->buckling_load;
     return substep->min_tension < inside ? inside : substep->min_tension < at_end ? at_end : 0.0;
 }
 
@@ -72,12 +67,12 @@ static newton_result run_newton(thread_object *t, thread_substep *substep)
             t->statistics.softened++;
         }
         double residual = vbss_thread_apply_increment(t, substep, t->system->solution);
-        if (curved && k < REST_CURVATURE_UPDATES) {
+        if (curved && k < THREAD_REST_CURVATURE_UPDATES) {
             /* These forces lag behind the shape, so convergence needs small increments, too. */
             residual = vbss_max_or_nan(largest_increment(t), residual);
             vbss_thread_update_rest_curvature_forces(t);
             /* The forces are constant from now on. */
-            t->statistics.softened += k + 1 == REST_CURVATURE_UPDATES;
+            t->statistics.softened += k + 1 == THREAD_REST_CURVATURE_UPDATES;
         }
         vbss_thread_compute_strains(t, t->trial, t->strains);
         double error = vbss_thread_record_stretch(t, t->trial_tension);
@@ -105,14 +100,14 @@ static substep_attempt try_substep(thread_object *t, double h, double start, dou
     substep_attempt a;
     double length = h * (end - start), previous_h = t->previous_h;
     /* Accelerations of a substep of very different length would gain energy. */
-    bool has_new_length =
-        previous_h > 0.0 && !(length < 2.1 * previous_h && previous_h < 2.1 * length);
+    bool has_new_length = previous_h > 0.0 && !(length < THREAD_MAX_LENGTH_RATIO * previous_h &&
+                                                previous_h < THREAD_MAX_LENGTH_RATIO * length);
     thread_substep substep = {&a.integration, h, end, UNLIMITED_COMPRESSION, 0.0, 0.0};
     a.is_damped = t->is_acceleration_unknown || t->damped_steps_left > 0 || has_new_length;
     if (!a.is_damped) {
         a.integration = vbss_integration_generalised_alpha(length, t->config.spectral_radius);
         a.is_damped = !vbss_thread_predict(t, &substep);
-        t->damped_steps_left = a.is_damped ? DAMPED_STEPS + 1 : 0; /* it was 0 */
+        t->damped_steps_left = a.is_damped ? THREAD_DAMPED_STEPS + 1 : 0; /* it was 0 */
     }
     if (a.is_damped) {
         a.integration = vbss_integration_backward_euler(length);
@@ -139,16 +134,16 @@ static double min_substep_fraction(const thread_object *t)
 static bool run_substeps(thread_object *t, double h)
 {
     const double min_fraction = min_substep_fraction(t);
-    double start = 0.0, fraction = t->is_acceleration_unknown ? START_SUBSTEP_FRACTION : 1.0;
+    double start = 0.0, fraction = t->is_acceleration_unknown ? THREAD_START_FRACTION : 1.0;
     while (start < 1.0) {
         double end = start + fraction < 1.0 ? start + fraction : 1.0;
         bool is_smallest =
             fraction <=
-            (t->is_acceleration_unknown ? START_SUBSTEP_FRACTION * min_fraction : min_fraction);
+            (t->is_acceleration_unknown ? THREAD_START_FRACTION * min_fraction : min_fraction);
         substep_attempt a = try_substep(t, h, start, end);
         if (a.result != CONVERGED && !is_smallest) {
             t->statistics.rejections++;
-            t->damped_steps_left = DAMPED_STEPS + 1;
+            t->damped_steps_left = THREAD_DAMPED_STEPS + 1;
             fraction *= 0.5;
             continue;
         }
@@ -192,9 +187,9 @@ vbss_result vbss_thread_implicit_step(thread_object *t, double h)
                          (unsigned long long)before.steps);
     }
     t->damped_steps_left -= t->damped_steps_left > 0;
-    if (t->statistics.last_iterations > MAX_SMOOTH_ITERATIONS &&
-        t->damped_steps_left < DAMPED_STEPS) {
-        t->damped_steps_left = DAMPED_STEPS;
+    if (t->statistics.last_iterations > THREAD_MAX_SMOOTH_ITERATIONS &&
+        t->damped_steps_left < THREAD_DAMPED_STEPS) {
+        t->damped_steps_left = THREAD_DAMPED_STEPS;
     }
     return VBSS_OK;
 }

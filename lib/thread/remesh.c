@@ -1,11 +1,9 @@
 /* Remeshing: inserts and removes nodes. This file renumbers and keeps momentum; remesh_window.c
  * moves the neighbours. */
 #include "thread/remesh.h"
+#include "thread/tuning.h"
 
 #include <string.h>
-
-/* Nodes on either side of the change that are moved with it. */
-enum { MOVABLE_SIDE = 2 };
 
 /* ---- momentum */
 
@@ -130,7 +128,8 @@ static bool move_to_arc(const thread_object *t, uint32_t segment, double max_dis
     uint32_t at = segment + 1 - w->first_node;
     vec3 middle = w->x[at];
     w->x[at] = vec3_sub(middle, sagitta_vector(t, segment));
-    set_movable(w, at > MOVABLE_SIDE ? at - MOVABLE_SIDE : 0, at + MOVABLE_SIDE);
+    set_movable(w, at > REMESH_MOVABLE_SIDE ? at - REMESH_MOVABLE_SIDE : 0,
+                at + REMESH_MOVABLE_SIDE);
     double displacement = vbss_remesh_project_window(w);
     displacement = vbss_max_or_nan(vec3_distance(middle, w->x[at]), displacement);
     return displacement <= max_displacement;
@@ -194,7 +193,8 @@ bool vbss_thread_remove_node(thread_object *t, uint32_t node, double max_displac
     vbss_remesh_measure_window(&w);
     uint32_t at = node - w.first_node;
     remove_window_node(&w, at);
-    set_movable(&w, at > MOVABLE_SIDE ? at - MOVABLE_SIDE : 0, at + MOVABLE_SIDE - 1);
+    set_movable(&w, at > REMESH_MOVABLE_SIDE ? at - REMESH_MOVABLE_SIDE : 0,
+                at + REMESH_MOVABLE_SIDE - 1);
     double displacement = vbss_remesh_project_window(&w);
     displacement = vbss_max_or_nan(
         vec3_distance(removed, vec3_lerp(w.x[at - 1], w.x[at], fraction)), displacement);

@@ -5,6 +5,7 @@
 #define VBSS_THREAD_REMESH_H
 
 #include "thread/thread.h"
+#include "thread/tuning.h"
 
 static inline bool thread_is_adaptive(const thread_object *t)
 {
@@ -13,14 +14,7 @@ static inline bool thread_is_adaptive(const thread_object *t)
 
 /* ---- criteria (remesh_criteria.c) */
 
-/* Segments that are looked at after a step. */
-enum { REMESH_CHECKS_PER_STEP = 32 };
-/* Neighbouring lengths differ by this at most; and rounding. */
-#define REMESH_MAX_LENGTH_RATIO (2.0 * (1.0 + 1e-9))
-/* Up to so much longer than wanted is good enough: halves of what is a little too long would be twice too fine. */
-#define REMESH_LENGTH_TOLERANCE 1.25
-
-/* Magnitude of the curvature at a node, 1/m; 0 at free ends. */
+/* |curvature| at a node; 0 at free ends. */
 double vbss_thread_node_curvature(const thread_object *t, uint32_t node);
 
 /* Largest distance of a segment's arc from its chord, m. */
@@ -60,7 +54,7 @@ void vbss_thread_adapt_mesh(thread_object *t);
  *
  * Nodes that a window has on either side of the change. */
 
-/* Nodes around the change that may be looked at, on either side. */
+/* Nodes around the change that may be looked at, on either side. Capacity, chosen. */
 enum { REMESH_WINDOW_SIDE = 6, REMESH_WINDOW_NODES = 2 * REMESH_WINDOW_SIDE + 2 };
 
 /* Splits a segment at its middle; the new node is `segment` + 1. `max_displacement`: how far nodes

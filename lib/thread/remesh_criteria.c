@@ -1,5 +1,6 @@
 /* Criteria of remeshing: where a thread needs nodes, by lengths and curvature. */
 #include "thread/remesh.h"
+#include "thread/tuning.h"
 
 /* ---- shape */
 
@@ -91,9 +92,6 @@ void vbss_thread_record_node_count(thread_object *t)
     s->most_nodes = t->node_count > s->most_nodes ? t->node_count : s->most_nodes;
 }
 
-/* A whole part of the coarsest length is more than any change takes of a sound mesh. */
-#define MAX_DISPLACEMENT_RATIO 0.05
-
 static bool try_split(thread_object *t, uint32_t segment)
 {
     segment = vbss_thread_first_segment_to_split(t, segment);
@@ -105,7 +103,7 @@ static bool try_split(thread_object *t, uint32_t segment)
         t->statistics.refused_held++;
         return false;
     }
-    vbss_thread_split_segment(t, segment, MAX_DISPLACEMENT_RATIO * t->rest[segment]);
+    vbss_thread_split_segment(t, segment, REMESH_MAX_DISPLACEMENT_RATIO * t->rest[segment]);
     return true;
 }
 
@@ -118,8 +116,8 @@ static bool try_coarsen(thread_object *t, uint32_t node)
         t->statistics.refused_held++;
         return false;
     }
-    return vbss_thread_remove_node(t, node,
-                                   MAX_DISPLACEMENT_RATIO * (t->rest[node - 1] + t->rest[node]));
+    return vbss_thread_remove_node(
+        t, node, REMESH_MAX_DISPLACEMENT_RATIO * (t->rest[node - 1] + t->rest[node]));
 }
 
 void vbss_thread_adapt_mesh(thread_object *t)

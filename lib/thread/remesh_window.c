@@ -1,13 +1,9 @@
 /* Window of a mesh: moves the nodes around a change until each segment has its strain again. The
  * displacements are the smallest in the norm of the nodes' masses. */
 #include "thread/remesh.h"
+#include "thread/tuning.h"
 
 #include <string.h>
-
-/* More would move the shape to cure what is small already. */
-enum { PROJECTION_PASSES = 3 };
-/* As a share of the largest pivot: lengths that only large moves across could change are left as they are. */
-#define REGULARISATION 1e-3
 
 /* ---- geometry of a few segments, by the formulas of bending.c and strain.c */
 
@@ -156,7 +152,7 @@ static void solve_multipliers(const remesh_window *w, length_constraint *constra
         largest = vbss_max(m[i][i], largest);
     }
     for (uint32_t i = 0; i < count; i++) {
-        m[i][i] += REGULARISATION * largest;
+        m[i][i] += REMESH_REGULARISATION * largest;
     }
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t k = i + 1; k < count; k++) {
@@ -180,7 +176,7 @@ double vbss_remesh_project_window(remesh_window *w)
     vec3 initial[REMESH_WINDOW_NODES];
     length_constraint constraints[MAX_CONSTRAINTS];
     memcpy(initial, w->x, sizeof initial);
-    for (int pass = 0; pass < PROJECTION_PASSES; pass++) {
+    for (int pass = 0; pass < REMESH_PROJECTION_PASSES; pass++) {
         uint32_t count = list_constraints(w, constraints);
         if (count == 0) {
             return 0.0;

@@ -6,6 +6,7 @@
  * cells at a clamp. The norm is smoothed below a thousandth of k, as a straight thread has no plane
  * to bend in. */
 #include "thread/thread.h"
+#include "thread/tuning.h"
 
 #include <string.h>
 
@@ -46,7 +47,7 @@ static int cells_at(const thread_object *t, const vec3 *x, uint32_t node, cell c
 
 static double smooth_norm(vec3 turn, double angle)
 {
-    return sqrt(vec3_norm_squared(turn) + 1e-6 * angle * angle);
+    return sqrt(vec3_norm_squared(turn) + THREAD_SMOOTH_TURN_SQUARED * angle * angle);
 }
 
 double vbss_thread_rest_curvature_energy(const thread_object *t)

@@ -1,15 +1,9 @@
 /* Trial state of a substep, for a thread on its own or in a scene: prediction, increments,
  * commit. */
 #include "thread/thread.h"
+#include "thread/tuning.h"
 
 #include <string.h>
-
-/* Strain beyond the tension's that the prediction of a smooth motion does not reach. */
-#define SMOOTH_STRAIN 0.03
-/* The same for what follows the short first part of a start, whose accelerations hold for that only. */
-#define STARTING_STRAIN 1e-3
-/* Strain from which a prediction is no start for the iteration. */
-#define MAX_PREDICTION_STRAIN 0.5
 
 /* Whether the prediction reverses a segment. It would stay reversed as a fold that no force
  * has made. */
@@ -70,15 +64,16 @@ bool vbss_thread_predict(thread_object *t, thread_substep *substep)
     vbss_thread_set_clamp_directions(t, substep->end_fraction);
     vbss_thread_compute_strains(t, t->trial, t->strains);
     double strain = vbss_thread_strain_beyond_tension(t);
-    bool is_rejected = !(strain <= MAX_PREDICTION_STRAIN) || flips_segment(t);
+    bool is_rejected = !(strain <= THREAD_MAX_PREDICTION_STRAIN) || flips_segment(t);
     if (is_rejected) {
         vbss_thread_reset_trial(t);
         vbss_thread_compute_strains(t, t->trial, t->strains);
         strain = vbss_thread_strain_beyond_tension(t);
         t->statistics.softened++;
     }
-    substep->max_acceptable_strain = strain + MAX_PREDICTION_STRAIN;
-    return !is_rejected && strain <= (t->previous_h == 0.0 ? STARTING_STRAIN : SMOOTH_STRAIN);
+    substep->max_acceptable_strain = strain + THREAD_MAX_PREDICTION_STRAIN;
+    return !is_rejected &&
+           strain <= (t->previous_h == 0.0 ? THREAD_STARTING_STRAIN : THREAD_SMOOTH_STRAIN);
 }
 
 double vbss_thread_apply_increment(thread_object *t, const thread_substep *substep, const vec3 *u)

@@ -12,7 +12,7 @@ _Static_assert(sizeof(vbss_thread_config) == 304, "published size");
 
 /* ---- configurations */
 
-/* The thread of VBLaST-SS. */
+/* The thread of VBLaST-SS, published. */
 #define VBLAST_RADIUS 0.125e-3
 #define VBLAST_LINEAR_DENSITY 6.4e-5
 #define VBLAST_AXIAL_STIFFNESS 427.0

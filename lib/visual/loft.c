@@ -1,5 +1,6 @@
 /* Lofts: surfaces made by moving a section along a line, ring by ring, with domes at the ends. */
 #include "base/elementary.h"
+#include "base/pi.h"
 #include "visual/visual.h"
 
 /* ---- sections */
@@ -7,7 +8,7 @@
 /* A polygon with n sides deviates from its circle by r (1 - cos(pi / n)) <= r (pi / n)^2 / 2. */
 static uint32_t count_sides(const visual_object *v, double radius)
 {
-    double sides = VISUAL_PI * sqrt(0.5 * radius / v->config.tube_tolerance);
+    double sides = VBSS_PI * sqrt(0.5 * radius / v->config.tube_tolerance);
     double limited = vbss_min(vbss_max(sides, 6.0), v->config.side_limit);
     return (uint32_t)(limited + 0.999);
 }
@@ -30,7 +31,7 @@ void vbss_visual_round_section(const visual_object *v, double radius, visual_sec
     section->dome_rings = (sides + 3) / 4 < 2 ? 2 : (sides + 3) / 4;
     for (uint32_t i = 0; i <= sides; i++) {
         double fraction = (double)i / (double)sides, sine, cosine;
-        vbss_sincos(i == sides ? 0.0 : 2.0 * VISUAL_PI * fraction, &sine, &cosine);
+        vbss_sincos(i == sides ? 0.0 : 2.0 * VBSS_PI * fraction, &sine, &cosine);
         add_point(section, cosine, sine, cosine, sine, fraction); /* the seam has two points */
     }
     section->joins_next[sides] = false;
@@ -44,7 +45,7 @@ void vbss_visual_jaw_section(const visual_object *v, double radius, visual_secti
     add_point(section, -1.0, -1.0, 0.0, -1.0, 0.0);
     for (uint32_t i = 0; i <= sides; i++) {
         double fraction = (double)i / (double)sides, sine, cosine;
-        vbss_sincos(VISUAL_PI * (fraction - 0.5), &sine, &cosine);
+        vbss_sincos(VBSS_PI * (fraction - 0.5), &sine, &cosine);
         add_point(section, cosine, sine, cosine, sine, 0.15 + 0.4 * fraction);
     }
     add_point(section, -1.0, 1.0, 0.0, 1.0, 0.7);
@@ -146,7 +147,7 @@ void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool at_st
         /* From the pole to the ring, or from the ring to the pole. The caller adds the ring. */
         uint32_t step = at_start ? rings - k : k;
         double sine, cosine;
-        vbss_sincos(0.5 * VISUAL_PI * ((double)step / (double)rings), &sine, &cosine);
+        vbss_sincos(0.5 * VBSS_PI * ((double)step / (double)rings), &sine, &cosine);
         if (step == 0) {
             continue;
         }

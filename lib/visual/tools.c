@@ -33,7 +33,7 @@ static visual_ring tip_ring(const vbss_needle *needle, const scene_needle_info *
 
 void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss_needle *needle)
 {
-    enum { TIP_RINGS = 8 };
+    enum { TIP_RINGS = 8 }; /* chosen */
     const scene_needle_info n = vbss_scene_inspect_needle(needle);
     const double length = n.length, tip = vbss_min(v->config.tip_length, 0.5 * length);
     const bool thin = tip > n.wire_radius;

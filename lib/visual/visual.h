@@ -16,12 +16,12 @@
 #include <vblast_ss/visual.h>
 
 #include "base/linear.h"
+#include "base/pi.h"
 #include "base/slot.h"
 #include "scene/api/inspect.h"
 
-/* Sides of a section; points of one, where a seam or creases double some. */
+/* Sides of a section; points of one, where a seam or creases double some. Capacities, chosen. */
 enum { VISUAL_MAX_SIDES = 64, VISUAL_MAX_SECTION_POINTS = VISUAL_MAX_SIDES + 8 };
-#define VISUAL_PI 3.14159265358979323846
 
 /* The next three structs have the layout of the public views. */
 

@@ -37,7 +37,7 @@ static void draw_uniform(harness_source *source, drain_mesh_options *o)
     double cell = o->length / o->axial_cells;
     o->slit_length = 2.0 * floor(0.34 * o->length / cell) * cell;
     double columns = floor(0.24 * o->round_cells);
-    o->mark_arc = columns * 2.0 * DRAIN_PI / o->round_cells * o->radius;
+    o->mark_arc = columns * 2.0 * VBSS_PI / o->round_cells * o->radius;
     o->opening = draw(source, 0.0, fmin(fmin(0.4 * o->slit_length, o->radius), 2.0 * o->mark_arc));
 }
 
@@ -53,7 +53,7 @@ drain_mesh_options mesh_rig_draw(harness_source *source, bool divided)
     }
     o.slit_length = draw(source, r, 0.7 * o.length);
     o.opening = draw(source, 0.0, fmin(0.4 * o.slit_length, r));
-    o.mark_arc = draw(source, fmax(0.5 * o.opening, DRAIN_PI / 9.0 * r), 0.5 * DRAIN_PI * r);
+    o.mark_arc = draw(source, fmax(0.5 * o.opening, VBSS_PI / 9.0 * r), 0.5 * VBSS_PI * r);
     return o;
 }
 
@@ -118,7 +118,7 @@ double mesh_rig_area(const drain_mesh *m)
 
 double mesh_rig_least_angle(const drain_mesh *m)
 {
-    double least = DRAIN_PI;
+    double least = VBSS_PI;
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         for (int k = 0; k < 3; k++) {
             const uint32_t *n = m->triangles[t];

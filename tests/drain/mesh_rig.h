@@ -6,7 +6,7 @@
 
 #include "drain/mesh.h"
 
-#define RIG_DEGREE (DRAIN_PI / 180.0)
+#define RIG_DEGREE (VBSS_PI / 180.0)
 
 typedef struct mesh_rig {
     harness_memory memory;

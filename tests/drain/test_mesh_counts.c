@@ -73,7 +73,7 @@ static void any_drain_has_lines_where_they_matter(harness_source *source, void *
     expect_same_bits(0.5 * o.slit_length, vbss_drain_row_x(&m, middle + m.grid.tip_rows));
     expect_same_bits(0.5 * o.length, vbss_drain_row_x(&m, m.grid.axial_cells));
     expect_same_bits(o.mark_arc / o.radius, vbss_drain_column_angle(&m, m.grid.mark_column));
-    expect_same_bits(DRAIN_PI, vbss_drain_column_angle(&m, bottom));
+    expect_same_bits(VBSS_PI, vbss_drain_column_angle(&m, bottom));
     bool strip = false;
     for (uint32_t j = 0; j < bottom; j++) {
         strip = strip || vbss_drain_column_angle(&m, j) == DRAIN_STRIP_ANGLE;

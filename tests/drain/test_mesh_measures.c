@@ -13,8 +13,8 @@ static double area_error(drain_mesh_kind kind, double opening, uint32_t division
     drain_mesh_options o = mesh_rig_options(kind);
     o.opening = opening;
     o.divisions = divisions;
-    double lens = 0.25 * DRAIN_PI * o.slit_length * o.opening;
-    double exact = 2.0 * DRAIN_PI * o.radius * o.length - lens;
+    double lens = 0.25 * VBSS_PI * o.slit_length * o.opening;
+    double exact = 2.0 * VBSS_PI * o.radius * o.length - lens;
     mesh_rig_begin(&rig, &o);
     double error = (mesh_rig_area(&rig.mesh) - exact) / exact;
     mesh_rig_end(&rig);
@@ -48,7 +48,7 @@ static void equal_cells_have_prism_area(void **state)
     drain_mesh_options o = mesh_rig_tube(5, 12);
     mesh_rig_begin(&rig, &o);
     const drain_mesh *m = &rig.mesh;
-    double facet = 2.0 * o.radius * sin(DRAIN_PI / 12.0) * o.length / 5.0;
+    double facet = 2.0 * o.radius * sin(VBSS_PI / 12.0) * o.length / 5.0;
     expect_near(60.0 * facet, mesh_rig_area(m), 1e-15 * 60.0);
     for (uint32_t i = 0; i < m->node_count; i++) {
         /* Inside, six of the triangles, of which each is half a facet; at the ends, three. */
@@ -103,7 +103,7 @@ static void widths_are_axial_angles(void **state)
     const drain_mesh *m = &rig.mesh;
     uint32_t low = 0;
     for (uint32_t t = 0; t < m->triangle_count; t++) {
-        double from = DRAIN_PI, to = 0.0;
+        double from = VBSS_PI, to = 0.0;
         for (int k = 0; k < 3; k++) {
             vec3 p = m->rest[m->triangles[t][k]];
             double angle = fabs(vbss_atan2(p.z, p.y));

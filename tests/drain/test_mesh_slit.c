@@ -69,7 +69,7 @@ static void zero_width_cut_moves_no_node(void **state)
         mesh_rig rig;
         drain_mesh_options o = mesh_rig_options((drain_mesh_kind)kind);
         o.slit_length = kind == DRAIN_MESH_UNIFORM ? 32e-3 / 3.0 : o.slit_length;
-        o.mark_arc = kind == DRAIN_MESH_UNIFORM ? DRAIN_PI / 6.0 * o.radius : o.mark_arc;
+        o.mark_arc = kind == DRAIN_MESH_UNIFORM ? VBSS_PI / 6.0 * o.radius : o.mark_arc;
         o.opening = 0.0;
         mesh_rig_begin(&rig, &o);
         const drain_mesh *m = &rig.mesh;

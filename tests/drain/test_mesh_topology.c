@@ -104,7 +104,7 @@ static void expect_nothing_across(const drain_mesh *m)
     for (uint32_t s = 0; s < m->edge_count; s++) {
         double p = m->material_coordinates[m->edges[s].nodes[0]][0],
                q = m->material_coordinates[m->edges[s].nodes[1]][0];
-        assert_false(p * q < 0.0 && fabs(p - q) < DRAIN_PI * m->options.radius);
+        assert_false(p * q < 0.0 && fabs(p - q) < VBSS_PI * m->options.radius);
     }
 }
 
@@ -158,7 +158,7 @@ static void diagonals_have_one_direction(void **state)
     drain_mesh_options o = mesh_rig_tube(5, 12);
     mesh_rig_begin(&rig, &o);
     const drain_mesh *m = &rig.mesh;
-    double half = DRAIN_PI * o.radius;
+    double half = VBSS_PI * o.radius;
     uint32_t left = 0, right = 0;
     for (uint32_t s = 0; s < m->edge_count; s++) {
         const double *p = m->material_coordinates[m->edges[s].nodes[0]];

@@ -66,7 +66,7 @@ static void particle_masses_sum_to_wall_mass(void **state)
     paper_rig r;
     vbss_drain_config config = paper_config();
     paper_begin(&r, &config);
-    double sum = 0.0, area = 0.0, tube = 2.0 * DRAIN_PI * 6.5e-3 * 32e-3;
+    double sum = 0.0, area = 0.0, tube = 2.0 * VBSS_PI * 6.5e-3 * 32e-3;
     for (uint32_t i = 0; i < PAPER_NODES; i++) {
         double wanted = 950.0 * 1e-3 * r.object->mesh.node_area[i];
         expect_near(1.0, r.object->mass[i] / wanted, 1e-12);

@@ -24,7 +24,7 @@ static void stir(const char *name, double thickness)
                                    vec3_make(15e-3, 0.0, 0.0), 1.25e-3);
     drain_case_way(&c, rod, vec3_make(0.0, 0.0, 0.0), 350);
     for (int i = 0; i < 1500; i++) {
-        double turn = 2.0 * DRAIN_PI * i / 500.0, far = 6e-3 * vbss_min(i / 200.0, 1.0);
+        double turn = 2.0 * VBSS_PI * i / 500.0, far = 6e-3 * vbss_min(i / 200.0, 1.0);
         drain_case_aim(&c, rod, vec3_make(0.0, far * vbss_cos(turn), far * vbss_sin(turn)));
         drain_case_step(&c);
     }

@@ -89,7 +89,7 @@ static void tremor_makes_one_hole(void **state)
     assert_false(needle_case_drive(&c, BEFORE + 3.5e-3, SPEED, VBSS_EVENT_PUNCTURE));
     double before = 0.0;
     for (uint32_t i = 1; i <= 2000; i++) {
-        double at = 1e-3 * sin(2.0 * DRAIN_PI * 10.0 * i * c.d.h) + 2e-3 * i * c.d.h;
+        double at = 1e-3 * sin(2.0 * VBSS_PI * 10.0 * i * c.d.h) + 2e-3 * i * c.d.h;
         needle_case_turn(&c, at - before);
         before = at;
         needle_case_step(&c);
@@ -111,7 +111,7 @@ static void tremor_at_entry_keeps_hole(void **state)
     assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
     double before = 0.0;
     for (uint32_t i = 1; i <= 500; i++) {
-        double at = 0.1e-3 * sin(2.0 * DRAIN_PI * 10.0 * i * c.d.h);
+        double at = 0.1e-3 * sin(2.0 * VBSS_PI * 10.0 * i * c.d.h);
         needle_case_turn(&c, at - before);
         before = at;
         needle_case_step(&c);

@@ -185,12 +185,12 @@ vbss_thread *helix(const fixture *f, uint32_t nodes, double radius, double rise,
     double x[3 * 512], rest[512];
     assert_in_range(nodes, 2, 512);
     for (uint32_t i = 0; i < nodes; i++) {
-        double angle = (double)i * VISUAL_PI / 6.0;
+        double angle = (double)i * VBSS_PI / 6.0;
         vec3_store(x + 3 * (size_t)i, vec3_make(radius * vbss_cos(angle), rise * (double)i / 12.0,
                                                 radius * vbss_sin(angle)));
     }
     for (uint32_t i = 0; i + 1 < nodes; i++) { /* the length of the arc */
-        double turn = radius * VISUAL_PI / 6.0, up = rise / 12.0;
+        double turn = radius * VBSS_PI / 6.0, up = rise / 12.0;
         rest[i] = sqrt(turn * turn + up * up);
     }
     expect_ok(vbss_thread_config_init(&c, sizeof c));

@@ -49,7 +49,7 @@ static void tube_is_closed_and_faces_outward(void **state)
         expect_sound(&d, &d.parts[i]);
     }
     /* That of a bent cylinder is that of a straight one; the polygon in the circle and chords take some. */
-    double length = 59.0 * inside(thread)->rest[0], area = VISUAL_PI * 1.25e-4 * 1.25e-4;
+    double length = 59.0 * inside(thread)->rest[0], area = VBSS_PI * 1.25e-4 * 1.25e-4;
     expect_near(1.0, volume_of(&d, &d.parts[0]) / (length * area), 0.06);
     end(&f);
 }
@@ -76,7 +76,7 @@ static void tube_passes_through_nodes(void **state)
 /* Of a point from the helix, by Newton's method from a good start. */
 static double from_helix(vec3 p, double radius, double rise)
 {
-    double angle = p.y / rise * 2.0 * VISUAL_PI, up = rise / (2.0 * VISUAL_PI);
+    double angle = p.y / rise * 2.0 * VBSS_PI, up = rise / (2.0 * VBSS_PI);
     for (int i = 0; i < 20; i++) {
         double c = vbss_cos(angle), s = vbss_sin(angle);
         double slope = radius * (p.x * s - p.z * c) - up * (p.y - up * angle);
@@ -136,7 +136,7 @@ static void frames_are_twist_free(void **state)
 {
     (void)state;
     fixture f;
-    const double radius = 5e-3, rise = 8e-3, up = rise / (2.0 * VISUAL_PI);
+    const double radius = 5e-3, rise = 8e-3, up = rise / (2.0 * VBSS_PI);
     begin(&f);
     make(&f);
     expect_ok(vbss_visual_add_thread(f.visual, helix(&f, 121, radius, rise, 1.25e-4), NULL));
@@ -161,7 +161,7 @@ static void frames_are_twist_free(void **state)
         double angle = vbss_atan2(vec3_dot(n, vec3_cross(tangent, inward)), vec3_dot(n, inward));
         if (i > rings / 4) {
             double step = angle - before;
-            step -= 2.0 * VISUAL_PI * floor(step / (2.0 * VISUAL_PI) + 0.5);
+            step -= 2.0 * VBSS_PI * floor(step / (2.0 * VBSS_PI) + 0.5);
             turned += step;
         } else {
             arc = along;
@@ -179,13 +179,13 @@ static void frames_are_twist_free(void **state)
 static double error_of_carrying(int steps)
 {
     const double radius = 5e-3, up = 3e-3, speed = sqrt(radius * radius + up * up);
-    const double turned = 2.0 * VISUAL_PI * up / speed; /* torsion times length, the other way */
+    const double turned = 2.0 * VBSS_PI * up / speed; /* torsion times length, the other way */
     vec3 before = vec3_zero(), along = vec3_zero(), normal = vec3_zero();
     double angle = 0.0;
     for (int i = 0; i <= steps; i++) {
         double sine, cosine;
-        vbss_sincos(2.0 * VISUAL_PI * i / steps, &sine, &cosine);
-        vec3 at = vec3_make(radius * cosine, radius * sine, up * 2.0 * VISUAL_PI * i / steps);
+        vbss_sincos(2.0 * VBSS_PI * i / steps, &sine, &cosine);
+        vec3 at = vec3_make(radius * cosine, radius * sine, up * 2.0 * VBSS_PI * i / steps);
         vec3 tangent = vec3_scale(vec3_make(-radius * sine, radius * cosine, up), 1.0 / speed);
         vec3 inward = vec3_make(-cosine, -sine, 0.0);
         normal = i == 0 ? inward : vbss_visual_transport_normal(before, along, normal, at, tangent);
@@ -194,7 +194,7 @@ static double error_of_carrying(int steps)
         along = tangent;
     }
     double off = angle + turned;
-    return fabs(off - 2.0 * VISUAL_PI * floor(off / (2.0 * VISUAL_PI) + 0.5));
+    return fabs(off - 2.0 * VBSS_PI * floor(off / (2.0 * VBSS_PI) + 0.5));
 }
 
 static void frame_transport_is_fourth_order(void **state)
@@ -221,7 +221,7 @@ static void frames_are_continuous_in_time(void **state)
     for (int i = 0; i < 400; i++) { /* twice round an axis that no coordinate is special for */
         double positions[90];
         quat turn = vbss_quat_from_rotation_vector(
-            vec3_scale(vec3_make(0.6, 0.0, 0.8), (double)i * 4.0 * VISUAL_PI / 400.0));
+            vec3_scale(vec3_make(0.6, 0.0, 0.8), (double)i * 4.0 * VBSS_PI / 400.0));
         for (int k = 0; k < 30; k++) {
             vec3_store(positions + 3 * (ptrdiff_t)k, quat_rotate(turn, rest[k]));
         }

@@ -209,7 +209,7 @@ static void capsules_balls_and_floor_are_drawn(void **state)
     assert_int_equal(d.parts[0].kind, VBSS_VISUAL_RIGID);
     assert_int_equal(d.parts[0].body, body);
     expect_sound(&d, &d.parts[0]);
-    const double wanted = VISUAL_PI * (1e-6 * 0.01 + 4.0 / 3.0 * (1e-9 + 8e-9));
+    const double wanted = VBSS_PI * (1e-6 * 0.01 + 4.0 / 3.0 * (1e-9 + 8e-9));
     expect_near(1.0, volume_of(&d, &d.parts[0]) / wanted, 0.03);
     const pose at = pose_make(vec3_load(place), quat_make(0.8, 0.0, 0.6, 0.0));
     double reach = 0.0; /* in its frame the ball ends at x = 22 mm */

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"
+#include "scene/tuning.h"
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
@@ -47,14 +48,10 @@ static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
     return VBSS_OK;
 }
 
-/* Radius of gyration about the tip, m: about that of what works there. */
-#define GYRATION_RADIUS 0.03
-
-/* Mass of the grasper's proxy. It is at the tip, so that the hand feels the forces that act
- * there. */
+/* A proxy has the mass that its coupling needs, at the tip, where the hand is to feel what acts. */
 static vbss_rigid_mass proxy_mass(const grasper_object *g)
 {
-    double moment = g->config.mass * GYRATION_RADIUS * GYRATION_RADIUS;
+    double moment = g->config.mass * SCENE_GYRATION_RADIUS * SCENE_GYRATION_RADIUS;
     const vbss_rigid_mass mass = {
         g->config.mass, {moment, moment, moment}, pose_make(vec3_zero(), quat_identity())};
     return mass;

@@ -3,13 +3,11 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tissue/tissue.h"
+#include "scene/tuning.h"
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
 #include <string.h>
-
-/* Of the sum of weights. */
-#define WEIGHT_ROUNDING 1e-9
 
 static vbss_result check_weights(vbss_context *context, const double *weights)
 {
@@ -20,7 +18,7 @@ static vbss_result check_weights(vbss_context *context, const double *weights)
         VBSS_TRY(vbss_check_range(context, weights[k], 0.0, 1.0, "weights"));
         sum += weights[k];
     }
-    return vbss_check_range(context, sum, 1.0 - WEIGHT_ROUNDING, 1.0 + WEIGHT_ROUNDING,
+    return vbss_check_range(context, sum, 1.0 - SCENE_WEIGHT_ROUNDING, 1.0 + SCENE_WEIGHT_ROUNDING,
                             "the sum of weights");
 }
 

@@ -10,25 +10,8 @@
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* Share of the distance of touching; and of the distance at the begin where that is smaller. */
-#define CCD_DISTANCE_RATIO 0.5
-#define CCD_RATIO_WHEN_NEARER 0.9
-/* Share of the guarded distance below which what is cut short comes no nearer at all: pressed on and on it would
- * end so near that no test could prove that it leaves. */
-#define CCD_MIN_DISTANCE_RATIO 0.1
-/* What is at a hole is looked at as often in a part; and asked about so often at most. */
-enum { MAX_EVALUATIONS = 8, MAX_HOLE_QUERIES = 80 };
-/* The floor: how much of its radius a node or the end of a capsule may be above it at least. */
-#define CCD_FLOOR_RATIO 0.5
-/* Share of the margin: a half, less what rounding may do. */
-#define BROAD_PHASE_MARGIN_RATIO 0.49
-/* What is not deep begins no nearer than DEEP less than touching; two bodies that do not move by more than GENTLE of it
- * together stay farther apart than half: nodes that rows see smoothed, too, which may begin at 0.71 of it themselves. A
- * segment between these that is as long as the tool's radius may begin at 0.6: it stays beyond 0.4. */
-#define DEEP_RATIO 0.2
-#define SLOW_MOTION_RATIO 0.2
 
 /* ---- motion of vertices */
 
@@ -65,7 +48,7 @@ static vertex_motion vertex_motion_of(scene_object *s, const scene_body *b)
  * them meets only features of listed pairs. */
 static bool is_inside_motion_bounds(const scene_object *s, const vertex_motion *m)
 {
-    const double margin = BROAD_PHASE_MARGIN_RATIO * s->config.contact_margin;
+    const double margin = SCENE_CCD_MARGIN_RATIO * s->config.contact_margin;
     for (uint32_t i = 0; i < m->count; i++) {
         vec3 expected = vec3_scale(m->expected[i], SCENE_EXTRAPOLATION_RATIO),
              displacement = vec3_sub(m->end[i], m->start[i]);
@@ -91,7 +74,7 @@ static bool do_pairs_start_apart(const scene_object *s)
         const contact_constraint *constraint = &s->contacts->constraints[i];
         is_apart =
             constraint->is_bilateral || constraint->start_gap - constraint->overlap_allowance >=
-                                            -DEEP_RATIO * constraint->contact_distance;
+                                            -SCENE_CCD_DEEP_RATIO * constraint->contact_distance;
     }
     return is_apart;
 }
@@ -369,7 +352,7 @@ static bool is_slow_pair(const scene_object *s, const collision_candidate *q)
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
     return s->can_skip_slow_pairs && a->max_displacement + b->max_displacement <=
-                                         SLOW_MOTION_RATIO * contact_distance_of(s, q);
+                                         SCENE_CCD_SLOW_MOTION_RATIO * contact_distance_of(s, q);
 }
 
 /* Skips all pairs of the same two shapes if none of them moves enough. Returns the index of the
@@ -382,8 +365,8 @@ static uint32_t skip_slow_pairs(const scene_object *s, uint32_t first)
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
     double contact_distance = min_radius(s, a, q->shape_a) + min_radius(s, b, q->shape_b);
     uint32_t next = first;
-    if (s->can_skip_slow_pairs &&
-        a->max_displacement + b->max_displacement <= SLOW_MOTION_RATIO * contact_distance) {
+    if (s->can_skip_slow_pairs && a->max_displacement + b->max_displacement <=
+                                      SCENE_CCD_SLOW_MOTION_RATIO * contact_distance) {
         while (next < c->candidate_count && c->candidates[next].shape_a == q->shape_a &&
                c->candidates[next].shape_b == q->shape_b) {
             next++;
@@ -434,7 +417,7 @@ static double time_of_impact(scene_object *s, const ccd_query *query, contact_sc
 {
     double coordinates[3], contact_distance = contact_distance_of(s, query->candidate),
                            distance = distance_at_start(s, query, coordinates);
-    double ccd_distance = CCD_DISTANCE_RATIO * scales.at_start * contact_distance;
+    double ccd_distance = SCENE_CCD_DISTANCE_RATIO * scales.at_start * contact_distance;
     if (distance >= contact_distance + s->config.contact_margin) {
         double reduction = (1.0 - scales.during_motion) * contact_distance;
         return time_of_approach(
@@ -442,8 +425,10 @@ static double time_of_impact(scene_object *s, const ccd_query *query, contact_sc
             vbss_max(min_contact_distance(s, query->candidate) - reduction, ccd_distance));
     }
     bool near = distance <= ccd_distance * (1.0 + 2.0 * s->collision->ccd_options.tolerance);
-    double hit = time_of_approach(s, query, near ? CCD_RATIO_WHEN_NEARER * distance : ccd_distance);
-    return hit < 1.0 && distance < CCD_MIN_DISTANCE_RATIO * ccd_distance && !scales.leaves_hole
+    double hit =
+        time_of_approach(s, query, near ? SCENE_CCD_RATIO_WHEN_NEARER * distance : ccd_distance);
+    return hit < 1.0 && distance < SCENE_CCD_MIN_DISTANCE_RATIO * ccd_distance &&
+                   !scales.leaves_hole
                ? query->start_fraction
                : hit;
 }
@@ -458,11 +443,12 @@ static double time_of_impact_at_holes(scene_object *s, const collision_candidate
     const double total_displacement = s->bodies[s->body_of_shape[q->shape_a]].max_displacement +
                                       s->bodies[s->body_of_shape[q->shape_b]].max_displacement;
     const double sample_interval =
-        vbss_max(1.0 / MAX_EVALUATIONS, SLOW_MOTION_RATIO * contact_distance / total_displacement);
+        vbss_max(1.0 / SCENE_CCD_HOLE_EVALUATIONS,
+                 SCENE_CCD_SLOW_MOTION_RATIO * contact_distance / total_displacement);
     ccd_query query = {q, interval, 0.0};
     const double scale_during_motion =
         contact_scale_at_wall(s, &query, contact_distance, total_displacement);
-    for (uint32_t i = 0; i < MAX_HOLE_QUERIES && query.start_fraction < 1.0; i++) {
+    for (uint32_t i = 0; i < SCENE_CCD_HOLE_QUERIES && query.start_fraction < 1.0; i++) {
         contact_scales scales = {contact_scale_at_wall(s, &query, contact_distance, 0.0),
                                  scale_during_motion, false};
         if (scales.at_start <= 0.0) {
@@ -483,8 +469,9 @@ static double time_of_impact_at_holes(scene_object *s, const collision_candidate
         if (scale_at_hit >= scales.at_start) {
             return hit.start_fraction;
         }
-        double min_start =
-            scale_at_hit > 0.0 ? 0.0 : query.start_fraction + sample_interval / MAX_EVALUATIONS;
+        double min_start = scale_at_hit > 0.0 ? 0.0
+                                              : query.start_fraction +
+                                                    sample_interval / SCENE_CCD_HOLE_EVALUATIONS;
         query.start_fraction = vbss_min(vbss_max(hit.start_fraction, min_start), 1.0);
     }
     return query.start_fraction;
@@ -538,8 +525,8 @@ static bool stays_beyond_ccd_distance(scene_object *s, const ccd_query *query)
 {
     double coordinates[3], distance = distance_at_start(s, query, coordinates),
                            contact_distance = contact_distance_of(s, query->candidate);
-    const double ccd_distance =
-        CCD_DISTANCE_RATIO * contact_distance * (1.0 + 2.0 * s->collision->ccd_options.tolerance);
+    const double ccd_distance = SCENE_CCD_DISTANCE_RATIO * contact_distance *
+                                (1.0 + 2.0 * s->collision->ccd_options.tolerance);
     vbss_collision_store_separation(s->collision, query->candidate, distance);
     return distance < contact_distance + s->config.contact_margin &&
            vbss_collision_stays_separated(s->collision, query->candidate, ccd_distance) &&
@@ -625,9 +612,9 @@ static double time_of_floor_impact(const scene_object *s, vec3 start, vec3 end, 
 {
     double start_height = vec3_dot(start, s->floor_normal) - s->config.floor_height;
     double end_height = vec3_dot(end, s->floor_normal) - s->config.floor_height;
-    double min_height = CCD_FLOOR_RATIO * radius;
+    double min_height = SCENE_CCD_FLOOR_RATIO * radius;
     if (start_height < min_height) { /* started too low already */
-        min_height = start_height - (1.0 - CCD_RATIO_WHEN_NEARER) * fabs(start_height);
+        min_height = start_height - (1.0 - SCENE_CCD_RATIO_WHEN_NEARER) * fabs(start_height);
     }
     return end_height >= min_height ? 1.0
                                     : (start_height - min_height) / (start_height - end_height);

@@ -9,15 +9,8 @@
 #include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
 #include "scene/tissue/tissue.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* Of the way to the first hit; and of the velocity that is left. */
-#define SAFE_FRACTION 0.9
-#define VELOCITY_FRACTION 0.1
-/* Halves of the share that are tried before nothing moves at all. */
-enum { MAX_TRUNCATIONS = 4 };
-/* A trial state that is longer than this is no state to go to. */
-#define MAX_TRIAL_STRETCH 0.05
 
 /* Fraction of the trial displacement that is safe; 0 if the trial state is unusable. Threads whose
  * tension decreases are not asked for their stretch: one that an earlier truncation has stretched
@@ -32,14 +25,14 @@ static double find_safe_fraction(scene_object *s, scene_substep_outcome outcome)
         }
     }
     if (outcome == SCENE_SUBSTEP_SINGULAR || outcome == SCENE_SUBSTEP_OUT_OF_CAPACITY ||
-        !(stretch <= MAX_TRIAL_STRETCH)) {
+        !(stretch <= SCENE_MAX_TRIAL_STRETCH)) {
         return 0.0;
     }
     scene_substep_outcome ccd_outcome = vbss_scene_run_ccd(s);
     if (ccd_outcome != SCENE_SUBSTEP_ACCEPTED && ccd_outcome != SCENE_SUBSTEP_CCD_HIT) {
         return 0.0; /* not all of the motion was tested */
     }
-    return s->time_of_impact < 1.0 ? SAFE_FRACTION * s->time_of_impact : 1.0;
+    return s->time_of_impact < 1.0 ? SCENE_SAFE_FRACTION * s->time_of_impact : 1.0;
 }
 
 /* ---- truncation of the trial state */
@@ -82,7 +75,7 @@ static void commit_truncated_thread(thread_object *t, double h)
     for (uint32_t i = 0; i < t->node_count; i++) {
         vec3 displacement = vec3_sub(t->trial[i], t->now.x[i]);
         t->now.x[i] = t->trial[i];
-        t->now.v[i] = vec3_scale(displacement, VELOCITY_FRACTION / h);
+        t->now.v[i] = vec3_scale(displacement, SCENE_VELOCITY_FRACTION / h);
         t->now.a[i] = t->now.q[i] = vec3_zero();
     }
     vbss_thread_compute_strains(t, t->now.x, t->strains);
@@ -103,15 +96,15 @@ static void commit_truncated_rigid(scene_rigid *r, double h)
     vec3 rotation = vbss_quat_to_rotation_vector(
         quat_mul(r->trial.orientation, quat_conjugate(now->pose.orientation)));
     now->pose = r->trial;
-    now->v = vec3_scale(displacement, VELOCITY_FRACTION / h);
-    now->w = vec3_scale(rotation, VELOCITY_FRACTION / h);
+    now->v = vec3_scale(displacement, SCENE_VELOCITY_FRACTION / h);
+    now->w = vec3_scale(rotation, SCENE_VELOCITY_FRACTION / h);
 }
 
 static void commit_truncated_drain(drain_object *d, double h)
 {
     vbss_drain_commit(d, h);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        d->v[i] = vec3_scale(d->v[i], VELOCITY_FRACTION);
+        d->v[i] = vec3_scale(d->v[i], SCENE_VELOCITY_FRACTION);
     }
 }
 
@@ -143,7 +136,7 @@ static void truncate_bodies(scene_object *s, double fraction)
 static double truncate_until_safe(scene_object *s, double fraction)
 {
     truncate_bodies(s, fraction);
-    for (uint32_t k = 0; k < MAX_TRUNCATIONS && fraction > 0.0; k++) {
+    for (uint32_t k = 0; k < SCENE_MAX_TRUNCATIONS && fraction > 0.0; k++) {
         if (vbss_scene_run_ccd(s) == SCENE_SUBSTEP_ACCEPTED) {
             return fraction;
         }

@@ -1,15 +1,10 @@
 /* Adds a contact constraint if two features may touch in the substep. */
 #include "scene/contacts/contacts.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 #include <string.h>
 
-/* Normals turn while features pass: share of their way across it that may come along it. */
-#define LATERAL_RATIO 0.1
-/* What is above the floor by so many times what it may come down has no row: by more than rounding. */
-#define FLOOR_REACH_RATIO 1.01
-
-/* Whether the motion of all nodes of a feature is prescribed. */
 static bool is_feature_prescribed(const scene_object *s, const scene_body *b, uint32_t kind,
                                   bool is_b, uint32_t feature)
 {
@@ -91,7 +86,7 @@ static bool compute_geometry(const scene_object *s, contact_constraint *constrai
                                                             !has_swinging_lip(m, &constraint->key));
     if (near && is_directional) {
         near = constraint->start_gap <
-               largest_approach(m, constraint->normal) + LATERAL_RATIO * reach + margin;
+               largest_approach(m, constraint->normal) + SCENE_LATERAL_RATIO * reach + margin;
     }
     return near;
 }
@@ -166,7 +161,8 @@ bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const
     /* Only a downward motion can reach the floor. */
     double down = vbss_min(vec3_dot(displacement, s->floor_normal), 0.0);
     double gap = vec3_dot(s->floor_normal, x) - s->config.floor_height - radius;
-    if (gap - s->config.contact_margin > -FLOOR_REACH_RATIO * SCENE_EXTRAPOLATION_RATIO * down) {
+    if (gap - s->config.contact_margin >
+        -SCENE_FLOOR_REACH_RATIO * SCENE_EXTRAPOLATION_RATIO * down) {
         return true;
     }
     vec3 downward = vec3_scale(s->floor_normal, down);

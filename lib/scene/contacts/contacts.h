@@ -3,6 +3,7 @@
 #ifndef VBSS_SCENE_CONTACTS_H
 #define VBSS_SCENE_CONTACTS_H
 
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 /* Radius of one feature of a candidate pair, m. Lips are thinner than this against another wall. */
@@ -46,10 +47,7 @@ static inline void scene_clip_axis(vec3 axis[2], const double interval[2])
     axis[1] = vec3_lerp(start, axis[1], interval[1]);
 }
 
-/* Ways are taken for so much longer than a part: velocities change within it. */
-#define SCENE_EXTRAPOLATION_RATIO 1.2
-/* Two bodies whose features may touch, and the expected displacements of the features' vertices, m.
- * `b` is NULL for the floor. */
+/* Two features that may touch, and how far their vertices may move. b is NULL: the floor. */
 typedef struct scene_contact_pair {
     const scene_body *a, *b;
     const vec3 *displacements_a, *displacements_b;

@@ -1,9 +1,7 @@
 /* Bilateral constraints of holes: the suture is held across its curve and slides along it. */
 #include "scene/contacts/contacts.h"
 #include "scene/tissue/tissue.h"
-
-/* Where the swage may pass in a part, nodes of both sides take part; m. */
-#define NEAR_SWAGE 2e-3
+#include "scene/tuning.h"
 
 bool vbss_scene_add_hole_constraints(scene_object *s)
 {
@@ -98,7 +96,8 @@ static void add_thread_jacobian(const scene_object *s, contact_constraint *const
  * sparsity pattern is fixed. */
 static uint32_t choose_span(const scene_hole_context *p, double arc)
 {
-    bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - NEAR_SWAGE);
+    bool far =
+        p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - SCENE_NEAR_SWAGE);
     return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
 }
 

@@ -3,13 +3,11 @@
 #include "scene/contacts/contacts.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 /* Of a needle's reach. */
-#define THREAD_REACH_RATIO (1.5 / SCENE_EXCLUSION_ARC_RATIO)
-/* What comes out of a hole at a small angle is in the wall still where it is no longer left out: over so many times that way
- * more it touches at a distance that grows from nothing to the whole, and is not felt all at once. */
-#define EXIT_RAMP_RATIO 1.0
+#define THREAD_REACH_RATIO (SCENE_THREAD_EXCLUSION_ARC / SCENE_EXCLUSION_ARC_RATIO)
 
 /* Exclusion radius of a hole for a point of the suture, m. A needle that enters at a small angle
  * has pressed down the wall beside its tip. There the radius is larger until the tip has passed
@@ -73,7 +71,7 @@ static double reach_at_swage(const scene_object *s, const scene_body *suture, ui
 /* Contact scale at a distance from a hole, given in exclusion radii. */
 static double scale_beside_hole(const scene_body *suture, double reaches)
 {
-    double ramp_length = suture->kind == SCENE_BODY_THREAD ? EXIT_RAMP_RATIO : 0.0;
+    double ramp_length = suture->kind == SCENE_BODY_THREAD ? SCENE_EXIT_RAMP_RATIO : 0.0;
     if (reaches < 1.0) {
         return 0.0;
     }
@@ -104,7 +102,7 @@ static double scale_in_holes(const scene_object *s, const scene_body *suture, ui
         double now = vec3_distance(wall_point->now, hole_point_at(hole, d, wall_point->time));
         double rest = vec3_distance(wall_point->rest, vbss_hole_point(hole, d, d->mesh.rest));
         double max_reach = vbss_max(own, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc);
-        if (!(vbss_max(now, rest) < (1.0 + EXIT_RAMP_RATIO) * max_reach)) {
+        if (!(vbss_max(now, rest) < (1.0 + SCENE_EXIT_RAMP_RATIO) * max_reach)) {
             continue;
         }
         double arc = vbss_scene_suture_arc_length(suture, segment, fraction);

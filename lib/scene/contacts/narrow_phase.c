@@ -5,26 +5,13 @@
  * a rigid body's surface. Friction needs its displacement since the start of the substep. */
 #include "collision/closest.h"
 #include "scene/contacts/contacts.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 /* Weights of a node and its neighbours that make the point of a smooth curve: on a polygon round a circle they
- * give Coulomb friction the law of the rope to second order of the turn between segments. */
+ * give Coulomb friction the law of the rope to second order of the turn between segments. Derived. */
 #define SMOOTH_NODE (11.0 / 12.0)
 #define SMOOTH_NEIGHBOUR (1.0 / 24.0)
-/* r of the law, N/m: of rows that nodes take part in. Larger by a thousand, states cycle. */
-#define NODE_AUGMENTATION 3.0
-/* A node of a thread that lies on the floor presses it by its weight alone, some uN: it would be held within 2 pm, and bear
- * alone what pulls along the thread; they would let go one after the other, a solve each. m */
-#define FLOOR_ELASTIC_SLIP_LIMIT 1e-7
-/* The same of rigid bodies alone, as a share of mass / h^2: well below the inertia that a point of them has, or
- * slip one way and the other way follow each other. */
-#define RIGID_AUGMENTATION 0.01
-/* A normal that turns by more than 60 degrees in one part belongs to another side. */
-#define MIN_NORMAL_COSINE 0.5
-/* Share of the distance of touching below which axes may be about to pass. */
-#define MIN_PREDICTED_RATIO 0.5
-/* Axes nearer than this have no direction, m. */
-#define NO_DISTANCE 1e-12
 
 /* One of the two features of a contact. It has one vertex if it is a point, two if a segment or
  * edge, three if a triangle. */
@@ -367,13 +354,13 @@ static double pair_friction(const scene_object *s, const scene_body *a, const sc
 static double augmentation_of(const scene_body *a, const scene_body *b, double h)
 {
     if (a->kind != SCENE_BODY_RIGID || (b != NULL && b->kind != SCENE_BODY_RIGID)) {
-        return NODE_AUGMENTATION;
+        return SCENE_NODE_AUGMENTATION;
     }
     double mass = a->rigid.body.mass;
     if (b != NULL && b->rigid.kind != VBSS_RIGID_DRIVEN) {
         mass = vbss_min(mass, b->rigid.body.mass);
     }
-    return RIGID_AUGMENTATION * mass / (h * h);
+    return SCENE_RIGID_AUGMENTATION * mass / (h * h);
 }
 
 /* Updates one side of a contact whose normal and closest points are known: its Jacobian and its
@@ -475,8 +462,9 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         is_covered_by_lips(&d, &e, constraint)) {
         return false;
     }
-    constraint->normal = distance > NO_DISTANCE ? vec3_scale(separation_vector, 1.0 / distance)
-                                                : fallback_normal(s, &d, &e);
+    constraint->normal = distance > SCENE_MIN_DISTANCE
+                             ? vec3_scale(separation_vector, 1.0 / distance)
+                             : fallback_normal(s, &d, &e);
     if (keeps_start_normal(constraint)) {
         return true;
     }
@@ -485,8 +473,8 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
     double at[2], lip_thickness;
     vec3 predicted = separation_of(s, constraint, &d, &e, AT_PREDICTED, at, &lip_thickness);
     double predicted_distance = vec3_norm(predicted);
-    if (predicted_distance > MIN_PREDICTED_RATIO * contact_distance &&
-        vec3_dot(predicted, constraint->normal) > MIN_NORMAL_COSINE * predicted_distance) {
+    if (predicted_distance > SCENE_MIN_PREDICTED_RATIO * contact_distance &&
+        vec3_dot(predicted, constraint->normal) > SCENE_MIN_NORMAL_COSINE * predicted_distance) {
         constraint->normal = vec3_scale(predicted, 1.0 / predicted_distance);
         constraint->barycentric[0] = at[0];
         constraint->barycentric[1] = at[1];
@@ -558,7 +546,7 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
             constraint->stiffness = s->config.contact_stiffness;
             constraint->augmentation = augmentation_of(a, b, h);
             constraint->elastic_slip_limit =
-                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR ? FLOOR_ELASTIC_SLIP_LIMIT : 0.0;
+                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR ? SCENE_FLOOR_ELASTIC_SLIP : 0.0;
         }
         const side d = side_of(s, constraint, a, 0);
         if (b == NULL) {

@@ -2,6 +2,7 @@
  * adjacent feature. Adjacent are neighbouring nodes or segments of a thread, and edges or triangles
  * of a drain that share a node. */
 #include "scene/contacts/contacts.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 static bool have_common_node(const scene_object *s, const scene_body *b, const contact_key *x,
@@ -55,13 +56,9 @@ static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *
     return best;
 }
 
-/* Of a fold that is too deep, m/s: it opens at leisure. */
-#define FOLD_OPENING_SPEED 0.02
-
-/* A fold has no inside. As its walls turn, other pairs become nearest, and these may start far
- * deeper than their force explains. The allowance absorbs such overlap, except for as much as may
- * open in this substep. In real time, inexact substeps leave overlap without force; absorbing it
- * would let it grow from substep to substep. */
+/* A fold knows no inside: as its sides turn, other pairs are nearest, and those may begin far deeper than what they bear. What
+ * they have not been pressed in by nobody has done: they are let off by no more than they open. In real time parts leave
+ * overlaps that no force knows of; let be, these would grow from part to part. */
 static void absorb_fold_overlap(scene_object *s, double h)
 {
     for (uint32_t i = 0; s->config.mode == VBSS_MODE_OFFLINE && i < s->contacts->count; i++) {
@@ -71,7 +68,8 @@ static void absorb_fold_overlap(scene_object *s, double h)
         double force_overlap = constraint->solution.status == CONTACT_OPEN
                                    ? 0.0
                                    : constraint->solution.normal_force / constraint->stiffness;
-        double excess = -constraint->start_gap - vbss_max(force_overlap, FOLD_OPENING_SPEED * h);
+        double excess =
+            -constraint->start_gap - vbss_max(force_overlap, SCENE_FOLD_OPENING_SPEED * h);
         if (is_fold && excess > 0.0) {
             constraint->fold_allowance = excess;
             constraint->overlap_allowance += excess;

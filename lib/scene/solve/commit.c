@@ -1,9 +1,7 @@
 /* Commit: the trial state of a substep becomes the state. */
 #include "scene/solve/solve.h"
 #include "scene/tissue/tissue.h"
-
-/* A motion that needs halving is not smooth: so many steps more are damped. */
-enum { DAMPED_STEPS = 2 };
+#include "thread/tuning.h"
 
 static void commit_thread(scene_thread *b, double h)
 {
@@ -62,7 +60,7 @@ void vbss_scene_request_damping(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
-            s->bodies[i].thread.thread->damped_steps_left = DAMPED_STEPS + 1;
+            s->bodies[i].thread.thread->damped_steps_left = THREAD_DAMPED_STEPS + 1;
         }
     }
 }

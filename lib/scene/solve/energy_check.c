@@ -4,14 +4,8 @@
  * iterations correct lengths before shapes. Both may put energy into threads and drains. Such a
  * substep is rejected. */
 #include "scene/solve/solve.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* Of each in a part, J. A knot alone rubs away what it was given: it may have what a quick hand does in a millisecond, with
- * 2 N at 0.5 m/s, or it waits too often. A wall keeps it: slits were drawn shut, and opened, by what nobody had done. */
-#define ENERGY_TOLERANCE_WITHOUT_WALLS 1e-3
-#define ENERGY_TOLERANCE_WITH_WALLS 2e-5
-/* What is above so many times that, further linearisations do not make good: 120 of 683, with 4.4 of them each (docs/contact.md). */
-#define HOPELESS_ENERGY_RATIO 3.0
 
 static vec3 node_displacement(const thread_object *t, uint32_t node)
 {
@@ -212,8 +206,8 @@ bool vbss_scene_passes_energy_check(const scene_object *s, const scene_substep *
     }
     const energy_gains g = compute_energy_gains(s, substep);
     return are_within_tolerance(&g, vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
-                                        ? ENERGY_TOLERANCE_WITH_WALLS
-                                        : ENERGY_TOLERANCE_WITHOUT_WALLS);
+                                        ? SCENE_ENERGY_WITH_WALLS
+                                        : SCENE_ENERGY_WITHOUT_WALLS);
 }
 
 bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep *substep)
@@ -224,5 +218,5 @@ bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep
         return true;
     }
     const energy_gains g = compute_energy_gains(s, substep);
-    return are_within_tolerance(&g, HOPELESS_ENERGY_RATIO * ENERGY_TOLERANCE_WITH_WALLS);
+    return are_within_tolerance(&g, SCENE_HOPELESS_ENERGY_RATIO * SCENE_ENERGY_WITH_WALLS);
 }

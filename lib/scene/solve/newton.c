@@ -6,29 +6,9 @@
  * factor. */
 #include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
-/* What misses the law of contact by less is none; and what may be left where states cycle, after some tries:
- * contact_active_set_options tells the units. */
-#define RELATIVE_FORCE_TOLERANCE 1e-3
-#define ABSOLUTE_FORCE_TOLERANCE 1e-7
-#define OVERLAP_TOLERANCE 1e-4
-#define MAX_STALLED_SOLVES 6u
-#define LOOSE_FORCE_TOLERANCE 0.05
-#define LOOSE_OVERLAP_TOLERANCE 0.02
-/* So many linearisations follow when no more work may be done, with a solve each: lengths come before contacts. */
-enum { MAX_OVER_BUDGET_LINEARISATIONS = 4 };
-/* Lengths that are missed by more than this share, and not by half as much as before, will not be found in time. */
-#define DIVERGING_STRETCH 0.1
-/* Of a linearisation, in products of blocks; and of a further look. */
-enum { COST_OF_NODE = 60, COST_OF_CONSTRAINT = 60, COST_OF_TRIANGLE = 40, COST_OF_CORRECTION = 12 };
-/* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
- * slid far is too near, it goes on with new ones, so often. */
-enum { MAX_NORMAL_UPDATES = 3 };
-/* Where a needle in a hole turns farther in a linearisation, rad, another follows, so often, and then the part is halved: its
- * stiff rows would store what a straight way misses of the arc as energy that nobody has put in, and throw the needle. */
-#define MAX_NEEDLE_ROTATION 0.05
-enum { MAX_NEEDLE_LINEARISATIONS = 4 };
 /* Numbers beyond this are no motion. */
 #define DIVERGENCE_LIMIT 1e100
 
@@ -95,7 +75,7 @@ static bool drop_compression_stiffness(scene_object *s)
 
 static uint32_t cost(const scene_object *s, uint32_t triangle_cost)
 {
-    uint32_t sum = COST_OF_NODE * s->node_count + COST_OF_CONSTRAINT * s->contacts->count;
+    uint32_t sum = SCENE_NODE_COST * s->node_count + SCENE_CONSTRAINT_COST * s->contacts->count;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             sum += triangle_cost * s->bodies[i].drain.drain->mesh.triangle_count;
@@ -106,14 +86,15 @@ static uint32_t cost(const scene_object *s, uint32_t triangle_cost)
 
 uint32_t vbss_scene_linearisation_cost(const scene_object *s)
 {
-    return cost(s, COST_OF_TRIANGLE);
+    return cost(s, SCENE_TRIANGLE_COST);
 }
 
 /* Operations that a search may use: the step budget minus one more linearisation with a solve,
  * which costs half as much. */
 static uint64_t find_search_budget(const scene_object *s)
 {
-    uint64_t next_linearisation_cost = (uint64_t)vbss_scene_linearisation_cost(s) * 3 / 2;
+    uint64_t next_linearisation_cost =
+        (uint64_t)vbss_scene_linearisation_cost(s) * SCENE_RESERVE_HALVES / 2;
     return s->step_budget == 0                        ? 0
            : next_linearisation_cost < s->step_budget ? s->step_budget - next_linearisation_cost
                                                       : 1;
@@ -123,20 +104,20 @@ static uint64_t find_search_budget(const scene_object *s)
 static scene_substep_outcome solve_active_set(scene_object *s)
 {
     scene_newton_state *newton = &s->newton;
-    const contact_active_set_options search = {.system = s->system,
-                                               .welds = s->welds,
-                                               .weld_count = s->weld_count,
-                                               .max_solves = s->config.state_limit,
-                                               .relative_force_tolerance = RELATIVE_FORCE_TOLERANCE,
-                                               .absolute_force_tolerance = ABSOLUTE_FORCE_TOLERANCE,
-                                               .overlap_tolerance = OVERLAP_TOLERANCE,
-                                               .max_stalled_solves = MAX_STALLED_SOLVES,
-                                               .loose_force_tolerance = LOOSE_FORCE_TOLERANCE,
-                                               .loose_overlap_tolerance = LOOSE_OVERLAP_TOLERANCE,
-                                               .operation_limit = newton->search_budget,
-                                               .starts_from_current = newton->starts_from_current &&
-                                                                      s->step_budget > 0,
-                                               .is_resumed = newton->is_suspended};
+    const contact_active_set_options search = {
+        .system = s->system,
+        .welds = s->welds,
+        .weld_count = s->weld_count,
+        .max_solves = s->config.state_limit,
+        .relative_force_tolerance = SCENE_FORCE_TOLERANCE_RATIO,
+        .absolute_force_tolerance = SCENE_FORCE_TOLERANCE,
+        .overlap_tolerance = SCENE_OVERLAP_TOLERANCE,
+        .max_stalled_solves = SCENE_MAX_STALLED_SOLVES,
+        .loose_force_tolerance = SCENE_LOOSE_FORCE_TOLERANCE,
+        .loose_overlap_tolerance = SCENE_LOOSE_OVERLAP_TOLERANCE,
+        .operation_limit = newton->search_budget,
+        .starts_from_current = newton->starts_from_current && s->step_budget > 0,
+        .is_resumed = newton->is_suspended};
     contact_outcome outcome = vbss_contact_solve_active_set(s->contacts, &search);
     newton->is_suspended = outcome == CONTACT_SUSPENDED;
     if (outcome == CONTACT_SUSPENDED) {
@@ -162,8 +143,9 @@ static scene_substep_outcome linearise(scene_object *s, const scene_substep *sub
         newton->over_budget_linearisations > 0 ? ASSEMBLE_ALL_BUT_DRAIN_MATRIX : ASSEMBLE_ALL;
     newton->search_budget = find_search_budget(s);
     newton->starts_from_current = newton->linearisations > 0;
-    vbss_scene_charge_budget(
-        s, cost(s, newton->over_budget_linearisations > 0 ? COST_OF_CORRECTION : COST_OF_TRIANGLE));
+    vbss_scene_charge_budget(s,
+                             cost(s, newton->over_budget_linearisations > 0 ? SCENE_CORRECTION_COST
+                                                                            : SCENE_TRIANGLE_COST));
     assemble(s, substep, scope);
     vbss_scene_set_weld_arms(s);
     s->statistics.linearisations++;
@@ -271,7 +253,7 @@ static bool has_needle_turned_far(const scene_object *s)
         const suture_hole *hole = &s->holes[i];
         const scene_body *b = hole->id != 0 ? vbss_scene_body(s, hole->needle) : NULL;
         if (b != NULL &&
-            vec3_norm(s->system->solution[b->rigid.blocks.first + 1]) > MAX_NEEDLE_ROTATION) {
+            vec3_norm(s->system->solution[b->rigid.blocks.first + 1]) > SCENE_MAX_NEEDLE_ROTATION) {
             return true;
         }
     }
@@ -334,7 +316,7 @@ static void begin_correction(scene_object *s, const scene_substep *substep)
 {
     s->newton.search_budget = find_search_budget(s);
     s->newton.starts_from_current = s->newton.has_correction = true;
-    vbss_scene_charge_budget(s, cost(s, COST_OF_CORRECTION));
+    vbss_scene_charge_budget(s, cost(s, SCENE_CORRECTION_COST));
     vbss_contact_save_solution(s->contacts);
     assemble(s, substep, ASSEMBLE_RHS);
     vbss_scene_set_weld_arms(s);
@@ -363,8 +345,8 @@ static bool is_diverging(const scene_object *s, const scene_substep *substep,
     double stretch = s->newton.stretch;
     bool is_last_search =
         s->step_budget > 0 && s->contacts->counters.operations >= find_search_budget(s);
-    return is_last_search && !substep->is_min_size && stretch > DIVERGING_STRETCH &&
-           stretch > 0.5 * previous_stretch;
+    return is_last_search && !substep->is_min_size && stretch > SCENE_DIVERGING_STRETCH &&
+           stretch > SCENE_CONVERGING_RATIO * previous_stretch;
 }
 
 /* Applies the increments of a search to the trial state. `needs_correction`: whether a
@@ -382,14 +364,14 @@ static scene_substep_outcome apply_increments(scene_object *s, const scene_subst
     }
     vbss_scene_refresh_contacts(s);
     bool is_too_far = moves.is_too_far || (has_needle_turned && newton->needle_linearisations ==
-                                                                    MAX_NEEDLE_LINEARISATIONS);
+                                                                    SCENE_NEEDLE_LINEARISATIONS);
     if ((is_too_far && !substep->is_min_size) || is_diverging(s, substep, previous_stretch)) {
         return SCENE_SUBSTEP_NOT_CONVERGED;
     }
     if (!vbss_scene_may_pass_energy_check(s, substep)) {
         return SCENE_SUBSTEP_NO_ACTIVE_SET;
     }
-    if (has_needle_turned && newton->needle_linearisations < MAX_NEEDLE_LINEARISATIONS) {
+    if (has_needle_turned && newton->needle_linearisations < SCENE_NEEDLE_LINEARISATIONS) {
         newton->is_converged = false;
         newton->needle_linearisations++;
     }
@@ -458,7 +440,7 @@ static scene_substep_outcome run_newton(scene_object *s, const scene_substep *su
 {
     scene_newton_state *newton = &s->newton;
     while (newton->linearisations < s->config.linearisation_limit && !newton->is_converged &&
-           newton->over_budget_linearisations < MAX_OVER_BUDGET_LINEARISATIONS) {
+           newton->over_budget_linearisations < SCENE_OVER_BUDGET_LINEARISATIONS) {
         scene_substep_outcome outcome = run_newton_iteration(s, substep);
         if (outcome != SCENE_SUBSTEP_ACCEPTED) {
             return outcome;
@@ -490,7 +472,7 @@ static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
             return SCENE_SUBSTEP_ACCEPTED;
         }
         if (newton->normal_updates ==
-                (substep->has_fixed_normals ? 0u : (uint32_t)MAX_NORMAL_UPDATES) ||
+                (substep->has_fixed_normals ? 0u : (uint32_t)SCENE_MAX_NORMAL_UPDATES) ||
             vbss_scene_is_over_budget(s) ||
             newton->linearisations >= s->config.linearisation_limit) {
             /* The next substep counts as recovering and removes the penetration that slip

@@ -1,19 +1,19 @@
 /* Prediction: trial state and integration scheme that a substep starts from. */
 #include "scene/solve/solve.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* Steps after the last neighbour has gone that are still made by backward Euler, which damps what contact
- * has stirred. */
-enum { DAMPED_STEPS_AFTER_CONTACT = 3 };
+#include "thread/tuning.h"
 
 static bool needs_damping(const scene_thread *b, double h)
 {
     const thread_object *t = b->thread;
     double previous_h = t->previous_h;
     /* Accelerations of a substep of very different length would gain energy. */
-    bool has_h_changed = previous_h > 0.0 && !(h < 2.1 * previous_h && previous_h < 2.1 * h);
+    bool has_h_changed = previous_h > 0.0 && !(h < THREAD_MAX_LENGTH_RATIO * previous_h &&
+                                               previous_h < THREAD_MAX_LENGTH_RATIO * h);
     return t->is_acceleration_unknown || t->damped_steps_left > 0 || b->has_contacts ||
-           b->is_welded || b->contact_free_steps < DAMPED_STEPS_AFTER_CONTACT || has_h_changed;
+           b->is_welded || b->contact_free_steps < SCENE_DAMPED_STEPS_AFTER_CONTACT ||
+           has_h_changed;
 }
 
 static void predict_thread(scene_thread *b, const scene_substep *substep)
@@ -39,7 +39,7 @@ static void predict_thread(scene_thread *b, const scene_substep *substep)
         vbss_thread_compute_strains(t, t->trial, t->strains);
     }
     inputs->buckling_load = vbss_thread_buckling_load(t, b->integration.inertia);
-    inputs->min_tension = -0.9 * inputs->buckling_load;
+    inputs->min_tension = -THREAD_END_COMPRESSION * inputs->buckling_load;
 }
 
 static void predict_rigid(scene_object *s, scene_rigid *r, const scene_substep *substep)

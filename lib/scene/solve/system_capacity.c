@@ -1,24 +1,16 @@
 /* Capacity of the linear system of a scene, from its configuration and its drains. */
 #include "base/error.h"
 #include "scene/solve/solve.h"
-
-/* Each node may be a separator; beside its neighbours along the thread it is coupled by contacts, and
- * elimination fills in more. */
-#define PAIRS_PER_SEPARATOR 24u
-/* The same of a drain, where it is no more than all of its nodes. */
-#define PAIRS_PER_DRAIN_NODE 128u
-/* Separators are eliminated later than the order of the drain has them, which fills in more: so many times what it does
- * without. */
-#define FILL_IN_ENTRY_RATIO 4u
-#define FILL_IN_PRODUCT_RATIO 8u
+#include "scene/tuning.h"
 
 static void add_capacity(vbss_system_capacity *capacity, const drain_object *d)
 {
-    uint32_t n = d->mesh.node_count, all = n * (n - 1) / 2, max_pairs = PAIRS_PER_DRAIN_NODE * n;
+    uint32_t n = d->mesh.node_count, all = n * (n - 1) / 2,
+             max_pairs = SCENE_PAIRS_PER_DRAIN_NODE * n;
     capacity->blocks += n;
     capacity->couplings += d->order.pair_count;
-    capacity->entries += FILL_IN_ENTRY_RATIO * d->order.factor_entries;
-    capacity->products += FILL_IN_PRODUCT_RATIO * d->order.factor_products;
+    capacity->entries += SCENE_FILL_IN_ENTRY_RATIO * d->order.factor_entries;
+    capacity->products += SCENE_FILL_IN_PRODUCT_RATIO * d->order.factor_products;
     capacity->separators += n;
     capacity->pairs += all < max_pairs ? all : max_pairs;
 }
@@ -26,8 +18,8 @@ static void add_capacity(vbss_system_capacity *capacity, const drain_object *d)
 vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added)
 {
     uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
-    vbss_system_capacity capacity = vbss_system_capacity_of_chains(blocks, THREAD_BANDWIDTH, blocks,
-                                                                   PAIRS_PER_SEPARATOR * blocks);
+    vbss_system_capacity capacity = vbss_system_capacity_of_chains(
+        blocks, THREAD_BANDWIDTH, blocks, SCENE_PAIRS_PER_SEPARATOR * blocks);
     vbss_system *new_system;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_DRAIN) {

@@ -5,11 +5,8 @@
 #include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
 #include "scene/step/step.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* Share of what is allowed by which a part may go deeper that begins too deep, or is about to be: a load may need a
- * hair more, and on the way out too. */
-#define ALLOWED_DEEPENING 0.1
 
 static void set_allowed_penetrations(scene_object *s)
 {
@@ -17,8 +14,9 @@ static void set_allowed_penetrations(scene_object *s)
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_constraint *constraint = &s->contacts->constraints[i];
         double allowed_penetration = s->config.penetration_tolerance * constraint->thickness;
-        constraint->allowed_penetration = vbss_max(
-            allowed_penetration, ALLOWED_DEEPENING * allowed_penetration - constraint->start_gap);
+        constraint->allowed_penetration =
+            vbss_max(allowed_penetration,
+                     SCENE_ALLOWED_DEEPENING * allowed_penetration - constraint->start_gap);
         s->is_recovering = s->is_recovering ||
                            constraint->fold_allowance - constraint->start_gap > allowed_penetration;
     }

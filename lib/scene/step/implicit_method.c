@@ -3,11 +3,9 @@
 #include "scene/solve/solve.h"
 #include "scene/step/step.h"
 #include "scene/tools/tools.h"
+#include "scene/tuning.h"
 #include "scene/world/method.h"
 #include "scene/world/world.h"
-
-/* Beyond this along the surface, in walls, a drain touches itself: nearer it is only bent. */
-#define MIN_SELF_CONTACT_ARC_RATIO 3.0
 
 static vbss_result create_state(scene_object *s)
 {
@@ -29,7 +27,7 @@ static void configure_collision(const scene_object *s, vbss_collision_config *co
 static vbss_result prepare_drain(scene_object *s, const drain_object *added, uint32_t shape)
 {
     VBSS_TRY(vbss_collision_exclude_near(s->collision, shape, added->mesh.rest,
-                                         MIN_SELF_CONTACT_ARC_RATIO * added->config.thickness));
+                                         SCENE_DRAIN_SELF_ARC_RATIO * added->config.thickness));
     return vbss_scene_create_system(s, added);
 }
 

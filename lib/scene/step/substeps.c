@@ -7,6 +7,7 @@
 #include "scene/ccd/ccd.h"
 #include "scene/solve/solve.h"
 #include "scene/step/step.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 /* ---- sizes and budget */
@@ -20,14 +21,9 @@ static double find_min_size(const scene_object *s)
     return size;
 }
 
-/* What takes too much work as the smallest part is halved further, so many times: what snaps over takes a hundred solves in a 32nd of a
- * millisecond, and few in a 256th. Not without walls, where each part may give 1 mJ (energy_check.c): a knot that is cut flew apart with 38
- * m/s, where 5 N let go of give 30. */
-#define HARD_MIN_SIZE_RATIO 0.125
-
 bool vbss_scene_is_substep_size(const scene_object *s, double size)
 {
-    double valid_size = 1.0, min_size = HARD_MIN_SIZE_RATIO * find_min_size(s);
+    double valid_size = 1.0, min_size = SCENE_HARD_MIN_SIZE_RATIO * find_min_size(s);
     while (valid_size > min_size && valid_size != size) {
         valid_size *= 0.5;
     }
@@ -315,6 +311,6 @@ void vbss_scene_set_substep_limits(scene_object *s)
 {
     s->cursor.min_size = find_min_size(s);
     s->cursor.hard_min_size = vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
-                                  ? HARD_MIN_SIZE_RATIO * s->cursor.min_size
+                                  ? SCENE_HARD_MIN_SIZE_RATIO * s->cursor.min_size
                                   : s->cursor.min_size;
 }

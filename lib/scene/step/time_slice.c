@@ -13,12 +13,8 @@
 #include "scene/solve/solve.h"
 #include "scene/step/step.h"
 #include "scene/tools/tools.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* More steps than these are not made up for: hands would be felt that much late. */
-enum { MAX_STEPS_BEHIND = 2 };
-/* After a step was given up so many follow that do not wait: a host that changes bodies before each would get nowhere. */
-enum { UNSLICED_STEPS = 1000 };
 
 uint64_t vbss_scene_count_edits(const scene_object *s)
 {
@@ -64,14 +60,14 @@ vbss_result vbss_scene_abandon_suspended_step(scene_object *s)
     vbss_scene_finish_step(s);
     swap_targets(s);
     s->has_pending_events = true;
-    s->cursor.unsliced_steps_left = UNSLICED_STEPS;
+    s->cursor.unsliced_steps_left = SCENE_UNSLICED_STEPS;
     return VBSS_OK;
 }
 
 /* Cost of CCD and of the end of a step. */
 static uint64_t step_end_cost(const scene_object *s)
 {
-    return vbss_scene_attempt_cost(s) / 2;
+    return vbss_scene_attempt_cost(s) / SCENE_STEP_END_DIVISOR;
 }
 
 /* Whether the budget lasts for one linearisation, not only for finding contacts. */
@@ -136,7 +132,7 @@ static void drop_overdue_steps(scene_object *s, double h)
     vbss_scene_statistics *c = &s->statistics;
     c->deferred += cursor->is_suspended || cursor->steps_behind > 0;
     while (cursor->steps_behind > 0 &&
-           cursor->steps_behind + cursor->is_suspended > MAX_STEPS_BEHIND) {
+           cursor->steps_behind + cursor->is_suspended > SCENE_MAX_STEPS_BEHIND) {
         cursor->steps_behind--;
         vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, 65536);
         c->paused++;

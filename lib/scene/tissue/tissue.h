@@ -3,11 +3,8 @@
 #ifndef VBSS_SCENE_TISSUE_H
 #define VBSS_SCENE_TISSUE_H
 
+#include "scene/tuning.h"
 #include "scene/world/scene_data.h"
-
-/* A tip that is so much further out than when it entered has left: tremor does not make a hole twice; so does an end of the
- * suture, and the swage changes sides. m. */
-#define SCENE_HOLE_EXIT_DISTANCE 0.2e-3
 
 /* The drain of a hole and the suture that passes through it. */
 typedef struct scene_hole_context {

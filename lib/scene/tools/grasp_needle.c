@@ -6,19 +6,8 @@
 #include "base/elementary.h"
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* The arc is looked at in so many straight pieces a capsule. */
-enum { ARC_SAMPLES = 4 };
-/* Of a needle between jaws, the least that the normal of both it and the jaws may be across the mouth: one that stands
- * steeper is pushed aside. */
-#define MIN_ACROSS 0.8
-/* As a share of touching: what was let go is still between the jaws. */
-#define RELEASE_CLEARANCE_RATIO 0.5
-/* Held farther aside than this share of the jaws' radius, it is held by another place of its arc. */
-#define REGRASP_OFFSET_RATIO 0.25
-/* Of its way along the jaws' width, below which that is not looked for: it lies along the jaws. */
-#define MIN_ALONG 0.5
 
 /* ---- frames */
 
@@ -53,7 +42,7 @@ static double touching_angle(const grasper_object *g, double wire, vec3 directio
     double jaw = vbss_grasper_current_jaws(g)->radius,
            flat = sqrt(direction.x * direction.x + direction.y * direction.y);
     double across = flat > 0.0 ? fabs(direction.y) / flat : 1.0;
-    if (across < MIN_ACROSS) {
+    if (across < SCENE_NEEDLE_MIN_ACROSS) {
         return 0.0;
     }
     return vbss_grasper_touching_angle(2.0 * ((jaw + wire) / across - jaw), from_pivot);
@@ -67,7 +56,7 @@ static void find_grasp_on_needle(const scene_body *tool, const scene_body *b,
     pose jaws = vbss_scene_jaw_frame(&tool->rigid, tool->rigid.body.now.pose);
     pose needle =
         pose_mul(pose_inverse(jaws), vbss_scene_needle_frame(&b->rigid, b->rigid.body.now.pose));
-    uint32_t pieces = ARC_SAMPLES * n->config.segment_count;
+    uint32_t pieces = SCENE_NEEDLE_ARC_SAMPLES * n->config.segment_count;
     double length = vbss_needle_length(n) / pieces;
     for (uint32_t i = 0; i < pieces; i++) {
         grasper_jaw_point at;
@@ -167,7 +156,7 @@ void vbss_scene_release_needle_grasp(scene_object *s, scene_body *tool)
         emit_needle_grasp_event(s, VBSS_EVENT_RELEASE, tool);
         grasp->is_released = true;
         grasp->force = grasp->torque = vec3_zero();
-        if (is_needle_clear(s, tool, RELEASE_CLEARANCE_RATIO)) {
+        if (is_needle_clear(s, tool, SCENE_RELEASE_CLEARANCE_RATIO)) {
             *grasp = (scene_needle_grasp){0};
         }
     }
@@ -229,7 +218,8 @@ static bool recentre_grasp(const needle_object *n, const grasper_object *g,
 {
     vec3 direction = quat_rotate(grasp->pose_in_jaws.orientation, vec3_make(0.0, 1.0, 0.0));
     double lateral = grasp->pose_in_jaws.position.y, radius = vbss_grasper_current_jaws(g)->radius;
-    if (fabs(lateral) > REGRASP_OFFSET_RATIO * radius && fabs(direction.y) >= MIN_ALONG) {
+    if (fabs(lateral) > SCENE_NEEDLE_REGRASP_OFFSET * radius &&
+        fabs(direction.y) >= SCENE_NEEDLE_MIN_ALONG) {
         double arc = grasp->arc + lateral / direction.y; /* arc length grows away from the tip */
         pose other = pose_mul(pose_inverse(arc_frame(n, grasp->arc)), arc_frame(n, arc));
         grasp->pose_in_jaws = pose_mul(grasp->pose_in_jaws, other);

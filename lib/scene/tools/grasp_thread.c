@@ -5,10 +5,8 @@
  * slides in the jaws if the load exceeds their friction limit. */
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* As a share of touching: what was let go is still between the jaws. */
-#define RELEASE_CLEARANCE_RATIO 0.5
 
 /* ---- the list of grasps */
 
@@ -66,7 +64,7 @@ static void find_strands_of_thread(const scene_object *s, const scene_body *b, s
     bool is_torn_run = false;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         vec3 off = vec3_sub(t->now.x[i], m->jaws.position);
-        double reach = 1.1 * length + t->rest[i];
+        double reach = SCENE_STRAND_SEARCH_RATIO * length + t->rest[i];
         scene_strand_candidate found = {
             .thread = b, .segment = i, .diameter = 2.0 * t->config.radius};
         bool between =
@@ -213,7 +211,7 @@ void vbss_scene_release_thread_grasps(scene_object *s, const scene_body *tool)
             vbss_scene_emit_grasp_event(s, VBSS_EVENT_RELEASE, g);
             g->is_released = true;
             g->force = vec3_zero();
-            if (is_strand_clear(s, g, RELEASE_CLEARANCE_RATIO)) {
+            if (is_strand_clear(s, g, SCENE_RELEASE_CLEARANCE_RATIO)) {
                 *g = (scene_thread_grasp){0};
             }
         }

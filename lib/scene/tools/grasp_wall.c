@@ -5,12 +5,11 @@
  * the wall slides in the jaws if the load exceeds their friction limit. */
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 /* The jaws are looked at in so many places along their length. */
 enum { JAW_SECTIONS = 16 };
-/* As a share of touching: what was let go is still between the jaws. */
-#define RELEASE_CLEARANCE_RATIO 0.5
 
 /* ---- walls between the jaws */
 
@@ -81,7 +80,7 @@ static void find_crossings(const scene_drain *b, pose jaws, jaw_section sections
 
 static bool is_near(const drain_object *d, pose jaws, double length)
 {
-    const double reach = 1.5 * length;
+    const double reach = SCENE_WALL_SEARCH_RATIO * length;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         if (vec3_norm_squared(vec3_sub(d->x[i], jaws.position)) < reach * reach) {
             return true;
@@ -212,7 +211,7 @@ void vbss_scene_release_wall_grasp(scene_object *s, scene_body *tool)
         emit_wall_grasp_event(s, VBSS_EVENT_RELEASE, tool);
         p->is_released = true;
         p->force = vec3_zero();
-        if (is_wall_clear(s, tool, RELEASE_CLEARANCE_RATIO)) {
+        if (is_wall_clear(s, tool, SCENE_RELEASE_CLEARANCE_RATIO)) {
             *p = (scene_wall_grasp){0};
         }
     }

@@ -1,8 +1,6 @@
 /* Closing of jaws: objects between them stop them and are then grasped or cut. */
 #include "scene/tools/tools.h"
-
-/* Jaws give: a strand that they would touch within this angle of the one that stops them is held as well, rad. */
-#define JAW_COMPLIANCE_ANGLE 0.02
+#include "scene/tuning.h"
 
 /* Smallest angle to which the jaws can close around the objects that they grasp, rad. */
 static double held_angle(const scene_object *s, const scene_body *tool)
@@ -61,16 +59,16 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     }
     /* the present angle, if the jaws squeeze the object already */
     next = vbss_min(stop_angle, g->jaw_angle);
-    if (needle.needle != 0 && needle.angle >= stop_angle - JAW_COMPLIANCE_ANGLE &&
+    if (needle.needle != 0 && needle.angle >= stop_angle - SCENE_JAW_COMPLIANCE_ANGLE &&
         g->kind != VBSS_GRASPER_SHEARS) {
         vbss_scene_grasp_needle(s, tool, &needle);
     }
-    if (wall.drain != 0 && wall.angle >= stop_angle - JAW_COMPLIANCE_ANGLE &&
+    if (wall.drain != 0 && wall.angle >= stop_angle - SCENE_JAW_COMPLIANCE_ANGLE &&
         g->kind != VBSS_GRASPER_SHEARS) {
         vbss_scene_grasp_wall(s, tool, &wall);
     }
     for (uint32_t i = 0; i < m.count; i++) {
-        if (m.strands[i].angle < stop_angle - JAW_COMPLIANCE_ANGLE) {
+        if (m.strands[i].angle < stop_angle - SCENE_JAW_COMPLIANCE_ANGLE) {
             continue;
         }
         if (g->kind == VBSS_GRASPER_SHEARS) {

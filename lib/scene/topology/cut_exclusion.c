@@ -1,6 +1,7 @@
 /* Pairs of segments next to a cut are excluded from contact until the two ends have separated. */
 #include "collision/closest.h"
 #include "scene/topology/topology.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 /* Arc length from the end of one segment to the start of the other across cuts, m. Returns -1 if
@@ -37,13 +38,10 @@ static double arc_across(const scene_object *s, const scene_body *a, uint32_t se
     return arc < max_arc ? arc : -1.0;
 }
 
-/* A hair less: who asks for an exact multiple of the distance gets it, as within a chain. */
-#define EXCLUSION_ROUNDING 1e-12
-
 static double excluded_arc(const scene_object *s, const scene_body *a, const scene_body *b)
 {
     const collision_object *c = s->collision;
-    return (1.0 - EXCLUSION_ROUNDING) * c->config.exclusion *
+    return (1.0 - SCENE_CUT_EXCLUSION_ROUNDING) * c->config.exclusion *
            vbss_collision_contact_distance(c, c->shapes[a->shape], c->shapes[b->shape]);
 }
 

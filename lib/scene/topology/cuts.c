@@ -4,10 +4,8 @@
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* A cut is no smooth motion: so many steps are damped. */
-enum { DAMPED_STEPS = 3 };
 
 /* ---- warm start */
 
@@ -154,8 +152,8 @@ static void move_to_piece(scene_object *s, const scene_body *old, const scene_bo
 static void request_damping(scene_body *b)
 {
     thread_object *t = b->thread.thread;
-    t->damped_steps_left =
-        t->damped_steps_left > DAMPED_STEPS ? t->damped_steps_left : DAMPED_STEPS;
+    t->damped_steps_left = t->damped_steps_left > SCENE_CUT_DAMPED_STEPS ? t->damped_steps_left
+                                                                         : SCENE_CUT_DAMPED_STEPS;
     b->thread.contact_free_steps = 0;
     b->thread.has_contacts = b->thread.is_welded = false;
 }

@@ -6,21 +6,12 @@
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 #include "thread/remesh.h"
 
-/* Share of the radius of a tool that is a good length of segments on it. */
-#define TOOL_LENGTH_RATIO 0.25
-/* Nodes between two changes of one step, so that neither moves what the other looks at. */
-enum { MIN_NODES_BETWEEN = 10, MAX_CHANGES = 64 };
-/* Of a segment: more room than any change of a sound mesh takes. Of the gap to what is near, for each of the two
- * that may move. */
-#define MAX_SHIFT_RATIO 0.05
-#define GAP_RATIO 0.25
-/* A strand is near itself beyond this arc, in distances from axis to axis: nearer it is only bent. */
-#define MIN_SELF_CONTACT_ARC_RATIO 2.0
-/* Nodes at the ends of a cut that has not come apart. */
-enum { CUT_END_NODES = 4 };
+/* Capacity, chosen. */
+enum { MAX_CHANGES = 64 };
 
 /* ---- near features */
 
@@ -124,7 +115,8 @@ static void record_feature(const scene_object *s, const probe *p, const scene_bo
     double gap = segment_distance(p->axis, axis) - radius - c->radius;
     if (gap < within) {
         found->tool = vbss_min(gap, found->tool);
-        found->preferred_length = vbss_min(TOOL_LENGTH_RATIO * c->radius, found->preferred_length);
+        found->preferred_length =
+            vbss_min(SCENE_REMESH_TOOL_RATIO * c->radius, found->preferred_length);
     }
 }
 
@@ -188,7 +180,7 @@ static surroundings find_surroundings_of_segments(scene_object *s, const scene_b
                                                   uint32_t low, uint32_t high, double within)
 {
     double axis_distance = within + 2.0 * b->thread.thread->config.radius;
-    probe p = make_probe(b, low, high, MIN_SELF_CONTACT_ARC_RATIO * axis_distance);
+    probe p = make_probe(b, low, high, SCENE_REMESH_SELF_ARC_RATIO * axis_distance);
     p.any = true;
     return find_surroundings(s, &p, within);
 }
@@ -200,27 +192,27 @@ static double max_shift_among(scene_object *s, const scene_body *b, uint32_t low
 {
     const thread_object *t = b->thread.thread;
     double arc = s->collision->config.exclusion * 2.0 * t->config.radius,
-           min_gap = limit / GAP_RATIO;
+           min_gap = limit / SCENE_REMESH_GAP_RATIO;
     uint32_t last = t->node_count - 1;
     for (uint32_t k = low; k < high && k < last; k++) {
         probe p = make_probe(b, k, k + 1, arc);
         surroundings a = find_surroundings(s, &p, min_gap);
         min_gap = vbss_min(vbss_min(a.strand, a.tool), vbss_min(a.floor, min_gap));
     }
-    return vbss_max(GAP_RATIO * min_gap, 0.0);
+    return vbss_max(SCENE_REMESH_GAP_RATIO * min_gap, 0.0);
 }
 
 /* ---- where the mesh must not change */
 
 static bool is_cut_end(const scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
 {
-    if (b->thread.cut_from != 0 && low < CUT_END_NODES) {
+    if (b->thread.cut_from != 0 && low < SCENE_CUT_END_NODES) {
         return true;
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *piece = &s->bodies[i];
         if (piece->kind == SCENE_BODY_THREAD && piece->thread.cut_from == b->number) {
-            return high + CUT_END_NODES >= b->thread.thread->node_count;
+            return high + SCENE_CUT_END_NODES >= b->thread.thread->node_count;
         }
     }
     return false;
@@ -257,7 +249,7 @@ static bool is_apart(const plan *p, uint32_t at)
 {
     for (uint32_t i = 0; i < p->count; i++) {
         uint32_t other = p->changes[i].at;
-        if ((at > other ? at - other : other - at) < MIN_NODES_BETWEEN) {
+        if ((at > other ? at - other : other - at) < SCENE_REMESH_MIN_NODES_BETWEEN) {
             return false;
         }
     }
@@ -313,8 +305,9 @@ static void plan_division(scene_object *s, plan *p, uint32_t segment)
     } else if (is_held(s, p->body, low, at + 3)) {
         t->statistics.refused_held++;
     } else {
-        add_change(p, at, false,
-                   max_shift_among(s, p->body, low, at + 3, MAX_SHIFT_RATIO * t->rest[at]));
+        add_change(
+            p, at, false,
+            max_shift_among(s, p->body, low, at + 3, SCENE_REMESH_SHIFT_RATIO * t->rest[at]));
     }
 }
 
@@ -335,7 +328,7 @@ static void plan_removal(scene_object *s, plan *p, uint32_t node)
         find_surroundings_of_segments(s, p->body, node - 1, node + 1, t->config.clear_distance);
     double max_shift = 0.0;
     if (a.strand == (double)INFINITY && REMESH_LENGTH_TOLERANCE * a.preferred_length >= l) {
-        max_shift = max_shift_among(s, p->body, low, node + 3, MAX_SHIFT_RATIO * l);
+        max_shift = max_shift_among(s, p->body, low, node + 3, SCENE_REMESH_SHIFT_RATIO * l);
     }
     if (max_shift > 0.0) {
         add_change(p, node, true, max_shift);

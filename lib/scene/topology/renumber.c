@@ -3,6 +3,7 @@
  * attachments itself. */
 #include "collision/closest.h"
 #include "scene/topology/topology.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 #include "thread/remesh.h"
 
@@ -71,7 +72,9 @@ static void convert_to_node_contact(const scene_object *s, const renumbering *r,
     double radius = s->capsules[b->rigid.first_capsule + k->feature_b].radius;
     if (r->before <= radius) {
         k->kind = VBSS_CONTACT_NODE_CAPSULE;
-        k->feature_a = r->change.at + (fraction > 0.75 ? 2 : fraction < 0.25 ? 0 : 1);
+        k->feature_a = r->change.at + (fraction > 1.0 - SCENE_RENUMBER_END_FRACTION ? 2
+                                       : fraction < SCENE_RENUMBER_END_FRACTION     ? 0
+                                                                                    : 1);
     }
 }
 

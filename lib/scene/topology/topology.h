@@ -4,7 +4,7 @@
 
 #include "scene/world/scene_data.h"
 
-/* Nodes that a cut adds, as it goes through a segment. */
+/* Nodes that a cut adds, as it goes through a segment. Derived. */
 enum { SCENE_NODES_PER_CUT = 2 };
 
 /* A change of a thread's mesh: a new node in the middle of segment `at`, or the removal of node

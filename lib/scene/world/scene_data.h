@@ -21,20 +21,15 @@
 #include "drain/drain.h"
 #include "grasper/grasper.h"
 #include "needle/needle.h"
+#include "scene/tuning.h"
 #include "solver/rigid.h"
 #include "suture/suture.h"
 #include "thread/thread.h"
 
-/* Bodies ever added, and so shapes; threads at a time. */
+/* Bodies ever added, and so shapes; threads at a time. Capacities, chosen. */
 enum { SCENE_MAX_SHAPES = 4096, SCENE_MAX_THREADS = 64 };
 /* Strands between two jaws that are told apart; cuts of a step. */
 enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
-/* What comes out of a body, or out of jaws, does not touch it within this arc, in distances of touching: that
- * within which a thread does not touch itself. */
-#define SCENE_EXCLUSION_ARC_RATIO 1.6
-/* Radius of a lip, the free edge of a drain, against another, in walls: what is cut is flat, and two lips meet where the
- * middles of their walls end. Not zero, or the guard could not tell on which side they are. */
-#define SCENE_LIP_RADIUS_RATIO 0.1
 #define SCENE_NO_FACE UINT32_MAX
 
 /* ---- bodies */

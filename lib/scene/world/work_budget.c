@@ -1,12 +1,11 @@
 /* The operation budget of a step. */
+#include "scene/tuning.h"
 #include "scene/world/world.h"
-
-/* Of an attempt, in products of blocks. Rows are found and laid as candidates are looked at. */
-enum { COST_OF_CANDIDATE = 60, COST_OF_NODE = 20 };
 
 uint32_t vbss_scene_attempt_cost(const scene_object *s)
 {
-    return COST_OF_CANDIDATE * s->collision->candidate_count + COST_OF_NODE * s->node_count;
+    return SCENE_CANDIDATE_COST * s->collision->candidate_count +
+           SCENE_ATTEMPT_NODE_COST * s->node_count;
 }
 
 void vbss_scene_charge_budget(scene_object *s, uint32_t operations)

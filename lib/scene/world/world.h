@@ -3,10 +3,8 @@
 #ifndef VBSS_SCENE_WORLD_H
 #define VBSS_SCENE_WORLD_H
 
+#include "scene/tuning.h"
 #include "scene/world/scene_data.h"
-
-/* A tip touches within so many radii of the wire from its end. */
-#define SCENE_TIP_LENGTH_RATIO 1.0
 
 /* Number of arrays that a scene allocates for each drain. */
 enum { SCENE_DRAIN_ARRAYS = 6 };

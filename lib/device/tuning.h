@@ -1,0 +1,48 @@
+/* Tuned numbers of lib/device.
+ *
+ * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
+ * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
+ * whose threads or steps are not the defaults. */
+#ifndef VBSS_DEVICE_TUNING_H
+#define VBSS_DEVICE_TUNING_H
+
+#include "base/tune.h"
+
+/* ---- Samples (sample_check.c, motion.c) */
+
+/* A sample that is newer by less is not a new one.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define DEVICE_MIN_SAMPLE_SPACING VBSS_TUNE(DEVICE_MIN_SAMPLE_SPACING, 1e-6)
+/* The clock of an adapter has restarted when all its samples are old for this time.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define DEVICE_CLOCK_RESTART_TIME VBSS_TUNE(DEVICE_CLOCK_RESTART_TIME, 0.1)
+/* A sample of a shared clock is at most this far ahead.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define DEVICE_MAX_CLOCK_LEAD VBSS_TUNE(DEVICE_MAX_CLOCK_LEAD, 0.1)
+
+/* ---- Output (output_limiter.c, solenoid.c) */
+
+/* Longest time for which a force may rise in one step.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define DEVICE_MAX_RISE_TIME VBSS_TUNE(DEVICE_MAX_RISE_TIME, 0.01)
+/* Forces are reduced from this load on.
+ * Unit: 1, relative to the continuous load. Origin: chosen. Test: none known. */
+#define DEVICE_LOAD_KNEE VBSS_TUNE(DEVICE_LOAD_KNEE, 0.75)
+
+/* ---- OpenHaptics (openhaptics.c, openhaptics_servo.c) */
+
+/* Longest wait for the servo to stop.
+ * Unit: ms. Origin: chosen. Test: none known. */
+#define DEVICE_SERVO_STOP_TIME VBSS_TUNE(DEVICE_SERVO_STOP_TIME, 200)
+/* Ticks between two polls of slowly changing values.
+ * Unit: ticks of the servo. Origin: chosen. Test: none known. */
+#define DEVICE_SLOW_POLL_TICKS VBSS_TUNE(DEVICE_SLOW_POLL_TICKS, 100)
+/* A failing arm is lost for at least this time.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define DEVICE_LOST_TIME VBSS_TUNE(DEVICE_LOST_TIME, 0.1)
+/* An arm that refuses forces gets none for this time.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define DEVICE_REFUSED_TIME VBSS_TUNE(DEVICE_REFUSED_TIME, 1.0)
+
+#endif

@@ -1,0 +1,31 @@
+/* Tuned numbers of lib/drain.
+ *
+ * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
+ * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md). */
+#ifndef VBSS_DRAIN_TUNING_H
+#define VBSS_DRAIN_TUNING_H
+
+#include "base/tune.h"
+
+/* ---- Newton (step.c; also lib/scene) */
+
+/* A larger correction is dropped.
+ * Unit: 1, relative to the increment before. Origin: chosen. Test: none known. */
+#define DRAIN_MAX_CORRECTION_RATIO VBSS_TUNE(DRAIN_MAX_CORRECTION_RATIO, 0.5)
+/* A substep that moves a node farther is halved.
+ * Unit: 1, relative to the configured move limit. Origin: chosen. Test: none known. */
+#define DRAIN_MAX_MOVE_RATIO VBSS_TUNE(DRAIN_MAX_MOVE_RATIO, 4.0)
+/* A smaller triangle counts as inverted.
+ * Unit: 1, relative to the rest area. Origin: chosen. Test: none known. */
+#define DRAIN_INVERTED_AREA_RATIO VBSS_TUNE(DRAIN_INVERTED_AREA_RATIO, 0.02)
+
+/* ---- Mesh (uniform_grid.c) */
+
+/* A landmark lies on a grid line when it is this close.
+ * Unit: 1, relative to a cell. Origin: chosen. Test: none known. */
+#define DRAIN_LINE_TOLERANCE VBSS_TUNE(DRAIN_LINE_TOLERANCE, 1e-6)
+/* Longest side of a cell over its shortest. A more slender cell is refused.
+ * Unit: 1. Origin: chosen. Test: none known. */
+#define DRAIN_MAX_CELL_ASPECT VBSS_TUNE(DRAIN_MAX_CELL_ASPECT, 20.0)
+
+#endif

@@ -1,0 +1,33 @@
+/* Tuned numbers of lib/grasper.
+ *
+ * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
+ * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
+ * whose threads or steps are not the defaults. */
+#ifndef VBSS_GRASPER_TUNING_H
+#define VBSS_GRASPER_TUNING_H
+
+#include "base/tune.h"
+
+/* ---- Jaws (jaws.c, trocar.c) */
+
+/* Round jaws grasp or cut a strand at most this far beside their middle.
+ * Unit: 1, relative to the radius of the jaws. Origin: chosen. Test: none known. */
+#define GRASPER_MAX_OFFSET_RATIO VBSS_TUNE(GRASPER_MAX_OFFSET_RATIO, 0.5)
+/* A tip nearer to its trocar defines no shaft direction.
+ * Unit: m, absolute. Origin: chosen. Test: none known. */
+#define GRASPER_MIN_TROCAR_DISTANCE VBSS_TUNE(GRASPER_MIN_TROCAR_DISTANCE, 1e-12)
+
+/* ---- Clamps (thread_clamp.c, needle_clamp.c) */
+
+/* Stiffness of a clamp across its faces. A power of two is exact.
+ * Unit: 1, relative to the stiffness along the faces. Origin: chosen. Test: none known. */
+#define GRASPER_NORMAL_STIFFNESS_RATIO VBSS_TUNE(GRASPER_NORMAL_STIFFNESS_RATIO, 64.0)
+/* A grasped thread or needle reaches the middle of the jaws after this time.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define GRASPER_CENTRING_TIME VBSS_TUNE(GRASPER_CENTRING_TIME, 0.08)
+/* A thread that is steeper to the faces is pushed aside and does not run through.
+ * Unit: 1, cosine. Origin: chosen. Test: none known. */
+#define GRASPER_MIN_ALONG_FRACTION VBSS_TUNE(GRASPER_MIN_ALONG_FRACTION, 0.5)
+
+#endif

@@ -1,0 +1,37 @@
+/* Tuned numbers of lib/metrics.
+ *
+ * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
+ * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
+ * whose threads or steps are not the defaults. */
+#ifndef VBSS_METRICS_TUNING_H
+#define VBSS_METRICS_TUNING_H
+
+#include "base/tune.h"
+
+/* ---- Motion (tracks.c, motion.c, smoothing.c, spectrum.c) */
+
+/* A tool without a sample for longer is gone.
+ * Unit: s, absolute. Origin: derived: three samples at 30 Hz. Test: none known. */
+#define METRICS_MAX_SAMPLE_GAP VBSS_TUNE(METRICS_MAX_SAMPLE_GAP, 0.1)
+/* A shorter movement has no spectrum.
+ * Unit: ticks of 10 ms. Origin: chosen. Test: none known. */
+#define METRICS_SHORTEST_MOVEMENT VBSS_TUNE(METRICS_SHORTEST_MOVEMENT, 20)
+/* The smoothing passes half of the amplitude at this frequency.
+ * Unit: Hz. Origin: chosen. Test: none known. */
+#define METRICS_CUTOFF_FREQUENCY VBSS_TUNE(METRICS_CUTOFF_FREQUENCY, 10.0)
+/* Largest frequency of a spectrum.
+ * Unit: Hz. Origin: published with the spectral arc length. Test: none known. */
+#define METRICS_MAX_FREQUENCY VBSS_TUNE(METRICS_MAX_FREQUENCY, 20.0)
+/* A spectrum ends where its amplitude stays below this.
+ * Unit: 1, relative to the amplitude at 0 Hz. Origin: published with the spectral arc length. Test: none
+ * known. */
+#define METRICS_AMPLITUDE_THRESHOLD VBSS_TUNE(METRICS_AMPLITUDE_THRESHOLD, 0.05)
+
+/* ---- Pull test (pull_test.c) */
+
+/* A pull that has begun may fall to this fraction.
+ * Unit: 1, relative to the configured pull. Origin: chosen. Test: none known. */
+#define METRICS_HOLD_HYSTERESIS VBSS_TUNE(METRICS_HOLD_HYSTERESIS, 0.9)
+
+#endif

@@ -1,0 +1,21 @@
+/* Tuned numbers of lib/session.
+ *
+ * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
+ * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
+ * whose threads or steps are not the defaults. */
+#ifndef VBSS_SESSION_TUNING_H
+#define VBSS_SESSION_TUNING_H
+
+#include "base/tune.h"
+
+/* ---- Events (device_io.c, outcome.c) */
+
+/* A refused tool exchange is requested again after this many steps. At 2 kHz that is half the time.
+ * Unit: steps. Origin: chosen. Test: none known. */
+#define SESSION_EXCHANGE_RETRY_STEPS VBSS_TUNE(SESSION_EXCHANGE_RETRY_STEPS, 250)
+/* A cut that takes off less is no cut of a limb.
+ * Unit: m, absolute. Origin: chosen. Test: none known. */
+#define SESSION_MIN_CUT_LENGTH VBSS_TUNE(SESSION_MIN_CUT_LENGTH, 1e-6)
+
+#endif

@@ -1,0 +1,40 @@
+/* Tuned numbers of lib/suture.
+ *
+ * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
+ * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md). */
+#ifndef VBSS_SUTURE_TUNING_H
+#define VBSS_SUTURE_TUNING_H
+
+#include "base/tune.h"
+
+/* ---- Punctures (puncture.c) */
+
+/* A tip enters a wall only if its direction is at least this close to the inner normal.
+ * Unit: 1, cosine. Origin: chosen. Test: none known. */
+#define SUTURE_MIN_ENTRY_COSINE VBSS_TUNE(SUTURE_MIN_ENTRY_COSINE, 0.3)
+/* A puncture is at least this far from a free edge.
+ * Unit: 1, relative to the radius of the wire. Origin: chosen. Test: none known. */
+#define SUTURE_MIN_EDGE_DISTANCE VBSS_TUNE(SUTURE_MIN_EDGE_DISTANCE, 1.0)
+/* A point on the border of two triangles lies in one of them, however its weights are rounded.
+ * Unit: 1, barycentric. Origin: chosen. Test: none known. */
+#define SUTURE_WEIGHT_ROUNDING VBSS_TUNE(SUTURE_WEIGHT_ROUNDING, 1e-9)
+
+/* ---- Thread in a hole (curve.c, hole.c) */
+
+/* Iterations of the search for the point of a span at a hole.
+ * Unit: iterations. Origin: chosen. Test: none known. */
+#define SUTURE_MAX_ITERATIONS VBSS_TUNE(SUTURE_MAX_ITERATIONS, 24)
+/* A bend below this has no grip of its own: a straight suture rubs as one that is pressed across.
+ * Unit: 1, force across over force along. Origin: chosen. Test: none known. */
+#define SUTURE_BEND_REGULARISATION VBSS_TUNE(SUTURE_BEND_REGULARISATION, 0.01)
+/* Segments that the end of the needle bends. They rub as the needle does.
+ * Unit: segments. Origin: chosen. Test: none known. */
+#define SUTURE_NEEDLE_BENT_SEGMENTS VBSS_TUNE(SUTURE_NEEDLE_BENT_SEGMENTS, 2)
+
+/* ---- Baseline (paper_puncture.c) */
+
+/* A tip is at a hole until this length of the needle has passed.
+ * Unit: 1, relative to the thickness of the wall. Origin: chosen. Test: none known. */
+#define BASELINE_AT_HOLE_RATIO VBSS_TUNE(BASELINE_AT_HOLE_RATIO, 3.0)
+
+#endif

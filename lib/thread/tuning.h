@@ -1,0 +1,111 @@
+/* Tuned numbers of lib/thread.
+ *
+ * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
+ * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
+ * whose threads or steps are not the defaults. */
+#ifndef VBSS_THREAD_TUNING_H
+#define VBSS_THREAD_TUNING_H
+
+#include "base/tune.h"
+
+/* ---- Implicit step (implicit_step.c) */
+
+/* Length of the first substep of a motion that starts with unknown accelerations.
+ * Unit: 1, relative to the step. Origin: chosen. Test: none known. */
+#define THREAD_START_FRACTION VBSS_TUNE(THREAD_START_FRACTION, 1.0 / 64.0)
+/* A step that needs more is not smooth, and the steps after it are damped.
+ * Unit: linearisations. Origin: chosen. Test: none known. */
+#define THREAD_MAX_SMOOTH_ITERATIONS VBSS_TUNE(THREAD_MAX_SMOOTH_ITERATIONS, 4)
+/* Steps by backward Euler after a step that was not smooth.
+ * Unit: steps. Origin: chosen. Test: none known. */
+#define THREAD_DAMPED_STEPS VBSS_TUNE(THREAD_DAMPED_STEPS, 2)
+/* The direction of the rest curvature is updated this often in a step, and is fixed after that.
+ * Unit: linearisations. Origin: chosen. Test: none known. */
+#define THREAD_REST_CURVATURE_UPDATES VBSS_TUNE(THREAD_REST_CURVATURE_UPDATES, 30)
+/* Accelerations are not carried over between substeps of which one is longer by this ratio.
+ * Unit: 1, relative to the substep before. Origin: chosen. Test: none known. */
+#define THREAD_MAX_LENGTH_RATIO VBSS_TUNE(THREAD_MAX_LENGTH_RATIO, 2.1)
+/* Largest compression that the stiffness keeps inside the thread.
+ * Unit: 1, relative to the buckling load of a free end. Origin: derived: twice the load of an end, less a
+ * tenth. Test: none known. */
+#define THREAD_INNER_COMPRESSION VBSS_TUNE(THREAD_INNER_COMPRESSION, 1.8)
+/* Largest compression that the stiffness keeps at a free end.
+ * Unit: 1, relative to the buckling load of a free end. Origin: derived: the load itself, less a tenth. Test:
+ * none known. */
+#define THREAD_END_COMPRESSION VBSS_TUNE(THREAD_END_COMPRESSION, 0.9)
+
+/* ---- Prediction (substep.c) */
+
+/* The prediction of a smooth motion strains a segment by at most this.
+ * Unit: 1, strain. Origin: chosen. Test: none known. */
+#define THREAD_SMOOTH_STRAIN VBSS_TUNE(THREAD_SMOOTH_STRAIN, 0.03)
+/* The prediction strains a segment by at most this where a motion starts.
+ * Unit: 1, strain. Origin: chosen. Test: none known. */
+#define THREAD_STARTING_STRAIN VBSS_TUNE(THREAD_STARTING_STRAIN, 1e-3)
+/* Newton starts from the old positions when the prediction strains a segment by more.
+ * Unit: 1, strain. Origin: chosen. Test: none known. */
+#define THREAD_MAX_PREDICTION_STRAIN VBSS_TUNE(THREAD_MAX_PREDICTION_STRAIN, 0.5)
+
+/* ---- Rest curvature (rest_curvature.c) */
+
+/* Smooths the norm of a turn near zero, where it has no direction.
+ * Unit: 1, relative to the squared rest angle. Origin: chosen. Test: none known. */
+#define THREAD_SMOOTH_TURN_SQUARED VBSS_TUNE(THREAD_SMOOTH_TURN_SQUARED, 1e-6)
+
+/* ---- Cuts (cut.c) */
+
+/* A cut this close to a node goes through the node, since slivers need tiny substeps.
+ * Unit: 1, relative to the segment. Origin: chosen. Test: none known. */
+#define THREAD_CUT_SNAP_FRACTION VBSS_TUNE(THREAD_CUT_SNAP_FRACTION, 0.01)
+/* A cut leaves no shorter segment.
+ * Unit: m, absolute. Origin: chosen. Test: none known. */
+#define THREAD_CUT_MIN_LENGTH VBSS_TUNE(THREAD_CUT_MIN_LENGTH, 1e-7)
+
+/* ---- Remeshing (remesh_criteria.c, remesh.c, remesh_window.c) */
+
+/* Segments whose length is checked after a step.
+ * Unit: segments. Origin: chosen. Test: none known. */
+#define REMESH_CHECKS_PER_STEP VBSS_TUNE(REMESH_CHECKS_PER_STEP, 32)
+/* Neighbouring segments differ in length by at most this ratio.
+ * Unit: 1. Origin: derived: halving a segment gives 2; the rest is rounding. Test: none known. */
+#define REMESH_MAX_LENGTH_RATIO VBSS_TUNE(REMESH_MAX_LENGTH_RATIO, 2.0 * (1.0 + 1e-9))
+/* A segment is split only when it is longer than this.
+ * Unit: 1, relative to the preferred length. Origin: chosen. Test: none known. */
+#define REMESH_LENGTH_TOLERANCE VBSS_TUNE(REMESH_LENGTH_TOLERANCE, 1.25)
+/* Nodes on either side of a change that move with it.
+ * Unit: nodes. Origin: chosen. Test: none known. */
+#define REMESH_MOVABLE_SIDE VBSS_TUNE(REMESH_MOVABLE_SIDE, 2)
+/* A change moves a node of a free thread by at most this.
+ * Unit: 1, relative to the segment. Origin: chosen. Test: none known. */
+#define REMESH_MAX_DISPLACEMENT_RATIO VBSS_TUNE(REMESH_MAX_DISPLACEMENT_RATIO, 0.05)
+/* Passes of the projection that restores strain and momentum.
+ * Unit: passes. Origin: chosen. Test: none known. */
+#define REMESH_PROJECTION_PASSES VBSS_TUNE(REMESH_PROJECTION_PASSES, 3)
+/* Regularises the projection where its constraints are nearly dependent.
+ * Unit: 1, relative to the largest diagonal entry. Origin: chosen. Test: none known. */
+#define REMESH_REGULARISATION VBSS_TUNE(REMESH_REGULARISATION, 1e-3)
+
+/* ---- Baseline (paper_forces.c, paper_projection.c, paper_step.c) */
+
+/* The bending energy is linear in the cosine beyond this turn.
+ * Unit: 1, 1 + cosine of the turn. Origin: derived: 120 degrees cost 6.3 times the explicit substeps of a
+ * straight thread. Test: none known. */
+#define BASELINE_FOLD_COSINE VBSS_TUNE(BASELINE_FOLD_COSINE, 0.5)
+/* The tension is that of the spring beyond this strain, where the projection failed.
+ * Unit: 1, strain. Origin: chosen. Test: none known. */
+#define BASELINE_MAX_STRETCH VBSS_TUNE(BASELINE_MAX_STRETCH, 1e-3)
+/* Smooths the norm of the curvature near zero, where it has no direction.
+ * Unit: 1, relative to the squared rest curvature. Origin: chosen. Test: none known. */
+#define BASELINE_SMOOTH_CURVATURE_SQUARED VBSS_TUNE(BASELINE_SMOOTH_CURVATURE_SQUARED, 1e-6)
+/* Constraints of a smaller pivot are dependent and already fulfilled.
+ * Unit: 1, relative to the diagonal. Origin: chosen. Test: none known. */
+#define BASELINE_SINGULAR_PIVOT_RATIO VBSS_TUNE(BASELINE_SINGULAR_PIVOT_RATIO, 1e-13)
+/* A solve for the tensions alone needs larger pivots than this.
+ * Unit: 1, relative to the diagonal. Origin: chosen. Test: none known. */
+#define BASELINE_UNSOUND_PIVOT_RATIO VBSS_TUNE(BASELINE_UNSOUND_PIVOT_RATIO, 1e-6)
+/* Stiffness of a spring that the step chooses itself.
+ * Unit: 1, relative to the stable stiffness. Origin: chosen. Test: none known. */
+#define BASELINE_SPRING_FRACTION VBSS_TUNE(BASELINE_SPRING_FRACTION, 0.75)
+
+#endif
