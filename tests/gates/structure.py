@@ -44,8 +44,8 @@ LIMITS = {
     "rare terms": Limit("terms", None, 0),                        # later: found fewer than 5 times
     "retired words": Limit("retired", None, 0),                   # later
     "lines that know the baseline": Limit("baseline", 0, 0),
-    "constants without origin": Limit("constants", None, 0),      # later
-    "names with several values": Limit("constants", None, 0),     # later
+    "constants without origin": Limit("constants", 0, 0),
+    "names with several values": Limit("constants", 0, 0),
     "odd patterns per 1000 words": Limit("odd", None, 2),         # later
 }
 
@@ -234,6 +234,9 @@ CANARIES = [
      with_files("lines that know the baseline", {"baseline/a.c": "extern int paper_hits;\n"}), None),
     ("a number without an origin", with_files("constants without origin", {"scene/a.c": "#define SHARE 0.3\n"}),
      r"scene/a.c:1: SHARE 0.3|origin: 1, "),
+    ("a tuned number without an origin",
+     with_files("constants without origin", {"scene/tuning.h": "#define SHARE VBSS_TUNE(SHARE, 0.3)\n"}),
+     r"scene/tuning.h:1: SHARE 0.3|origin: 1, "),
     ("numbers below a comment with their origin",
      with_files("constants without origin", {"scene/a.c": CLEAN + "#define SHARE 0.3\n#define STEPS 12\n"}), None),
     ("a name with two values",

@@ -25,7 +25,8 @@ SIZE_WORDS = {"ARRAYS", "BITS", "BYTES", "DIGITS", "TAGS"}
 ORIGIN = re.compile(r"\b(?:derived|fitted|chosen|published)\b", re.I)
 NUMBER = re.compile(r"(?<![\w.])(?:0x[0-9a-f.]+(?:p[-+]?\d+)?|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)[uUlLfF]*(?![\w.])", re.I)
 NUMERIC = re.compile(r"[-+*/().\s\w<>&]+")
-DEFINE = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(\S[^\n]*)$", re.M)
+DEFINE = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(?:\\\n[ \t]*)?(\S[^\n]*)$", re.M)
+TUNED = re.compile(r"VBSS_TUNE\(\w+, (.*)\)")  # lib/base/tune.h: in tuning.h of each folder
 STATIC = re.compile(r"\bstatic const (?:double|float|int|unsigned|u?int\d+_t|size_t) (\w+)\s*=\s*([^;{]*);")
 ENUM = re.compile(r"\benum\s*\{([^{}]*)\}")
 FIELD = re.compile(r"\.(\w+)\s*=\s*([^,{}]+)")
@@ -63,7 +64,9 @@ def enum_constants(text):
 def candidates(text, is_tuning_file):
     for pattern in (DEFINE, STATIC, *([FIELD] if is_tuning_file else [])):
         for match in pattern.finditer(text):
-            yield match.start(1), match.group(1), match.group(2).strip()
+            value = match.group(2).strip()
+            tuned = TUNED.fullmatch(value)
+            yield match.start(1), match.group(1), tuned.group(1) if tuned else value
     yield from enum_constants(text)
 
 
