@@ -38,10 +38,11 @@ static void scale(const tuning_variable *v, bool doubled)
     if (v->kind == TUNING_DOUBLE) {
         *(double *)v->address *= doubled ? 2.0 : 0.5;
     } else if (v->kind == TUNING_INT) {
-        *(int *)v->address = doubled ? 2 * *(int *)v->address : *(int *)v->address / 2;
+        int *n = v->address;
+        *n = doubled ? 2 * *n : *n / 2;
     } else {
-        *(uint32_t *)v->address =
-            doubled ? 2 * *(uint32_t *)v->address : *(uint32_t *)v->address / 2;
+        unsigned *n = v->address;
+        *n = doubled ? 2 * *n : *n / 2;
     }
 }
 
@@ -138,7 +139,7 @@ static void try_factor(const tuning_variable *v, unsigned factor, changes *c, be
 
 static void run_baseline(bench_result *result)
 {
-    for (unsigned i = 0; baseline[i].steps == 0 && i < TUNING_SCENES; i++) {
+    for (unsigned i = 0; i < TUNING_SCENES && baseline[i].steps == 0; i++) {
         baseline[i] = run_apart(&tuning_scenes[i], NULL, false);
         if (baseline[i].result != VBSS_OK) {
             bench_fail(result, "%s fails as it is", tuning_scenes[i].name);
@@ -163,7 +164,7 @@ static void run_number(void *user, bench_result *result)
 
 static void add_cases(bench *b)
 {
-    for (size_t i = 0; i < tuning_variable_count && i < MAX_VARIABLES; i++) {
+    for (unsigned i = 0; i < tuning_variable_count && i < MAX_VARIABLES; i++) {
         number *n = &numbers[i];
         n->variable = &tuning_variables[i];
         snprintf(n->name, sizeof n->name, "tuning/%s/%s", n->variable->folder, n->variable->name);

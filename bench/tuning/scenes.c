@@ -77,9 +77,9 @@ static vbss_result run_session(vbss_context *context, uint32_t steps, tuning_out
 }
 
 const tuning_scene tuning_scenes[TUNING_SCENES] = {
-    {"scene-tools", 400, run_tools},    /* a thread, a needle and tools on a floor */
-    {"scene-mesh", 250, run_mesh},      /* an adaptive knot that is pulled tight and cut at 220 */
-    {"graspers", 300, run_graspers},    /* two tools grasp, pull and cut a thread */
-    {"needle-hands", 1120, run_needle}, /* one tool hands a needle over to the other */
-    {"session", 300, run_session},      /* a double throw over a drain, with detector and metrics */
+    {"scene-tools", 400, run_tools}, /* a thread, a needle and tools on a floor */
+    {"scene-mesh", 300, run_mesh},   /* an adaptive knot that is pulled tight and cut at 220 */
+    {"graspers", TOOL_RUN_STEPS, run_graspers},       /* two tools grasp, pull and cut a thread */
+    {"needle-hands", NEEDLE_SCENE_STEPS, run_needle}, /* one tool hands a needle to the other */
+    {"session", 640, run_session}, /* a double throw over a drain, with detector and metrics */
 };

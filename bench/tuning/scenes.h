@@ -1,4 +1,4 @@
-/* Scenes of the suite `tuning`: five of the golden scenes, run for fewer steps. */
+/* Scenes of the suite `tuning`: five of the golden scenes, with as many steps. */
 #ifndef VBSS_BENCH_TUNING_SCENES_H
 #define VBSS_BENCH_TUNING_SCENES_H
 
