@@ -144,21 +144,6 @@ static vbss_result make_passes(scene_object *s, double h)
 
 /* ---- the end of the step */
 
-/* Responses have stretched what the projection had not. */
-static double note_stretch(thread_object *t)
-{
-    vbss_thread_statistics *c = &t->statistics;
-    vbss_thread_compute_strains(t, t->now.x, t->strains);
-    c->last_stretch = c->last_stretch_error = 0.0;
-    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double stretch = t->strains[i].elongation / t->rest[i];
-        c->last_stretch = vbss_max(stretch, c->last_stretch);
-        c->last_stretch_error = vbss_max(fabs(stretch), c->last_stretch_error);
-    }
-    c->stretch_error = vbss_max(c->last_stretch_error, c->stretch_error);
-    return c->last_stretch_error;
-}
-
 static void arrive(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -189,7 +174,9 @@ static void note_errors(scene_object *s, double h)
     double stretch = 0.0, depth = vbss_baseline_measure_contacts(s, h);
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
-            stretch = vbss_max(note_stretch(s->bodies[i].thread.thread), stretch);
+            thread_object *t = s->bodies[i].thread.thread;
+            vbss_baseline_record_stretch(t); /* responses have stretched it again */
+            stretch = vbss_max(t->statistics.last_stretch_error, stretch);
         }
     }
     c->last_stretch_error = stretch;

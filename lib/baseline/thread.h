@@ -40,6 +40,8 @@ typedef struct baseline_thread {
  * prescribed, at the end of the last step, N. */
 vbss_result vbss_baseline_thread_step(thread_object *t, double h);
 vec3 vbss_baseline_constraint_force(const thread_object *t, uint32_t node);
+/* Measures the strains of now.x, and their largest for the statistics of the last step. */
+void vbss_baseline_record_stretch(thread_object *t);
 
 /* thread_forces.c: springs and bending of now.x, whose geometry stands in t->strains, added to forces;
  * clamps point as after that fraction of the step. */

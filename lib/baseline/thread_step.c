@@ -134,7 +134,7 @@ static void note_forces(thread_object *t, double dt, const vec3 *forces)
     }
 }
 
-static void note_stretch(thread_object *t)
+void vbss_baseline_record_stretch(thread_object *t)
 {
     vbss_thread_statistics *s = &t->statistics;
     vbss_thread_compute_strains(t, t->now.x, t->strains);
@@ -207,7 +207,7 @@ vbss_result vbss_baseline_thread_step(thread_object *t, double h)
                          (unsigned long long)t->statistics.steps);
     }
     note_counts(t, parts);
-    note_stretch(t);
+    vbss_baseline_record_stretch(t);
     return VBSS_OK;
 }
 
