@@ -99,7 +99,8 @@ static vbss_result build_drain(drain_object *d, const vbss_drain_config *config)
     VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &orientation));
     d->frame = pose_make(vec3_load(config->position), orientation);
     d->gravity = vec3_load(config->gravity);
-    drain_mesh_options options = vbss_drain_mesh_options_of(config, d->method->mesh_kind(config));
+    const drain_mesh_kind kind = d->method->mesh_kind(config);
+    drain_mesh_options options = vbss_drain_mesh_options_of(config, kind);
     VBSS_TRY(vbss_drain_mesh_plan(d->context, &options, &d->mesh));
     vbss_array arrays[ARRAY_COUNT], mesh_arrays[DRAIN_MESH_ARRAYS];
     size_t count = list_arrays(d, arrays);

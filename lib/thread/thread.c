@@ -444,7 +444,8 @@ vbss_result vbss_thread_step(vbss_thread *thread, double h)
     VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(t->context));
     VBSS_TRY(vbss_thread_update_sparsity(t));
-    VBSS_TRY(t->method->step_thread(t, h));
+    const vbss_result result = t->method->step_thread(t, h);
+    VBSS_TRY(result);
     vbss_thread_finish_step(t, h);
     vbss_thread_adapt_mesh(t);
     return VBSS_OK;

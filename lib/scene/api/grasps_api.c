@@ -26,7 +26,8 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
                           .arc_length = vbss_scene_grasp_arc(s, g),
                           .limit = g->limit,
                           .slid = g->slid};
-        vec3_store(own.position, s->method->grasp_position(t, g));
+        const vec3 position = s->method->grasp_position(t, g);
+        vec3_store(own.position, position);
         vec3_store(own.force, g->force);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }

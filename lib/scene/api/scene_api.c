@@ -24,7 +24,8 @@ vbss_result vbss_scene_step(vbss_scene *scene, double h)
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(s->context));
-    VBSS_TRY(s->method->step_scene(s, h));
+    const vbss_result result = s->method->step_scene(s, h);
+    VBSS_TRY(result);
     s->generation++;
     s->statistics.steps++;
     s->statistics.time += h;
