@@ -11,7 +11,7 @@
 #include "base/lanes.h"
 #include "base/pi.h"
 
-/* A loop takes three segments at least, so that all of sixteen tools have room. */
+/* A loop takes three segments at least, so that all of sixteen tools have room. Derived. */
 enum { MAX_TOOLS = 16, LOOP_SEGMENTS = 3 };
 
 void vbss_baseline_list_loop_arrays(baseline_loops *p, uint32_t capacity,

@@ -37,7 +37,7 @@
  * Unit: pairs. Origin: chosen. Test: none known. */
 #define COLLISION_INSERTION_SORT_LIMIT VBSS_TUNE(COLLISION_INSERTION_SORT_LIMIT, 24u)
 
-/* ---- Baseline (paper_response.c) */
+/* ---- Baseline (baseline/response.c) */
 
 /* A shorter vector has no direction.
  * Unit: 1, relative to the features. Origin: chosen. Test: none known. */

@@ -19,19 +19,19 @@
 enum { METRICS_HANDS = 2 };
 
 /* ---- sampling grids: fine samples of the interpolated curve, and ticks at which motion is
- * measured */
+ * measured. Chosen; other rates give other figures. */
 #define METRICS_FINE_RATE 1000.0
 #define METRICS_TICK_RATE 100.0
 #define METRICS_TICK_SECONDS 0.01
 enum {
     METRICS_FINE_PER_TICK = 10,      /* derived */
-    METRICS_FILTER_HALF_WIDTH = 250, /* half width of the filter, in fine samples */
+    METRICS_FILTER_HALF_WIDTH = 250, /* chosen: half width of the filter, in fine samples */
     /* half width of the filter's third difference */
     METRICS_KERNEL_HALF_WIDTH = METRICS_FILTER_HALF_WIDTH + 2,
     /* number of fine samples that are stored */
     METRICS_RING_SIZE = 512
 };
-/* Bounds on all input, so that all results are finite: s, m, N. */
+/* Bounds on all input, so that all results are finite: s, m, N. Chosen. */
 #define METRICS_LARGEST_TIME 1e9
 #define METRICS_LARGEST_POSITION 1e3
 #define METRICS_LARGEST_FORCE 1e6
@@ -170,7 +170,7 @@ void vbss_metrics_finish_track(metrics_object *m, uint32_t hand);
 uint64_t vbss_metrics_tick_from(const metrics_object *m, double time);
 uint64_t vbss_metrics_ticks_lost(const metrics_object *m);
 
-/* Spectrum (spectrum.c) */
+/* Spectrum (spectrum.c). The padding is published with the spectral arc length. */
 enum { METRICS_SPECTRUM_TICKS = 4096, METRICS_SPECTRUM_PADDING = 16 };
 #define METRICS_SPECTRUM_BUFFER_LENGTH \
     ((size_t)2 * METRICS_SPECTRUM_TICKS * METRICS_SPECTRUM_PADDING)

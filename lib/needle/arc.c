@@ -66,7 +66,7 @@ typedef struct arc_means {
 
 static arc_means means_over(double a)
 {
-    enum { LAST = 24 }; /* at a = 6 the truncation error is below 1e-25 */
+    enum { LAST = 24 }; /* derived: at a = 6 the truncation error is below 1e-25 */
     arc_means means = {0.0, vbss_sin(0.5 * a) / (0.5 * a), 0.0};
     double term = 0.5; /* (-a^2)^k / (2 k + 2)! */
     for (int k = 1; k <= LAST; k++) {

@@ -311,7 +311,7 @@
  * Unit: 1. Origin: chosen. Test: none known. */
 #define SCENE_WEIGHT_ROUNDING VBSS_TUNE(SCENE_WEIGHT_ROUNDING, 1e-9)
 
-/* ---- Baseline (paper_*.c) */
+/* ---- Baseline (baseline/contacts.c, holes.c, needles.c) */
 
 /* A smaller response is rounding.
  * Unit: 1, relative to the thickness. Origin: chosen. Test: none known. */

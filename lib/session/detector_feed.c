@@ -31,7 +31,7 @@ static double arc_length_at(const scene_thread_info *t, double parameter)
 
 /* ---- input of the detector */
 
-/* Items of VBSS_GRASPER_VIEW_CAPSULES: two points of the axis, of which the second is farther from the tip, and the radius. */
+/* Items of VBSS_GRASPER_VIEW_CAPSULES: two points of the axis, of which the second is farther from the tip, and the radius. Derived. */
 enum { CAPSULE_SHAFT = 0, CAPSULE_NECK = 3, CAPSULE_END = 3, CAPSULE_RADIUS = 6 };
 
 static vbss_knot_tool describe_tool(const scene_thread_info *t, vbss_grasper *grasper,

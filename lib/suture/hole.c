@@ -3,7 +3,7 @@
 #include "suture/suture.h"
 #include "suture/tuning.h"
 
-/* First version of the stream in which threads pass through holes. */
+/* First version of the stream in which threads pass through holes: a format, derived. */
 enum { VERSION_WITH_THREADS = 5 };
 
 vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x)

@@ -31,7 +31,7 @@
  * Unit: segments. Origin: chosen. Test: none known. */
 #define SUTURE_NEEDLE_BENT_SEGMENTS VBSS_TUNE(SUTURE_NEEDLE_BENT_SEGMENTS, 2)
 
-/* ---- Baseline (paper_puncture.c) */
+/* ---- Baseline (baseline/puncture.c) */
 
 /* A tip is at a hole until this length of the needle has passed.
  * Unit: 1, relative to the thickness of the wall. Origin: chosen. Test: none known. */

@@ -86,7 +86,7 @@
  * Unit: 1, relative to the largest diagonal entry. Origin: chosen. Test: none known. */
 #define REMESH_REGULARISATION VBSS_TUNE(REMESH_REGULARISATION, 1e-3)
 
-/* ---- Baseline (paper_forces.c, paper_projection.c, paper_step.c) */
+/* ---- Baseline (baseline/thread_forces.c, thread_projection.c, thread_step.c) */
 
 /* The bending energy is linear in the cosine beyond this turn.
  * Unit: 1, 1 + cosine of the turn. Origin: derived: 120 degrees cost 6.3 times the explicit substeps of a
