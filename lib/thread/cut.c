@@ -1,6 +1,4 @@
 /* Cuts: divides a thread into two. */
-#include "base/check.h"
-#include "base/error.h"
 #include "thread/thread.h"
 #include "thread/tuning.h"
 
@@ -131,34 +129,4 @@ void vbss_thread_return_piece(thread_object *piece, vbss_slot *slot)
     pool->slots[pool->available] = slot;
     pool->available++;
     vbss_thread_release_piece_pool(piece->context, pool);
-}
-
-/* ---- cut of a thread outside a scene */
-
-vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece)
-{
-    thread_object *t;
-    if (piece == NULL) {
-        VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
-        return vbss_check_pointer(t->context, piece, "piece");
-    }
-    *piece = NULL;
-    VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
-    double length = vbss_thread_arc_length(t, t->node_count - 1);
-    VBSS_TRY(vbss_check_range(t->context, arc_length, 0.0, length, "arc_length"));
-    thread_cut cut;
-    if (!vbss_thread_locate_cut(t, arc_length, &cut)) {
-        return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a cut at %g m is at an end",
-                         arc_length);
-    }
-    vbss_slot *slot;
-    thread_object *new_piece = vbss_thread_acquire_piece(t, &slot);
-    if (new_piece == NULL) {
-        return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "all %u cuts are made",
-                         t->piece_pool->capacity);
-    }
-    vbss_thread_apply_cut(t, new_piece, &cut);
-    vbss_slot_fill(slot, new_piece);
-    *piece = (vbss_thread *)slot;
-    return VBSS_OK;
 }

@@ -39,12 +39,6 @@ static void correct_end(thread_object *t, uint32_t end, uint32_t next, uint32_t 
     shift_mass(t, third, next, end_mass * ratio * l / l_next);
 }
 
-bool vbss_thread_is_clamped(const thread_object *t, uint32_t node)
-{
-    uint32_t prescribed_by = t->prescribed_by[node];
-    return prescribed_by != 0 && t->attachments[prescribed_by - 1].kind == VBSS_ATTACHMENT_CLAMP;
-}
-
 /* A node has half the mass of its neighbouring segments, with the end corrections of the
  * trapezoidal rule. So sums over the nodes are integrals up to fourth order if the integrand is
  * smooth. For equal lengths the weights are Gregory's: 3/8, 7/6, 23/24, 1, ...; for unequal lengths
@@ -213,4 +207,12 @@ vbss_result vbss_thread_prepare_query(thread_object *t)
     VBSS_TRY(vbss_thread_update_derived(t));
     vbss_thread_set_clamp_directions(t, 0.0);
     return VBSS_OK;
+}
+
+void vbss_thread_invalidate(thread_object *t)
+{
+    t->generation++;
+    t->edit_generation++;
+    t->is_derived_valid = false;
+    t->is_acceleration_unknown = true;
 }

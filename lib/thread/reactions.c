@@ -1,12 +1,5 @@
 /* Reactions: forces and torques of attachments on the thread, computed at the end of each step. */
-#include "base/config.h"
-#include "base/error.h"
 #include "thread/thread.h"
-
-_Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
-
-static const uint32_t reaction_sizes[] = {56, 0};
-static const vbss_layout reaction_layout = {"vbss_thread_reaction", NULL, reaction_sizes};
 
 /* Gradient of the stretching energy with a clamp's direction, on which the length of its
  * arcs depends. */
@@ -112,19 +105,4 @@ void vbss_thread_update_reactions(thread_object *t)
             update_reaction(t, &t->attachments[i]);
         }
     }
-}
-
-vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
-                                     vbss_thread_reaction *reaction, uint32_t struct_size)
-{
-    thread_object *t;
-    VBSS_TRY(vbss_thread_open(thread, &t));
-    const thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    vbss_thread_reaction own = {.struct_size = sizeof own, .node = a->node};
-    vec3_store(own.force, a->reaction);
-    vec3_store(own.torque, a->reaction_torque);
-    return vbss_struct_write(t->context, &reaction_layout, &own, reaction, struct_size);
 }

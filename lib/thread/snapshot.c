@@ -1,5 +1,4 @@
 /* Snapshot of a thread: one visitor that saves, hashes and restores its state. */
-#include "base/snapshot.h"
 #include "base/stream.h"
 #include "thread/remesh.h"
 
@@ -184,22 +183,4 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
     memcpy(to->a, from->a, bytes);
     memcpy(to->q, from->q, bytes);
     memcpy(to->tension, from->tension, t->node_count * sizeof(double));
-}
-
-/* ---- public functions */
-
-vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
-                             uint64_t *written)
-{
-    return vbss_object_save(thread, &vbss_thread_kind, bytes, capacity, written);
-}
-
-vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count)
-{
-    return vbss_object_restore(thread, &vbss_thread_kind, bytes, count);
-}
-
-vbss_result vbss_thread_get_hash(vbss_thread *thread, uint64_t *hash)
-{
-    return vbss_object_hash(thread, &vbss_thread_kind, hash);
 }

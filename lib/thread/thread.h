@@ -183,9 +183,26 @@ struct thread_object {
     vec3 *curvatures;
 };
 
+/* ---- handle.c */
+
+/* The kind of all handles of threads. */
 extern const vbss_kind vbss_thread_kind;
 
+/* Finds the thread of a handle, for reading. Fails if the handle is invalid. */
+vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread);
+
+/* Finds the thread of a handle, for edits that are allowed inside a scene, too. */
+vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread);
+
+/* Finds the thread of a handle, for edits that are refused while it belongs to a scene. */
+vbss_result vbss_thread_edit_unowned(vbss_thread *handle, thread_object **thread);
+
 /* ---- thread.c */
+
+/* Copies the configuration of a host into `own`, sets defaults for fields that it lacks, and checks
+ * the copy. */
+vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_config *config,
+                                    vbss_thread_config *own);
 
 /* Allocates a thread without a handle. VBSS_ERROR_OUT_OF_MEMORY: `*thread` is NULL. */
 vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config *config,
@@ -196,15 +213,6 @@ void vbss_thread_free(vbss_context *context, void *object);
 
 /* Drops one reference to a piece pool, and frees the pool with the last. */
 void vbss_thread_release_piece_pool(vbss_context *context, thread_piece_pool *pool);
-
-/* Finds the thread of a handle, for reading. Fails if the handle is invalid. */
-vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread);
-
-/* Finds the thread of a handle, for edits that are allowed inside a scene, too. */
-vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread);
-
-/* Finds the thread of a handle, for edits that are refused while it belongs to a scene. */
-vbss_result vbss_thread_edit_unowned(vbss_thread *handle, thread_object **thread);
 
 /* ---- cut.c */
 
@@ -233,13 +241,10 @@ thread_object *vbss_thread_acquire_piece(thread_object *t, vbss_slot **slot);
 /* Returns a spare thread and its handle slot to the pool. */
 void vbss_thread_return_piece(thread_object *piece, vbss_slot *slot);
 
-/* ---- thread.c: end of a step */
+/* ---- finish_step.c */
 
 /* Finishes a step of `h` seconds, alone or in a scene: attachments, reactions, statistics. */
 void vbss_thread_finish_step(thread_object *t, double h);
-
-/* Marks derived data, views and accelerations as invalid, after any change that is not a step. */
-void vbss_thread_invalidate(thread_object *t);
 
 /* ---- snapshot.c */
 
@@ -254,6 +259,9 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
 /* Whether attachments of this kind prescribe the motion of their node: pins and clamps. */
 bool vbss_thread_prescribes_motion(vbss_attachment_kind kind);
 
+/* Whether a clamp prescribes the node. */
+bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);
+
 /* Finds an attachment by its id. NULL: there is no such attachment; sets the error text. */
 thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id);
 
@@ -262,6 +270,9 @@ vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction
 
 /* Direction of a clamp at a fraction 0..1 of the step, unit. */
 vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fraction);
+
+/* Copies the target, direction and force of an attachment to the alternate ones. */
+void vbss_thread_save_target(thread_attachment *a);
 
 /* A step of a scene may be suspended while hosts set targets for the next step. Copies the targets,
  * so that the suspended step keeps its own. */
@@ -296,8 +307,8 @@ vbss_result vbss_thread_update_sparsity(thread_object *t);
  * between steps. */
 vbss_result vbss_thread_prepare_query(thread_object *t);
 
-/* Whether a clamp prescribes the node. */
-bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);
+/* Marks derived data, views and accelerations as invalid, after any change that is not a step. */
+void vbss_thread_invalidate(thread_object *t);
 
 /* Number of neighbours on either side that a node is coupled with. */
 uint32_t vbss_thread_bandwidth(const thread_object *t);

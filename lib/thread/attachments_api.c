@@ -1,0 +1,159 @@
+/* The functions that hosts call on attachments of a thread. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "thread/thread.h"
+
+_Static_assert(sizeof(vbss_thread_attachment) == 112, "published size");
+_Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
+
+static const vbss_thread_attachment defaults = {
+    .struct_size = sizeof(vbss_thread_attachment),
+    .kind = VBSS_ATTACHMENT_PIN,
+    .direction = {1.0, 0.0, 0.0},
+};
+static const uint32_t attachment_sizes[] = {112, 0};
+static const vbss_layout attachment_layout = {"vbss_thread_attachment", &defaults,
+                                              attachment_sizes};
+
+static const uint32_t reaction_sizes[] = {56, 0};
+static const vbss_layout reaction_layout = {"vbss_thread_reaction", NULL, reaction_sizes};
+
+vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachment, uint32_t struct_size)
+{
+    return vbss_config_init(&attachment_layout, attachment, struct_size);
+}
+
+static vbss_result check_direction(vbss_context *context, const double v[3])
+{
+    VBSS_TRY(vbss_check_finite(context, v, 3, "direction"));
+    return vbss_check_range(context, vec3_norm(vec3_load(v)), 1e-100, 1e100, "length of direction");
+}
+
+static vbss_result check_attachment(const thread_object *t, const vbss_thread_attachment *a)
+{
+    vbss_context *context = t->context;
+    VBSS_TRY(vbss_check_range(context, a->kind, VBSS_ATTACHMENT_PIN, VBSS_ATTACHMENT_MASS, "kind"));
+    VBSS_TRY(vbss_check_range(context, a->node, 0.0, t->node_count - 1.0, "node"));
+    VBSS_TRY(vbss_check_range(context, a->reserved, 0.0, 0.0, "reserved"));
+    VBSS_TRY(vbss_check_vector(context, a->position, 1e3, "position"));
+    VBSS_TRY(check_direction(context, a->direction));
+    VBSS_TRY(vbss_check_vector(context, a->force, 1e6, "force"));
+    VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
+    VBSS_TRY(vbss_check_range(context, a->damping, 0.0, 1e6, "damping"));
+    VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
+    if (t->welded[a->node] != 0 && vbss_thread_prescribes_motion(a->kind)) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by a body of its scene",
+                         a->node);
+    }
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *other = &t->attachments[i];
+        if (other->id != 0 && other->node == a->node &&
+            vbss_thread_prescribes_motion(other->kind) && vbss_thread_prescribes_motion(a->kind)) {
+            return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by attachment %u",
+                             a->node, other->id);
+        }
+    }
+    return VBSS_OK;
+}
+
+static vec3 load_unit(const double v[3])
+{
+    return vec3_unit_or(vec3_load(v), vec3_make(1.0, 0.0, 0.0));
+}
+
+/* Direction of the thread at a node. */
+static vec3 chord_direction(const thread_object *t, uint32_t node, vec3 fallback)
+{
+    uint32_t low = node > 0 ? node - 1 : 0;
+    uint32_t high = node + 1 < t->node_count ? node + 1 : node;
+    return vec3_unit_or(vec3_sub(t->now.x[high], t->now.x[low]), fallback);
+}
+
+vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment *attachment,
+                               uint32_t *id)
+{
+    thread_object *t;
+    vbss_thread_attachment own;
+    VBSS_TRY(vbss_thread_edit(thread, &t));
+    VBSS_TRY(vbss_check_pointer(t->context, id, "id"));
+    VBSS_TRY(vbss_config_read(t->context, &attachment_layout, attachment, &own));
+    VBSS_TRY(check_attachment(t, &own));
+    uint32_t free_index = 0;
+    while (free_index < t->config.attachment_capacity && t->attachments[free_index].id != 0) {
+        free_index++;
+    }
+    if (free_index == t->config.attachment_capacity || t->last_id == UINT32_MAX) {
+        return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "more than %u attachments", free_index);
+    }
+    thread_attachment *a = &t->attachments[free_index];
+    a->id = *id = ++t->last_id;
+    a->kind = own.kind;
+    a->node = own.node;
+    a->target = vec3_load(own.position);
+    /* A prescribed node moves to its target during the next step, and a clamp turns the thread
+     * during it. The end of a spring is at its target at once. */
+    a->position = vbss_thread_prescribes_motion(own.kind) ? t->now.x[own.node] : a->target;
+    a->target_direction = load_unit(own.direction);
+    a->direction =
+        t->is_in_setup ? a->target_direction : chord_direction(t, own.node, a->target_direction);
+    a->force = vec3_load(own.force);
+    a->stiffness = own.stiffness;
+    a->damping = own.damping;
+    a->mass = own.mass;
+    vbss_thread_save_target(a);
+    vbss_thread_invalidate(t);
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double target[3],
+                             const double *direction)
+{
+    thread_object *t;
+    VBSS_TRY(vbss_thread_edit(thread, &t));
+    VBSS_TRY(vbss_check_pointer(t->context, target, "target"));
+    thread_attachment *a = vbss_thread_find_attachment(t, id);
+    if (a == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    if (a->kind == VBSS_ATTACHMENT_MASS) {
+        return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "attachment %u is a mass", id);
+    }
+    bool force = a->kind == VBSS_ATTACHMENT_FORCE;
+    VBSS_TRY(vbss_check_vector(t->context, target, force ? 1e6 : 1e3, "target"));
+    if (direction != NULL) {
+        VBSS_TRY(check_direction(t->context, direction));
+        a->target_direction = load_unit(direction);
+    }
+    *(force ? &a->force : &a->target) = vec3_load(target);
+    t->generation++;
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
+{
+    thread_object *t;
+    VBSS_TRY(vbss_thread_edit(thread, &t));
+    thread_attachment *a = vbss_thread_find_attachment(t, id);
+    if (a == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    *a = (thread_attachment){0};
+    vbss_thread_invalidate(t);
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
+                                     vbss_thread_reaction *reaction, uint32_t struct_size)
+{
+    thread_object *t;
+    VBSS_TRY(vbss_thread_open(thread, &t));
+    const thread_attachment *a = vbss_thread_find_attachment(t, id);
+    if (a == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    vbss_thread_reaction own = {.struct_size = sizeof own, .node = a->node};
+    vec3_store(own.force, a->reaction);
+    vec3_store(own.torque, a->reaction_torque);
+    return vbss_struct_write(t->context, &reaction_layout, &own, reaction, struct_size);
+}
