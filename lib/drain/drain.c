@@ -1,9 +1,9 @@
-/* Creation, memory, handles and steps of drains. */
+/* Memory of drains, and their construction. */
 #include "drain/drain.h"
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/stream.h"
+#include "base/memory.h"
 
 #include <string.h>
 
@@ -40,7 +40,7 @@ static size_t list_arrays(drain_object *d, vbss_array arrays[ARRAY_COUNT])
     return sizeof all / sizeof all[0];
 }
 
-static void free_drain(vbss_context *context, void *object)
+void vbss_drain_free(vbss_context *context, void *object)
 {
     drain_object *d = object;
     vbss_array arrays[ARRAY_COUNT], mesh_arrays[DRAIN_MESH_ARRAYS];
@@ -52,10 +52,7 @@ static void free_drain(vbss_context *context, void *object)
     vbss_release(context, d, 1, sizeof *d);
 }
 
-const vbss_kind vbss_drain_kind = {"drain", VBSS_CODE('D', 'R', 'A', 'N'), 1, free_drain,
-                                   vbss_drain_serialise};
-
-/* ---- creation */
+/* ---- construction */
 
 /* The baseline method uses the shell for masses and strains only. */
 static vbss_result create_shell(drain_object *d)
@@ -91,10 +88,10 @@ static void init_positions(drain_object *d)
     vbss_drain_update_anchored(d);
 }
 
-/* Does all that can fail. On failure the caller frees the object. */
-static vbss_result build_drain(drain_object *d, const vbss_drain_config *config)
+vbss_result vbss_drain_build(drain_object *d, const vbss_drain_config *config)
 {
     quat orientation;
+    d->method = config->method == VBSS_METHOD_PAPER ? &vbss_baseline_drain : &vbss_drain_implicit;
     d->config = *config;
     VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &orientation));
     d->frame = pose_make(vec3_load(config->position), orientation);
@@ -111,139 +108,4 @@ static vbss_result build_drain(drain_object *d, const vbss_drain_config *config)
     VBSS_TRY(create_shell(d));
     init_positions(d);
     return d->method->create_drain(d);
-}
-
-vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *config,
-                              vbss_drain **drain)
-{
-    if (drain == NULL) {
-        VBSS_TRY(vbss_context_open(context));
-        return vbss_check_pointer(context, drain, "drain");
-    }
-    *drain = NULL;
-    VBSS_TRY(vbss_context_open(context));
-    VBSS_TRY(vbss_context_edit(context));
-    vbss_drain_config own;
-    VBSS_TRY(vbss_drain_read_config(context, config, &own));
-    drain_object *d = vbss_allocate(context, 1, sizeof *d, "drain");
-    if (d == NULL) {
-        return VBSS_ERROR_OUT_OF_MEMORY;
-    }
-    d->context = context;
-    d->method = own.method == VBSS_METHOD_PAPER ? &vbss_baseline_drain : &vbss_drain_implicit;
-    vbss_slot *slot = NULL;
-    vbss_result result = build_drain(d, &own);
-    if (result == VBSS_OK) {
-        result = vbss_slot_create(context, &vbss_drain_kind, d, &slot);
-    }
-    if (result != VBSS_OK) {
-        free_drain(context, d);
-        return result;
-    }
-    *drain = (vbss_drain *)slot;
-    return VBSS_OK;
-}
-
-vbss_result vbss_drain_destroy(vbss_drain *drain)
-{
-    return vbss_slot_destroy(drain, &vbss_drain_kind);
-}
-
-/* ---- handles */
-
-vbss_result vbss_drain_open(const vbss_drain *handle, drain_object **drain)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_open(handle, &vbss_drain_kind, &slot));
-    *drain = slot->object;
-    return VBSS_OK;
-}
-
-vbss_result vbss_drain_edit(vbss_drain *handle, drain_object **drain)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_edit(handle, &vbss_drain_kind, &slot));
-    *drain = slot->object;
-    return VBSS_OK;
-}
-
-vbss_result vbss_drain_edit_unowned(vbss_drain *handle, drain_object **drain)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_edit_unowned(handle, &vbss_drain_kind, &slot));
-    *drain = slot->object;
-    return VBSS_OK;
-}
-
-/* ---- step and state */
-
-/* Runs a step; on failure nothing changes. */
-static vbss_result run_step(drain_object *d, double h)
-{
-    const vbss_drain_statistics before = d->statistics;
-    size_t bytes = d->mesh.node_count * sizeof *d->x;
-    memcpy(d->saved_x, d->x, bytes);
-    memcpy(d->saved_v, d->v, bytes);
-    d->statistics.last_move = 0.0;
-    vbss_result result = d->method->step_drain(d, h);
-    if (result != VBSS_OK) {
-        d->statistics = before;
-        memcpy(d->x, d->saved_x, bytes);
-        memcpy(d->v, d->saved_v, bytes);
-        return result != VBSS_ERROR_NOT_FINITE
-                   ? result
-                   : vbss_fail(d->context, result, "drain step: no finite state after step %llu",
-                               (unsigned long long)before.steps);
-    }
-    vbss_drain_finish_step(d, h);
-    return VBSS_OK;
-}
-
-vbss_result vbss_drain_step(vbss_drain *drain, double h)
-{
-    drain_object *d;
-    VBSS_TRY(vbss_drain_edit_unowned(drain, &d));
-    VBSS_TRY(vbss_check_range(d->context, h, 1e-7, 0.1, "h"));
-    VBSS_TRY(vbss_check_arithmetic(d->context));
-    return run_step(d, h);
-}
-
-static vbss_result check_state(const drain_object *d, const double *positions,
-                               const double *velocities)
-{
-    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        const double *x = positions != NULL ? positions + 3 * (size_t)i : &d->x[i].x;
-        const double *v = velocities != NULL ? velocities + 3 * (size_t)i : &d->v[i].x;
-        VBSS_TRY(vbss_check_finite(d->context, x, 3, "a position"));
-        VBSS_TRY(vbss_check_finite(d->context, v, 3, "a velocity"));
-        VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(x, 3), 0.0, 1e3, "a position"));
-        VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(v, 3), 0.0, 1e5, "a velocity"));
-        bool moves = vec3_distance(vec3_load(x), d->x[i]) > 0.0 || vbss_max_abs(v, 3) > 0.0;
-        if (d->anchored[i] && moves) {
-            return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", i);
-        }
-    }
-    return VBSS_OK;
-}
-
-void vbss_drain_invalidate(drain_object *d)
-{
-    d->generation++;
-    d->edit_generation++;
-}
-
-vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
-                                 const double *velocities, uint32_t node_count)
-{
-    drain_object *d;
-    VBSS_TRY(vbss_drain_edit(drain, &d));
-    double nodes = d->mesh.node_count;
-    VBSS_TRY(vbss_check_range(d->context, node_count, nodes, nodes, "node_count"));
-    VBSS_TRY(check_state(d, positions, velocities));
-    for (uint32_t i = 0; i < node_count; i++) {
-        d->x[i] = positions != NULL ? vec3_load(positions + 3 * (size_t)i) : d->x[i];
-        d->v[i] = velocities != NULL ? vec3_load(velocities + 3 * (size_t)i) : d->v[i];
-    }
-    vbss_drain_invalidate(d);
-    return VBSS_OK;
 }

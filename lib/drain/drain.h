@@ -116,9 +116,10 @@ struct drain_object {
     vbss_shell_response *shell_responses;
 };
 
-extern const vbss_kind vbss_drain_kind;
+/* ---- handle.c */
 
-/* ---- drain.c */
+/* The kind of all handles of drains. */
+extern const vbss_kind vbss_drain_kind;
 
 /* Finds the drain of a handle, for reading. Fails if the handle is invalid. */
 vbss_result vbss_drain_open(const vbss_drain *handle, drain_object **drain);
@@ -128,6 +129,15 @@ vbss_result vbss_drain_edit(vbss_drain *handle, drain_object **drain);
 
 /* Finds the drain of a handle, for edits that are refused while it belongs to a scene. */
 vbss_result vbss_drain_edit_unowned(vbss_drain *handle, drain_object **drain);
+
+/* ---- drain.c */
+
+/* Builds a drain with a checked configuration in an empty object that has its context. On failure
+ * the caller frees the object. */
+vbss_result vbss_drain_build(drain_object *d, const vbss_drain_config *config);
+
+/* Frees a drain, complete or not. */
+void vbss_drain_free(vbss_context *context, void *object);
 
 /* ---- config.c */
 
@@ -238,10 +248,12 @@ void vbss_drain_apply_increment(drain_object *d, const vbss_system *s, uint32_t 
 /* Makes the trial state the state, after a substep of `h` seconds. */
 void vbss_drain_commit(drain_object *d, double h);
 
-/* ---- drain.c, substep.c: edits, end of a step */
+/* ---- drain_api.c: edits by hosts */
 
 /* Counts an edit by a host other than a new target, and marks views as old. */
 void vbss_drain_invalidate(drain_object *d);
+
+/* ---- substep.c: end of a step */
 
 /* Finishes the substeps of a step, the last of which took `h` seconds: moves attachments, computes
  * reactions, tears an anchor. */

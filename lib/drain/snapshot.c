@@ -1,6 +1,5 @@
 /* Snapshot of a drain: one visitor that saves, hashes and restores its state. */
 #include "base/check.h"
-#include "base/snapshot.h"
 #include "base/stream.h"
 #include "drain/drain.h"
 
@@ -148,21 +147,4 @@ void vbss_drain_serialise(vbss_stream *stream, void *object)
         d->is_sparsity_valid = false;
         d->generation++;
     }
-}
-
-/* ---- public functions */
-
-vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity, uint64_t *written)
-{
-    return vbss_object_save(drain, &vbss_drain_kind, bytes, capacity, written);
-}
-
-vbss_result vbss_drain_restore(vbss_drain *drain, const uint8_t *bytes, uint64_t count)
-{
-    return vbss_object_restore(drain, &vbss_drain_kind, bytes, count);
-}
-
-vbss_result vbss_drain_get_hash(vbss_drain *drain, uint64_t *hash)
-{
-    return vbss_object_hash(drain, &vbss_drain_kind, hash);
 }
