@@ -217,22 +217,6 @@ static vbss_result check_arguments(const collision_object *c, uint32_t id, const
     return VBSS_OK;
 }
 
-void vbss_collision_exclusion_arrays(const collision_shape *s, collision_exclusion *exclusion,
-                                     vbss_array arrays[COLLISION_EXCLUSION_ARRAYS])
-{
-    size_t n = s->node_count, e = s->edge_count, t = s->triangle_count;
-    const vbss_array all[COLLISION_EXCLUSION_ARRAYS] = {
-        {&exclusion->edges, e * exclusion->words, sizeof *exclusion->edges},
-        {&exclusion->triangles, t * exclusion->words, sizeof *exclusion->triangles},
-        {&exclusion->edge_lanes, s->edge_bvh.level_groups[0] * e, sizeof *exclusion->edge_lanes},
-        {&exclusion->point_lanes, s->point_bvh.level_groups[0] * t, sizeof *exclusion->point_lanes},
-        {&exclusion->first_edge, n + 1, sizeof *exclusion->first_edge},
-        {&exclusion->edges_of, 2 * e, sizeof *exclusion->edges_of},
-        {&exclusion->leaf_of, e > n ? e : n, sizeof *exclusion->leaf_of},
-    };
-    memcpy(arrays, all, sizeof all);
-}
-
 vbss_result vbss_collision_exclude_near(collision_object *c, uint32_t id, const vec3 *at,
                                         double distance)
 {

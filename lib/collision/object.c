@@ -1,24 +1,10 @@
-/* Creation, destruction and counters of collision objects. */
-#include "base/check.h"
+/* Memory and results of collision objects, and their shapes by id. */
 #include "base/error.h"
-#include "base/stream.h"
+#include "base/memory.h"
+#include "base/simd_dispatch.h"
 #include "collision/shapes.h"
 
 #include <string.h>
-
-_Static_assert(sizeof(vbss_collision_statistics) == 80, "published size");
-
-static const uint32_t statistics_sizes[] = {80, 0};
-static const vbss_layout statistics_layout = {"vbss_collision_statistics", NULL, statistics_sizes};
-
-static vbss_result check_capacities(vbss_context *context, const vbss_collision_config *c)
-{
-    VBSS_TRY(vbss_check_range(context, c->shape_capacity, 0.0, 65536.0, "shape_capacity"));
-    VBSS_TRY(vbss_check_range(context, c->pair_capacity, 0.0, 1e8, "pair_capacity"));
-    VBSS_TRY(vbss_check_range(context, c->impact_capacity, 0.0, 1e8, "impact_capacity"));
-    VBSS_TRY(vbss_check_range(context, c->exclusion, 0.0, 1e3, "exclusion"));
-    return vbss_check_range(context, c->margin, 0.0, 1e3, "margin");
-}
 
 /* ---- memory: one table lists all arrays */
 
@@ -75,9 +61,6 @@ void vbss_collision_free(vbss_context *context, void *object)
     vbss_release(context, c, 1, sizeof *c);
 }
 
-const vbss_kind vbss_collision_kind = {"collision object", VBSS_CODE('C', 'O', 'L', 'L'), 1,
-                                       vbss_collision_free, vbss_collision_serialise};
-
 /* Two kinds of pairs for any two shapes, but no more runs than candidates. */
 static uint32_t max_runs(const vbss_collision_config *config)
 {
@@ -112,82 +95,20 @@ vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_
     return VBSS_OK;
 }
 
-/* ---- creation and destruction */
-
-vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_config *config,
-                                  vbss_collision **collision)
-{
-    if (collision == NULL) {
-        VBSS_TRY(vbss_context_open(context));
-        return vbss_check_pointer(context, collision, "collision");
-    }
-    *collision = NULL;
-    VBSS_TRY(vbss_context_open(context));
-    VBSS_TRY(vbss_context_edit(context));
-    vbss_collision_config own;
-    VBSS_TRY(vbss_config_init(&vbss_collision_config_layout, &own, sizeof own));
-    if (config != NULL) {
-        VBSS_TRY(vbss_config_read(context, &vbss_collision_config_layout, config, &own));
-    }
-    VBSS_TRY(vbss_collision_check_ccd_options(context, &own));
-    VBSS_TRY(check_capacities(context, &own));
-
-    collision_object *c;
-    vbss_slot *slot = NULL;
-    VBSS_TRY(vbss_collision_allocate(context, &own, false, &c));
-    vbss_result result = vbss_slot_create(context, &vbss_collision_kind, c, &slot);
-    if (result != VBSS_OK) {
-        vbss_collision_free(context, c);
-        return result;
-    }
-    *collision = (vbss_collision *)slot;
-    return VBSS_OK;
-}
-
-vbss_result vbss_collision_destroy(vbss_collision *collision)
-{
-    return vbss_slot_destroy(collision, &vbss_collision_kind);
-}
-
-vbss_result vbss_collision_open(const vbss_collision *handle, collision_object **collision)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_open(handle, &vbss_collision_kind, &slot));
-    *collision = slot->object;
-    return VBSS_OK;
-}
-
-vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **collision)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_edit(handle, &vbss_collision_kind, &slot));
-    *collision = slot->object;
-    return VBSS_OK;
-}
+/* ---- results and shapes */
 
 void vbss_collision_clear_results(collision_object *c)
 {
     c->candidate_count = c->impact_count = 0;
 }
 
-vbss_result vbss_collision_get_statistics(vbss_collision *collision,
-                                          vbss_collision_statistics *statistics,
-                                          uint32_t struct_size)
+vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,
+                                      collision_shape **shape)
 {
-    collision_object *c;
-    VBSS_TRY(vbss_collision_open(collision, &c));
-    const vbss_collision_statistics own = {
-        .struct_size = sizeof own,
-        .candidates = c->candidate_count,
-        .impacts = c->impact_count,
-        .queries = c->counters.queries,
-        .hits = c->counters.hits,
-        .undecided = c->counters.undecided,
-        .exact = c->counters.exact,
-        .passes = c->counters.passes,
-        .sign_tests_ended = c->counters.sign_tests_ended,
-        .boxes_tested = c->boxes_tested,
-        .searches = c->searches,
-    };
-    return vbss_struct_write(c->context, &statistics_layout, &own, statistics, struct_size);
+    *shape = id < c->shape_count ? c->shapes[id] : NULL;
+    if (*shape == NULL) {
+        vbss_fail(c->context, VBSS_ERROR_OUT_OF_RANGE, "there is no shape %u", id);
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    return VBSS_OK;
 }

@@ -6,141 +6,13 @@
 #include "base/check.h"
 #include "base/double_double.h"
 #include "base/error.h"
-#include "base/hash.h"
-#include "base/stream.h"
 
 #define MAX_RADIUS 1e29
-
-/* ---- memory: one table lists all arrays; those that a shape does not need stay NULL */
-
-enum { ARRAY_COUNT = 23 + COLLISION_EXCLUSION_ARRAYS };
-
-typedef struct array_list {
-    vbss_array arrays[ARRAY_COUNT];
-    size_t count;
-} array_list;
-
-/* `pointer` is the address of the shape's pointer to the array. */
-static void add_array(array_list *list, void *pointer, size_t count, size_t size)
-{
-    const vbss_array array = {pointer, count, size};
-    if (count > 0) {
-        list->arrays[list->count++] = array;
-    }
-}
-
-static void add_bvh(array_list *list, collision_bvh *bvh, uint32_t features, bool ordered)
-{
-    size_t groups = vbss_collision_bvh_group_count(features);
-    add_array(list, &bvh->boxes, features, sizeof *bvh->boxes);
-    add_array(list, &bvh->group_boxes, groups, sizeof *bvh->group_boxes);
-    add_array(list, &bvh->groups, groups, sizeof *bvh->groups);
-    /* A single group needs no order. */
-    add_array(list, &bvh->order, ordered && features > COLLISION_BVH_WIDTH ? features : 0,
-              sizeof *bvh->order);
-}
-
-static void list_arrays(collision_shape *s, array_list *list)
-{
-    bool chain = s->kind == COLLISION_SHAPE_CHAIN;
-    uint32_t n = s->node_capacity, e = chain ? n - 1 : s->edge_count, t = s->triangle_count;
-    list->count = 0;
-    add_array(list, &s->start, n, sizeof *s->start);
-    add_array(list, &s->end, n, sizeof *s->end);
-    add_array(list, &s->edges, e, sizeof *s->edges);
-    add_array(list, &s->triangles, t, sizeof *s->triangles);
-    add_array(list, &s->far_before, chain ? e : 0, sizeof *s->far_before);
-    add_array(list, &s->far_after, chain ? (e + COLLISION_BVH_WIDTH - 1) / COLLISION_BVH_WIDTH : 0,
-              sizeof *s->far_after);
-    add_array(list, &s->edge_offsets, e, sizeof *s->edge_offsets);
-    add_array(list, &s->point_offsets, n, sizeof *s->point_offsets);
-    add_array(list, &s->displacement, s->caches_separation ? n : 0, sizeof *s->displacement);
-    add_array(list, &s->search_displacement, s->caches_separation ? n : 0,
-              sizeof *s->search_displacement);
-    add_array(list, &s->search_start, s->caches_separation ? n : 0, sizeof *s->search_start);
-    add_bvh(list, &s->point_bvh, n, !chain);
-    add_bvh(list, &s->edge_bvh, e, !chain);
-    add_bvh(list, &s->triangle_bvh, t, true);
-    if (s->exclusion.words > 0) {
-        vbss_collision_exclusion_arrays(s, &s->exclusion, list->arrays + list->count);
-        list->count += COLLISION_EXCLUSION_ARRAYS;
-    }
-}
-
-void vbss_collision_shape_free(vbss_context *context, collision_shape *s)
-{
-    array_list list;
-    list_arrays(s, &list);
-    vbss_release_arrays(context, list.arrays, list.count);
-    vbss_release(context, s, 1, sizeof *s);
-}
-
-/* Inflation of the boxes of a shape: features that come within D (1 + tolerance) + margin of each
- * other have overlapping boxes. Each shape contributes its radius and half of thickness and margin.
- * The factor exceeds the few rounding errors here and in D, and DBL_MIN exceeds those of subnormal
- * numbers. Rounding of low - inflation and high + inflation loses nothing, because it preserves the
- * order of numbers: docs/collision.md. */
-static double inflation_of(const vbss_collision_config *config, double radius)
-{
-    double half_distance = (radius + 0.5 * config->thickness) * (1.0 + config->tolerance);
-    return (half_distance + 0.5 * config->margin) * (1.0 + 8.0 * DBL_EPSILON) + DBL_MIN;
-}
-
-/* Creates a shape without topology; the counts must be in range. */
-static vbss_result create_shape(collision_object *c, collision_shape_kind kind,
-                                const uint32_t counts[3], double radius, collision_shape **shape)
-{
-    collision_shape *s = vbss_allocate(c->context, 1, sizeof *s, "shape");
-    array_list list;
-    *shape = NULL;
-    if (s == NULL) {
-        return VBSS_ERROR_OUT_OF_MEMORY;
-    }
-    s->kind = kind;
-    s->node_count = s->node_capacity = counts[0];
-    s->edge_count = counts[1];
-    s->triangle_count = counts[2];
-    s->radius = radius;
-    s->category = 1;
-    s->mask = UINT32_MAX;
-    s->inflation = inflation_of(&c->config, radius);
-    s->caches_separation = c->caches_separation;
-    list_arrays(s, &list);
-    vbss_result result = vbss_allocate_arrays(c->context, list.arrays, list.count, "shape");
-    if (result != VBSS_OK) {
-        vbss_collision_shape_free(c->context, s);
-        return result;
-    }
-    vbss_collision_bvh_set_count(&s->point_bvh, s->node_count);
-    vbss_collision_bvh_set_count(&s->edge_bvh, s->edge_count);
-    vbss_collision_bvh_set_count(&s->triangle_bvh, s->triangle_count);
-    *shape = s;
-    return VBSS_OK;
-}
-
-static uint64_t hash_topology(collision_shape *s)
-{
-    vbss_stream stream;
-    uint32_t counts[4] = {(uint32_t)s->kind, s->node_count, s->edge_count, s->triangle_count};
-    vbss_stream_begin_hash(&stream);
-    vbss_stream_u32(&stream, 1, counts, 4);
-    vbss_stream_f64(&stream, 2, &s->radius, 1);
-    if (s->kind == COLLISION_SHAPE_CHAIN) {
-        vbss_stream_u32(&stream, 3, s->far_before, s->edge_count);
-    }
-    if (s->kind == COLLISION_SHAPE_MESH) {
-        vbss_stream_u32(&stream, 4, s->triangles[0], 3u * (size_t)s->triangle_count);
-    }
-    if (s->exclusion.words > 0) { /* the edges determine the rows of the triangles */
-        vbss_stream_u64(&stream, 5, s->exclusion.edges, (size_t)s->edge_count * s->exclusion.words);
-    }
-    return vbss_hash_end(&stream.hash);
-}
 
 /* Adds a complete shape to the object and assigns its id. */
 static void register_shape(collision_object *c, collision_shape *s, uint32_t *id)
 {
-    s->topology_hash = hash_topology(s);
+    s->topology_hash = vbss_collision_hash_topology(s);
     *id = c->shape_count;
     c->shapes[c->shape_count++] = s;
     c->active_valid = false;
@@ -245,7 +117,7 @@ vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_t node_co
     VBSS_TRY(check_chain(c, node_count, rest_lengths));
     VBSS_TRY(check_new(c, radius, shape));
     const uint32_t counts[3] = {node_count, node_count - 1, 0};
-    VBSS_TRY(create_shape(c, COLLISION_SHAPE_CHAIN, counts, radius, &s));
+    VBSS_TRY(vbss_collision_create_shape(c, COLLISION_SHAPE_CHAIN, counts, radius, &s));
     number_edges(s);
     measure_chain(c, s, rest_lengths);
     register_shape(c, s, shape);
@@ -260,7 +132,7 @@ vbss_result vbss_collision_add_disabled_chain(collision_object *c, uint32_t node
     collision_shape *s = NULL;
     const uint32_t counts[3] = {node_capacity, node_capacity - 1, 0};
     VBSS_TRY(check_new(c, radius, id));
-    VBSS_TRY(create_shape(c, COLLISION_SHAPE_CHAIN, counts, radius, &s));
+    VBSS_TRY(vbss_collision_create_shape(c, COLLISION_SHAPE_CHAIN, counts, radius, &s));
     number_edges(s);
     s->is_disabled = true;
     register_shape(c, s, id);
@@ -286,7 +158,7 @@ void vbss_collision_resize_chain(collision_object *c, uint32_t id, uint32_t node
     vbss_collision_bvh_set_count(&s->point_bvh, s->node_count);
     vbss_collision_bvh_set_count(&s->edge_bvh, s->edge_count);
     measure_chain(c, s, rest_lengths);
-    s->topology_hash = hash_topology(s);
+    s->topology_hash = vbss_collision_hash_topology(s);
     vbss_collision_shape_invalidate(s);
     invalidate_results(c, was_disabled);
 }
@@ -308,7 +180,7 @@ vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint32_t caps
     VBSS_TRY(vbss_check_range(c->context, capsule_count, 1.0, 32768.0, "capsule_count"));
     VBSS_TRY(check_new(c, radius, shape));
     const uint32_t counts[3] = {2 * capsule_count, capsule_count, 0};
-    VBSS_TRY(create_shape(c, COLLISION_SHAPE_CAPSULES, counts, radius, &s));
+    VBSS_TRY(vbss_collision_create_shape(c, COLLISION_SHAPE_CAPSULES, counts, radius, &s));
     for (uint32_t i = 0; i < s->edge_count; i++) {
         s->edges[i][0] = 2 * i;
         s->edges[i][1] = 2 * i + 1;
@@ -404,7 +276,7 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
         uint32_t edge_count =
             list_edges(triangles, triangle_count, node_count, edges, spare, offsets);
         const uint32_t counts[3] = {node_count, edge_count, triangle_count};
-        result = create_shape(c, COLLISION_SHAPE_MESH, counts, radius, &s);
+        result = vbss_collision_create_shape(c, COLLISION_SHAPE_MESH, counts, radius, &s);
     }
     if (result == VBSS_OK) {
         memcpy(s->edges, edges, s->edge_count * sizeof *edges);
@@ -416,24 +288,6 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
 }
 
 /* ---- queries and motion */
-
-void vbss_collision_update_pair_rules(collision_object *c, collision_shape *s)
-{
-    s->topology_hash = hash_topology(s);
-    vbss_collision_clear_results(c);
-    c->generation++;
-}
-
-vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,
-                                      collision_shape **shape)
-{
-    *shape = id < c->shape_count ? c->shapes[id] : NULL;
-    if (*shape == NULL) {
-        vbss_fail(c->context, VBSS_ERROR_OUT_OF_RANGE, "there is no shape %u", id);
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    return VBSS_OK;
-}
 
 vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape)
 {

@@ -130,8 +130,6 @@ typedef struct collision_shape {
     bool edge_offsets_used, point_offsets_used;
 } collision_shape;
 
-void vbss_collision_shape_free(vbss_context *context, collision_shape *shape);
-
 /* Chains with a variable number of nodes. A disabled chain only reserves memory. Resizing sets a
  * number of nodes, up to its capacity, and rest lengths; it enables the chain and does not
  * allocate. Disabling keeps the memory. */
@@ -141,6 +139,24 @@ void vbss_collision_resize_chain(collision_object *c, uint32_t id, uint32_t node
                                  const double *rest_lengths);
 void vbss_collision_disable_chain(collision_object *c, uint32_t id);
 
+/* ---- memory of shapes (shape_memory.c) */
+
+/* Creates a shape without topology. `counts` gives its nodes, edges and triangles, which must be in
+ * range; `radius` is in m. */
+vbss_result vbss_collision_create_shape(collision_object *c, collision_shape_kind kind,
+                                        const uint32_t counts[3], double radius,
+                                        collision_shape **shape);
+void vbss_collision_shape_free(vbss_context *context, collision_shape *shape);
+
+/* Arrays of a mesh's exclusion. */
+enum { COLLISION_EXCLUSION_ARRAYS = 7 };
+void vbss_collision_exclusion_arrays(const collision_shape *shape, collision_exclusion *exclusion,
+                                     vbss_array arrays[COLLISION_EXCLUSION_ARRAYS]);
+
+/* ---- topology of shapes (topology.c) */
+
+/* Hash of all data of a shape that never changes. */
+uint64_t vbss_collision_hash_topology(collision_shape *shape);
 /* Invalidates all results after a change of the pairs that a shape excludes. */
 void vbss_collision_update_pair_rules(collision_object *c, collision_shape *shape);
 
@@ -157,10 +173,6 @@ void vbss_collision_update_pair_rules(collision_object *c, collision_shape *shap
 vbss_result vbss_collision_exclude_near(collision_object *c, uint32_t id, const vec3 *at,
                                         double distance);
 
-/* Arrays of a mesh's exclusion. */
-enum { COLLISION_EXCLUSION_ARRAYS = 7 };
-void vbss_collision_exclusion_arrays(const collision_shape *shape, collision_exclusion *exclusion,
-                                     vbss_array arrays[COLLISION_EXCLUSION_ARRAYS]);
 /* Updates the excluded lanes after a tree has been reordered. */
 void vbss_collision_update_excluded_edges(collision_shape *shape);
 void vbss_collision_update_excluded_points(collision_shape *shape);
@@ -260,7 +272,7 @@ bool vbss_collision_stays_separated(const collision_object *c, const collision_c
 void vbss_collision_swap_separation_cache(collision_object *c);
 void vbss_collision_carry_separations(collision_object *c);
 
-/* ---- the object (object.c) */
+/* ---- the object */
 
 /* Number of candidates tested together. */
 enum { COLLISION_BLOCK_SIZE = 64 };
@@ -309,14 +321,20 @@ struct collision_object {
     uint32_t impact_count;
 };
 
+/* ---- handles (handle.c) */
+
+/* The kind of all handles of collision objects. */
 extern const vbss_kind vbss_collision_kind;
+/* The object behind a handle, for a query or for a change. */
+vbss_result vbss_collision_open(const vbss_collision *handle, collision_object **collision);
+vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **collision);
+
+/* ---- memory and results of objects (object.c), snapshots (snapshot.c) */
+
 /* Creates and destroys an object without a handle, from a checked configuration. */
 vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
                                     bool caches_separation, collision_object **collision);
 void vbss_collision_free(vbss_context *context, void *object);
-/* The object behind a handle, for a query or for a change. */
-vbss_result vbss_collision_open(const vbss_collision *handle, collision_object **collision);
-vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **collision);
 /* The shape with this id, or VBSS_ERROR_OUT_OF_RANGE. */
 vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,
                                       collision_shape **shape);

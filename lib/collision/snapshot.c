@@ -3,8 +3,6 @@
  * Trees are omitted: they affect the speed of a search, not its result. So is the count of tested
  * boxes, which depends on them. */
 #include "base/check.h"
-#include "base/error.h"
-#include "base/snapshot.h"
 #include "base/stream.h"
 #include "collision/shapes.h"
 
@@ -61,27 +59,4 @@ void vbss_collision_serialise(vbss_stream *stream, void *object)
         }
     }
     visit_counters(stream, c);
-}
-
-/* ---- public functions */
-
-vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes, uint64_t capacity,
-                                uint64_t *written)
-{
-    return vbss_object_save(collision, &vbss_collision_kind, bytes, capacity, written);
-}
-
-vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *bytes, uint64_t count)
-{
-    collision_object *c;
-    VBSS_TRY(vbss_object_restore(collision, &vbss_collision_kind, bytes, count));
-    VBSS_TRY(vbss_collision_open(collision, &c));
-    vbss_collision_clear_results(c);
-    c->generation++;
-    return VBSS_OK;
-}
-
-vbss_result vbss_collision_get_hash(vbss_collision *collision, uint64_t *hash)
-{
-    return vbss_object_hash(collision, &vbss_collision_kind, hash);
 }
