@@ -6,7 +6,8 @@
  * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, gauss_code.c and untangle.c
  * simplify it, twist_regions.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
  * invariants, catalogue.c compares. throw_locator.c finds where the throws lie (throw_places.c, sub_chains.c), classification.c makes of it
- * what hosts see, detector.c is the step. Method PROJECTION is in lib/baseline. */
+ * what hosts see, topology_method.c starts and continues readings, detector.c
+ * is the step. Method PROJECTION is in lib/baseline. */
 #ifndef VBSS_KNOT_KNOT_H
 #define VBSS_KNOT_KNOT_H
 
@@ -490,6 +491,7 @@ typedef struct knot_method {
     /* Reads the input of a step, when winding about the tools is known. `immediate`: all of it, at once. */
     void (*step_detector)(knot_detector *d, bool immediate);
 } knot_method;
+extern const knot_method vbss_knot_topology;  /* topology_method.c */
 extern const knot_method vbss_baseline_knots; /* defined in lib/baseline */
 
 struct knot_detector {
@@ -514,8 +516,18 @@ struct knot_detector {
     uint32_t loop_count;
     uint64_t generation;
 };
+/* Memory (memory.c): creates a detector in its initial state, without a handle, from a checked
+ * configuration. */
+vbss_result vbss_knot_allocate(vbss_context *context, const vbss_knot_config *config,
+                               knot_detector **detector);
+void vbss_knot_free(vbss_context *context, void *object);
+/* Returns a detector to its initial state. */
+void vbss_knot_reset_state(knot_detector *detector);
+/* Handles (handle.c): the kind of all handles of detectors, and the detector behind a handle, for a
+ * query or for a change. */
 extern const vbss_kind vbss_knot_kind;
 vbss_result vbss_knot_open(const vbss_knot_detector *handle, knot_detector **detector);
+vbss_result vbss_knot_edit(vbss_knot_detector *handle, knot_detector **detector);
 /* Configuration (config.c) */
 extern const vbss_layout vbss_knot_config_layout;
 vbss_result vbss_knot_check_config(vbss_context *context, const vbss_knot_config *config);
@@ -523,6 +535,7 @@ vbss_result vbss_knot_check_config(vbss_context *context, const vbss_knot_config
 vbss_result vbss_knot_read_input(const knot_detector *detector, const vbss_knot_input *input,
                                  knot_input *copy);
 void vbss_knot_input_copy(knot_input *to, const knot_input *from);
+/* Adds an event of this step (events.c). Without room, the last event counts those that are lost. */
 void vbss_knot_emit_event(knot_detector *detector, vbss_knot_event kind, uint32_t a, uint32_t b,
                           uint32_t c);
 /* Updates the public state after a complete reading (classification.c). `follows`: the thread is

@@ -1,8 +1,7 @@
 /* Serialisation of a detector. For a reading in progress, only its input and the operations used
  * are stored; restoring repeats the reading up to that point. */
 #include "base/check.h"
-#include "base/error.h"
-#include "base/snapshot.h"
+#include "base/stream.h"
 #include "knot/knot.h"
 
 static void visit_bool(vbss_stream *stream, uint16_t tag, bool *value)
@@ -235,27 +234,4 @@ void vbss_knot_serialise(vbss_stream *stream, void *object)
     visit_classification(stream, d);
     visit_figures(stream, &d->statistics);
     visit_job(stream, d);
-}
-
-vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8_t *bytes, uint64_t capacity,
-                                    uint64_t *written)
-{
-    return vbss_object_save(detector, &vbss_knot_kind, bytes, capacity, written);
-}
-
-vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8_t *bytes,
-                                       uint64_t count)
-{
-    knot_detector *d;
-    VBSS_TRY(vbss_knot_open(detector, &d));
-    VBSS_TRY(vbss_check_arithmetic(d->context)); /* because restoring repeats a reading */
-    VBSS_TRY(vbss_object_restore(detector, &vbss_knot_kind, bytes, count));
-    d->event_count = d->events_lost = d->loop_count = 0; /* results of the last step */
-    d->generation++;
-    return VBSS_OK;
-}
-
-vbss_result vbss_knot_detector_get_hash(vbss_knot_detector *detector, uint64_t *hash)
-{
-    return vbss_object_hash(detector, &vbss_knot_kind, hash);
 }

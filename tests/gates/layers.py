@@ -13,7 +13,7 @@ LAYERS = [["base"], ["collision"], ["solver"], ["thread", "drain", "needle", "gr
 # the table. No other file outside lib/baseline may refer to anything in it.
 METHOD_TABLES = {"vbss_baseline_ccd": "collision/ccd.c", "vbss_baseline_thread": "thread/thread.c",
                  "vbss_baseline_drain": "drain/drain.c", "vbss_baseline_scene": "scene/api/create.c",
-                 "vbss_baseline_knots": "knot/detector.c"}
+                 "vbss_baseline_knots": "knot/memory.c"}
 LEVEL = {folder: level for level, row in enumerate(LAYERS) for folder in row}
 # Folders inside a folder of lib/, in their order: each includes, and calls (gate.structure), only those before it.
 # Files beside the sub-folders may include all of them, and be included by all.
