@@ -64,6 +64,16 @@ void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *pro
     }
 }
 
+void vbss_stream_bool(vbss_stream *stream, uint16_t tag, bool *value)
+{
+    uint32_t word = *value;
+    vbss_stream_u32(stream, tag, &word, 1);
+    if (word > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "neither yes nor no");
+    }
+    *value = word != 0;
+}
+
 /* ---- bytes in and out */
 
 /* Measuring needs no conversion of the values. */

@@ -81,6 +81,8 @@ void vbss_stream_expect_f64(vbss_stream *stream, uint16_t tag, double value);
 /* Reports a state that a visitor finds invalid. Only the first problem is stored; a trusted stream
  * ignores it. */
 void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *problem);
+/* A flag, stored as 0 or 1. VBSS_ERROR_CORRUPT for any other stored value. */
+void vbss_stream_bool(vbss_stream *stream, uint16_t tag, bool *value);
 /* Four characters as the code of a section. */
 #define VBSS_CODE(a, b, c, d) \
     ((uint32_t)(a) | ((uint32_t)(b) << 8) | ((uint32_t)(c) << 16) | ((uint32_t)(d) << 24))

@@ -296,8 +296,7 @@ uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
                           const vbss_device_coupling *coupling);
 /* Latches the emergency stop and writes zeros at once. */
 void vbss_device_latch_stop(device_object *d);
-/* Visitors for snapshots. */
+/* Visitor for snapshots. */
 void vbss_device_serialise(vbss_stream *stream, void *object);
-void vbss_device_visit_bool(vbss_stream *stream, uint16_t tag, bool *value);
 
 #endif

@@ -110,8 +110,8 @@ static void visit_demand(vbss_stream *stream, output_demand *d)
     vbss_stream_f64(stream, 4, &d->age, 1);
     vbss_stream_f64(stream, 5, &d->input_age, 1);
     vbss_stream_f64(stream, 6, &d->temperature, 1);
-    vbss_device_visit_bool(stream, 7, &d->solenoid);
-    vbss_device_visit_bool(stream, 8, &d->has_fault);
+    vbss_stream_bool(stream, 7, &d->solenoid);
+    vbss_stream_bool(stream, 8, &d->has_fault);
 }
 
 static void visit_statistics(vbss_stream *stream, vbss_output_statistics *f)
@@ -149,12 +149,12 @@ void vbss_output_visit_state(vbss_stream *stream, const vbss_output_config *c, o
     vbss_stream_f64(stream, 11, &s->torque.x, 3);
     vbss_stream_f64(stream, 12, &s->force_load, 1);
     vbss_stream_f64(stream, 13, &s->torque_load, 1);
-    vbss_device_visit_bool(stream, 14, &s->is_stopped);
-    vbss_device_visit_bool(stream, 15, &s->is_ramping);
+    vbss_stream_bool(stream, 14, &s->is_stopped);
+    vbss_stream_bool(stream, 15, &s->is_ramping);
     vbss_stream_f64(stream, 16, &s->ramp_force, 1);
     vbss_stream_f64(stream, 17, &s->ramp_torque, 1);
-    vbss_device_visit_bool(stream, 18, &s->solenoid.is_on);
-    vbss_device_visit_bool(stream, 19, &s->solenoid.is_exhausted);
+    vbss_stream_bool(stream, 18, &s->solenoid.is_on);
+    vbss_stream_bool(stream, 19, &s->solenoid.is_exhausted);
     vbss_stream_f64(stream, 20, &s->solenoid.time_left, 1);
     visit_statistics(stream, &s->statistics);
     if (!is_valid_state(c, s)) {

@@ -5,16 +5,6 @@
 #include "base/stream.h"
 #include "device/device.h"
 
-void vbss_device_visit_bool(vbss_stream *stream, uint16_t tag, bool *value)
-{
-    uint32_t word = *value;
-    vbss_stream_u32(stream, tag, &word, 1);
-    if (word > 1) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "neither yes nor no");
-    }
-    *value = word != 0;
-}
-
 static void visit_quat(vbss_stream *stream, uint16_t tag, quat *q)
 {
     vbss_stream_f64(stream, tag, &q->w, 4);
@@ -85,18 +75,18 @@ static void visit_calibration(vbss_stream *stream, device_object *d)
 
 static void visit_source(vbss_stream *stream, device_source *s)
 {
-    vbss_device_visit_bool(stream, 20, &s->is_lost);
-    vbss_device_visit_bool(stream, 21, &s->has_fault);
-    vbss_device_visit_bool(stream, 22, &s->read_failed);
-    vbss_device_visit_bool(stream, 23, &s->has_time);
+    vbss_stream_bool(stream, 20, &s->is_lost);
+    vbss_stream_bool(stream, 21, &s->has_fault);
+    vbss_stream_bool(stream, 22, &s->read_failed);
+    vbss_stream_bool(stream, 23, &s->has_time);
     vbss_stream_f64(stream, 24, &s->time, 1);
     vbss_stream_f64(stream, 25, &s->received_at, 1);
 }
 
 static void visit_reading(vbss_stream *stream, device_reading *reading)
 {
-    vbss_device_visit_bool(stream, 30, &reading->is_known);
-    vbss_device_visit_bool(stream, 31, &reading->is_stale);
+    vbss_stream_bool(stream, 30, &reading->is_known);
+    vbss_stream_bool(stream, 31, &reading->is_stale);
     vbss_stream_f64(stream, 32, &reading->time, 1);
     vbss_stream_f64(stream, 33, &reading->received_at, 1);
     vbss_stream_f64(stream, 34, &reading->age, 1);
@@ -104,10 +94,10 @@ static void visit_reading(vbss_stream *stream, device_reading *reading)
 
 static void visit_motion(vbss_stream *stream, device_motion *m)
 {
-    vbss_device_visit_bool(stream, 40, &m->has_position);
-    vbss_device_visit_bool(stream, 41, &m->has_velocity);
-    vbss_device_visit_bool(stream, 42, &m->has_orientation);
-    vbss_device_visit_bool(stream, 43, &m->has_spin);
+    vbss_stream_bool(stream, 40, &m->has_position);
+    vbss_stream_bool(stream, 41, &m->has_velocity);
+    vbss_stream_bool(stream, 42, &m->has_orientation);
+    vbss_stream_bool(stream, 43, &m->has_spin);
     vbss_stream_f64(stream, 44, &m->time, 1);
     visit_vec3(stream, 45, &m->position, 1e3);
     visit_vec3(stream, 46, &m->velocity, 1e10);
@@ -117,8 +107,8 @@ static void visit_motion(vbss_stream *stream, device_motion *m)
 
 static void visit_jaw(vbss_stream *stream, device_jaw *jaw)
 {
-    vbss_device_visit_bool(stream, 50, &jaw->is_known);
-    vbss_device_visit_bool(stream, 51, &jaw->is_closed);
+    vbss_stream_bool(stream, 50, &jaw->is_known);
+    vbss_stream_bool(stream, 51, &jaw->is_closed);
     vbss_stream_f64(stream, 52, &jaw->filtered, 1);
     vbss_stream_f64(stream, 53, &jaw->after_play, 1);
     vbss_stream_f64(stream, 54, &jaw->opening, 1);
@@ -138,8 +128,8 @@ static void visit_sample(vbss_stream *stream, device_object *d)
     vbss_stream_f64(stream, 66, &d->temperature, 1);
     vbss_stream_u32(stream, 67, &d->buttons, 1);
     vbss_stream_i32(stream, 68, &d->tool, 1);
-    vbss_device_visit_bool(stream, 69, &d->is_clutched);
-    vbss_device_visit_bool(stream, 70, &d->write_failed);
+    vbss_stream_bool(stream, 69, &d->is_clutched);
+    vbss_stream_bool(stream, 70, &d->write_failed);
     visit_vec3(stream, 71, &d->position_offset, 1e7);
     visit_quat(stream, 72, &d->orientation_offset);
     visit_vec3(stream, 73, &d->clutch_pose.position, 1e3);
@@ -175,8 +165,8 @@ void vbss_device_serialise(vbss_stream *stream, void *object)
     device_object *d = object;
     visit_config(stream, d);
     visit_calibration(stream, d);
-    vbss_device_visit_bool(stream, 4, &d->has_time);
-    vbss_device_visit_bool(stream, 5, &d->has_written);
+    vbss_stream_bool(stream, 4, &d->has_time);
+    vbss_stream_bool(stream, 5, &d->has_written);
     vbss_stream_f64(stream, 6, &d->now, 1);
     vbss_stream_f64(stream, 7, &d->read_at, 1);
     vbss_stream_f64(stream, 8, &d->written_at, 1);

@@ -4,16 +4,6 @@
 #include "base/stream.h"
 #include "knot/knot.h"
 
-static void visit_bool(vbss_stream *stream, uint16_t tag, bool *value)
-{
-    uint32_t word = *value;
-    vbss_stream_u32(stream, tag, &word, 1);
-    if (word > 1) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "neither yes nor no");
-    }
-    *value = word != 0;
-}
-
 static void visit_config(vbss_stream *stream, const vbss_knot_config *c)
 {
     const uint32_t words[] = {(uint32_t)c->method,  c->point_capacity,  c->tool_capacity,
@@ -37,8 +27,8 @@ static void visit_tools(vbss_stream *stream, knot_detector *d)
     vbss_stream_count(stream, 11, &d->input.point_count, d->config.point_capacity);
     for (uint32_t i = 0; i < d->config.tool_capacity; i++) {
         knot_tool_state *t = &d->tools[i];
-        visit_bool(stream, 12, &t->wrapped);
-        visit_bool(stream, 13, &t->wrong_sense);
+        vbss_stream_bool(stream, 12, &t->wrapped);
+        vbss_stream_bool(stream, 13, &t->wrong_sense);
         vbss_stream_i32(stream, 14, &t->held, 1);
         vbss_stream_f64(stream, 15, &t->winding.turns, 1);
         vbss_stream_f64(stream, 16, &t->winding.run_turns, 1);
@@ -98,7 +88,7 @@ static void visit_classification(vbss_stream *stream, knot_detector *d)
     knot_classification *v = &d->classification;
     vbss_stream_count(stream, 50, &v->throw_count, KNOT_THROWS);
     d->state.throw_count = v->throw_count;
-    visit_bool(stream, 51, &v->other);
+    vbss_stream_bool(stream, 51, &v->other);
     vbss_stream_i32(stream, 52, &v->reason, 1);
     for (uint32_t i = 0; i < v->throw_count; i++) {
         visit_throw(stream, &v->throws[i]);
@@ -169,8 +159,8 @@ static void visit_scene(vbss_stream *stream, const vbss_knot_config *config, kno
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a thread without points");
         return;
     }
-    visit_bool(stream, 82, &input->has_holes);
-    visit_bool(stream, 87, &input->may_have_passed);
+    vbss_stream_bool(stream, 82, &input->has_holes);
+    vbss_stream_bool(stream, 87, &input->may_have_passed);
     vbss_stream_f64(stream, 83, &input->tissue_place, 1);
     vbss_stream_f64(stream, 84, &input->away.x, 3);
     vbss_stream_f64(stream, 85, &input->points[0].x, 3 * (size_t)input->point_count);
@@ -195,7 +185,7 @@ static void visit_job(vbss_stream *stream, knot_detector *d)
     knot_job *job = &d->job;
     bool active = vbss_knot_job_is_active(job);
     uint64_t ops = (uint64_t)job->ops_used, step = job->step;
-    visit_bool(stream, 90, &active);
+    vbss_stream_bool(stream, 90, &active);
     if (!active) {
         if (stream->mode == VBSS_STREAM_READ) {
             job->stage = KNOT_JOB_IDLE;
@@ -226,8 +216,8 @@ void vbss_knot_serialise(vbss_stream *stream, void *object)
     visit_config(stream, &d->config);
     vbss_stream_u64(stream, 3, &d->steps, 1);
     vbss_stream_u64(stream, 4, &d->job_start_step, 1);
-    visit_bool(stream, 5, &d->reading_due);
-    visit_bool(stream, 7, &d->thread_may_differ);
+    vbss_stream_bool(stream, 5, &d->reading_due);
+    vbss_stream_bool(stream, 7, &d->thread_may_differ);
     vbss_random_serialise(stream, 6, &d->random);
     visit_tools(stream, d);
     visit_state(stream, &d->state);
