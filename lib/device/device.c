@@ -1,13 +1,12 @@
 /* Creation and destruction of devices. The limits of a device follow from its configuration and
  * from the capabilities of its adapters. */
-#include <string.h>
 
 #include "device/device.h"
 
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/stream.h"
+#include "base/snapshot.h"
 
 _Static_assert(sizeof(vbss_device_config) == 64 + 2 * sizeof(void *), "no hidden padding");
 
@@ -47,33 +46,7 @@ static vbss_result check_config(vbss_context *context, const vbss_device_config 
     return vbss_check_range(context, c->max_damping, 0.0, 1e6, "max_damping");
 }
 
-/* ---- signals, outputs and limits of the adapters together */
-
-uint32_t vbss_device_routed_signals(const device_object *d, uint32_t source)
-{
-    if (d->source_count == 1) {
-        return DEVICE_SIGNALS;
-    }
-    const uint32_t groups[] = {DEVICE_POSE_SIGNALS | DEVICE_MOTION_SIGNALS, DEVICE_JAW_SIGNALS};
-    uint32_t second = d->config.second_signals;
-    for (int i = 0; i < 2; i++) { /* one adapter gives all signals of a group */
-        second |= (second & groups[i]) != 0 ? groups[i] : 0u;
-    }
-    return source == 1 ? second : DEVICE_SIGNALS & ~second;
-}
-
-/* If both adapters can do it, forces go to the first (the arm), and the solenoid is driven by the
- * second (the electronics of the handle). */
-uint32_t vbss_device_driven_outputs(const device_object *d, uint32_t source)
-{
-    uint32_t own = d->sources[source].capabilities.outputs;
-    if (d->source_count == 1) {
-        return own;
-    }
-    uint32_t other = d->sources[1 - source].capabilities.outputs;
-    return source == 0 ? own & ~(other & VBSS_DEVICE_OUT_SOLENOID)
-                       : own & ~(other & ~(uint32_t)VBSS_DEVICE_OUT_SOLENOID);
-}
+/* ---- limits of the adapters together */
 
 static double tighter_limit(double limit, double device)
 {
@@ -110,28 +83,6 @@ static void set_limits(device_object *d)
 }
 
 /* ---- creation and destruction */
-
-static void free_device(vbss_context *context, device_object *d)
-{
-    for (uint32_t i = 0; i < DEVICE_SOURCES; i++) {
-        vbss_release(context, d->sources[i].buffer, DEVICE_BUFFER_BYTES / sizeof(uint64_t),
-                     sizeof(uint64_t));
-    }
-    vbss_release(context, d, 1, sizeof *d);
-}
-
-static void destroy_device(vbss_context *context, void *object)
-{
-    device_object *d = object;
-    vbss_device_latch_stop(d);
-    for (uint32_t i = d->source_count; i > 0; i--) {
-        vbss_device_close_source(context, &d->sources[i - 1]);
-    }
-    free_device(context, d);
-}
-
-const vbss_kind vbss_device_kind = {"device", VBSS_CODE('D', 'E', 'V', 'I'), 1, destroy_device,
-                                    vbss_device_serialise};
 
 static void init_state(device_object *d)
 {
@@ -180,7 +131,7 @@ static vbss_result create_device(vbss_context *context, const device_object *wan
         result = open_sources(d);
     }
     if (result != VBSS_OK) {
-        free_device(context, d);
+        vbss_device_free(context, d);
         return result;
     }
     set_limits(d);
@@ -250,26 +201,26 @@ vbss_result vbss_device_destroy(vbss_device *device)
     return vbss_slot_destroy(device, &vbss_device_kind);
 }
 
-vbss_result vbss_device_open(const vbss_device *handle, device_object **device)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_open(handle, &vbss_device_kind, &slot));
-    *device = slot->object;
-    return VBSS_OK;
-}
-
-vbss_result vbss_device_edit(vbss_device *handle, device_object **device)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_edit(handle, &vbss_device_kind, &slot));
-    *device = slot->object;
-    return VBSS_OK;
-}
-
 vbss_result vbss_device_check_now(const device_object *d, double now)
 {
     VBSS_TRY(vbss_check_range(d->context, now, -1e9, 1e9, "now"));
     return !d->has_time || now >= d->now
                ? VBSS_OK
                : vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "now is %g, after %g", now, d->now);
+}
+
+vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint64_t capacity,
+                             uint64_t *written)
+{
+    return vbss_object_save(device, &vbss_device_kind, bytes, capacity, written);
+}
+
+vbss_result vbss_device_restore(vbss_device *device, const uint8_t *bytes, uint64_t count)
+{
+    return vbss_object_restore(device, &vbss_device_kind, bytes, count);
+}
+
+vbss_result vbss_device_get_hash(vbss_device *device, uint64_t *hash)
+{
+    return vbss_object_hash(device, &vbss_device_kind, hash);
 }

@@ -3,9 +3,10 @@
  * Some files only compute: calibration.c (frames), jaw.c (opening of the handle), motion.c
  * (velocities from poses), coupling.c (force of a virtual coupling), sample_check.c (validity of
  * samples), output_limiter.c and solenoid.c (limits of outputs). They know no handle and call no
- * adapter; adapter.c alone calls the functions of adapters. device.c creates devices, poll.c and
- * read.c read them, write.c writes to them, control.c has clutch, emergency stop, re-centring and
- * calibration, and views.c and snapshot.c report and save their state. output.c is the output stage
+ * adapter; adapter.c alone calls the functions of adapters. routing.c chooses between two adapters,
+ * device.c creates devices, handle.c finds and destroys them. poll.c and read.c read them, send.c
+ * and write.c write to them, control.c has clutch, emergency stop, re-centring and calibration, and
+ * views.c and snapshot.c report and save their state. output.c is the output stage
  * with a handle of its own, mock.c and mock_faults.c are an adapter without hardware, and mapping.c
  * is independent of devices.
  *
@@ -272,19 +273,28 @@ typedef struct device_object {
     vbss_device_statistics statistics;
 } device_object;
 
-extern const vbss_kind vbss_device_kind;
-/* The object of a handle, for calls that only read it and for calls that change it. */
-vbss_result vbss_device_open(const vbss_device *handle, device_object **device);
-vbss_result vbss_device_edit(vbss_device *handle, device_object **device);
 /* Returns VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE unless `now` is finite, at most 1e9 s
  * in magnitude, and not before the last call. */
 vbss_result vbss_device_check_now(const device_object *d, double now);
+
+/* ---- routing.c */
+
 /* VBSS_DEVICE_HAS_ bits that the device takes from a source. */
 uint32_t vbss_device_routed_signals(const device_object *d, uint32_t source);
 /* VBSS_DEVICE_OUT_ bits that the device writes to a source. */
 uint32_t vbss_device_driven_outputs(const device_object *d, uint32_t source);
 
-/* ---- poll.c, read.c, write.c, control.c, snapshot.c */
+/* ---- handle.c */
+
+/* The kind of all handles of devices. */
+extern const vbss_kind vbss_device_kind;
+/* The object of a handle, for calls that only read it and for calls that change it. */
+vbss_result vbss_device_open(const vbss_device *handle, device_object **device);
+vbss_result vbss_device_edit(vbss_device *handle, device_object **device);
+/* Frees the memory of a device whose adapters are closed. */
+void vbss_device_free(vbss_context *context, device_object *d);
+
+/* ---- poll.c, read.c, send.c, snapshot.c */
 
 /* Reads one adapter and updates the state from its sample; does nothing if it has no `read`. */
 void vbss_device_poll(device_object *d, uint32_t source, double now);

@@ -1,7 +1,6 @@
 /* Saves, restores and hashes the state of the device layer. The state of the adapters is not part
  * of it. */
 #include "base/check.h"
-#include "base/snapshot.h"
 #include "base/stream.h"
 #include "device/device.h"
 
@@ -184,20 +183,4 @@ void vbss_device_serialise(vbss_stream *stream, void *object)
     visit_sample(stream, d);
     vbss_output_visit_state(stream, &d->limits, &d->output);
     visit_figures(stream, &d->statistics);
-}
-
-vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint64_t capacity,
-                             uint64_t *written)
-{
-    return vbss_object_save(device, &vbss_device_kind, bytes, capacity, written);
-}
-
-vbss_result vbss_device_restore(vbss_device *device, const uint8_t *bytes, uint64_t count)
-{
-    return vbss_object_restore(device, &vbss_device_kind, bytes, count);
-}
-
-vbss_result vbss_device_get_hash(vbss_device *device, uint64_t *hash)
-{
-    return vbss_object_hash(device, &vbss_device_kind, hash);
 }
