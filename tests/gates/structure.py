@@ -40,7 +40,7 @@ class Limit(NamedTuple):
 LIMITS = {
     "upward calls between folders": Limit("calls", 0, 0),
     "upward calls between sub-folders": Limit("calls", 0, 0),
-    "cycles": Limit("cycles", None, 0),                           # later: of more than 3 files
+    "cycles": Limit("cycles", 0, 0),  # of more than 3 files
     "rare terms": Limit("terms", None, 0),                        # later: found fewer than 5 times
     "retired words": Limit("retired", None, 0),                   # later
     "lines that know the baseline": Limit("baseline", 0, 0),
