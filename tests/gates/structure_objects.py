@@ -11,7 +11,6 @@ import layers
 from figures import Section
 
 LONGEST_CYCLE = 3           # files
-MAY_EXCEED = {"session"}    # folders with a longer cycle, until it is cut
 
 
 def output(*command):
@@ -121,8 +120,7 @@ def cycles(tree, build, nm="nm"):
         pairs = sum(1 for a in inside for b in graph[a] if b in inside and a < b and a in graph[b])
         section.add(folder, largest, len(inside), pairs)
     section.add("files without an object", len(without_object(tree, build)), None, None)
-    long = [component for component in found if len(component) > LONGEST_CYCLE
-            and not {file.split("/")[0] for file in component} <= MAY_EXCEED]
+    long = [component for component in found if len(component) > LONGEST_CYCLE]
     section.measure("cycles", len(long), (cycle_text(graph, component) for component in long))
     return section
 
