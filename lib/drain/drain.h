@@ -265,9 +265,6 @@ void vbss_drain_finish_step(drain_object *d, double h);
 /* ---- step.c: a step of a drain that is alone, by the implicit method */
 vbss_result vbss_drain_implicit_step(drain_object *d, double h);
 
-/* ---- views.c: energies of the shell in the present state */
-void vbss_drain_add_shell_energies(drain_object *d, vbss_drain_energies *energies);
-
 /* ---- energy.c */
 
 /* Increase of elastic, kinetic and potential energy from the state to the trial state, J, minus the

@@ -30,11 +30,20 @@ static void destroy_drain(vbss_context *context, drain_object *d)
     vbss_release(context, d->diagonal, d->mesh.node_count, sizeof *d->diagonal);
 }
 
+static void add_shell_energies(drain_object *d, vbss_drain_energies *energies)
+{
+    vbss_shell_compute_responses(&d->shell, d->x, d->shell_responses);
+    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
+        energies->membrane += d->shell_responses[t].membrane_energy;
+        energies->bending += d->shell_responses[t].bending_energy;
+    }
+}
+
 const drain_method vbss_drain_implicit = {
     .mesh_kind = mesh_kind,
     .create_drain = create_drain,
     .destroy_drain = destroy_drain,
     .step_drain = vbss_drain_implicit_step,
-    .add_energies = vbss_drain_add_shell_energies,
+    .add_energies = add_shell_energies,
     .is_surface = false,
 };

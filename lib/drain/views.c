@@ -124,15 +124,6 @@ vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
 
 /* ---- sums over the drain */
 
-void vbss_drain_add_shell_energies(drain_object *d, vbss_drain_energies *energies)
-{
-    vbss_shell_compute_responses(&d->shell, d->x, d->shell_responses);
-    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
-        energies->membrane += d->shell_responses[t].membrane_energy;
-        energies->bending += d->shell_responses[t].bending_energy;
-    }
-}
-
 vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *energies,
                                     uint32_t struct_size)
 {
