@@ -71,7 +71,7 @@ static bool is_lip(const scene_body *b, const contact_key *key, bool is_b)
 
 static bool has_swinging_lip(const scene_contact_pair *m, const contact_key *key)
 {
-    return m->a->kind == SCENE_BODY_DRAIN && m->b->kind == SCENE_BODY_DRAIN &&
+    return m->a->kind == SCENE_BODY_DRAIN && m->b != NULL && m->b->kind == SCENE_BODY_DRAIN &&
            (is_lip(m->a, key, false) || is_lip(m->b, key, true));
 }
 
