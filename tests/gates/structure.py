@@ -40,13 +40,13 @@ class Limit(NamedTuple):
 LIMITS = {
     "upward calls between folders": Limit("calls", 0, 0),
     "upward calls between sub-folders": Limit("calls", 0, 0),
-    "cycles": Limit("cycles", 0, 0),  # of more than 3 files
-    "rare terms": Limit("terms", None, 0),                        # later: found fewer than 5 times
-    "retired words": Limit("retired", None, 0),                   # later
+    "cycles": Limit("cycles", 0, 0),                               # of more than 3 files
+    "rare terms": Limit("terms", 0, 0),                            # found fewer than 5 times
+    "retired words": Limit("retired", 95, 0),                      # most are in lib/baseline; later 0
     "lines that know the baseline": Limit("baseline", 0, 0),
     "constants without origin": Limit("constants", 0, 0),
     "names with several values": Limit("constants", 0, 0),
-    "odd patterns per 1000 words": Limit("odd", None, 2),         # later
+    "odd patterns per 1000 words": Limit("odd", 2, 2),
 }
 
 
