@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/collision.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md). */
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md). */
 #ifndef VBSS_COLLISION_TUNING_H
 #define VBSS_COLLISION_TUNING_H
 

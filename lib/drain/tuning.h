@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/drain.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md). */
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md). */
 #ifndef VBSS_DRAIN_TUNING_H
 #define VBSS_DRAIN_TUNING_H
 
@@ -10,7 +11,7 @@
 /* ---- Newton (step.c; also lib/scene) */
 
 /* A larger correction is dropped.
- * Unit: 1, relative to the increment before. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the increment before. Origin: chosen. Test: session. */
 #define DRAIN_MAX_CORRECTION_RATIO VBSS_TUNE(DRAIN_MAX_CORRECTION_RATIO, 0.5)
 /* A substep that moves a node farther is halved.
  * Unit: 1, relative to the configured move limit. Origin: chosen. Test: none known. */

@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/grasper.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md).
  * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
  * whose threads or steps are not the defaults. */
 #ifndef VBSS_GRASPER_TUNING_H
@@ -21,13 +22,13 @@
 /* ---- Clamps (thread_clamp.c, needle_clamp.c) */
 
 /* Stiffness of a clamp across its faces. A power of two is exact.
- * Unit: 1, relative to the stiffness along the faces. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the stiffness along the faces. Origin: chosen. Test: graspers. */
 #define GRASPER_NORMAL_STIFFNESS_RATIO VBSS_TUNE(GRASPER_NORMAL_STIFFNESS_RATIO, 64.0)
 /* A grasped thread or needle reaches the middle of the jaws after this time.
- * Unit: s, absolute. Origin: chosen. Test: none known. */
+ * Unit: s, absolute. Origin: chosen. Test: graspers, needle-hands. */
 #define GRASPER_CENTRING_TIME VBSS_TUNE(GRASPER_CENTRING_TIME, 0.08)
 /* A thread that is steeper to the faces is pushed aside and does not run through.
- * Unit: 1, cosine. Origin: chosen. Test: none known. */
+ * Unit: 1, cosine. Origin: chosen. Test: halved none known; doubled graspers. */
 #define GRASPER_MIN_ALONG_FRACTION VBSS_TUNE(GRASPER_MIN_ALONG_FRACTION, 0.5)
 
 #endif

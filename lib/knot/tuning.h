@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/knot.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md).
  * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
  * whose threads or steps are not the defaults. */
 #ifndef VBSS_KNOT_TUNING_H
@@ -42,7 +43,7 @@
  * Unit: 1, relative to the outward direction. Origin: chosen. Test: none known. */
 #define KNOT_DIRECTION_SPREAD VBSS_TUNE(KNOT_DIRECTION_SPREAD, 0.87)
 /* Distance of the point that joins two opposite closures.
- * Unit: 1, relative to the far distance. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the far distance. Origin: chosen. Test: session. */
 #define KNOT_FAR_DETOUR_RATIO VBSS_TUNE(KNOT_FAR_DETOUR_RATIO, 1.5)
 /* Closures of a smaller sum are opposite, and any normal joins them.
  * Unit: 1, squared sum of two unit vectors. Origin: chosen. Test: none known. */
@@ -51,19 +52,19 @@
 /* ---- Reduction (reduction.c) */
 
 /* Cost of a vertex that is skipped.
- * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: none known. */
+ * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: session. */
 #define KNOT_SKIP_OPS VBSS_TUNE(KNOT_SKIP_OPS, 2)
 /* Cost of a vertex that is visited.
- * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: none known. */
+ * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: session. */
 #define KNOT_VISIT_OPS VBSS_TUNE(KNOT_VISIT_OPS, 55)
 /* Cost of an edge that is tested.
- * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: none known. */
+ * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: session. */
 #define KNOT_EDGE_OPS VBSS_TUNE(KNOT_EDGE_OPS, 12)
 /* Cost of a vertex that is removed.
- * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: none known. */
+ * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: session. */
 #define KNOT_REMOVE_OPS VBSS_TUNE(KNOT_REMOVE_OPS, 15)
 /* Cost of a vertex or obstacle that is compacted.
- * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: none known. */
+ * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: session. */
 #define KNOT_COMPACT_OPS VBSS_TUNE(KNOT_COMPACT_OPS, 5)
 
 /* ---- Diagram (projection.c, projected_edges.c, triangle.h, curve.c) */
@@ -75,8 +76,7 @@
  * Unit: 1, relative to the size of the polygon. Origin: chosen. Test: none known. */
 #define KNOT_NEAR_HEIGHT VBSS_TUNE(KNOT_NEAR_HEIGHT, 1e-12)
 /* Longer edges are kept apart in the search for crossings.
- * Unit: 1, relative to the mean of the edges that are not longer than the mean. Origin: chosen. Test: none
- * known. */
+ * Unit: 1, relative to the mean of the edges that are not longer than the mean. Origin: chosen. Test: session. */
 #define KNOT_LONG_EDGE_RATIO VBSS_TUNE(KNOT_LONG_EDGE_RATIO, 8.0)
 /* A determinant has a certain sign beyond this.
  * Unit: 1, relative to the product of the lengths. Origin: derived: a million times the rounding bound. Test:

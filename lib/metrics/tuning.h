@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/metrics.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md).
  * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
  * whose threads or steps are not the defaults. */
 #ifndef VBSS_METRICS_TUNING_H

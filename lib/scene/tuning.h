@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/scene.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md).
  * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
  * whose threads or steps are not the defaults. */
 #ifndef VBSS_SCENE_TUNING_H
@@ -12,10 +13,11 @@
 /* ---- Distances that several folders use */
 
 /* A strand that leaves a body or jaws does not touch them within this arc length.
- * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the contact distance. Origin: chosen. Test: halved scene-tools, graspers; doubled
+ * scene-mesh, needle-hands. */
 #define SCENE_EXCLUSION_ARC_RATIO VBSS_TUNE(SCENE_EXCLUSION_ARC_RATIO, 1.6)
 /* Radius of a free edge against another. At zero CCD could not tell their sides.
- * Unit: 1, relative to the thickness of the wall. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the thickness of the wall. Origin: chosen. Test: session. */
 #define SCENE_LIP_RADIUS_RATIO VBSS_TUNE(SCENE_LIP_RADIUS_RATIO, 0.1)
 /* Arc length from the end within which a contact is one of the tip.
  * Unit: 1, relative to the radius of the wire. Origin: chosen. Test: none known. */
@@ -27,40 +29,40 @@
 /* ---- Work in operations of work_limit (world/work_budget.c, solve/newton.c, step/time_slice.c) */
 
 /* Cost of a candidate pair in an attempt.
- * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test: none
- * known. */
+ * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
+ * scene-tools, scene-mesh, graspers, needle-hands, session. */
 #define SCENE_CANDIDATE_COST VBSS_TUNE(SCENE_CANDIDATE_COST, 60)
 /* Cost of a node in an attempt.
- * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test: none
- * known. */
+ * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
+ * scene-tools, scene-mesh, graspers, needle-hands, session. */
 #define SCENE_ATTEMPT_NODE_COST VBSS_TUNE(SCENE_ATTEMPT_NODE_COST, 20)
 /* Cost of a node in a linearisation.
- * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test: none
- * known. */
+ * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
+ * scene-tools, scene-mesh, graspers, needle-hands, session. */
 #define SCENE_NODE_COST VBSS_TUNE(SCENE_NODE_COST, 60)
 /* Cost of a contact constraint in a linearisation.
- * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test: none
- * known. */
+ * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
+ * scene-tools, scene-mesh, graspers, needle-hands, session. */
 #define SCENE_CONSTRAINT_COST VBSS_TUNE(SCENE_CONSTRAINT_COST, 60)
 /* Cost of a triangle in a linearisation.
- * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test: none
- * known. */
+ * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
+ * session. */
 #define SCENE_TRIANGLE_COST VBSS_TUNE(SCENE_TRIANGLE_COST, 40)
 /* Cost of a triangle where the linearisation keeps its matrix.
- * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test: none
- * known. */
+ * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
+ * session. */
 #define SCENE_CORRECTION_COST VBSS_TUNE(SCENE_CORRECTION_COST, 12)
 /* A search leaves this much work for another linearisation and its solve.
- * Unit: halves of a linearisation. Origin: chosen. Test: none known. */
+ * Unit: halves of a linearisation. Origin: chosen. Test: halved session; doubled scene-tools, session. */
 #define SCENE_RESERVE_HALVES VBSS_TUNE(SCENE_RESERVE_HALVES, 3)
 /* The end of a step costs the cost of an attempt divided by this.
- * Unit: 1. Origin: chosen. Test: none known. */
+ * Unit: 1. Origin: chosen. Test: session. */
 #define SCENE_STEP_END_DIVISOR VBSS_TUNE(SCENE_STEP_END_DIVISOR, 2)
 
 /* ---- Time slicing (step/time_slice.c) */
 
 /* More deferred steps than these are dropped, since hands feel the delay.
- * Unit: steps. Origin: chosen. Test: none known. */
+ * Unit: steps. Origin: chosen. Test: session. */
 #define SCENE_MAX_STEPS_BEHIND VBSS_TUNE(SCENE_MAX_STEPS_BEHIND, 2)
 /* Steps that run in one slice after a host edit abandons a step. A host that edits before each step would get
  * nowhere.
@@ -70,19 +72,19 @@
 /* ---- Tools (tools/, api/add_grasper.c) */
 
 /* Radius of gyration of a tool about its tip.
- * Unit: m, absolute. Origin: chosen. Test: none known. */
+ * Unit: m, absolute. Origin: chosen. Test: graspers, needle-hands. */
 #define SCENE_GYRATION_RADIUS VBSS_TUNE(SCENE_GYRATION_RADIUS, 0.03)
 /* Jaws also grasp a strand that they would touch within this angle of the one that stops them.
  * Unit: rad. Origin: chosen. Test: none known. */
 #define SCENE_JAW_COMPLIANCE_ANGLE VBSS_TUNE(SCENE_JAW_COMPLIANCE_ANGLE, 0.02)
 /* Released jaws exclude contacts with a strand, wall or needle until it is this far away.
- * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the contact distance. Origin: chosen. Test: halved none known; doubled needle-hands. */
 #define SCENE_RELEASE_CLEARANCE_RATIO VBSS_TUNE(SCENE_RELEASE_CLEARANCE_RATIO, 0.5)
 /* Straight pieces in which jaws search the arc of a needle.
- * Unit: pieces of a capsule. Origin: chosen. Test: none known. */
+ * Unit: pieces of a capsule. Origin: chosen. Test: needle-hands. */
 #define SCENE_NEEDLE_ARC_SAMPLES VBSS_TUNE(SCENE_NEEDLE_ARC_SAMPLES, 4)
 /* Jaws push aside a needle that is steeper across the mouth than this.
- * Unit: 1, cosine. Origin: chosen. Test: none known. */
+ * Unit: 1, cosine. Origin: chosen. Test: halved none known; doubled needle-hands. */
 #define SCENE_NEEDLE_MIN_ACROSS VBSS_TUNE(SCENE_NEEDLE_MIN_ACROSS, 0.8)
 /* A needle that lies farther beside the middle is regrasped.
  * Unit: 1, relative to the radius of the jaws. Origin: chosen. Test: none known. */
@@ -91,7 +93,7 @@
  * Unit: 1, cosine. Origin: chosen. Test: none known. */
 #define SCENE_NEEDLE_MIN_ALONG VBSS_TUNE(SCENE_NEEDLE_MIN_ALONG, 0.5)
 /* Jaws search for strands within this distance and a segment.
- * Unit: 1, relative to the length of the jaws. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the length of the jaws. Origin: chosen. Test: halved graspers; doubled none known. */
 #define SCENE_STRAND_SEARCH_RATIO VBSS_TUNE(SCENE_STRAND_SEARCH_RATIO, 1.1)
 /* Jaws search for a wall if a node of it is within this distance.
  * Unit: 1, relative to the length of the jaws. Origin: chosen. Test: none known. */
@@ -106,7 +108,7 @@
  * Unit: m, absolute. Origin: chosen. Test: none known. */
 #define SCENE_NEAR_SWAGE VBSS_TUNE(SCENE_NEAR_SWAGE, 2e-3)
 /* A thread does not touch the wall within this arc length of its hole.
- * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the contact distance. Origin: chosen. Test: session. */
 #define SCENE_THREAD_EXCLUSION_ARC VBSS_TUNE(SCENE_THREAD_EXCLUSION_ARC, 1.5)
 /* The contact distance grows from zero over this arc length beyond the excluded one.
  * Unit: 1, relative to the excluded arc length. Origin: chosen. Test: none known. */
@@ -115,7 +117,7 @@
 /* ---- Cuts and remeshing (topology/) */
 
 /* Steps by backward Euler after a cut.
- * Unit: steps. Origin: chosen. Test: none known. */
+ * Unit: steps. Origin: chosen. Test: halved none known; doubled scene-mesh, graspers. */
 #define SCENE_CUT_DAMPED_STEPS VBSS_TUNE(SCENE_CUT_DAMPED_STEPS, 3)
 /* Shortens the arc, so that an exact multiple of the distance counts as outside.
  * Unit: 1, relative to the excluded arc length. Origin: chosen. Test: none known. */
@@ -124,53 +126,56 @@
  * Unit: 1, relative to the radius of the tool. Origin: chosen. Test: none known. */
 #define SCENE_REMESH_TOOL_RATIO VBSS_TUNE(SCENE_REMESH_TOOL_RATIO, 0.25)
 /* Two changes of one thread in a step are at least this far apart.
- * Unit: nodes. Origin: chosen. Test: none known. */
+ * Unit: nodes. Origin: chosen. Test: scene-mesh. */
 #define SCENE_REMESH_MIN_NODES_BETWEEN VBSS_TUNE(SCENE_REMESH_MIN_NODES_BETWEEN, 10)
 /* A change moves a node by at most this.
  * Unit: 1, relative to the segment. Origin: chosen. Test: none known. */
 #define SCENE_REMESH_SHIFT_RATIO VBSS_TUNE(SCENE_REMESH_SHIFT_RATIO, 0.05)
 /* A change moves a node by at most this fraction of the gap to its neighbour.
- * Unit: 1, relative to the gap. Origin: derived: two sides move, and half of the gap stays. Test: none known. */
+ * Unit: 1, relative to the gap. Origin: derived: two sides move, and half of the gap stays. Test: scene-mesh. */
 #define SCENE_REMESH_GAP_RATIO VBSS_TUNE(SCENE_REMESH_GAP_RATIO, 0.25)
 /* A strand of the same thread is a neighbour beyond this arc length.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
 #define SCENE_REMESH_SELF_ARC_RATIO VBSS_TUNE(SCENE_REMESH_SELF_ARC_RATIO, 2.0)
 /* Segments this close to a cut end keep their length.
- * Unit: nodes. Origin: chosen. Test: none known. */
+ * Unit: nodes. Origin: chosen. Test: scene-mesh. */
 #define SCENE_CUT_END_NODES VBSS_TUNE(SCENE_CUT_END_NODES, 4)
 /* A contact this close to an end of a split segment moves to the node there.
  * Unit: 1, relative to the segment. Origin: chosen. Test: none known. */
 #define SCENE_RENUMBER_END_FRACTION VBSS_TUNE(SCENE_RENUMBER_END_FRACTION, 0.25)
 /* A drain touches itself beyond this arc length, and is only bent within it.
- * Unit: 1, relative to the thickness of the wall. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the thickness of the wall. Origin: chosen. Test: session. */
 #define SCENE_DRAIN_SELF_ARC_RATIO VBSS_TUNE(SCENE_DRAIN_SELF_ARC_RATIO, 3.0)
 
 /* ---- Contacts (contacts/) */
 
 /* Motion bounds extend displacements by this, as velocities change within a substep.
- * Unit: 1, relative to the substep. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the substep. Origin: chosen. Test: scene-tools, scene-mesh, graspers, needle-hands,
+ * session. */
 #define SCENE_EXTRAPOLATION_RATIO VBSS_TUNE(SCENE_EXTRAPOLATION_RATIO, 1.2)
 /* Part of the lateral motion that counts as approach, since normals turn.
- * Unit: 1, relative to the displacement across the normal. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the displacement across the normal. Origin: chosen. Test: scene-mesh, session. */
 #define SCENE_LATERAL_RATIO VBSS_TUNE(SCENE_LATERAL_RATIO, 0.1)
 /* A contact with the floor is created within this distance.
- * Unit: 1, relative to the extended displacement. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the extended displacement. Origin: chosen. Test: halved scene-tools, needle-hands;
+ * doubled none known. */
 #define SCENE_FLOOR_REACH_RATIO VBSS_TUNE(SCENE_FLOOR_REACH_RATIO, 1.01)
 /* Friction augmentation of a contact of threads. It should grow with node mass / h^2; a thousand times as much
  * makes the active set cycle.
- * Unit: N/m, absolute. Origin: chosen. Test: none known. */
+ * Unit: N/m, absolute. Origin: chosen. Test: scene-tools, scene-mesh, graspers, needle-hands, session. */
 #define SCENE_NODE_AUGMENTATION VBSS_TUNE(SCENE_NODE_AUGMENTATION, 3.0)
 /* Friction augmentation of a contact of rigid bodies alone, well below the inertia of a point of them.
- * Unit: 1, relative to mass / h^2. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to mass / h^2. Origin: chosen. Test: scene-tools, needle-hands. */
 #define SCENE_RIGID_AUGMENTATION VBSS_TUNE(SCENE_RIGID_AUGMENTATION, 0.01)
 /* Elastic slip of a node on the floor. Without it, nodes under their own weight stop sticking one per solve.
- * Unit: m, absolute. Origin: chosen. Test: none known. */
+ * Unit: m, absolute. Origin: chosen. Test: scene-tools, needle-hands. */
 #define SCENE_FLOOR_ELASTIC_SLIP VBSS_TUNE(SCENE_FLOOR_ELASTIC_SLIP, 1e-7)
 /* A predicted normal replaces the current one if it is at least this close to it.
- * Unit: 1, cosine. Origin: chosen. Test: none known. */
+ * Unit: 1, cosine. Origin: chosen. Test: halved none known; doubled scene-tools, graspers, needle-hands. */
 #define SCENE_MIN_NORMAL_COSINE VBSS_TUNE(SCENE_MIN_NORMAL_COSINE, 0.5)
 /* A predicted normal is used if the predicted axes are farther apart than this.
- * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the contact distance. Origin: chosen. Test: halved none known; doubled scene-tools,
+ * graspers, needle-hands. */
 #define SCENE_MIN_PREDICTED_RATIO VBSS_TUNE(SCENE_MIN_PREDICTED_RATIO, 0.5)
 /* A fold that starts too deep opens at this speed.
  * Unit: m/s, absolute. Origin: chosen. Test: none known. */
@@ -179,28 +184,31 @@
 /* ---- Prediction and Newton (solve/predict.c, solve/newton.c) */
 
 /* Steps by backward Euler after the last contact of a thread.
- * Unit: steps. Origin: chosen. Test: none known. */
+ * Unit: steps. Origin: chosen. Test: scene-tools, scene-mesh, graspers. */
 #define SCENE_DAMPED_STEPS_AFTER_CONTACT VBSS_TUNE(SCENE_DAMPED_STEPS_AFTER_CONTACT, 3)
 /* A force residual below this counts as converged.
- * Unit: 1, relative to the normal force. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the normal force. Origin: chosen. Test: scene-tools, scene-mesh, graspers, needle-
+ * hands, session. */
 #define SCENE_FORCE_TOLERANCE_RATIO VBSS_TUNE(SCENE_FORCE_TOLERANCE_RATIO, 1e-3)
 /* Added to the relative tolerance of the force.
- * Unit: N, absolute. Origin: chosen. Test: none known. */
+ * Unit: N, absolute. Origin: chosen. Test: scene-mesh, needle-hands, session. */
 #define SCENE_FORCE_TOLERANCE VBSS_TUNE(SCENE_FORCE_TOLERANCE, 1e-7)
 /* An overlap below this counts as converged.
- * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the contact distance. Origin: chosen. Test: scene-tools, scene-mesh, needle-hands,
+ * session. */
 #define SCENE_OVERLAP_TOLERANCE VBSS_TUNE(SCENE_OVERLAP_TOLERANCE, 1e-4)
 /* Solves without progress after which the loose tolerances apply.
- * Unit: solves. Origin: chosen. Test: none known. */
+ * Unit: solves. Origin: chosen. Test: halved scene-tools, scene-mesh, needle-hands, session; doubled scene-
+ * mesh, needle-hands, session. */
 #define SCENE_MAX_STALLED_SOLVES VBSS_TUNE(SCENE_MAX_STALLED_SOLVES, 6u)
 /* Tolerance of the force where the active set cycles.
- * Unit: 1, relative to the normal force. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the normal force. Origin: chosen. Test: scene-tools, scene-mesh, needle-hands, session. */
 #define SCENE_LOOSE_FORCE_TOLERANCE VBSS_TUNE(SCENE_LOOSE_FORCE_TOLERANCE, 0.05)
 /* Tolerance of the overlap where the active set cycles.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
 #define SCENE_LOOSE_OVERLAP_TOLERANCE VBSS_TUNE(SCENE_LOOSE_OVERLAP_TOLERANCE, 0.02)
 /* Linearisations beyond the work limit: two give 10 % more paused steps.
- * Unit: linearisations. Origin: chosen. Test: none known. */
+ * Unit: linearisations. Origin: chosen. Test: halved session; doubled none known. */
 #define SCENE_OVER_BUDGET_LINEARISATIONS VBSS_TUNE(SCENE_OVER_BUDGET_LINEARISATIONS, 4)
 /* A larger strain in the last search rejects the substep, unless it falls fast.
  * Unit: 1, strain. Origin: chosen. Test: none known. */
@@ -226,11 +234,11 @@
  * known. */
 #define SCENE_ENERGY_WITHOUT_WALLS VBSS_TUNE(SCENE_ENERGY_WITHOUT_WALLS, 1e-3)
 /* Largest energy gain in a scene with drains, which store it.
- * Unit: J a substep, absolute. Origin: fitted: `tests/run.sh soak tugs`. Test: none known. */
+ * Unit: J a substep, absolute. Origin: fitted: `tests/run.sh soak tugs`. Test: session. */
 #define SCENE_ENERGY_WITH_WALLS VBSS_TUNE(SCENE_ENERGY_WITH_WALLS, 2e-5)
 /* A gain beyond this after the first linearisation rejects the substep at once.
  * Unit: 1, relative to SCENE_ENERGY_WITH_WALLS. Origin: fitted: 7806 stopped substeps of two seeds of a
- * surgeon. Test: none known. */
+ * surgeon. Test: session. */
 #define SCENE_HOPELESS_ENERGY_RATIO VBSS_TUNE(SCENE_HOPELESS_ENERGY_RATIO, 3.0)
 
 /* ---- Capacity of the system (solve/system_capacity.c); a scene that needs more reports CAPACITY */
@@ -266,17 +274,19 @@
  * Unit: queries a substep. Origin: chosen. Test: none known. */
 #define SCENE_CCD_HOLE_QUERIES VBSS_TUNE(SCENE_CCD_HOLE_QUERIES, 80)
 /* A node or the end of a capsule stays at least this far above the floor.
- * Unit: 1, relative to the radius. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the radius. Origin: chosen. Test: halved none known; doubled scene-tools, needle-hands. */
 #define SCENE_CCD_FLOOR_RATIO VBSS_TUNE(SCENE_CCD_FLOOR_RATIO, 0.5)
 /* Margin by which the search of CCD extends each of two bodies.
- * Unit: 1, relative to the contact margin. Origin: derived: a half, less rounding. Test: none known. */
+ * Unit: 1, relative to the contact margin. Origin: derived: a half, less rounding. Test: scene-tools, scene-
+ * mesh, graspers, needle-hands. */
 #define SCENE_CCD_MARGIN_RATIO VBSS_TUNE(SCENE_CCD_MARGIN_RATIO, 0.49)
 /* A contact that starts with a larger overlap is deep, and CCD tests its bodies.
  * Unit: 1, relative to the contact distance. Origin: derived: smoothed nodes then start at 0.71, segments at
  * 0.6, and stay beyond 0.4. Test: none known. */
 #define SCENE_CCD_DEEP_RATIO VBSS_TUNE(SCENE_CCD_DEEP_RATIO, 0.2)
 /* Two bodies that move by less in a substep need no test.
- * Unit: 1, relative to the contact distance. Origin: derived: with SCENE_CCD_DEEP_RATIO. Test: none known. */
+ * Unit: 1, relative to the contact distance. Origin: derived: with SCENE_CCD_DEEP_RATIO. Test: scene-tools,
+ * scene-mesh, graspers, needle-hands. */
 #define SCENE_CCD_SLOW_MOTION_RATIO VBSS_TUNE(SCENE_CCD_SLOW_MOTION_RATIO, 0.2)
 
 /* ---- Truncation (ccd/truncate_substep.c) */

@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/suture.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md). */
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md). */
 #ifndef VBSS_SUTURE_TUNING_H
 #define VBSS_SUTURE_TUNING_H
 
@@ -22,10 +23,10 @@
 /* ---- Thread in a hole (curve.c, hole.c) */
 
 /* Iterations of the search for the point of a span at a hole.
- * Unit: iterations. Origin: chosen. Test: none known. */
+ * Unit: iterations. Origin: chosen. Test: halved session; doubled none known. */
 #define SUTURE_MAX_ITERATIONS VBSS_TUNE(SUTURE_MAX_ITERATIONS, 24)
 /* A bend below this has no grip of its own: a straight suture rubs as one that is pressed across.
- * Unit: 1, force across over force along. Origin: chosen. Test: none known. */
+ * Unit: 1, force across over force along. Origin: chosen. Test: session. */
 #define SUTURE_BEND_REGULARISATION VBSS_TUNE(SUTURE_BEND_REGULARISATION, 0.01)
 /* Segments that the end of the needle bends. They rub as the needle does.
  * Unit: segments. Origin: chosen. Test: none known. */

@@ -1,7 +1,8 @@
 /* Tuned numbers of lib/thread.
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
- * published; and the golden scenes that fail when it is halved or doubled (docs/notebook/tuning.md).
+ * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
+ * five of the bench tuning (docs/notebook/tuning.md).
  * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
  * whose threads or steps are not the defaults. */
 #ifndef VBSS_THREAD_TUNING_H
@@ -32,13 +33,14 @@
 #define THREAD_INNER_COMPRESSION VBSS_TUNE(THREAD_INNER_COMPRESSION, 1.8)
 /* Largest compression that the stiffness keeps at a free end.
  * Unit: 1, relative to the buckling load of a free end. Origin: derived: the load itself, less a tenth. Test:
- * none known. */
+ * halved scene-tools, scene-mesh, graspers, needle-hands, session; doubled scene-tools, scene-mesh, graspers,
+ * session. */
 #define THREAD_END_COMPRESSION VBSS_TUNE(THREAD_END_COMPRESSION, 0.9)
 
 /* ---- Prediction (substep.c) */
 
 /* The prediction of a smooth motion strains a segment by at most this.
- * Unit: 1, strain. Origin: chosen. Test: none known. */
+ * Unit: 1, strain. Origin: chosen. Test: halved none known; doubled scene-mesh. */
 #define THREAD_SMOOTH_STRAIN VBSS_TUNE(THREAD_SMOOTH_STRAIN, 0.03)
 /* The prediction strains a segment by at most this where a motion starts.
  * Unit: 1, strain. Origin: chosen. Test: none known. */
@@ -65,25 +67,25 @@
 /* ---- Remeshing (remesh_criteria.c, remesh.c, remesh_window.c) */
 
 /* Segments whose length is checked after a step.
- * Unit: segments. Origin: chosen. Test: none known. */
+ * Unit: segments. Origin: chosen. Test: scene-mesh. */
 #define REMESH_CHECKS_PER_STEP VBSS_TUNE(REMESH_CHECKS_PER_STEP, 32)
 /* Neighbouring segments differ in length by at most this ratio.
- * Unit: 1. Origin: derived: halving a segment gives 2; the rest is rounding. Test: none known. */
+ * Unit: 1. Origin: derived: halving a segment gives 2; the rest is rounding. Test: scene-mesh. */
 #define REMESH_MAX_LENGTH_RATIO VBSS_TUNE(REMESH_MAX_LENGTH_RATIO, 2.0 * (1.0 + 1e-9))
 /* A segment is split only when it is longer than this.
- * Unit: 1, relative to the preferred length. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the preferred length. Origin: chosen. Test: scene-mesh. */
 #define REMESH_LENGTH_TOLERANCE VBSS_TUNE(REMESH_LENGTH_TOLERANCE, 1.25)
 /* Nodes on either side of a change that move with it.
- * Unit: nodes. Origin: chosen. Test: none known. */
+ * Unit: nodes. Origin: chosen. Test: scene-mesh. */
 #define REMESH_MOVABLE_SIDE VBSS_TUNE(REMESH_MOVABLE_SIDE, 2)
 /* A change moves a node of a free thread by at most this.
  * Unit: 1, relative to the segment. Origin: chosen. Test: none known. */
 #define REMESH_MAX_DISPLACEMENT_RATIO VBSS_TUNE(REMESH_MAX_DISPLACEMENT_RATIO, 0.05)
 /* Passes of the projection that restores strain and momentum.
- * Unit: passes. Origin: chosen. Test: none known. */
+ * Unit: passes. Origin: chosen. Test: scene-mesh. */
 #define REMESH_PROJECTION_PASSES VBSS_TUNE(REMESH_PROJECTION_PASSES, 3)
 /* Regularises the projection where its constraints are nearly dependent.
- * Unit: 1, relative to the largest diagonal entry. Origin: chosen. Test: none known. */
+ * Unit: 1, relative to the largest diagonal entry. Origin: chosen. Test: scene-mesh. */
 #define REMESH_REGULARISATION VBSS_TUNE(REMESH_REGULARISATION, 1e-3)
 
 /* ---- Baseline (baseline/thread_forces.c, thread_projection.c, thread_step.c) */
