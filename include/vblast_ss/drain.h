@@ -412,7 +412,7 @@ VBSS_API vbss_result vbss_drain_get_statistics(vbss_drain *drain, vbss_drain_sta
  * Saves the drain's state, to go back to it or to go on elsewhere to the same bits.
  *
  * @param drain         the drain
- * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      size of the buffer
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

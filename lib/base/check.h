@@ -26,10 +26,6 @@ double vbss_max_abs(const double *values, size_t count);
  * most `bound` in magnitude. */
 vbss_result vbss_check_vector(vbss_context *context, const double v[3], double bound,
                               const char *name);
-
-/* VBSS_ERROR_ARITHMETIC_MODE, with an error text, if the calling thread does not round to nearest
- * or flushes subnormals. Every step calls this first. */
-vbss_result vbss_check_arithmetic(vbss_context *context);
 /* Normalises q = (w, x, y, z). Its largest component must have a magnitude from 1e-100 to 1e100,
  * otherwise VBSS_ERROR_OUT_OF_RANGE; VBSS_ERROR_NOT_FINITE for a NaN or an infinity. */
 vbss_result vbss_read_orientation(vbss_context *context, const double q[4], quat *orientation);

@@ -63,14 +63,6 @@ vbss_result vbss_read_orientation(vbss_context *context, const double q[4], quat
     return VBSS_OK;
 }
 
-vbss_result vbss_check_arithmetic(vbss_context *context)
-{
-    vbss_result result = vbss_arithmetic_check();
-    return result == VBSS_OK
-               ? VBSS_OK
-               : vbss_fail(context, result, "%s in the calling thread", vbss_result_string(result));
-}
-
 /* ---- public structs */
 
 /* No version of a struct will be longer: a larger struct_size was never initialised. */

@@ -1,6 +1,7 @@
 /* Creation, commands and queries of graspers. */
 #include "grasper/grasper.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -67,11 +68,11 @@ static void init_grasper(grasper_object *g, const vbss_grasper_config *c)
 vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config *config,
                                 vbss_grasper **grasper)
 {
+    VBSS_ENTER_WITH_RESULT(context, grasper);
     if (grasper == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, grasper, "grasper");
     }
-    *grasper = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_grasper_config own;
@@ -94,6 +95,7 @@ vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config
 
 vbss_result vbss_grasper_destroy(vbss_grasper *grasper)
 {
+    VBSS_ENTER(grasper);
     return vbss_slot_destroy(grasper, &vbss_grasper_kind_of_slot);
 }
 
@@ -119,6 +121,7 @@ static vbss_result edit(vbss_grasper *handle, grasper_object **grasper)
 vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
                               const double *orientation)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_pointer(g->context, position, "position"));
@@ -139,6 +142,7 @@ vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
 
 vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_range(g->context, opening, 0.0, 1.0, "opening"));
@@ -149,6 +153,7 @@ vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening)
 
 vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_range(g->context, kind, VBSS_GRASPER_NEEDLE_DRIVER, VBSS_GRASPER_SHEARS,
@@ -163,6 +168,7 @@ vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
 vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *state,
                                    uint32_t struct_size)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(vbss_grasper_open(grasper, &g));
     vbss_grasper_state own = {.struct_size = sizeof own,
@@ -187,6 +193,7 @@ vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *st
 vbss_result vbss_grasper_get_view(vbss_grasper *grasper, vbss_grasper_field field, vbss_view *view,
                                   uint32_t struct_size)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(vbss_grasper_open(grasper, &g));
     if (field != VBSS_GRASPER_VIEW_CAPSULES) {

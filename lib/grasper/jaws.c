@@ -102,12 +102,12 @@ double vbss_grasper_touching_angle(double thread_diameter, double from_pivot)
         return 0.5 * VBSS_PI;
     }
     double sine = thread_diameter / (2.0 * from_pivot);
-    return vbss_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));
+    return vbss_arc_tangent(sine, sqrt((1.0 - sine) * (1.0 + sine)));
 }
 
 double vbss_grasper_jaw_distance(double angle, double from_pivot)
 {
-    return 2.0 * from_pivot * vbss_sin(angle);
+    return 2.0 * from_pivot * vbss_sine(angle);
 }
 
 bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end,

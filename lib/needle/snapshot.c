@@ -1,4 +1,5 @@
 /* Serialisation of a needle. */
+#include "base/api_call.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
 #include "needle/needle.h"
@@ -40,15 +41,18 @@ void vbss_needle_serialise(vbss_stream *stream, void *object)
 vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)
 {
+    VBSS_ENTER(needle);
     return vbss_object_save(needle, &vbss_needle_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_needle_restore(vbss_needle *needle, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(needle);
     return vbss_object_restore(needle, &vbss_needle_kind, bytes, count);
 }
 
 vbss_result vbss_needle_get_hash(vbss_needle *needle, uint64_t *hash)
 {
+    VBSS_ENTER(needle);
     return vbss_object_hash(needle, &vbss_needle_kind, hash);
 }

@@ -1,4 +1,5 @@
 /* The functions that hosts call on a whole thread. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -59,11 +60,11 @@ static uint32_t node_capacity_of(const vbss_thread_config *c)
 vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
                                vbss_thread **thread)
 {
+    VBSS_ENTER_WITH_RESULT(context, thread);
     if (thread == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, thread, "thread");
     }
-    *thread = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_thread_config own;
@@ -87,12 +88,14 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
 
 vbss_result vbss_thread_destroy(vbss_thread *thread)
 {
+    VBSS_ENTER(thread);
     return vbss_slot_destroy(thread, &vbss_thread_kind);
 }
 
 vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
                                   const double *velocities, uint32_t node_count)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
     VBSS_TRY(vbss_check_range(t->context, node_count, t->node_count, t->node_count, "node_count"));
@@ -122,10 +125,10 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
 
 vbss_result vbss_thread_step(vbss_thread *thread, double h)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
     VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
-    VBSS_TRY(vbss_check_arithmetic(t->context));
     VBSS_TRY(vbss_thread_update_sparsity(t));
     const vbss_result result = t->method->step_thread(t, h);
     VBSS_TRY(result);
@@ -136,12 +139,12 @@ vbss_result vbss_thread_step(vbss_thread *thread, double h)
 
 vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece)
 {
+    VBSS_ENTER_WITH_RESULT(thread, piece);
     thread_object *t;
     if (piece == NULL) {
         VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
         return vbss_check_pointer(t->context, piece, "piece");
     }
-    *piece = NULL;
     VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
     double length = vbss_thread_arc_length(t, t->node_count - 1);
     VBSS_TRY(vbss_check_range(t->context, arc_length, 0.0, length, "arc_length"));
@@ -165,15 +168,18 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
 vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)
 {
+    VBSS_ENTER(thread);
     return vbss_object_save(thread, &vbss_thread_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(thread);
     return vbss_object_restore(thread, &vbss_thread_kind, bytes, count);
 }
 
 vbss_result vbss_thread_get_hash(vbss_thread *thread, uint64_t *hash)
 {
+    VBSS_ENTER(thread);
     return vbss_object_hash(thread, &vbss_thread_kind, hash);
 }

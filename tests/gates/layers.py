@@ -24,10 +24,11 @@ ONLY = {"contact": {"base", "collision", "solver"}, "metrics": {"base"}}
 # more than a host can get, and a change inside a scene shall not rebuild it. The header itself shows no other private header.
 # The baseline is an exception: it implements methods of these modules.
 INSPECT = "scene/api/inspect.h"
-STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
+STANDARD = {"errno.h", "float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
             "stdint.h", "stdio.h", "stdlib.h", "string.h"}
 SYSTEM = {"cpuid.h",                     # which copy of the hot loops, on x86
-          "malloc.h"}                    # _aligned_malloc on Windows
+          "malloc.h",                    # _aligned_malloc on Windows
+          "xmmintrin.h"}                 # the floating-point mode, on x86
 # Libraries loaded at run time, and a thread for lines that make one wait: in these files alone.
 PLATFORM = {"dlfcn.h", "pthread.h", "time.h", "windows.h"}
 PLATFORM_FILES = {"lib/device/dynamic_library.c", "lib/device/io_thread.c", "lib/device/platform.h"}

@@ -1,6 +1,5 @@
 /* Every bad name, number and NULL that calls on a scene are given: its status, and that the scene is as it was to
  * the bit. */
-#include <fenv.h>
 
 #include "scene/small_subject.h"
 
@@ -162,22 +161,6 @@ static void bad_steps_views_and_buffers_are_rejected(void **state)
     small_end(&t.s);
 }
 
-static void other_rounding_mode_is_rejected(void **state)
-{
-    (void)state;
-    subject t;
-    begin_subject(&t);
-    const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    for (int k = 0; k < 3; k++) {
-        assert_int_equal(fesetround(modes[k]), 0);
-        vbss_result result = vbss_scene_step(t.s.scene, 1e-3);
-        fesetround(FE_TONEAREST);
-        unchanged(&t, VBSS_ERROR_ARITHMETIC_MODE, result);
-    }
-    small_steps(&t.s, 1, 1e-3);
-    small_end(&t.s);
-}
-
 int test_scene_refused_calls(void)
 {
     const struct CMUnitTest tests[] = {
@@ -186,7 +169,6 @@ int test_scene_refused_calls(void)
         cmocka_unit_test(bad_pins_are_rejected),
         cmocka_unit_test(pin_needs_attachment_capacity),
         cmocka_unit_test(bad_steps_views_and_buffers_are_rejected),
-        cmocka_unit_test(other_rounding_mode_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

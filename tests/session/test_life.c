@@ -155,8 +155,8 @@ static void parts_must_be_alive_and_of_this_context(void **state)
     expect_refused(&r, VBSS_ERROR_INVALID_HANDLE, &c);
     c.devices[0] = NULL;
     expect_ok(vbss_record_create(other.scene.scene, NULL, &c.record));
-    expect_refused(&r, VBSS_ERROR_OUT_OF_RANGE, &c);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_set_record(r.session, c.record));
+    expect_refused(&r, VBSS_ERROR_INVALID_HANDLE, &c);
+    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_session_set_record(r.session, c.record));
     c.record = NULL;
     expect_ok(vbss_knot_config_init(&small, sizeof small));
     small.point_capacity = 60;

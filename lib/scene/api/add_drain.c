@@ -1,4 +1,5 @@
 /* Adds a drain to a scene: its collision shape, its free edges, and its arrays. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -9,11 +10,6 @@ static vbss_result check_drain(const scene_object *s, const vbss_slot *slot, con
 {
     const drain_object *d = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "drain %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (d->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the drain's method is not the scene's");
@@ -74,10 +70,12 @@ static vbss_result create_drain_data(scene_object *s, scene_drain *b, uint32_t *
 
 vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
     uint32_t shape = 0;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_check_other(s->context, drain, "drain"));
     VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, &slot));
     VBSS_TRY(check_drain(s, slot, body));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);

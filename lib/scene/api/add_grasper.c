@@ -1,4 +1,5 @@
 /* Adds a grasper to a scene, as a rigid body with four capsules. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -32,11 +33,6 @@ static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
 {
     const grasper_object *g = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "grasper %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (g->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the grasper's method is not the scene's");
@@ -59,11 +55,13 @@ static vbss_rigid_mass proxy_mass(const grasper_object *g)
 
 vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uint32_t *body)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
     pose target;
     uint32_t shape = 0;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_check_other(s->context, grasper, "grasper"));
     VBSS_TRY(vbss_slot_edit_unowned(grasper, &vbss_grasper_kind_of_slot, &slot));
     VBSS_TRY(check_grasper(s, slot, body));
     grasper_object *g = slot->object;

@@ -1,4 +1,5 @@
 /* Adds a needle to a scene, as a free rigid body. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -10,11 +11,6 @@ static vbss_result check_needle(const scene_object *s, const vbss_slot *slot,
 {
     const needle_object *n = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "needle %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (n->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the needle's method is not the scene's");
@@ -45,10 +41,12 @@ static void add_capsules(scene_object *s, scene_rigid *r)
 
 vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32_t *body)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
     uint32_t shape = 0;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_check_other(s->context, needle, "needle"));
     VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, &slot));
     VBSS_TRY(check_needle(s, slot, body));
     needle_object *n = slot->object;

@@ -1,4 +1,5 @@
 /* Adds a rigid body to a scene, with its mass spread over its capsules. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -118,6 +119,7 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
 
 vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config, uint32_t *body)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     vbss_rigid_config own;
     vbss_rigid_mass mass;

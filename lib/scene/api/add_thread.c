@@ -1,4 +1,5 @@
 /* Adds a thread to a scene, with room for all pieces that may be cut from it. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -9,11 +10,6 @@ static vbss_result check_thread(const scene_object *s, const vbss_slot *slot, ui
 {
     const thread_object *t = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "thread %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (t->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the thread's method is not the scene's");
@@ -36,10 +32,12 @@ static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *
 
 vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
     uint32_t shape = 0;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_check_other(s->context, thread, "thread"));
     VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, &slot));
     VBSS_TRY(check_thread(s, slot, body));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);

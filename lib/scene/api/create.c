@@ -1,4 +1,5 @@
 /* Creates scenes: default configuration, checks of the configuration, and memory. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/stream.h"
@@ -193,11 +194,11 @@ static vbss_result create_members(scene_object *s)
 vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
                               vbss_scene **scene)
 {
+    VBSS_ENTER_WITH_RESULT(context, scene);
     if (scene == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, scene, "scene");
     }
-    *scene = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_scene_config own = defaults;

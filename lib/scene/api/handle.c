@@ -1,4 +1,5 @@
 /* Opens scene handles for reading or editing, and destroys scenes. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/step/step.h"
@@ -6,6 +7,7 @@
 
 vbss_result vbss_scene_destroy(vbss_scene *scene)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     if (scene == NULL) {
         return VBSS_OK;

@@ -1,4 +1,5 @@
 /* Makes holes for hosts, and describes the holes of a scene to them. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -70,6 +71,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
                                  uint32_t drain, uint32_t triangle, const double *weights,
                                  uint32_t *id)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     const scene_body *suture = vbss_scene_body(s, body);
@@ -109,6 +111,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
 vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
                                 uint32_t struct_size)
 {
+    VBSS_ENTER(scene);
     static const uint32_t sizes[] = {168, sizeof(vbss_hole), 0};
     static const vbss_layout layout = {"vbss_hole", NULL, sizes};
     scene_object *s;

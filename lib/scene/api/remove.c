@@ -1,4 +1,5 @@
 /* Removes a body from a scene, with its pins, grasps and holes. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tissue/tissue.h"
@@ -25,6 +26,7 @@ static void remove_capsules(scene_object *s, const scene_rigid *gone)
 
 vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     scene_body *b = vbss_scene_body(s, body);

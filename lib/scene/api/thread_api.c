@@ -1,4 +1,5 @@
 /* Pins and cuts the threads of a scene. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -8,6 +9,7 @@
 vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t node, uint32_t body,
                                   const double *point, uint32_t *pin)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, pin, "pin"));
@@ -16,6 +18,7 @@ vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t n
 
 vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     if (vbss_scene_unpin_node(s, pin)) {
@@ -27,6 +30,7 @@ vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
 vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc_length,
                                   uint32_t *piece)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, piece, "piece"));
@@ -50,10 +54,10 @@ vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc
 
 vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
 {
+    VBSS_ENTER_WITH_RESULT(scene, thread);
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, thread, "thread"));
-    *thread = NULL;
     const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_THREAD);
     if (b == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
