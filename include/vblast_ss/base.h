@@ -15,9 +15,9 @@
  *   return #VBSS_ERROR_BUSY.
  * - Each call sets the floating-point mode that it needs: rounding to nearest, subnormal numbers kept,
  *   all exceptions masked. It restores the mode of the host when it returns, and while a function of
- *   the host runs. Results are therefore the same in every mode. On processors whose mode the library
- *   cannot set, a call in another mode returns #VBSS_ERROR_ARITHMETIC_MODE; the library can set it on
- *   x86 with SSE2, ARM, RISC-V and s390x.
+ *   the host runs. Results are therefore the same in every mode. A call may raise sticky exception
+ *   flags. On processors whose mode the library cannot set, a call in another mode returns
+ *   #VBSS_ERROR_ARITHMETIC_MODE; the library can set it on x86 with SSE2, ARM, RISC-V and s390x.
  * - The library never aborts, prints, starts threads, or keeps global state.
  *
  * SPDX-License-Identifier: Apache-2.0

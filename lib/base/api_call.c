@@ -78,5 +78,7 @@ void vbss_call_leave(vbss_call *call)
             atomic_store_explicit(&context->owner, 0, memory_order_release);
         }
     }
-    float_mode_set(mode);
+    if (mode != FLOAT_MODE_NEEDED) {
+        float_mode_set(mode);
+    }
 }

@@ -13,7 +13,6 @@ void harness_mode_set(size_t k);
 void harness_mode_reset(void);
 /* Whether mode k is in force, apart from sticky exception flags. */
 bool harness_mode_is(size_t k);
-bool harness_mode_is_default(void);
 /* Asserts that mode k is still in force, and sets the default mode. Ends what harness_mode_set
  * began. */
 void harness_mode_end(size_t k);
