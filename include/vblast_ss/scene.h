@@ -49,6 +49,17 @@ enum {
     VBSS_MODE_OFFLINE = 1
 };
 
+/** What adding a body does when the body overlaps another one or the floor: a VBSS_OVERLAP_ constant. */
+typedef int32_t vbss_overlap_policy;
+
+/** The constants of #vbss_overlap_policy. */
+enum {
+    VBSS_OVERLAP_WARN =
+        0, /**< The body is added; a warning in the log names the other body and the depth. */
+    VBSS_OVERLAP_REFUSE = 1, /**< VBSS_ERROR_OUT_OF_RANGE; nothing has changed. */
+    VBSS_OVERLAP_ALLOW = 2   /**< The body is added without a check. */
+};
+
 /** How to make a scene. Fill it with #vbss_scene_config_init, then change what you need. */
 typedef struct vbss_scene_config {
     uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
@@ -116,7 +127,21 @@ typedef struct vbss_scene_config {
      * ends it, which is counted there, too, and the next 1000 do not wait. Beyond the limit a call does what follows at
      * the end of a step, and what the guard has refused. 0: a call makes its step, all of it; default 210000. */
     uint32_t slot_limit;
+    /** Largest speed of any point of a driven or coupled body, and of a grasper, that its target may ask for, m/s, 0 to 1e6; 0: no
+     * limit; default 20. A target that is farther away is approached at this speed, over several steps. So a pose in the wrong
+     * unit, or a device that jumps, makes no step that is long or strong. Method OURS only. A log stores
+     * the limit; a snapshot does not. */
+    double speed_limit;
+    vbss_overlap_policy overlap; /**< Default VBSS_OVERLAP_WARN. */
+    uint32_t reserved;           /**< 0. */
 } vbss_scene_config;
+
+/** The deepest overlap of a body. */
+typedef struct vbss_overlap {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t body;        /**< Number of the other body; 0: the floor, or none if depth is 0. */
+    double depth;         /**< How far the two surfaces are inside each other, m; 0: no overlap. */
+} vbss_overlap;
 
 /** How a rigid body moves: a VBSS_RIGID_ constant. */
 typedef int32_t vbss_rigid_kind;
@@ -677,6 +702,24 @@ VBSS_API vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field fie
  */
 VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
                                                uint32_t struct_size);
+
+/**
+ * The deepest overlap of a body with another body or the floor, where they are now. An overlap counts if it is deeper than
+ * `penetration_tolerance` of the scene's configuration allows after a step. Left out are the places where a thread is pinned to the
+ * other body, or begins at the end of a needle; two driven bodies, which never hold each other back; and a body with itself. What jaws
+ * or a hole hold counts. The call compares all segments of the body with all others, so it is for setting up a scene.
+ *
+ * @param scene         the scene
+ * @param body          number of the body
+ * @param[out] overlap  receives the overlap
+ * @param struct_size   `sizeof *overlap` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body), VBSS_ERROR_NULL_ARGUMENT or
+ *         VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_overlap *overlap,
+                                            uint32_t struct_size);
 
 /**
  * Saves the state of the scene and all its bodies, to go back to it or to go on elsewhere to the same

@@ -37,6 +37,16 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
     return VBSS_OK;
 }
 
+void vbss_warn_if_unlikely(vbss_context *context, double value, double likely, const char *name,
+                           const char *unit, const char *small_unit)
+{
+    if (value > likely) {
+        vbss_message(context, VBSS_LOG_WARNING,
+                     "%s is %g %s, more than is likely; if it is in %s, the right value is %g %s",
+                     name, value, unit, small_unit, 1e-3 * value, unit);
+    }
+}
+
 double vbss_max_abs(const double *values, size_t count)
 {
     double largest = 0.0;

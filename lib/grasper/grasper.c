@@ -135,6 +135,11 @@ vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
         return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the tip is too near to its trocar for the shaft to go through it");
     }
+    const double jump = vec3_distance(commanded.position, g->commanded_pose.position);
+    if (((const vbss_slot *)grasper)->owner != NULL && !g->has_jumped && jump > VBSS_LIKELY_JUMP) {
+        g->has_jumped = true; /* a host with the wrong unit is warned once, not each step */
+        vbss_warn_if_unlikely(g->context, jump, VBSS_LIKELY_JUMP, "the way to position", "m", "mm");
+    }
     g->commanded_pose = commanded;
     move_to_target(g);
     return VBSS_OK;

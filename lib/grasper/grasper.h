@@ -44,6 +44,9 @@ typedef struct grasper_object {
     double jaw_angle;    /* angle of each jaw from the middle at the end of the last step, rad */
     double jaw_force;    /* N; 0 if nothing is held */
 
+    bool
+        has_jumped; /* a command was unlikely far away, and a warning given; not part of the state */
+
     /* results of the last step in the scene, for queries */
     uint32_t body_id, grasp_count, needle, drain, solenoid;
     pose tool_pose; /* pose of the tool's frame */

@@ -89,6 +89,8 @@ vbss_result vbss_needle_create(vbss_context *context, const vbss_needle_config *
     vbss_needle_config own;
     quat orientation;
     VBSS_TRY(vbss_needle_read_config(context, config, &own));
+    vbss_warn_if_unlikely(context, vbss_max_abs(own.gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
+                          "m/s^2", "mm/s^2");
     VBSS_TRY(vbss_read_orientation(context, own.orientation, &orientation));
     needle_object *n = vbss_allocate(context, 1, sizeof *n, "needle");
     if (n == NULL) {

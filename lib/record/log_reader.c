@@ -13,7 +13,7 @@ static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
 static const uint32_t step_sizes[] = {72, 0};
 static const vbss_layout step_layout = {"vbss_log_step", NULL, step_sizes};
 _Static_assert(sizeof(vbss_log_step) == 72 && sizeof(vbss_log_input) == 128, "published sizes");
-static const uint32_t scene_config_sizes[] = {160, 168, 176, 0};
+static const uint32_t scene_config_sizes[] = {160, 168, 176, 192, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
 /* ---- creation and destruction */

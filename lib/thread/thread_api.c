@@ -48,6 +48,16 @@ static void init_nodes(thread_object *t, const vbss_thread_config *c)
     t->is_acceleration_unknown = t->is_in_setup = true;
 }
 
+static void warn_of_units(vbss_context *context, const vbss_thread_config *c)
+{
+    vbss_warn_if_unlikely(context, c->length, VBSS_LIKELY_LENGTH, "length", "m", "mm");
+    vbss_warn_if_unlikely(context, c->radius, VBSS_LIKELY_THREAD_RADIUS, "radius", "m", "mm");
+    vbss_warn_if_unlikely(context, c->linear_density, VBSS_LIKELY_LINEAR_DENSITY, "linear_density",
+                          "kg/m", "g/m");
+    vbss_warn_if_unlikely(context, vbss_max_abs(c->gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
+                          "m/s^2", "mm/s^2");
+}
+
 static uint32_t node_capacity_of(const vbss_thread_config *c)
 {
     uint32_t segments = c->segment_count;
@@ -69,6 +79,7 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
     VBSS_TRY(vbss_context_edit(context));
     vbss_thread_config own;
     VBSS_TRY(vbss_thread_read_config(context, config, &own));
+    warn_of_units(context, &own);
 
     thread_object *t;
     vbss_slot *slot = NULL;

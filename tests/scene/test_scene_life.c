@@ -47,7 +47,7 @@ static vbss_result add_rigid_and_destroy(vbss_context *context, const void *conf
 static void config_size_protocol(void **state)
 {
     (void)state;
-    static const uint32_t scene_sizes[] = {160, 168, 176, 0}, rigid_sizes[] = {200, 0};
+    static const uint32_t scene_sizes[] = {160, 168, 176, 192, 0}, rigid_sizes[] = {200, 0};
     const harness_config scene = {scene_sizes, config_init, create_and_destroy};
     const harness_config rigid = {rigid_sizes, rigid_init, add_rigid_and_destroy};
     harness_config_protocol(&scene);

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
@@ -78,6 +79,7 @@ vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t 
     VBSS_TRY(vbss_slot_check_other(s->context, drain, "drain"));
     VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, &slot));
     VBSS_TRY(check_drain(s, slot, body));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;

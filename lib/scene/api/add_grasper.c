@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/tools/tools.h"
 #include "scene/tuning.h"
 #include "scene/world/method.h"
@@ -69,6 +70,10 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the trocar is nearer to the tip than the jaws reach aside");
     }
+    const vbss_rigid_kind kind = s->method->drives_tools ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED;
+    const scene_outline outline = {
+        .grasper = g, .at = target, .is_prescribed = kind == VBSS_RIGID_DRIVEN};
+    VBSS_TRY(vbss_scene_check_overlap(s, &outline, "grasper"));
     const vbss_rigid_mass mass = proxy_mass(g);
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {
@@ -81,8 +86,7 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
         &shape));
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
-    init_rigid(&b->rigid, s->method->drives_tools ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED, g, slot,
-               &mass, target);
+    init_rigid(&b->rigid, kind, g, slot, &mass, target);
     b->rigid.first_capsule = s->capsule_count;
     b->rigid.capsule_count = GRASPER_CAPSULES;
     s->capsule_count += GRASPER_CAPSULES;

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
@@ -49,6 +50,7 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     VBSS_TRY(vbss_slot_check_other(s->context, needle, "needle"));
     VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, &slot));
     VBSS_TRY(check_needle(s, slot, body));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.needle = slot->object}, "needle"));
     needle_object *n = slot->object;
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {

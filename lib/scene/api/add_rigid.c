@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/world/world.h"
 
 _Static_assert(sizeof(vbss_rigid_config) == 200, "published size");
@@ -34,6 +35,21 @@ static vbss_result check_capsule(vbss_context *context, const vbss_capsule *c)
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->begin, 3), 0.0, 1e3, "begin of a capsule"));
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->end, 3), 0.0, 1e3, "end of a capsule"));
     return vbss_check_range(context, c->radius, 1e-6, 1.0, "radius of a capsule");
+}
+
+static void warn_of_units(vbss_context *context, const vbss_rigid_config *c)
+{
+    double farthest = 0.0, thickest = 0.0;
+    for (uint32_t i = 0; i < c->capsule_count; i++) {
+        const vbss_capsule *p = &c->capsules[i];
+        farthest = vbss_max(farthest, vbss_max(vbss_max_abs(p->begin, 3), vbss_max_abs(p->end, 3)));
+        thickest = vbss_max(thickest, p->radius);
+    }
+    vbss_warn_if_unlikely(context, farthest, VBSS_LIKELY_LENGTH, "a coordinate of a capsule", "m",
+                          "mm");
+    vbss_warn_if_unlikely(context, thickest, VBSS_LIKELY_RADIUS, "radius of a capsule", "m", "mm");
+    vbss_warn_if_unlikely(context, vbss_max_abs(c->gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
+                          "m/s^2", "mm/s^2");
 }
 
 static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c)
@@ -132,6 +148,11 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     VBSS_TRY(check_rigid(s, &own));
     VBSS_TRY(vbss_read_orientation(s->context, own.orientation, &orientation));
     VBSS_TRY(distribute_mass(s, &own, &mass));
+    warn_of_units(s->context, &own);
+    const scene_outline outline = {.capsules = &own,
+                                   .at = pose_make(vec3_load(own.position), orientation),
+                                   .is_prescribed = own.kind == VBSS_RIGID_DRIVEN};
+    VBSS_TRY(vbss_scene_check_overlap(s, &outline, "rigid body"));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;

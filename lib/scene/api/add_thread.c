@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
@@ -40,6 +41,7 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     VBSS_TRY(vbss_slot_check_other(s->context, thread, "thread"));
     VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, &slot));
     VBSS_TRY(check_thread(s, slot, body));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.thread = slot->object}, "thread"));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;

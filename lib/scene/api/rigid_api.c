@@ -40,6 +40,11 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     if (orientation != NULL) {
         VBSS_TRY(vbss_read_orientation(s->context, orientation, &target.orientation));
     }
+    const double jump = vec3_distance(vec3_load(position), target.position);
+    if (!r->has_jumped && jump > VBSS_LIKELY_JUMP) {
+        r->has_jumped = true; /* a host with the wrong unit is warned once, not each step */
+        vbss_warn_if_unlikely(s->context, jump, VBSS_LIKELY_JUMP, "the way to position", "m", "mm");
+    }
     target.position = vec3_load(position);
     target = pose_mul(target, r->frame);
     if (orientation == NULL) { /* keeps the same bits; rounding would turn the body */

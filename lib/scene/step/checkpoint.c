@@ -107,9 +107,12 @@ void vbss_scene_checkpoint_tools(scene_object *s)
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+            r->checkpoint_end = r->body.target_end;
+            r->checkpoint_has_pending_target = r->has_pending_target;
+        }
         if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
             const grasper_object *g = r->grasper;
-            r->checkpoint_end = r->body.target_end;
             r->checkpoint_needle_grasp = r->needle_grasp;
             r->checkpoint_wall_grasp = r->wall_grasp;
             r->checkpoint_jaws = (struct scene_checkpoint_jaws){g->kind, g->commanded_kind,
@@ -135,9 +138,12 @@ void vbss_scene_rollback_tools(scene_object *s)
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+            r->body.target_end = r->checkpoint_end;
+            r->has_pending_target = r->checkpoint_has_pending_target;
+        }
         if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
             grasper_object *g = r->grasper;
-            r->body.target_end = r->checkpoint_end;
             r->needle_grasp = r->checkpoint_needle_grasp;
             r->wall_grasp = r->checkpoint_wall_grasp;
             g->kind = r->checkpoint_jaws.kind;

@@ -137,6 +137,7 @@ typedef struct scene_rigid {
     vbss_rigid body;     /* motion, mass, and the target poses at the start and end of the step */
     pose pending_target; /* target pose for the next step, if has_pending_target; principal frame */
     bool has_pending_target;               /* the host set a target that no step has used yet */
+    bool has_jumped;                       /* a target was unlikely far away, and a warning given */
     pose frame;                            /* principal frame in the frame that hosts see */
     double friction;                       /* coefficient */
     uint32_t first_capsule, capsule_count; /* its capsules in scene_object::capsules */
@@ -159,6 +160,7 @@ typedef struct scene_rigid {
     scene_needle_grasp needle_grasp, checkpoint_needle_grasp;
     scene_wall_grasp wall_grasp, checkpoint_wall_grasp;
     pose checkpoint_end; /* target pose at the end of the step: body.target_end */
+    bool checkpoint_has_pending_target;
     struct scene_checkpoint_jaws {
         vbss_grasper_kind kind, target_kind;
         double angle, pressure; /* jaw angle, rad; jaw force, N */

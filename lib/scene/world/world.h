@@ -170,6 +170,15 @@ void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target);
 /* Makes all pending targets the targets of the step, together with those of pinned nodes. */
 void vbss_scene_apply_rigid_targets(scene_object *s);
 
+/* Moves the target at the end of a step of length h, s, towards that at its start, so that no point
+ * of the body is asked to move faster than speed_limit. Returns whether it moved. A method that
+ * drives tools has no limit. */
+bool vbss_scene_limit_target(const scene_object *s, scene_rigid *r, double h);
+
+/* Limits the targets of all bodies that are no graspers, whose targets the host sets anew each step.
+ * What is left stays pending for the next step. */
+void vbss_scene_limit_rigid_targets(scene_object *s, double h);
+
 /* ---- events.c */
 
 /* Adds VBSS_EVENT_CUT at an arc length of a thread, m from its first node. `piece` is the body that
