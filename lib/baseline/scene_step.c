@@ -22,14 +22,14 @@ static vbss_result keep(scene_object *s)
             thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_thread_update_derived(t));
             vbss_thread_copy_state(t, &t->saved, &t->now);
-            b->thread.checkpoint_statistics = t->statistics;
+            b->thread.checkpoint.statistics = t->statistics;
         } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_checkpoint_drain(&b->drain);
             b->drain.drain->statistics.last_move = 0.0;
         }
     }
     vbss_scene_checkpoint_tools(s);
-    s->checkpoint_statistics = s->statistics;
+    s->checkpoint.statistics = s->report.statistics;
     return VBSS_OK;
 }
 
@@ -39,7 +39,7 @@ static void go_back(scene_object *s)
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_copy_state(t, &t->now, &t->saved);
-            t->statistics = s->bodies[i].thread.checkpoint_statistics;
+            t->statistics = s->bodies[i].thread.checkpoint.statistics;
         } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             vbss_scene_rollback_drain(&s->bodies[i].drain);
         }
@@ -47,10 +47,10 @@ static void go_back(scene_object *s)
     vbss_scene_rollback_tools(s);
     vbss_baseline_set_carried_targets(s);
     vbss_baseline_reset_needle_targets(s);
-    s->statistics = s->checkpoint_statistics;
+    s->report.statistics = s->checkpoint.statistics;
     s->baseline->contact_count = 0;
     vbss_scene_clear_events(s);
-    s->generation++;
+    s->report.generation++;
 }
 
 /* ---- where everything goes */
@@ -60,7 +60,7 @@ static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid 
 {
     const vbss_rigid_substep whole = {h, 0.0, 1.0};
     uint32_t count = 2 * r->capsule_count;
-    vec3 *start = s->vertices, *end = start + count;
+    vec3 *start = s->scratch.vertices, *end = start + count;
     if (r->needle == NULL) { /* needles have been aimed */
         r->predicted = vbss_rigid_target_motion(&r->body, &whole);
     }
@@ -163,14 +163,14 @@ static void arrive(scene_object *s, double h)
 static void note_counts(scene_object *s)
 {
     const baseline_scene_counts *counts = &s->baseline->counts;
-    s->statistics.attempts += counts->passes;
-    s->statistics.guard_pairs += counts->tested_pairs;
-    s->statistics.loose_states += !counts->has_converged;
+    s->report.statistics.attempts += counts->passes;
+    s->report.statistics.guard_pairs += counts->tested_pairs;
+    s->report.statistics.loose_states += !counts->has_converged;
 }
 
 static void note_errors(scene_object *s, double h)
 {
-    vbss_scene_statistics *c = &s->statistics;
+    vbss_scene_statistics *c = &s->report.statistics;
     double stretch = 0.0, depth = vbss_baseline_measure_contacts(s, h);
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
@@ -234,7 +234,7 @@ vbss_result vbss_baseline_scene_step(scene_object *s, double h)
         return result != VBSS_ERROR_NOT_FINITE
                    ? result
                    : vbss_fail(s->context, result, "scene step: no finite state after step %llu",
-                               (unsigned long long)s->statistics.steps);
+                               (unsigned long long)s->report.statistics.steps);
     }
     note_counts(s);
     note_errors(s, h);

@@ -90,7 +90,7 @@ static uint32_t change_at_random(scene_object *s, scene_body *b, vbss_random *ra
     vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
     vbss_scene_sort_warm_start(s);
     vbss_scene_number_nodes(s);
-    s->pattern_hash = 0;
+    s->step.pattern_hash = 0;
     return made;
 }
 
@@ -132,11 +132,11 @@ static void pull(const pulled *p)
             arcs[k] = vbss_thread_arc_length(t, k);
         }
         uint64_t made = t->statistics.refined + t->statistics.coarsened,
-                 parts = s->statistics.parts;
+                 parts = s->report.statistics.parts;
         before.count = nodes;
         memcpy(before.x, t->now.x, nodes * sizeof(vec3));
         expect_ok(contact_scene_step(&scene, 1e-3));
-        if (s->statistics.parts > parts) { /* the watch has seen where the last one ended */
+        if (s->report.statistics.parts > parts) { /* the watch has seen where the last one ended */
             memcpy(before.x, w.last, nodes * sizeof(vec3));
         }
         memcpy(before.arc, arcs, nodes * sizeof *arcs);

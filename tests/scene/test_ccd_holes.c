@@ -77,7 +77,7 @@ static void thread_near_hole_is_not_pushed_through_wall(void **state)
         vec3 way = vec3_sub(wall, from);
         g.thread->trial[k] = vec3_add_scaled(wall, BEYOND / vec3_norm(way), way);
         assert_int_equal(vbss_scene_run_ccd(g.s), SCENE_SUBSTEP_CCD_HIT);
-        assert_true(g.s->time_of_impact > 0.0 && g.s->time_of_impact < 1.0);
+        assert_true(g.s->step.time_of_impact > 0.0 && g.s->step.time_of_impact < 1.0);
         stitch_case_end(&c);
     }
 }

@@ -33,7 +33,7 @@ static void ask(scene_object *s, tally *t, double *earliest)
     uint64_t searches = s->collision->searches;
     scene_substep_outcome verdict = vbss_scene_run_ccd(s);
     assert_true(verdict == SCENE_SUBSTEP_ACCEPTED || verdict == SCENE_SUBSTEP_CCD_HIT);
-    *earliest = s->time_of_impact;
+    *earliest = s->step.time_of_impact;
     t->searched += s->collision->searches > searches;
     t->listed += s->collision->searches == searches;
     t->hits += verdict == SCENE_SUBSTEP_CCD_HIT;
@@ -68,7 +68,7 @@ static void ask_both_ways(vbss_random *r, tally *t)
         object->trial[i] = vec3_add(object->trial[i], random_way(r, other));
     }
     ask(s, t, &listed);
-    s->expected_displacements[0].x = (double)NAN; /* nothing is expected of that */
+    s->step.expected_displacements[0].x = (double)NAN; /* nothing is expected of that */
     tally second = {0, 0, 0};
     ask(s, &second, &searched);
     assert_int_equal(second.searched, 1);

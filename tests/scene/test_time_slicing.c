@@ -143,7 +143,7 @@ static void divided_steps_are_bit_equal(void **state)
 /* Of all work, also of the step that waits. */
 static uint64_t work_of(const scene_object *s)
 {
-    return s->statistics.operations + (s->cursor.is_suspended ? s->cursor.operations : 0);
+    return s->report.statistics.operations + (s->cursor.is_suspended ? s->cursor.operations : 0);
 }
 
 static void call_stays_within_budget(void **state)
@@ -158,14 +158,15 @@ static void call_stays_within_budget(void **state)
         expect_ok(contact_scene_step(&p.scene, STEP)); /* the first is made at once */
         scene_object *s = object_of(p.scene.scene);
         for (int i = 0; i < 800; i++) {
-            const uint64_t before = work_of(s), refused = s->statistics.rejected_guard;
+            const uint64_t before = work_of(s), refused = s->report.statistics.rejected_guard;
             expect_ok(contact_scene_step(&p.scene, STEP));
             assert_in_range(s->cursor.steps_behind + s->cursor.is_suspended, 0, 2);
-            assert_int_equal(s->statistics.behind, s->cursor.steps_behind + s->cursor.is_suspended);
+            assert_int_equal(s->report.statistics.behind,
+                             s->cursor.steps_behind + s->cursor.is_suspended);
             assert_false(
                 s->cursor.is_suspended &&
                 s->cursor.substep.uses_trial_motion); /* no saved state could tell its ways */
-            if (s->statistics.rejected_guard >
+            if (s->report.statistics.rejected_guard >
                 refused) { /* what follows one that the guard refused is not divided */
                 whole++;
                 continue;

@@ -68,10 +68,10 @@ static vbss_result distribute_mass(const scene_object *s, const vbss_rigid_confi
 {
     for (uint32_t i = 0; i < c->capsule_count; i++) {
         const vbss_capsule *from = &c->capsules[i];
-        s->mass_capsules[i] = (vbss_rigid_capsule){vec3_load(from->begin), vec3_load(from->end),
-                                                   from->radius, 1000.0};
+        s->scratch.mass_capsules[i] = (vbss_rigid_capsule){
+            vec3_load(from->begin), vec3_load(from->end), from->radius, 1000.0};
     }
-    if (!vbss_rigid_mass_of_capsules(s->mass_capsules, c->capsule_count, mass)) {
+    if (!vbss_rigid_mass_of_capsules(s->scratch.mass_capsules, c->capsule_count, mass)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the capsules have no mass");
     }
     mass->inertia = vec3_scale(mass->inertia, c->mass / mass->mass);

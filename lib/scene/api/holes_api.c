@@ -99,7 +99,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     made.max_arc = vbss_max(made.max_arc, d->drain.drain->config.tip_length); /* the hole is open */
     *hole = made;
     s->last_hole_id = made.id;
-    s->generation++;
+    s->report.generation++;
     if (id != NULL) {
         *id = made.id;
     }

@@ -16,10 +16,10 @@ static scene_info describe_scene(const scene_object *s)
     return (scene_info){.context = s->context,
                         .config = &s->config,
                         .floor_normal = s->floor_normal,
-                        .steps = s->statistics.steps,
+                        .steps = s->report.statistics.steps,
                         .entry_count = s->body_count,
-                        .event_count = s->event_count,
-                        .events = s->events};
+                        .event_count = s->report.event_count,
+                        .events = s->report.events};
 }
 
 vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info)
@@ -43,7 +43,7 @@ vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info)
 scene_edit_counts vbss_scene_inspect_edits(const vbss_scene *scene)
 {
     const scene_object *s = object_of(scene);
-    scene_edit_counts edits = {.scene = s->generation};
+    scene_edit_counts edits = {.scene = s->report.generation};
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_THREAD) {

@@ -25,7 +25,7 @@ static vertex_motion vertex_motion_of(scene_object *s, const scene_body *b)
     if (b->kind == SCENE_BODY_THREAD) {
         const thread_object *t = b->thread.thread;
         return (vertex_motion){t->node_count, t->now.x,
-                               s->expected_displacements + b->thread.first_node, t->trial};
+                               s->step.expected_displacements + b->thread.first_node, t->trial};
     }
     if (b->kind == SCENE_BODY_DRAIN) {
         const drain_object *d = b->drain.drain;
@@ -33,13 +33,13 @@ static vertex_motion vertex_motion_of(scene_object *s, const scene_body *b)
     }
     const scene_rigid *r = &b->rigid;
     uint32_t count = 2 * r->capsule_count;
-    vec3 *start = s->vertices, *end = start + count;
+    vec3 *start = s->scratch.vertices, *end = start + count;
     for (uint32_t i = 0; i < count; i++) {
         start[i] = s->capsules[r->first_capsule + i / 2].now[i % 2];
         end[i] = s->capsules[r->first_capsule + i / 2].trial[i % 2];
     }
     const vec3 *expected =
-        s->expected_displacements + s->config.node_capacity + 2 * (size_t)r->first_capsule;
+        s->step.expected_displacements + s->config.node_capacity + 2 * (size_t)r->first_capsule;
     return (vertex_motion){count, start, expected, end};
 }
 
@@ -69,7 +69,7 @@ static bool is_inside_motion_bounds(const scene_object *s, const vertex_motion *
  * near. Pairs excluded at pins and cuts need no CCD. */
 static bool do_pairs_start_apart(const scene_object *s)
 {
-    bool is_apart = !s->has_unlisted_pairs;
+    bool is_apart = !s->step.has_unlisted_pairs;
     for (uint32_t i = 0; is_apart && i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
         is_apart =
@@ -102,7 +102,7 @@ static scene_substep_outcome list_ccd_pairs(scene_object *s)
             s->bodies[i].max_displacement = find_max_displacement(&m);
         }
     }
-    s->can_skip_slow_pairs = is_expected && do_pairs_start_apart(s);
+    s->step.can_skip_slow_pairs = is_expected && do_pairs_start_apart(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_NONE) {
@@ -231,10 +231,10 @@ static void set_batch_query(scene_object *s, const ccd_query *query, uint32_t la
     swept_vertices c;
     set_swept_vertices(s, query, &c);
     for (uint32_t k = 0; k < 4; k++) {
-        set_batch_vertex(s->ccd_batch, k, lane, c.start[k], c.end[k]);
+        set_batch_vertex(s->scratch.ccd_batch, k, lane, c.start[k], c.end[k]);
     }
     /* Contacts seldom let a pair come nearer. */
-    s->ccd_batch->thickness[lane] = min_contact_distance(s, query->candidate);
+    s->scratch.ccd_batch->thickness[lane] = min_contact_distance(s, query->candidate);
 }
 
 /* Distance of a query's pair at its start, m, and where the closest points are: fractions on two
@@ -351,8 +351,9 @@ static bool is_slow_pair(const scene_object *s, const collision_candidate *q)
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    return s->can_skip_slow_pairs && a->max_displacement + b->max_displacement <=
-                                         SCENE_CCD_SLOW_MOTION_RATIO * contact_distance_of(s, q);
+    return s->step.can_skip_slow_pairs &&
+           a->max_displacement + b->max_displacement <=
+               SCENE_CCD_SLOW_MOTION_RATIO * contact_distance_of(s, q);
 }
 
 /* Skips all pairs of the same two shapes if none of them moves enough. Returns the index of the
@@ -365,8 +366,8 @@ static uint32_t skip_slow_pairs(const scene_object *s, uint32_t first)
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
     double contact_distance = min_radius(s, a, q->shape_a) + min_radius(s, b, q->shape_b);
     uint32_t next = first;
-    if (s->can_skip_slow_pairs && a->max_displacement + b->max_displacement <=
-                                      SCENE_CCD_SLOW_MOTION_RATIO * contact_distance) {
+    if (s->step.can_skip_slow_pairs && a->max_displacement + b->max_displacement <=
+                                           SCENE_CCD_SLOW_MOTION_RATIO * contact_distance) {
         while (next < c->candidate_count && c->candidates[next].shape_a == q->shape_a &&
                c->candidates[next].shape_b == q->shape_b) {
             next++;
@@ -377,7 +378,7 @@ static uint32_t skip_slow_pairs(const scene_object *s, uint32_t first)
 
 static void run_ccd_batch(scene_object *s, uint32_t kind, uint32_t count)
 {
-    collision_block *batch = s->ccd_batch;
+    collision_block *batch = s->scratch.ccd_batch;
     const collision_ccd_batch queries = {.kind = (vbss_pair_kind)kind,
                                          .count = count,
                                          .stride = COLLISION_BLOCK_SIZE,
@@ -396,10 +397,11 @@ static void run_ccd_batch(scene_object *s, uint32_t kind, uint32_t count)
 static double time_of_approach(scene_object *s, const ccd_query *query, double thickness)
 {
     set_batch_query(s, query, 0);
-    s->ccd_batch->thickness[0] = thickness;
+    s->scratch.ccd_batch->thickness[0] = thickness;
     run_ccd_batch(s, query->candidate->kind, 1);
-    return s->ccd_batch->hit[0] != 0
-               ? query->start_fraction + (1.0 - query->start_fraction) * s->ccd_batch->time[0]
+    return s->scratch.ccd_batch->hit[0] != 0
+               ? query->start_fraction +
+                     (1.0 - query->start_fraction) * s->scratch.ccd_batch->time[0]
                : 1.0;
 }
 
@@ -573,7 +575,7 @@ static uint32_t gather_batch(scene_object *s, uint32_t *next,
         if (count > 0 && q->kind != c->candidates[indices[0]].kind) {
             break;
         }
-        s->statistics.guard_pairs++;
+        s->report.statistics.guard_pairs++;
         if (scene_is_known_apart(s, q, 0.0)) {
             continue;
         }
@@ -593,8 +595,8 @@ static double find_first_impact(scene_object *s)
         bool hit[COLLISION_BLOCK_SIZE];
         run_ccd_batch(s, c->candidates[indices[0]].kind, count);
         for (uint32_t i = 0; i < count; i++) { /* the tests below overwrite the batch */
-            hit[i] = s->ccd_batch->hit[i] != 0;
-            time[i] = s->ccd_batch->time[i];
+            hit[i] = s->scratch.ccd_batch->hit[i] != 0;
+            time[i] = s->scratch.ccd_batch->time[i];
         }
         for (uint32_t i = 0; i < count; i++) {
             const collision_candidate *q = &c->candidates[indices[i]];
@@ -654,6 +656,6 @@ scene_substep_outcome vbss_scene_run_ccd(scene_object *s)
         return outcome;
     }
     vbss_scene_find_trial_slides(s);
-    s->time_of_impact = vbss_min(find_first_impact(s), find_first_floor_impact(s));
-    return s->time_of_impact < 1.0 ? SCENE_SUBSTEP_CCD_HIT : SCENE_SUBSTEP_ACCEPTED;
+    s->step.time_of_impact = vbss_min(find_first_impact(s), find_first_floor_impact(s));
+    return s->step.time_of_impact < 1.0 ? SCENE_SUBSTEP_CCD_HIT : SCENE_SUBSTEP_ACCEPTED;
 }

@@ -32,7 +32,7 @@ static double find_safe_fraction(scene_object *s, scene_substep_outcome outcome)
     if (ccd_outcome != SCENE_SUBSTEP_ACCEPTED && ccd_outcome != SCENE_SUBSTEP_CCD_HIT) {
         return 0.0; /* not all of the motion was tested */
     }
-    return s->time_of_impact < 1.0 ? SCENE_SAFE_FRACTION * s->time_of_impact : 1.0;
+    return s->step.time_of_impact < 1.0 ? SCENE_SAFE_FRACTION * s->step.time_of_impact : 1.0;
 }
 
 /* ---- truncation of the trial state */
@@ -201,7 +201,7 @@ double vbss_scene_truncate_substep(scene_object *s, scene_substep_outcome outcom
     }
     vbss_scene_commit_capsules(s);
     vbss_scene_advance_holes(s);
-    s->statistics.parts++;
-    s->statistics.clamped++;
+    s->report.statistics.parts++;
+    s->report.statistics.clamped++;
     return fraction;
 }

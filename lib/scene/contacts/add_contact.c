@@ -126,7 +126,7 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
     if (is_feature_prescribed(s, m->a, key->kind, false, key->feature_a) &&
         is_feature_prescribed(s, m->b, key->kind, true, key->feature_b)) {
         /* CCD does not test the floor. */
-        s->has_unlisted_pairs = s->has_unlisted_pairs || m->b != NULL;
+        s->step.has_unlisted_pairs = s->step.has_unlisted_pairs || m->b != NULL;
         return true;
     }
     contact_constraint *constraint = vbss_contact_add(s->contacts, key);

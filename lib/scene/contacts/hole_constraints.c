@@ -123,7 +123,7 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
     const suture_curve_point now =
         span == SUTURE_ON_NEEDLE ? vbss_suture_nearest_point(&line, p.arc, point)
                                  : vbss_suture_nearest_point_around_span(&line, span, p.arc, point);
-    vbss_hole_set_constraint(hole, &d->config, &now, point, s->substep_length, constraint);
+    vbss_hole_set_constraint(hole, &d->config, &now, point, s->step.substep_length, constraint);
     constraint->jacobian_block_count = 0;
     if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
         add_needle_jacobian(constraint, &p, &now);

@@ -7,7 +7,7 @@ static void set_thread_displacements(scene_object *s, const scene_thread *b,
                                      const scene_substep *substep)
 {
     const thread_object *t = b->thread;
-    vec3 *displacements = s->expected_displacements + b->first_node;
+    vec3 *displacements = s->step.expected_displacements + b->first_node;
     for (uint32_t i = 0; i < t->node_count; i++) {
         displacements[i] = substep->uses_trial_motion ? vec3_sub(t->trial[i], t->now.x[i])
                                                       : vec3_scale(t->now.v[i], substep->h);
@@ -34,7 +34,8 @@ static void set_capsule_displacements(scene_object *s, const scene_rigid *r,
     }
     for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
-        vec3 *displacements = s->expected_displacements + s->config.node_capacity + 2 * (size_t)i;
+        vec3 *displacements =
+            s->step.expected_displacements + s->config.node_capacity + 2 * (size_t)i;
         vbss_scene_transform_capsule(c, r->body.now.pose, c->now);
         for (int k = 0; k < 2; k++) {
             vec3 target = substep->uses_trial_motion

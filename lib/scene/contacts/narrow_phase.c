@@ -104,12 +104,12 @@ static void add_displacement(const scene_object *s, const side *d, vec3 vertices
 {
     vec3 displacement[3];
     if (d->capsule == NULL) {
-        get_thread_vertices(d, s->expected_displacements + d->body->thread.first_node,
+        get_thread_vertices(d, s->step.expected_displacements + d->body->thread.first_node,
                             displacement);
     } else {
         size_t number = (size_t)(d->capsule - s->capsules);
-        get_capsule_vertices(d, s->expected_displacements + s->config.node_capacity + 2 * number,
-                             displacement);
+        get_capsule_vertices(
+            d, s->step.expected_displacements + s->config.node_capacity + 2 * number, displacement);
     }
     vertices[0] = vec3_add(vertices[0], displacement[0]);
     vertices[1] = vec3_add(vertices[1], displacement[1]); /* unused for a point */
@@ -561,7 +561,7 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
 /* The first solve evaluates gaps along the normals of the start of the substep. */
 void vbss_scene_init_contacts(scene_object *s, const scene_substep *substep)
 {
-    s->substep_length = substep->h;
+    s->step.substep_length = substep->h;
     update_contacts(s, INIT_CONTACT, substep->h);
 }
 

@@ -536,15 +536,16 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     if (s->contacts != NULL) {
         vbss_contact_serialise(stream, 90, s->contacts);
     }
-    vbss_stream_count(stream, 110, &s->touching_pair_count, s->config.contact_capacity);
-    vbss_stream_u32(stream, 111, &s->touching_pairs->body_a, 2 * (size_t)s->touching_pair_count);
-    visit_statistics(stream, &s->statistics);
+    vbss_stream_count(stream, 110, &s->report.touching_pair_count, s->config.contact_capacity);
+    vbss_stream_u32(stream, 111, &s->report.touching_pairs->body_a,
+                    2 * (size_t)s->report.touching_pair_count);
+    visit_statistics(stream, &s->report.statistics);
     visit_next_initial_size(stream, s);
     vbss_scene_visit_cursor(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
         set_welded_flags(s);
-        s->pattern_hash = 0;
-        s->contact_count = s->event_count = 0;
-        s->generation++;
+        s->step.pattern_hash = 0;
+        s->report.contact_count = s->report.event_count = 0;
+        s->report.generation++;
     }
 }

@@ -61,7 +61,7 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
                         cursor->substep.has_fixed_normals,
                         cursor->substep.has_search_budget,
                         s->is_behind_targets,
-                        s->cut_count};
+                        s->step.cut_count};
     double *numbers[] = {&cursor->substep.step_length, &cursor->substep.start_fraction,
                          &cursor->initial_size, &cursor->size};
     uint64_t *operations[] = {&cursor->operations_at_attempt, &cursor->operations};
@@ -82,9 +82,9 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
     cursor->substep.has_fixed_normals = words[3] != 0;
     cursor->substep.has_search_budget = words[4] != 0;
     s->is_behind_targets = words[5] != 0;
-    s->cut_count = words[6];
-    for (uint32_t i = 0; i < s->cut_count; i++) {
-        scene_cut *cut = &s->cuts[i];
+    s->step.cut_count = words[6];
+    for (uint32_t i = 0; i < s->step.cut_count; i++) {
+        scene_cut *cut = &s->step.cuts[i];
         vbss_stream_u32(stream, 154, &cut->thread, 1);
         vbss_stream_f64(stream, 155, &cut->arc_length, 1);
         const scene_body *b = vbss_scene_body(s, cut->thread);
@@ -94,8 +94,8 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
         }
     }
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        vbss_stream_u32(stream, 158, &s->previous_holes[i].id, 1);
-        vbss_stream_u32(stream, 158, &s->previous_holes[i].needle, 1);
+        vbss_stream_u32(stream, 158, &s->step.previous_holes[i].id, 1);
+        vbss_stream_u32(stream, 158, &s->step.previous_holes[i].needle, 1);
     }
     visit_targets(stream, s);
     if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !is_valid_cursor(s, cursor)) {
@@ -129,7 +129,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     }
     if (reads) {
         vbss_scene_set_substep_limits(s);
-        s->has_pending_events = false;
+        s->report.has_pending_events = false;
         cursor->edit_count = vbss_scene_count_edits(s);
     }
 }

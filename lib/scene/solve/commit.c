@@ -53,7 +53,7 @@ void vbss_scene_commit(scene_object *s, const scene_substep *substep)
     vbss_scene_commit_holes(s);
     vbss_scene_advance_holes(s);
     vbss_contact_store_warm_start(s->contacts);
-    s->statistics.parts++;
+    s->report.statistics.parts++;
 }
 
 void vbss_scene_request_damping(scene_object *s)

@@ -165,7 +165,7 @@ static double max_work_of_welds(const scene_object *s)
  * at once. */
 static bool needs_energy_check(const scene_object *s, const scene_substep *substep)
 {
-    bool has_time = s->step_budget == 0 && !substep->is_min_size;
+    bool has_time = s->step.budget == 0 && !substep->is_min_size;
     return vbss_scene_has_body_kind(s, SCENE_BODY_THREAD) &&
            (s->contacts->is_stopped_early ||
             (has_time && vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)));

@@ -13,7 +13,7 @@ enum { NODE_INTERIOR, NODE_SEPARATOR };
 
 static void add_separator(scene_object *s, const scene_body *b, uint32_t node)
 {
-    s->is_separator[b->thread.first_node + node] = NODE_SEPARATOR;
+    s->step.is_separator[b->thread.first_node + node] = NODE_SEPARATOR;
 }
 
 static void add_separator_range(scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
@@ -143,14 +143,14 @@ static void add_hole_separators(const scene_object *s, const contact_constraint 
         uint32_t node = constraint->jacobian[k].block - p.thread->thread.first_block;
         if (constraint->jacobian[k].block >= p.thread->thread.first_block &&
             node < p.now.thread->node_count) {
-            s->is_separator[p.thread->thread.first_node + node] = 1;
+            s->step.is_separator[p.thread->thread.first_node + node] = 1;
         }
     }
 }
 
 static void choose_separators(scene_object *s)
 {
-    memset(s->is_separator, NODE_INTERIOR, s->node_count);
+    memset(s->step.is_separator, NODE_INTERIOR, s->node_count);
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             scene_drain *b = &s->bodies[i].drain;
@@ -175,7 +175,7 @@ static void choose_separators(scene_object *s)
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
-            widen_separators(t, s->is_separator + s->bodies[i].thread.first_node);
+            widen_separators(t, s->step.is_separator + s->bodies[i].thread.first_node);
         }
     }
 }
@@ -187,7 +187,7 @@ static void choose_separators(scene_object *s)
 static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
 {
     uint32_t count = w->neighbour_count;
-    for (const contact_weld *earlier = s->welds; earlier < w; earlier++) {
+    for (const contact_weld *earlier = s->step.welds; earlier < w; earlier++) {
         for (uint32_t k = 0; k < count; k++) {
             if (w->neighbours[k] == earlier->node) {
                 w->neighbours[w->neighbour_count++] = earlier->translation;
@@ -199,7 +199,7 @@ static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
 
 static void list_welds(scene_object *s)
 {
-    s->weld_count = 0;
+    s->step.weld_count = 0;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         if (p->id == 0 || p->attachment != 0) {
@@ -208,7 +208,7 @@ static void list_welds(scene_object *s)
         const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
         uint32_t first = t->thread.first_block, n = t->thread.thread->node_count;
         uint32_t reach = vbss_thread_bandwidth(t->thread.thread);
-        contact_weld *w = &s->welds[s->weld_count++];
+        contact_weld *w = &s->step.welds[s->step.weld_count++];
         *w = (contact_weld){.node = first + p->node,
                             .translation = b->rigid.blocks.first,
                             .rotation = b->rigid.blocks.first + 1};
@@ -231,7 +231,7 @@ void vbss_scene_set_weld_arms(scene_object *s)
         const scene_pin *p = &s->pins[i];
         if (p->id != 0 && p->attachment == 0) {
             const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
-            s->welds[w++].arm = quat_rotate(r->trial.orientation, p->point);
+            s->step.welds[w++].arm = quat_rotate(r->trial.orientation, p->point);
         }
     }
 }
@@ -288,7 +288,7 @@ static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
  * attachments, pins. */
 static uint64_t hash_bodies(const scene_object *s)
 {
-    uint64_t hash = mix_flags(s->node_count, s->is_separator, s->node_count);
+    uint64_t hash = mix_flags(s->node_count, s->step.is_separator, s->node_count);
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         hash = mix_two(mix_two(hash, p->id, p->thread), p->node, p->body);
@@ -324,7 +324,7 @@ static vbss_result register_bodies(scene_object *s)
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_THREAD) {
             VBSS_TRY(vbss_thread_add_to_system(b->thread.thread, s->system,
-                                               s->is_separator + b->thread.first_node,
+                                               s->step.is_separator + b->thread.first_node,
                                                &b->thread.first_block));
         } else if (b->kind == SCENE_BODY_RIGID) {
             vbss_role role =
@@ -374,17 +374,17 @@ vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
 {
     choose_separators(s);
     uint64_t body_hash = hash_bodies(s), pattern_hash = hash_pattern(s, body_hash);
-    if (pattern_hash == s->pattern_hash) {
+    if (pattern_hash == s->step.pattern_hash) {
         vbss_contact_assign_schur_offsets(s->contacts);
         return VBSS_OK;
     }
-    bool same_bodies = s->pattern_hash != 0 && body_hash == s->body_pattern_hash;
-    s->pattern_hash = 0;
-    s->body_pattern_hash = body_hash;
-    s->statistics.patterns++;
+    bool same_bodies = s->step.pattern_hash != 0 && body_hash == s->step.body_pattern_hash;
+    s->step.pattern_hash = 0;
+    s->step.body_pattern_hash = body_hash;
+    s->report.statistics.patterns++;
     VBSS_TRY(begin_pattern(s, same_bodies));
-    for (uint32_t i = 0; i < s->weld_count; i++) {
-        VBSS_TRY(vbss_contact_register_weld(&s->welds[i], s->system));
+    for (uint32_t i = 0; i < s->step.weld_count; i++) {
+        VBSS_TRY(vbss_contact_register_weld(&s->step.welds[i], s->system));
     }
     VBSS_TRY(vbss_contact_register(s->contacts, s->system));
     VBSS_TRY(vbss_system_analyse(s->system));
@@ -394,6 +394,6 @@ vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
             vbss_drain_set_assembly_map(s->bodies[i].drain.drain, s->system);
         }
     }
-    s->pattern_hash = pattern_hash;
+    s->step.pattern_hash = pattern_hash;
     return VBSS_OK;
 }

@@ -15,17 +15,17 @@ void vbss_scene_add_force(scene_body *b, vec3 point, vec3 force)
 
 void vbss_scene_publish_contact(scene_object *s, const scene_contact_record *contact)
 {
-    uint32_t i = s->contact_count++;
+    uint32_t i = s->report.contact_count++;
     const contact_key *key = &contact->key;
     const uint32_t features[5] = {key->kind, key->body_a, key->feature_a, key->body_b,
                                   key->feature_b};
     for (int k = 0; k < 5; k++) {
-        s->contact_features[i][k] = features[k];
+        s->report.contact_features[i][k] = features[k];
     }
-    s->contact_points[i] = contact->point;
-    s->contact_normals[i] = contact->normal;
-    s->contact_forces[i] = contact->force;
-    s->contact_gaps[i] = contact->gap;
+    s->report.contact_points[i] = contact->point;
+    s->report.contact_normals[i] = contact->normal;
+    s->report.contact_forces[i] = contact->force;
+    s->report.contact_gaps[i] = contact->gap;
 }
 
 /* The rigid body that a block belongs to: by its translation block, or by a pin that holds
@@ -105,7 +105,7 @@ static void add_pin_forces(scene_object *s)
 
 void vbss_scene_collect_forces(scene_object *s)
 {
-    s->contact_count = 0;
+    s->report.contact_count = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_RIGID) {
             s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
@@ -113,5 +113,5 @@ void vbss_scene_collect_forces(scene_object *s)
     }
     s->method->publish_contacts(s);
     add_pin_forces(s);
-    s->statistics.contacts = s->contact_count;
+    s->report.statistics.contacts = s->report.contact_count;
 }

@@ -10,7 +10,7 @@
 
 static void record_operations(scene_object *s)
 {
-    vbss_scene_statistics *c = &s->statistics;
+    vbss_scene_statistics *c = &s->report.statistics;
     uint64_t operations = s->contacts->counters.operations;
     c->operations += operations;
     c->most_operations = operations > c->most_operations ? operations : c->most_operations;
@@ -140,8 +140,8 @@ void vbss_scene_finish_step(scene_object *s)
     vbss_scene_adapt_meshes(s);
     vbss_scene_close_holes_of_short_threads(s);
     record_operations(s);
-    s->statistics.rows = s->contacts->count;
-    s->statistics.state_solves = s->contacts->counters.solves;
-    s->statistics.loose_states = s->contacts->counters.inexact;
-    s->statistics.separators = s->system->unknown_count - s->system->interior_count;
+    s->report.statistics.rows = s->contacts->count;
+    s->report.statistics.state_solves = s->contacts->counters.solves;
+    s->report.statistics.loose_states = s->contacts->counters.inexact;
+    s->report.statistics.separators = s->system->unknown_count - s->system->interior_count;
 }

@@ -37,7 +37,7 @@ static void set_step_budget(scene_object *s, const scene_substep *substep, bool 
     uint64_t operations_before = substep->has_search_budget ? s->contacts->counters.operations : 0;
     bool is_limited =
         vbss_scene_has_step_budget(s) && (substep->has_search_budget || !is_hard_min_size);
-    s->step_budget = is_limited ? operations_before + s->config.work_limit : 0;
+    s->step.budget = is_limited ? operations_before + s->config.work_limit : 0;
 }
 
 /* ---- substeps */
@@ -52,12 +52,12 @@ static void record_errors(scene_object *s)
         }
     }
     depth = vbss_contact_max_penetration(s->contacts);
-    s->statistics.last_stretch_error = stretch;
-    s->statistics.stretch_error = vbss_max(stretch, s->statistics.stretch_error);
-    s->statistics.last_penetration = depth;
-    s->statistics.penetration = vbss_max(depth, s->statistics.penetration);
-    s->statistics.loose_stretch += stretch > s->config.stretch_tolerance;
-    s->statistics.last_residual = s->contacts->residual;
+    s->report.statistics.last_stretch_error = stretch;
+    s->report.statistics.stretch_error = vbss_max(stretch, s->report.statistics.stretch_error);
+    s->report.statistics.last_penetration = depth;
+    s->report.statistics.penetration = vbss_max(depth, s->report.statistics.penetration);
+    s->report.statistics.loose_stretch += stretch > s->config.stretch_tolerance;
+    s->report.statistics.last_residual = s->contacts->residual;
 }
 
 /* Whether attempts or operations of the step are used up. */
@@ -88,8 +88,8 @@ static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_subs
         return true;
     }
     /* Half the size does not help where penetration is deep already. */
-    if (s->has_updated_normals && !cursor->substep.has_fixed_normals &&
-        (is_min_size || is_over_limit || s->is_recovering)) {
+    if (s->step.has_updated_normals && !cursor->substep.has_fixed_normals &&
+        (is_min_size || is_over_limit || s->step.is_recovering)) {
         cursor->substep.has_fixed_normals = true;
         return true;
     }
@@ -128,8 +128,8 @@ static void pause_step(scene_object *s, const scene_step_cursor *cursor, double 
 {
     double fraction_left = 1.0 - cursor->substep.start_fraction;
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
-    s->statistics.paused++;
-    s->statistics.time_paused += fraction_left * cursor->substep.step_length;
+    s->report.statistics.paused++;
+    s->report.statistics.time_paused += fraction_left * cursor->substep.step_length;
     s->next_initial_size = size;
     s->is_behind_targets = true;
     update_coupling_wrenches(s, &cursor->substep);
@@ -221,9 +221,9 @@ static void replay_attempt(scene_object *s)
 static void accept_substep(scene_object *s)
 {
     vbss_scene_commit(s, &s->cursor.substep);
-    s->statistics.recovering += s->is_recovering;
+    s->report.statistics.recovering += s->step.is_recovering;
     s->is_behind_targets = false;
-    s->has_accepted_contacts = true;
+    s->step.has_accepted_contacts = true;
 }
 
 /* Whether the rest of the step is suspended because the budget of the call has no room for

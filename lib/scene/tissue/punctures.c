@@ -76,7 +76,7 @@ void vbss_scene_update_holes(scene_object *s)
     vbss_scene_find_fold_punctures(s);
     /* Forces of a rejected attempt, or of an active-set search that was stopped early, are not
      * the load on the wall. */
-    bool forces_known = s->has_accepted_contacts && !s->contacts->is_stopped_early;
+    bool forces_known = s->step.has_accepted_contacts && !s->contacts->is_stopped_early;
     for (uint32_t i = 0; forces_known && i < s->body_count; i++) {
         const scene_body *needle = &s->bodies[i];
         for (uint32_t k = 0;

@@ -203,20 +203,20 @@ vbss_result vbss_scene_apply_cut(scene_object *s, scene_body *thread, double arc
     request_damping(b);
     vbss_scene_emit_cut_event(s, thread, b, arc_length);
     vbss_scene_close_holes_of_short_threads(s);
-    s->pattern_hash = 0;
-    s->generation++;
+    s->step.pattern_hash = 0;
+    s->report.generation++;
     *piece = b;
     return VBSS_OK;
 }
 
 void vbss_scene_make_cuts(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->cut_count; i++) {
-        scene_body *thread = vbss_scene_body(s, s->cuts[i].thread), *piece;
+    for (uint32_t i = 0; i < s->step.cut_count; i++) {
+        scene_body *thread = vbss_scene_body(s, s->step.cuts[i].thread), *piece;
         /* another cut may have made it an end */
-        if (!vbss_scene_is_at_thread_end(thread->thread.thread, s->cuts[i].arc_length)) {
-            (void)vbss_scene_apply_cut(s, thread, s->cuts[i].arc_length, &piece);
+        if (!vbss_scene_is_at_thread_end(thread->thread.thread, s->step.cuts[i].arc_length)) {
+            (void)vbss_scene_apply_cut(s, thread, s->step.cuts[i].arc_length, &piece);
         }
     }
-    s->cut_count = 0;
+    s->step.cut_count = 0;
 }

@@ -75,8 +75,8 @@ void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind ki
     s->body_of_shape[shape] = body_index;
     s->body_count = body_index == s->body_count ? body_index + 1 : s->body_count;
     s->method->add_body(s, b);
-    s->pattern_hash = 0;
-    s->generation++;
+    s->step.pattern_hash = 0;
+    s->report.generation++;
 }
 
 void vbss_scene_number_nodes(scene_object *s)
