@@ -289,10 +289,36 @@ void vbss_contact_warm_start(contact_set *set)
     }
 }
 
-void vbss_contact_store_warm_start(contact_set *set)
+/* Moves the entries that stay to the front, and returns their number. */
+static uint32_t keep_entries(contact_set *set, const uint8_t *keeps)
 {
-    set->warm_start_count = 0;
-    for (uint32_t i = 0; i < set->count; i++) {
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < set->warm_start_count; i++) {
+        if (keeps[i] != 0) {
+            set->warm_start[kept++] = set->warm_start[i];
+        }
+    }
+    return kept;
+}
+
+/* Sorts the entries by insertion: those that stayed and those after them are sorted already. */
+static void sort_entries(contact_set *set)
+{
+    for (uint32_t i = 1; i < set->warm_start_count; i++) {
+        const contact_warm_start_entry entry = set->warm_start[i];
+        uint32_t to = i;
+        while (to > 0 && vbss_contact_compare_keys(&set->warm_start[to - 1].key, &entry.key) > 0) {
+            set->warm_start[to] = set->warm_start[to - 1];
+            to--;
+        }
+        set->warm_start[to] = entry;
+    }
+}
+
+/* Appends the constraints that carry a force. */
+static void append_entries(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count && set->warm_start_count < set->capacity; i++) {
         const contact_constraint *constraint = &set->constraints[i];
         if (constraint->solution.status != CONTACT_OPEN) {
             contact_warm_start_entry *entry = &set->warm_start[set->warm_start_count++];
@@ -303,6 +329,19 @@ void vbss_contact_store_warm_start(contact_set *set)
             entry->tangential_force = constraint->solution.tangential_force;
         }
     }
+}
+
+void vbss_contact_store_warm_start(contact_set *set)
+{
+    set->warm_start_count = 0;
+    append_entries(set);
+}
+
+void vbss_contact_store_warm_start_beside(contact_set *set, const uint8_t *keeps)
+{
+    set->warm_start_count = keep_entries(set, keeps);
+    append_entries(set);
+    sort_entries(set);
 }
 
 void vbss_contact_checkpoint(contact_set *set)

@@ -248,8 +248,10 @@ uint32_t vbss_contact_find(const contact_set *set, const contact_key *key);
 void vbss_contact_warm_start(contact_set *set);
 void vbss_contact_warm_start_neighbour(contact_set *set, uint32_t entry_index);
 void vbss_contact_warm_start_one(contact_set *set, uint32_t entry_index, uint32_t constraint_index);
-/* Stores the constraints that carry a force as warm-start entries, once the substep is accepted. */
+/* Stores the constraints that carry a force as warm-start entries, once the substep is accepted.
+ * In a substep of some of the bodies, entries with a nonzero flag in `keeps` stay beside them. */
 void vbss_contact_store_warm_start(contact_set *set);
+void vbss_contact_store_warm_start_beside(contact_set *set, const uint8_t *keeps);
 /* Copies warm-start entries, residual and counters, and returns to that copy. */
 void vbss_contact_checkpoint(contact_set *set);
 void vbss_contact_rollback(contact_set *set);

@@ -143,5 +143,6 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     init_rigid(&b->rigid, &own, &mass, orientation);
     add_capsules(s, b, &own);
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
+    vbss_scene_list_overlaps_of(s, b);
     return VBSS_OK;
 }

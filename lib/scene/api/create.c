@@ -98,7 +98,7 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 25 };
+enum { ARRAY_COUNT = 26 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
@@ -133,6 +133,7 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->body_of_shape, SCENE_MAX_SHAPES, sizeof *s->body_of_shape},
         {&s->body_of_number, SCENE_MAX_SHAPES, sizeof *s->body_of_number},
         {&s->scratch.near_features, vertices, sizeof *s->scratch.near_features},
+        {&s->scratch.keeps_entry, contacts, sizeof *s->scratch.keeps_entry},
     };
     _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
     memcpy(arrays, all, sizeof all);
@@ -213,7 +214,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     s->method = own.method == VBSS_METHOD_PAPER ? &vbss_baseline_scene : &vbss_scene_implicit;
     s->context = context;
     s->config = own;
-    s->next_initial_size = 1.0;
+    s->cursor.group_count = 1;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
     s->node_capacity = own.node_capacity;
     s->body_capacity = own.thread_capacity + own.rigid_capacity + own.drain_capacity;

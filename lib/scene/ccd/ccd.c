@@ -356,8 +356,8 @@ static bool is_slow_pair(const scene_object *s, const collision_candidate *q)
                SCENE_CCD_SLOW_MOTION_RATIO * contact_distance_of(s, q);
 }
 
-/* Skips all pairs of the same two shapes if none of them moves enough. Returns the index of the
- * first pair of other shapes. */
+/* Skips all pairs of the same two shapes if none of them moves enough, or if nothing could keep
+ * them apart. Returns the index of the first pair of other shapes. */
 static uint32_t skip_slow_pairs(const scene_object *s, uint32_t first)
 {
     const collision_object *c = s->collision;
@@ -366,8 +366,12 @@ static uint32_t skip_slow_pairs(const scene_object *s, uint32_t first)
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
     double contact_distance = min_radius(s, a, q->shape_a) + min_radius(s, b, q->shape_b);
     uint32_t next = first;
-    if (s->step.can_skip_slow_pairs && a->max_displacement + b->max_displacement <=
-                                           SCENE_CCD_SLOW_MOTION_RATIO * contact_distance) {
+    double displacement = a->max_displacement + b->max_displacement;
+    bool is_slow = s->step.can_skip_slow_pairs &&
+                   displacement <= SCENE_CCD_SLOW_MOTION_RATIO * contact_distance;
+    bool is_ignored = scene_is_prescribed(a) && scene_is_prescribed(b) &&
+                      (displacement == 0.0 || vbss_scene_is_overlap(s, a, b));
+    if (is_slow || is_ignored) {
         while (next < c->candidate_count && c->candidates[next].shape_a == q->shape_a &&
                c->candidates[next].shape_b == q->shape_b) {
             next++;
@@ -585,10 +589,24 @@ static uint32_t gather_batch(scene_object *s, uint32_t *next,
     return count;
 }
 
-static double find_first_impact(scene_object *s)
+static scene_touching_pair bodies_of(const scene_object *s, const collision_candidate *q)
+{
+    return (scene_touching_pair){s->bodies[s->body_of_shape[q->shape_a]].number,
+                                 s->bodies[s->body_of_shape[q->shape_b]].number};
+}
+
+/* Notes an impact if it is the first. */
+static void record_impact(scene_object *s, double time, scene_touching_pair bodies)
+{
+    if (time < s->step.time_of_impact) {
+        s->step.time_of_impact = time;
+        s->step.first_impact = bodies;
+    }
+}
+
+static void find_first_impact(scene_object *s)
 {
     const collision_object *c = s->collision;
-    double earliest = 1.0;
     uint32_t indices[COLLISION_BLOCK_SIZE], count, next = 0;
     while ((count = gather_batch(s, &next, indices)) > 0) {
         double time[COLLISION_BLOCK_SIZE];
@@ -601,11 +619,10 @@ static double find_first_impact(scene_object *s)
         for (uint32_t i = 0; i < count; i++) {
             const collision_candidate *q = &c->candidates[indices[i]];
             if (hit[i]) {
-                earliest = vbss_min(refine_time_of_impact(s, q, time[i]), earliest);
+                record_impact(s, refine_time_of_impact(s, q, time[i]), bodies_of(s, q));
             }
         }
     }
-    return earliest;
 }
 
 /* ---- floor */
@@ -622,31 +639,33 @@ static double time_of_floor_impact(const scene_object *s, vec3 start, vec3 end, 
                                     : (start_height - min_height) / (start_height - end_height);
 }
 
-static double find_first_floor_impact(const scene_object *s)
+static void find_first_floor_impact(scene_object *s)
 {
-    double earliest = 1.0;
     for (uint32_t i = 0; s->config.floor != 0 && i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         const thread_object *t = b->thread.thread;
         const scene_rigid *r = &b->rigid;
-        for (uint32_t k = 0; b->kind == SCENE_BODY_THREAD && k < t->node_count; k++) {
+        double earliest = 1.0;
+        for (uint32_t k = 0; scene_active_kind(b) == SCENE_BODY_THREAD && k < t->node_count; k++) {
             double impact_time =
                 time_of_floor_impact(s, t->now.x[k], t->trial[k], t->config.radius);
             earliest = vbss_min(impact_time, earliest);
         }
-        for (uint32_t k = 0; b->kind == SCENE_BODY_RIGID && k < 2 * r->capsule_count; k++) {
+        for (uint32_t k = 0; scene_active_kind(b) == SCENE_BODY_RIGID && k < 2 * r->capsule_count;
+             k++) {
             const scene_capsule *c = &s->capsules[r->first_capsule + k / 2];
             double impact_time = time_of_floor_impact(s, c->now[k % 2], c->trial[k % 2], c->radius);
             earliest = vbss_min(impact_time, earliest);
         }
         const drain_object *d = b->drain.drain;
-        for (uint32_t k = 0; b->kind == SCENE_BODY_DRAIN && k < d->mesh.node_count; k++) {
+        for (uint32_t k = 0; scene_active_kind(b) == SCENE_BODY_DRAIN && k < d->mesh.node_count;
+             k++) {
             double impact_time =
                 time_of_floor_impact(s, d->x[k], d->trial[k], 0.5 * d->config.thickness);
             earliest = vbss_min(impact_time, earliest);
         }
+        record_impact(s, earliest, (scene_touching_pair){b->number, 0});
     }
-    return earliest;
 }
 
 scene_substep_outcome vbss_scene_run_ccd(scene_object *s)
@@ -656,6 +675,8 @@ scene_substep_outcome vbss_scene_run_ccd(scene_object *s)
         return outcome;
     }
     vbss_scene_find_trial_slides(s);
-    s->step.time_of_impact = vbss_min(find_first_impact(s), find_first_floor_impact(s));
+    s->step.time_of_impact = 1.0;
+    find_first_impact(s);
+    find_first_floor_impact(s);
     return s->step.time_of_impact < 1.0 ? SCENE_SUBSTEP_CCD_HIT : SCENE_SUBSTEP_ACCEPTED;
 }

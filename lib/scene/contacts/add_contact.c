@@ -8,8 +8,8 @@
 static bool is_feature_prescribed(const scene_object *s, const scene_body *b, uint32_t kind,
                                   bool is_b, uint32_t feature)
 {
-    if (b == NULL || b->kind == SCENE_BODY_RIGID) {
-        return b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN;
+    if (b == NULL || b->is_frozen || b->kind == SCENE_BODY_RIGID) {
+        return scene_is_prescribed(b);
     }
     if (b->kind == SCENE_BODY_DRAIN) {
         uint32_t nodes[3], count = vbss_scene_drain_feature_nodes(s, b, kind, is_b, feature, nodes);
@@ -125,8 +125,10 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
 {
     if (is_feature_prescribed(s, m->a, key->kind, false, key->feature_a) &&
         is_feature_prescribed(s, m->b, key->kind, true, key->feature_b)) {
-        /* CCD does not test the floor. */
-        s->step.has_unlisted_pairs = s->step.has_unlisted_pairs || m->b != NULL;
+        /* CCD tests neither the floor, nor features at rest, nor overlaps that the host made. */
+        s->step.has_unlisted_pairs =
+            s->step.has_unlisted_pairs || (m->b != NULL && largest_relative_motion(m) > 0.0 &&
+                                           !vbss_scene_is_overlap(s, m->a, m->b));
         return true;
     }
     contact_constraint *constraint = vbss_contact_add(s->contacts, key);

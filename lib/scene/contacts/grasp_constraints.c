@@ -83,7 +83,8 @@ bool vbss_scene_add_thread_grasp_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_thread_grasp *g = &s->thread_grasps[i];
-        for (uint32_t k = 0; g->id != 0 && !g->is_released && k < GRASPER_THREAD_POINTS; k++) {
+        bool is_active = g->id != 0 && !g->is_released && !vbss_scene_body(s, g->thread)->is_frozen;
+        for (uint32_t k = 0; is_active && k < GRASPER_THREAD_POINTS; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRASPER_THREAD_POINTS * i + k,
                                      g->tool, 0};
             if (vbss_scene_add_bilateral_constraint(s, &key) == NULL) {
@@ -98,8 +99,8 @@ bool vbss_scene_add_needle_grasp_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        for (uint32_t k = 0; vbss_scene_has_needle_grasp(s, b->number) && k < GRASPER_NEEDLE_POINTS;
-             k++) {
+        bool is_active = !b->is_frozen && vbss_scene_has_needle_grasp(s, b->number);
+        for (uint32_t k = 0; is_active && k < GRASPER_NEEDLE_POINTS; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.needle_grasp.needle, k, b->number,
                                      0};
             if (vbss_scene_add_bilateral_constraint(s, &key) == NULL) {
@@ -114,7 +115,7 @@ bool vbss_scene_add_wall_grasp_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (!vbss_scene_has_wall_grasp(s, b->number)) {
+        if (b->is_frozen || !vbss_scene_has_wall_grasp(s, b->number)) {
             continue;
         }
         for (uint32_t k = 0; k < b->rigid.wall_grasp.point_count; k++) {

@@ -7,7 +7,7 @@ bool vbss_scene_add_hole_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        if (hole->id == 0) {
+        if (!vbss_scene_is_hole_active(s, hole)) {
             continue;
         }
         const contact_key key = {VBSS_CONTACT_HOLE, hole->needle != 0 ? hole->needle : hole->thread,

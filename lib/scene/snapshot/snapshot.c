@@ -2,6 +2,7 @@
  * what it reads. */
 #include "base/stream.h"
 #include "scene/snapshot/snapshot.h"
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/topology/topology.h"
 #include "scene/world/method.h"
@@ -486,18 +487,51 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
     }
 }
 
-/* Size of the first substep of the next step. Before version 3 a step was never left incomplete. */
-static void visit_next_initial_size(vbss_stream *stream, scene_object *s)
+/* Size of the first substep of a step if bodies begin with different sizes, which then follow. */
+#define SIZE_PER_BODY (-1.0)
+
+/* Whether all bodies begin the next step with substeps of one size, a fraction of a step. */
+static bool have_bodies_one_size(const scene_object *s, double *size)
 {
-    if (stream->version >= 3) {
-        vbss_stream_f64(stream, 86, &s->next_initial_size, 1);
-    } else {
-        s->next_initial_size = 1.0;
+    const scene_body *first = NULL;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        first = first == NULL && b->kind != SCENE_BODY_NONE ? b : first;
+        if (b->kind != SCENE_BODY_NONE && b->next_halvings != first->next_halvings) {
+            return false;
+        }
     }
-    if (stream->mode == VBSS_STREAM_READ && !stream->trusted &&
-        !vbss_scene_is_substep_size(s, s->next_initial_size)) {
+    *size = first == NULL ? 1.0 : vbss_scene_substep_size(first->next_halvings);
+    return true;
+}
+
+/* Sizes with which the next step begins. Before version 3 a step was never left incomplete. */
+static void visit_next_sizes(vbss_stream *stream, scene_object *s)
+{
+    double size = SIZE_PER_BODY;
+    (void)have_bodies_one_size(s, &size);
+    if (stream->version >= 3) {
+        vbss_stream_f64(stream, 86, &size, 1);
+    } else {
+        size = 1.0;
+    }
+    const bool reads = stream->mode == VBSS_STREAM_READ, is_per_body = size == SIZE_PER_BODY;
+    if (reads && !is_per_body && !vbss_scene_is_substep_size(s, size)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such part of a step");
-        s->next_initial_size = 1.0;
+        size = 1.0;
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (is_per_body && b->kind != SCENE_BODY_NONE) {
+            vbss_stream_u32(stream, 89, &b->next_halvings, 1);
+        } else if (reads) {
+            b->next_halvings = b->kind != SCENE_BODY_NONE ? vbss_scene_halvings_of(size) : 0;
+        }
+        if (reads && (b->next_halvings > SCENE_MAX_HALVINGS ||
+                      !vbss_scene_is_substep_size(s, vbss_scene_substep_size(b->next_halvings)))) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such part of a step");
+            b->next_halvings = 0;
+        }
     }
 }
 
@@ -540,7 +574,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     vbss_stream_u32(stream, 111, &s->report.touching_pairs->body_a,
                     2 * (size_t)s->report.touching_pair_count);
     visit_statistics(stream, &s->report.statistics);
-    visit_next_initial_size(stream, s);
+    visit_next_sizes(stream, s);
     vbss_scene_visit_cursor(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
         set_welded_flags(s);

@@ -4,8 +4,12 @@
  * the attempt is replayed up to the check at which it was suspended. */
 #include "base/stream.h"
 #include "scene/snapshot/snapshot.h"
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/world/world.h"
+
+/* Parts of the state that follow the cursor, as bits of its first word. */
+enum { IS_SUSPENDED = 1, HAS_GROUPS = 2, HAS_OVERLAPS = 4 };
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
 {
@@ -51,6 +55,49 @@ static void visit_targets(vbss_stream *stream, scene_object *s)
     }
 }
 
+static bool is_valid_group(const scene_object *s, const scene_waiting_group *g)
+{
+    return g->substep.start_fraction >= 0.0 && vbss_scene_is_substep_size(s, g->size) &&
+           g->substep.start_fraction + g->size <= 1.0;
+}
+
+/* Visits the groups of a step that is divided among some. */
+static void visit_groups(vbss_stream *stream, scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    const bool reads = stream->mode == VBSS_STREAM_READ;
+    bool is_valid = true;
+    vbss_stream_u32(stream, 170, &cursor->group, 1);
+    vbss_stream_u32(stream, 170, &cursor->group_count, 1);
+    vbss_stream_f64(stream, 173, &cursor->paused_fraction, 1);
+    is_valid = cursor->paused_fraction >= 0.0 && cursor->paused_fraction <= 1.0;
+    if (reads && (cursor->group_count > SCENE_MAX_GROUPS || cursor->group >= cursor->group_count)) {
+        is_valid = false;
+        cursor->group = 0;
+        cursor->group_count = 1;
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        vbss_stream_u32(stream, 171, &b->group, 1);
+        is_valid = is_valid && b->group < cursor->group_count;
+        b->is_frozen = b->group != cursor->group;
+    }
+    for (uint32_t i = cursor->group + 1; i < cursor->group_count; i++) {
+        scene_waiting_group *g = &cursor->waiting[i];
+        uint32_t words[] = {g->attempts, g->is_behind_targets};
+        vbss_stream_u32(stream, 172, words, 2);
+        vbss_stream_f64(stream, 173, &g->substep.start_fraction, 1);
+        vbss_stream_f64(stream, 173, &g->size, 1);
+        g->attempts = words[0];
+        g->is_behind_targets = words[1] != 0;
+        g->substep.step_length = cursor->substep.step_length;
+        is_valid = is_valid && words[1] <= 1 && is_valid_group(s, g);
+    }
+    if (reads && !is_valid) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such group of bodies");
+    }
+}
+
 /* Visits the cursor of a suspended step, and how far its attempt had progressed for the replay. */
 static void visit_suspended_step(vbss_stream *stream, scene_object *s)
 {
@@ -60,7 +107,7 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
                         cursor->checks_passed,
                         cursor->substep.has_fixed_normals,
                         cursor->substep.has_search_budget,
-                        s->is_behind_targets,
+                        cursor->is_behind_targets,
                         s->step.cut_count};
     double *numbers[] = {&cursor->substep.step_length, &cursor->substep.start_fraction,
                          &cursor->initial_size, &cursor->size};
@@ -81,7 +128,7 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
     cursor->checks_passed = words[2];
     cursor->substep.has_fixed_normals = words[3] != 0;
     cursor->substep.has_search_budget = words[4] != 0;
-    s->is_behind_targets = words[5] != 0;
+    cursor->is_behind_targets = words[5] != 0;
     s->step.cut_count = words[6];
     for (uint32_t i = 0; i < s->step.cut_count; i++) {
         scene_cut *cut = &s->step.cuts[i];
@@ -103,30 +150,69 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
     }
 }
 
+static uint32_t parts_of(const scene_object *s)
+{
+    const scene_step_cursor *cursor = &s->cursor;
+    bool has_groups = cursor->is_suspended && cursor->group_count > 1;
+    return (cursor->is_suspended ? IS_SUSPENDED : 0) | (has_groups ? HAS_GROUPS : 0) |
+           (s->overlap_count > 0 ? HAS_OVERLAPS : 0);
+}
+
+static bool is_valid_word(const scene_object *s, const uint32_t words[3])
+{
+    const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
+    bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
+    return parts <= (IS_SUSPENDED | HAS_GROUPS | HAS_OVERLAPS) &&
+           ((parts & HAS_GROUPS) == 0 || is_suspended) && words[1] + is_suspended <= 2 &&
+           words[1] <= 2 && (is_implicit || (is_suspended == 0 && words[1] == 0));
+}
+
+static void put_in_one_group(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        s->bodies[i].group = 0;
+        s->bodies[i].is_frozen = false;
+    }
+}
+
+/* Visits the driven bodies that overlap (world/overlaps.c). */
+static void visit_overlaps(vbss_stream *stream, scene_object *s, bool has_overlaps)
+{
+    s->overlap_count = has_overlaps ? s->overlap_count : 0;
+    if (has_overlaps) {
+        vbss_stream_count(stream, 174, &s->overlap_count, SCENE_MAX_OVERLAPS);
+        vbss_stream_u32(stream, 175, &s->overlaps->body_a, 2 * (size_t)s->overlap_count);
+    }
+}
+
 void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
     const bool reads = stream->mode == VBSS_STREAM_READ;
-    uint32_t words[] = {cursor->is_suspended, cursor->steps_behind, cursor->unsliced_steps_left};
+    uint32_t words[] = {parts_of(s), cursor->steps_behind, cursor->unsliced_steps_left};
     if (stream->version >= 6) {
         vbss_stream_u32(stream, 150, words, sizeof words / sizeof words[0]);
     } else {
         words[0] = words[1] = words[2] = 0;
     }
-    /* the baseline method never suspends a step */
-    bool is_allowed = !reads || s->contacts != NULL || (words[0] == 0 && words[1] == 0);
-    if (!is_allowed || words[0] > 1 || words[1] > 2 || words[1] + words[0] > 2) {
+    if (reads && !is_valid_word(s, words)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");
         words[0] = words[1] = 0;
     }
     if (reads) {
-        *cursor = (scene_step_cursor){.is_suspended = words[0] != 0,
+        *cursor = (scene_step_cursor){.is_suspended = (words[0] & IS_SUSPENDED) != 0,
+                                      .group_count = 1,
                                       .steps_behind = words[1],
                                       .unsliced_steps_left = words[2]};
+        put_in_one_group(s);
     }
     if (cursor->is_suspended) {
         visit_suspended_step(stream, s);
     }
+    if ((words[0] & HAS_GROUPS) != 0) {
+        visit_groups(stream, s);
+    }
+    visit_overlaps(stream, s, (words[0] & HAS_OVERLAPS) != 0);
     if (reads) {
         vbss_scene_set_substep_limits(s);
         s->report.has_pending_events = false;

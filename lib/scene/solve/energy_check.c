@@ -176,10 +176,10 @@ static energy_gains compute_energy_gains(const scene_object *s, const scene_subs
     const contact_set *set = s->contacts;
     energy_gains g = {.threads = -max_work_of_welds(s)};
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
             g.threads += vbss_thread_energy_change(t, substep->h) - max_work_of_attachments(t);
-        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             g.drains += vbss_drain_energy_change(s->bodies[i].drain.drain, substep->h);
         }
     }

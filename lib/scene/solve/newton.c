@@ -24,7 +24,7 @@ typedef enum assembly_scope {
 static void clear_system(scene_object *s, bool reuses_drain_matrix)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             vbss_system_reuse_factor(s->system, s->bodies[i].drain.first_block,
                                      reuses_drain_matrix);
         }
@@ -42,16 +42,16 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.substep,
                            system, b->thread.first_block);
-        } else if (b->kind == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
                                 &b->rigid.blocks);
-        } else if (b->kind == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
+        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
             vbss_drain_assemble_rhs(b->drain.drain, &b->drain.substep, system,
                                     b->drain.first_block);
-        } else if (b->kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {
             vbss_drain_assemble(b->drain.drain, &b->drain.substep, system, b->drain.first_block);
         }
     }
@@ -64,7 +64,7 @@ static bool drop_compression_stiffness(scene_object *s)
     bool has_dropped = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_thread *b = &s->bodies[i].thread;
-        if (s->bodies[i].kind == SCENE_BODY_THREAD && b->substep.min_tension < 0.0) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD && b->substep.min_tension < 0.0) {
             b->substep.min_tension = 0.0;
             b->thread->statistics.softened++;
             has_dropped = true;
@@ -77,7 +77,7 @@ static uint32_t cost(const scene_object *s, uint32_t triangle_cost)
 {
     uint32_t sum = SCENE_NODE_COST * s->node_count + SCENE_CONSTRAINT_COST * s->contacts->count;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             sum += triangle_cost * s->bodies[i].drain.drain->mesh.triangle_count;
         }
     }
@@ -176,8 +176,9 @@ static void set_welded_nodes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id != 0 && p->attachment == 0) {
-            thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
+        const scene_body *thread = vbss_scene_body(s, p->thread);
+        if (p->id != 0 && p->attachment == 0 && !thread->is_frozen) {
+            thread_object *t = thread->thread.thread;
             const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
             t->trial[p->node] = pose_apply(r->trial, p->point);
         }
@@ -191,19 +192,19 @@ static void advance_trial(scene_object *s)
     newton->stretch = 0.0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             b->thread.residual_displacement = vbss_thread_apply_increment(
                 b->thread.thread, &b->thread.substep, s->system->solution + b->thread.first_block);
-        } else if (b->kind == SCENE_BODY_RIGID) {
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             advance_rigid(s, &b->rigid);
-        } else if (b->kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {
             vbss_drain_apply_increment(b->drain.drain, s->system, b->drain.first_block);
         }
     }
     set_welded_nodes(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind != SCENE_BODY_THREAD) {
+        if (scene_active_kind(b) != SCENE_BODY_THREAD) {
             continue;
         }
         thread_object *t = b->thread.thread;
@@ -234,7 +235,7 @@ static drain_moves measure_drain_moves(scene_object *s)
     drain_moves m = {true, false, false};
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             const vbss_drain_config *c = &b->drain->config;
             b->max_increment = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
             b->drain->statistics.linearisations++;
@@ -252,7 +253,7 @@ static bool has_needle_turned_far(const scene_object *s)
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         const scene_body *b = hole->id != 0 ? vbss_scene_body(s, hole->needle) : NULL;
-        if (b != NULL &&
+        if (b != NULL && !b->is_frozen &&
             vec3_norm(s->system->solution[b->rigid.blocks.first + 1]) > SCENE_MAX_NEEDLE_ROTATION) {
             return true;
         }
@@ -265,7 +266,7 @@ static void count_forced(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             b->drain->statistics.forced +=
                 b->max_increment > DRAIN_MAX_MOVE_RATIO * b->drain->config.move_limit;
         }
@@ -279,13 +280,13 @@ static bool is_correction_acceptable(scene_object *s)
     bool all = true;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             const scene_thread *a = &s->bodies[i].thread;
             double missed =
                 vbss_thread_linearisation_error(a->thread, s->system->solution + a->first_block);
             all = all && missed <= s->config.stretch_tolerance;
         }
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             double correction = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
             bool small = correction < DRAIN_MAX_CORRECTION_RATIO * b->max_increment ||
                          correction <= b->drain->config.position_tolerance;
@@ -302,7 +303,7 @@ static bool has_drain_moved_far(const scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN &&
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN &&
             b->max_increment > b->drain->config.move_limit) {
             return true;
         }
@@ -493,7 +494,7 @@ scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *sub
     s->step.newton.linearisations = s->step.newton.normal_updates = 0;
     s->step.has_updated_normals = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD &&
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD &&
             s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
             vbss_thread_update_rest_curvature_forces(s->bodies[i].thread.thread);
         }
@@ -505,7 +506,8 @@ scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *sub
 scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) { /* views use these strains, too */
+        if (scene_active_kind(&s->bodies[i]) ==
+            SCENE_BODY_THREAD) { /* views use these strains, too */
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_compute_strains(t, t->trial, t->strains);
         }

@@ -89,11 +89,17 @@ static void add_bilateral_separators(scene_object *s, const contact_constraint *
     }
 }
 
+/* Whether a pin is a weld of bodies that are not frozen. */
+static bool is_active_weld(const scene_object *s, const scene_pin *p)
+{
+    return p->id != 0 && p->attachment == 0 && !vbss_scene_body(s, p->thread)->is_frozen;
+}
+
 static void add_weld_separators(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id != 0 && p->attachment == 0) {
+        if (is_active_weld(s, p)) {
             const scene_body *b = vbss_scene_body(s, p->thread);
             uint32_t reach = vbss_thread_bandwidth(b->thread.thread);
             add_separator_range(s, b, p->node > reach ? p->node - reach : 0, p->node + reach);
@@ -202,7 +208,7 @@ static void list_welds(scene_object *s)
     s->step.weld_count = 0;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id == 0 || p->attachment != 0) {
+        if (!is_active_weld(s, p)) {
             continue;
         }
         const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
@@ -229,7 +235,7 @@ void vbss_scene_set_weld_arms(scene_object *s)
     uint32_t w = 0;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id != 0 && p->attachment == 0) {
+        if (is_active_weld(s, p)) {
             const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
             s->step.welds[w++].arm = quat_rotate(r->trial.orientation, p->point);
         }
@@ -296,7 +302,7 @@ static uint64_t hash_bodies(const scene_object *s)
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        hash = mix_two(hash, (uint32_t)b->kind, b->number);
+        hash = mix_two(hash, (uint32_t)scene_active_kind(b), b->number);
         if (b->kind == SCENE_BODY_THREAD) {
             hash = mix_attachments(hash, b->thread.thread);
         } else if (b->kind == SCENE_BODY_DRAIN) {
@@ -318,11 +324,43 @@ static uint64_t hash_pattern(const scene_object *s, uint64_t body_hash)
     return hash | 1u;
 }
 
+static uint32_t *first_block_of(scene_body *b)
+{
+    return b->kind == SCENE_BODY_THREAD  ? &b->thread.first_block
+           : b->kind == SCENE_BODY_RIGID ? &b->rigid.blocks.first
+                                         : &b->drain.first_block;
+}
+
+static uint32_t count_blocks(const scene_body *b)
+{
+    return b->kind == SCENE_BODY_THREAD  ? b->thread.thread->node_count
+           : b->kind == SCENE_BODY_RIGID ? 2
+           : b->kind == SCENE_BODY_DRAIN ? b->drain.drain->mesh.node_count
+                                         : 0;
+}
+
+/* A frozen body has blocks, as constraints name them, but no equations. */
+static vbss_result register_frozen_body(scene_object *s, scene_body *b)
+{
+    const uint32_t count = count_blocks(b);
+    if (count == 0) {
+        return VBSS_OK;
+    }
+    uint32_t *first = first_block_of(b);
+    VBSS_TRY(vbss_system_add_chain(s->system, count, first));
+    for (uint32_t i = 0; i < count; i++) {
+        vbss_system_set_role(s->system, *first + i, VBSS_ROLE_PRESCRIBED);
+    }
+    return VBSS_OK;
+}
+
 static vbss_result register_bodies(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (b->is_frozen) {
+            VBSS_TRY(register_frozen_body(s, b));
+        } else if (b->kind == SCENE_BODY_THREAD) {
             VBSS_TRY(vbss_thread_add_to_system(b->thread.thread, s->system,
                                                s->step.is_separator + b->thread.first_node,
                                                &b->thread.first_block));
@@ -343,15 +381,9 @@ void vbss_scene_number_blocks(scene_object *s)
     uint32_t first = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
-            b->thread.first_block = first;
-            first += b->thread.thread->node_count;
-        } else if (b->kind == SCENE_BODY_RIGID) {
-            b->rigid.blocks.first = first;
-            first += 2;
-        } else if (b->kind == SCENE_BODY_DRAIN) {
-            b->drain.first_block = first;
-            first += b->drain.drain->mesh.node_count;
+        if (b->kind != SCENE_BODY_NONE) {
+            *first_block_of(b) = first;
+            first += count_blocks(b);
         }
     }
 }
@@ -390,7 +422,7 @@ vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
     VBSS_TRY(vbss_system_analyse(s->system));
     vbss_contact_find_schur_indices(s->contacts, s->system);
     for (uint32_t i = 0; !same_bodies && i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             vbss_drain_set_assembly_map(s->bodies[i].drain.drain, s->system);
         }
     }

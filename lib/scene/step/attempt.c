@@ -4,6 +4,7 @@
 #include "scene/ccd/ccd.h"
 #include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
@@ -30,6 +31,10 @@ static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep 
     /* Motion bounds, broad phase, narrow phase. */
     if (!vbss_scene_create_contacts(s, substep)) {
         return SCENE_SUBSTEP_OUT_OF_CAPACITY;
+    }
+    if (vbss_scene_split_slow_islands(s)) {
+        s->report.statistics.attempts--;
+        return SCENE_SUBSTEP_REGROUPED;
     }
     vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));
     vbss_scene_predict(s, substep);

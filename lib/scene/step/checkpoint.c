@@ -9,6 +9,7 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
+        b->checkpoint = (struct scene_body_checkpoint){b->next_halvings, b->group};
         if (b->kind == SCENE_BODY_THREAD) {
             thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_thread_update_derived(t));
@@ -26,7 +27,6 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
     }
     vbss_scene_checkpoint_tools(s);
     s->checkpoint.statistics = s->report.statistics;
-    s->checkpoint.next_initial_size = s->next_initial_size;
     s->checkpoint.event_count = s->report.event_count;
     s->checkpoint.lost_events = s->report.lost_events;
     s->checkpoint.cursor = s->cursor;
@@ -51,6 +51,9 @@ void vbss_scene_rollback(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
+        b->next_halvings = b->checkpoint.next_halvings;
+        b->group = b->checkpoint.group;
+        b->is_frozen = b->group != s->checkpoint.cursor.group;
         if (b->kind == SCENE_BODY_THREAD) {
             thread_object *t = b->thread.thread;
             vbss_thread_copy_state(t, &t->now, &t->saved);
@@ -66,7 +69,6 @@ void vbss_scene_rollback(scene_object *s)
     }
     vbss_scene_rollback_tools(s);
     vbss_scene_rollback_statistics(s);
-    s->next_initial_size = s->checkpoint.next_initial_size;
     s->cursor = s->checkpoint.cursor;
     s->cursor.is_attempt_in_memory = false;
     vbss_contact_rollback(s->contacts);

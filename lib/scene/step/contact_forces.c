@@ -3,6 +3,8 @@
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
+#include <string.h>
+
 void vbss_scene_add_force(scene_body *b, vec3 point, vec3 force)
 {
     if (b != NULL && b->kind == SCENE_BODY_RIGID) {
@@ -94,7 +96,8 @@ static void add_pin_forces(scene_object *s)
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         scene_body *b = vbss_scene_body(s, p->body);
-        if (b == NULL || !vbss_scene_pin_holds(s, p)) {
+        if (b == NULL || !vbss_scene_pin_holds(s, p) ||
+            !scene_is_active(vbss_scene_body(s, p->thread))) {
             continue;
         }
         const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
@@ -103,11 +106,33 @@ static void add_pin_forces(scene_object *s)
     }
 }
 
+/* Removes the contacts of bodies that took part in the last substep from the views. New ones
+ * follow. */
+static void remove_renewed_contacts(scene_object *s)
+{
+    scene_report *r = &s->report;
+    uint32_t count = 0;
+    for (uint32_t i = 0; s->cursor.group_count > 1 && i < r->contact_count; i++) {
+        const uint32_t *features = r->contact_features[i];
+        const scene_body *a = vbss_scene_body(s, features[1]), *b = vbss_scene_body(s, features[3]);
+        if (a == NULL || scene_is_active(a) || scene_is_active(b)) {
+            continue;
+        }
+        memmove(r->contact_features[count], features, sizeof r->contact_features[count]);
+        r->contact_points[count] = r->contact_points[i];
+        r->contact_normals[count] = r->contact_normals[i];
+        r->contact_forces[count] = r->contact_forces[i];
+        r->contact_gaps[count] = r->contact_gaps[i];
+        count++;
+    }
+    r->contact_count = count;
+}
+
 void vbss_scene_collect_forces(scene_object *s)
 {
-    s->report.contact_count = 0;
+    remove_renewed_contacts(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_RIGID) {
             s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
         }
     }

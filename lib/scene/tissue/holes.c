@@ -88,7 +88,7 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         suture_hole *hole = &s->holes[i];
-        if (hole->id == 0) {
+        if (!vbss_scene_is_hole_active(s, hole)) {
             continue;
         }
         const scene_hole_context p = vbss_scene_get_hole_context(s, hole);

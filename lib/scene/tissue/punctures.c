@@ -79,10 +79,10 @@ void vbss_scene_update_holes(scene_object *s)
     bool forces_known = s->step.has_accepted_contacts && !s->contacts->is_stopped_early;
     for (uint32_t i = 0; forces_known && i < s->body_count; i++) {
         const scene_body *needle = &s->bodies[i];
-        for (uint32_t k = 0;
-             needle->kind == SCENE_BODY_RIGID && needle->rigid.needle != NULL && k < s->body_count;
+        for (uint32_t k = 0; scene_active_kind(needle) == SCENE_BODY_RIGID &&
+                             needle->rigid.needle != NULL && k < s->body_count;
              k++) {
-            if (s->bodies[k].kind == SCENE_BODY_DRAIN) {
+            if (scene_active_kind(&s->bodies[k]) == SCENE_BODY_DRAIN) {
                 puncture_wall(s, needle, &s->bodies[k]);
             }
         }

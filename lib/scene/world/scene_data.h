@@ -30,6 +30,8 @@
 enum { SCENE_MAX_SHAPES = 4096, SCENE_MAX_THREADS = 64 };
 /* Strands between two jaws that are told apart; cuts of a step. */
 enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
+/* Pairs of driven bodies that overlap since they were added. Chosen. */
+enum { SCENE_MAX_OVERLAPS = 256 };
 #define SCENE_NO_FACE UINT32_MAX
 
 /* ---- bodies */
@@ -181,6 +183,16 @@ typedef struct scene_body {
     uint32_t shape;  /* shape in the collision object */
     /* Substep. */
     double max_displacement; /* largest displacement of a vertex that the CCD tests, m */
+    /* Persistent: the body's next step begins with a substep that is halved so often. */
+    uint32_t next_halvings;
+    /* Step: its group. The body is frozen while another group takes its substeps (step/groups.c). */
+    uint32_t group;
+    bool is_frozen;
+    /* Checkpoint. */
+    struct scene_body_checkpoint {
+        uint32_t next_halvings, group;
+    } checkpoint;
+    uint32_t island; /* scratch of step/islands.c: link to a body of the same island */
     /* Persistent. The entry is for a piece of a thread. Until the cut its kind is SCENE_BODY_NONE,
      * but it has a shape and a spare thread. */
     bool is_reserved;
@@ -274,7 +286,8 @@ typedef enum scene_substep_outcome {
     SCENE_SUBSTEP_CCD_HIT,       /* two features would pass through each other, or come too near */
     SCENE_SUBSTEP_SINGULAR,      /* a pivot was too small, or a number is not finite */
     SCENE_SUBSTEP_OUT_OF_CAPACITY, /* too many candidates or contacts: the step fails */
-    SCENE_SUBSTEP_SUSPENDED        /* the budget of the call is exhausted; the next call resumes */
+    SCENE_SUBSTEP_SUSPENDED,       /* the budget of the call is exhausted; the next call resumes */
+    SCENE_SUBSTEP_REGROUPED /* the group or its substep has changed: the attempt begins again */
 } scene_substep_outcome;
 
 /* The present substep, and how the next attempt at it differs from the first. Substep. */
@@ -306,6 +319,17 @@ typedef struct scene_newton_state {
     double stretch;               /* largest stretch error of the trial state, relative */
 } scene_newton_state;
 
+/* Groups of bodies in a step; halvings of a substep, which the halving limit keeps far below.
+ * Chosen. */
+enum { SCENE_MAX_GROUPS = 8, SCENE_MAX_HALVINGS = 64 };
+/* Where a group begins that split off from another (step/groups.c). */
+typedef struct scene_waiting_group {
+    scene_substep substep;
+    double size;
+    uint32_t attempts;
+    bool is_behind_targets;
+} scene_waiting_group;
+
 /* Position within a step. If a step exceeds the budget of a call of vbss_scene_step, the call
  * suspends it and the next call resumes it (step/time_slice.c). Persistent: snapshots save it. */
 typedef struct scene_step_cursor {
@@ -314,8 +338,14 @@ typedef struct scene_step_cursor {
      * and the smallest for a scene with drains whose operation budget is exhausted. They are
      * powers of two, so that substeps add up to exactly 1. */
     double initial_size, size, min_size, hard_min_size;
-    uint32_t attempts;              /* in this step */
-    bool is_suspended;              /* the step has begun and is not complete */
+    uint32_t attempts; /* in this step */
+    /* Groups of bodies that take their substeps one after the other: the present one, and all. */
+    uint32_t group, group_count;
+    scene_waiting_group waiting[SCENE_MAX_GROUPS]; /* per group that has not begun */
+    bool is_behind_targets; /* driven bodies of the group lag behind, after a truncated substep */
+    bool is_paused;         /* the group left out the rest of the step */
+    double paused_fraction; /* largest part of the step that a group has left out */
+    bool is_suspended;      /* the step has begun and is not complete */
     bool is_attempt_suspended;      /* its attempt was suspended and is not complete */
     bool is_attempt_in_memory;      /* memory holds that attempt; otherwise a replay restores it */
     uint32_t checks_passed;         /* suspension checks that the attempt has passed */
@@ -355,6 +385,7 @@ typedef struct scene_step_context {
     /* Some near pairs have no contact constraint, as both features have prescribed motion. */
     bool has_unlisted_pairs;
     double time_of_impact; /* fraction of the substep until the first CCD hit; 1: there is no hit */
+    scene_touching_pair first_impact; /* the bodies of that hit */
 } scene_step_context;
 
 /* Buffers that are meaningless outside the function that fills them. */
@@ -363,6 +394,7 @@ typedef struct scene_scratch {
     uint32_t *near_features;           /* of topology/remeshing.c: features near a probe */
     collision_block *ccd_batch;        /* queries of the CCD */
     vbss_rigid_capsule *mass_capsules; /* for the inertia of a new body */
+    uint8_t *keeps_entry;              /* per warm-start entry: whether it stays */
 } scene_scratch;
 
 /* Copies of the scene's own state from before the step. Those of bodies are in the bodies. */
@@ -370,7 +402,6 @@ typedef struct scene_checkpoint {
     scene_thread_grasp *thread_grasps;
     suture_hole *holes;
     uint32_t last_grasp_id, last_hole_id;
-    double next_initial_size;
     scene_step_cursor cursor;
     uint32_t event_count, lost_events;
     vbss_scene_statistics statistics;
@@ -410,6 +441,9 @@ struct scene_object {
     /* config.grasp_capacity grasps and config.hole_capacity holes; unused entries have id 0. */
     scene_thread_grasp *thread_grasps;
     suture_hole *holes;
+    /* Driven bodies that overlap since they were added (world/overlaps.c). */
+    scene_touching_pair overlaps[SCENE_MAX_OVERLAPS];
+    uint32_t overlap_count;
     uint32_t body_count, body_capacity; /* entries used so far, free ones included; all */
     uint32_t node_count, node_capacity; /* nodes of all threads */
     uint32_t capsule_count;
@@ -425,8 +459,6 @@ struct scene_object {
     contact_set *contacts;
     vbss_system *system;
 
-    double next_initial_size; /* size of the next step's first substep: a power of 1/2 of a step */
-    bool is_behind_targets;   /* driven bodies lag behind, after a truncated substep */
     scene_step_cursor cursor;
 
     scene_step_context step;
