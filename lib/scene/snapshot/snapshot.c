@@ -579,7 +579,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     if (stream->mode == VBSS_STREAM_READ) {
         set_welded_flags(s);
         s->step.pattern_hash = 0;
-        s->report.contact_count = s->report.event_count = 0;
+        s->report.event_count = 0;
         s->report.generation++;
     }
 }

@@ -61,6 +61,18 @@ static bool is_valid_group(const scene_object *s, const scene_waiting_group *g)
            g->substep.start_fraction + g->size <= 1.0;
 }
 
+/* Visits the contacts in the views. The groups that wait still have those of the step before. */
+static void visit_contact_views(vbss_stream *stream, scene_report *r, uint32_t capacity)
+{
+    vbss_stream_count(stream, 176, &r->contact_count, capacity);
+    const size_t count = stream->result == VBSS_OK ? r->contact_count : 0;
+    vbss_stream_u32(stream, 177, r->contact_features[0], 5 * count);
+    vbss_stream_f64(stream, 178, &r->contact_points->x, 3 * count);
+    vbss_stream_f64(stream, 178, &r->contact_normals->x, 3 * count);
+    vbss_stream_f64(stream, 178, &r->contact_forces->x, 3 * count);
+    vbss_stream_f64(stream, 178, r->contact_gaps, count);
+}
+
 /* Visits the groups of a step that is divided among some. */
 static void visit_groups(vbss_stream *stream, scene_object *s)
 {
@@ -96,6 +108,7 @@ static void visit_groups(vbss_stream *stream, scene_object *s)
     if (reads && !is_valid) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such group of bodies");
     }
+    visit_contact_views(stream, &s->report, s->config.contact_capacity);
 }
 
 /* Visits the cursor of a suspended step, and how far its attempt had progressed for the replay. */
@@ -205,6 +218,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
                                       .steps_behind = words[1],
                                       .unsliced_steps_left = words[2]};
         put_in_one_group(s);
+        s->report.contact_count = 0;
     }
     if (cursor->is_suspended) {
         visit_suspended_step(stream, s);
