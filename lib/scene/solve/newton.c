@@ -436,12 +436,21 @@ static void reset_newton(scene_newton_state *newton)
     newton->stretch = (double)INFINITY;
 }
 
+/* Whether another iteration follows, or the rest of one that was suspended. The state may have
+ * converged already when its correction is suspended. */
+static bool needs_iteration(const scene_object *s)
+{
+    const scene_newton_state *newton = &s->step.newton;
+    bool has_time = newton->linearisations < s->config.linearisation_limit &&
+                    newton->over_budget_linearisations < SCENE_OVER_BUDGET_LINEARISATIONS;
+    return newton->phase != SCENE_NEWTON_LINEARISE || (has_time && !newton->is_converged);
+}
+
 /* Iterates until threads have their lengths, then checks the energy. */
 static scene_substep_outcome run_newton(scene_object *s, const scene_substep *substep)
 {
     scene_newton_state *newton = &s->step.newton;
-    while (newton->linearisations < s->config.linearisation_limit && !newton->is_converged &&
-           newton->over_budget_linearisations < SCENE_OVER_BUDGET_LINEARISATIONS) {
+    while (needs_iteration(s)) {
         scene_substep_outcome outcome = run_newton_iteration(s, substep);
         if (outcome != SCENE_SUBSTEP_ACCEPTED) {
             return outcome;
