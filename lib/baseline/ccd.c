@@ -61,8 +61,8 @@ static inline bool linear_time(const shortest *first, const shortest *last,
 
 /* Result of a crossing. a and b are assumed to touch at that time, so w at the start gives the
  * side. n is normal to both features, or zero if it is not unique. */
-static void tell_crossing(collision_ccd_result *answer, double time, double distance, vec3 n,
-                          const shortest *first)
+static void set_crossing_result(collision_ccd_result *answer, double time, double distance, vec3 n,
+                                const shortest *first)
 {
     vec3 back = first->height > 0.0 ? vec3_neg(first->n) : first->n; /* from a to b */
     vec3 across = vec3_dot(n, back) < 0.0 ? vec3_neg(n) : n;
@@ -164,7 +164,7 @@ static void test_edges(double eps, const collision_ccd_query *question,
     if (feet_inside(&then, &s, &u)) { /* step (ii b) */
         double distance = vec3_norm(edge_separation(then.a, then.b, then.r, s, u));
         vec3 n = then.parallel ? vec3_zero() : vec3_cross(then.a, then.b);
-        tell_crossing(answer, time, distance, n, &w0);
+        set_crossing_result(answer, time, distance, n, &w0);
         set_edge_weights(answer, s, u);
     }
 }
@@ -236,7 +236,7 @@ static void test_point_triangle(const collision_ccd_query *question, collision_c
                                       vec3_lerp(x[2], y[2], time), vec3_lerp(x[3], y[3], time));
     if (foot_inside(&then, weights)) { /* step (ii b) */
         shortest w = shortest_along(then.n, then.f[0]);
-        tell_crossing(answer, time, fabs(w.height) / sqrt(w.nn), then.n, &w0);
+        set_crossing_result(answer, time, fabs(w.height) / sqrt(w.nn), then.n, &w0);
         set_corner_weights(answer, weights);
     }
 }

@@ -198,10 +198,11 @@ static vbss_result respond(const feature *a, const feature *b, double thickness,
 
 static void limit_side(double displacement[6], double share, double wanted, double depth)
 {
-    double factor = share != 0.0 ? wanted / share : 0.0, most = BASELINE_MAX_LEVER * wanted * depth;
+    double factor = share != 0.0 ? wanted / share : 0.0,
+           max_displacement = BASELINE_MAX_LEVER * wanted * depth;
     double largest = factor * vbss_max(vec3_norm(vec3_load(displacement)),
                                        vec3_norm(vec3_load(displacement + 3)));
-    factor *= largest > most ? most / largest : 1.0;
+    factor *= largest > max_displacement ? max_displacement / largest : 1.0;
     for (int k = 0; k < 6; k++) {
         displacement[k] *= factor;
     }
@@ -220,11 +221,11 @@ static vec3 displace(const feature *f, const double displacement[6], double h)
 {
     vec3 push = vec3_zero();
     for (size_t k = 0; k < 2; k++) {
-        vec3 way = vec3_load(displacement + 3 * k);
+        vec3 node_displacement = vec3_load(displacement + 3 * k);
         if (f->speed[k] != NULL && f->mobility[k] > 0.0) {
-            *f->end[k] = vec3_add(*f->end[k], way);
-            *f->speed[k] = vec3_add_scaled(*f->speed[k], 1.0 / h, way);
-            push = vec3_add_scaled(push, f->mass[k], way);
+            *f->end[k] = vec3_add(*f->end[k], node_displacement);
+            *f->speed[k] = vec3_add_scaled(*f->speed[k], 1.0 / h, node_displacement);
+            push = vec3_add_scaled(push, f->mass[k], node_displacement);
         }
     }
     return push;
@@ -329,7 +330,7 @@ vbss_result vbss_baseline_run_pass(scene_object *s, double h)
 /* ---- afterwards */
 
 /* Where the surfaces are, on the side that was responded to. */
-static void lay_hit(const scene_object *s, scene_contact_record *hit)
+static void update_contact_geometry(const scene_object *s, scene_contact_record *hit)
 {
     const scene_body *a = vbss_scene_body(s, hit->key.body_a);
     const scene_body *b = vbss_scene_body(s, hit->key.body_b);
@@ -370,7 +371,7 @@ double vbss_baseline_measure_contacts(scene_object *s, double h)
         if (hit->key.kind == VBSS_CONTACT_HOLE) {
             vbss_baseline_locate_hole_contact(s, hit);
         } else {
-            lay_hit(s, hit);
+            update_contact_geometry(s, hit);
         }
         depth = vbss_max(-hit->gap, depth);
     }

@@ -75,8 +75,8 @@ static void gather_forces(drain_object *d, double end, vec3 *sums)
         if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_FORCE) {
             *sum = vec3_add(*sum, a->force);
         } else if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_SPRING) {
-            vec3 way = vec3_sub(vbss_drain_attachment_position(a, end), d->x[a->node]);
-            *sum = vec3_add_scaled(*sum, a->stiffness, way);
+            vec3 stretch = vec3_sub(vbss_drain_attachment_position(a, end), d->x[a->node]);
+            *sum = vec3_add_scaled(*sum, a->stiffness, stretch);
         }
     }
 }
@@ -95,8 +95,8 @@ static void set_velocities(drain_object *d, double dt, const vec3 *sums)
 
 static void move_to(drain_object *d, uint32_t node, vec3 to)
 {
-    double way = vec3_distance(to, d->x[node]);
-    d->baseline->last_move = vbss_max_or_nan(way, d->baseline->last_move);
+    double distance = vec3_distance(to, d->x[node]);
+    d->baseline->last_move = vbss_max_or_nan(distance, d->baseline->last_move);
     d->x[node] = to;
 }
 
@@ -182,8 +182,8 @@ static void add_energies(drain_object *d, vbss_drain_energies *energies)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        vec3 way = vec3_sub(d->x[i], d->baseline->rest[i]);
-        sum += 0.5 * d->config.paper_stiffness * vec3_norm_squared(way);
+        vec3 displacement = vec3_sub(d->x[i], d->baseline->rest[i]);
+        sum += 0.5 * d->config.paper_stiffness * vec3_norm_squared(displacement);
     }
     energies->springs = sum;
 }

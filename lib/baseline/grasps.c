@@ -129,8 +129,8 @@ static vec3 pull_of_section(const thread_object *t, uint32_t from, uint32_t to, 
         rest += t->rest[i];
     }
     double size = stiffness * vbss_max(length - rest, 0.0);
-    vec3 way = vec3_unit_or(vec3_sub(t->now.x[to], t->now.x[from]), vec3_zero());
-    return vec3_scale(way, size);
+    vec3 direction = vec3_unit_or(vec3_sub(t->now.x[to], t->now.x[from]), vec3_zero());
+    return vec3_scale(direction, size);
 }
 
 /* Of both sections that end at a node. */

@@ -13,7 +13,7 @@ static pose needle_at_end(const scene_rigid *r)
 }
 
 /* From the hole to where the needle is in it: along the needle it has slid to the place beside. */
-static vec3 way_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
+static vec3 displacement_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
 {
     const needle_object *n = r->needle;
     vec3 seen = pose_apply_inverse(needle_at_end(r), here);
@@ -24,7 +24,7 @@ static vec3 way_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
 
 /* The point of the triangle goes all of the way, each corner as far as it is light and near. Returns mass times
  * displacement. */
-static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 way, double h)
+static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 displacement, double h)
 {
     const uint32_t *node = d->mesh.triangles[hole->triangle];
     double light[3], sum = 0.0;
@@ -35,7 +35,7 @@ static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 way, d
         sum += hole->barycentric[k] * light[k];
     }
     for (int k = 0; k < 3 && sum > 0.0; k++) {
-        vec3 own = vec3_scale(way, light[k] / sum);
+        vec3 own = vec3_scale(displacement, light[k] / sum);
         d->x[node[k]] = vec3_add(d->x[node[k]], own);
         d->v[node[k]] = vec3_add_scaled(d->v[node[k]], 1.0 / h, own);
         push = vec3_add_scaled(push, light[k] > 0.0 ? d->mass[node[k]] : 0.0, own);
@@ -49,14 +49,15 @@ static vbss_result carry(scene_object *s, uint32_t i, double h)
     const scene_rigid *r = &vbss_scene_body(s, hole->needle)->rigid;
     drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
     const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, i, hole->drain, 0};
-    vec3 way = way_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
-    vec3 push = carry_triangle(hole, d, way, h);
-    if (vec3_norm(way) < BASELINE_MIN_DEPTH_RATIO * d->config.thickness ||
+    vec3 displacement = displacement_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
+    vec3 push = carry_triangle(hole, d, displacement, h);
+    if (vec3_norm(displacement) < BASELINE_MIN_DEPTH_RATIO * d->config.thickness ||
         vec3_norm_squared(push) == 0.0) {
         return VBSS_OK;
     }
     s->baseline->counts.responses++;
-    return vbss_baseline_record_contact(s, &key, vec3_unit_or(way, vec3_zero()), vec3_neg(push));
+    return vbss_baseline_record_contact(s, &key, vec3_unit_or(displacement, vec3_zero()),
+                                        vec3_neg(push));
 }
 
 vbss_result vbss_baseline_carry_holes(scene_object *s, double h)
@@ -125,7 +126,7 @@ static void note_forces(scene_object *s)
     }
 }
 
-static void look_for_punctures(scene_object *s, const scene_body *needle, const scene_body *drain)
+static void find_punctures(scene_object *s, const scene_body *needle, const scene_body *drain)
 {
     const scene_rigid *r = &needle->rigid;
     baseline_toggle *toggles = baseline_body_of(s, needle)->toggles;
@@ -156,7 +157,7 @@ void vbss_baseline_update_holes(scene_object *s)
         bool is_needle = needle->kind == SCENE_BODY_RIGID && needle->rigid.needle != NULL;
         for (uint32_t k = 0; is_needle && k < s->body_count; k++) {
             if (s->bodies[k].kind == SCENE_BODY_DRAIN) {
-                look_for_punctures(s, needle, &s->bodies[k]);
+                find_punctures(s, needle, &s->bodies[k]);
             }
         }
     }

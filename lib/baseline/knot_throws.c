@@ -28,14 +28,14 @@ static int strand_of(const baseline_loop *loop, const knot_input *scene, const c
     return before == (end == 0) ? end : -1;
 }
 
-typedef struct verdict {
+typedef struct crossing_result {
     bool inside, ties, inside_out;
-} verdict;
+} crossing_result;
 
-static verdict judge(baseline_loops *p, const projection_plane *plane, const knot_input *scene,
-                     const baseline_loop *loop, const crossing *c)
+static crossing_result judge(baseline_loops *p, const projection_plane *plane,
+                             const knot_input *scene, const baseline_loop *loop, const crossing *c)
 {
-    verdict v = {false, false, false};
+    crossing_result v = {false, false, false};
     int strand = strand_of(loop, scene, c);
     if (strand < 0) {
         return v;
@@ -59,7 +59,7 @@ static void count(baseline_loops *p, const projection_plane *plane, const knot_i
         if (loop->tool != tool || loop->inside == 0) {
             continue;
         }
-        verdict v = judge(p, plane, scene, loop, c);
+        crossing_result v = judge(p, plane, scene, loop, c);
         if (v.ties && here.loops == 0) {
             here.first_is_above = loop->first_is_above;
             here.inside_out = v.inside_out;

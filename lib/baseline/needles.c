@@ -50,7 +50,7 @@ static double height_of(const landing *l, const corner *c)
 /* Projected Gauss-Seidel. Returns the farthest that it has moved a corner. */
 static double make_round(landing *l, uint32_t count)
 {
-    double most = 0.0;
+    double max_displacement = 0.0;
     for (uint32_t i = 0; i < count; i++) {
         corner *c = &l->corners[i];
         double before = c->impulse;
@@ -58,9 +58,9 @@ static double make_round(landing *l, uint32_t count)
         double more = c->impulse - before;
         l->moved = vec3_add_scaled(l->moved, more / l->needle->body.mass, l->up);
         l->turned = vec3_add_scaled(l->turned, more, c->turn);
-        most = vbss_max(most, fabs(more) * c->rise);
+        max_displacement = vbss_max(max_displacement, fabs(more) * c->rise);
     }
-    return most;
+    return max_displacement;
 }
 
 static void begin_landing(landing *l, pose at, uint32_t count)
@@ -119,7 +119,7 @@ static vbss_rigid_motion fly(const scene_object *s, const scene_rigid *r,
     return body.now;
 }
 
-static void aim(const scene_object *s, scene_body *b, double h)
+static void set_needle_target(const scene_object *s, scene_body *b, double h)
 {
     scene_rigid *r = &b->rigid;
     const vbss_rigid_substep whole = {h, 0.0, 1.0};
@@ -146,7 +146,7 @@ void vbss_baseline_set_needle_targets(scene_object *s, double h)
     bool any = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
-            aim(s, &s->bodies[i], h);
+            set_needle_target(s, &s->bodies[i], h);
             any = true;
         }
     }
@@ -171,7 +171,7 @@ void vbss_baseline_reset_needle_targets(scene_object *s)
 
 /* ---- after a step: who leads */
 
-static void tell(scene_object *s, vbss_event_kind kind, const scene_body *tool)
+static void emit_grasp_event(scene_object *s, vbss_event_kind kind, const scene_body *tool)
 {
     const scene_needle_grasp *hold = &tool->rigid.needle_grasp;
     vbss_scene_add_event(s, kind, hold->needle, tool->number, (uint32_t)(1e6 * hold->arc));
@@ -195,7 +195,7 @@ static void lead(scene_object *s, scene_body *tool)
     baseline_body_of(s, needle)->leader = tool->number;
     tool->rigid.needle_grasp.pose_in_jaws =
         pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->rigid.body.now.pose);
-    tell(s, VBSS_EVENT_GRASP, tool);
+    emit_grasp_event(s, VBSS_EVENT_GRASP, tool);
 }
 
 static void let_go(scene_object *s, scene_body *tool)
@@ -203,7 +203,7 @@ static void let_go(scene_object *s, scene_body *tool)
     baseline_body *needle = baseline_body_of(s, needle_of(s, tool));
     if (needle->leader == tool->number) {
         needle->leader = 0;
-        tell(s, VBSS_EVENT_RELEASE, tool);
+        emit_grasp_event(s, VBSS_EVENT_RELEASE, tool);
     }
     tool->rigid.needle_grasp = (scene_needle_grasp){0};
 }
@@ -225,8 +225,8 @@ static scene_body *next_leader(const scene_object *s, const scene_body *needle)
 /* ---- jaws that have just closed */
 
 /* The place of the needle that is nearest to the middle line of the jaws, and goes across them; nearer than `nearest`. */
-static void look_along(const scene_body *tool, const scene_body *b, scene_needle_grasp *found,
-                       double *nearest)
+static void find_needle_grasp(const scene_body *tool, const scene_body *b,
+                              scene_needle_grasp *found, double *nearest)
 {
     const needle_object *n = b->rigid.needle;
     double jaw = vbss_grasper_current_jaws(tool->rigid.grasper)->length;
@@ -243,8 +243,8 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_needle
             closest_between_edges(vec3_sub(end, begin), vec3_make(0.0, 0.0, -jaw), vec3_neg(begin),
                                   &at[0], &at[1]); /* jaws point along -z from their pivot */
         double arc = (i + at[0]) * length;
-        vec3 way = quat_rotate(seen.orientation, vbss_needle_direction(n, arc));
-        if (vec3_norm(apart) <= *nearest && fabs(way.y) >= MIN_ACROSS) {
+        vec3 direction = quat_rotate(seen.orientation, vbss_needle_direction(n, arc));
+        if (vec3_norm(apart) <= *nearest && fabs(direction.y) >= MIN_ACROSS) {
             *nearest = vec3_norm(apart);
             *found = (scene_needle_grasp){
                 .needle = b->number, .arc = arc, .pose_in_jaws = pose_identity()};
@@ -258,7 +258,7 @@ static void take(scene_object *s, scene_body *tool)
     double nearest = tool->rigid.grasper->config.paper_distance;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
-            look_along(tool, &s->bodies[i], &found, &nearest);
+            find_needle_grasp(tool, &s->bodies[i], &found, &nearest);
         }
     }
     if (found.needle != 0) {

@@ -144,7 +144,7 @@ static vbss_result make_passes(scene_object *s, double h)
 
 /* ---- the end of the step */
 
-static void arrive(scene_object *s, double h)
+static void finish_motion(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
@@ -238,7 +238,7 @@ vbss_result vbss_baseline_scene_step(scene_object *s, double h)
     }
     note_counts(s);
     note_errors(s, h);
-    arrive(s, h);
+    finish_motion(s, h);
     vbss_scene_commit_capsules(s);
     vbss_scene_update_cut_exclusions(s);
     vbss_scene_update_touching_pairs(s);

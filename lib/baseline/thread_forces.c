@@ -151,12 +151,12 @@ vec3 vbss_baseline_reaction_torque(const thread_object *t, uint32_t node)
     const vec3 *x = t->now.x;
     vec3 torque = vec3_zero();
     if (clamp != NULL && node > 0) {
-        vec3 way = vec3_unit_or(vec3_sub(x[node], x[node - 1]), clamp->direction);
-        torque = moment_between(t, t->rest[node - 1], way, clamp->direction);
+        vec3 tangent = vec3_unit_or(vec3_sub(x[node], x[node - 1]), clamp->direction);
+        torque = moment_between(t, t->rest[node - 1], tangent, clamp->direction);
     }
     if (clamp != NULL && node + 1 < t->node_count) {
-        vec3 way = vec3_unit_or(vec3_sub(x[node + 1], x[node]), clamp->direction);
-        torque = vec3_sub(torque, moment_between(t, t->rest[node], clamp->direction, way));
+        vec3 tangent = vec3_unit_or(vec3_sub(x[node + 1], x[node]), clamp->direction);
+        torque = vec3_sub(torque, moment_between(t, t->rest[node], clamp->direction, tangent));
     }
     return torque;
 }

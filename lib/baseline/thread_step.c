@@ -50,9 +50,9 @@ static void prepare_springs(thread_object *t, double dt)
         double mobility = t->baseline->rows[i].inverse_mass + t->baseline->rows[i + 1].inverse_mass;
         double stiffness = t->config.paper_stiffness;
         if (stiffness == 0.0 && mobility > 0.0) {
-            double most = t->config.axial_stiffness / t->rest[i];
+            double max_stiffness = t->config.axial_stiffness / t->rest[i];
             stiffness = 2.0 * BASELINE_SPRING_FRACTION / (dt * dt * mobility);
-            stiffness = stiffness < most ? stiffness : most;
+            stiffness = stiffness < max_stiffness ? stiffness : max_stiffness;
         }
         t->baseline->rows[i].stiffness = stiffness;
     }
@@ -74,9 +74,9 @@ static void gather_forces(thread_object *t, double h, double begin, double end, 
             *force = vec3_add(*force, a->force);
         } else if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
             vec3 stretch = vec3_sub(vbss_thread_attachment_position(a, end), t->now.x[a->node]);
-            vec3 way = vec3_sub(a->target, a->position);
+            vec3 displacement = vec3_sub(a->target, a->position);
             *force = vec3_add_scaled(*force, a->stiffness, stretch);
-            *force = vec3_add_scaled(*force, a->damping / h, way);
+            *force = vec3_add_scaled(*force, a->damping / h, displacement);
         }
     }
 }
