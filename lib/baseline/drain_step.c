@@ -1,6 +1,6 @@
-/* One step of the baseline drain in equal explicit parts, as of the thread:
+/* One step of the baseline drain in equal explicit substeps, like the baseline thread:
  *   forces -> velocities (symplectic Euler) -> damping -> positions.
- * Nothing but the damping and the collision with others knows neighbours. */
+ * Only the damping and contacts with other bodies couple neighbouring particles. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "baseline/drain.h"
@@ -19,7 +19,8 @@ static void prepare_masses(drain_object *d)
     }
 }
 
-/* A particle on its spring is stable below dt = 2 sqrt(mass / stiffness); what resists its velocity lengthens this. */
+/* A particle on its spring is stable below dt = 2 sqrt(mass / stiffness). Drag and attached
+ * springs only raise this limit. */
 static uint32_t count_parts(const drain_object *d, double h)
 {
     double rate = 0.0;
@@ -35,7 +36,7 @@ static uint32_t count_parts(const drain_object *d, double h)
     return vbss_baseline_substep_count(h, rate);
 }
 
-/* Drag and attached springs are implicit and count as mass, as in the paper's thread. */
+/* Drag and attached springs are implicit and count as mass, as in the baseline thread. */
 static void prepare_mobilities(drain_object *d, double dt)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
@@ -53,7 +54,7 @@ static void prepare_mobilities(drain_object *d, double dt)
     }
 }
 
-/* ---- one explicit part */
+/* ---- one explicit substep */
 
 static void pull_back(drain_object *d)
 {
@@ -63,7 +64,7 @@ static void pull_back(drain_object *d)
     }
 }
 
-/* What attachments add to the forces of the springs. */
+/* Adds gravity and the forces of attachments to the forces of the springs. */
 static void gather_forces(drain_object *d, double end, vec3 *sums)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
@@ -100,7 +101,7 @@ static void move_to(drain_object *d, uint32_t node, vec3 to)
     d->x[node] = to;
 }
 
-/* Pinned particles go evenly to their places. */
+/* Moves free particles with their velocities, and pinned ones evenly towards their targets. */
 static void move(drain_object *d, double dt, double end)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {

@@ -1,4 +1,4 @@
-/* The number of substeps of an explicit step. */
+/* Number of explicit substeps, from the rate that limits their stability. */
 #include "baseline/explicit_substeps.h"
 
 #include <math.h>

@@ -1,18 +1,20 @@
-/* Holes by the baseline: where algorithm 3 has seen a needle go through a wall, the particles of the triangle follow the needle
- * by their weights, as responses to contacts do, and the wall round it does not touch it: docs/paper-needle.md. */
+/* Holes of the baseline. Where algorithm 3 has detected that a needle passed through a wall, the
+ * particles of that triangle follow the needle by their weights, like responses to contacts. The
+ * wall around the hole does not collide with the needle: docs/paper-needle.md. */
 #include "base/error.h"
 #include "baseline/drain.h"
 #include "baseline/scene.h"
 #include "scene/tissue/tissue.h"
 
-/* ---- carrying */
+/* ---- motion of the particles at holes */
 
 static pose needle_at_end(const scene_rigid *r)
 {
     return pose_mul(r->trial, pose_inverse(r->frame));
 }
 
-/* From the hole to where the needle is in it: along the needle it has slid to the place beside. */
+/* Slides the hole along the needle's tangent to the nearest point, and returns the displacement
+ * from the hole to that point. */
 static vec3 displacement_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
 {
     const needle_object *n = r->needle;
@@ -22,14 +24,14 @@ static vec3 displacement_to_needle(suture_hole *hole, const scene_rigid *r, vec3
     return vec3_sub(pose_apply(needle_at_end(r), vbss_needle_point(n, hole->arc)), here);
 }
 
-/* The point of the triangle goes all of the way, each corner as far as it is light and near. Returns mass times
- * displacement. */
+/* Moves the point of the triangle by the displacement. Each corner moves in proportion to its
+ * weight over its mass. Returns mass times displacement. */
 static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 displacement, double h)
 {
     const uint32_t *node = d->mesh.triangles[hole->triangle];
     double light[3], sum = 0.0;
     vec3 push = vec3_zero();
-    for (int k = 0; k < 3; k++) { /* pinned ones stay */
+    for (int k = 0; k < 3; k++) { /* pinned corners stay */
         light[k] =
             d->baseline->free_mass[node[k]] > 0.0 ? hole->barycentric[k] / d->mass[node[k]] : 0.0;
         sum += hole->barycentric[k] * light[k];
@@ -78,7 +80,7 @@ void vbss_baseline_locate_hole_contact(const scene_object *s, scene_contact_reco
     hit->gap = 0.0;
 }
 
-/* ---- what does not touch */
+/* ---- pairs that do not collide */
 
 static bool has_node_of(const drain_object *d, const uint32_t side[2], uint32_t triangle)
 {
@@ -112,7 +114,7 @@ bool vbss_baseline_is_in_hole(const scene_object *s, const scene_body *needle, u
 
 /* ---- after a step */
 
-/* What the wall did to the needle in it. */
+/* Stores the contact forces of walls on needles at their holes. */
 static void note_forces(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {

@@ -1,27 +1,30 @@
-/* Needles by the baseline: one follows the first tool whose jaws have closed on it, exactly; another that closes on it changes
- * nothing until the first lets go, and leads from then on. A free one flies, comes down on the floor, and stays in the walls
- * that it goes through: docs/paper-needle.md. */
+/* Needles of the baseline. A needle follows the first tool whose jaws have closed on it,
+ * exactly. A second tool waits until the first releases the needle, and leads it from then on. A
+ * free needle flies, lands on the floor, and stays in the walls that it passes through:
+ * docs/paper-needle.md. */
 #include "baseline/scene.h"
 
 #include "collision/closest.h"
 #include "scene/tuning.h"
 
-/* Jaws hold a needle that goes across them: cosine of the largest angle, 45 degrees, between it and the width of the jaws. */
+/* Jaws hold a needle that lies across them: cosine of the largest angle, 45 degrees, between the
+ * needle and the width of the jaws. Chosen. */
 #define MIN_ACROSS 0.70710678118654752
 
-/* ---- the floor: nothing of it below, nothing pulled down, so that it comes down and does not bounce */
+/* ---- landing: the floor pushes the ends of capsules up and never pulls them down, so a needle
+ * does not bounce */
 
-/* An end of a capsule, on which the floor acts upward. */
+/* The end of a capsule, on which the floor acts upward. */
 typedef struct corner {
-    vec3 arm, turn;       /* from the centre of mass; of the needle, by an impulse of 1 */
-    double rise, impulse; /* of the corner, by an impulse of 1; so far */
+    vec3 arm, turn;       /* arm from the centre of mass; rotation by a unit impulse */
+    double rise, impulse; /* rise by a unit impulse; sum of the impulses so far */
 } corner;
 
 typedef struct landing {
     const scene_rigid *needle;
     vec3 up;
-    double height; /* of the middle of the wire on the floor */
-    pose at;       /* where it would be without the floor */
+    double height; /* smallest height of the wire's centre line, m */
+    pose at;       /* pose without the floor */
     vec3 moved, turned;
     corner corners[NEEDLE_MAX_SEGMENTS + 1];
 } landing;
@@ -47,7 +50,7 @@ static double height_of(const landing *l, const corner *c)
     return vec3_dot(l->up, vec3_add(vec3_add(l->at.position, c->arm), moved)) - l->height;
 }
 
-/* Projected Gauss-Seidel. Returns the farthest that it has moved a corner. */
+/* One round of projected Gauss-Seidel. Returns the largest displacement of a corner, m. */
 static double make_round(landing *l, uint32_t count)
 {
     double max_displacement = 0.0;
@@ -87,13 +90,13 @@ static void land(const scene_object *s, const scene_rigid *r, pose *at)
     }
     vbss_rigid_apply_increment(at, l.moved, l.turned);
     begin_landing(&l, *at, count);
-    for (uint32_t i = 0; i < count; i++) { /* turns are not small */
+    for (uint32_t i = 0; i < count; i++) { /* the rotation is finite, not linear */
         below = vbss_min(below, height_of(&l, &l.corners[i]));
     }
     at->position = vec3_add_scaled(at->position, -below, s->floor_normal);
 }
 
-/* ---- before a step: where it will be */
+/* ---- before a step: targets */
 
 static bool is_in_a_wall(const scene_object *s, const scene_body *b)
 {
@@ -169,7 +172,7 @@ void vbss_baseline_reset_needle_targets(scene_object *s)
     }
 }
 
-/* ---- after a step: who leads */
+/* ---- after a step: leaders */
 
 static void emit_grasp_event(scene_object *s, vbss_event_kind kind, const scene_body *tool)
 {
@@ -188,7 +191,7 @@ static bool has_closed_on_one(const scene_body *b)
            b->rigid.needle_grasp.needle != 0;
 }
 
-/* It stays as it is to the tool from now on. */
+/* The needle keeps its present pose relative to the tool. */
 static void lead(scene_object *s, scene_body *tool)
 {
     const scene_body *needle = needle_of(s, tool);
@@ -208,7 +211,7 @@ static void let_go(scene_object *s, scene_body *tool)
     tool->rigid.needle_grasp = (scene_needle_grasp){0};
 }
 
-/* Who has closed on it first; NULL: nobody waits. */
+/* Returns the tool that has closed on the needle first, or NULL if none waits. */
 static scene_body *next_leader(const scene_object *s, const scene_body *needle)
 {
     scene_body *first = NULL;
@@ -224,7 +227,8 @@ static scene_body *next_leader(const scene_object *s, const scene_body *needle)
 
 /* ---- jaws that have just closed */
 
-/* The place of the needle that is nearest to the middle line of the jaws, and goes across them; nearer than `nearest`. */
+/* Finds the point of a needle that is nearest to the centre line of the jaws, nearer than
+ * *nearest, where the needle lies across the jaws. */
 static void find_needle_grasp(const scene_body *tool, const scene_body *b,
                               scene_needle_grasp *found, double *nearest)
 {
@@ -264,7 +268,7 @@ static void take(scene_object *s, scene_body *tool)
     if (found.needle != 0) {
         tool->rigid.needle_grasp = found;
         baseline_body_of(s, tool)->has_closed_jaws =
-            false; /* on a needle, and on nothing beside it */
+            false; /* jaws that hold a needle take no node */
     }
 }
 

@@ -1,6 +1,6 @@
-/* The response of VBLaST-SS (Qi et al. 2017, algorithm 2), with one consistent set of signs and
- * with rules for the cases that the paper leaves open: docs/paper-collision.md. q and w lead from b
- * to a. */
+/* The response of VBLaST-SS (Qi et al. 2017, algorithm 2), with one consistent set of signs, and
+ * with rules for the cases that the paper leaves open: docs/paper-collision.md. The vectors q
+ * and w lead from b to a. */
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/collision.h"
@@ -47,7 +47,7 @@ static double larger_component(double size, vec3 v)
     return largest > size ? largest : size;
 }
 
-/* Component of r along n, reversed so that it leads from b to a; zero if n is zero. */
+/* Returns the component of r along n, reversed so that it leads from b to a; zero if n is zero. */
 static vec3 back_along(vec3 n, vec3 r)
 {
     double nn = vec3_norm_squared(n);
@@ -107,8 +107,8 @@ typedef struct correction {
     bool completed;
 } correction;
 
-/* Direction for features that meet, where the vector between them has none. `closing` is the motion
- * of b relative to a. */
+/* Returns the direction for features that meet, where the vector between them has none.
+ * `closing` is the motion of b relative to a. */
 static vec3 direction_where_they_meet(const hit_pair *pair, const separation *before,
                                       const separation *after, vec3 closing)
 {
@@ -128,8 +128,8 @@ static vec3 direction_where_they_meet(const hit_pair *pair, const separation *be
     return vec3_unit_or(known, any);
 }
 
-/* As printed in the paper. The shortest vector is that of step (i) of the test, unless the lines
- * have crossed. */
+/* Computes the correction as printed in the paper. The shortest vector is that of step (i) of
+ * the test, unless the lines have crossed. */
 static correction at_end_of_step(const hit_pair *pair, const separation *before,
                                  const separation *after, vec3 closing)
 {
@@ -147,7 +147,7 @@ static correction at_end_of_step(const hit_pair *pair, const separation *before,
     double sigma = sign < 0.0 ? -1.0 : 1.0, length = vec3_norm(apart);
     c.q = vec3_scale(apart, sigma / length);
     c.depth -= sigma * length;
-    /* already D apart: nothing to correct, and features are not drawn together */
+    /* features at least D apart need no correction, and a response never pulls them together */
     if (c.depth < 0.0) {
         c.depth = 0.0;
         c.completed = true;
@@ -221,7 +221,8 @@ static void displace(const hit_pair *pair, const double weights[4], const side *
 
 static vbss_response respond(const hit_pair *pair, vbss_response_variant variant)
 {
-    /* A hit at time 1 has no other time of impact, and its normal may be that after a crossing. */
+    /* A hit at time 1 has no earlier time of impact, and its normal may be that after a
+     * crossing. */
     bool end_of_step = variant == VBSS_RESPONSE_END_OF_STEP || pair->impact.time == 1.0;
     separation before = separate(pair, pair->start), after = separate(pair, pair->end);
     const double *weights = end_of_step ? after.weights : pair->impact.weights;
@@ -262,7 +263,8 @@ static vbss_result check_sum(const double *weights, int count)
     return vbss_check_range(NULL, sum, 0.999999, 1.000001, "sum of impact->weights");
 }
 
-/* Accepts impacts that a test can return: a hit with weights, and a unit normal or none. */
+/* Accepts the impacts that a test can return: a hit with weights, and with a unit normal or
+ * none. */
 static vbss_result check_impact(const vbss_impact *impact, int first_of_b)
 {
     VBSS_TRY(vbss_check_range(NULL, impact->hit, 1.0, 1.0, "impact->hit"));
