@@ -1,7 +1,8 @@
-/* A step of VBLaST-SS (Qi et al. 2017): what docs/paper-scene.md tells in full.
- *   tool poses -> needles -> threads and drains, each by its own explicit steps -> passes of detection and response,
- *   until nothing hits -> events -> tool forces
- * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
+/* A step of VBLaST-SS (Qi et al. 2017); docs/paper-scene.md describes it in full.
+ *   tool poses -> needles -> threads and drains, each with its own explicit substeps
+ *   -> passes of detection and response, until no pair hits -> events -> tool forces
+ * Rigid bodies follow their targets, whatever is in the way; needles follow tools or fly. The
+ * method has no friction, and no CCD after the responses. */
 #include "base/error.h"
 #include "baseline/drain.h"
 #include "baseline/scene.h"
@@ -12,7 +13,7 @@
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
 
-/* ---- as it was, if the step fails */
+/* ---- checkpoint and rollback */
 
 static vbss_result keep(scene_object *s)
 {
@@ -53,15 +54,15 @@ static void go_back(scene_object *s)
     s->report.generation++;
 }
 
-/* ---- where everything goes */
+/* ---- motion without contacts */
 
-/* The capsules' axes at both ends of the step, for the tests and for the search. */
+/* Sets the axes of the capsules at both ends of the step, for the tests and for the broad phase. */
 static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid *r, double h)
 {
     const vbss_rigid_substep whole = {h, 0.0, 1.0};
     uint32_t count = 2 * r->capsule_count;
     vec3 *start = s->scratch.vertices, *end = start + count;
-    if (r->needle == NULL) { /* needles have been aimed */
+    if (r->needle == NULL) { /* needles have their prediction already */
         r->predicted = vbss_rigid_target_motion(&r->body, &whole);
     }
     r->trial = r->predicted.pose;
@@ -94,7 +95,6 @@ static vbss_result move_bodies(scene_object *s, double h)
 
 /* ---- passes */
 
-/* Far below what collision refuses; a sum is finite only if all its terms are. */
 static double sum_motion(const vec3 *x, const vec3 *v, uint32_t count)
 {
     double sum = 0.0;
@@ -104,6 +104,7 @@ static double sum_motion(const vec3 *x, const vec3 *v, uint32_t count)
     return sum;
 }
 
+/* A sum is finite only if all its terms are. The limit is far below what collision refuses. */
 static bool is_sound(const scene_object *s)
 {
     double sum = 0.0;
@@ -139,12 +140,12 @@ static vbss_result make_passes(scene_object *s, double h)
     if (counts->has_converged) {
         return VBSS_OK;
     }
-    return search(s); /* what the last pass has moved is near others now */
+    return search(s); /* the last pass has moved features next to others */
 }
 
 /* ---- the end of the step */
 
-static void arrive(scene_object *s, double h)
+static void finish_motion(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
@@ -175,7 +176,7 @@ static void note_errors(scene_object *s, double h)
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
-            vbss_baseline_record_stretch(t); /* responses have stretched it again */
+            vbss_baseline_record_stretch(t); /* responses have stretched the thread again */
             stretch = vbss_max(t->statistics.last_stretch_error, stretch);
         }
     }
@@ -188,7 +189,7 @@ static void note_errors(scene_object *s, double h)
     c->parts++;
 }
 
-/* The hand that leads a coupled body feels what one that drives it would. */
+/* A hand that leads a coupled body feels the same force as one that drives it. */
 static void note_hands(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -238,7 +239,7 @@ vbss_result vbss_baseline_scene_step(scene_object *s, double h)
     }
     note_counts(s);
     note_errors(s, h);
-    arrive(s, h);
+    finish_motion(s, h);
     vbss_scene_commit_capsules(s);
     vbss_scene_update_cut_exclusions(s);
     vbss_scene_update_touching_pairs(s);

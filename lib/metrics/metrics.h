@@ -83,7 +83,7 @@ typedef enum metrics_fact {
  * kind PUNCTURE among the incidents: an attempt. */
 typedef struct metrics_entry {
     vbss_metrics_event_kind kind;
-    uint32_t number, standing; /* standing: not undone */
+    uint32_t number, is_active; /* is_active: 0 once the event is undone */
     int32_t tool, wraps, handedness, relation;
     uint64_t step;
     double time, undone_time;

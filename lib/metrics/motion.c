@@ -28,7 +28,7 @@ static vbss_result find_window(const metrics_object *m, int32_t phase, tick_wind
     const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
     if (phase >= 0) {
         begin = vbss_metrics_tick_from(m, m->phases[phase].start_time);
-    } else if (appeared->standing) {
+    } else if (appeared->is_active) {
         begin = vbss_metrics_tick_from(m, appeared->time);
     }
     if (phase >= 0 && (uint32_t)phase + 1 < m->phase_count) {

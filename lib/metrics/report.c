@@ -22,7 +22,7 @@ static const vbss_layout penalty_layout = {"vbss_metrics_penalty", NULL, penalty
 
 bool vbss_metrics_is_stopped(const metrics_object *m)
 {
-    return m->facts[METRICS_CUT].standing && m->facts[METRICS_CUT + 1].standing;
+    return m->facts[METRICS_CUT].is_active && m->facts[METRICS_CUT + 1].is_active;
 }
 
 double vbss_metrics_stop_time(const metrics_object *m)
@@ -35,7 +35,7 @@ double vbss_metrics_stop_time(const metrics_object *m)
 double vbss_metrics_task_time(const metrics_object *m)
 {
     const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
-    return appeared->standing ? vbss_max(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
+    return appeared->is_active ? vbss_max(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
 }
 
 /* ---- the report */
@@ -52,21 +52,21 @@ static void report_facts(const metrics_object *m, vbss_metrics_report *r)
     static const uint32_t puncture[2] = {VBSS_METRICS_PUNCTURE_0, VBSS_METRICS_PUNCTURE_1};
     static const uint32_t tail[2] = {VBSS_METRICS_TAIL_0, VBSS_METRICS_TAIL_1};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
-        r->flags |= m->facts[known[i].fact].standing ? known[i].flag : 0u;
+        r->flags |= m->facts[known[i].fact].is_active ? known[i].flag : 0u;
     }
     for (int i = 0; i < 2; i++) {
         const metrics_entry *cut = &m->facts[METRICS_CUT + i],
-                            *length = cut->standing ? cut : &m->facts[METRICS_TAIL + i];
-        if (m->facts[METRICS_PUNCTURE + i].standing) {
+                            *length = cut->is_active ? cut : &m->facts[METRICS_TAIL + i];
+        if (m->facts[METRICS_PUNCTURE + i].is_active) {
             r->flags |= puncture[i];
             r->deviation_mm[i] = m->facts[METRICS_PUNCTURE + i].value[0];
         }
-        if (length->standing) {
+        if (length->is_active) {
             r->flags |= tail[i];
             r->tail_mm[i] = MILLIMETRES * length->value[0];
         }
     }
-    if (m->facts[METRICS_GAP].standing) {
+    if (m->facts[METRICS_GAP].is_active) {
         r->gap_mm = m->facts[METRICS_GAP].value[0];
         r->gap_largest_mm = m->facts[METRICS_GAP].value[1];
     }
@@ -76,7 +76,7 @@ static void count_throws(const metrics_object *m, vbss_metrics_report *r)
 {
     for (uint32_t i = 0; i < m->throw_count; i++) {
         const metrics_entry *tied = &m->throws[i];
-        if (tied->standing) {
+        if (tied->is_active) {
             r->throw_count++;
             r->square_count += tied->relation == VBSS_METRICS_RELATION_SQUARE;
             r->granny_count += tied->relation == VBSS_METRICS_RELATION_GRANNY;
@@ -89,7 +89,7 @@ static void count_incidents(const metrics_object *m, vbss_metrics_report *r)
 {
     for (uint32_t i = 0; i < m->incident_count; i++) {
         const metrics_entry *entry = &m->incidents[i];
-        if (!entry->standing) {
+        if (!entry->is_active) {
             continue;
         }
         if (entry->kind == VBSS_METRICS_EVENT_PUNCTURE) {
@@ -158,7 +158,7 @@ vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,
     const metrics_entry *entry = &m->throws[index];
     vbss_metrics_throw own = {.struct_size = sizeof own,
                               .number = entry->number,
-                              .standing = entry->standing,
+                              .standing = entry->is_active,
                               .tool = entry->tool,
                               .wraps = entry->wraps,
                               .handedness = entry->handedness,

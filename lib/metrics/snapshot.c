@@ -115,7 +115,7 @@ static void visit_entry(vbss_stream *stream, metrics_entry *n)
     double numbers[] = {n->time, n->undone_time, n->value[0], n->value[1]};
     vbss_stream_i32(stream, 40, words, sizeof words / sizeof words[0]);
     vbss_stream_u32(stream, 41, &n->number, 1);
-    visit_flag(stream, 42, &n->standing);
+    visit_flag(stream, 42, &n->is_active);
     vbss_stream_u64(stream, 43, &n->step, 1);
     visit_bounded(stream, 44, numbers, 4, LARGEST_FIGURE);
     visit_bounded(stream, 45, &n->position.x, 3, METRICS_LARGEST_POSITION);
@@ -133,7 +133,7 @@ static void visit_entry(vbss_stream *stream, metrics_entry *n)
     refuse(stream, n->tool < VBSS_METRICS_LEFT || n->tool > VBSS_METRICS_NO_TOOL);
 }
 
-static void visit_told(vbss_stream *stream, metrics_object *m)
+static void visit_events(vbss_stream *stream, metrics_object *m)
 {
     vbss_stream_count(stream, 50, &m->throw_count, m->config.throw_capacity);
     vbss_stream_count(stream, 51, &m->incident_count, m->config.incident_capacity);
@@ -188,7 +188,7 @@ void vbss_metrics_serialise(vbss_stream *stream, void *object)
     for (int i = 0; i < METRICS_HANDS; i++) {
         visit_hand(stream, m, &m->hands[i]);
     }
-    visit_told(stream, m);
+    visit_events(stream, m);
     visit_pull(stream, &m->pull);
     if (stream->mode == VBSS_STREAM_READ) {
         m->generation++;

@@ -180,7 +180,7 @@ static void visit_needle(vbss_stream *stream, scene_object *s, const scene_body 
     s->method->serialise_needle(stream, s, b);
 }
 
-static void visit_told(vbss_stream *stream, scene_rigid *r)
+static void visit_pending_target(vbss_stream *stream, scene_rigid *r)
 {
     uint32_t has_pending_target = r->has_pending_target;
     if (stream->version >= 6) {
@@ -228,7 +228,7 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
         visit_needle(stream, s, b);
     }
     vbss_rigid_serialise(stream, 30, &r->body);
-    visit_told(stream, r);
+    visit_pending_target(stream, r);
     vbss_stream_f64(stream, 50, &r->force.x, 3);
     vbss_stream_f64(stream, 51, &r->torque.x, 3);
     vbss_stream_f64(stream, 52, &r->coupling_wrench.force.x, 3);
