@@ -171,7 +171,7 @@ static uint32_t parts_of(const scene_object *s)
            (s->overlap_count > 0 ? HAS_OVERLAPS : 0);
 }
 
-static bool is_valid_word(const scene_object *s, const uint32_t words[3])
+static bool is_valid_state(const scene_object *s, const uint32_t words[3])
 {
     const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
     bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
@@ -208,7 +208,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     } else {
         words[0] = words[1] = words[2] = 0;
     }
-    if (reads && !is_valid_word(s, words)) {
+    if (reads && !is_valid_state(s, words)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");
         words[0] = words[1] = 0;
     }

@@ -126,12 +126,14 @@ bool vbss_scene_split_slow_islands(scene_object *s)
     if (cursor->attempts > 0 || cursor->substep.start_fraction > 0.0) {
         return false;
     }
-    uint32_t most = 0;
+    uint32_t max_halvings = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        most = vbss_scene_is_mobile(s, b) && b->next_halvings > most ? b->next_halvings : most;
+        max_halvings = vbss_scene_is_mobile(s, b) && b->next_halvings > max_halvings
+                           ? b->next_halvings
+                           : max_halvings;
     }
-    const double size = vbss_scene_substep_size(most);
+    const double size = vbss_scene_substep_size(max_halvings);
     if (size >= cursor->size) {
         return false;
     }
