@@ -99,10 +99,24 @@ static void compute(knot_curve *curve, knot_ops *budget)
         bool same = vbss_knot_invariants_same(vbss_knot_invariants_of(&r->factors), *v);
         r->throws = same;
         end_reading(curve, same ? VBSS_KNOT_REASON_NONE : VBSS_KNOT_REASON_CONFLICT);
+    } else if (vbss_knot_match(*v, &r->factors)) {
+        vbss_knot_jones_begin(&curve->bracket, code, budget);
+        curve->stage = KNOT_CURVE_CONFIRM;
     } else {
-        r->throws = vbss_knot_match(*v, &r->factors);
         end_reading(curve, VBSS_KNOT_REASON_NONE);
     }
+}
+
+/* Other knots may have the same determinant, signatures, v2 and v3 as throws, or as no knot. */
+static void confirm(knot_curve *curve, knot_ops *budget)
+{
+    knot_reading *r = &curve->reading;
+    if (!vbss_knot_bracket_resume(&curve->bracket, budget)) {
+        return;
+    }
+    bool is_known = vbss_knot_jones_end(&curve->bracket, &r->invariants);
+    r->throws = is_known && vbss_knot_match(r->invariants, &r->factors);
+    end_reading(curve, is_known ? VBSS_KNOT_REASON_NONE : VBSS_KNOT_REASON_CAPACITY);
 }
 
 static void finish_projecting(knot_curve *curve)
@@ -149,6 +163,9 @@ bool vbss_knot_curve_resume(knot_curve *curve, knot_ops *budget)
         case KNOT_CURVE_COMPUTE:
             compute(curve, budget);
             break;
+        case KNOT_CURVE_CONFIRM:
+            confirm(curve, budget);
+            break;
         case KNOT_CURVE_READ:
             break;
         }
@@ -169,6 +186,12 @@ static bool same_throws(const knot_factors *a, const knot_factors *b)
     return same;
 }
 
+/* Only the Jones polynomial tells it from throws. */
+static bool is_refuted(const knot_reading *r)
+{
+    return r->invariants.jones_known && !r->throws;
+}
+
 bool vbss_knot_readings_agree(const knot_reading *a, const knot_reading *b)
 {
     if (a->reason != VBSS_KNOT_REASON_NONE || b->reason != VBSS_KNOT_REASON_NONE) {
@@ -177,5 +200,6 @@ bool vbss_knot_readings_agree(const knot_reading *a, const knot_reading *b)
     if (a->certified && b->certified) {
         return same_throws(&a->factors, &b->factors);
     }
-    return vbss_knot_invariants_same(a->invariants, b->invariants);
+    bool refuted = (is_refuted(a) && b->throws) || (is_refuted(b) && a->throws);
+    return !refuted && vbss_knot_invariants_same(a->invariants, b->invariants);
 }

@@ -198,11 +198,75 @@ bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uin
  * right-handed 3_1. */
 void vbss_knot_vassiliev(const knot_gauss_code *code, int64_t *v2, int64_t *v3, knot_ops *budget);
 
+/* The Kauffman bracket of a code, at elements A of the field of integers modulo 2^31 - 1
+ * (kauffman_bracket.c). */
+enum {
+    KNOT_JONES_POINTS = 4,
+    KNOT_CROSSING_ARCS = 4,
+    KNOT_SMOOTHINGS = 2,
+    KNOT_SMOOTHING_LOOPS = 3, /* a smoothing closes at most two loops */
+    KNOT_BRACKET_ARRAYS = 5,
+    KNOT_BRACKET_SLOTS = 20,   /* most open arcs, with those of the crossing under way */
+    KNOT_BRACKET_STATES = 1430 /* most pairings: all planar pairings of 16 open arcs */
+};
+
+typedef struct knot_bracket_crossing {
+    uint16_t arcs[KNOT_CROSSING_ARCS]; /* over strand: in, out; under strand: in, out */
+    int8_t sign;
+    bool is_swept;
+} knot_bracket_crossing;
+
+/* A pairing of the open arcs, and the sum over all states of the swept crossings that have it. */
+typedef struct knot_bracket_state {
+    uint8_t mate[KNOT_BRACKET_SLOTS]; /* slot of the other arc of each pair; 0 in a free slot */
+    uint32_t value[KNOT_JONES_POINTS];
+} knot_bracket_state;
+
+/* The change by one crossing. */
+typedef struct knot_bracket_addition {
+    uint8_t slots[KNOT_CROSSING_ARCS];
+    bool opens[KNOT_CROSSING_ARCS];  /* the arc is not open before */
+    bool closes[KNOT_CROSSING_ARCS]; /* the arc is not open afterwards */
+    /* by smoothing, and by the number of loops that it closes */
+    uint32_t factors[KNOT_SMOOTHINGS][KNOT_SMOOTHING_LOOPS][KNOT_JONES_POINTS];
+} knot_bracket_addition;
+
+typedef struct knot_bracket {
+    uint32_t crossing_capacity;
+    uint32_t a[KNOT_JONES_POINTS], inverse_a[KNOT_JONES_POINTS]; /* A and 1 / A */
+    uint32_t loop[KNOT_JONES_POINTS];                            /* -A^2 - A^-2 */
+    uint32_t crossing_count, swept_count, state_count;
+    knot_bracket_crossing *crossing; /* the crossing under way; NULL: none */
+    knot_bracket_addition addition;  /* of that crossing */
+    uint32_t cursor, old_count;      /* next state without that crossing; number of these states */
+    knot_bracket_crossing *crossings;
+    uint8_t *slots; /* of each arc; KNOT_BRACKET_SLOTS if the arc is not open */
+    bool is_slot_used[KNOT_BRACKET_SLOTS];
+    bool is_full; /* too many open arcs or pairings: there is no result */
+    knot_bracket_state *states, *next_states;
+    uint16_t *index; /* hash table of `next_states` */
+} knot_bracket;
+void vbss_knot_bracket_arrays(knot_bracket *b, uint32_t crossing_capacity,
+                              vbss_array arrays[KNOT_BRACKET_ARRAYS]);
+/* Starts the sweep over a code of 1 to crossing_capacity crossings. */
+void vbss_knot_bracket_begin(knot_bracket *b, const knot_gauss_code *code,
+                             const uint32_t a[KNOT_JONES_POINTS]);
+/* Returns true when the sweep is done or full. The bracket is then the value of the only state; a
+ * loop without crossings has the bracket `loop`. */
+bool vbss_knot_bracket_resume(knot_bracket *b, knot_ops *budget);
+
 typedef struct knot_invariants {
     int64_t determinant, v2, v3;
     int32_t signature, signature_tristram;
-    bool known; /* false if a signature could not be determined */
+    uint32_t jones[KNOT_JONES_POINTS]; /* values of the Jones polynomial */
+    bool known;                        /* false if a signature could not be determined */
+    bool jones_known;                  /* false if the Jones polynomial was not computed */
 } knot_invariants;
+
+/* Values of the Jones polynomial (jones.c): starts the sweep for a code with crossings. */
+void vbss_knot_jones_begin(knot_bracket *b, const knot_gauss_code *code, knot_ops *budget);
+/* Stores the values after the sweep. Returns false if the diagram did not fit the bracket. */
+bool vbss_knot_jones_end(const knot_bracket *b, knot_invariants *invariants);
 
 /* ---- decomposition of a code (twist_regions.c), and sums with given invariants (catalogue.c) */
 
@@ -223,8 +287,9 @@ typedef struct knot_factors {
  * point at infinity, so the inside is defined. */
 bool vbss_knot_decompose(const knot_gauss_code *code, knot_factors *factors);
 
-/* Invariants of a connected sum of throws. */
+/* Invariants of a connected sum of throws, all but the Jones polynomial. */
 knot_invariants vbss_knot_invariants_of(const knot_factors *factors);
+void vbss_knot_jones_of(const knot_factors *factors, uint32_t jones[KNOT_JONES_POINTS]);
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b);
 /* Finds the only sum of at most KNOT_THROWS throws of at most three wraps that has these
  * invariants. Returns false if there is none. */
@@ -275,6 +340,7 @@ typedef enum knot_curve_stage {
     KNOT_CURVE_PROJECT,
     KNOT_CURVE_UNTANGLE,
     KNOT_CURVE_COMPUTE,
+    KNOT_CURVE_CONFIRM, /* by the Jones polynomial: the other invariants are those of throws */
     KNOT_CURVE_READ
 } knot_curve_stage;
 
@@ -286,6 +352,7 @@ typedef struct knot_curve {
     knot_projector projector;
     knot_gauss_code codes[KNOT_CODES]; /* the present one, the best so far, and a spare one */
     knot_algebra algebra;
+    knot_bracket bracket;
     knot_curve_stage stage;
     bool checked; /* compute invariants even if the curve is certified */
     bool overflowed, has_best;
