@@ -123,7 +123,7 @@ static void signature(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
     knot_ops work = INT64_MAX;
-    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_ORDINARY_1000,
+    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_ORDINARY_10000,
                               &curve->reading.invariants.signature, &work);
     r->result = (uint64_t)curve->reading.invariants.signature;
 }
@@ -132,7 +132,7 @@ static void tristram(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
     knot_ops work = INT64_MAX;
-    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_TRISTRAM_1000,
+    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_TRISTRAM_10000,
                               &curve->reading.invariants.signature_tristram, &work);
     r->result = (uint64_t)curve->reading.invariants.signature_tristram;
 }

@@ -13,9 +13,9 @@
 /* The prime that determinants are computed by: what is known of those from 2^30 on is the remainder. */
 #define PRIME 2147483647
 
-/* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.911) / pi = 0.27062320040. No odd / (2 k + 1) with k below 2048 is nearer than
- * 1e-7. */
-#define TRISTRAM_1E9 270623200
+/* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.9114) / pi = 0.27000506897. No odd / (2 k + 1) with k below 2048 is nearer than
+ * 9e-8. */
+#define TRISTRAM_1E9 270005069
 
 enum { MAX_WRAPS = 3 };
 

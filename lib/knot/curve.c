@@ -83,11 +83,11 @@ static void compute(knot_curve *curve, knot_ops *budget)
         vbss_knot_vassiliev(code, &v->v2, &v->v3, budget);
         return;
     case 2:
-        v->known =
-            vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_1000, &v->signature, budget);
+        v->known = vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_10000, &v->signature,
+                                       budget);
         return;
     case 3:
-        v->known = v->known && vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_1000,
+        v->known = v->known && vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_10000,
                                                    &v->signature_tristram, budget);
         return;
     default:

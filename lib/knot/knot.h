@@ -188,11 +188,11 @@ void vbss_knot_algebra_arrays(knot_algebra *a, uint32_t capacity,
 int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_gauss_code *code, knot_ops *budget);
 /* Levine-Tristram signature at theta = 2 acos(x) (signature.c), by Kashaev's matrix. Two
  * factorisations prove its inertia, with shifts that exceed the effect of rounding on an
- * eigenvalue. Returns false if that fails. KNOT_X_ORDINARY_1000 gives the ordinary signature, at
+ * eigenvalue. Returns false if that fails. KNOT_X_ORDINARY_10000 gives the ordinary signature, at
  * -1. */
-#define KNOT_X_TRISTRAM_1000 911 /* chosen: theta = 0.2704 pi, between pi/5 and 3 pi/11 */
-#define KNOT_X_ORDINARY_1000 0
-bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_1000,
+#define KNOT_X_TRISTRAM_10000 9114 /* chosen: theta = 0.27000 pi, between pi/5 and 3 pi/11 */
+#define KNOT_X_ORDINARY_10000 0
+bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_10000,
                          int32_t *signature, knot_ops *budget);
 /* Vassiliev invariants v2 and v3 by Gauss diagram formulas (vassiliev.c); both are 1 for the
  * right-handed 3_1. */

@@ -59,8 +59,9 @@ static void invariants_match_table(void **state)
 static void signatures_of_many_wraps(void **state)
 {
     (void)state;
-    const double theta = 2.0 * vbss_acos(KNOT_X_TRISTRAM_1000 / 1000.0);
+    const double theta = 2.0 * vbss_acos(KNOT_X_TRISTRAM_10000 / 10000.0);
     const double pi = 2.0 * vbss_acos(0.0);
+    expect_near(0.27, theta / pi, 1e-5); /* as the header of knots documents */
     for (int k = 1; k <= 511; k++) {
         knot_factors factors = sum_of(&k, 1);
         int roots = 0;
