@@ -73,7 +73,7 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
         .seated = s->seated_count,
         .transfers = count_bits(s->transferred),
         .cut = s->cut_limbs,
-        .faults = s->knot_faults.value,
+        .faults = vbss_session_faults(s),
         .metrics_lost = s->metrics_lost,
         .steps = s->steps,
         .first_event = s->event_count > capacity ? s->event_count - capacity : 0,

@@ -137,8 +137,9 @@ typedef struct session_object {
     uint32_t last_holder; /* hand that last held it alone; VBSS_METRICS_NO_TOOL: none yet */
     /* tail_set: 1 if the length of the tail is within its limits. throw_stage: 8 * throw plus a
      * VBSS_SESSION_STAGE_ constant. newest_seated: 1 if the newest throw is seated. knot_faults:
-     * VBSS_KNOT_FAULT_ bits. broken: 1 if the tension exceeds config.break_force. */
-    session_debounced_value tail_set, throw_stage, newest_seated, knot_faults, broken;
+     * VBSS_KNOT_FAULT_ bits but for the half hitch. half_hitch: 1 if the knot has that fault.
+     * broken: 1 if the tension exceeds config.break_force. */
+    session_debounced_value tail_set, throw_stage, newest_seated, knot_faults, half_hitch, broken;
     session_throw throws[SESSION_MAX_THROWS];
     uint32_t throw_count, seated_count; /* throws that are tied; of them, throws that are seated */
     /* Bit per throw: the needle did not change hands before it. */
@@ -258,6 +259,8 @@ bool vbss_session_is_threaded(const session_object *s);
 
 /* Updates throws, seats, transfers, stage and faults of the knot. */
 void vbss_session_update_throws(session_object *s, const session_observation *observed);
+/* The debounced faults of the knot, VBSS_KNOT_FAULT_ bits. */
+uint32_t vbss_session_faults(const session_object *s);
 
 /* ---- outcome.c */
 

@@ -134,6 +134,7 @@ static void visit_task(vbss_stream *stream, session_object *s)
     visit_debounced(stream, &s->throw_stage, 8 * (SESSION_MAX_THROWS + 1));
     visit_debounced(stream, &s->newest_seated, 2);
     visit_debounced(stream, &s->knot_faults, 1u << 16);
+    visit_debounced(stream, &s->half_hitch, 2);
     visit_debounced(stream, &s->broken, 2);
     visit_throws(stream, s);
     visit_below(stream, 50, &s->cut_limbs, 4);
