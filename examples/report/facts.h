@@ -98,6 +98,8 @@ typedef struct again {
     double time; /* s, after the last of them */
     reading *readings;
     size_t reading_count, reading_room;
+    bool hitch, hitch_candidate; /* half hitch: debounced, and in the last reading */
+    double hitch_since;          /* the candidate, s */
     puncture *punctures;
     size_t puncture_count, puncture_room;
     uint32_t needle;   /* its body; 0: none */

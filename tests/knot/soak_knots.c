@@ -50,6 +50,9 @@ static void run(harness_soak *out)
     harness_soak_figure(out, "ordered", (double)all.ordered);
     harness_soak_figure(out, "located", (double)all.located);
     harness_soak_figure(out, "without_truth", (double)all.untrue);
+    harness_soak_figure(out, "stacks", (double)all.stacks);
+    harness_soak_figure(out, "recognised", (double)all.recognised);
+    harness_soak_figure(out, "stacks_certified", (double)all.proved);
 }
 
 int main(int argc, char **argv)
