@@ -13,8 +13,8 @@
 /* The prime that determinants are computed by: what is known of those from 2^30 on is the remainder. */
 #define PRIME 2147483647
 
-/* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.9114) / pi = 0.27000506897. No odd / (2 k + 1) with k below 2048 is nearer than
- * 9e-8. */
+/* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.9114) / pi = 0.27000506897. No odd / (2 k + 1) with k below
+ * 2048 is nearer than 9e-8. */
 #define TRISTRAM_1E9 270005069
 
 enum { MAX_WRAPS = 3 };
@@ -128,7 +128,7 @@ bool vbss_knot_match(knot_invariants invariants, knot_factors *factors)
             if (is_confirmed(&invariants, factors)) {
                 return true;
             }
-            break; /* no other sum has the same */
+            break; /* no other sum has the same invariants */
         }
     }
     *factors = (knot_factors){.count = 0};

@@ -107,7 +107,7 @@ static void compute(knot_curve *curve, knot_ops *budget)
     }
 }
 
-/* Other knots may have the same determinant, signatures, v2 and v3 as throws, or as no knot. */
+/* Other knots can have the determinant, signatures, v2 and v3 of throws, or of the unknot. */
 static void confirm(knot_curve *curve, knot_ops *budget)
 {
     knot_reading *r = &curve->reading;
@@ -186,7 +186,7 @@ static bool same_throws(const knot_factors *a, const knot_factors *b)
     return same;
 }
 
-/* Only the Jones polynomial tells it from throws. */
+/* Whether only the Jones polynomial distinguishes the curve from throws. */
 static bool is_refuted(const knot_reading *r)
 {
     return r->invariants.jones_known && !r->throws;

@@ -1,17 +1,19 @@
-/* The Jones polynomial V(t) as its values at fixed elements of a prime field, t = A^-4: V = (-A^3)^-w <D> / <O> with the
- * bracket <D> and the writhe w of a diagram. Integer polynomials with other values are not equal; so a difference proves
- * that knots differ. Values of a connected sum are the products of those of its summands. For T(2, 2 k + 1), V. F. R.
- * Jones, "A polynomial invariant for knots via von Neumann algebras", Bulletin of the American Mathematical Society 12
- * (1985), has V = t^k (1 + t^2 - t^3 + t^4 - ... - t^(2 k + 1)). */
+/* The Jones polynomial V(t), t = A^-4, as its values at fixed elements of a prime field.
+ *
+ * V = (-A^3)^-w <D> / <O>, with the bracket <D> and the writhe w of a diagram D, and the bracket
+ * <O> of a loop. Different values prove different polynomials, and so different knots. The values of a
+ * connected sum are the products of those of its summands. T(2, 2 k + 1) has
+ * V = t^k (1 + t^2 - t^3 + t^4 - ... - t^(2 k + 1)): V. F. R. Jones, "A polynomial invariant for
+ * knots via von Neumann algebras", Bulletin of the American Mathematical Society 12 (1985). */
 #include "knot/knot.h"
 #include "knot/prime_field.h"
 
-/* Primitive roots modulo the prime, so that no power of t that occurs here is 1. */
+/* Values of A: primitive roots modulo the prime, so that no power of t in use here is 1. */
 static const uint32_t points[KNOT_JONES_POINTS] = {7, 16807, 48271, 69621};
 
 void vbss_knot_jones_begin(knot_bracket *b, const knot_gauss_code *code, knot_ops *budget)
 {
-    *budget -= 1000 + 4 * (knot_ops)code->n; /* of the end, too */
+    *budget -= 1000 + 4 * (knot_ops)code->n; /* with vbss_knot_jones_end */
     vbss_knot_bracket_begin(b, code, points);
 }
 

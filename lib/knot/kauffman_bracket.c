@@ -1,10 +1,10 @@
-/* The Kauffman bracket of a diagram by its state sum: L. H. Kauffman, "State models and the Jones polynomial",
- * Topology 26 (1987). Each crossing has two smoothings, with factors A and 1 / A, and each closed loop counts
- * -A^2 - A^-2.
+/* The Kauffman bracket of a diagram by its state sum: L. H. Kauffman, "State models and the Jones
+ * polynomial", Topology 26 (1987). Each crossing has two smoothings, with the factors A and 1 / A.
+ * Each closed loop contributes the factor -A^2 - A^-2.
  *
- * A sweep adds one crossing after the other. Of the crossings already added only the pairing of the open arcs matters:
- * which of them are joined. So one sum a pairing replaces the states with that pairing. 2 k open arcs of a connected
- * part have at most Catalan(k) planar pairings. */
+ * A sweep adds one crossing after the other. Later crossings depend on the earlier ones only by the
+ * pairing of the open arcs, so one sum replaces all states with the same pairing. 2 k open arcs of
+ * a connected part have at most Catalan(k) planar pairings. */
 #include "knot/knot.h"
 #include "knot/prime_field.h"
 
@@ -64,7 +64,7 @@ void vbss_knot_bracket_begin(knot_bracket *b, const knot_gauss_code *code,
 
 /* ---- the next crossing */
 
-/* The crossing with most open arcs comes next, so that few arcs are open. */
+/* The crossing with the most open arcs comes next, which keeps the number of open arcs small. */
 static knot_bracket_crossing *next_crossing(const knot_bracket *b)
 {
     knot_bracket_crossing *next = NULL;
@@ -95,7 +95,7 @@ static uint8_t take_slot(knot_bracket *b)
     return (uint8_t)slot;
 }
 
-/* False when there are not enough slots. */
+/* Returns false if there are not enough slots. */
 static bool open_arcs(knot_bracket *b, const knot_bracket_crossing *c, knot_bracket_addition *add)
 {
     for (uint32_t i = 0; i < KNOT_CROSSING_ARCS; i++) {
@@ -130,7 +130,7 @@ static void close_arcs(knot_bracket *b, const knot_bracket_crossing *c,
     }
 }
 
-/* Smoothing 0 follows the direction of the curve; at a right-handed crossing it has the factor A. */
+/* Smoothing 0 follows the direction of the curve; its factor is A at a right-handed crossing. */
 static void set_factors(const knot_bracket *b, int8_t sign, knot_bracket_addition *add)
 {
     for (uint32_t i = 0; i < KNOT_JONES_POINTS; i++) {
@@ -178,7 +178,7 @@ static void add_state(knot_bracket *b, const knot_bracket_state *s)
     b->next_states[b->state_count++] = *s;
 }
 
-/* Joins two arcs; 1 when that closes a loop. An arc that has just opened is its own mate. */
+/* Joins two arcs. Returns 1 if that closes a loop. An arc that has just opened is its own mate. */
 static uint32_t join(uint8_t mate[KNOT_BRACKET_SLOTS], uint8_t p, uint8_t q)
 {
     uint8_t far_p = mate[p], far_q = mate[q];

@@ -14,7 +14,7 @@
 
 /* A half hitch begins or ends after this many times throw_dwell: its measure swings from -1 to 1
  * within 0.1 s while a throw is drawn tight. With 20 the demonstration reports it once, with 1 it
- * reports it 38 times. Unit: 1, relative to throw_dwell. Origin: chosen. Test: session. */
+ * reports it 38 times. Unit: 1, relative to throw_dwell. Origin: chosen. Test: session.reversals. */
 #define SESSION_HITCH_DWELLS VBSS_TUNE(SESSION_HITCH_DWELLS, 20.0)
 
 /* A refused tool exchange is requested again after this many steps. At 2 kHz that is half the time.

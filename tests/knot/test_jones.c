@@ -1,4 +1,4 @@
-/* Values of the Jones polynomial against polynomials of tables and closed forms, and under moves of diagrams. */
+/* Values of the Jones polynomial against tables and closed forms, and under moves of diagrams. */
 #include "knot/algebra_room.h"
 #include "knot/prime_field.h"
 
@@ -74,7 +74,7 @@ typedef struct polynomial {
     int low, terms, coefficients[TERMS];
 } polynomial;
 
-/* KnotInfo, "Jones polynomial", for the knots of codes_table that are the same or the mirror image there. */
+/* KnotInfo, "Jones polynomial", for knots of codes_table. */
 static const polynomial table[] = {
     {"3_1", 1, 4, {1, 0, 1, -1}},
     {"4_1", -2, 5, {1, -1, 1, -1, 1}},
@@ -120,8 +120,9 @@ static void known_knots_have_their_polynomials(void **state)
     codes_free(code);
 }
 
-/* t^((p - 1)(q - 1)/2) (1 - t^(p + 1) - t^(q + 1) + t^(p + q)) / (1 - t^2): V. F. R. Jones, "Hecke algebra
- * representations of braid groups and link polynomials", Annals of Mathematics 126 (1987). */
+/* t^((p - 1)(q - 1)/2) (1 - t^(p + 1) - t^(q + 1) + t^(p + q)) / (1 - t^2): V. F. R. Jones, "Hecke
+ * algebra representations of braid groups and link polynomials", Annals of Mathematics 126 (1987).
+ */
 static values of_torus_knot(int p, int q)
 {
     values v;

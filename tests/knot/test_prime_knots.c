@@ -1,6 +1,7 @@
-/* Prime knots whose determinant, signatures, v2 and v3 are those of stacked throws, or of no knot. They are neither.
+/* Prime knots that have the determinant, signatures, v2 and v3 of stacked throws, or of the unknot.
  *
- * Each file of polygons/ holds a closed polygon: x y z of a vertex on a line, in units of 1e-4 of an edge. */
+ * Each file of polygons/ holds a closed polygon: x y z of a vertex on a line, in units of 1e-4 of
+ * an edge. */
 #include <string.h>
 
 #include "harness/harness.h"
