@@ -108,7 +108,7 @@ static values values_of(const polynomial *p)
     return v;
 }
 
-static void known_knots_have_their_polynomials(void **state)
+static void known_knots_have_known_polynomials(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -136,7 +136,7 @@ static values of_torus_knot(int p, int q)
     return v;
 }
 
-static void torus_knots_have_theirs(void **state)
+static void torus_knots_have_closed_form(void **state)
 {
     (void)state;
     static const int pairs[][2] = {{2, 1}, {2, 3},  {2, 5}, {2, 7}, {2, 9}, {2, 63}, {2, 127},
@@ -163,7 +163,7 @@ static values of_throws(uint32_t throws, const int *wraps, const int *signs)
     return v;
 }
 
-static void a_throw_has_that_of_its_torus_knot(void **state)
+static void throw_has_polynomial_of_torus_knot(void **state)
 {
     (void)state;
     for (int wraps = 1; wraps <= 60; wraps++) {
@@ -208,7 +208,7 @@ static values mirrored(const polynomial *p)
     return values_of(&other);
 }
 
-static void moves_change_nothing_and_a_mirror_inverts_t(void **state)
+static void moves_change_nothing_and_mirror_inverts_t(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -235,7 +235,7 @@ static void moves_change_nothing_and_a_mirror_inverts_t(void **state)
     codes_free(code);
 }
 
-static void the_unknot_has_one(void **state)
+static void unknot_has_polynomial_one(void **state)
 {
     (void)state;
     const values one = of_throws(0, NULL, NULL);
@@ -255,7 +255,7 @@ static void the_unknot_has_one(void **state)
 
 /* ---- work */
 
-static void any_slicing_of_the_work_gives_the_same(void **state)
+static void slicing_of_work_changes_nothing(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -270,7 +270,7 @@ static void any_slicing_of_the_work_gives_the_same(void **state)
 }
 
 /* Of eleven strands 22 arcs are open at once. */
-static void a_wide_diagram_has_no_result(void **state)
+static void wide_diagram_has_no_result(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
@@ -284,14 +284,14 @@ static void a_wide_diagram_has_no_result(void **state)
 int test_jones(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_knots_have_their_polynomials),
-        cmocka_unit_test(torus_knots_have_theirs),
-        cmocka_unit_test(a_throw_has_that_of_its_torus_knot),
+        cmocka_unit_test(known_knots_have_known_polynomials),
+        cmocka_unit_test(torus_knots_have_closed_form),
+        cmocka_unit_test(throw_has_polynomial_of_torus_knot),
         cmocka_unit_test(stacked_throws_have_the_product),
-        cmocka_unit_test(moves_change_nothing_and_a_mirror_inverts_t),
-        cmocka_unit_test(the_unknot_has_one),
-        cmocka_unit_test(any_slicing_of_the_work_gives_the_same),
-        cmocka_unit_test(a_wide_diagram_has_no_result),
+        cmocka_unit_test(moves_change_nothing_and_mirror_inverts_t),
+        cmocka_unit_test(unknot_has_polynomial_one),
+        cmocka_unit_test(slicing_of_work_changes_nothing),
+        cmocka_unit_test(wide_diagram_has_no_result),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -87,7 +87,7 @@ static void expect_other(const prime_knot *k, const judge_saying *saying)
 }
 
 /* As it is, and as its mirror image from the other end on. */
-static void a_prime_knot_is_no_stack_of_throws(void **state)
+static void prime_knot_is_no_stack_of_throws(void **state)
 {
     (void)state;
     static thread_line line;
@@ -110,7 +110,7 @@ static void a_prime_knot_is_no_stack_of_throws(void **state)
 int test_prime_knots(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_prime_knot_is_no_stack_of_throws),
+        harness_test(prime_knot_is_no_stack_of_throws),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
