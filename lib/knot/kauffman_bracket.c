@@ -68,16 +68,16 @@ void vbss_knot_bracket_begin(knot_bracket *b, const knot_gauss_code *code,
 static knot_bracket_crossing *next_crossing(const knot_bracket *b)
 {
     knot_bracket_crossing *next = NULL;
-    uint32_t most = 0;
+    uint32_t max_open = 0;
     for (uint32_t i = 0; i < b->crossing_count; i++) {
         knot_bracket_crossing *c = &b->crossings[i];
         uint32_t open = 0;
         for (uint32_t k = 0; k < KNOT_CROSSING_ARCS && !c->is_swept; k++) {
             open += b->slots[c->arcs[k]] < KNOT_BRACKET_SLOTS ? 1 : 0;
         }
-        if (!c->is_swept && (next == NULL || open > most)) {
+        if (!c->is_swept && (next == NULL || open > max_open)) {
             next = c;
-            most = open;
+            max_open = open;
         }
     }
     return next;
