@@ -7,11 +7,9 @@
  * at X_TRISTRAM y + z. These three equations have one solution, so the invariants distinguish all
  * sums. */
 #include "knot/knot.h"
+#include "knot/prime_field.h"
 
 #include <string.h>
-
-/* The prime that determinants are computed by: what is known of those from 2^30 on is the remainder. */
-#define PRIME 2147483647
 
 /* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.9114) / pi = 0.27000506897. No odd / (2 k + 1) with k below
  * 2048 is nearer than 9e-8. */
@@ -48,27 +46,20 @@ knot_invariants vbss_knot_invariants_of(const knot_factors *factors)
     return sum;
 }
 
-/* The determinant as determinant.c can compute it. */
+/* The determinant as determinant.c computes it: from 2^30 on only its remainder is known. */
 static int64_t reduce_determinant(int64_t determinant)
 {
-    int64_t rest = determinant % PRIME;
-    return rest > PRIME / 2 ? PRIME - rest : rest;
+    const int64_t prime = FIELD_PRIME, rest = determinant % prime;
+    return rest > prime / 2 ? prime - rest : rest;
 }
 
-static bool jones_same(const uint32_t a[KNOT_JONES_POINTS], const uint32_t b[KNOT_JONES_POINTS])
-{
-    return memcmp(a, b, KNOT_JONES_POINTS * sizeof *a) == 0;
-}
-
-/* Unknown invariants never count as equal. The Jones polynomials are compared only if both are
- * known. */
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b)
 {
     return a.known && b.known &&
            reduce_determinant(a.determinant) == reduce_determinant(b.determinant) && a.v2 == b.v2 &&
            a.v3 == b.v3 && a.signature == b.signature &&
            a.signature_tristram == b.signature_tristram &&
-           (!a.jones_known || !b.jones_known || jones_same(a.jones, b.jones));
+           (!a.jones_known || !b.jones_known || memcmp(a.jones, b.jones, sizeof a.jones) == 0);
 }
 
 /* ---- inverse */
@@ -98,16 +89,6 @@ static void add_factors(knot_factors *factors, uint32_t count, int32_t wraps, in
     }
 }
 
-static bool is_confirmed(const knot_invariants *invariants, const knot_factors *factors)
-{
-    uint32_t jones[KNOT_JONES_POINTS];
-    if (!invariants->jones_known) {
-        return true;
-    }
-    vbss_knot_jones_of(factors, jones);
-    return jones_same(jones, invariants->jones);
-}
-
 bool vbss_knot_match(knot_invariants invariants, knot_factors *factors)
 {
     uint32_t counts[MAX_WRAPS];
@@ -125,10 +106,7 @@ bool vbss_knot_match(knot_invariants invariants, knot_factors *factors)
             add_factors(factors, left, (int32_t)k, -1);
         }
         if (vbss_knot_invariants_same(vbss_knot_invariants_of(factors), invariants)) {
-            if (is_confirmed(&invariants, factors)) {
-                return true;
-            }
-            break; /* no other sum has the same invariants */
+            return true;
         }
     }
     *factors = (knot_factors){.count = 0};

@@ -107,16 +107,25 @@ static void compute(knot_curve *curve, knot_ops *budget)
     }
 }
 
-/* Other knots can have the determinant, signatures, v2 and v3 of throws, or of the unknot. */
+/* Other knots can have the determinant, signatures, v2 and v3 of throws, or of the unknot. The Jones
+ * polynomial distinguishes all that are known. */
 static void confirm(knot_curve *curve, knot_ops *budget)
 {
     knot_reading *r = &curve->reading;
     if (!vbss_knot_bracket_resume(&curve->bracket, budget)) {
         return;
     }
-    bool is_known = vbss_knot_jones_end(&curve->bracket, &r->invariants);
-    r->throws = is_known && vbss_knot_match(r->invariants, &r->factors);
-    end_reading(curve, is_known ? VBSS_KNOT_REASON_NONE : VBSS_KNOT_REASON_CAPACITY);
+    if (!vbss_knot_jones_end(&curve->bracket, &r->invariants)) {
+        end_reading(curve, VBSS_KNOT_REASON_CAPACITY);
+        return;
+    }
+    knot_invariants sum = vbss_knot_invariants_of(&r->factors);
+    vbss_knot_jones_of(&r->factors, &sum);
+    r->throws = vbss_knot_invariants_same(sum, r->invariants);
+    if (!r->throws) {
+        r->factors = (knot_factors){.count = 0};
+    }
+    end_reading(curve, VBSS_KNOT_REASON_NONE);
 }
 
 static void finish_projecting(knot_curve *curve)
@@ -186,7 +195,7 @@ static bool same_throws(const knot_factors *a, const knot_factors *b)
     return same;
 }
 
-/* Whether only the Jones polynomial distinguishes the curve from throws. */
+/* Whether only the Jones polynomial distinguishes the curve from throws, or from the unknot. */
 static bool is_refuted(const knot_reading *r)
 {
     return r->invariants.jones_known && !r->throws;
@@ -200,6 +209,6 @@ bool vbss_knot_readings_agree(const knot_reading *a, const knot_reading *b)
     if (a->certified && b->certified) {
         return same_throws(&a->factors, &b->factors);
     }
-    bool refuted = (is_refuted(a) && b->throws) || (is_refuted(b) && a->throws);
-    return !refuted && vbss_knot_invariants_same(a->invariants, b->invariants);
+    return is_refuted(a) == is_refuted(b) &&
+           vbss_knot_invariants_same(a->invariants, b->invariants);
 }

@@ -27,7 +27,7 @@ bool vbss_knot_jones_end(const knot_bracket *b, knot_invariants *invariants)
     for (uint32_t i = 0; i < KNOT_JONES_POINTS && !b->is_full; i++) {
         uint32_t minus_cube = field_negative(field_power(b->a[i], 3));
         uint32_t divisor = field_multiply(field_power(minus_cube, right), b->loop[i]);
-        uint32_t bracket = field_multiply(b->states[0].value[i], field_power(minus_cube, left));
+        uint32_t bracket = field_multiply(b->pairings[0].value[i], field_power(minus_cube, left));
         invariants->jones[i] = field_multiply(bracket, field_inverse(divisor));
     }
     invariants->jones_known = !b->is_full;
@@ -44,15 +44,17 @@ static uint32_t jones_of_factor(uint32_t t, uint32_t wraps)
     return field_multiply(field_power(t, wraps), sum);
 }
 
-void vbss_knot_jones_of(const knot_factors *factors, uint32_t jones[KNOT_JONES_POINTS])
+void vbss_knot_jones_of(const knot_factors *factors, knot_invariants *invariants)
 {
     for (uint32_t i = 0; i < KNOT_JONES_POINTS; i++) {
         uint32_t inverse_t = field_power(points[i], 4), t = field_inverse(inverse_t);
-        jones[i] = 1;
+        uint32_t product = 1;
         for (uint32_t k = 0; k < factors->count; k++) {
             const knot_factor *f = &factors->factors[k];
             uint32_t value = jones_of_factor(f->handedness > 0 ? t : inverse_t, (uint32_t)f->wraps);
-            jones[i] = field_multiply(jones[i], value);
+            product = field_multiply(product, value);
         }
+        invariants->jones[i] = product;
     }
+    invariants->jones_known = true;
 }

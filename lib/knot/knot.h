@@ -4,8 +4,8 @@
  * step. A reading of the topology is a job (job.c) on a copy: core.c reduces the thread once with all that
  * its ends will be closed by as obstacles, closure.c closes it this way and that, and curve.c reads one closed curve:
  * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, gauss_code.c and untangle.c
- * simplify it, twist_regions.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
- * invariants, catalogue.c compares. throw_locator.c finds where the throws lie (throw_places.c, sub_chains.c), classification.c makes of it
+ * simplify it, twist_regions.c takes it apart into torus knots, determinant.c, signature.c, vassiliev.c and jones.c
+ * (kauffman_bracket.c) compute invariants, catalogue.c compares. throw_locator.c finds where the throws lie (throw_places.c, sub_chains.c), classification.c makes of it
  * what hosts see, topology_method.c starts and continues readings, detector.c
  * is the step. Method PROJECTION is in lib/baseline. */
 #ifndef VBSS_KNOT_KNOT_H
@@ -206,8 +206,8 @@ enum {
     KNOT_SMOOTHINGS = 2,
     KNOT_SMOOTHING_LOOPS = 3, /* a smoothing closes at most two loops */
     KNOT_BRACKET_ARRAYS = 5,
-    KNOT_BRACKET_SLOTS = 20,   /* most open arcs, with those of the crossing under way */
-    KNOT_BRACKET_STATES = 1430 /* most pairings: all planar pairings of 16 open arcs */
+    KNOT_BRACKET_ENDS = 20, /* capacity: 16 open arcs, and those of the crossing under way */
+    KNOT_BRACKET_PAIRINGS = 1430 /* capacity: Catalan(8), the planar pairings of 16 ends */
 };
 
 typedef struct knot_bracket_crossing {
@@ -216,15 +216,15 @@ typedef struct knot_bracket_crossing {
     bool is_swept;
 } knot_bracket_crossing;
 
-/* A pairing of the open arcs, and the sum over all states of the swept crossings that have it. */
-typedef struct knot_bracket_state {
-    uint8_t mate[KNOT_BRACKET_SLOTS]; /* slot of the other arc of each pair; 0 in a free slot */
+/* A pairing of the ends of open arcs, and the sum over all states of the swept crossings with it. */
+typedef struct knot_bracket_pairing {
+    uint8_t mate[KNOT_BRACKET_ENDS]; /* the other end of the pair; 0 for an unused end */
     uint32_t value[KNOT_JONES_POINTS];
-} knot_bracket_state;
+} knot_bracket_pairing;
 
 /* The change by one crossing. */
 typedef struct knot_bracket_addition {
-    uint8_t slots[KNOT_CROSSING_ARCS];
+    uint8_t ends[KNOT_CROSSING_ARCS];
     bool opens[KNOT_CROSSING_ARCS];  /* the arc is not open before */
     bool closes[KNOT_CROSSING_ARCS]; /* the arc is not open afterwards */
     /* by smoothing, and by the number of loops that it closes */
@@ -235,23 +235,23 @@ typedef struct knot_bracket {
     uint32_t crossing_capacity;
     uint32_t a[KNOT_JONES_POINTS], inverse_a[KNOT_JONES_POINTS]; /* A and 1 / A */
     uint32_t loop[KNOT_JONES_POINTS];                            /* -A^2 - A^-2 */
-    uint32_t crossing_count, swept_count, state_count;
+    uint32_t crossing_count, swept_count, pairing_count;
     knot_bracket_crossing *crossing; /* the crossing under way; NULL: none */
     knot_bracket_addition addition;  /* of that crossing */
-    uint32_t cursor, old_count;      /* next state without that crossing; number of these states */
+    uint32_t cursor, old_count;      /* next pairing without that crossing; number of these */
     knot_bracket_crossing *crossings;
-    uint8_t *slots; /* of each arc; KNOT_BRACKET_SLOTS if the arc is not open */
-    bool is_slot_used[KNOT_BRACKET_SLOTS];
-    bool is_full; /* too many open arcs or pairings: there is no result */
-    knot_bracket_state *states, *next_states;
-    uint16_t *index; /* hash table of `next_states` */
+    uint8_t *ends; /* arc -> its end; KNOT_BRACKET_ENDS if the arc is not open */
+    bool is_end_used[KNOT_BRACKET_ENDS];
+    bool is_full; /* more open arcs or pairings than the capacity: there is no result */
+    knot_bracket_pairing *pairings, *next_pairings;
+    uint16_t *index; /* hash table of `next_pairings` */
 } knot_bracket;
 void vbss_knot_bracket_arrays(knot_bracket *b, uint32_t crossing_capacity,
                               vbss_array arrays[KNOT_BRACKET_ARRAYS]);
 /* Starts the sweep over a code of 1 to crossing_capacity crossings. */
 void vbss_knot_bracket_begin(knot_bracket *b, const knot_gauss_code *code,
                              const uint32_t a[KNOT_JONES_POINTS]);
-/* Returns true when the sweep is done or full. The bracket is then the value of the only state; a
+/* Returns true when the sweep is done or full. The bracket is then the value of the only pairing; a
  * loop without crossings has the bracket `loop`. */
 bool vbss_knot_bracket_resume(knot_bracket *b, knot_ops *budget);
 
@@ -289,7 +289,10 @@ bool vbss_knot_decompose(const knot_gauss_code *code, knot_factors *factors);
 
 /* Invariants of a connected sum of throws, all but the Jones polynomial. */
 knot_invariants vbss_knot_invariants_of(const knot_factors *factors);
-void vbss_knot_jones_of(const knot_factors *factors, uint32_t jones[KNOT_JONES_POINTS]);
+/* Adds the values of the Jones polynomial of that sum (jones.c). */
+void vbss_knot_jones_of(const knot_factors *factors, knot_invariants *invariants);
+/* The Jones polynomials are compared only if both are known. Other unknown invariants are never
+ * the same. */
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b);
 /* Finds the only sum of at most KNOT_THROWS throws of at most three wraps that has these
  * invariants. Returns false if there is none. */

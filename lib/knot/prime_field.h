@@ -17,11 +17,6 @@ static inline uint32_t field_negative(uint32_t a)
     return a == 0 ? 0 : FIELD_PRIME - a;
 }
 
-static inline uint32_t field_subtract(uint32_t a, uint32_t b)
-{
-    return field_add(a, field_negative(b));
-}
-
 static inline uint32_t field_multiply(uint32_t a, uint32_t b)
 {
     uint64_t product = (uint64_t)a * b;
@@ -38,7 +33,7 @@ static inline uint32_t field_power(uint32_t a, uint32_t exponent)
     return result;
 }
 
-/* Of an element that is not zero. */
+/* Requires a != 0. */
 static inline uint32_t field_inverse(uint32_t a)
 {
     return field_power(a, FIELD_PRIME - 2);
