@@ -108,7 +108,8 @@ enum {
     VBSS_SESSION_EVENT_TRANSFER = 12, /**< After throw `number` `tool` has taken over the needle. */
     /** Throw `number` is tied, but the needle has not changed hands since the one before. Undone: with the throw. */
     VBSS_SESSION_EVENT_TRANSFER_MISSED = 13,
-    /** The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, such as HITCH: a throw has capsized. Undone. */
+    /** The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`; HITCH (a throw has capsized): for
+     * 20 times `throw_dwell`, because its measure swings while a throw is drawn tight. Undone: after the same time. */
     VBSS_SESSION_EVENT_FAULT = 14,
     /** Tail `number` (0: the short one, 1: the needle's) was cut; `amount` m are left of it. */
     VBSS_SESSION_EVENT_CUT = 15,
@@ -184,10 +185,12 @@ typedef struct vbss_session_config {
     vbss_session_event_fn listen; /**< NULL (default): nobody. */
     void *user;                   /**< Handed to it; may be NULL. */
     double time_limit; /**< From the needle's appearing on, s, 1e-3 to 1e6; default 600. */
-    double dwell; /**< That a fact must be otherwise before it changes, s, 0 to 10; default 0.05; */
-    double throw_dwell; /**< of throws, s, 0 to 10; default 0.1. */
-    double tail_low;    /**< Shortest tail, m, 0 to 1; default 15e-3; */
-    double tail_high;   /**< longest tail, tail_low to 1; default 20e-3. */
+    double
+        dwell; /**< A fact changes after it has differed for this time, s, 0 to 10; default 0.05. */
+    /** The same time for throws and faults of the knot, s, 0 to 10; default 0.1. A half hitch has 20 times that. */
+    double throw_dwell;
+    double tail_low;  /**< Shortest tail, m, 0 to 1; default 15e-3; */
+    double tail_high; /**< longest tail, tail_low to 1; default 20e-3. */
     /** So far beyond these it is not as it should any more, m, 0 to 1; default 1e-3. */
     double tail_margin;
     double tail_reach; /**< The tail is grasped within this of its end, m, 0 to 1; default 0.01. */
@@ -219,7 +222,7 @@ typedef struct vbss_session_status {
     uint32_t seated;        /**< of them seated, counted from the tissue. */
     uint32_t transfers;     /**< Transfers between them that were made, at most two. */
     uint32_t cut;           /**< Bits: 1 the short tail, 2 the needle's. */
-    uint32_t faults;        /**< Of the knot: VBSS_KNOT_FAULT_ bits that were told. */
+    uint32_t faults;        /**< Of the knot: VBSS_KNOT_FAULT_ bits, as last reported by events. */
     uint32_t metrics_lost;  /**< Events for which the metrics had no room. */
     uint64_t steps;         /**< Steps so far. */
     uint64_t first_event;   /**< The oldest event that is kept; so many are lost. */
@@ -369,7 +372,8 @@ VBSS_API vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, ui
  * @param count    its size
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part), VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
  *         VBSS_ERROR_CORRUPT (also: of another session, or the scene is at another step), VBSS_ERROR_DATA_VERSION,
- *         VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
+ *         VBSS_ERROR_CAPACITY (it counts more than the detector has room for), VBSS_ERROR_OUT_OF_MEMORY,
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
  * @threads one thread at a time per context
  * @since 0.1
  */
