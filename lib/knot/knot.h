@@ -206,7 +206,7 @@ enum {
     KNOT_SMOOTHINGS = 2,
     KNOT_SMOOTHING_LOOPS = 3, /* a smoothing closes at most two loops */
     KNOT_BRACKET_ARRAYS = 5,
-    KNOT_BRACKET_ENDS = 20, /* capacity: 16 open arcs, and those of the crossing under way */
+    KNOT_BRACKET_ENDS = 20,      /* capacity: 16 open arcs, and those of the crossing under way */
     KNOT_BRACKET_PAIRINGS = 1430 /* capacity: Catalan(8), the planar pairings of 16 ends */
 };
 
