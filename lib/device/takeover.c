@@ -22,15 +22,16 @@ static bool has_passed(device_takeover *t, double handle)
 void vbss_device_update_takeover(device_object *d)
 {
     device_takeover *t = &d->takeover;
-    d->events |= t->is_new ? VBSS_DEVICE_EVENT_JAW_HELD : 0u;
-    t->is_new = false;
-    if (!t->is_waiting || d->is_clutched || !d->jaw.is_known || d->opening_reading.is_stale) {
+    if (!t->is_waiting) {
         return;
     }
-    if (has_passed(t, d->jaw.opening)) {
-        t->is_waiting = false;
-        d->events |= VBSS_DEVICE_EVENT_JAW_TAKEN;
+    const bool is_blind = d->is_clutched || !d->jaw.is_known || d->opening_reading.is_stale;
+    t->is_waiting = is_blind || !has_passed(t, d->jaw.opening);
+    if (t->is_new != t->is_waiting) { /* a handle that is there at once needs no event */
+        return;
     }
+    d->events |= t->is_waiting ? VBSS_DEVICE_EVENT_JAW_HELD : VBSS_DEVICE_EVENT_JAW_TAKEN;
+    t->is_new = false;
 }
 
 double vbss_device_reported_opening(const device_object *d)
