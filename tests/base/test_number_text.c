@@ -11,7 +11,7 @@ static void numbers_are_written_as_in_c(void **state)
     assert_string_equal(vbss_format_number(-1.25e-7, 6).text, "-1.25e-07");
     assert_string_equal(vbss_format_number(1234567.0, 3).text, "1.23e+06");
     assert_string_equal(vbss_format_number(-0.1234567890123456789e-300, 17).text,
-                        "-1.2345678901234568e-301");
+                        "-1.2345678901234567e-301");
     assert_string_equal(VBSS_NUMBER(3.0), "3");
     assert_string_equal(VBSS_NUMBER(HUGE_VAL), "inf");
 }
