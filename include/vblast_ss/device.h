@@ -255,7 +255,8 @@ VBSS_API vbss_result vbss_device_destroy(vbss_device *device);
  * succeeds. Nothing is allocated.
  *
  * @param device       the device
- * @param now          the host's clock, s; not before the `now` of an earlier call
+ * @param now          the host's clock, s; not before the `now` of an earlier call. If it is, or is no number in
+ *                     range, the call returns an error and puts all outputs off
  * @param[out] input   receives what was found
  * @param struct_size  `sizeof *input` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
@@ -269,15 +270,17 @@ VBSS_API vbss_result vbss_device_read(vbss_device *device, double now, vbss_devi
 
 /**
  * Puts a command through the output stage and writes what is left of it to the adapters. While the clutch is held,
- * forces and solenoid are off. Nothing is allocated.
+ * forces and solenoid are off. When two writes are more than 0.1 s apart, the clock has jumped or the host was stopped:
+ * all outputs are off for vbss_output_result::expires from then on. Nothing is allocated.
  *
  * @param device       the device
- * @param now          the host's clock, s; not before the `now` of an earlier call
+ * @param now          the host's clock, s; not before the `now` of an earlier call. If it is, or is no number in
+ *                     range, the call returns an error and puts all outputs off
  * @param command      what is wanted, forces in the world's frame; NULL: there is no new command since the last, which
  *                     grows old
  * @param[out] result  receives what went out, in the device's frame; may be NULL
  * @param struct_size  `sizeof *result` as the caller was compiled
- * @return as #vbss_device_read, further VBSS_ERROR_UNKNOWN_FIELD; then nothing was written
+ * @return as #vbss_device_read, further VBSS_ERROR_UNKNOWN_FIELD; then nothing was written, or zeros for a wrong `now`
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -292,7 +295,8 @@ VBSS_API vbss_result vbss_device_write(vbss_device *device, double now,
  * pose, the coupling holds no more than that.
  *
  * @param device       the device
- * @param now          the host's clock, s; not before the `now` of an earlier call
+ * @param now          the host's clock, s; not before the `now` of an earlier call. If it is, or is no number in
+ *                     range, the call returns an error and puts all outputs off
  * @param command      what else is wanted, forces in the world's frame
  * @param coupling     where the tool is that the hand is tied to, and how, in the world's frame
  * @param[out] result  receives what went out, in the device's frame; may be NULL

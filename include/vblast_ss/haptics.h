@@ -307,7 +307,7 @@ VBSS_API vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t wh
  * hardware, up to twice `timeout`.
  *
  * @param nidaqmx  the lines, made without a thread
- * @param now      a clock that only goes forward, s, at most 1e9 in magnitude
+ * @param now      a clock that only goes forward, s, at most 1e9 in magnitude; when it goes back, solenoids go off
  * @return VBSS_OK (also when the hardware fails, which its status tells), VBSS_ERROR_INVALID_HANDLE,
  *         VBSS_ERROR_OUT_OF_RANGE (also: there is a thread) or VBSS_ERROR_NOT_FINITE, all without a text
  * @threads any one thread, also while another uses the context, but for the end of the lines
