@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "decimal_point.h"
 #include "demo/performance.h"
 
 static surgeon_stage stage_after(const char *name)
@@ -76,6 +77,7 @@ static bool completed(const performance *p)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     static performance p = {.watch = {.most = 250.0, .every = 1e9}};
     if (!read_options(count, words, &p)) {
         fprintf(stderr, "demo FOLDER [-s seed] [-u pass|pull|tie|over|second|back|third|cut]\n");

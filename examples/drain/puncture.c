@@ -4,6 +4,7 @@
  * drives the needle with beside the range that was measured on Penrose drains; and force.csv. */
 #include <stdio.h>
 
+#include "decimal_point.h"
 #include "force_plot.h"
 #include "painter/painter.h"
 #include "portrait.h"
@@ -138,6 +139,7 @@ static bool show(const char *folder, const force_curve *curve)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     static force_curve curve;
     vbss_context *context;
     vbss_scene_config scene;

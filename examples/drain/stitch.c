@@ -3,6 +3,7 @@
  * above, and lumen.png, shut, seen along the lumen. */
 #include <stdio.h>
 
+#include "decimal_point.h"
 #include "painter/painter.h"
 #include "portrait.h"
 #include "fixtures/stitch_scenes.h"
@@ -98,6 +99,7 @@ static bool run(const char *folder, stitch_scene *s)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     static stitch_scene s;
     static stitch_scene_options options;
     vbss_context *context;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "decimal_point.h"
 #include "needle/pass.h"
 
 #define MILLI 1e3
@@ -113,6 +114,7 @@ static void count(tally *t, const pass_outcome *o)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     pass_options o = {.seed = 1, .most = 20.0};
     static double steps[PASS_STEPS];
     pass_outcome out = {.steps = steps};

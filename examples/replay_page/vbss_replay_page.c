@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "replay_page/recorder.h"
 #include "throw/replay.h"
 
@@ -92,6 +93,7 @@ static int run(const options *o)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     options o = {NULL, NULL, 30.0};
     if (!read_options(count, words, &o)) {
         fprintf(stderr, "vbss-replay-page LOG [-o FILE.html] [--rate FRAMES_A_SECOND]\n");

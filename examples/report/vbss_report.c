@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "report/page.h"
 
 enum { MOST_PATH = 1024 };
@@ -108,6 +109,7 @@ static int run(const options *o)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     options o = {NULL, NULL, NULL, false};
     if (!read_options(count, words, &o)) {
         fprintf(

@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "decimal_point.h"
 #include "surgeon/watch.h"
 
 static int usage(void)
@@ -144,6 +145,7 @@ static void run(watch w, bool whole, tally *t)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     watch w = {.options = {.until = SURGEON_DONE}, .most = 250.0, .every = 1e9};
     tally t = {.seeds = 1, .least = -1};
     bool whole = true; /* until a last stage is named */

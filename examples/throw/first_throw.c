@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "throw/demo.h"
 
 #define LONGEST 40.0 /* s for a throw */
@@ -58,6 +59,7 @@ static bool tie(int kind, uint64_t seed, const char *folder)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     int asked[2 * TRIAL_KINDS] = {0, 1}, number = 0;
     const char *folder = NULL;
     uint64_t seed = 1;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "knots/words.h"
 #include "throw/mistake.h"
 #include "throw/replay.h"
@@ -97,6 +98,7 @@ static void tell_mistake(const trial_options *o, const trial_outcome *out)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     trial_options o = {.most = 40.0, .every = 0.25};
     int seeds = 1, least = -1, good = 0, failed = 0,
         kind = count > 1 ? trial_kind_of(words[1]) : TRIAL_KINDS;

@@ -45,6 +45,8 @@ void *task_run(void *t);
 
 /* Before the slot's work: moves the stand-ins' hands, begins and ends faults, lets their clock tick. */
 vbss_result task_rehearse(task *t);
+/* The step of the clock that a fault has caused, s. */
+double task_clock_step(const task *t);
 /* After it: whether what was to be safe is. */
 void task_judge(task *t);
 /* What a read has found. */

@@ -50,15 +50,29 @@ static bool acts(const task *t, const fault_row *row, int side)
     return (row->hand_feels && force > NOTHING) || solenoid;
 }
 
+double task_clock_step(const task *t)
+{
+    double step = 0.0;
+    for (uint32_t i = 0; i < t->options->fault_count; i++) {
+        const fault_plan *plan = &t->options->faults[i];
+        const bool is_on = t->now.findings[i].begun && t->now.time < plan->until;
+        step += is_on ? rehearsal_fault(plan->name)->clock : 0.0;
+    }
+    return step;
+}
+
 void task_judge(task *t)
 {
     int side = struck_side(t);
     for (uint32_t i = 0; i < t->options->fault_count; i++) {
         const fault_plan *plan = &t->options->faults[i];
         fault_finding *f = &t->now.findings[i];
+        const fault_row *row = rehearsal_fault(plan->name);
         double since = t->now.time - plan->from;
-        if (f->begun && since < smaller(LOOKED_AT, plan->until - plan->from) &&
-            acts(t, rehearsal_fault(plan->name), side)) {
+        /* a jump of the clock is over when the outputs have been off */
+        const bool is_over = row->clock > 0.0 && since - f->safe_after > 0.5 * PACE_PERIOD;
+        if (f->begun && !is_over && since < smaller(LOOKED_AT, plan->until - plan->from) &&
+            acts(t, row, side)) {
             f->safe_after = since + PACE_PERIOD;
             f->unsafe = f->unsafe || since > SAFE_WITHIN;
         }
@@ -160,16 +174,20 @@ vbss_result task_rehearse(task *t)
 
 static const struct {
     uint32_t bit;
-    bool fault;
+    bool fault, says_why;
     const char *text;
-} wordings[] = {{VBSS_DEVICE_EVENT_LOST, true, "the hardware is gone"},
-                {VBSS_DEVICE_EVENT_FOUND, false, "the hardware is back"},
-                {VBSS_DEVICE_EVENT_STALE, true, "the pose is old: forces ramp down"},
-                {VBSS_DEVICE_EVENT_JAW_STALE, true, "the handle's opening is old"},
-                {VBSS_DEVICE_EVENT_REFUSED, true, "a sample was refused"},
-                {VBSS_DEVICE_EVENT_FAILED, true, "a read failed"},
-                {VBSS_DEVICE_EVENT_FAULT, true, "it refuses forces: all off"},
-                {VBSS_DEVICE_EVENT_STOPPED, true, "emergency stop: all outputs are off"}};
+} wordings[] = {
+    {VBSS_DEVICE_EVENT_LOST, true, true, "the hardware is gone"},
+    {VBSS_DEVICE_EVENT_FOUND, false, false, "the hardware is back"},
+    {VBSS_DEVICE_EVENT_STALE, true, true, "the pose is old: forces ramp down"},
+    {VBSS_DEVICE_EVENT_JAW_STALE, true, true, "the handle's opening is old"},
+    {VBSS_DEVICE_EVENT_REFUSED, true, true, "a sample was refused"},
+    {VBSS_DEVICE_EVENT_FAILED, true, true, "a read failed"},
+    {VBSS_DEVICE_EVENT_FAULT, true, true, "it refuses forces: all off"},
+    {VBSS_DEVICE_EVENT_STOPPED, true, true, "emergency stop: all outputs are off"},
+    {VBSS_DEVICE_EVENT_SLOW, false, true, "the handles are slow"},
+    {VBSS_DEVICE_EVENT_JAW_HELD, false, false, "the jaws stay until the handle has passed them"},
+    {VBSS_DEVICE_EVENT_JAW_TAKEN, false, false, "the handle has taken over the jaws"}};
 
 void task_tell(task *t, int side, const vbss_device_input *in)
 {
@@ -185,9 +203,10 @@ void task_tell(task *t, int side, const vbss_device_input *in)
             continue;
         }
         if (!known) {
+            const bool says_why = wordings[i].says_why && why[0] != '\0';
             figures_note(&t->now, wordings[i].fault, "%s: %s%s%s%s", side_names[side],
-                         wordings[i].text, why[0] != '\0' ? " (" : "", why,
-                         why[0] != '\0' ? ")" : "");
+                         wordings[i].text, says_why ? " (" : "", says_why ? why : "",
+                         says_why ? ")" : "");
         }
         h->noted[i] = t->now.time;
     }

@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "modes.h"
 #include "show.h"
 
@@ -138,6 +139,7 @@ static bool read_options(int count, char **words, options *o)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     options o = {.to = 1e9, .width = 960, .height = 720};
     if (!read_options(argc, argv, &o)) {
         fprintf(stderr, "viewer --live throw|needle|stitch [--log FILE] [--seed N]\n"

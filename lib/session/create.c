@@ -111,6 +111,7 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
     VBSS_TRY(vbss_session_allocate(info.context, &own, &s));
     s->scene = scene;
     s->scene_steps = info.steps;
+    s->takes_over = true;
     vbss_result result = check_components(s);
     if (result == VBSS_OK) {
         result = vbss_slot_create(s->context, &vbss_session_kind, s, &slot);

@@ -122,6 +122,7 @@ typedef struct session_object {
     vbss_scene *scene;
     vbss_session_config config;
 
+    bool takes_over; /* in the next step the handles have to take over the jaws; not saved */
     /* State. Snapshots save all of it but h. */
     uint64_t steps, scene_steps; /* of the session; of the scene after the session's last step */
     double time, h;              /* since the needle appeared, s; length of the last step, s */
@@ -197,7 +198,7 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
  * is the clock of the host, s. They return the first error of a device, a tool or the record. */
 
 /* Reads the devices, and sets the targets, openings and kinds of the tools. */
-vbss_result vbss_session_read_devices(const session_object *s, double now);
+vbss_result vbss_session_read_devices(session_object *s, double now);
 /* Writes the forces on the hands to the devices. */
 vbss_result vbss_session_write_devices(const session_object *s, double now);
 

@@ -257,5 +257,6 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     visit_components(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
         clear_knot_events(s);
+        s->takes_over = true;
     }
 }

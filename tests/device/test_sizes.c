@@ -116,7 +116,7 @@ static void size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[][2] = {{8 + 9 * sizeof(void *), 0},
-                                        {64 + 2 * sizeof(void *), 0},
+                                        {72 + 2 * sizeof(void *), 0},
                                         {264, 0},
                                         {16 + 3 * sizeof(void *), 0},
                                         {128, 0},

@@ -6,6 +6,8 @@
 #include "device/platform.h"
 #include "stand_ins/openhaptics_world.h"
 
+#define JITTER 1e-10 /* mm */
+
 static const char *const names[STAND_IN_ARMS] = {"Left", "Device2"};
 
 /* ---- the current device */
@@ -39,6 +41,9 @@ uint32_t STAND_IN_CALL hdInitDevice(const char *name)
         if (strcmp(name != NULL ? name : names[0], names[i]) == 0) {
             found = i;
         }
+    }
+    if (world.arms[0].faults[STAND_IN_NO_DEFAULT]) {
+        found = name == NULL ? NOBODY : strcmp(name, "Default PHANToM") == 0 ? 0 : found;
     }
     if (world.running) {
         refuse("hdInitDevice", "the scheduler runs already", INVALID_OPERATION);
@@ -219,6 +224,12 @@ static void transform_of(const arm *a, double m[16])
         m[4 * i + j] = 2.0 * (v[i] * v[j] + w * v[k]);
         m[4 * i + k] = 2.0 * (v[i] * v[k] - w * v[j]);
         m[12 + i] = 1e3 * a->now.position[i];
+    }
+    /* the last bits of a sensor that is held by a hand never rest */
+    m[12] += (world.tick & 1u) != 0 ? JITTER : -JITTER;
+    if (a->faults[STAND_IN_CONSTANT]) {
+        const double constant[3] = {0.0, 35.0, -110.0};
+        memcpy(m + 12, constant, sizeof constant);
     }
     if (a->faults[STAND_IN_NAN_POSE]) {
         m[13] = nan("");

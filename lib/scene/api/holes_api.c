@@ -1,6 +1,7 @@
 /* Makes holes for hosts, and describes the holes of a scene to them. */
 #include "base/check.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "scene/api/api.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tuning.h"
@@ -58,8 +59,8 @@ static vbss_result init_hole(const scene_object *s, suture_hole *hole, const sce
     double max_offset = suture_radius(suture) + 0.5 * d->config.thickness;
     if (!(offset <= max_offset)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "the hole is %g m from what shall be in it: at most %g", offset,
-                         max_offset);
+                         "the hole is %s m from what shall be in it: at most %s",
+                         VBSS_NUMBER(offset), VBSS_NUMBER(max_offset));
     }
     hole->is_outward = vbss_suture_is_outward(d, hole->triangle, curve_point.tangent);
     vbss_scene_move_hole_to(hole, &p, curve_point.arc);
