@@ -2,17 +2,6 @@
 #include <stdlib.h>
 
 #include "scene/small.h"
-#include "fixtures/scene_body.h"
-
-static void bad_snapshots_are_rejected(void **state)
-{
-    (void)state;
-    scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
-    for (int k = 0; k < 2; k++) {
-        harness_body body = scene_as_body(&kinds[k]);
-        harness_refuses_bad_snapshots(&body, 12);
-    }
-}
 
 /* Pins of each kind, contacts, events; small, so that each bit can be turned over. */
 static void small_life(small *s, vbss_method method)
@@ -145,7 +134,6 @@ static void absurd_states_end_finite_or_are_reported(void **state)
 int test_scene_damage(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_snapshots_are_rejected),
         cmocka_unit_test(accepted_damaged_states_can_be_stepped),
         cmocka_unit_test(snapshot_of_newer_version_is_rejected),
         cmocka_unit_test(absurd_states_end_finite_or_are_reported),

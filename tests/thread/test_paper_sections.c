@@ -240,44 +240,6 @@ static void non_finite_state_is_reported_and_undone(void **state)
     rig_end(&r);
 }
 
-static vbss_result make(vbss_context *context, void *user, void **handle)
-{
-    (void)user;
-    vbss_thread_config config = paper(20);
-    vbss_thread *made = NULL;
-    vbss_result result = vbss_thread_create(context, &config, &made);
-    *handle = made;
-    return result;
-}
-
-static vbss_result hold(void *handle)
-{
-    uint32_t id;
-    vbss_thread_attachment clamp;
-    expect_ok(vbss_thread_attachment_init(&clamp, sizeof clamp));
-    clamp.kind = VBSS_ATTACHMENT_CLAMP;
-    vbss_thread_attach(handle, &clamp, &id); /* refused when it is held already */
-    return vbss_thread_move(handle, 1, (const double[3]){0.001, 0.0, 0.0}, NULL);
-}
-
-static vbss_result step(void *handle)
-{
-    return vbss_thread_step(handle, 1e-3);
-}
-
-static vbss_result destroy(void *handle)
-{
-    return vbss_thread_destroy(handle);
-}
-
-static void step_does_not_allocate_and_restores_bit_equal(void **state)
-{
-    (void)state;
-    harness_body body = {"paper thread", &vbss_thread_kind, make, hold, step, destroy, NULL};
-    assert_int_equal(0, harness_step_allocations(&body, 5));
-    harness_save_restore_continue(&body, 20, 20);
-}
-
 /* At a clamp, over half of the segment behind it: from the clamp's direction to the chord's. */
 static vec3 curvature_behind(rig *r, uint32_t node, vec3 direction)
 {
@@ -363,7 +325,6 @@ int test_paper_sections(void)
         harness_test(reactions_equal_momentum_change),
         harness_test(springs_and_masses_carry_load),
         harness_test(non_finite_state_is_reported_and_undone),
-        harness_test(step_does_not_allocate_and_restores_bit_equal),
     };
     return cmocka_run_group_tests_name("thread.paper_sections", tests, NULL, NULL);
 }
