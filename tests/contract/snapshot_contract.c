@@ -5,14 +5,14 @@
 #include "base/snapshot.h"
 #include "contract/contract.h"
 
-enum { MOST_BYTES = 65536, MOST_CONFIG = 1024 };
+enum { MAX_BYTES = 65536, MAX_CONFIG = 1024 };
 
 typedef struct subject {
     harness_memory memory;
     vbss_context *context;
-    double config[MOST_CONFIG / sizeof(double)]; /* aligned for any struct */
+    double config[MAX_CONFIG / sizeof(double)]; /* aligned for any struct */
     void *handle;
-    uint8_t bytes[MOST_BYTES];
+    uint8_t bytes[MAX_BYTES];
     uint64_t count;
 } subject;
 static subject sub;
@@ -34,7 +34,7 @@ static vbss_result restore(const contract_snapshot *s, void *handle, const uint8
 
 static void begin(const contract_snapshot *s)
 {
-    assert_true(s->config_size <= MOST_CONFIG);
+    assert_true(s->config_size <= MAX_CONFIG);
     sub.context = harness_context(&sub.memory);
     s->config(sub.config);
     expect_ok(s->create(sub.context, sub.config, &sub.handle));
@@ -53,7 +53,7 @@ static void small_buffer_reports_required_size(void **state)
     const contract_snapshot *s = *state;
     uint64_t need = 0, written = 0;
     begin(s);
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, s->save(sub.handle, sub.bytes, MOST_BYTES, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, s->save(sub.handle, sub.bytes, MAX_BYTES, NULL));
     expect_result(VBSS_ERROR_CAPACITY, s->save(sub.handle, NULL, 0, &need));
     assert_int_equal(need, sub.count);
     for (uint64_t capacity = 0; capacity < need; capacity += 1 + capacity / 8) {
@@ -93,7 +93,7 @@ static void change(void *config, const contract_field *field, size_t k)
 /* Neither takes the other's snapshot. */
 static void expect_foreign(const contract_snapshot *s, const void *config)
 {
-    static uint8_t bytes[MOST_BYTES];
+    static uint8_t bytes[MAX_BYTES];
     uint64_t count;
     void *other = NULL;
     expect_ok(s->create(sub.context, config, &other));
@@ -110,7 +110,7 @@ static void expect_foreign(const contract_snapshot *s, const void *config)
 static void snapshot_of_other_config_is_rejected(void **state)
 {
     const contract_snapshot *s = *state;
-    double config[MOST_CONFIG / sizeof(double)];
+    double config[MAX_CONFIG / sizeof(double)];
     begin(s);
     for (size_t i = 0; i < CONTRACT_FIELDS && s->fields[i].factor != 0.0; i++) {
         const contract_field *field = &s->fields[i];

@@ -150,7 +150,7 @@ static void unpin(stage *s, vbss_record *record)
 }
 
 /* In a round of 40 steps everything that can be told is. */
-void stage_tell(stage *s, vbss_record *record)
+void stage_report(stage *s, vbss_record *record)
 {
     double t = 1e-3 * s->step;
     const double turned[4] = {1.0, 0.0, 0.2 * vbss_sin(40.0 * t), 0.0};
@@ -182,7 +182,7 @@ void stage_tell(stage *s, vbss_record *record)
 
 void stage_step(stage *s, vbss_record *record)
 {
-    stage_tell(s, record);
+    stage_report(s, record);
     expect_ok(record != NULL ? vbss_record_step(record, 1e-3) : vbss_scene_step(s->scene, 1e-3));
     s->step++;
 }

@@ -109,11 +109,11 @@ static inline vec3 moved(const stage_drain *d, uint32_t node)
 /* How far the farthest particle is from its rest position, but for one; DRAIN_NODES: none is left out. */
 static inline double farthest(const stage_drain *d, uint32_t but)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t i = 0; i < DRAIN_NODES; i++) {
-        most = i == but ? most : vbss_max(vec3_norm(moved(d, i)), most);
+        largest = i == but ? largest : vbss_max(vec3_norm(moved(d, i)), largest);
     }
-    return most;
+    return largest;
 }
 
 static inline vbss_drain_gap gap_of(const stage_drain *d)
@@ -128,13 +128,13 @@ static inline double clearance(stage *s, const stage_drain *d)
 {
     uint32_t n;
     const vec3 *x = places(s->threads[0], &n);
-    double least = 1.0;
+    double smallest = 1.0;
     for (uint32_t e = 0; e < d->object->mesh.edge_count; e++) {
         const uint32_t *nodes = d->object->mesh.edges[e].nodes;
         const vec3 side[2] = {d->object->x[nodes[0]], d->object->x[nodes[1]]};
-        least = vbss_min(vec3_norm(between(x, n, side, 2)), least);
+        smallest = vbss_min(vec3_norm(between(x, n, side, 2)), smallest);
     }
-    return least;
+    return smallest;
 }
 
 #endif

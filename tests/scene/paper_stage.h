@@ -77,7 +77,7 @@ static inline uint32_t add_capsule(vbss_scene *scene, vbss_rigid_kind kind, vec3
 }
 
 /* Along x, its middle over the origin. */
-static inline void lay_over(stage *s, double y)
+static inline void place_over(stage *s, double y)
 {
     vbss_thread_config c = paper_thread(SEGMENTS);
     const double start[3] = {-0.075, y, 0.0};
@@ -125,7 +125,7 @@ static inline uint64_t hash_of(vbss_scene *scene)
 
 /* 100 steps of a body that is a scene, and the same again in a context with another history; contacts of all of them
  * together. */
-static inline void expect_runs_alike(const harness_body *body, uint64_t least_contacts)
+static inline void expect_runs_alike(const harness_body *body, uint64_t min_contacts)
 {
     uint64_t hashes[2], contacts = 0;
     for (int k = 0; k < 2; k++) {
@@ -146,7 +146,7 @@ static inline void expect_runs_alike(const harness_body *body, uint64_t least_co
         end(&s);
     }
     assert_int_equal(hashes[0], hashes[1]);
-    assert_true(contacts > least_contacts);
+    assert_true(contacts > min_contacts);
 }
 
 /* From the nearest point of segments p to that of segments q. */

@@ -16,9 +16,9 @@ static void begin_crowd(crowd *c, uint32_t contacts, uint32_t candidates, vbss_s
 }
 
 /* Steps until one has no room; that has changed nothing, nor has the same step again. Which it was. */
-static uint32_t crowd_steps(crowd *c, uint32_t most)
+static uint32_t crowd_steps(crowd *c, uint32_t limit)
 {
-    for (uint32_t i = 0; i < most; i++) {
+    for (uint32_t i = 0; i < limit; i++) {
         expect_ok(drain_hands_drive(c->s.scene));
         uint64_t hash = small_hash(&c->s), own = drains_rig_hash(c->hands.drain);
         vbss_result result = vbss_scene_step(c->s.scene, 1e-3);
@@ -33,7 +33,7 @@ static uint32_t crowd_steps(crowd *c, uint32_t most)
             return i;
         }
     }
-    return most;
+    return limit;
 }
 
 static void step_without_capacity_changes_nothing(void **state)

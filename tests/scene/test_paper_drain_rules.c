@@ -31,7 +31,7 @@ static void contact_free_drain_equals_standalone(void **state)
         c.paper_damping = 0.1;
         begin(&s);
         make(&s);
-        lay_over(&s, 0.05);
+        place_over(&s, 0.05);
         add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(0.1, 0, 0), vec3_make(0.1, 0.1, 0), 2e-3);
         d = add_drain(&s, &c);
         expect_ok(vbss_drain_create(s.context, &c, &alone.drain));

@@ -22,7 +22,7 @@ static void failed_step_is_undone(void **state)
             add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(-0.02, 0.004, 0),
                         vec3_make(0.02, 0.004, 0), 1e-3);
         }
-        lay_over(&s, 0.01);
+        place_over(&s, 0.01);
         vbss_result result = VBSS_OK;
         if (k == 2) {
             thread_object *t;
@@ -62,7 +62,7 @@ static void options_of_other_method_are_rejected(void **state)
     ours.method = VBSS_METHOD_OURS;
     expect_ok(vbss_thread_create(s.context, &ours, &s.threads[0]));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(s.scene, s.threads[0], &body));
-    lay_over(&s, 0.0);
+    place_over(&s, 0.0);
     expect_result(VBSS_ERROR_IN_SCENE, vbss_thread_step(s.threads[0], 1e-3));
     for (int k = 0; k < 3; k++) {
         expect_result(VBSS_ERROR_NOT_FINITE, vbss_scene_step(s.scene, harness_bad_numbers[k]));

@@ -81,19 +81,20 @@ static void snapshot_of_newer_version_is_rejected(void **state)
     small_life(&s, VBSS_METHOD_OURS);
     small_state good = small_save(&s);
     uint64_t hash = small_hash(&s);
-    uint32_t told = 0;
+    uint32_t reported = 0;
     for (size_t at = 0; at + 16 < good.count;
          at++) { /* versions of sections, whatever their place */
         if (good.bytes[at] == 0xfe && good.bytes[at + 1] == 0xff && good.bytes[at + 3] == 0) {
             uint8_t kept = good.bytes[at + 2];
             good.bytes[at + 2] = 0x7f;
             harness_seal_snapshot(good.bytes, good.count);
-            told += vbss_scene_restore(s.scene, good.bytes, good.count) == VBSS_ERROR_DATA_VERSION;
+            reported +=
+                vbss_scene_restore(s.scene, good.bytes, good.count) == VBSS_ERROR_DATA_VERSION;
             good.bytes[at + 2] = kept;
             assert_true(small_hash(&s) == hash);
         }
     }
-    assert_int_equal(told, 2); /* of the scene, and of its thread */
+    assert_int_equal(reported, 2); /* of the scene, and of its thread */
     free(good.bytes);
     small_end(&s);
 }

@@ -132,12 +132,12 @@ static void blades_close_on_nothing(void **state)
         shears_begin_scene(&r, method);
         shears_line(&r, true);
         shears_tool(&r, VBSS_GRASPER_SHEARS, 17e-3, 0.0); /* beyond the thread's end */
-        double angle = r.config.shears_opening, most = 1e-3 * r.config.jaw_speed;
+        double angle = r.config.shears_opening, largest = 1e-3 * r.config.jaw_speed;
         uint64_t nodes = cut_nodes(r.thread);
         shears_open(&r, 0, 0.0);
         for (int i = 0; i < 60; i++) {
             shears_steps(&r, 1);
-            angle = vbss_max(angle - most, 0.0);
+            angle = vbss_max(angle - largest, 0.0);
             expect_near(angle, shears_state(&r, 0).jaw_angle, 1e-14);
             assert_int_equal(small_view(&r.s, VBSS_SCENE_VIEW_EVENTS).count, 0);
         }

@@ -24,7 +24,7 @@ void tools_end(tools_rig *r)
 uint32_t tools_add(tools_rig *r, vec3 tip)
 {
     uint32_t tool = r->count++;
-    assert_true(tool < TOOLS_MOST);
+    assert_true(tool < TOOLS_MAX);
     r->config.method = r->s.config.method;
     expect_ok(vbss_grasper_create(r->s.context, &r->config, &r->tools[tool]));
     tools_move(r, tool, tip);

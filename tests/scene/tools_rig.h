@@ -5,13 +5,13 @@
 
 #include "scene/small.h"
 
-enum { TOOLS_MOST = 4, TOOLS_SEGMENTS = 60, TOOLS_NODES = TOOLS_SEGMENTS + 1 };
+enum { TOOLS_MAX = 4, TOOLS_SEGMENTS = 60, TOOLS_NODES = TOOLS_SEGMENTS + 1 };
 
 typedef struct tools_rig {
     small s;
     vbss_grasper_config config; /* change it before what it makes */
-    vbss_grasper *tools[TOOLS_MOST];
-    uint32_t bodies[TOOLS_MOST], count;
+    vbss_grasper *tools[TOOLS_MAX];
+    uint32_t bodies[TOOLS_MAX], count;
     vbss_thread *thread;
     uint32_t body, pins[2];
 } tools_rig;

@@ -12,9 +12,9 @@ typedef struct change {
 static const change bounds[] = {{1e-14, 1e-14, 0.0}, {1e-14, 1e-14, 0.26},  {0.11, 0.045, 0.09},
                                 {0.05, 0.02, 0.04},  {0.035, 0.011, 0.023}, {0.027, 0.007, 0.015}};
 
-static void expect_changed(vec3 before, vec3 after, double most)
+static void expect_changed(vec3 before, vec3 after, double limit)
 {
-    expect_near(0.0, vec3_distance(before, after) / vec3_norm(before), most);
+    expect_near(0.0, vec3_distance(before, after) / vec3_norm(before), limit);
 }
 
 /* The positions of both parts, for what must not move. */
@@ -28,13 +28,13 @@ static void expect_parts(fixture *f, vbss_thread *a, vbss_thread *b, vbss_thread
     expect_near(s, rest_length_of(a), 1e-12);
     expect_near(f->config.length - s, rest_length_of(b), 1e-12);
     expect_near(f->config.linear_density * s, m.mass, 1e-12 * mass);
-    const change *most =
+    const change *largest =
         &bounds[f->config.method == VBSS_METHOD_PAPER ? 0 : f->config.segment_count];
     vec3 centre = vec3_add(vec3_scale(vec3_load(m.centre), m.mass / mass),
                            vec3_scale(vec3_load(n.centre), n.mass / mass));
-    expect_changed(vec3_load(before.linear), linear, most->linear);
+    expect_changed(vec3_load(before.linear), linear, largest->linear);
     expect_near(0.0, vec3_distance(vec3_load(before.centre), centre) / f->config.length,
-                most->centre);
+                largest->centre);
     vec3 angular = vec3_add(vec3_load(m.angular), vec3_load(n.angular));
     /* A new node has the speed of the chord but not what its halves turn with. */
     expect_changed(vec3_load(before.angular), angular, bounds[f->config.segment_count].angular);
