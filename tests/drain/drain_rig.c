@@ -267,11 +267,3 @@ bool drain_rig_is_anchor(drain_rig *r, uint32_t node)
     }
     return false;
 }
-
-void drain_rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
-                    int line)
-{
-    harness_near(wanted.x, got.x, tolerance, what, file, line);
-    harness_near(wanted.y, got.y, tolerance, what, file, line);
-    harness_near(wanted.z, got.z, tolerance, what, file, line);
-}

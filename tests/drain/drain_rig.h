@@ -59,10 +59,4 @@ double drain_rig_distance(drain_rig *r, const vec3 *positions);
 void drain_rig_copy(drain_rig *r, vec3 *positions);
 bool drain_rig_is_anchor(drain_rig *r, uint32_t node);
 
-/* Largest component of the difference is at most the tolerance. */
-#define expect_near_vec3(wanted, got, tolerance) \
-    drain_rig_near((wanted), (got), (tolerance), #got, __FILE__, __LINE__)
-void drain_rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
-                    int line);
-
 #endif

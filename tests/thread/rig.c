@@ -272,10 +272,3 @@ vbss_thread_statistics rig_statistics(rig *r)
     expect_ok(vbss_thread_get_statistics(r->thread, &statistics, sizeof statistics));
     return statistics;
 }
-
-void rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file, int line)
-{
-    harness_near(wanted.x, got.x, tolerance, what, file, line);
-    harness_near(wanted.y, got.y, tolerance, what, file, line);
-    harness_near(wanted.z, got.z, tolerance, what, file, line);
-}

@@ -64,10 +64,4 @@ vbss_thread_energies rig_energies(rig *r);
 vbss_thread_momentum rig_momentum(rig *r);
 vbss_thread_statistics rig_statistics(rig *r);
 
-/* Largest component of the difference is at most the tolerance. */
-#define expect_near_vec3(wanted, got, tolerance) \
-    rig_near((wanted), (got), (tolerance), #got, __FILE__, __LINE__)
-void rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
-              int line);
-
 #endif
