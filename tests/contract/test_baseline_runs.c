@@ -7,6 +7,7 @@
 #include "contract/events.h"
 #include "fixtures/paper_needle_scenes.h"
 #include "scene/paper_drains.h"
+#include "fixtures/scene_build.h"
 
 static vbss_result destroy(void *handle)
 {
@@ -157,12 +158,10 @@ static vbss_result heap_create(vbss_context *context, void *user, void **handle)
         add_capsule(scene, VBSS_RIGID_COUPLED, vec3_make(0, 0, -0.02), vec3_make(0, 0, 0.02), 2e-3);
     for (int k = 0; k < 2; k++) {
         vbss_thread_config t = paper_thread(12);
-        vbss_thread *thread;
         vec3_store(t.start, vec3_make(-0.02, 0.003 + 0.002 * k, 0.001 * k));
         vec3_store(t.direction, vec3_make(1.0, 0.0, 0.2 * k));
         t.length = 0.05;
-        VBSS_TRY(vbss_thread_create(context, &t, &thread));
-        VBSS_TRY(vbss_scene_add_thread(scene, thread, &body));
+        VBSS_TRY(scene_build_thread(context, scene, &t, NULL, &body));
     }
     return vbss_scene_pin_thread(scene, body, 12, tool, NULL, &pin);
 }
@@ -188,11 +187,10 @@ static vbss_result poked_add_drain(vbss_context *context, vbss_scene *scene)
 {
     vbss_drain *drain;
     vbss_drain_attachment a;
-    uint32_t body, id;
+    uint32_t id;
     vbss_drain_config d = paper_drain();
     d.gravity[1] = -9.81;
-    VBSS_TRY(vbss_drain_create(context, &d, &drain));
-    VBSS_TRY(vbss_scene_add_drain(scene, drain, &body));
+    VBSS_TRY(scene_build_drain(context, scene, &d, &drain, NULL));
     VBSS_TRY(vbss_drain_attachment_init(&a, sizeof a));
     a.node = 3;
     a.position[1] = 7e-3;
@@ -204,8 +202,6 @@ static vbss_result poked_create(vbss_context *context, void *user, void **handle
     (void)user;
     vbss_scene_config c;
     vbss_scene *scene = NULL;
-    vbss_thread *thread;
-    uint32_t body;
     VBSS_TRY(vbss_scene_config_init(&c, sizeof c));
     c.method = VBSS_METHOD_PAPER;
     c.floor = 1;
@@ -218,8 +214,7 @@ static vbss_result poked_create(vbss_context *context, void *user, void **handle
     vec3_store(t.start, vec3_make(3e-3, 7.3e-3, -0.02));
     vec3_store(t.direction, vec3_make(0.0, 0.0, 1.0));
     t.length = 0.04;
-    VBSS_TRY(vbss_thread_create(context, &t, &thread));
-    return vbss_scene_add_thread(scene, thread, &body);
+    return scene_build_thread(context, scene, &t, NULL, NULL);
 }
 
 static vbss_result poked_step(void *handle)

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "contract/contract.h"
 #include "scene/api/api.h"
+#include "fixtures/scene_build.h"
 
 static const vbss_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
 
@@ -71,8 +72,6 @@ static vbss_result create(vbss_context *context, void **handle)
 {
     vbss_scene_config config;
     vbss_thread_config own;
-    vbss_thread *thread;
-    uint32_t body;
     VBSS_TRY(vbss_scene_config_init(&config, sizeof config));
     VBSS_TRY(vbss_thread_config_init(&own, sizeof own));
     config.node_capacity = 200;
@@ -81,8 +80,7 @@ static vbss_result create(vbss_context *context, void **handle)
     own.segment_count = 5;
     own.length = 0.01;
     own.start[1] = -0.1;
-    VBSS_TRY(vbss_thread_create(context, &own, &thread));
-    VBSS_TRY(vbss_scene_add_thread(*handle, thread, &body));
+    VBSS_TRY(scene_build_thread(context, *handle, &own, NULL, NULL));
     return add_rigid(*handle, 1.0);
 }
 

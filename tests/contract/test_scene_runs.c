@@ -7,6 +7,7 @@
 #include "fixtures/scene_body.h"
 #include "scene/cut_rig.h"
 #include "scene/drains_rig.h"
+#include "fixtures/scene_build.h"
 
 static vbss_result destroy(void *handle)
 {
@@ -21,19 +22,15 @@ static vbss_result cut_add_tool(vbss_scene *scene, double x)
 {
     const vbss_capsule capsule = {{x, 0.0, -5e-3}, {x, 0.0, 5e-3}, 1e-3};
     vbss_rigid_config config;
-    uint32_t body;
     VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
     config.kind = x > 0.02 ? VBSS_RIGID_FREE : VBSS_RIGID_DRIVEN;
-    config.capsules = &capsule;
-    config.capsule_count = 1;
-    return vbss_scene_add_rigid(scene, &config, &body);
+    return scene_build_capsule(scene, &config, capsule, NULL);
 }
 
 static vbss_result cut_create(vbss_context *context, void *user, void **handle)
 {
     vbss_scene_config config;
     vbss_thread_config thread;
-    vbss_thread *line;
     vbss_scene *scene;
     uint32_t body, pin;
     VBSS_TRY(vbss_scene_config_init(&config, sizeof config));
@@ -46,8 +43,7 @@ static vbss_result cut_create(vbss_context *context, void *user, void **handle)
     thread.start[1] = 1.13e-3;
     VBSS_TRY(vbss_scene_create(context, &config, &scene));
     *handle = scene;
-    VBSS_TRY(vbss_thread_create(context, &thread, &line));
-    VBSS_TRY(vbss_scene_add_thread(scene, line, &body));
+    VBSS_TRY(scene_build_thread(context, scene, &thread, NULL, &body));
     VBSS_TRY(cut_add_tool(scene, 0.008));
     VBSS_TRY(cut_add_tool(scene, 0.022));
     VBSS_TRY(vbss_scene_pin_thread(scene, body, 0, 0, NULL, &pin));

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/little_endian.h"
 #include "record/step_codec.h"
+#include "fixtures/scene_build.h"
 
 enum { NODES = 31 };
 
@@ -19,14 +20,12 @@ static vbss_result add_capsule(stage *s, const stage_options *options, vbss_rigi
                                vec3 at, double half_length, uint32_t *body)
 {
     vbss_rigid_config config;
-    vbss_capsule capsule = {{0.0, 0.0, -half_length}, {0.0, 0.0, half_length}, 2e-3};
+    const vbss_capsule capsule = {{0.0, 0.0, -half_length}, {0.0, 0.0, half_length}, 2e-3};
     VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
     config.kind = options->method == VBSS_METHOD_PAPER ? VBSS_RIGID_DRIVEN : kind;
-    config.capsules = &capsule;
-    config.capsule_count = 1;
     config.friction = options->tool_friction;
     vec3_store(config.position, at);
-    return vbss_scene_add_rigid(s->scene, &config, body);
+    return scene_build_capsule(s->scene, &config, capsule, body);
 }
 
 static vbss_result make_thread(stage *s, const stage_options *options)

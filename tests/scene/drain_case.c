@@ -2,6 +2,7 @@
 
 #include "base/rotation.h"
 #include "scene/folded.h"
+#include "fixtures/scene_build.h"
 
 /* Below this no gain is looked at, J: of the drain's energy when the slit is closed a thousandth. */
 #define MIN_GAIN 1e-6
@@ -21,8 +22,7 @@ void drain_case_begin(drain_case *c)
 void drain_case_make(drain_case *c)
 {
     small_create(&c->s);
-    expect_ok(vbss_drain_create(c->s.context, &c->config, &c->drain));
-    expect_ok(vbss_scene_add_drain(c->s.scene, c->drain, &c->body));
+    expect_ok(scene_build_drain(c->s.context, c->s.scene, &c->config, &c->drain, &c->body));
     expect_ok(vbss_drain_get_places(c->drain, &c->places, sizeof c->places));
     small_watch_begin(&c->s, &c->watch);
     drain_case_reckon(c);

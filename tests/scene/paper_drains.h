@@ -29,9 +29,8 @@ static inline vbss_drain_config paper_drain(void)
 static inline stage_drain add_drain(stage *s, const vbss_drain_config *c)
 {
     stage_drain d = {NULL, NULL, 0};
-    expect_ok(vbss_drain_create(s->context, c, &d.drain));
+    expect_ok(scene_build_drain(s->context, s->scene, c, &d.drain, &d.body));
     expect_ok(vbss_drain_open(d.drain, &d.object));
-    expect_ok(vbss_scene_add_drain(s->scene, d.drain, &d.body));
     return d;
 }
 
@@ -48,13 +47,9 @@ static inline uint32_t add_tool(stage *s, vec3 tip, vec3 axis, double radius)
 {
     uint32_t body = 0;
     vbss_rigid_config c;
-    vbss_capsule capsule = {.radius = radius};
     expect_ok(vbss_rigid_config_init(&c, sizeof c));
-    vec3_store(capsule.end, axis);
     vec3_store(c.position, tip);
-    c.capsules = &capsule;
-    c.capsule_count = 1;
-    expect_ok(vbss_scene_add_rigid(s->scene, &c, &body));
+    expect_ok(scene_build_capsule(s->scene, &c, scene_build_rod(vec3_zero(), axis, radius), &body));
     return body;
 }
 

@@ -9,6 +9,7 @@
 #include "harness/harness.h"
 #include "scene/api/api.h"
 #include "scene/world/world.h"
+#include "fixtures/scene_build.h"
 
 #define FRAME (1.0 / 150.0) /* of the paper, s */
 #define RADIUS 0.125e-3
@@ -56,8 +57,7 @@ static inline vbss_thread_config paper_thread(uint32_t segments)
 
 static inline void add(stage *s, int which, const vbss_thread_config *c)
 {
-    expect_ok(vbss_thread_create(s->context, c, &s->threads[which]));
-    expect_ok(vbss_scene_add_thread(s->scene, s->threads[which], &s->bodies[which]));
+    expect_ok(scene_build_thread(s->context, s->scene, c, &s->threads[which], &s->bodies[which]));
 }
 
 static inline uint32_t add_capsule(vbss_scene *scene, vbss_rigid_kind kind, vec3 begin, vec3 end,
@@ -65,14 +65,9 @@ static inline uint32_t add_capsule(vbss_scene *scene, vbss_rigid_kind kind, vec3
 {
     uint32_t body = 0;
     vbss_rigid_config c;
-    vbss_capsule capsule = {.radius = r};
     expect_ok(vbss_rigid_config_init(&c, sizeof c));
-    vec3_store(capsule.begin, begin);
-    vec3_store(capsule.end, end);
     c.kind = kind;
-    c.capsules = &capsule;
-    c.capsule_count = 1;
-    expect_ok(vbss_scene_add_rigid(scene, &c, &body));
+    expect_ok(scene_build_capsule(scene, &c, scene_build_rod(begin, end, r), &body));
     return body;
 }
 

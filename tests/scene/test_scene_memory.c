@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "scene/small.h"
+#include "fixtures/scene_build.h"
 
 static const vbss_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
 
@@ -183,8 +184,7 @@ static void removed_bodies_free_capacity(void **state)
         uint32_t b = small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_scale(high, 2.0), high, 1e-3);
         assert_true(last < a && a < t && t < b);
         last = b;
-        s.rigid.capsules = &ball;
-        expect_result(VBSS_ERROR_CAPACITY, vbss_scene_add_rigid(s.scene, &s.rigid, &refused));
+        expect_result(VBSS_ERROR_CAPACITY, scene_build_capsule(s.scene, &s.rigid, ball, &refused));
         small_steps(&s, 1, 1e-3);
         expect_ok(vbss_scene_remove(s.scene, i % 2 == 0 ? a : b));
         expect_ok(vbss_scene_remove(s.scene, t));

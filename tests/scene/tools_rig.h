@@ -24,6 +24,7 @@ void tools_begin_scene(tools_rig *r); /* and one with the defaults */
 void tools_end(tools_rig *r);         /* asserts that all memory came back */
 /* A tool that is still where the hand is: first with open jaws, its tip there, the shaft up. */
 uint32_t tools_add(tools_rig *r, vec3 tip);
+uint32_t tools_add_turned(tools_rig *r, vec3 tip, quat turn);
 /* Along y, from -15 mm to 15 mm, `aside` from the middle of jaws at the origin. */
 void tools_thread(tools_rig *r, tools_ends ends, double aside);
 
