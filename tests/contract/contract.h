@@ -102,6 +102,7 @@ typedef struct contract_snapshot {
     vbss_result (*restore)(void *handle, const void *bytes, uint64_t count);
     contract_field fields[CONTRACT_FIELDS];
     void (*reserve_more)(void *config); /* changes what a snapshot need not match; NULL: nothing */
+    vbss_result (*step)(void *handle);  /* before the restore into that; NULL: none */
 } contract_snapshot;
 
 int contract_check_snapshot(const char *group, const contract_snapshot *snapshot);
@@ -119,11 +120,13 @@ typedef struct contract_member {
     vbss_result (*hash)(void *handle, uint64_t *hash);
     vbss_result (*add)(vbss_scene *scene, void *handle, uint32_t *body);
     vbss_result (*edit)(
-        void *handle);         /* is rejected while a scene owns the object; NULL: no such call */
-    void (*use)(void *handle); /* calls that work in and outside a scene; NULL: none */
+        void *handle); /* is rejected while a scene owns the object; NULL: no such call */
+    /* Calls that work in and outside a scene, and what shows whether a scene owns the object; NULL: none. */
+    void (*use)(void *handle, bool owned);
     /* Gives the scene capacity for that many, in its k-th kind of capacity. */
     void (*limit)(vbss_scene_config *config, uint32_t count, uint32_t kind);
     uint32_t limit_kinds;
+    uint64_t add_allocations; /* the fewest that adding one makes */
 } contract_member;
 
 int contract_check_member(const char *group, const contract_member *member);

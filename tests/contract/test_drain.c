@@ -540,6 +540,7 @@ static const contract_snapshot snapshot = {
                CHOICE(linearisation_limit),
                CHOICE(halving_limit)},
     .reserve_more = scale_orientation,
+    .step = call_step,
 };
 
 static const contract_snapshot paper_snapshot = {

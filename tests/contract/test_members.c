@@ -59,8 +59,9 @@ static vbss_result thread_cut(void *handle)
     return result;
 }
 
-static void thread_use(void *thread)
+static void thread_use(void *thread, bool owned)
 {
+    (void)owned;
     vbss_thread_attachment a;
     vbss_thread_statistics statistics;
     uint32_t id;
@@ -94,6 +95,7 @@ static const contract_member thread = {
     .use = thread_use,
     .limit = thread_limit,
     .limit_kinds = 2,
+    .add_allocations = 1,
 };
 
 /* ---- drains */
@@ -138,8 +140,9 @@ static vbss_result drain_add(vbss_scene *scene, void *handle, uint32_t *body)
     return vbss_scene_add_drain(scene, handle, body);
 }
 
-static void drain_use(void *drain)
+static void drain_use(void *drain, bool owned)
 {
+    (void)owned;
     vbss_drain_attachment a;
     vbss_drain_places places;
     vbss_drain_gap gap;
@@ -186,6 +189,7 @@ static const contract_member drain = {
     .use = drain_use,
     .limit = drain_limit,
     .limit_kinds = 1,
+    .add_allocations = 3,
 };
 
 /* ---- needles */
@@ -239,6 +243,14 @@ static vbss_result needle_put(void *handle)
     return vbss_needle_set_state(handle, there, NULL, NULL, NULL);
 }
 
+/* Its state names its body in the scene. */
+static void needle_use(void *needle, bool owned)
+{
+    vbss_needle_state state;
+    expect_ok(vbss_needle_get_state(needle, &state, sizeof state));
+    assert_int_equal(state.body != 0, owned);
+}
+
 /* By bodies, or by capsules. */
 static void needle_limit(vbss_scene_config *config, uint32_t count, uint32_t kind)
 {
@@ -260,8 +272,10 @@ static const contract_member needle = {
     .hash = needle_hash,
     .add = needle_add,
     .edit = needle_put,
+    .use = needle_use,
     .limit = needle_limit,
     .limit_kinds = 2,
+    .add_allocations = 1,
 };
 
 int test_members(void)

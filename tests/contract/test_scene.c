@@ -306,7 +306,22 @@ static const contract_object object = {
     .cycles = 12,
 };
 
-/* ---- snapshots; those of scenes with other bodies: scene.scene_state */
+/* ---- snapshots of scenes with a thread and a free capsule; those of scenes with other bodies: scene.scene_state */
+
+static vbss_result create_pair(vbss_context *context, const void *config, void **handle)
+{
+    vbss_thread_config own;
+    vbss_rigid_config rigid;
+    uint32_t body;
+    VBSS_TRY(vbss_scene_create(context, config, (vbss_scene **)handle));
+    VBSS_TRY(vbss_thread_config_init(&own, sizeof own));
+    own.segment_count = 5;
+    own.length = 0.01;
+    VBSS_TRY(scene_build_thread(context, *handle, &own, NULL, NULL));
+    VBSS_TRY(rigid_init(&rigid, sizeof rigid));
+    rigid.kind = VBSS_RIGID_FREE;
+    return vbss_scene_add_rigid(*handle, &rigid, &body);
+}
 
 static void usual_config(void *config)
 {
@@ -347,7 +362,7 @@ static const contract_snapshot snapshot = {
     .kind = &vbss_scene_kind,
     .config = usual_config,
     .config_size = sizeof(vbss_scene_config),
-    .create = create_from,
+    .create = create_pair,
     .destroy = destroy,
     .save = save,
     .restore = restore,
@@ -357,6 +372,7 @@ static const contract_snapshot snapshot = {
                CHOICE(floor, 1), CHOICE(state_limit, -1), CHOICE(linearisation_limit, -1),
                CHOICE(halving_limit, -1), CHOICE(attempt_limit, -1), CHOICE(pin_capacity, -1)},
     .reserve_more = reserve_more,
+    .step = call_step,
 };
 
 int test_scene(void)

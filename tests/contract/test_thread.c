@@ -425,6 +425,7 @@ static const contract_snapshot snapshot = {
                CHOICE(iteration_limit, -1), CHOICE(halving_limit, -1),
                CHOICE(attachment_capacity, -1)},
     .reserve_more = reserve_cuts,
+    .step = call_step,
 };
 
 int test_thread(void)

@@ -118,32 +118,6 @@ static inline uint64_t hash_of(vbss_scene *scene)
     return hash;
 }
 
-/* 100 steps of a body that is a scene, and the same again in a context with another history; contacts of all of them
- * together. */
-static inline void expect_runs_alike(const harness_body *body, uint64_t min_contacts)
-{
-    uint64_t hashes[2], contacts = 0;
-    for (int k = 0; k < 2; k++) {
-        stage s;
-        begin(&s);
-        void *handle, *other;
-        if (k == 1) {
-            expect_ok(body->create(s.context, body->user, &other));
-            expect_ok(body->step(other));
-        }
-        expect_ok(body->create(s.context, body->user, &handle));
-        for (int i = 0; i < 100; i++) {
-            expect_ok(body->step(handle));
-            s.scene = handle;
-            contacts += statistics_of(&s).contacts;
-        }
-        hashes[k] = hash_of(handle);
-        end(&s);
-    }
-    assert_int_equal(hashes[0], hashes[1]);
-    assert_true(contacts > min_contacts);
-}
-
 /* From the nearest point of segments p to that of segments q. */
 static inline vec3 between(const vec3 *p, uint32_t n, const vec3 *q, uint32_t m)
 {

@@ -1,8 +1,6 @@
-/* Needles and tools that are removed from a scene while the needle is held. */
+/* Needles and tools that are removed or destroyed while the needle is held. */
 #include "scene/needles_rig.h"
 #include "fixtures/needle_scenes.h"
-
-/* ---- what is held goes */
 
 /* Without an event: what is no longer there was not let go. The jaws close on. */
 static void held_needle_can_be_removed(void **state)
@@ -73,12 +71,48 @@ static void swaged_needle_can_be_removed(void **state)
     small_end(&s);
 }
 
+/* ---- ends */
+
+/* A needle in jaws, and one that is older than the scene. */
+static void context_end_destroys_held_needle_in_any_order(void **state)
+{
+    (void)state;
+    for (int order = 0; order < 16; order++) {
+        needles_rig r;
+        vbss_needle *before;
+        uint32_t body;
+        needles_begin(&r);
+        r.config.position[2] = 0.1;
+        expect_ok(vbss_needle_create(r.tools.s.context, &r.config, &before));
+        small_create(&r.tools.s);
+        r.config.position[2] = 0.0;
+        needles_hold(&r);
+        if ((order & 1) != 0) {
+            expect_ok(vbss_scene_add_needle(r.tools.s.scene, before, &body));
+        }
+        if ((order & 2) != 0) {
+            tools_open(&r.tools, 0, 1.0);
+        }
+        tools_steps(&r.tools, 1);
+        if ((order & 4) != 0) {
+            expect_ok(vbss_scene_destroy(r.tools.s.scene));
+            expect_ok(vbss_needle_step(r.needle, 1e-3));
+        }
+        if ((order & 4) != 0 && (order & 8) != 0) {
+            expect_ok(vbss_needle_destroy(r.needle));
+            expect_ok(vbss_grasper_destroy(r.tools.tools[0]));
+        }
+        needles_end(&r);
+    }
+}
+
 int test_needle_removal(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(held_needle_can_be_removed),
         harness_test(holding_tool_can_be_removed),
         harness_test(swaged_needle_can_be_removed),
+        harness_test(context_end_destroys_held_needle_in_any_order),
     };
     return cmocka_run_group_tests_name("scene.needle_removal", tests, NULL, NULL);
 }
