@@ -49,7 +49,7 @@ static vbss_result make(tool_rest *s)
     return VBSS_OK;
 }
 
-static vbss_result damp(tool_rest *s)
+static vbss_result relax(tool_rest *s)
 {
     for (uint32_t i = 1; i <= AT_REST; i++) {
         VBSS_TRY(tool_rig_step_to(&s->rig, 0, hand_at(s, i)));
@@ -86,7 +86,7 @@ static int setup(void *user)
 {
     tool_rest *s = user;
     vbss_result result = make(s);
-    result = result == VBSS_OK ? damp(s) : result;
+    result = result == VBSS_OK ? relax(s) : result;
     result = result == VBSS_OK ? look(s) : result;
     if (result != VBSS_OK) {
         tool_rig_end(&s->rig);

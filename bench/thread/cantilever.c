@@ -47,15 +47,15 @@ static const struct {
 };
 
 /* What takes too long: minutes in a full run, more than a few seconds in a quick one. */
-typedef enum slow_part { DAMPED_STEPS, EVERYTHING } slow_part;
+typedef enum slow_part { RELAX_STEPS, EVERYTHING } slow_part;
 static const struct {
     const char *method;
     uint32_t size;
     slow_part part;
     bool only_quick;
 } left_out[] = {
-    {"paper", 240, DAMPED_STEPS, true},       {"bullet-multibody", 240, DAMPED_STEPS, true},
-    {"mujoco", 60, DAMPED_STEPS, true},       {"mujoco", 120, DAMPED_STEPS, false},
+    {"paper", 240, RELAX_STEPS, true},        {"bullet-multibody", 240, RELAX_STEPS, true},
+    {"mujoco", 60, RELAX_STEPS, true},        {"mujoco", 120, RELAX_STEPS, false},
     {"mujoco", 120, EVERYTHING, true},        {"mujoco", 240, EVERYTHING, false},
     {"mujoco-damped", 240, EVERYTHING, true},
 };
@@ -65,7 +65,7 @@ typedef struct fall {
     const cantilever_method *method;
     cantilever_setup setup;
     double largest_dt;
-    bool damps; /* the static tip is looked for */
+    bool relaxes; /* the static tip is looked for */
     bool quick;
     void *thread;
     double stretch; /* largest so far */
@@ -148,9 +148,9 @@ static void finish_fall(void *user, bench_result *result)
     f->method->tip(f->thread, tip);
     bench_simulated_step(result, timed * 1e6);
     double us_per_ms = bench_counter_value(result, "us_per_ms");
-    if (f->damps) {
+    if (f->relaxes) {
         bench_counter(result, "static_tip_error_mm",
-                      cantilever_damp_mm(f->method, segments, timed));
+                      cantilever_relax_mm(f->method, segments, timed));
     }
     bench_counter(result, "dynamic_tip_error_mm", cantilever_distance_mm(tip, fallen_tip));
     bench_counter(result, "stretch_max", f->stretch);
@@ -166,7 +166,7 @@ static void finish_fall(void *user, bench_result *result)
     } else {
         bench_counter(result, "us_per_ms_at_largest_dt",
                       cantilever_us_per_ms(f->method, segments, largest, tries));
-        double off = cantilever_damp_mm(f->method, segments, largest);
+        double off = cantilever_relax_mm(f->method, segments, largest);
         if (!(off < DAMPED_MM)) {
             bench_fail(result, "%g mm from the static tip by steps of largest_dt", off);
         }
@@ -198,7 +198,7 @@ static void add_fall(bench *b, size_t m, size_t size)
     f->setup.segments = sizes[size];
     f->largest_dt = method->largest_dt[size];
     f->setup.dt = method->dt[size] > 0.0 ? method->dt[size] : f->largest_dt;
-    f->damps = !is_left_out(b, methods[m].name, sizes[size], DAMPED_STEPS);
+    f->relaxes = !is_left_out(b, methods[m].name, sizes[size], RELAX_STEPS);
     f->quick = bench_is_quick(b);
     bench_add_stepped(b, &(bench_stepped){.name = f->name,
                                           .user = f,
@@ -209,7 +209,7 @@ static void add_fall(bench *b, size_t m, size_t size)
                                           .hash = hash_fall,
                                           .finish = finish_fall,
                                           .teardown = end_fall});
-    if (!f->damps) {
+    if (!f->relaxes) {
         bench_add_skipped(b, f->static_name, "settling takes too long");
     }
 }

@@ -24,7 +24,7 @@ double cantilever_distance_mm(const double a[3], const double b[3])
     return 1e3 * sqrt(x * x + y * y + z * z);
 }
 
-double cantilever_damp_mm(const cantilever_method *method, uint32_t segments, double dt)
+double cantilever_relax_mm(const cantilever_method *method, uint32_t segments, double dt)
 {
     const cantilever_setup setup = {.segments = segments, .dt = dt, .drag = DAMPING_DRAG};
     uint32_t steps = cantilever_steps(DAMPING_S, dt);

@@ -15,7 +15,7 @@
 #include "fixtures/drain_scenes.h"
 #include "tissue/scenes.h"
 
-enum { MESHES = 4, REFERENCE_DIVISIONS = 2, DAMPED_STEPS = 1500 };
+enum { MESHES = 4, REFERENCE_DIVISIONS = 2, RELAX_STEPS = 1500 };
 static const unsigned nodes[MESHES] = {137, 159, 181, 225};
 #define STEP_S 1e-3
 
@@ -231,7 +231,7 @@ static bool know_reference(double *marks, double *gap)
     bool good = known[0] > 0.0;
     if (!good && begin_slit(&fine) == 0) {
         good = true;
-        for (int i = 0; good && i < DAMPED_STEPS; i++) {
+        for (int i = 0; good && i < RELAX_STEPS; i++) {
             good = step_slit(&fine, 0) == 0;
         }
         get_stiffness(&fine, &known[0], &known[1]);
@@ -302,7 +302,7 @@ static void add_cases(bench *b)
         snprintf(s->name, sizeof s->name, "tissue/slit/ours/%u", nodes[mesh]);
         bench_add_stepped(b, &(bench_stepped){.name = s->name,
                                               .user = s,
-                                              .steps = DAMPED_STEPS,
+                                              .steps = RELAX_STEPS,
                                               .dt_us = STEP_S * 1e6,
                                               .deadline_us = 1000.0,
                                               .restore = begin_slit,

@@ -100,7 +100,7 @@ void drain_rig_statics(drain_rig *r)
     r->config.tear_stress = 1e12;
 }
 
-void drain_rig_damp(drain_rig *r, double speed, uint32_t limit)
+void drain_rig_relax(drain_rig *r, double speed, uint32_t limit)
 {
     uint32_t steps = 0;
     do {

@@ -32,7 +32,7 @@ void drain_rig_run(drain_rig *r, double h, uint32_t steps);
 /* Each step is a Newton iteration to rest: big steps, nothing halved, tangent and forces until they agree. */
 void drain_rig_statics(drain_rig *r);
 /* Long steps until no node is faster than `speed`, at most `limit` steps; then the test fails. */
-void drain_rig_damp(drain_rig *r, double speed, uint32_t limit);
+void drain_rig_relax(drain_rig *r, double speed, uint32_t limit);
 
 uint32_t drain_rig_count(drain_rig *r, vbss_drain_field field);
 const vec3 *drain_rig_vectors(drain_rig *r, vbss_drain_field field);

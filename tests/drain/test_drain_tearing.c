@@ -24,7 +24,7 @@ static void find_load(loaded *l)
     drain_rig_make(&r);
     assert_int_equal(drain_rig_count(&r, VBSS_DRAIN_ANCHORS), ANCHORS);
     drain_rig_force(&r, r.places.marks[0], load);
-    drain_rig_damp(&r, 1e-13, 500);
+    drain_rig_relax(&r, 1e-13, 500);
     drain_rig_copy(&r, l->x);
     drain_rig_areas(&r, areas);
     const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_ANCHOR_FORCES);
@@ -129,7 +129,7 @@ static void torn_node_stays_free(void **state)
     /* Without the load the drain goes back to its shape, but nothing holds the node there. */
     uint32_t torn = drain_rig_statistics(&r).torn;
     drain_rig_detach(&r, 1);
-    drain_rig_damp(&r, 1e-12, 200);
+    drain_rig_relax(&r, 1e-12, 200);
     expect_near_vec3(rest, drain_rig_position(&r, node), 1e-9);
     assert_int_equal(drain_rig_statistics(&r).torn, torn);
     expect_ok(vbss_drain_attach(r.drain, &a, &id));

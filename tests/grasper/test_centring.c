@@ -51,9 +51,9 @@ static void it_comes_to_rest(harness_source *source, void *user)
         expect_near_vec3(goal[i], s.grip.anchor[i], 1e-16);
         expect_same_bits(0.0, s.grip.anchor[i].x);
     }
-    const grasper_thread_clamp damped = s.grip;
+    const grasper_thread_clamp at_rest = s.grip;
     follow(&s);
-    assert_memory_equal(damped.anchor, s.grip.anchor, sizeof damped.anchor);
+    assert_memory_equal(at_rest.anchor, s.grip.anchor, sizeof at_rest.anchor);
 }
 
 static void grasped_thread_centres_in_jaws(void **state)

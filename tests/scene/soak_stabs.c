@@ -21,7 +21,7 @@ enum {
     MIN_STEPS = 4,
     MORE_STEPS = 8,
     LONG = 30,
-    DAMPED_STEPS = 8,
+    RELAX_STEPS = 8,
     PINS = 6
 };
 
@@ -124,7 +124,7 @@ static void begin(soak *s)
     hold_drain(s);
     needle_case_put(&c, vec3_make(0.0, 0.0, 0.1), vec3_make(0.0, 1.0, 0.0),
                     vec3_make(0.0, 0.0, 1.0));
-    needle_case_wait(&c, DAMPED_STEPS);
+    needle_case_wait(&c, RELAX_STEPS);
     needle_case_take_out(&c);
     begin_of_life = small_save(&c.d.s);
 }

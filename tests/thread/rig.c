@@ -108,7 +108,7 @@ void rig_run(rig *r, double h, uint32_t steps)
     }
 }
 
-uint32_t rig_damp(rig *r, double h, double speed, uint32_t limit)
+uint32_t rig_relax(rig *r, double h, double speed, uint32_t limit)
 {
     /* Still at a turning point is not still: twice in a row. */
     uint32_t still = 0, steps = 0;

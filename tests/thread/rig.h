@@ -34,7 +34,7 @@ void rig_move(rig *r, uint32_t id, vec3 target); /* directions stay */
 void rig_run(rig *r, double h, uint32_t steps);
 /* Steps until no node is faster than `speed` (m/s), at most `limit` steps; then the test fails.
  * Give the thread drag. Returns the steps made. */
-uint32_t rig_damp(rig *r, double h, double speed, uint32_t limit);
+uint32_t rig_relax(rig *r, double h, double speed, uint32_t limit);
 
 vec3 rig_position(rig *r, uint32_t node);
 vec3 rig_velocity(rig *r, uint32_t node);

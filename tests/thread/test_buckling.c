@@ -125,7 +125,7 @@ static vec3 tip_of_standing(double standing)
     uint32_t push = rig_force(&r, 20, vec3_make(0.0, 1e-6, 0.0));
     rig_run(&r, 0.01, 10);
     rig_move(&r, push, vec3_zero());
-    rig_damp(&r, 0.01, 1e-7, 1500);
+    rig_relax(&r, 0.01, 1e-7, 1500);
     vec3 tip = rig_tip(&r);
     rig_end(&r);
     return tip;
@@ -180,7 +180,7 @@ static void buckled_shape_is_euler_elastica(void **state)
         rig_place(&r, x, NULL);
         rig_pin_here(&r, 0);
         uint32_t pin = rig_pin_here(&r, 32);
-        rig_damp(&r, 0.01, 1e-11, 300);
+        rig_relax(&r, 0.01, 1e-11, 300);
         vec3 push = rig_reaction_force(&r, pin);
         double load = 4.0 * first * first * bending_stiffness / (length * length);
         vec3 middle = rig_position(&r, 16);

@@ -38,7 +38,7 @@ static void hang(rig *r, uint32_t segments, vbss_bending bending, uint32_t pins[
     rig_place(r, x, NULL);
     pins[0] = rig_pin_here(r, 0);
     pins[1] = rig_pin_here(r, segments);
-    rig_damp(r, 0.05, 1e-10, 100);
+    rig_relax(r, 0.05, 1e-10, 100);
 }
 
 static errors hang_and_compare(uint32_t segments, vbss_bending bending)
@@ -105,7 +105,7 @@ static void hanging_thread_tension_is_weight_below(void **state)
     rig_begin(&r, &c);
     uint32_t pin = rig_pin_here(&r, 0);
     rig_mass(&r, 12, 0.5);
-    rig_damp(&r, 0.05, 1e-12, 200);
+    rig_relax(&r, 0.05, 1e-12, 200);
     double segment = c.linear_density * length / 12.0 * 7.0; /* weight of one */
     for (uint32_t i = 0; i < 12; i++) {
         double below = 0.5 * 7.0 + segment * (11.5 - i);

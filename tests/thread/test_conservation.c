@@ -279,7 +279,7 @@ static void hanging_resting_thread_stays(void **state)
         config.drag = 8.0; /* finds the equilibrium; what is tested has none */
         rig_begin(&r, &config);
         k == 0 ? rig_pin_here(&r, 0) : rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
-        rig_damp(&r, 2e-3, 1e-12, 10000);
+        rig_relax(&r, 2e-3, 1e-12, 10000);
         rig_read(&r, VBSS_THREAD_POSITIONS, x);
         rig_end(&r);
         config.drag = 0.0;

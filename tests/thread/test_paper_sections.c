@@ -157,7 +157,7 @@ static void clamp_carries_weight_and_moment(void **state)
     config.paper_tolerance = 1e-2; /* met before: there is one iteration all the same */
     rig_begin(&r, &config);
     uint32_t clamp = rig_clamp_here(&r, 0, along);
-    rig_damp(&r, 1e-3, 1e-10, 12000);
+    rig_relax(&r, 1e-3, 1e-10, 12000);
     double line = 9.81 * config.linear_density, weight = line * config.length;
     vbss_thread_momentum m = rig_momentum(&r);
     expect_near_vec3(vec3_make(0.0, weight, 0.0), rig_reaction_force(&r, clamp), 1e-7 * weight);
@@ -212,7 +212,7 @@ static void springs_and_masses_carry_load(void **state)
     rig_begin(&r, &config);
     rig_spring(&r, 0, at(0.0), 50.0, 0.0);
     uint32_t mass = rig_mass(&r, 12, 1e-4);
-    rig_damp(&r, 1e-3, 1e-9, 12000);
+    rig_relax(&r, 1e-3, 1e-9, 12000);
     double load = 9.81e-4, weight = 9.81 * config.linear_density * 0.15;
     expect_near_vec3(vec3_make(0.0, -(load + weight) / 50.0, 0.0), rig_position(&r, 0), 1e-8);
     expect_near(load + 0.5 * weight / 12.0, rig_tension(&r, 11), 1e-7 * load);
