@@ -7,7 +7,7 @@
 
 #include "knot/knot.h"
 
-enum { CONFIGURATIONS = 256, QUICK_CONFIGURATIONS = 8, SIZES = 5, MOST_STAGES = 32 };
+enum { CONFIGURATIONS = 256, QUICK_CONFIGURATIONS = 8, SIZES = 5, MAX_STAGES = 32 };
 static const uint32_t sizes[SIZES] = {30, 60, 120, 240, 300};
 
 typedef struct stage_row stage_row;
@@ -288,11 +288,11 @@ static const stage stages[] = {
     {"step", NULL, step_alone, true, "readings"},
 };
 enum { STAGES = sizeof stages / sizeof stages[0] };
-_Static_assert((int)STAGES <= (int)MOST_STAGES, "room for all");
+_Static_assert((int)STAGES <= (int)MAX_STAGES, "room for all");
 
 /* ---- rows */
 
-static stage_row rows[SIZES][MOST_STAGES];
+static stage_row rows[SIZES][MAX_STAGES];
 
 static void run_those_before(stage_row *r)
 {

@@ -13,7 +13,7 @@
 #include "replay_page/recorder.h"
 #include "throw/replay.h"
 
-enum { MOST_PATH = 1024 };
+enum { MAX_PATH = 1024 };
 
 typedef struct options {
     const char *log, *to;
@@ -63,7 +63,7 @@ static int run(const options *o)
 {
     static facts f;
     static recorder c;
-    char beside[MOST_PATH];
+    char beside[MAX_PATH];
     int length = snprintf(beside, sizeof beside, "%s.html", o->log);
     const char *to = o->to != NULL ? o->to : beside;
     f.path = o->log;
@@ -71,7 +71,7 @@ static int run(const options *o)
     f.again.watch = recorder_watch;
     f.again.user = &c;
     c.rate = o->rate;
-    bool read = length > 0 && length < MOST_PATH && read_log(o->log, &f);
+    bool read = length > 0 && length < MAX_PATH && read_log(o->log, &f);
     const char *problem = read ? play(&f, &c) : "cannot be read";
     int code = 2;
     if (problem != NULL) {

@@ -159,15 +159,15 @@ static void put_outcome(page *p, const facts *f)
 static double peak_tying(const facts *f, int side)
 {
     const measured *m = &f->measured;
-    double most = -1.0;
+    double largest = -1.0;
     for (size_t k = 0; k < f->phase_count; k++) {
         const phase *h = &f->phases[k];
         for (size_t i = 0; h->tying && i < m->force_rows[side]; i++) {
             double t = m->begin + 0.01 * (double)i;
-            most = t >= h->from && t < h->to ? fmax(most, m->force[side][i]) : most;
+            largest = t >= h->from && t < h->to ? fmax(largest, m->force[side][i]) : largest;
         }
     }
-    return most;
+    return largest;
 }
 
 static void put_forces(page *p, const facts *f)

@@ -147,7 +147,7 @@ static void debounce_hitch(again *a, reading *r)
     }
     a->hitch = r->time - a->hitch_since >= HITCH_DWELL ? hitch : a->hitch;
     r->state.faults = (r->state.faults & ~fault) | (a->hitch ? fault : 0);
-    for (uint32_t i = 0; i < MOST_THROWS && !a->hitch; i++) {
+    for (uint32_t i = 0; i < MAX_THROWS && !a->hitch; i++) {
         r->throws[i].flags &= ~flag;
     }
 }

@@ -71,14 +71,14 @@ static void put_events(page *p, const facts *f)
 static void put_scene(page *p, const again *a)
 {
     const vbss_scene_statistics *s = &a->scene;
-    uint32_t most = 0;
+    uint32_t largest = 0;
     for (uint64_t i = 0; i < a->count; i++) {
-        most = a->steps[i].contacts > most ? a->steps[i].contacts : most;
+        largest = a->steps[i].contacts > largest ? a->steps[i].contacts : largest;
     }
     put(p, "<table><caption>Guard and contacts, from playing it back</caption><thead><tr><th "
            "scope=\"col\">What</th><th scope=\"col\" class=\"n\">count</th><th "
            "scope=\"col\">meaning</th></tr></thead><tbody>\n");
-    put_count(p, "most contacts at a time", most, "that carry a force");
+    put_count(p, "most contacts at a time", largest, "that carry a force");
     put_count(p, "parts of steps", s->parts, "steps are divided where they are hard");
     put_count(p, "attempts", s->attempts, "rejected ones included");
     put_count(p, "rejected by the guard", s->rejected_guard, "something would have passed");

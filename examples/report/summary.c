@@ -95,7 +95,7 @@ static void put_knot_card(page *p, const facts *f)
     } else {
         put(p, "certified at %.2f s; at the end ", shown->time);
         put_text(p, last->notation[0] != '\0' ? last->notation : "none");
-        put(p, ", %s", words_of_verdict(last->state.verdict));
+        put(p, ", %s", words_of_result(last->state.verdict));
     }
     put(p, "</p></div>\n");
 }

@@ -12,7 +12,7 @@
 #define REHEARSED 4.0 /* s of each step that a stand-in's hand makes */
 #define CORNER 0.5    /* s at each corner of its space */
 
-enum { FAILED = 1, NOT_THERE = 3, MOST_TRIES = 5 };
+enum { FAILED = 1, NOT_THERE = 3, MAX_TRIES = 5 };
 
 static const char *const side_names[HANDS] = {"left", "right"};
 
@@ -136,7 +136,7 @@ static bool guide_hand(coach *c, int side, guide *g)
         if (again != NULL) {
             printf("  again: %s\n", again);
         }
-        if (tries == MOST_TRIES) {
+        if (tries == MAX_TRIES) {
             return false;
         }
     }

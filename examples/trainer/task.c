@@ -20,11 +20,11 @@ static vbss_result read_hand(task *t, int side)
     f->in = g->in;
     f->joined = g->joined;
     f->jaw = g->jaw;
-    task_tell(t, side, &f->in);
+    task_report(t, side, &f->in);
     if (!known) {
         return VBSS_OK;
     }
-    TRY(vbss_grasper_move(tool, g->told, g->in.orientation));
+    TRY(vbss_grasper_move(tool, g->reported, g->in.orientation));
     if (g->exchanges) {
         TRY(vbss_grasper_exchange(tool, g->wants));
     }
@@ -52,7 +52,7 @@ static vbss_result write_hand(task *t, int side)
     TRY(grip_write(&h->grip, t->hardware.devices[side], t->clock, &tool, late));
     count_pulses(h, f);
     f->force = h->grip.force;
-    f->most_force = larger(f->most_force, f->force);
+    f->max_force = larger(f->max_force, f->force);
     return VBSS_OK;
 }
 

@@ -50,6 +50,6 @@ double task_clock_step(const task *t);
 /* After it: whether what was to be safe is. */
 void task_judge(task *t);
 /* What a read has found. */
-void task_tell(task *t, int side, const vbss_device_input *in);
+void task_report(task *t, int side, const vbss_device_input *in);
 
 #endif

@@ -102,7 +102,8 @@ static bool mirrors(const vbss_device_calibration *c)
 }
 
 /* Where an arm must be, and how turned, so that the device says what is wanted of its tool. */
-static void to_device(const vbss_device_calibration *c, const told *w, double at[3], double turn[4])
+static void to_device(const vbss_device_calibration *c, const reported *w, double at[3],
+                      double turn[4])
 {
     const double unmount[4] = {c->mount[0], -c->mount[1], -c->mount[2], -c->mount[3]};
     double away[3], turned[4];
@@ -115,7 +116,7 @@ static void to_device(const vbss_device_calibration *c, const told *w, double at
     to_axes(c, turned + 1, turn + 1);
 }
 
-static void lead_arm(task *t, int side, const told *w)
+static void lead_arm(task *t, int side, const reported *w)
 {
     task_hand *h = &t->hands[side];
     double at[3], turn[4];
@@ -136,7 +137,7 @@ static void lead_arm(task *t, int side, const told *w)
 static void lead_hand(task *t, int side)
 {
     const vbss_device_calibration *c = &t->calibration->hands[side];
-    const told w = follower_want(&t->hardware.followers[side], t->now.time);
+    const reported w = follower_want(&t->hardware.followers[side], t->now.time);
     if (!w.known) {
         return;
     }
@@ -189,7 +190,7 @@ static const struct {
     {VBSS_DEVICE_EVENT_JAW_HELD, false, false, "the jaws stay until the handle has passed them"},
     {VBSS_DEVICE_EVENT_JAW_TAKEN, false, false, "the handle has taken over the jaws"}};
 
-void task_tell(task *t, int side, const vbss_device_input *in)
+void task_report(task *t, int side, const vbss_device_input *in)
 {
     char why[EVENT_BYTES];
     task_hand *h = &t->hands[side];

@@ -235,7 +235,7 @@ static void warm_start_restores_closed_constraints(void **state)
 }
 
 /* As who knows no more of the features than their numbers. */
-static void recall_and_pass_on(contact_set *set)
+static void warm_start_and_pass_on(contact_set *set)
 {
     vbss_contact_warm_start(set);
     for (uint32_t m = 0; m < set->warm_start_count; m++) {
@@ -258,7 +258,7 @@ static void neighbour_inherits_warm_start(void **state)
             vbss_contact_clear(l.set);
             contact_constraint *row = add(&l, 8 + da, 18 + db);
             row->solution.status = CONTACT_SLIP; /* forgotten */
-            recall_and_pass_on(l.set);
+            warm_start_and_pass_on(l.set);
             bool near = da > 0 && db > 0; /* 9 .. 11; 8 is two away */
             assert_int_equal(row->solution.status, near ? CONTACT_STICK : CONTACT_OPEN);
             expect_near(near ? 0.1 : 0.0, row->previous_force.x, 1e-16);
@@ -277,14 +277,14 @@ static void warm_start_entry_is_used_once(void **state)
     vbss_contact_clear(l.set);
     contact_constraint *before = add(&l, 9, 20), *itself = add(&l, 10, 20),
                        *after = add(&l, 11, 20);
-    recall_and_pass_on(l.set); /* by its own row first, although a neighbour comes before */
+    warm_start_and_pass_on(l.set); /* by its own row first, although a neighbour comes before */
     assert_int_equal(before->solution.status, CONTACT_OPEN);
     assert_int_equal(itself->solution.status, CONTACT_STICK);
     assert_int_equal(after->solution.status, CONTACT_OPEN);
     vbss_contact_clear(l.set);
     before = add(&l, 9, 20);
     after = add(&l, 11, 20);
-    recall_and_pass_on(l.set); /* by one of two neighbours */
+    warm_start_and_pass_on(l.set); /* by one of two neighbours */
     assert_int_equal(before->solution.status + after->solution.status, CONTACT_STICK);
     /* Others are no neighbours: of another kind, another body, or round the end of the numbers. */
     vbss_contact_clear(l.set);
@@ -292,7 +292,7 @@ static void warm_start_entry_is_used_once(void **state)
     add(&l, 9, 20)->key.body_a = 2;
     add(&l, 9, 20)->key.body_b = 2;
     vbss_contact_sort(l.set);
-    recall_and_pass_on(l.set);
+    warm_start_and_pass_on(l.set);
     for (int i = 0; i < 3; i++) {
         assert_int_equal(l.set->constraints[i].solution.status, CONTACT_OPEN);
     }

@@ -2,7 +2,7 @@
 #include "base/elementary.h"
 #include "few_blocks.h"
 
-static const double k = FEW_SLEEVE_STIFFNESS, least = FEW_SLEEVE_LEAST;
+static const double k = FEW_SLEEVE_STIFFNESS, smallest = FEW_SLEEVE_MIN;
 
 /* ---- the law */
 
@@ -11,8 +11,8 @@ static vec3 law(const contact_constraint *row, vec3 u, contact_status *state)
 {
     vec3 slid = vec3_add(row->relative_displacement, u), aside = across(slid, row->normal);
     double trial = vec3_dot(row->previous_force, row->normal) - k * vec3_dot(slid, row->normal);
-    double most = row->yield_force + row->yield_friction[trial > 0.0] * k * vec3_norm(aside);
-    double yielded = fmax(fabs(trial) - most, 0.0) / (k + row->viscous_stiffness);
+    double largest = row->yield_force + row->yield_friction[trial > 0.0] * k * vec3_norm(aside);
+    double yielded = fmax(fabs(trial) - largest, 0.0) / (k + row->viscous_stiffness);
     *state = yielded > 0.0 ? CONTACT_SLIP : CONTACT_STICK;
     return vec3_add_scaled(vec3_scale(aside, -k), trial - copysign(k * yielded, trial),
                            row->normal);
@@ -96,8 +96,8 @@ static void any_tangent_is_the_slope_of_the_force(harness_source *source, void *
     double aside = k * vec3_norm(across(row.relative_displacement, row.normal));
     double elastic = vec3_dot(row.previous_force, row.normal) -
                      k * vec3_dot(row.relative_displacement, row.normal);
-    double most = row.yield_force + row.yield_friction[elastic > 0.0] * aside;
-    if (aside < 0.05 || fabs(fabs(elastic) - most) < 1e-3) {
+    double largest = row.yield_force + row.yield_friction[elastic > 0.0] * aside;
+    if (aside < 0.05 || fabs(fabs(elastic) - largest) < 1e-3) {
         return; /* nothing across has a direction; the slope has a step where it begins to yield */
     }
     vbss_contact_linearise(&row, &t);
@@ -133,7 +133,7 @@ static void residual_of_wrong_state_is_reported(void **state)
     contact_constraint row = few_sleeve(vec3_make(1.0, 0.0, 0.0));
     row.relative_displacement = vec3_make(-1e-4, -5e-5, 0.0); /* trial 2 N, 1 N across */
     row.solution.status = CONTACT_STICK;
-    const double force = (row.viscous_stiffness * 2.0 + k * (least + row.yield_friction[1])) /
+    const double force = (row.viscous_stiffness * 2.0 + k * (smallest + row.yield_friction[1])) /
                          (row.viscous_stiffness + k);
     expect_near(2.0 - force, vbss_contact_update_solution(&row, vec3_zero(), &next), 1e-12);
     row.solution = next;
@@ -148,7 +148,7 @@ static void residual_of_wrong_state_is_reported(void **state)
     row.solution.slip_direction = next.slip_direction;
     row.solution.friction_ratio = 0.0; /* the other way */
     assert_true(vbss_contact_update_solution(&row, vec3_zero(), &next) >
-                2.0 * (least + row.yield_friction[0]) - 0.3);
+                2.0 * (smallest + row.yield_friction[0]) - 0.3);
 }
 
 int test_eyelet_law(void)

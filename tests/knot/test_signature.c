@@ -12,7 +12,7 @@ static algebra_room *room;
 static int begin(void **state)
 {
     (void)state;
-    room = algebra_room_make(CODES_MOST);
+    room = algebra_room_make(CODES_MAX);
     return 0;
 }
 
@@ -130,7 +130,7 @@ static void signature_is_undefined_near_root(void **state)
 
 /* ---- against Seifert's matrix of a closed braid, of up to 30 crossings */
 
-enum { MOST_LETTERS = 30 };
+enum { MAX_LETTERS = 30 };
 
 /* Between two successive letters on the same strands lies a curve on Seifert's surface. */
 typedef struct loop {
@@ -178,7 +178,7 @@ static int linking(const loop *a, const loop *b)
 }
 
 /* Positive less negative eigenvalues, by Jacobi's rotations. */
-static int eigenvalue_signs(int size, double a[2 * MOST_LETTERS][2 * MOST_LETTERS])
+static int eigenvalue_signs(int size, double a[2 * MAX_LETTERS][2 * MAX_LETTERS])
 {
     int difference = 0;
     for (int sweep = 0; sweep < 12; sweep++) {
@@ -213,8 +213,8 @@ static int eigenvalue_signs(int size, double a[2 * MOST_LETTERS][2 * MOST_LETTER
 /* Of (1 - w) V + (1 - w') V', w = e^(i theta), x = cos(theta/2): a complex matrix as a real one twice as large. */
 static int signature_of_braid(const int *word, int letters, double x)
 {
-    static double a[2 * MOST_LETTERS][2 * MOST_LETTERS];
-    loop loops[MOST_LETTERS];
+    static double a[2 * MAX_LETTERS][2 * MAX_LETTERS];
+    loop loops[MAX_LETTERS];
     int count = find_loops(word, letters, loops);
     double cosine = 2.0 * x * x - 1.0, sine = 2.0 * x * sqrt(1.0 - x * x);
     for (int i = 0; i < count; i++) {
@@ -241,8 +241,8 @@ static void any_braid_has_that_of_seifert(harness_source *source, void *user)
 {
     static const uint32_t others[] = {0, 1000, 3000, 5000, 6000, 7000, 8000, 9500, 9990};
     knot_gauss_code *code = user;
-    int word[MOST_LETTERS];
-    int letters = 3 + (int)harness_draw_below(source, MOST_LETTERS - 2);
+    int word[MAX_LETTERS];
+    int letters = 3 + (int)harness_draw_below(source, MAX_LETTERS - 2);
     int strands = 2 + (int)harness_draw_below(source, 4);
     uint32_t other = others[harness_draw_below(source, sizeof others / sizeof others[0])];
     bool mostly_right = harness_draw_below(source, 2) == 0;
@@ -311,7 +311,7 @@ static void signature_is_diagram_invariant(void **state)
 }
 
 /* Delta(-1) is 1 modulo 4, and its sign that of (-1)^(sigma/2). */
-static void any_determinant_tells_half(harness_source *source, void *user)
+static void any_determinant_fixes_parity(harness_source *source, void *user)
 {
     knot_gauss_code *code = user;
     int word[60];
@@ -331,7 +331,7 @@ static void determinant_fixes_signature_modulo_4(void **state)
 {
     (void)state;
     knot_gauss_code *code = codes_make();
-    harness_property("modulo 4", 2000, any_determinant_tells_half, code);
+    harness_property("modulo 4", 2000, any_determinant_fixes_parity, code);
     codes_free(code);
 }
 

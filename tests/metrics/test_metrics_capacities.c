@@ -12,8 +12,8 @@ static void full_lists_are_reported_and_change_nothing(void **state)
     make(&f);
     for (int i = 0; i < 3; i++) {
         const char *text;
-        tell(&f, kinds[i], 0, 1.0, 0.0);
-        tell(&f, kinds[i], 1, 1.0, 0.0);
+        report(&f, kinds[i], 0, 1.0, 0.0);
+        report(&f, kinds[i], 1, 1.0, 0.0);
         uint64_t hash = hash_of(f.metrics);
         vbss_metrics_event e = event_of(kinds[i], 2, 2.0);
         expect_result(VBSS_ERROR_CAPACITY, vbss_metrics_add_event(f.metrics, &e));
@@ -50,7 +50,7 @@ static void motion_above_capacity_is_counted(void **state)
     assert_int_equal(report_of(&f).ticks, 200);
     assert_int_equal(report_of(&f).ticks_lost, 101);
     expect_near(2.0, motion_of(&f, 0, VBSS_METRICS_WHOLE).force_integral, 1e-9);
-    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 3.0, 0.0); /* events go on */
+    report(&f, VBSS_METRICS_EVENT_DROP, 0, 3.0, 0.0); /* events go on */
     end(&f);
 }
 
@@ -84,7 +84,7 @@ static void ten_minutes_are_measured(void **state)
     vbss_context_statistics before, after;
     begin_and_make(&f);
     expect_ok(vbss_context_get_statistics(f.context, &before, sizeof before));
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
     for (int i = 0; i < 60000; i++) {
         double t = i / 100.0;
         show(&f, 3, t, swinging(t), swinging(t));

@@ -63,14 +63,14 @@ static void expect_config(const fixture *f, vbss_result wanted)
 static void out_of_range_numbers_are_rejected(void **state)
 {
     (void)state;
-    static const double most[] = {7200.0, 1.0, 1e9, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1e6,
-                                  1e6,    1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6};
+    static const double largest[] = {7200.0, 1.0, 1e9, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1e6,
+                                     1e6,    1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6};
     fixture f;
     begin(&f);
     const vbss_metrics_config plain = f.config;
     size_t first = offsetof(vbss_metrics_config, duration);
-    for (size_t i = 0; i < sizeof most / sizeof most[0]; i++) {
-        const double bad[] = {-1e-9, most[i] * 1.001};
+    for (size_t i = 0; i < sizeof largest / sizeof largest[0]; i++) {
+        const double bad[] = {-1e-9, largest[i] * 1.001};
         for (int k = 0; k < 5; k++) {
             double value = k < 2 ? bad[k] : harness_bad_numbers[k - 2];
             memcpy((char *)&f.config + first + i * sizeof value, &value, sizeof value);
@@ -78,7 +78,7 @@ static void out_of_range_numbers_are_rejected(void **state)
             f.config = plain;
         }
     }
-    assert_true(first + sizeof most == sizeof f.config);
+    assert_true(first + sizeof largest == sizeof f.config);
     end(&f);
 }
 
@@ -90,11 +90,11 @@ static void out_of_range_choices_are_rejected(void **state)
     const vbss_metrics_config plain = f.config;
     uint32_t *const words[] = {&f.config.throw_capacity, &f.config.phase_capacity,
                                &f.config.incident_capacity, &f.config.throws_wanted};
-    static const uint32_t most[] = {4096, 65536, 65536, 64};
+    static const uint32_t largest[] = {4096, 65536, 65536, 64};
     for (int i = 0; i < 4; i++) {
-        *words[i] = most[i];
+        *words[i] = largest[i];
         expect_config(&f, VBSS_OK);
-        *words[i] = most[i] + 1;
+        *words[i] = largest[i] + 1;
         expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
         *words[i] = 0;
         expect_config(&f, i < 3 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK);

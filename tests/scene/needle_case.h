@@ -60,6 +60,6 @@ uint32_t needle_case_holes(const needle_case *c, vbss_hole holes[NEEDLE_CASE_HOL
 /* Kinetic, of the needle; and of all the drain. */
 double needle_case_energy(const needle_case *c);
 /* No crossing away from holes, all finite; at most so many clamped steps. Prints counters. */
-void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t most_clamped);
+void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t max_clamped);
 
 #endif

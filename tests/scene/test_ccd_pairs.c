@@ -16,9 +16,10 @@ static double between(vbss_random *r, double low, double high)
     return low + (high - low) * vbss_random_uniform(r);
 }
 
-static vec3 random_way(vbss_random *r, double most)
+static vec3 random_way(vbss_random *r, double limit)
 {
-    double x = between(r, -most, most), y = between(r, -most, most), z = between(r, -most, most);
+    double x = between(r, -limit, limit), y = between(r, -limit, limit),
+           z = between(r, -limit, limit);
     return vec3_make(x, y, z);
 }
 

@@ -53,10 +53,10 @@ static void draw_lips(scene_drain *b, const collision_shape *shape, harness_sour
 /* From there, some of it goes on a little; a search then knows what is still apart. */
 static void go_on(drain_object *d, harness_source *source)
 {
-    double most = harness_draw_real(source, 0.0, 1e-3);
+    double largest = harness_draw_real(source, 0.0, 1e-3);
     uint32_t first = harness_draw_below(source, d->mesh.node_count);
     for (uint32_t i = first; i < d->mesh.node_count; i++) {
-        d->x[i] = vec3_add(d->x[i], harness_draw_vec3(source, -most, most));
+        d->x[i] = vec3_add(d->x[i], harness_draw_vec3(source, -largest, largest));
     }
 }
 

@@ -313,10 +313,10 @@ static void any_row_has_the_slopes_of_its_parts(harness_source *source, void *us
     }
 }
 
-static void expect_all_seen(const int seen[KINDS], int least)
+static void expect_all_seen(const int seen[KINDS], int smallest)
 {
     for (int k = 0; k < KINDS; k++) {
-        assert_true(seen[k] >= least);
+        assert_true(seen[k] >= smallest);
     }
 }
 

@@ -109,7 +109,7 @@ static void devices_hand_needle_over(void **state)
     begin(&r);
     expect_ok(vbss_record_create(r.scene.scene, NULL, &r.scene.config.record));
     start_with_devices(&r, 0, mocks);
-    double most = 0.0;
+    double largest = 0.0;
     for (int i = 0; i < STEPS; i++) {
         expect_ok(vbss_session_step(r.session, i * RIG_STEP, RIG_STEP));
         if (i % INTERVAL == INTERVAL - 1) {
@@ -122,10 +122,10 @@ static void devices_hand_needle_over(void **state)
         assert_int_equal(rows.count, STEPS);
         for (uint64_t k = 0; k < rows.count; k++) {
             const double *row = (const double *)rows.data + 9 * k;
-            most = vbss_max(most, vec3_norm(vec3_load(row + 1)));
+            largest = vbss_max(largest, vec3_norm(vec3_load(row + 1)));
         }
     }
-    assert_true(most > 1e-3 && most < 3.0 + 1e-9); /* N: the needle, and tools that meet */
+    assert_true(largest > 1e-3 && largest < 3.0 + 1e-9); /* N: the needle, and tools that meet */
     expect_events(&r);
     uint64_t hash = hash_of(&r);
     expect_ok(vbss_record_end(r.scene.config.record));

@@ -192,10 +192,10 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     suture_hole hole;
     vec3 lean = harness_draw_vec3(source, -0.3, 0.3);
     tip.direction = vec3_unit_or(vec3_add(tip.direction, lean), vec3_zero());
-    double most = f->d->config.puncture_force;
+    double largest = f->d->config.puncture_force;
     vec3 aside = harness_draw_vec3(source, -0.5, 0.5);
     aside = vec3_add_scaled(aside, -vec3_dot(aside, tip.direction), tip.direction);
-    tip.force = vec3_add_scaled(aside, -most, tip.direction);
+    tip.force = vec3_add_scaled(aside, -largest, tip.direction);
     if (!vbss_suture_make_hole(f->d, &tip, REACH, WIRE, &hole)) {
         return;
     }

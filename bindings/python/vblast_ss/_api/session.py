@@ -111,8 +111,9 @@ class SessionEventKind(IntEnum):
     """Throw `number` is tied, but the needle has not changed hands since the one before. Undone:
     with the throw."""
     FAULT = 14
-    """The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, such as HITCH: a throw has
-    capsized. Undone."""
+    """The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`; HITCH (a throw
+    has capsized): for 20 times `throw_dwell`, because its measure swings while a throw is drawn
+    tight. Undone: after the same time."""
     CUT = 15
     """Tail `number` (0: the short one, 1: the needle's) was cut; `amount` m are left of it."""
     DONE = 16
@@ -266,9 +267,10 @@ class vbss_session_config(ctypes.Structure):
 
     time_limit: From the needle's appearing on, s, 1e-3 to 1e6; default 600.
 
-    dwell: That a fact must be otherwise before it changes, s, 0 to 10; default 0.05;
+    dwell: A fact changes after it has differed for this time, s, 0 to 10; default 0.05.
 
-    throw_dwell: of throws, s, 0 to 10; default 0.1.
+    throw_dwell: The same time for throws and faults of the knot, s, 0 to 10; default 0.1. A
+    half hitch has 20 times that.
 
     tail_low: Shortest tail, m, 0 to 1; default 15e-3;
 
@@ -381,7 +383,7 @@ class vbss_session_status(ctypes.Structure):
 
     cut: Bits: 1 the short tail, 2 the needle's.
 
-    faults: Of the knot: VBSS_KNOT_FAULT_ bits that were told.
+    faults: Of the knot: VBSS_KNOT_FAULT_ bits, as last reported by events.
 
     metrics_lost: Events for which the metrics had no room.
 

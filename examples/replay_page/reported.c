@@ -1,4 +1,4 @@
-#include "replay_page/told.h"
+#include "replay_page/reported.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,12 +30,12 @@ static void put_string(page *p, const char *text)
 
 /* ---- events */
 
-typedef struct telling {
+typedef struct reporting {
     uint32_t kind;
     const char *class, *words; /* %1: the first body, %2: the second */
-} telling;
+} reporting;
 
-static const telling tellings[] = {
+static const reporting tellings[] = {
     {VBSS_EVENT_GRASP, "hold", "%2 takes %1"},
     {VBSS_EVENT_RELEASE, "hold", "%2 lets %1 go"},
     {VBSS_EVENT_TORN, "bad", "%1 is torn out of %2"},
@@ -69,8 +69,8 @@ static const char *name_of(const facts *f, const film *shown, uint32_t body)
     return names[0];
 }
 
-static void put_telling(page *p, const facts *f, const film *shown, const telling *t,
-                        const happening *e)
+static void put_reporting(page *p, const facts *f, const film *shown, const reporting *t,
+                          const happening *e)
 {
     char text[WORD_TAGS] = "";
     size_t used = 0;
@@ -112,7 +112,7 @@ static void put_events(page *p, const facts *f, const film *shown)
         for (int k = 0; k < TELLINGS; k++) {
             if (f->events[i].kind == tellings[k].kind && is_news(f, i, apart)) {
                 put(p, "%s", first ? "" : ",\n");
-                put_telling(p, f, shown, &tellings[k], &f->events[i]);
+                put_reporting(p, f, shown, &tellings[k], &f->events[i]);
                 first = false;
             }
         }
@@ -148,7 +148,7 @@ static void put_knots(page *p, const facts *f)
         put(p, ",\"verdict\":");
         put_string(p, none && r->state.verdict != VBSS_KNOT_VERDICT_UNCERTAIN
                           ? ""
-                          : words_of_verdict(r->state.verdict));
+                          : words_of_result(r->state.verdict));
         put(p, "}");
     }
     put(p, "]");
@@ -199,7 +199,7 @@ static const char *file_name(const char *path)
     return slash != NULL ? slash + 1 : path;
 }
 
-void told_put(page *p, const facts *f, const film *shown, const uint64_t *steps)
+void reported_put(page *p, const facts *f, const film *shown, const uint64_t *steps)
 {
     const again *a = &f->again;
     const char *fault = a->report.outcome == VBSS_REPLAY_DIFFERS

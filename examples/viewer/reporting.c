@@ -9,7 +9,7 @@
 
 enum { PATIENCE = 2 }; /* ms, for a grant */
 
-static void tell_devices(const playing *p)
+static void report_devices(const playing *p)
 {
     for (int side = 0; side < SIDES; side++) {
         if (live_by_device(&p->live, side)) {
@@ -20,7 +20,7 @@ static void tell_devices(const playing *p)
     }
 }
 
-static void tell(playing *p)
+static void report(playing *p)
 {
     static const char *const names[SIDES] = {"left", "right"};
     const vec *x = stand_nodes(p->live.stage.stand);
@@ -51,7 +51,7 @@ static void tell(playing *p)
            (int)p->show.knot.state.verdict, (unsigned)p->show.knot.state.throw_count,
            p->show.knot.notation[0] != '\0' ? p->show.knot.notation : "-");
     standing_tell(&p->show, p->live.time);
-    tell_devices(p);
+    report_devices(p);
     printf(" size %d %d\n", p->show.renderer.lens.width, p->show.renderer.lens.height);
     fflush(stdout);
 }
@@ -64,10 +64,10 @@ static uint64_t count_events(const playing *p)
     return p->window.events + (uint64_t)p->window.moves;
 }
 
-void telling_frame(playing *p)
+void reporting_frame(playing *p)
 {
-    p->told = count_events(p);
-    tell(p);
+    p->reported = count_events(p);
+    report(p);
 }
 
 static void read_grants(playing *p)
@@ -85,7 +85,7 @@ static void read_grants(playing *p)
     }
 }
 
-bool telling_grants(playing *p)
+bool reporting_grants(playing *p)
 {
     if (p->granted == 0) {
         read_grants(p);
@@ -94,8 +94,8 @@ bool telling_grants(playing *p)
         p->granted--;
         return true;
     }
-    if (p->o->tell != 0 && count_events(p) != p->told) {
-        telling_frame(p);
+    if (p->o->report != 0 && count_events(p) != p->reported) {
+        reporting_frame(p);
     }
     return false;
 }

@@ -1,4 +1,4 @@
-#include "knots/told.h"
+#include "knots/reported.h"
 
 #include <string.h>
 
@@ -25,19 +25,19 @@ static vbss_result listen(vbss_knot_detector *detector, judge_saying *s)
     return vbss_knot_detector_get_notation(detector, s->notation, sizeof s->notation);
 }
 
-told told_by_judge(vbss_knot_detector *detector, const family_case *truth)
+reported reported_by_judge(vbss_knot_detector *detector, const family_case *truth)
 {
     judge_saying s;
     if (listen(detector, &s) != VBSS_OK) {
-        return (told){.wrong = true, .fault = "nothing"};
+        return (reported){.wrong = true, .fault = "nothing"};
     }
-    told t = {.hash = hash_of(&s, sizeof s),
-              .fault = judge_fault(&s, truth, false),
-              .uncertain = judge_is_uncertain(&s),
-              .certified = judge_is_certified(&s),
-              .ordered = judge_is_ordered(&s),
-              .orderable = truth->throws > 1 && truth->truth == FAMILY_THROWS,
-              .crossings = s.state.crossings};
+    reported t = {.hash = hash_of(&s, sizeof s),
+                  .fault = judge_fault(&s, truth, false),
+                  .uncertain = judge_is_uncertain(&s),
+                  .certified = judge_is_certified(&s),
+                  .ordered = judge_is_ordered(&s),
+                  .orderable = truth->throws > 1 && truth->truth == FAMILY_THROWS,
+                  .crossings = s.state.crossings};
     t.wrong = t.fault != NULL;
     t.right = !t.wrong && !t.uncertain && truth->truth != FAMILY_OPEN;
     return t;
@@ -69,7 +69,7 @@ static bool same_throws(const knot_factors *f, const family_case *truth)
     return same;
 }
 
-told told_by_closure(const knot_reading *r, const family_case *truth)
+reported reported_by_closure(const knot_reading *r, const family_case *truth)
 {
     const knot_invariants *v = &r->invariants;
     const int64_t said[] = {r->reason, r->crossings,   r->certified,
@@ -80,10 +80,10 @@ told told_by_closure(const knot_reading *r, const family_case *truth)
         same = !r->throws && v->determinant == truth->determinant && v->v2 == truth->v2 &&
                v->v3 == truth->v3;
     }
-    told t = {.hash = hash_of(said, sizeof said),
-              .uncertain = r->reason != VBSS_KNOT_REASON_NONE,
-              .certified = r->certified,
-              .crossings = r->crossings};
+    reported t = {.hash = hash_of(said, sizeof said),
+                  .uncertain = r->reason != VBSS_KNOT_REASON_NONE,
+                  .certified = r->certified,
+                  .crossings = r->crossings};
     bool has_truth = truth->truth != FAMILY_OPEN && !t.uncertain;
     t.right = has_truth && same;
     t.wrong = has_truth && !same;
@@ -93,7 +93,7 @@ told told_by_closure(const knot_reading *r, const family_case *truth)
 
 /* ---- counting */
 
-void told_add(told_counts *c, const told *t)
+void reported_add(reported_counts *c, const reported *t)
 {
     if (c->wrong == 0 && t->wrong) {
         c->first_fault = t->fault;
@@ -108,7 +108,7 @@ void told_add(told_counts *c, const told *t)
     c->crossings += t->crossings;
 }
 
-void told_report(const told_counts *c, bench_result *result)
+void reported_report(const reported_counts *c, bench_result *result)
 {
     bench_counter(result, "configurations", (double)c->configurations);
     bench_counter(result, "right", (double)c->right);
