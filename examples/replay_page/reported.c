@@ -49,6 +49,8 @@ static const reporting tellings[] = {
     {VBSS_EVENT_UNTHREADED, "warn", "an end of %1 leaves the wall of %2"},
     {VBSS_EVENT_HOLE_LOST, "bad", "no room for a hole of %1 in %2"},
     {VBSS_EVENT_CLAMPED, "step", "a step is cut short or paused"},
+    {VBSS_EVENT_BLOCKED, "step", "%1 and %2 hold each other back"},
+    {VBSS_EVENT_UNBLOCKED, "step", "%1 and %2 move freely again"},
 };
 enum { TELLINGS = sizeof tellings / sizeof tellings[0] };
 

@@ -255,7 +255,10 @@ enum {
     VBSS_EVENT_RETURNED =
         17, /**< The swage has come back through it: the needle is in it again: the same. */
     VBSS_EVENT_UNTHREADED =
-        18 /**< An end of a thread has left the hole: thread, drain, id of the hole. */
+        18, /**< An end of a thread has left the hole: thread, drain, id of the hole. */
+    /** Bodies are held back, for the first time since a while: the two bodies of #vbss_blocker, its cause. */
+    VBSS_EVENT_BLOCKED = 19,
+    VBSS_EVENT_UNBLOCKED = 20 /**< They have moved freely for 0.1 s: the same numbers. */
 };
 
 /** Counters since creation, and figures of the last step. Method PAPER counts its passes of detection and
@@ -299,6 +302,32 @@ typedef struct vbss_scene_statistics {
     uint32_t behind;   /**< Such steps after the last call, 0 to 2. */
     uint32_t reserved; /**< Zero. */
 } vbss_scene_statistics;
+
+/** Why bodies are held back: a VBSS_BLOCKER_ constant. */
+typedef int32_t vbss_blocker_cause;
+
+/** The constants of #vbss_blocker_cause. */
+enum {
+    VBSS_BLOCKER_WORK = 0,      /**< The limit of work of the step was exhausted. */
+    VBSS_BLOCKER_COLLISION = 1, /**< The bodies would pass through each other, or come too near. */
+    VBSS_BLOCKER_PENETRATION =
+        2,                       /**< The bodies penetrate each other by more than the tolerance. */
+    VBSS_BLOCKER_CONTACT = 3,    /**< No contact forces were found that obey the contact law. */
+    VBSS_BLOCKER_CONVERGENCE = 4 /**< The motion of the body did not converge. */
+};
+
+/** Two bodies that hold back each other, and all bodies that touch them. A step that fails is held back
+ * for the bodies that are connected with them by contacts, grasps, holes or pins. All other bodies move
+ * on. */
+typedef struct vbss_blocker {
+    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
+    vbss_blocker_cause cause; /**< Why, in the last step that held them back. */
+    uint32_t body_a;          /**< Number of a body; 0: unknown. */
+    uint32_t body_b;          /**< Number of the other; 0: the floor, or no second body. */
+    double since;             /**< Simulated time at which they were first held back, s. */
+    double lost_time;         /**< Simulated time that they have lost since then, s. */
+    double depth; /**< Their deepest overlap in the last step that held them back, m; 0: none. */
+} vbss_blocker;
 
 /** A hole of a needle or a thread in a drain. */
 typedef struct vbss_hole {
@@ -501,6 +530,22 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
  */
 VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
                                          uint32_t struct_size);
+
+/**
+ * A pair of bodies that holds back others, in the order in which they began. A pair is listed until it has
+ * moved freely for 0.1 s of simulated time. At most 16 are listed. Method OURS.
+ *
+ * @param scene         the scene
+ * @param index         which, from 0 on
+ * @param[out] blocker  receives the numbers
+ * @param struct_size   `sizeof *blocker` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (there are not so many)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
+                                            vbss_blocker *blocker, uint32_t struct_size);
 
 /**
  * Makes a hole where a thread or a needle already goes through the wall of a drain: as a host lays out a stitch. From then on

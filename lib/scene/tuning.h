@@ -258,6 +258,9 @@
 
 /* ---- Continuous collision detection (ccd/ccd.c) */
 
+/* Bodies count as held back until they have moved freely for this time.
+ * Unit: s. Origin: chosen: hosts show it to people. Test: scene.islands. */
+#define SCENE_BLOCKER_MEMORY VBSS_TUNE(SCENE_BLOCKER_MEMORY, 0.1)
 /* Axes stay at least this far apart.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
 #define SCENE_CCD_DISTANCE_RATIO VBSS_TUNE(SCENE_CCD_DISTANCE_RATIO, 0.5)

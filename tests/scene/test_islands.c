@@ -183,6 +183,69 @@ static void contacts_of_all_islands_are_published(void **state)
     small_end(&s);
 }
 
+static uint32_t count_blockers(small *s)
+{
+    uint32_t count = 0;
+    vbss_blocker found;
+    while (vbss_scene_get_blocker(s->scene, count, &found, sizeof found) == VBSS_OK) {
+        count++;
+    }
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_get_blocker(s->scene, count, &found, sizeof found));
+    return count;
+}
+
+/* The thread and a stick are reported while the press is shut, with one event at the start and one at the
+ * end. */
+static void blocked_pair_is_reported_once_until_it_is_free(void **state)
+{
+    (void)state;
+    enum { SHUT = 60, FREE_AFTER = 100 };
+    small s;
+    small_begin(&s);
+    s.config.mode = VBSS_MODE_OFFLINE;
+    small_create(&s);
+    press p = add_press(&s);
+    uint32_t begun = 0, ended = 0, event[4];
+    double lost = 0.0;
+    assert_int_equal(count_blockers(&s), 0);
+    for (uint32_t i = 1; i <= SHUT + 2 * FREE_AFTER; i++) {
+        close_press(&s, &p, i <= SHUT ? i : 0);
+        small_steps(&s, 1, STEP);
+        begun += small_events(&s, VBSS_EVENT_BLOCKED, event);
+        ended += small_events(&s, VBSS_EVENT_UNBLOCKED, event);
+        if (i != SHUT) {
+            continue;
+        }
+        assert_true(count_blockers(&s) > 0 && begun == count_blockers(&s));
+        for (uint32_t k = 0; k < begun; k++) {
+            vbss_blocker found;
+            expect_ok(vbss_scene_get_blocker(s.scene, k, &found, sizeof found));
+            bool is_of_press =
+                (found.body_a == 1 && found.body_b >= p.below && found.body_b <= p.above) ||
+                (found.body_a == p.below && found.body_b == p.above);
+            assert_true(is_of_press);
+            assert_true(found.cause == VBSS_BLOCKER_COLLISION ||
+                        found.cause == VBSS_BLOCKER_PENETRATION ||
+                        found.cause == VBSS_BLOCKER_CONTACT);
+            assert_true(found.since >= 3e-3 && found.since <= STEP * SHUT);
+            assert_true(found.depth >= 0.0 && found.depth < 1.125e-3);
+            lost += found.lost_time;
+        }
+        assert_true(lost > 0.0 && lost < STEP * SHUT);
+        /* A restored scene has the same blockers. */
+        small_state saved = small_save(&s);
+        uint64_t hash = small_hash(&s);
+        expect_ok(vbss_scene_restore(s.scene, saved.bytes, saved.count));
+        assert_int_equal(count_blockers(&s), begun);
+        assert_true(small_hash(&s) == hash);
+        free(saved.bytes);
+    }
+    assert_int_equal(begun, ended);
+    assert_int_equal(count_blockers(&s), 0);
+    small_end(&s);
+}
+
 int test_islands(void)
 {
     const struct CMUnitTest tests[] = {
@@ -190,6 +253,7 @@ int test_islands(void)
         cmocka_unit_test(squeezed_thread_holds_back_nothing_else),
         cmocka_unit_test(state_saved_while_an_island_waits_continues_equally),
         cmocka_unit_test(contacts_of_all_islands_are_published),
+        cmocka_unit_test(blocked_pair_is_reported_once_until_it_is_free),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@
 #include "scene/world/world.h"
 
 /* Parts of the state that follow the cursor, as bits of its first word. */
-enum { IS_SUSPENDED = 1, HAS_GROUPS = 2, HAS_OVERLAPS = 4 };
+enum { IS_SUSPENDED = 1, HAS_GROUPS = 2, HAS_OVERLAPS = 4, HAS_BLOCKERS = 8 };
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
 {
@@ -168,14 +168,15 @@ static uint32_t parts_of(const scene_object *s)
     const scene_step_cursor *cursor = &s->cursor;
     bool has_groups = cursor->is_suspended && cursor->group_count > 1;
     return (cursor->is_suspended ? IS_SUSPENDED : 0) | (has_groups ? HAS_GROUPS : 0) |
-           (s->overlap_count > 0 ? HAS_OVERLAPS : 0);
+           (s->overlap_count > 0 ? HAS_OVERLAPS : 0) |
+           (s->report.blocker_count > 0 ? HAS_BLOCKERS : 0);
 }
 
 static bool is_valid_state(const scene_object *s, const uint32_t words[3])
 {
     const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
     bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
-    return parts <= (IS_SUSPENDED | HAS_GROUPS | HAS_OVERLAPS) &&
+    return parts <= (IS_SUSPENDED | HAS_GROUPS | HAS_OVERLAPS | HAS_BLOCKERS) &&
            ((parts & HAS_GROUPS) == 0 || is_suspended) && words[1] + is_suspended <= 2 &&
            words[1] <= 2 && (is_implicit || (is_suspended == 0 && words[1] == 0));
 }
@@ -195,6 +196,31 @@ static void visit_overlaps(vbss_stream *stream, scene_object *s, bool has_overla
     if (has_overlaps) {
         vbss_stream_count(stream, 174, &s->overlap_count, SCENE_MAX_OVERLAPS);
         vbss_stream_u32(stream, 175, &s->overlaps->body_a, 2 * (size_t)s->overlap_count);
+    }
+}
+
+/* Visits the bodies that are held back (world/blockers.c). */
+static void visit_blockers(vbss_stream *stream, scene_report *r, bool has_blockers)
+{
+    r->blocker_count = has_blockers ? r->blocker_count : 0;
+    if (!has_blockers) {
+        return;
+    }
+    vbss_stream_count(stream, 179, &r->blocker_count, SCENE_MAX_BLOCKERS);
+    for (uint32_t i = 0; stream->result == VBSS_OK && i < r->blocker_count; i++) {
+        scene_blocker *b = &r->blockers[i];
+        uint32_t words[] = {b->bodies.body_a, b->bodies.body_b, (uint32_t)b->cause};
+        double *numbers[] = {&b->since, &b->last, &b->lost_time, &b->depth};
+        vbss_stream_u32(stream, 180, words, sizeof words / sizeof words[0]);
+        for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+            vbss_stream_f64(stream, 181, numbers[k], 1);
+        }
+        if (words[2] > VBSS_BLOCKER_CONVERGENCE) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such cause");
+            words[2] = VBSS_BLOCKER_WORK;
+        }
+        b->bodies = (scene_touching_pair){words[0], words[1]};
+        b->cause = (vbss_blocker_cause)words[2];
     }
 }
 
@@ -227,6 +253,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
         visit_groups(stream, s);
     }
     visit_overlaps(stream, s, (words[0] & HAS_OVERLAPS) != 0);
+    visit_blockers(stream, &s->report, (words[0] & HAS_BLOCKERS) != 0);
     if (reads) {
         vbss_scene_set_substep_limits(s);
         s->report.has_pending_events = false;

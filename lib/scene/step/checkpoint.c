@@ -30,6 +30,9 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
     s->checkpoint.event_count = s->report.event_count;
     s->checkpoint.lost_events = s->report.lost_events;
     s->checkpoint.cursor = s->cursor;
+    s->checkpoint.blocker_count = s->report.blocker_count;
+    memcpy(s->checkpoint.blockers, s->report.blockers,
+           s->report.blocker_count * sizeof *s->report.blockers);
     vbss_contact_checkpoint(s->contacts);
     return VBSS_OK;
 }
@@ -70,6 +73,9 @@ void vbss_scene_rollback(scene_object *s)
     vbss_scene_rollback_tools(s);
     vbss_scene_rollback_statistics(s);
     s->cursor = s->checkpoint.cursor;
+    s->report.blocker_count = s->checkpoint.blocker_count;
+    memcpy(s->report.blockers, s->checkpoint.blockers,
+           s->checkpoint.blocker_count * sizeof *s->report.blockers);
     s->cursor.is_attempt_in_memory = false;
     vbss_contact_rollback(s->contacts);
     s->report.event_count = s->checkpoint.event_count;

@@ -152,6 +152,7 @@ void vbss_scene_finish_step(scene_object *s)
     update_tools(s, h);
     vbss_scene_adapt_meshes(s);
     vbss_scene_close_holes_of_short_threads(s);
+    vbss_scene_end_blockers(s);
     record_operations(s);
     s->report.statistics.rows = s->contacts->count;
     s->report.statistics.state_solves = s->contacts->counters.solves;

@@ -127,6 +127,23 @@ static void update_coupling_wrenches(scene_object *s, const scene_substep *subst
     }
 }
 
+static vbss_blocker_cause cause_of(scene_substep_outcome outcome)
+{
+    switch (outcome) {
+    case SCENE_SUBSTEP_CCD_HIT:
+        return VBSS_BLOCKER_COLLISION;
+    case SCENE_SUBSTEP_PENETRATION:
+        return VBSS_BLOCKER_PENETRATION;
+    case SCENE_SUBSTEP_NO_ACTIVE_SET:
+        return VBSS_BLOCKER_CONTACT;
+    case SCENE_SUBSTEP_NOT_CONVERGED:
+    case SCENE_SUBSTEP_SINGULAR:
+        return VBSS_BLOCKER_CONVERGENCE;
+    default:
+        return VBSS_BLOCKER_WORK;
+    }
+}
+
 /* If several groups leave out a part of the step, the largest part counts. */
 static void record_pause(scene_object *s, scene_step_cursor *cursor, double fraction)
 {
@@ -145,6 +162,8 @@ static void pause_step(scene_object *s, scene_step_cursor *cursor, scene_substep
     double fraction_left = 1.0 - cursor->substep.start_fraction;
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
     record_pause(s, cursor, fraction_left);
+    vbss_scene_record_blocker(s, cause_of(outcome), vbss_scene_find_blamed_pair(s, outcome),
+                              fraction_left * cursor->substep.step_length);
     vbss_scene_set_next_size(s, outcome, size);
     cursor->is_paused = cursor->is_behind_targets = true;
     update_coupling_wrenches(s, &cursor->substep);
@@ -166,9 +185,12 @@ static bool can_defer_to_next_step(const scene_object *s, const scene_step_curso
 static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
                              scene_substep_outcome outcome)
 {
+    const scene_touching_pair blamed = vbss_scene_find_blamed_pair(s, outcome);
     double lost_fraction = 1.0 - vbss_scene_truncate_substep(s, outcome, &cursor->substep);
     double lost_of_step =
         lost_fraction * (cursor->substep.end_fraction - cursor->substep.start_fraction);
+    vbss_scene_record_blocker(s, cause_of(outcome), blamed,
+                              lost_of_step * cursor->substep.step_length);
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
     vbss_scene_request_damping(s);
     cursor->is_behind_targets = true;

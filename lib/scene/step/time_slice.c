@@ -137,6 +137,7 @@ static void drop_overdue_steps(scene_object *s, double h)
         vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, 65536);
         c->paused++;
         c->time_paused += h;
+        vbss_scene_record_blocker(s, VBSS_BLOCKER_WORK, (scene_touching_pair){0, 0}, h);
     }
     c->behind = cursor->steps_behind + cursor->is_suspended;
 }

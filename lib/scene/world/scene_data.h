@@ -397,6 +397,16 @@ typedef struct scene_scratch {
     uint8_t *keeps_entry;              /* per warm-start entry: whether it stays */
 } scene_scratch;
 
+/* Bodies that are held back (world/blockers.c). Capacity, chosen. */
+enum { SCENE_MAX_BLOCKERS = 16 };
+typedef struct scene_blocker {
+    scene_touching_pair bodies; /* 0: unknown, or the floor */
+    vbss_blocker_cause cause;
+    double since, last; /* simulated time at which they were held back first and last, s */
+    double lost_time;   /* s */
+    double depth;       /* deepest overlap, m */
+} scene_blocker;
+
 /* Copies of the scene's own state from before the step. Those of bodies are in the bodies. */
 typedef struct scene_checkpoint {
     scene_thread_grasp *thread_grasps;
@@ -404,10 +414,12 @@ typedef struct scene_checkpoint {
     uint32_t last_grasp_id, last_hole_id;
     scene_step_cursor cursor;
     uint32_t event_count, lost_events;
+    scene_blocker blockers[SCENE_MAX_BLOCKERS];
+    uint32_t blocker_count;
     vbss_scene_statistics statistics;
 } scene_checkpoint;
 
-/* Results of the last step, for hosts. Snapshots save the statistics and the touching pairs. */
+/* Results of the last step, for hosts. Snapshots save the statistics, the touching pairs and the blockers. */
 typedef struct scene_report {
     vbss_scene_statistics statistics;
     uint64_t generation; /* grows with every change that views show */
@@ -415,7 +427,9 @@ typedef struct scene_report {
     scene_touching_pair *touching_pairs, *previous_touching_pairs;
     uint32_t touching_pair_count;
     uint32_t (*events)[4]; /* vbss_event_kind, two bodies, a number that depends on the kind */
-    uint32_t event_count, lost_events; /* in the list; beyond config.event_capacity */
+    uint32_t event_count, lost_events;          /* in the list; beyond config.event_capacity */
+    scene_blocker blockers[SCENE_MAX_BLOCKERS]; /* snapshots save them */
+    uint32_t blocker_count;
     bool has_pending_events; /* events were emitted after the last call; the next keeps them */
     /* The contact views: contact_count entries, in the order of the features. */
     uint32_t contact_count;

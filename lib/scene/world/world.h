@@ -219,6 +219,16 @@ void vbss_scene_drop_ended_overlaps(scene_object *s);
 /* Whether two bodies are a pair of the list. */
 bool vbss_scene_is_overlap(const scene_object *s, const scene_body *a, const scene_body *b);
 
+/* ---- blockers.c */
+
+/* Records that two bodies (numbers; 0: unknown, or the floor) hold back their island for `lost_time`,
+ * s. The first record of a pair emits an event and logs a warning. */
+void vbss_scene_record_blocker(scene_object *s, vbss_blocker_cause cause,
+                               scene_touching_pair bodies, double lost_time);
+
+/* Ends blockers whose bodies have moved freely for a while; emits an event for each. */
+void vbss_scene_end_blockers(scene_object *s);
+
 /* ---- work_budget.c */
 
 /* Estimates the operations of an attempt before its first linearisation, from the candidates of the
