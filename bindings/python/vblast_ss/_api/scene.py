@@ -126,6 +126,25 @@ class EventKind(IntEnum):
     """The swage has come back through it: the needle is in it again: the same."""
     UNTHREADED = 18
     """An end of a thread has left the hole: thread, drain, id of the hole."""
+    BLOCKED = 19
+    """Bodies are held back, for the first time since a while: the two bodies of vbss_blocker, its
+    cause."""
+    UNBLOCKED = 20
+    """They have moved freely for 0.1 s: the same numbers."""
+
+
+class BlockerCause(IntEnum):
+    """The constants of vbss_blocker_cause."""
+    WORK = 0
+    """The limit of work of the step was exhausted."""
+    COLLISION = 1
+    """The bodies would pass through each other, or come too near."""
+    PENETRATION = 2
+    """The bodies penetrate each other by more than the tolerance."""
+    CONTACT = 3
+    """No contact forces were found that obey the contact law."""
+    CONVERGENCE = 4
+    """The motion of the body did not converge."""
 
 
 class vbss_scene(ctypes.Structure):
@@ -632,6 +651,53 @@ class SceneStatistics(NamedTuple):
     behind: int
 
 
+class vbss_blocker(ctypes.Structure):
+    """Two bodies that hold back each other, and all bodies that touch them. A step that fails is
+    held back for the bodies that are connected with them by contacts, grasps, holes or pins.
+    All other bodies move on.
+
+    cause: Why, in the last step that held them back.
+
+    body_a: Number of a body; 0: unknown.
+
+    body_b: Number of the other; 0: the floor, or no second body.
+
+    since: Simulated time at which they were first held back, s.
+
+    lost_time: Simulated time that they have lost since then, s.
+
+    depth: Their deepest overlap in the last step that held them back, m; 0: none."""
+    struct_size: int
+    cause: int
+    body_a: int
+    body_b: int
+    since: float
+    lost_time: float
+    depth: float
+    _kinds_: ClassVar[dict[str, Any]] = {"cause": BlockerCause}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("cause", c_int32),
+        ("body_a", c_uint32),
+        ("body_b", c_uint32),
+        ("since", c_double),
+        ("lost_time", c_double),
+        ("depth", c_double),
+    ]
+
+
+class Blocker(NamedTuple):
+    """Two bodies that hold back each other, and all bodies that touch them. A step that fails is
+    held back for the bodies that are connected with them by contacts, grasps, holes or pins.
+    All other bodies move on. Fields as vbss_blocker says."""
+    cause: BlockerCause
+    body_a: int
+    body_b: int
+    since: float
+    lost_time: float
+    depth: float
+
+
 class vbss_hole(ctypes.Structure):
     """A hole of a needle or a thread in a drain.
 
@@ -779,6 +845,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_get_grasp": (c_int32, (POINTER(vbss_scene), c_uint32, c_uint32, POINTER(vbss_grasp),
         c_uint32)),
     "vbss_scene_get_hole": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_hole), c_uint32)),
+    "vbss_scene_get_blocker": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_blocker),
+        c_uint32)),
     "vbss_scene_make_hole": (c_int32, (POINTER(vbss_scene), c_uint32, c_double, c_uint32, c_uint32,
         POINTER(c_double), POINTER(c_uint32))),
     "vbss_scene_remove": (c_int32, (POINTER(vbss_scene), c_uint32)),
