@@ -559,7 +559,8 @@ VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
  * @param weights     of its nodes in the hole: three, from 0 to 1, with the sum 1
  * @param[out] id     receives its name; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a value; no such body; the
- *         suture is farther from there than it would touch the wall), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
+ *         suture is farther from there than it would touch the wall; a hole of the same suture is less than its
+ *         diameter from there), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
  *         (hole_capacity) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
