@@ -4,9 +4,9 @@
 #include "base/error.h"
 #include "metrics/metrics.h"
 
-_Static_assert(sizeof(vbss_metrics_sample) == 120, "published size");
+_Static_assert(sizeof(vbss_metrics_sample) == 128, "published size");
 static const vbss_metrics_sample defaults = {.struct_size = sizeof(vbss_metrics_sample)};
-static const uint32_t sizes[] = {120, 0};
+static const uint32_t sizes[] = {120, 128, 0};
 static const vbss_layout layout = {"vbss_metrics_sample", &defaults, sizes};
 
 vbss_result vbss_metrics_sample_init(vbss_metrics_sample *sample, uint32_t struct_size)
@@ -55,6 +55,8 @@ static vbss_result check_sample(const metrics_object *m, const vbss_metrics_samp
                          "time of the sample is %.9g, that of the last is %.9g", s->time,
                          m->sample_time);
     }
+    VBSS_TRY(vbss_check_range(m->context, s->time_lost, m->time_lost, METRICS_LARGEST_TIME,
+                              "time_lost"));
     for (int i = 0; i < METRICS_HANDS; i++) {
         if ((s->valid & position_flags[i]) != 0) {
             VBSS_TRY(vbss_check_vector(m->context, s->position[i], METRICS_LARGEST_POSITION,
@@ -88,6 +90,7 @@ vbss_result vbss_metrics_add_sample(vbss_metrics *metrics, const vbss_metrics_sa
     }
     m->samples++;
     m->sample_time = s.time;
+    m->time_lost = s.time_lost;
     vbss_metrics_advance_clock(m, s.time, s.step);
     return VBSS_OK;
 }
