@@ -144,6 +144,7 @@ static vbss_result tell_sample(feeder *d, uint64_t step, const moment *m)
     (void)vbss_metrics_sample_init(&s, sizeof s);
     s.step = step;
     s.time = m->time;
+    s.time_lost = m->lost;
     for (int side = 0; side < SIDES; side++) {
         if (m->told[side] && is_place(m->at[side])) {
             s.valid |= places[side];
