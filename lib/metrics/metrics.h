@@ -17,8 +17,6 @@
 #include "metrics/tuning.h"
 
 enum { METRICS_HANDS = 2 };
-/* Of snapshots. Version 2 has runs with outliers, and lost time. */
-enum { METRICS_VERSION = 2 };
 
 /* ---- sampling grids: fine samples of the interpolated curve, and ticks at which motion is
  * measured. Chosen; other rates give other figures. */

@@ -192,7 +192,7 @@ static void visit_pull(vbss_stream *stream, metrics_pull *p)
 void vbss_metrics_serialise(vbss_stream *stream, void *object)
 {
     metrics_object *m = object;
-    if (stream->version < METRICS_VERSION) {
+    if (stream->version < 2) {
         vbss_stream_refuse(stream, VBSS_ERROR_DATA_VERSION, "it is from before lost time");
         return;
     }

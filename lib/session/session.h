@@ -27,8 +27,6 @@
 #include "record/record.h"
 #include "scene/api/inspect.h"
 
-/* Of snapshots. Version 2 has lost time. */
-enum { SESSION_VERSION = 2 };
 /* Hands and tools of the task; capacities, chosen. */
 enum { SESSION_HANDS = 2, SESSION_TOOLS = 3, SESSION_MAX_THROWS = 8, SESSION_MAX_STRAYS = 16 };
 /* Throws of the knot; transfers between them. Published, as the task. */

@@ -255,7 +255,7 @@ static void visit_scene(vbss_stream *stream, session_object *s)
 void vbss_session_serialise(vbss_stream *stream, void *object)
 {
     session_object *s = object;
-    if (stream->version < SESSION_VERSION) {
+    if (stream->version < 2) {
         vbss_stream_refuse(stream, VBSS_ERROR_DATA_VERSION, "it is from before lost time");
         return;
     }

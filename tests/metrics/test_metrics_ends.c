@@ -40,7 +40,7 @@ static vec3 straight(double t)
     return vec3_make(0.3 + 0.6 * SPEED * t, -0.1 + 0.8 * SPEED * t, 0.2);
 }
 
-/* Below 1e-5 m/s^3, the rounding of the filter's taps; with a rest beyond the ends it was 130 m/s^3. */
+/* Below 1e-5 m/s^3, the rounding of the filter's taps; with a rest beyond the ends it was 137 m/s^3. */
 static void expect_no_jerk(const fixture *f)
 {
     const vbss_view view = view_of(f, VBSS_METRICS_VIEW_LEFT_JERK);
