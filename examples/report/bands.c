@@ -225,6 +225,18 @@ static void put_idle(page *p, const facts *f, bool sews, const char *mark)
         0.0, -1.0, sews ? 52.0 : 49.0, sews ? "52, suturing" : "49, knot", mark, true);
 }
 
+/* Left out of all figures of motion. */
+static void put_outliers(page *p, const facts *f)
+{
+    const vbss_metrics_report *r = &f->measured.report;
+    static const char *const names[SIDES] = {"implausible samples left out, left",
+                                             "implausible samples left out, right"};
+    for (int side = 0; side < SIDES; side++) {
+        row o = row_of(names[side], "", has_moved(f, side), (double)r->outliers[side], 0, 0.0);
+        put_row(p, &o);
+    }
+}
+
 static void put_motion(page *p, const facts *f)
 {
     const measured *m = &f->measured;
@@ -250,6 +262,7 @@ static void put_motion(page *p, const facts *f)
     }
     put_peaks(p, f, sews, mark);
     put_idle(p, f, sews, mark);
+    put_outliers(p, f);
 }
 
 static void put_smoothness(page *p, const facts *f)

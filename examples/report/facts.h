@@ -23,6 +23,7 @@ enum { LEFT = 0, RIGHT = 1, SIDES = 2, MAX_THROWS = 8, MAX_NAME = 64 };
 
 typedef struct closest_points {
     double time, h;      /* s, after the step; its length */
+    double lost;         /* simulated time lost up to it, s */
     double at[SIDES][3]; /* where the tools were told to be, m */
     double opening[SIDES];
     bool reported[SIDES]; /* from the first time on */

@@ -144,6 +144,7 @@ static vbss_result report_sample(feeder *d, uint64_t step, const moment *m)
     (void)vbss_metrics_sample_init(&s, sizeof s);
     s.step = step;
     s.time = m->time;
+    s.time_lost = m->lost;
     for (int side = 0; side < SIDES; side++) {
         if (m->reported[side] && is_place(m->at[side])) {
             s.valid |= places[side];

@@ -136,6 +136,7 @@ static vbss_result read_steps(facts *f)
         }
         m->time = step.time;
         m->h = step.h;
+        m->lost += step.time_lost;
         for (uint32_t i = 0; i < step.input_count; i++) {
             hear(f, &step.inputs[i], m);
             if (step.inputs[i].kind == VBSS_INPUT_CUT && !keep_cut(f, &step, &step.inputs[i])) {

@@ -46,12 +46,6 @@ static void put_count(page *p, const char *name, uint64_t count, const char *wor
 
 static void put_events(page *p, const facts *f)
 {
-    double lost = 0.0;
-    for (size_t i = 0; i < f->event_count; i++) {
-        const happening *e = &f->events[i];
-        lost +=
-            e->kind == VBSS_EVENT_CLAMPED ? f->moments[e->step - 1].h * e->number / 65536.0 : 0.0;
-    }
     put(p,
         "<table><caption>Counted in the log</caption><thead><tr><th scope=\"col\">What</th><th "
         "scope=\"col\" class=\"n\">times</th><th scope=\"col\">meaning</th></tr></thead><tbody>\n");
@@ -65,7 +59,7 @@ static void put_events(page *p, const facts *f)
     put_count(p, "steps with lost events", f->counts[VBSS_EVENT_LOST],
               "more happened than was kept");
     put(p, "</tbody></table>\n<p>Simulated time lost in steps cut short or paused: %.2f ms.</p>\n",
-        1e3 * lost);
+        1e3 * f->check.time_lost);
 }
 
 static void put_scene(page *p, const again *a)
@@ -85,7 +79,7 @@ static void put_scene(page *p, const again *a)
     put_count(p, "rejected, depth", s->rejected_depth, "too much penetration");
     put_count(p, "rejected, stretch", s->rejected_stretch, "lengths or shape not found");
     put_count(p, "clamped", s->clamped, "parts cut short by the guard");
-    put_count(p, "paused", s->paused, "steps of which a part waited");
+    put_count(p, "paused", s->paused, "steps of which a part was left out");
     put_count(p, "pairs looked at", s->guard_pairs, "by the guard");
     put(p,
         "</tbody></table>\n<p>Deepest penetration %.1f &#181;m; largest stretch error "

@@ -293,7 +293,7 @@ typedef struct vbss_scene_statistics {
     double last_stretch_error; /**< max |length / rest length - 1 - T / EA| after the last step. */
     double stretch_error;      /**< Largest so far. */
     double last_residual;      /**< Of the contact law after the last part, N. */
-    double time;               /**< Simulated so far, s. */
+    double time;               /**< Sum of the lengths of the steps, s, with `time_paused`. */
     uint64_t operations;       /**< Of all steps, as work_limit counts them; method OURS. */
     uint64_t most_operations;  /**< Of a step. */
     uint64_t paused;           /**< REAL_TIME: steps of which a part, or all, was left out. */

@@ -110,6 +110,7 @@ static metrics_entry make_entry(const metrics_object *m, const vbss_metrics_even
                            .relation = e->relation,
                            .step = e->step,
                            .time = e->time,
+                           .time_lost = m->time_lost,
                            .position = vec3_load(e->position),
                            .force = vec3_load(e->force)};
     entry.value[0] = e->amount;

@@ -17,6 +17,7 @@ static const char *const texts[] = {
     "the drain was torn off",
     "the thread broke or was cut early",
     "finished before both tails were cut",
+    "simulated time was lost, which the clock of the score includes",
 };
 
 /* Counts and sums the penalties in order; a query may select one of them. */
@@ -130,6 +131,16 @@ static void add_incident_penalties(const metrics_object *m, penalty_tally *t)
     }
 }
 
+/* Lost time costs nothing, but makes the score incomparable. */
+static void add_lost_time(const metrics_object *m, penalty_tally *t)
+{
+    double lost = vbss_metrics_task_time_lost(m);
+    if (vbss_metrics_is_time_lost(lost, vbss_metrics_task_time(m), m->config.lost_share)) {
+        metrics_entry end = entry_at(m, vbss_metrics_stop_time(m));
+        add_penalty(t, VBSS_METRICS_PENALTY_TIME_LOST, &end, lost, 0.0);
+    }
+}
+
 /* ---- conditions that take the rest of the score */
 
 static bool add_final_penalties(const metrics_object *m, penalty_tally *t)
@@ -166,6 +177,7 @@ metrics_score vbss_metrics_compute_score(const metrics_object *m, uint32_t numbe
     add_placement_penalties(m, &t);
     add_knot_penalties(m, &t);
     add_incident_penalties(m, &t);
+    add_lost_time(m, &t);
     bool ended = add_final_penalties(m, &t);
     bool known = m->facts[METRICS_PUNCTURE].is_active && m->facts[METRICS_PUNCTURE + 1].is_active &&
                  m->facts[METRICS_GAP].is_active && tightness(m) != VBSS_METRICS_TIGHTNESS_UNKNOWN;

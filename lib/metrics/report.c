@@ -5,11 +5,12 @@
 #include "base/error.h"
 #include "metrics/metrics.h"
 
-_Static_assert(sizeof(vbss_metrics_report) == 192, "published size");
+_Static_assert(sizeof(vbss_metrics_report) == 232, "published size");
 _Static_assert(sizeof(vbss_metrics_throw) == 104, "published size");
 _Static_assert(sizeof(vbss_metrics_phase) == 40, "published size");
 _Static_assert(sizeof(vbss_metrics_penalty) == 96 + sizeof(void *), "no hidden padding");
-static const uint32_t report_sizes[] = {192, 0}, throw_sizes[] = {104, 0}, phase_sizes[] = {40, 0},
+static const uint32_t report_sizes[] = {192, 232, 0}, throw_sizes[] = {104, 0},
+                      phase_sizes[] = {40, 0},
                       penalty_sizes[] = {96u + (uint32_t)sizeof(void *), 0};
 static const vbss_layout report_layout = {"vbss_metrics_report", NULL, report_sizes};
 static const vbss_layout throw_layout = {"vbss_metrics_throw", NULL, throw_sizes};
@@ -36,6 +37,16 @@ double vbss_metrics_task_time(const metrics_object *m)
 {
     const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
     return appeared->is_active ? vbss_max(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
+}
+
+double vbss_metrics_task_time_lost(const metrics_object *m)
+{
+    const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
+    const metrics_entry *first_cut = &m->facts[METRICS_CUT], *second_cut = first_cut + 1;
+    double lost_at_stop = vbss_metrics_is_stopped(m)
+                              ? vbss_max(first_cut->time_lost, second_cut->time_lost)
+                              : m->time_lost;
+    return appeared->is_active ? vbss_max(lost_at_stop - appeared->time_lost, 0.0) : 0.0;
 }
 
 /* ---- the report */
@@ -108,6 +119,21 @@ static void report_motion(const metrics_object *m, vbss_metrics_report *r)
     r->samples = m->samples;
     r->ticks = a->tick_count > b->tick_count ? a->tick_count : b->tick_count;
     r->ticks_lost = vbss_metrics_ticks_lost(m);
+    for (int i = 0; i < METRICS_HANDS; i++) {
+        r->outliers[i] = m->hands[i].outlier_count;
+        r->jumps[i] = m->hands[i].jump_count;
+    }
+}
+
+static void report_time(const metrics_object *m, vbss_metrics_report *r)
+{
+    r->time = vbss_metrics_task_time(m);
+    r->time_lost = vbss_metrics_task_time_lost(m);
+    r->time_simulated = vbss_max(r->time - r->time_lost, 0.0);
+    r->flags |= r->time >= m->config.max_time ? VBSS_METRICS_TIMEOUT : 0;
+    r->flags |= vbss_metrics_is_time_lost(r->time_lost, r->time, m->config.lost_share)
+                    ? VBSS_METRICS_TIME_LOST
+                    : 0;
 }
 
 vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *report,
@@ -121,6 +147,7 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     count_throws(m, &r);
     count_incidents(m, &r);
     report_motion(m, &r);
+    report_time(m, &r);
     r.tightness_ours = vbss_metrics_tightness_by_load(&m->pull);
     r.tightness_paper = vbss_metrics_tightness_by_strain(&m->pull);
     r.pull_held = m->pull.longest_hold;
@@ -129,12 +156,10 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     r.throw_records = m->throw_count;
     r.phase_count = m->phase_count;
     r.penalty_count = score.count;
-    r.time = vbss_metrics_task_time(m);
     r.score = score.score;
     r.penalties = score.penalties;
     r.flags |= vbss_metrics_is_stopped(m) ? VBSS_METRICS_STOPPED : 0;
     r.flags |= m->is_finished ? VBSS_METRICS_FINISHED : 0;
-    r.flags |= r.time >= m->config.max_time ? VBSS_METRICS_TIMEOUT : 0;
     r.flags |= score.is_final ? VBSS_METRICS_FINAL : 0;
     return vbss_struct_write(m->context, &report_layout, &r, report, struct_size);
 }

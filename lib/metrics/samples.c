@@ -5,9 +5,9 @@
 #include "base/number_text.h"
 #include "metrics/metrics.h"
 
-_Static_assert(sizeof(vbss_metrics_sample) == 120, "published size");
+_Static_assert(sizeof(vbss_metrics_sample) == 128, "published size");
 static const vbss_metrics_sample defaults = {.struct_size = sizeof(vbss_metrics_sample)};
-static const uint32_t sizes[] = {120, 0};
+static const uint32_t sizes[] = {120, 128, 0};
 static const vbss_layout layout = {"vbss_metrics_sample", &defaults, sizes};
 
 vbss_result vbss_metrics_sample_init(vbss_metrics_sample *sample, uint32_t struct_size)
@@ -58,6 +58,8 @@ static vbss_result check_sample(const metrics_object *m, const vbss_metrics_samp
             m->context, VBSS_ERROR_OUT_OF_RANGE, "time of the sample is %s, that of the last is %s",
             vbss_format_number(s->time, 9).text, vbss_format_number(m->sample_time, 9).text);
     }
+    VBSS_TRY(vbss_check_range(m->context, s->time_lost, m->time_lost, METRICS_LARGEST_TIME,
+                              "time_lost"));
     for (int i = 0; i < METRICS_HANDS; i++) {
         if ((s->valid & position_flags[i]) != 0) {
             VBSS_TRY(vbss_check_vector(m->context, s->position[i], METRICS_LARGEST_POSITION,
@@ -91,6 +93,7 @@ vbss_result vbss_metrics_add_sample(vbss_metrics *metrics, const vbss_metrics_sa
     }
     m->samples++;
     m->sample_time = s.time;
+    m->time_lost = s.time_lost;
     vbss_metrics_advance_clock(m, s.time, s.step);
     return VBSS_OK;
 }

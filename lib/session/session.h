@@ -5,6 +5,8 @@
  * device_io.c reads and writes the devices. log_sync.c steps the scene and keeps its log.
  * detector_feed.c runs the knot detector, and metrics_feed.c feeds the metrics.
  *
+ * clock.c keeps the clocks of the task: time, and the part of it that the scene has lost.
+ *
  * After the step of the scene, observe.c fills one struct, the observation. It is the only input of
  * phase.c, throws.c and outcome.c, which derive the facts and the phase of the task. They share the
  * queries of task_state.c, and emit events through events.c.
@@ -127,6 +129,12 @@ typedef struct session_object {
     uint64_t steps, scene_steps; /* of the session; of the scene after the session's last step */
     double time, h;              /* since the needle appeared, s; length of the last step, s */
     double end_time;             /* when the task ended, s; 0: it has not ended */
+    double time_lost;            /* part of `time` that the scene has left out, s */
+    double end_time_lost;        /* of end_time */
+    /* Statistics of the scene after the last step: time_paused, s, and clamped. */
+    double scene_time_paused;
+    uint64_t scene_clamped;
+    uint32_t is_lossy;    /* 1: the share of lost time exceeds its limit, with hysteresis */
     uint32_t thread;      /* number of the thread; after cuts, of the piece with the stitch */
     double thread_length; /* at rest after the last step, m; 0: before the first step */
     vbss_session_phase phase;
@@ -207,6 +215,15 @@ vbss_result vbss_session_write_devices(const session_object *s, double now);
 /* Makes one step without a call of the host's listener. `now` is the clock of the host, s; `h` is
  * the length of the step, s, which a replay replaces. Errors are those of vbss_session_step. */
 vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, double now, double h);
+
+/* ---- clock.c */
+
+/* Starts from the present statistics of the scene. VBSS_ERROR_INVALID_HANDLE. */
+vbss_result vbss_session_start_clock(session_object *s);
+/* Counts the step that the scene has made. VBSS_ERROR_INVALID_HANDLE. */
+vbss_result vbss_session_count_step(session_object *s);
+/* Emits an event if the share of lost time has crossed its limit. */
+void vbss_session_update_lost_time(session_object *s);
 
 /* ---- seek.c */
 

@@ -24,4 +24,10 @@
  * Unit: m, absolute. Origin: chosen. Test: none known. */
 #define SESSION_MIN_CUT_LENGTH VBSS_TUNE(SESSION_MIN_CUT_LENGTH, 1e-6)
 
+/* ---- Clock (clock.c) */
+
+/* Lost time that was reported is withdrawn below this part of config.lost_share.
+ * Unit: 1, relative to config.lost_share. Origin: chosen. Test: none known. */
+#define SESSION_LOST_SHARE_HYSTERESIS VBSS_TUNE(SESSION_LOST_SHARE_HYSTERESIS, 0.5)
+
 #endif

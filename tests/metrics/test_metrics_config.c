@@ -16,7 +16,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void config_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[] = {176, 0};
+    const uint32_t sizes[] = {176, 192, 0};
     const harness_config config = {sizes, init, create_and_destroy};
     harness_config_protocol(&config);
 }
@@ -38,6 +38,8 @@ static void null_config_is_default(void **state)
     expect_same_bits(1.0, f.config.weight_tightness);
     expect_same_bits(2.0, f.config.pull_force);
     expect_same_bits(5e-3, f.config.idle_speed);
+    expect_same_bits(2.0, f.config.max_speed);
+    expect_same_bits(0.02, f.config.lost_share);
     assert_int_equal(f.config.throws_wanted, 3);
     end(&f);
 }
@@ -63,8 +65,8 @@ static void expect_config(const fixture *f, vbss_result wanted)
 static void out_of_range_numbers_are_rejected(void **state)
 {
     (void)state;
-    static const double largest[] = {7200.0, 1.0, 1e9, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1e6,
-                                     1e6,    1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6};
+    static const double largest[] = {7200.0, 1.0, 1e9, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1e6, 1e6,
+                                     1e6,    1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1.0};
     fixture f;
     begin(&f);
     const vbss_metrics_config plain = f.config;

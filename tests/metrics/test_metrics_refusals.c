@@ -174,7 +174,7 @@ static void unknown_tools_phases_and_fields_are_rejected(void **state)
     assert_int_equal(v.count, 0);
     assert_non_null(v.data);
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_metrics_get_motion(f.metrics, 0, -1, &m, 119));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_metrics_get_report(f.metrics, NULL, 192));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_metrics_get_report(f.metrics, NULL, 232));
     end(&f);
 }
 

@@ -526,7 +526,7 @@ class vbss_scene_statistics(ctypes.Structure):
 
     last_residual: Of the contact law after the last part, N.
 
-    time: Simulated so far, s.
+    time: Sum of the lengths of the steps, s, with `time_paused`.
 
     operations: Of all steps, as work_limit counts them; method OURS.
 

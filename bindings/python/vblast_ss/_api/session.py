@@ -120,6 +120,10 @@ class SessionEventKind(IntEnum):
     """The task is complete."""
     FAILED = 17
     """It has failed: `number` is a vbss_session_failure."""
+    TIME_LOST = 18
+    """More than `lost_share` of the time is lost: `amount` s of it, since the needle appeared.
+    Times and score do not compare with those of other trials. Undone: it is less than half of
+    that share again."""
 
 
 class SessionGap(IntEnum):
@@ -160,7 +164,7 @@ class vbss_session_event(ctypes.Structure):
 
     step: Of the session, from 1 on.
 
-    time: Since the needle appeared, s.
+    time: Since the needle appeared, s, on the clock of the hands.
 
     position: Of the tool's tip, or where the kind says, m.
 
@@ -292,7 +296,10 @@ class vbss_session_config(ctypes.Structure):
     break_force: Tension at which the thread breaks, N, 0 to 1e6; default 0: it does not.
 
     gap_measure: What seats throws and is told as gap, to status, events and metrics; default
-    LIPS."""
+    LIPS.
+
+    lost_share: Share of the time, 0 to 1, above which lost time is an event and sets
+    `is_lossy`; default 0.02. A trial shorter than 1 s counts as 1 s."""
     struct_size: int
     thread: int
     needle: int
@@ -323,6 +330,7 @@ class vbss_session_config(ctypes.Structure):
     break_force: float
     gap_measure: int
     reserved: int
+    lost_share: float
     _kinds_: ClassVar[dict[str, Any]] = {"gap_measure": SessionGap}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -355,6 +363,7 @@ class vbss_session_config(ctypes.Structure):
         ("break_force", c_double),
         ("gap_measure", c_int32),
         ("reserved", c_uint32),
+        ("lost_share", c_double),
     ]
 
 
@@ -393,7 +402,8 @@ class vbss_session_status(ctypes.Structure):
 
     event_count: Events so far.
 
-    time: Since the needle appeared, until the end or now, s.
+    time: Since the needle appeared, until the end or now, s, on the clock of the hands. It
+    includes `time_lost`.
 
     tail: Length of the short tail, from the hole, m; 0 without.
 
@@ -401,7 +411,16 @@ class vbss_session_status(ctypes.Structure):
 
     tension: Largest of the short limb, of the needle's, N.
 
-    deviation_mm: Of the holes from the marks."""
+    deviation_mm: Of the holes from the marks.
+
+    time_lost: Part of `time` that the scene has left out, s: paused steps
+    (vbss_scene_statistics::time_paused) and truncated substeps (VBSS_EVENT_CLAMPED), from the
+    second step on.
+
+    time_simulated: `time` without `time_lost`, s. Up to two steps of it may still wait
+    (vbss_scene_statistics::behind).
+
+    is_lossy: 1: more than `lost_share` of the time is lost, with hysteresis."""
     struct_size: int
     phase: int
     stage: int
@@ -424,6 +443,10 @@ class vbss_session_status(ctypes.Structure):
     gap: float
     tension: Any
     deviation_mm: Any
+    time_lost: float
+    time_simulated: float
+    is_lossy: int
+    reserved: int
     _kinds_: ClassVar[dict[str, Any]] = {"phase": SessionPhase, "stage": SessionStage, "failure": SessionFailure, "holder": MetricsTool, "faults": KnotFaultBits}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -448,6 +471,10 @@ class vbss_session_status(ctypes.Structure):
         ("gap", c_double),
         ("tension", c_double * 2),
         ("deviation_mm", c_double * 2),
+        ("time_lost", c_double),
+        ("time_simulated", c_double),
+        ("is_lossy", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -474,6 +501,9 @@ class SessionStatus(NamedTuple):
     gap: float
     tension: tuple[float, ...]
     deviation_mm: tuple[float, ...]
+    time_lost: float
+    time_simulated: float
+    is_lossy: int
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
