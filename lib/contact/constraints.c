@@ -82,18 +82,17 @@ contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key)
     if (set->count == set->capacity) {
         return NULL;
     }
-    contact_constraint *constraint = &set->constraints[set->count++];
+    contact_constraint *constraint = &set->constraints[set->count];
     constraint->key = *key; /* the Jacobian, most of the record, is not read until it is set */
     constraint->jacobian_block_count = 0;
     constraint->is_bilateral = false;
     constraint->is_sleeve = false;
     constraint->tangential_stiffness_ratio = constraint->elastic_slip_limit =
-        constraint->lip_thickness = constraint->fold_allowance = 0.0;
-    constraint->axis_interval[0][0] = constraint->axis_interval[1][0] = 0.0;
-    constraint->axis_interval[0][1] = constraint->axis_interval[1][1] = 1.0;
+        constraint->fold_allowance = 0.0;
     constraint->solution = (contact_solution){.status = CONTACT_OPEN};
     constraint->previous_force = vec3_zero();
     constraint->schur_offset = UINT32_MAX;
+    constraint->geometry = set->count++;
     return constraint;
 }
 

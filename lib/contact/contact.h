@@ -83,41 +83,26 @@ typedef struct contact_constraint {
      * substep, N/m, lets it slide. The axial force is remembered. */
     bool is_sleeve;
     double yield_force, yield_friction[2], viscous_stiffness;
-    vec3 curvature; /* derivative of the normal as it slides along the normal, 1/m */
-    /* Sleeve, for the module that creates the constraint: span and arc length, m, of its present
-     * place on the suture. */
-    uint32_t span;
-    double start_arc_length;
+    vec3 curvature;      /* derivative of the normal as it slides along the normal, 1/m */
     double augmentation; /* augmentation parameter r of Alart and Curnier, N/m */
     vec3 normal;         /* unit vector from b to a */
     double gap;          /* at the trial state, m */
     /* displacement of a relative to b from the start of the substep to the trial state, m */
     vec3 relative_displacement;
-    /* contact point on the two features; from here to allowed_penetration the scene sets all
-     * fields */
-    double barycentric[2];
-    /* segments: interval of each axis on which contact is possible, as fractions of it */
-    double axis_interval[2][2];
-    /* identity of both contact points and hash list, to remove duplicates */
-    uint32_t dedup_points[2], dedup_next;
-    vec3 point; /* midway between the surfaces, m */
-    /* distance of the axes or centres at contact, m */
-    double contact_distance;
-    /* contact of two lips: thickness of the wall along the normal, m */
-    double lip_thickness;
-    double overlap_allowance; /* overlap that is allowed without a force, beside a hole, m */
-    /* part of it in a fold: overlap at the start of the substep that the contact force does not
+    /* unilateral: part of `gap` that is allowed overlap in a fold, which the contact force does not
      * explain, m */
     double fold_allowance;
-    /* diameter of the thinner feature; gap at the start of the substep; largest penetration allowed
-     * at its end; m */
-    double thickness, start_gap, allowed_penetration;
+    /* diameter of the thinner feature; largest penetration allowed at the end of the substep; m */
+    double thickness, allowed_penetration;
 
     contact_solution solution; /* result of the last solve */
     vec3 previous_force;       /* tangential force at the start of the substep, N */
 
     /* offset of its indices in schur_indices; UINT32_MAX before they are assigned */
     uint32_t schur_offset;
+    /* index of its geometry in an array of the module that creates it; differs between constraints,
+     * is below the capacity, and stays when the list is sorted */
+    uint32_t geometry;
 } contact_constraint;
 
 /* Stiffness in the tangent plane, N/m. */
@@ -235,7 +220,7 @@ vbss_result vbss_contact_create(vbss_context *context, uint32_t capacity, contac
 void vbss_contact_destroy(vbss_context *context, contact_set *set);
 
 /* The list of constraints (constraints.c). vbss_contact_add returns NULL if the set is full. Keys
- * may come in any order; vbss_contact_sort sorts them. */
+ * may come in any order; vbss_contact_sort sorts them, and no constraint is added after that. */
 void vbss_contact_clear(contact_set *set);
 contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key);
 void vbss_contact_sort(contact_set *set);

@@ -73,6 +73,7 @@ static void constraints_fill_to_capacity(void **state)
             for (uint32_t i = 0; i < capacity; i++) {
                 contact_constraint *row = add(&l, i, 7);
                 assert_int_equal(row->key.feature_a, i);
+                assert_int_equal(row->geometry, i); /* differs, and is below the capacity */
                 assert_int_equal(row->jacobian_block_count,
                                  0); /* nothing is left of who was there before */
                 assert_int_equal(row->solution.status, CONTACT_OPEN);
@@ -94,13 +95,14 @@ static void rows_are_sorted(harness_source *source, void *user)
 {
     (void)user;
     list l;
-    uint32_t count = harness_draw_below(source, 40), sum = 0;
+    uint32_t count = harness_draw_below(source, 40), sum = 0, geometries[40];
     list_begin(&l, 40);
     for (uint32_t i = 0; i < count; i++) {
         uint32_t a = harness_draw_below(source, 6);
         contact_constraint *row = add(&l, a, 100 + i); /* each but once */
         row->key.kind = harness_draw_below(source, 3);
         row->gap = row->key.feature_b;
+        geometries[i] = row->geometry;
         sum += row->key.feature_b;
     }
     vbss_contact_sort(l.set);
@@ -109,6 +111,7 @@ static void rows_are_sorted(harness_source *source, void *user)
         const contact_constraint *row = &l.set->constraints[i];
         assert_true(i == 0 || vbss_contact_compare_keys(&row[-1].key, &row->key) < 0);
         expect_near(row->key.feature_b, row->gap, 0.0); /* all of it moved */
+        assert_int_equal(geometries[row->key.feature_b - 100], row->geometry);
         sum -= row->key.feature_b;
     }
     assert_int_equal(sum, 0);
@@ -129,14 +132,14 @@ static void new_constraint_is_reset(void **state)
     list_begin(&l, 1);
     contact_constraint *row = add(&l, 0, 0);
     row->is_bilateral = true;
-    row->tangential_stiffness_ratio = row->lip_thickness = 0.25;
+    row->tangential_stiffness_ratio = row->fold_allowance = 0.25;
     row->is_sleeve = true;
     row->previous_force = vec3_make(1.0, 2.0, 3.0);
     close_with(row, 1.0);
     vbss_contact_clear(l.set);
     row = add(&l, 1, 0);
     assert_false(row->is_bilateral);
-    expect_near(0.0, row->tangential_stiffness_ratio + row->lip_thickness, 0.0);
+    expect_near(0.0, row->tangential_stiffness_ratio + row->fold_allowance, 0.0);
     assert_false(row->is_sleeve);
     expect_near(0.0, vec3_norm(row->previous_force), 0.0);
     assert_int_equal(row->solution.status, CONTACT_OPEN);

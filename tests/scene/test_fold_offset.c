@@ -29,16 +29,17 @@ static const contact_constraint *recall(scene_object *s, uint32_t of, double dep
     contact_constraint *row = vbss_contact_add(set, &key);
     assert_non_null(row);
     row->stiffness = 2e5;
-    row->start_gap = row->gap = -depth;
-    row->overlap_allowance = 0.0;
+    scene_contact_geometry *geometry = scene_geometry_of(s, row);
+    geometry->start_gap = row->gap = -depth;
+    geometry->overlap_allowance = 0.0;
     if (bore > 0.0) {
         set->warm_start[set->warm_start_count++] =
             (contact_warm_start_entry){.key = key, .status = CONTACT_STICK, .normal_force = bore};
     }
     vbss_scene_warm_start_contacts(s, &part);
     expect_near(depth, vbss_contact_max_penetration(set), 1e-18); /* what it is nobody hides */
-    expect_near(row->fold_allowance, row->overlap_allowance, 0.0);
-    expect_near(row->gap, row->start_gap, 0.0);
+    expect_near(row->fold_allowance, geometry->overlap_allowance, 0.0);
+    expect_near(row->gap, geometry->start_gap, 0.0);
     return row;
 }
 

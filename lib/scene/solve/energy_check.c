@@ -112,8 +112,9 @@ static double work_beyond_law(const scene_object *s, const contact_constraint *c
     }
     double normal_displacement = vec3_dot(constraint->normal, displacement),
            normal_work = normal_displacement * vec3_dot(force, constraint->normal);
-    double released_energy = stored_energy(constraint, constraint->start_gap) -
-                             stored_energy(constraint, constraint->gap);
+    double released_energy =
+        stored_energy(constraint, scene_geometry_of(s, constraint)->start_gap) -
+        stored_energy(constraint, constraint->gap);
     vec3 tangential_displacement =
         vec3_add_scaled(displacement, -normal_displacement, constraint->normal);
     double friction_work = vec3_dot(force, tangential_displacement),

@@ -263,6 +263,27 @@ typedef struct scene_contact_record {
     double gap;  /* between the surfaces, m; negative where they overlap */
 } scene_contact_record;
 
+/* Geometry of a contact constraint: what the contact law does not need. Substep. */
+typedef struct scene_contact_geometry {
+    /* Contact point on both features: fractions of two lines; of a point and a triangle, weights
+     * of its second and third corner. */
+    double barycentric[2];
+    /* Lines: interval of each axis on which contact is possible, as fractions of it. */
+    double axis_interval[2][2];
+    vec3 point;              /* midway between the surfaces, m */
+    double contact_distance; /* distance of the axes or centres at contact, m */
+    double lip_thickness;    /* contact of two lips: thickness of the wall along the normal, m */
+    double
+        overlap_allowance; /* overlap that is allowed without a force, at a hole or in a fold, m */
+    double start_gap;      /* at the start of the substep, allowance included, m */
+    /* Hole: arc length at the start of the substep, m; span of the thread along which it may
+     * slide. */
+    double start_arc_length;
+    uint32_t span;
+    /* Scratch of duplicate_contacts.c: identities of both contact points; list of a bucket. */
+    uint32_t dedup_points[2], dedup_next;
+} scene_contact_geometry;
+
 /* ---- substeps */
 
 /* Result of an attempt at a substep. */
@@ -341,6 +362,9 @@ typedef struct scene_step_context {
     /* Displacements that the broad phase allows for, m: per node, node_capacity entries, then
      * two per capsule for its ends. */
     vec3 *expected_displacements;
+    /* Geometry of contact constraints: config.contact_capacity entries; none in the baseline
+     * method. */
+    scene_contact_geometry *contact_geometries;
     uint32_t edge_pair_count; /* candidates of two edges, which come first */
     contact_weld *welds;      /* kept until the sparsity pattern of the bodies changes */
     uint32_t weld_count;

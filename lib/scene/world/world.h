@@ -36,6 +36,13 @@ static inline bool scene_is_segment_contact(uint32_t kind)
            kind == VBSS_CONTACT_SIDES;
 }
 
+/* The geometry of one of the scene's contact constraints. */
+static inline scene_contact_geometry *scene_geometry_of(const scene_object *s,
+                                                        const contact_constraint *constraint)
+{
+    return &s->step.contact_geometries[constraint->geometry];
+}
+
 /* The handle of the scene's collision object, for functions of the public interface. */
 static inline vbss_collision *scene_collision(scene_object *s)
 {
