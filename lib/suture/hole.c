@@ -66,7 +66,6 @@ void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *
     constraint->previous_force = vec3_scale(now->tangent, hole->friction_force);
     constraint->stiffness = config->hole_stiffness;
     constraint->viscous_stiffness = config->hole_damping / h;
-    constraint->friction = 0.0; /* a sleeve has its own friction */
 }
 
 void vbss_hole_set_arc(suture_hole *hole, double arc)

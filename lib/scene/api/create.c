@@ -98,7 +98,7 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 26 };
+enum { ARRAY_COUNT = 28 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
@@ -135,6 +135,8 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->body_of_shape, SCENE_MAX_SHAPES, sizeof *s->body_of_shape},
         {&s->body_of_number, SCENE_MAX_SHAPES, sizeof *s->body_of_number},
         {&s->scratch.near_features, vertices, sizeof *s->scratch.near_features},
+        {&s->scratch.is_duplicate, constraints, sizeof *s->scratch.is_duplicate},
+        {&s->scratch.sides_beyond_cut, constraints, sizeof *s->scratch.sides_beyond_cut},
     };
     _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
     memcpy(arrays, all, sizeof all);

@@ -11,7 +11,6 @@ void vbss_scene_set_spring_geometry(const scene_object *s, contact_constraint *c
     constraint->gap = vec3_dot(constraint->normal, constraint->relative_displacement);
     scene_geometry_of(s, constraint)->point = target;
     constraint->jacobian_block_count = 0;
-    constraint->friction = 1.0; /* nonzero: the spring acts in the tangent plane, too */
     constraint->previous_force = constraint->solution.tangential_force = vec3_zero();
     constraint->solution.status = CONTACT_STICK;
 }
@@ -21,7 +20,6 @@ contact_constraint *vbss_scene_add_bilateral_constraint(scene_object *s, const c
     contact_constraint *constraint = vbss_contact_add(s->contacts, key);
     if (constraint != NULL) {
         constraint->is_bilateral = true;
-        constraint->thickness = 1.0; /* nonzero: a divisor of the overlap tolerance */
     }
     return constraint;
 }

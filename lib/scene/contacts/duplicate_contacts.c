@@ -96,16 +96,16 @@ void vbss_scene_remove_duplicate_contacts(scene_object *s)
     for (uint32_t i = set->count; i > 0; i--) {
         const contact_constraint *constraint = &set->constraints[i - 1];
         uint32_t kind = constraint->key.kind;
-        set->scratch_flags[i - 1] = 0;
+        s->scratch.is_duplicate[i - 1] = false;
         if (kind == VBSS_CONTACT_SIDES) {
             set_contact_points(s, constraint);
-            set->scratch_flags[i - 1] = is_duplicate(s, last, i - 1);
+            s->scratch.is_duplicate[i - 1] = is_duplicate(s, last, i - 1);
         } else if (scene_is_segment_contact(kind)) {
-            set->scratch_flags[i - 1] = is_repeated_by_next_segment(s, constraint);
+            s->scratch.is_duplicate[i - 1] = is_repeated_by_next_segment(s, constraint);
         }
     }
     for (uint32_t i = 0; i < set->count; i++) {
-        if (set->scratch_flags[i] == 0) {
+        if (!s->scratch.is_duplicate[i]) {
             if (count < i) {
                 set->constraints[count] = set->constraints[i];
             }

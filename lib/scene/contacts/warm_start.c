@@ -88,7 +88,7 @@ void vbss_scene_warm_start_contacts(scene_object *s, const scene_substep *subste
     vbss_contact_warm_start(set);
     for (uint32_t m = 0; m < set->warm_start_count; m++) {
         const contact_key *key = &set->warm_start[m].key;
-        if (set->scratch_flags[m] != 0) {
+        if (set->warm_start[m].has_constraint) {
             continue;
         }
         if (!scene_is_surface_contact(key->kind)) {

@@ -387,6 +387,10 @@ typedef struct scene_scratch {
     uint32_t *near_features;           /* of topology/remeshing.c: features near a probe */
     collision_block *ccd_batch;        /* queries of the CCD */
     vbss_rigid_capsule *mass_capsules; /* for the inertia of a new body */
+    bool *is_duplicate; /* of contacts/duplicate_contacts.c: per constraint; such are removed */
+    /* Of topology/cuts.c: per warm-start entry, the sides that are beyond the cut; bit 0 is side a,
+     * bit 1 side b. */
+    uint8_t *sides_beyond_cut;
 } scene_scratch;
 
 /* Copies of the scene's own state from before the step. Those of bodies are in the bodies. */
