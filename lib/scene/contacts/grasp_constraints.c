@@ -82,7 +82,7 @@ bool vbss_scene_add_thread_grasp_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_thread_grasp *g = &s->thread_grasps[i];
-        for (uint32_t k = 0; g->id != 0 && !g->is_released && k < GRASPER_THREAD_POINTS; k++) {
+        for (uint32_t k = 0; scene_holds_strand(g) && k < GRASPER_THREAD_POINTS; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRASPER_THREAD_POINTS * i + k,
                                      g->tool, 0};
             if (vbss_scene_add_bilateral_constraint(s, &key) == NULL) {

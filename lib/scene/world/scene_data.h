@@ -213,8 +213,8 @@ typedef struct scene_pin {
     vec3 point;                  /* position of the node in the principal frame of the body, m */
 } scene_pin;
 
-/* A strand of thread between the jaws of a grasper. Persistent. Shears record a strand that they
- * cannot cut as one that was torn out, so that it does not touch their blades. */
+/* A strand of thread between the jaws of a grasper: it is held, or excluded from contact with the
+ * jaws until it is clear of them. Persistent. */
 typedef struct scene_thread_grasp {
     uint32_t id;           /* 0: unused entry */
     uint32_t thread, tool; /* body numbers */
@@ -225,10 +225,13 @@ typedef struct scene_thread_grasp {
     grasper_thread_clamp grip;
     /* Total slip since the thread was grasped, m; limit of the jaws' friction force, N. */
     double slid, limit;
-    vec3 force;           /* last step: on the thread, N */
-    bool is_sliding;      /* the thread slid in the last step */
-    bool is_released;     /* the jaws have released the thread but still overlap it */
-    bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
+    vec3 force;         /* last step: on the thread, N */
+    bool is_sliding;    /* the thread slid in the last step */
+    bool is_released;   /* the jaws have released the thread but still overlap it */
+    bool is_uncuttable; /* shears cannot cut the strand, and close through it; never held */
+    /* Torn out or uncuttable: the jaws take the strand no more before the handle opens or they are
+     * clear. */
+    bool needs_reopening;
 } scene_thread_grasp;
 
 /* A point of a thread between jaws. Scratch. */

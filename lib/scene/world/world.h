@@ -36,6 +36,13 @@ static inline bool scene_is_segment_contact(uint32_t kind)
            kind == VBSS_CONTACT_SIDES;
 }
 
+/* Whether an entry of the list of thread grasps holds its strand. Other entries are unused, or
+ * exclude a strand from contact with the jaws. */
+static inline bool scene_holds_strand(const scene_thread_grasp *g)
+{
+    return g->id != 0 && !g->is_released && !g->is_uncuttable;
+}
+
 /* The geometry of one of the scene's contact constraints. */
 static inline scene_contact_geometry *scene_geometry_of(const scene_object *s,
                                                         const contact_constraint *constraint)
