@@ -3,7 +3,8 @@
 #include "scene/contacts/contacts.h"
 #include "scene/stitch_case.h"
 
-/* What a part lets off at most: 20 mm/s. */
+/* What a part lets off at most of a wall of this thickness: 20 mm/s. */
+#define WALL 1e-3
 #define OPENED 20e-6
 
 static stitch_case c;
@@ -20,7 +21,8 @@ static uint32_t body_of_kind(const scene_object *s, scene_body_kind kind)
 }
 
 /* One row of that depth, m, of which is remembered that it bore so much, N; recalled. */
-static const contact_constraint *recall(scene_object *s, uint32_t of, double depth, double bore)
+static const contact_constraint *recall_wall(scene_object *s, uint32_t of, double thickness,
+                                             double depth, double bore)
 {
     contact_set *set = s->contacts;
     const uint32_t drain = body_of_kind(s, SCENE_BODY_DRAIN);
@@ -29,6 +31,7 @@ static const contact_constraint *recall(scene_object *s, uint32_t of, double dep
     contact_constraint *row = vbss_contact_add(set, &key);
     assert_non_null(row);
     row->stiffness = 2e5;
+    row->thickness = thickness;
     scene_contact_geometry *geometry = scene_geometry_of(s, row);
     geometry->start_gap = row->gap = -depth;
     geometry->overlap_allowance = 0.0;
@@ -43,6 +46,11 @@ static const contact_constraint *recall(scene_object *s, uint32_t of, double dep
     return row;
 }
 
+static const contact_constraint *recall(scene_object *s, uint32_t of, double depth, double bore)
+{
+    return recall_wall(s, of, WALL, depth, bore);
+}
+
 static void fold_offset_is_released_slowly(void **state)
 {
     (void)state;
@@ -54,6 +62,7 @@ static void fold_offset_is_released_slowly(void **state)
                    thread = body_of_kind(s, SCENE_BODY_THREAD);
     expect_near(-OPENED, recall(s, drain, 100e-6, 0.0)->gap, 1e-12);
     expect_near(-OPENED, recall(s, drain, 100e-6, 3.0)->gap, 1e-12); /* 15 um: no more for that */
+    expect_near(-0.5 * OPENED, recall_wall(s, drain, 0.5 * WALL, 100e-6, 0.0)->gap, 1e-12);
     expect_near(-50e-6, recall(s, drain, 100e-6, 10.0)->gap, 1e-12);
     expect_near(-100e-6, recall(s, drain, 100e-6, 20.0)->gap, 0.0);
     expect_near(-100e-6, recall(s, drain, 100e-6, 30.0)->gap, 0.0);

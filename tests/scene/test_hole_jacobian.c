@@ -158,7 +158,7 @@ static double draw_arc(harness_source *source, const swaged *w)
 static void begin_part(swaged *w)
 {
     const bool behind = w->arc >= swage_of(w);
-    w->scene->step.substep_length = 1e-3;
+    w->scene->step.substep_length = w->scene->cursor.substep.step_length = 1e-3;
     w->hole->needle = behind ? 0 : w->needle_body;
     w->hole->thread = behind ? w->thread_body : 0;
     w->hole->arc = w->arc - (behind ? swage_of(w) : 0.0);

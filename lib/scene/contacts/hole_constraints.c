@@ -94,10 +94,10 @@ static void add_thread_jacobian(const scene_object *s, contact_constraint *const
 
 /* The span from which the hole may slide to either side in this substep. It is chosen once, as the
  * sparsity pattern is fixed. */
-static uint32_t choose_span(const scene_hole_context *p, double arc)
+static uint32_t choose_span(const scene_hole_context *p, double arc, double step_length)
 {
-    bool far =
-        p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - SCENE_NEAR_SWAGE);
+    double reach = SCENE_MAX_SLIDING_SPEED * step_length;
+    bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - reach);
     return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
 }
 
@@ -111,7 +111,8 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
     if (constraint->jacobian_block_count == 0) {
         const suture_curve_point before = vbss_scene_hole_curve_point(&p, hole);
         geometry->start_arc_length = before.arc;
-        geometry->span = choose_span(&p, vbss_suture_nearest_point(&p.trial, p.arc, point).arc);
+        geometry->span = choose_span(&p, vbss_suture_nearest_point(&p.trial, p.arc, point).arc,
+                                     s->cursor.substep.step_length);
         constraint->solution.status = CONTACT_STICK;
         const hole_yield_limit bound = vbss_hole_yield_limit(hole, &d->config, &p.now, &before);
         constraint->yield_force = bound.force;

@@ -464,7 +464,7 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         is_covered_by_lips(&d, &e, geometry)) {
         return false;
     }
-    constraint->normal = distance > SCENE_MIN_DISTANCE
+    constraint->normal = distance > SCENE_MIN_DISTANCE_RATIO * contact_distance
                              ? vec3_scale(separation_vector, 1.0 / distance)
                              : fallback_normal(s, &d, &e);
     if (keeps_start_normal(constraint)) {
@@ -549,7 +549,9 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
             constraint->stiffness = s->config.contact_stiffness;
             constraint->augmentation = augmentation_of(a, b, h);
             constraint->elastic_slip_limit =
-                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR ? SCENE_FLOOR_ELASTIC_SLIP : 0.0;
+                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR
+                    ? SCENE_FLOOR_ELASTIC_SLIP_RATIO * constraint->thickness
+                    : 0.0;
         }
         const side d = side_of(s, constraint, a, 0);
         if (b == NULL) {

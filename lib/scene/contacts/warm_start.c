@@ -71,8 +71,8 @@ static void absorb_fold_overlap(scene_object *s, double h)
         double force_overlap = constraint->solution.status == CONTACT_OPEN
                                    ? 0.0
                                    : constraint->solution.normal_force / constraint->stiffness;
-        double excess =
-            -geometry->start_gap - vbss_max(force_overlap, SCENE_FOLD_OPENING_SPEED * h);
+        double opening = SCENE_FOLD_OPENING_RATE * constraint->thickness * h;
+        double excess = -geometry->start_gap - vbss_max(force_overlap, opening);
         if (is_fold && excess > 0.0) {
             constraint->fold_allowance = excess;
             geometry->overlap_allowance += excess;

@@ -206,9 +206,9 @@ bool vbss_scene_passes_energy_check(const scene_object *s, const scene_substep *
         return true;
     }
     const energy_gains g = compute_energy_gains(s, substep);
-    return are_within_tolerance(&g, vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
-                                        ? SCENE_ENERGY_WITH_WALLS
-                                        : SCENE_ENERGY_WITHOUT_WALLS);
+    double power = vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN) ? SCENE_POWER_WITH_WALLS
+                                                                 : SCENE_POWER_WITHOUT_WALLS;
+    return are_within_tolerance(&g, power * substep->step_length);
 }
 
 bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep *substep)
@@ -219,5 +219,6 @@ bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep
         return true;
     }
     const energy_gains g = compute_energy_gains(s, substep);
-    return are_within_tolerance(&g, SCENE_HOPELESS_ENERGY_RATIO * SCENE_ENERGY_WITH_WALLS);
+    return are_within_tolerance(&g, SCENE_HOPELESS_ENERGY_RATIO *
+                                        (SCENE_POWER_WITH_WALLS * substep->step_length));
 }
