@@ -311,7 +311,7 @@
  * Unit: 1, relative to the penetration tolerance. Origin: chosen. Test: none known. */
 #define SCENE_ALLOWED_DEEPENING VBSS_TUNE(SCENE_ALLOWED_DEEPENING, 0.1)
 /* Smallest substep in a scene with drains, where a snap-through takes too much work. Without drains each
- * substep may gain 1 mJ, and more of them would gain more.
+ * substep may gain 1 mJ in a step of 1 ms, and more of them would gain more.
  * Unit: 1, relative to the smallest substep. Origin: fitted: four seeds of a surgeon, in which the step of
  * most work fell from 1.9e6 to 0.55e6 operations. Test: none known. */
 #define SCENE_HARD_MIN_SIZE_RATIO VBSS_TUNE(SCENE_HARD_MIN_SIZE_RATIO, 0.125)
