@@ -353,7 +353,7 @@ static void update_contact_geometry(const scene_object *s, scene_contact_record 
     double at[2];
     vec3 apart = apart_at_end(&f, &g, at), here = vec3_lerp(*f.end[0], *f.end[1], at[0]);
     double distance = vec3_norm(apart), side = vec3_dot(apart, hit->normal) < 0.0 ? -1.0 : 1.0;
-    if (distance > SCENE_MIN_DISTANCE) {
+    if (distance > SCENE_MIN_DISTANCE_RATIO * (f.radius + g.radius)) {
         hit->normal = vec3_scale(apart, side / distance);
     }
     hit->gap = side * distance - f.radius - g.radius;

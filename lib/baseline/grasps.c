@@ -101,14 +101,13 @@ void vbss_baseline_update_grasps(scene_object *s)
     vbss_scene_remove_clear_thread_grasps(s); /* strands that blades have left uncut */
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && !g->is_released &&
-            vbss_scene_body(s, g->tool)->rigid.grasper->jaw_angle > 0.0) {
+        if (scene_holds_strand(g) && vbss_scene_body(s, g->tool)->rigid.grasper->jaw_angle > 0.0) {
             let_go(s, g);
         }
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && !g->is_released && *pin_of(s, g) == 0) {
+        if (scene_holds_strand(g) && *pin_of(s, g) == 0) {
             lead(s, g);
         }
     }

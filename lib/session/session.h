@@ -54,7 +54,7 @@ typedef struct session_hole_observation {
     uint32_t thread;          /* number of the thread in the hole; 0: the needle is in it */
     double distance_from_tip; /* from the needle's tip to the hole, along needle and thread, m */
     double arc;               /* from the needle's tip or the thread's first node to the hole, m */
-    vec3 position, force;     /* m; N */
+    vec3 position;            /* m */
     /* Offset of the hole from each mark on the drain at rest: about the axis, rad, and along it, m.
      * For new holes only. */
     double angle[2], axial[2];
@@ -188,17 +188,13 @@ vbss_result vbss_session_open(const vbss_session *handle, session_object **sessi
  * the context. */
 vbss_result vbss_session_edit(vbss_session *handle, session_object **session);
 
-/* ---- config.c; vbss_session_check_record is in log_sync.c */
+/* ---- config.c */
 
 /* Copies the configuration of a host into `own` and checks its numbers, but not its bodies and
  * components. VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
  * VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE. */
 vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_config *config,
                                      vbss_session_config *own);
-
-/* Checks that a record belongs to the session's scene; NULL is allowed. VBSS_ERROR_INVALID_HANDLE,
- * VBSS_ERROR_BUSY, or VBSS_ERROR_OUT_OF_RANGE for another scene. */
-vbss_result vbss_session_check_record(const session_object *s, vbss_record *record);
 
 /* ---- device_io.c
  *
@@ -233,6 +229,9 @@ vbss_result vbss_session_seek_step(const vbss_slot *slot, session_object *s, uin
 
 /* ---- log_sync.c */
 
+/* Checks that a record belongs to the session's scene; NULL is allowed. VBSS_ERROR_INVALID_HANDLE,
+ * VBSS_ERROR_BUSY, or VBSS_ERROR_OUT_OF_RANGE for another scene. */
+vbss_result vbss_session_check_record(const session_object *s, vbss_record *record);
 /* Steps the scene: from the replay, through the record, or directly. In a replay,
  * VBSS_ERROR_OUT_OF_RANGE at the end of the log, and VBSS_ERROR_CORRUPT if the scene differs from
  * the recorded one. */

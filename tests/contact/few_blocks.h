@@ -80,8 +80,7 @@ static inline contact_constraint few_sleeve(vec3 normal)
                               .is_sleeve = true,
                               .yield_force = FEW_SLEEVE_MIN,
                               .yield_friction = FEW_SLEEVE_GRIP,
-                              .viscous_stiffness = 500.0,
-                              .thickness = 1.0};
+                              .viscous_stiffness = 500.0};
     row.solution.status = CONTACT_STICK;
     return row;
 }
@@ -149,7 +148,7 @@ static inline vec3 few_law(const contact_constraint *row, vec3 u)
     if (!row->is_bilateral && pressure <= 0.0) {
         return vec3_zero();
     }
-    if (row->friction == 0.0) {
+    if (!row->is_bilateral && row->friction == 0.0) {
         return vec3_scale(n, pressure);
     }
     vec3 moved = across(vec3_add(row->relative_displacement, u), n);

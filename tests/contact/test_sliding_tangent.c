@@ -25,8 +25,7 @@ static suture_curve_point place_of(const sliding *s)
 static void lay(const sliding *s, contact_constraint *row)
 {
     const suture_curve_point now = place_of(s);
-    row->start_arc_length = s->from;
-    vbss_hole_set_constraint(&s->hole, &s->config, &now, s->wall, 1e-3, row);
+    vbss_hole_set_constraint(&s->hole, &s->config, s->from, &now, s->wall, 1e-3, row);
     row->jacobian_block_count = 0;
     for (uint32_t i = 0; i < NODES; i++) {
         uint32_t k = i - now.first_node;

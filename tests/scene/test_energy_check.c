@@ -51,6 +51,20 @@ static void slide_in_hole(scene_object *s, double more)
     s->contacts->current[i].force = vec3_add_scaled(law, more, row->normal);
 }
 
+/* A hand does twice the work in a step of twice the length. */
+static void energy_tolerance_grows_with_step(void **state)
+{
+    (void)state;
+    scene_object *s = begin(0);
+    const scene_substep half = {.step_length = 2e-3, .end_fraction = 0.5, .h = 1e-3};
+    slide_in_hole(s, 0.3); /* 30 uJ */
+    assert_false(vbss_scene_passes_energy_check(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &half));
+    slide_in_hole(s, 0.6); /* 60 uJ */
+    assert_false(vbss_scene_passes_energy_check(s, &half));
+    stitch_case_end(&c);
+}
+
 static void hole_dissipation_above_friction_law_is_counted(void **state)
 {
     (void)state;
@@ -241,6 +255,7 @@ int test_energy_check(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hole_dissipation_above_friction_law_is_counted),
+        cmocka_unit_test(energy_tolerance_grows_with_step),
         cmocka_unit_test(hole_energy_balance),
         cmocka_unit_test(energy_losses_do_not_offset_gains),
         cmocka_unit_test(thread_energy_gain_needs_external_work),

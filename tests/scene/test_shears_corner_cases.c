@@ -1,4 +1,6 @@
 /* Blades in hard cases: on a thread that is held, or tight; with no cut left; in what they have cut. */
+#include <stdlib.h>
+
 #include "scene/shears_rig.h"
 
 /* ---- what jaws hold */
@@ -136,6 +138,35 @@ static void thread_is_cut_under_five_newtons(void **state)
 
 /* ---- no cut left */
 
+static uint32_t count_uncuttable(const scene_object *s)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_thread_grasp *g = &s->thread_grasps[i];
+        assert_false(g->is_released || scene_holds_strand(g));
+        count += g->is_uncuttable;
+    }
+    return count;
+}
+
+/* A strand that shears cannot cut is no grasp, and has a flag of its own also after a restore. */
+static void expect_one_uncuttable(const small *s)
+{
+    scene_object *object = small_object(s);
+    assert_int_equal(count_uncuttable(object), 1);
+    const small_state saved = small_save(s);
+    for (uint32_t i = 0; i < object->config.grasp_capacity; i++) {
+        object->thread_grasps[i].is_uncuttable = false;
+    }
+    expect_ok(vbss_scene_restore(s->scene, saved.bytes, saved.count));
+    assert_int_equal(count_uncuttable(small_object(s)), 1);
+    const small_state again = small_save(s);
+    assert_int_equal(again.count, saved.count);
+    assert_memory_equal(again.bytes, saved.bytes, saved.count);
+    free(saved.bytes);
+    free(again.bytes);
+}
+
 /* It is told once, and again when they are opened and closed again; they do not stay open for it. */
 static void blades_close_without_cut_capacity(void **state)
 {
@@ -156,6 +187,7 @@ static void blades_close_without_cut_capacity(void **state)
             assert_true(r.last[1] == r.tools.body && r.last[2] == 0);
             expect_near(16.23e-3, 1e-6 * r.last[3], 1e-6);
             shears_expect_shut(&r, 0);
+            expect_one_uncuttable(&r.tools.s);
             assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
             expect_near(0.0, vec3_norm(vec3_load(tools_state(&r.tools, 0).hand_force)), 1e-6);
             tools_open(&r.tools, 0, 1.0);

@@ -204,8 +204,8 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     const vec3 point = vbss_hole_point(&hole, f->d, f->d->x);
     const suture_curve_point now = vbss_suture_nearest_point(&line, hole.arc, point);
     const hole_yield_limit bound = vbss_hole_yield_limit(&hole, &f->d->config, &line, &now);
-    contact_constraint row = {.is_bilateral = true, .is_sleeve = true, .start_arc_length = now.arc};
-    vbss_hole_set_constraint(&hole, &f->d->config, &now, point, 1e-3, &row);
+    contact_constraint row = {.is_bilateral = true, .is_sleeve = true};
+    vbss_hole_set_constraint(&hole, &f->d->config, now.arc, &now, point, 1e-3, &row);
     row.yield_force = bound.force;
     vec3 force = vbss_contact_force(&row, vec3_zero());
     expect_near(0.0, vec3_distance(force, tip.force), 1e-9);

@@ -299,6 +299,31 @@ static void piece_takes_clamp_like_thread(void **state)
     }
 }
 
+/* A thread that is larger in all its lengths is cut at the same fractions of its segments. */
+static void place_of_cut_does_not_depend_on_scale(void **state)
+{
+    (void)state;
+    const double fractions[] = {0.005, 0.012, 0.11, 0.5, 0.89, 0.988, 0.995};
+    const double lengths[] = {1e-6, 5e-6, 1e-3}; /* the shortest part is 1e-7 m, or a hundredth */
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 7; i++) {
+            thread_cut cut[2];
+            for (int large = 0; large < 2; large++) {
+                const double scale = large ? 1024.0 : 1.0, l = scale * lengths[k];
+                double rest[3] = {l, l, l};
+                thread_object t = {.node_count = 4, .rest = rest};
+                t.config.radius = scale * 0.125e-3;
+                assert_true(vbss_thread_locate_cut(&t, (1.0 + fractions[i]) * l, &cut[large]));
+            }
+            const double least = vbss_max(0.01, 1e-7 / lengths[k]);
+            const double nearest = vbss_min(fractions[i], 1.0 - fractions[i]);
+            assert_int_equal(cut[0].fraction == 1.0, nearest < least);
+            assert_int_equal(cut[0].segment, cut[1].segment);
+            expect_near(cut[0].fraction, cut[1].fraction, 0.0);
+        }
+    }
+}
+
 int test_cutting(void)
 {
     const struct CMUnitTest tests[] = {
@@ -309,6 +334,7 @@ int test_cutting(void)
         cmocka_unit_test(both_parts_have_correct_forces),
         cmocka_unit_test(snapshot_before_cut_is_restored),
         cmocka_unit_test(piece_takes_clamp_like_thread),
+        cmocka_unit_test(place_of_cut_does_not_depend_on_scale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -98,13 +98,14 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 26 };
+enum { ARRAY_COUNT = 29 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
     size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
     size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
     size_t contacts = s->config.contact_capacity;
+    size_t constraints = s->config.method == VBSS_METHOD_OURS ? contacts : 0;
     const vbss_array all[] = {
         {&s->bodies, s->body_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},
@@ -118,6 +119,7 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->step.is_separator, nodes, sizeof *s->step.is_separator},
         {&s->step.expected_displacements, nodes + 2 * capsules,
          sizeof *s->step.expected_displacements},
+        {&s->step.contact_geometries, constraints, sizeof *s->step.contact_geometries},
         {&s->scratch.vertices, 2 * vertices, sizeof *s->scratch.vertices},
         {&s->step.welds, s->config.pin_capacity, sizeof *s->step.welds},
         {&s->scratch.ccd_batch, 1, sizeof *s->scratch.ccd_batch},
@@ -134,6 +136,8 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->body_of_number, SCENE_MAX_SHAPES, sizeof *s->body_of_number},
         {&s->scratch.near_features, vertices, sizeof *s->scratch.near_features},
         {&s->scratch.keeps_entry, contacts, sizeof *s->scratch.keeps_entry},
+        {&s->scratch.is_duplicate, constraints, sizeof *s->scratch.is_duplicate},
+        {&s->scratch.sides_beyond_cut, constraints, sizeof *s->scratch.sides_beyond_cut},
     };
     _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
     memcpy(arrays, all, sizeof all);

@@ -138,8 +138,8 @@ scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entr
 {
     const scene_object *s = object_of(scene);
     const scene_thread_grasp *g = &s->thread_grasps[entry];
-    const scene_body *thread = g->id != 0 ? vbss_scene_body(s, g->thread) : NULL;
-    if (thread == NULL || g->is_released) {
+    const scene_body *thread = scene_holds_strand(g) ? vbss_scene_body(s, g->thread) : NULL;
+    if (thread == NULL) {
         return (scene_grasp_info){.tool = 0};
     }
     const thread_object *t = thread->thread.thread;

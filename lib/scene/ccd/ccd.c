@@ -72,9 +72,10 @@ static bool do_pairs_start_apart(const scene_object *s)
     bool is_apart = !s->step.has_unlisted_pairs;
     for (uint32_t i = 0; is_apart && i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
+        const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
         is_apart =
-            constraint->is_bilateral || constraint->start_gap - constraint->overlap_allowance >=
-                                            -SCENE_CCD_DEEP_RATIO * constraint->contact_distance;
+            constraint->is_bilateral || geometry->start_gap - geometry->overlap_allowance >=
+                                            -SCENE_CCD_DEEP_RATIO * geometry->contact_distance;
     }
     return is_apart;
 }

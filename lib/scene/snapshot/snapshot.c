@@ -360,10 +360,22 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
     }
 }
 
+/* The format has no flag for an uncuttable strand: it is a released one that was never held, and so
+ * has no anchors. */
+static bool was_held(const scene_thread_grasp *g)
+{
+    double sum = 0.0;
+    for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
+        sum += vec3_norm_squared(g->grip.anchor[k]);
+    }
+    return sum != 0.0;
+}
+
 static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g, uint32_t *pin)
 {
-    uint32_t words[] = {g->thread,      g->tool, g->segment,        g->is_sliding,
-                        g->is_released, *pin,    g->needs_reopening};
+    uint32_t excluded = g->is_released || g->is_uncuttable;
+    uint32_t words[] = {g->thread, g->tool, g->segment,        g->is_sliding,
+                        excluded,  *pin,    g->needs_reopening};
     double *numbers[] = {&g->segment_offset, &g->angle, &g->point_spacing,
                          &g->grip.age,       &g->slid,  &g->limit};
     vbss_stream_u32(stream, 121, words, sizeof words / sizeof words[0]);
@@ -381,7 +393,10 @@ static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g, uint3
     g->tool = words[1];
     g->segment = words[2];
     g->is_sliding = words[3] != 0;
-    g->is_released = words[4] != 0;
+    if (stream->mode == VBSS_STREAM_READ) {
+        g->is_uncuttable = words[4] != 0 && !was_held(g);
+        g->is_released = words[4] != 0 && !g->is_uncuttable;
+    }
     *pin = words[5];
     g->needs_reopening = words[6] != 0;
 }
@@ -395,7 +410,7 @@ static bool is_valid_thread_grasp(const scene_object *s, const scene_thread_gras
     }
     const thread_object *thread = t->thread.thread;
     /* the grasp holds a node by a pin */
-    bool is_of_node = s->method->grasps_when_closed && !g->is_released;
+    bool is_of_node = s->method->grasps_when_closed && scene_holds_strand(g);
     bool is_valid = g->segment + (is_of_node ? 0 : 1) < thread->node_count &&
                     isfinite(g->segment_offset) && fabs(g->segment_offset) <= 1e3 &&
                     isfinite(g->angle) && isfinite(g->slid) && isfinite(g->limit) &&

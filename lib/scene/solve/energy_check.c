@@ -112,8 +112,9 @@ static double work_beyond_law(const scene_object *s, const contact_constraint *c
     }
     double normal_displacement = vec3_dot(constraint->normal, displacement),
            normal_work = normal_displacement * vec3_dot(force, constraint->normal);
-    double released_energy = stored_energy(constraint, constraint->start_gap) -
-                             stored_energy(constraint, constraint->gap);
+    double released_energy =
+        stored_energy(constraint, scene_geometry_of(s, constraint)->start_gap) -
+        stored_energy(constraint, constraint->gap);
     vec3 tangential_displacement =
         vec3_add_scaled(displacement, -normal_displacement, constraint->normal);
     double friction_work = vec3_dot(force, tangential_displacement),
@@ -205,9 +206,9 @@ bool vbss_scene_passes_energy_check(const scene_object *s, const scene_substep *
         return true;
     }
     const energy_gains g = compute_energy_gains(s, substep);
-    return are_within_tolerance(&g, vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
-                                        ? SCENE_ENERGY_WITH_WALLS
-                                        : SCENE_ENERGY_WITHOUT_WALLS);
+    double power = vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN) ? SCENE_POWER_WITH_WALLS
+                                                                 : SCENE_POWER_WITHOUT_WALLS;
+    return are_within_tolerance(&g, power * substep->step_length);
 }
 
 bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep *substep)
@@ -218,5 +219,6 @@ bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep
         return true;
     }
     const energy_gains g = compute_energy_gains(s, substep);
-    return are_within_tolerance(&g, SCENE_HOPELESS_ENERGY_RATIO * SCENE_ENERGY_WITH_WALLS);
+    return are_within_tolerance(&g, SCENE_HOPELESS_ENERGY_RATIO *
+                                        (SCENE_POWER_WITH_WALLS * substep->step_length));
 }

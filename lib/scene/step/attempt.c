@@ -14,13 +14,15 @@ static void set_allowed_penetrations(scene_object *s)
     s->step.is_recovering = false;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_constraint *constraint = &s->contacts->constraints[i];
+        if (constraint->is_bilateral) {
+            continue;
+        }
+        double start_gap = scene_geometry_of(s, constraint)->start_gap;
         double allowed_penetration = s->config.penetration_tolerance * constraint->thickness;
-        constraint->allowed_penetration =
-            vbss_max(allowed_penetration,
-                     SCENE_ALLOWED_DEEPENING * allowed_penetration - constraint->start_gap);
+        constraint->allowed_penetration = vbss_max(
+            allowed_penetration, SCENE_ALLOWED_DEEPENING * allowed_penetration - start_gap);
         s->step.is_recovering =
-            s->step.is_recovering ||
-            constraint->fold_allowance - constraint->start_gap > allowed_penetration;
+            s->step.is_recovering || constraint->fold_allowance - start_gap > allowed_penetration;
     }
 }
 

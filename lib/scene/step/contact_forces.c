@@ -76,15 +76,16 @@ void vbss_scene_publish_constraints(scene_object *s)
         if (!vbss_scene_find_contact_force(s->contacts, i, &force)) {
             continue;
         }
+        const vec3 point = scene_geometry_of(s, constraint)->point;
         const double gap = constraint->gap - constraint->fold_allowance;
-        const scene_contact_record contact = {constraint->key, constraint->normal, force,
-                                              constraint->point, gap};
+        const scene_contact_record contact = {constraint->key, constraint->normal, force, point,
+                                              gap};
         vbss_scene_publish_contact(s, &contact);
         for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
             const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
             if (!jacobian_block->is_rotation) {
-                vbss_scene_add_force(rigid_body_of_block(s, jacobian_block->block),
-                                     constraint->point, vec3_scale(force, jacobian_block->weight));
+                vbss_scene_add_force(rigid_body_of_block(s, jacobian_block->block), point,
+                                     vec3_scale(force, jacobian_block->weight));
             }
         }
     }

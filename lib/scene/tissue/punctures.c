@@ -3,13 +3,14 @@
 #include "scene/world/world.h"
 
 /* Arc length of a contact on a needle, from its tip, m. */
-static double contact_arc(const scene_body *needle, const contact_constraint *constraint)
+static double contact_arc(const scene_object *s, const scene_body *needle,
+                          const contact_constraint *constraint)
 {
     bool point = constraint->key.kind == VBSS_CONTACT_POINT_FACE;
     return point ? vbss_scene_suture_arc_length(needle, constraint->key.feature_a / 2,
                                                 constraint->key.feature_a % 2)
                  : vbss_scene_suture_arc_length(needle, constraint->key.feature_a,
-                                                constraint->barycentric[0]);
+                                                scene_geometry_of(s, constraint)->barycentric[0]);
 }
 
 /* Finds the load of a drain on the tip of a needle. Returns false if they are not in contact. */
@@ -27,7 +28,7 @@ static bool find_tip_load(const scene_object *s, const scene_body *needle, const
         if (constraint->key.body_a == needle->number && constraint->key.body_b == drain->number &&
             constraint->key.kind != VBSS_CONTACT_HOLE &&
             constraint->solution.status != CONTACT_OPEN &&
-            vbss_scene_is_at_tip(needle, contact_arc(needle, constraint))) {
+            vbss_scene_is_at_tip(needle, contact_arc(s, needle, constraint))) {
             normal = vec3_add_scaled(normal, constraint->solution.normal_force, constraint->normal);
             tip->force = vec3_add(tip->force, constraint->solution.tangential_force);
         }

@@ -51,7 +51,7 @@ bool vbss_scene_exclude_uncuttable(scene_object *s, uint32_t tool, const scene_s
                               .segment_offset = at->fraction * t->rest[at->segment],
                               .angle = angle,
                               .point_spacing = t->config.radius,
-                              .is_released = true,
+                              .is_uncuttable = true,
                               .needs_reopening = true};
     if (!at_end) {
         vbss_scene_emit_cut_event(s, at->thread, NULL, arc);

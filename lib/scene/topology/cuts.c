@@ -86,7 +86,7 @@ static void record_sides(scene_object *s, const renumbering *r)
 {
     contact_set *set = s->contacts;
     for (uint32_t i = 0; set != NULL && i < set->warm_start_count; i++) {
-        set->scratch_flags[i] = sides_beyond(s, r, &set->warm_start[i].key);
+        s->scratch.sides_beyond_cut[i] = sides_beyond(s, r, &set->warm_start[i].key);
     }
 }
 
@@ -100,9 +100,11 @@ static void renumber_warm_start(scene_object *s, const renumbering *r)
         if (!node && !scene_is_segment_contact(k->kind)) {
             continue;
         }
-        renumber_side(r, node, (set->scratch_flags[i] & 1u) != 0, &k->body_a, &k->feature_a);
+        renumber_side(r, node, (s->scratch.sides_beyond_cut[i] & 1u) != 0, &k->body_a,
+                      &k->feature_a);
         if (k->kind == VBSS_CONTACT_SEGMENTS) {
-            renumber_side(r, false, (set->scratch_flags[i] & 2u) != 0, &k->body_b, &k->feature_b);
+            renumber_side(r, false, (s->scratch.sides_beyond_cut[i] & 2u) != 0, &k->body_b,
+                          &k->feature_b);
         }
         order_sides(s, m);
     }

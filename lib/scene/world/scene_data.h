@@ -225,8 +225,8 @@ typedef struct scene_pin {
     vec3 point;                  /* position of the node in the principal frame of the body, m */
 } scene_pin;
 
-/* A strand of thread between the jaws of a grasper. Persistent. Shears record a strand that they
- * cannot cut as one that was torn out, so that it does not touch their blades. */
+/* A strand of thread between the jaws of a grasper: it is held, or excluded from contact with the
+ * jaws until it is clear of them. Persistent. */
 typedef struct scene_thread_grasp {
     uint32_t id;           /* 0: unused entry */
     uint32_t thread, tool; /* body numbers */
@@ -237,10 +237,13 @@ typedef struct scene_thread_grasp {
     grasper_thread_clamp grip;
     /* Total slip since the thread was grasped, m; limit of the jaws' friction force, N. */
     double slid, limit;
-    vec3 force;           /* last step: on the thread, N */
-    bool is_sliding;      /* the thread slid in the last step */
-    bool is_released;     /* the jaws have released the thread but still overlap it */
-    bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
+    vec3 force;         /* last step: on the thread, N */
+    bool is_sliding;    /* the thread slid in the last step */
+    bool is_released;   /* the jaws have released the thread but still overlap it */
+    bool is_uncuttable; /* shears cannot cut the strand, and close through it; never held */
+    /* Torn out or uncuttable: the jaws take the strand no more before the handle opens or they are
+     * clear. */
+    bool needs_reopening;
 } scene_thread_grasp;
 
 /* A point of a thread between jaws. Scratch. */
@@ -274,6 +277,27 @@ typedef struct scene_contact_record {
     vec3 point;  /* between the surfaces, m */
     double gap;  /* between the surfaces, m; negative where they overlap */
 } scene_contact_record;
+
+/* Geometry of a contact constraint: what the contact law does not need. Substep. */
+typedef struct scene_contact_geometry {
+    /* Contact point on both features: fractions of two lines; of a point and a triangle, weights
+     * of its second and third corner. */
+    double barycentric[2];
+    /* Lines: interval of each axis on which contact is possible, as fractions of it. */
+    double axis_interval[2][2];
+    vec3 point;              /* midway between the surfaces, m */
+    double contact_distance; /* distance of the axes or centres at contact, m */
+    double lip_thickness;    /* contact of two lips: thickness of the wall along the normal, m */
+    double
+        overlap_allowance; /* overlap that is allowed without a force, at a hole or in a fold, m */
+    double start_gap;      /* at the start of the substep, allowance included, m */
+    /* Hole: arc length at the start of the substep, m; span of the thread along which it may
+     * slide. */
+    double start_arc_length;
+    uint32_t span;
+    /* Scratch of duplicate_contacts.c: identities of both contact points; list of a bucket. */
+    uint32_t dedup_points[2], dedup_next;
+} scene_contact_geometry;
 
 /* ---- substeps */
 
@@ -371,6 +395,9 @@ typedef struct scene_step_context {
     /* Displacements that the broad phase allows for, m: per node, node_capacity entries, then
      * two per capsule for its ends. */
     vec3 *expected_displacements;
+    /* Geometry of contact constraints: config.contact_capacity entries; none in the baseline
+     * method. */
+    scene_contact_geometry *contact_geometries;
     uint32_t edge_pair_count; /* candidates of two edges, which come first */
     contact_weld *welds;      /* kept until the sparsity pattern of the bodies changes */
     uint32_t weld_count;
@@ -395,6 +422,10 @@ typedef struct scene_scratch {
     collision_block *ccd_batch;        /* queries of the CCD */
     vbss_rigid_capsule *mass_capsules; /* for the inertia of a new body */
     uint8_t *keeps_entry;              /* per warm-start entry: whether it stays */
+    bool *is_duplicate; /* of contacts/duplicate_contacts.c: per constraint; such are removed */
+    /* Of topology/cuts.c: per warm-start entry, the sides that are beyond the cut; bit 0 is side a,
+     * bit 1 side b. */
+    uint8_t *sides_beyond_cut;
 } scene_scratch;
 
 /* Bodies that are held back (world/blockers.c). Capacity, chosen. */

@@ -55,6 +55,20 @@ static inline bool scene_is_prescribed(const scene_body *b)
            (b->kind == SCENE_BODY_RIGID && b->rigid.kind == VBSS_RIGID_DRIVEN);
 }
 
+/* Whether an entry of the list of thread grasps holds its strand. Other entries are unused, or
+ * exclude a strand from contact with the jaws. */
+static inline bool scene_holds_strand(const scene_thread_grasp *g)
+{
+    return g->id != 0 && !g->is_released && !g->is_uncuttable;
+}
+
+/* The geometry of one of the scene's contact constraints. */
+static inline scene_contact_geometry *scene_geometry_of(const scene_object *s,
+                                                        const contact_constraint *constraint)
+{
+    return &s->step.contact_geometries[constraint->geometry];
+}
+
 /* The handle of the scene's collision object, for functions of the public interface. */
 static inline vbss_collision *scene_collision(scene_object *s)
 {
