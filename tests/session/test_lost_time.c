@@ -145,6 +145,7 @@ static void normal_limits_lose_little_time(void **state)
     vbss_session_event e;
     (void)tie_at_part_of_limits(&t, 1);
     const vbss_session_status status = status_of(&t);
+    print_message("lost %g of %g s\n", status.time_lost, status.time);
     assert_true(status.time_lost < 0.02);
     assert_int_equal(status.is_lossy, 0);
     assert_int_equal(count_events(&t, &e), 0);
