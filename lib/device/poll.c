@@ -44,7 +44,7 @@ static void handle_loss(device_object *d, uint32_t source)
                  s->text[0] == '\0' ? "no reason is given" : s->text);
 }
 
-static void handle_pace(device_object *d, uint32_t source, bool slow)
+static void handle_rate(device_object *d, uint32_t source, bool slow)
 {
     device_source *s = &d->sources[source];
     if (slow && !s->is_slow) {
@@ -77,7 +77,7 @@ static void handle_flags(device_object *d, uint32_t source, uint32_t flags)
         vbss_device_record_failure(d->context, s, VBSS_ERROR_DEVICE);
         warn(d, source, "refuses forces");
     }
-    handle_pace(d, source, (flags & VBSS_DEVICE_FLAG_SLOW) != 0);
+    handle_rate(d, source, (flags & VBSS_DEVICE_FLAG_SLOW) != 0);
     s->has_fault = fault || (s->has_fault && s->read_failed);
 }
 

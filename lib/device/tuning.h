@@ -72,7 +72,7 @@
 #define DEVICE_DAQ_GRACE_TIME VBSS_TUNE(DEVICE_DAQ_GRACE_TIME, 1.0)
 /* Slow lines are fast again when their rounds are shorter than this part of the limit.
  * Unit: 1, relative. Origin: chosen. Test: none known. */
-#define DEVICE_DAQ_PACE_HYSTERESIS VBSS_TUNE(DEVICE_DAQ_PACE_HYSTERESIS, 0.8)
+#define DEVICE_DAQ_RATE_HYSTERESIS VBSS_TUNE(DEVICE_DAQ_RATE_HYSTERESIS, 0.8)
 
 /* ---- Handles (takeover.c) */
 
