@@ -40,12 +40,33 @@ static bool find(void *library, const device_symbol *symbol)
 
 #include <dlfcn.h>
 
+static bool has_text(const char *text, const char *part)
+{
+    const size_t length = strlen(text), part_length = strlen(part);
+    for (size_t i = 0; i + part_length <= length; i++) {
+        if (memcmp(text + i, part, part_length) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Length of the text before the first colon. */
+static size_t name_length(const char *reason)
+{
+    size_t length = 0;
+    while (reason[length] != '\0' && reason[length] != ':') {
+        length++;
+    }
+    return length;
+}
+
 /* The loader's message starts with the name of the file that it is about: of the library, or of
  * another one that it needs. */
 static bool is_about(const char *reason, const char *name)
 {
     const size_t length = strlen(name);
-    return strncmp(reason, name, length) == 0 && reason[length] == ':';
+    return name_length(reason) == length && memcmp(reason, name, length) == 0;
 }
 
 /* Loads one library. On failure `absent` tells whether there is no such file, or else `text` says
@@ -56,11 +77,11 @@ static void *load(const char *name, bool *absent, char *text, size_t room)
     void *library = dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     const char *reason = library == NULL ? dlerror() : "";
     reason = reason != NULL ? reason : "no reason is given";
-    const bool is_missing = strstr(reason, "cannot open shared object file") != NULL ||
-                            strstr(reason, "No such file") != NULL;
+    const bool is_missing =
+        has_text(reason, "cannot open shared object file") || has_text(reason, "No such file");
     *absent = is_missing && is_about(reason, name);
     if (is_missing) {
-        snprintf(text, room, "%s needs %.*s, which is missing", name, (int)strcspn(reason, ":"),
+        snprintf(text, room, "%s needs %.*s, which is missing", name, (int)name_length(reason),
                  reason);
     } else {
         snprintf(text, room, "%s cannot be loaded: %s", name, reason);

@@ -166,7 +166,7 @@ void vbss_nidaqmx_record_code(nidaqmx_object *o, int32_t code, double duration, 
 /* Opens the lines again if an error has made that necessary. */
 void vbss_nidaqmx_recover(nidaqmx_object *o, double now);
 /* Compares the pace of the cycles with the time after which commands expire, s; 0: unknown. */
-void vbss_nidaqmx_update_period(nidaqmx_object *o, double expires);
+void vbss_nidaqmx_update_rate(nidaqmx_object *o, double expires);
 
 /* ---- nidaqmx_cycle.c */
 

@@ -145,7 +145,7 @@ void vbss_nidaqmx_cycle(nidaqmx_object *o, double now)
     double expires;
     begin_cycle(o, now);
     uint32_t wanted = wanted_solenoids(o, now, &expires);
-    vbss_nidaqmx_update_period(o, expires);
+    vbss_nidaqmx_update_rate(o, expires);
     vbss_nidaqmx_recover(o, now);
     set_solenoids(o, o->read_failed || o->must_reopen ? 0 : wanted);
     if (!o->must_reopen) {

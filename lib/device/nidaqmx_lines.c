@@ -78,12 +78,16 @@ int32_t vbss_nidaqmx_open_tasks(nidaqmx_object *o, const char **what)
  * "Dev1/port0/line3". Returns the length of the name of the port; 0: it is no such name. */
 static size_t split_line(const char *line, uint32_t *bit)
 {
-    const char *end = strstr(line, "/line");
-    if (end == NULL || end[5] < '0' || end[5] > '7' || end[6] != '\0') {
+    const size_t tail = sizeof "/line0" - 1, length = strlen(line);
+    if (length <= tail) {
         return 0;
     }
-    *bit = (uint32_t)(end[5] - '0');
-    return (size_t)(end - line);
+    const char *end = line + length - tail, digit = line[length - 1];
+    if (memcmp(end, "/line", tail - 1) != 0 || digit < '0' || digit > '7') {
+        return 0;
+    }
+    *bit = (uint32_t)(digit - '0');
+    return length - tail;
 }
 
 static bool name_port(nidaqmx_object *o)

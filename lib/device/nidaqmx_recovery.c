@@ -94,7 +94,7 @@ static void update_mean(nidaqmx_object *o)
 /* A command may be one round old when it is found, and is in force for one round at least. So a
  * solenoid goes off after two rounds, if these are longer than the time after which the command
  * expires. */
-void vbss_nidaqmx_update_period(nidaqmx_object *o, double expires)
+void vbss_nidaqmx_update_rate(nidaqmx_object *o, double expires)
 {
     vbss_nidaqmx_status *s = &o->report.status;
     update_mean(o);
@@ -103,7 +103,7 @@ void vbss_nidaqmx_update_period(nidaqmx_object *o, double expires)
         return;
     }
     s->off_time = vbss_max(expires, 2.0 * s->round_time) + o->write_time;
-    const double limit = o->is_slow ? DEVICE_DAQ_PERIOD_HYSTERESIS * expires : expires;
+    const double limit = o->is_slow ? DEVICE_DAQ_RATE_HYSTERESIS * expires : expires;
     o->is_slow = 2.0 * s->round_time > limit * (1.0 + 1e-9);
     s->late_rounds += o->is_slow;
 }

@@ -3,7 +3,8 @@
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
  * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
  * five of the bench tuning (docs/notebook/tuning.md).
- * That page says why a number stays absolute. */
+ * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
+ * whose threads or steps are not the defaults. */
 #ifndef VBSS_DEVICE_TUNING_H
 #define VBSS_DEVICE_TUNING_H
 
@@ -71,7 +72,7 @@
 #define DEVICE_DAQ_GRACE_TIME VBSS_TUNE(DEVICE_DAQ_GRACE_TIME, 1.0)
 /* Slow lines are fast again when their rounds are shorter than this part of the limit.
  * Unit: 1, relative. Origin: chosen. Test: none known. */
-#define DEVICE_DAQ_PERIOD_HYSTERESIS VBSS_TUNE(DEVICE_DAQ_PERIOD_HYSTERESIS, 0.8)
+#define DEVICE_DAQ_RATE_HYSTERESIS VBSS_TUNE(DEVICE_DAQ_RATE_HYSTERESIS, 0.8)
 
 /* ---- Handles (takeover.c) */
 
