@@ -99,7 +99,8 @@ static bool name_port(nidaqmx_object *o)
             continue;
         }
         size_t found = split_line(o->lines[i], &o->line_bits[i]);
-        if (found == 0 || (port != NULL && (found != length || memcmp(port, o->lines[i], found)))) {
+        if (found == 0 ||
+            (port != NULL && (found != length || memcmp(port, o->lines[i], found) != 0))) {
             return false;
         }
         port = o->lines[i];

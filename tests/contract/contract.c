@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "contract/contract.h"
 
 void contract_add(contract_cases *cases, const char *row, const contract_property *property,
@@ -8,10 +10,10 @@ void contract_add(contract_cases *cases, const char *row, const contract_propert
         return; /* contract_run_cases fails */
     }
     snprintf(cases->names[i], sizeof cases->names[i], "%s: %s", row, property->name);
-    cases->cases[i] = (struct CMUnitTest){.name = cases->names[i],
-                                          .test_func = property->test,
-                                          .teardown_func = harness_after,
-                                          .initial_state = (void *)(uintptr_t)argument};
+    cases->cases[i] = (struct CMUnitTest){
+        .name = cases->names[i], .test_func = property->test, .teardown_func = harness_after};
+    /* The tests only read it; cmocka's pointer is not const. */
+    memcpy(&cases->cases[i].initial_state, &argument, sizeof argument);
 }
 
 int contract_run_cases(const char *group, const contract_cases *cases)

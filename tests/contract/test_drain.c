@@ -83,12 +83,12 @@ static void pulled_tears(const contract_run *run)
     harness_context_end(context, &memory);
 }
 
-#define PULLED_RUN(title, covered, ...)                                                     \
-    {                                                                                       \
-        .name = title, .body = {"drain",     &vbss_drain_kind, pulled_create,         NULL, \
-                                pulled_step, destroy,          &(pulled){__VA_ARGS__}},     \
-        .saves = {1, 30, 55, 70}, .save_count = 4, .continued = 10, .damages = {10, 62},    \
-        .damage_count = 2, .quiet = 80, .repeated = 80, .covers = covered                   \
+#define PULLED_RUN(title, covered, ...)                                                       \
+    {                                                                                         \
+        .name = (title), .body = {"drain",     &vbss_drain_kind, pulled_create,         NULL, \
+                                  pulled_step, destroy,          &(pulled){__VA_ARGS__}},     \
+        .saves = {1, 30, 55, 70}, .save_count = 4, .continued = 10, .damages = {10, 62},      \
+        .damage_count = 2, .quiet = 80, .repeated = 80, .covers = (covered)                   \
     }
 
 /* ---- states that no drain can have: pinned at node 0, a force at node 1 */

@@ -67,7 +67,7 @@ static vbss_result cut_step(void *handle)
 /* Restored into scenes that were not cut, were cut elsewhere, and were cut more often. */
 #define CUT_RUN(title, method)                                                                 \
     {                                                                                          \
-        .name = title,                                                                         \
+        .name = (title),                                                                       \
         .body = {"scene that is cut",   &vbss_scene_kind, cut_create, NULL, cut_step, destroy, \
                  &(vbss_method){method}},                                                      \
         .saves = {5, 12, 13, 14, 20, 25, 26, 27, 40}, .save_count = 9, .continued = 30,        \
@@ -107,11 +107,11 @@ static void adaptive_refines_and_coarsens(const contract_run *run)
 
 #define ADAPTIVE_RUN(title, bending, covered)                                          \
     {                                                                                  \
-        .name = title,                                                                 \
+        .name = (title),                                                               \
         .body = {"scene that adapts", &vbss_scene_kind, adaptive_create,         NULL, \
                  adaptive_step,       destroy,          &(vbss_bending){bending}},     \
         .saves = {0, 3, 20, 45, 69, 70, 71, 110}, .save_count = 8, .continued = 30,    \
-        .damages = {30}, .damage_count = 1, .quiet = 120, .covers = covered            \
+        .damages = {30}, .damage_count = 1, .quiet = 120, .covers = (covered)          \
     }
 
 /* ---- */
@@ -131,7 +131,7 @@ static drain_hands hands_on(vbss_drain_mesh mesh, double tear_stress, double gra
 
 #define OTHER_DRAIN_RUN(title, hands)                    \
     {                                                    \
-        .name = title,                                   \
+        .name = (title),                                 \
         .body = {"drain in a scene",                     \
                  &vbss_scene_kind,                       \
                  drains_body_create,                     \

@@ -15,9 +15,9 @@
     }
 #define PULLED_RUN(title, stepped, options)                                              \
     {                                                                                    \
-        .name = title, .body = {"thread", &vbss_thread_kind, thread_body_create,         \
-                                NULL,     stepped,           thread_body_destroy,        \
-                                options},                                                \
+        .name = (title), .body = {"thread", &vbss_thread_kind, thread_body_create,       \
+                                  NULL,     stepped,           thread_body_destroy,      \
+                                  options},                                              \
         .saves = {1, 7, 9, THREAD_SCENE_CUT_STEP, 70}, .save_count = 5, .continued = 40, \
         .damages = {30, THREAD_SCENE_CUT_STEP + 5}, .damage_count = 2, .quiet = 100,     \
         .repeated = 100                                                                  \
@@ -54,7 +54,7 @@ static vbss_result call_step(void *handle)
 
 #define ADAPTIVE_RUN(title, bending)                                                    \
     {                                                                                   \
-        .name = title,                                                                  \
+        .name = (title),                                                                \
         .body = {"adaptive thread", &vbss_thread_kind,   adaptive_create,         NULL, \
                  call_step,         thread_body_destroy, &(vbss_bending){bending}},     \
         .saves = {0, 25, 90}, .save_count = 3, .continued = 60, .damages = {40},        \

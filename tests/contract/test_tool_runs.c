@@ -257,16 +257,17 @@ static void shears_cut_twice(const contract_run *run)
 }
 
 /* Before the step that cuts, after it, while the blades close through the ends, and later. */
-#define CUTTING_RUN(title, method)                                                                \
-    {                                                                                             \
-        .name = title, .body = {"shears that cut", &vbss_scene_kind, cutting_create,        NULL, \
-                                cutting_step,      destroy,          &(vbss_method){method}},     \
-        .saves =                                                                                  \
-            {CUTTING_SCENE_EXCHANGED,   CUTTING_SCENE_CUT - 2,          CUTTING_SCENE_CUT - 1,    \
-             CUTTING_SCENE_CUT,         CUTTING_SCENE_CUT + 1,          CUTTING_SCENE_CUT + 2,    \
-             CUTTING_SCENE_OPENED + 10, CUTTING_SCENE_CLOSED_AGAIN + 42},                         \
-        .save_count = 8, .continued = 30, .damages = {CUTTING_SCENE_CUT + 1}, .damage_count = 1,  \
-        .quiet = CUTTING_SCENE_STEPS, .covers = shears_cut_twice                                  \
+#define CUTTING_RUN(title, method)                                                               \
+    {                                                                                            \
+        .name = (title),                                                                         \
+        .body = {"shears that cut", &vbss_scene_kind, cutting_create,        NULL,               \
+                 cutting_step,      destroy,          &(vbss_method){method}},                   \
+        .saves =                                                                                 \
+            {CUTTING_SCENE_EXCHANGED,   CUTTING_SCENE_CUT - 2,          CUTTING_SCENE_CUT - 1,   \
+             CUTTING_SCENE_CUT,         CUTTING_SCENE_CUT + 1,          CUTTING_SCENE_CUT + 2,   \
+             CUTTING_SCENE_OPENED + 10, CUTTING_SCENE_CLOSED_AGAIN + 42},                        \
+        .save_count = 8, .continued = 30, .damages = {CUTTING_SCENE_CUT + 1}, .damage_count = 1, \
+        .quiet = CUTTING_SCENE_STEPS, .covers = shears_cut_twice                                 \
     }
 
 /* ---- */

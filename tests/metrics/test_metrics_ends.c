@@ -144,7 +144,7 @@ static void sine_of_any_phase_is_exact(void **state)
     for (int i = 0; i < 4 * 6; i++) {
         fixture f;
         frequency = frequencies[i % 4];
-        phase = PI * (i / 4) / 6.0;
+        phase = PI * floor(i / 4.0) / 6.0;
         const vbss_metrics_motion m = measured(&f, swinging, 4.0, 1000.0, 0.0);
         double wanted = sine_roughness(), peak = 0.02 * 2.0 * PI * frequency;
         expect_near(wanted, roughness_of(&f), jerk[i % 4] * wanted);
