@@ -188,7 +188,7 @@ static void lost_time_never_decreases(void **state)
     vbss_metrics_sample s;
     begin_and_make(&f);
     show_lost(&f, 1.0, 0.5);
-    static const double bad[] = {0.4, -0.1, 1.1e9, NAN, INFINITY};
+    static const double bad[] = {0.4, -0.1, 1.1e9, (double)NAN, (double)INFINITY};
     for (int i = 0; i < 5; i++) {
         uint64_t hash = hash_of(f.metrics);
         expect_ok(vbss_metrics_sample_init(&s, sizeof s));
