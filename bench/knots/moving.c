@@ -45,8 +45,8 @@ typedef struct row {
     /* counted in the first repetition */
     uint64_t reading_step;
     reported_counts reported;
-    double steps_sum, steps_max;    /* from what was shown to what is told of it */
-    uint32_t passed_at, passed_max; /* from a throw that is passed to when that is told */
+    double steps_sum, steps_max;    /* delay from a knot to its report */
+    uint32_t passed_at, passed_max; /* delay from a throw to its report */
     uint32_t readings;
     bool counted;
 } row;

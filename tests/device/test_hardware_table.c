@@ -59,7 +59,7 @@ static const fault faults[] = {
      false, 0},
     {"lines: no such task, -200088", LINES, -200088, READ_CALL, UNTIL_REOPENED, "(-200088)", false,
      0},
-    {"lines: a code that nobody knows", LINES, -299999, READ_CALL, UNTIL_REOPENED,
+    {"lines: an unknown error code", LINES, -299999, READ_CALL, UNTIL_REOPENED,
      "without a name (-299999)", true, 0},
     {"lines: unplugged, -200045", LINES, STAND_IN_REMOVED, 0, 0, "device removed (-200045)", true,
      0},
