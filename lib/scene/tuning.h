@@ -257,7 +257,7 @@
  * Unit: 1, relative to the factor of the drain alone. Origin: chosen. Test: none known. */
 #define SCENE_FILL_IN_PRODUCT_RATIO VBSS_TUNE(SCENE_FILL_IN_PRODUCT_RATIO, 8u)
 
-/* ---- Continuous collision detection (ccd/ccd.c) */
+/* ---- Continuous collision detection (ccd) */
 
 /* Bodies count as held back until they have moved freely for this time.
  * Unit: s. Origin: chosen: hosts show it to people. Test: scene.islands. */
