@@ -6,9 +6,9 @@
 CLONE is a clone of this repository that this command may change: it builds there (build/default), plants one fault at a time
 and takes it back. Four kinds of fault, chosen in turn: a sign (+ for -), a bound (< for <=), a missing check (a condition
 that is never true, or a VBSS_TRY of a check that is gone) and an index or count that is off by one. The suite runs in
-two stages that both stop at the first failure: golden scenes and the tests of the file's module, then all others. FILE
-gets one line a fault; a fault that has a line is not run again. --tests runs these tests only, for a comparison of
-two suites that share the others.
+two stages that both stop at the first failure: golden scenes, the contract of bodies and the tests of the file's module,
+then all others. FILE gets one line a fault; a fault that has a line is not run again. --tests runs these tests only, for
+a comparison of two suites that share the others.
 """
 import argparse
 import json
@@ -108,7 +108,7 @@ def judge(tree, fault, tests):
     if build.returncode != 0:
         return {"found": "does not compile", "by": []}
     module = fault["file"].split("/")[1]
-    near = rf"^(determinism\.golden$|{module}\.)"
+    near = rf"^(determinism\.golden$|contract\.|{module}\.)"
     stages = [["--tests-regex", tests]] if tests else [["--tests-regex", near], ["--exclude-regex", near]]
     for options in stages:
         done = quiet(tree, "ctest", "--preset", "default", "--label-exclude", "slow", "--stop-on-failure", "--timeout", "120",

@@ -11,7 +11,7 @@
 #include "base/stream.h"
 #include "bench_base.h"
 
-enum { FAMILY = 4, MOST_BODIES = 4096, STEPS = 1000 };
+enum { FAMILY = 4, MAX_BODIES = 4096, STEPS = 1000 };
 #define STEP_S 1e-3
 
 typedef struct spinning_bodies {
@@ -20,11 +20,11 @@ typedef struct spinning_bodies {
 } spinning_bodies;
 
 static spinning_bodies family[FAMILY] = {
-    {.count = 64}, {.count = 256}, {.count = 1024}, {.count = MOST_BODIES}};
+    {.count = 64}, {.count = 256}, {.count = 1024}, {.count = MAX_BODIES}};
 
 /* One case runs at a time. */
-static double positions[3 * MOST_BODIES], orientations[4 * MOST_BODIES];
-static vec3 velocities[MOST_BODIES], omegas[MOST_BODIES];
+static double positions[3 * MAX_BODIES], orientations[4 * MAX_BODIES];
+static vec3 velocities[MAX_BODIES], omegas[MAX_BODIES];
 
 static int place_bodies(void *user)
 {

@@ -72,13 +72,13 @@ void moving_box(const moving *m, uint32_t step, uint32_t segment, double low[3],
     const double *start = moving_at(m, step) + 3 * (size_t)segment;
     const double *end = moving_at(m, step + 1) + 3 * (size_t)segment;
     for (int k = 0; k < 3; k++) {
-        double least = start[k], most = start[k];
+        double smallest = start[k], largest = start[k];
         const double others[3] = {start[k + 3], end[k], end[k + 3]};
         for (int other = 0; other < 3; other++) {
-            least = others[other] < least ? others[other] : least;
-            most = others[other] > most ? others[other] : most;
+            smallest = others[other] < smallest ? others[other] : smallest;
+            largest = others[other] > largest ? others[other] : largest;
         }
-        low[k] = least - MOVING_RADIUS;
-        high[k] = most + MOVING_RADIUS;
+        low[k] = smallest - MOVING_RADIUS;
+        high[k] = largest + MOVING_RADIUS;
     }
 }

@@ -140,10 +140,10 @@ static void run_calls(const query_rows *rows, query_answers *answers)
     for (uint32_t i = 0; i < rows->count; i++) {
         const query *q = &rows->metres[i];
         vbss_impact impact;
-        vbss_result told =
+        vbss_result reported =
             vbss_collision_test(object, q->kind, q->start, q->end, &impact, sizeof impact);
-        answers->hit[i] = told == VBSS_OK ? impact.hit : -1;
-        answers->undecided += told == VBSS_OK && impact.decision == VBSS_DECISION_UNDECIDED;
+        answers->hit[i] = reported == VBSS_OK ? impact.hit : -1;
+        answers->undecided += reported == VBSS_OK && impact.decision == VBSS_DECISION_UNDECIDED;
     }
 }
 
@@ -227,7 +227,7 @@ static void run_batch(const query_rows *rows, query_answers *answers)
 {
     const size_t n = rows->count;
     vbss_collision_batch batch;
-    bool told = vbss_collision_batch_init(&batch, sizeof batch) == VBSS_OK;
+    bool reported = vbss_collision_batch_init(&batch, sizeof batch) == VBSS_OK;
     batch.kind = rows->kind;
     batch.count = batch.stride = rows->count;
     batch.start = rows->start;
@@ -237,10 +237,10 @@ static void run_batch(const query_rows *rows, query_answers *answers)
     batch.time = numbers;
     batch.normal = numbers + 2 * n;
     batch.weights = numbers + 5 * n;
-    told = told && vbss_collision_test_batch(object, &batch) == VBSS_OK;
+    reported = reported && vbss_collision_test_batch(object, &batch) == VBSS_OK;
     answers->undecided = 0;
     for (uint32_t i = 0; i < rows->count; i++) {
-        answers->hit[i] = told ? answers->hit[i] : -1;
+        answers->hit[i] = reported ? answers->hit[i] : -1;
         answers->undecided += decisions[i] == VBSS_DECISION_UNDECIDED;
     }
     bench_keep_memory(numbers);

@@ -9,7 +9,7 @@ typedef struct kind_case {
     const char *scene;
     knot_kind kind;
     vbss_method method;
-    uint32_t most_steps; /* while the load is not reached */
+    uint32_t max_steps; /* while the load is not reached */
     bool cylinder, pinned;
     double finest, coarsest; /* m */
     double h;                /* s */
@@ -83,7 +83,7 @@ static void set(pulled_knot *k, const kind_case *c, phase when)
     k->options.knot.size = c->finest == PAPER_SEGMENT ? PAPER_SIZE : k->options.knot.size;
     k->options.thread.paper_damping =
         c->finest == PAPER_SEGMENT ? 0.01 : 0.0; /* or it shakes to pieces */
-    k->most_steps = c->most_steps;
+    k->max_steps = c->max_steps;
     k->pinned = c->pinned;
     k->h = c->h;
     k->held = held;

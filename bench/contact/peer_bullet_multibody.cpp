@@ -57,7 +57,7 @@ btVector3 place(const double *positions, int node)
 }
 
 /* The least rotation that turns direction a into b, both of length one. */
-btQuaternion least_rotation(const btVector3 &a, const btVector3 &b)
+btQuaternion min_rotation(const btVector3 &a, const btVector3 &b)
 {
     btVector3 axis = a.cross(b);
     return btQuaternion(axis[0], axis[1], axis[2], 1.0 + a.dot(b)).normalized();
@@ -174,7 +174,7 @@ void chain::set_places(const double *positions)
     btQuaternion turn(0, 0, 0, 1);
     for (int i = 0; i < links; i++) {
         btVector3 next = (place(positions, i + 1) - place(positions, i)).normalized();
-        turn = least_rotation(along, next) * turn;
+        turn = min_rotation(along, next) * turn;
         turns.push_back(turn);
         along = next;
     }

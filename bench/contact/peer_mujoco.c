@@ -180,7 +180,7 @@ static void set_inertias(row *r, const contact_peer_scene *s)
 }
 
 /* The least rotation that turns direction a into b, both of length one. */
-static void least_rotation(mjtNum q[4], const double a[3], const double b[3])
+static void min_rotation(mjtNum q[4], const double a[3], const double b[3])
 {
     mju_cross(q + 1, a, b);
     q[0] = 1.0 + mju_dot3(a, b);
@@ -204,7 +204,7 @@ static void set_places(row *r, const double *positions)
         mjtNum *q = r->data->qpos + 7 * i;
         mju_sub3(next, from + 3, from);
         mju_normalize3(next);
-        least_rotation(by, along, next);
+        min_rotation(by, along, next);
         mju_mulQuat(q + 3, by, turn);
         mju_copy4(turn, q + 3);
         mju_copy3(along, next);

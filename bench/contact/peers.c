@@ -14,7 +14,7 @@
 #define STEP_S 1e-3
 #define LENGTH 0.15
 #define DIAMETER 0.25e-3
-enum { MESHES = 3, PEERS = 3, MOST_NODES = 256, MOST_STEPS = 1500, HELD_STEPS = 250 };
+enum { MESHES = 3, PEERS = 3, MAX_NODES = 256, MAX_STEPS = 1500, HELD_STEPS = 250 };
 static const uint32_t meshes[MESHES] = {61, 121, 241};
 /* Of the loose knot, m: on coarse polygons a smaller one would be no knot. */
 static const double sizes[MESHES] = {2.5e-3, 1.5e-3, 1e-3};
@@ -27,7 +27,7 @@ typedef struct peer_knot {
     char name[80];
     const contact_peer *peer;
     uint32_t mesh;
-    vec3 start[MOST_NODES], now[MOST_NODES];
+    vec3 start[MAX_NODES], now[MAX_NODES];
     void *body;
     vec3 ends[2];
     uint32_t step_count, loaded, load_step; /* load_step: 0 while the load is not reached */
@@ -93,14 +93,14 @@ static int step_peer(void *user, uint32_t index)
 static int set_up_peer(void *user)
 {
     peer_knot *k = user;
-    double rest[MOST_NODES];
+    double rest[MAX_NODES];
     knot_shape shape;
     knot_line line;
     shape_of(k->mesh, &shape);
-    if (knot_make(&shape, MOST_NODES, k->start, rest, &line) != VBSS_OK || begin_peer(k) != 0) {
+    if (knot_make(&shape, MAX_NODES, k->start, rest, &line) != VBSS_OK || begin_peer(k) != 0) {
         return 1;
     }
-    while (k->step_count < MOST_STEPS &&
+    while (k->step_count < MAX_STEPS &&
            (k->load_step == 0 || k->step_count < k->load_step + HELD_STEPS)) {
         if (step_peer(k, 0) != 0) {
             break;
@@ -128,9 +128,9 @@ static void finish_peer(void *user, bench_result *result)
         length += rest;
     }
     bool kept = knot_type_of(k->now, n, &found) && knot_type_same(found, right);
-    double least = pulled_knot_least_distance(k->now, n, NULL, length / (n - 1), 1.6 * DIAMETER);
+    double smallest = pulled_knot_min_distance(k->now, n, NULL, length / (n - 1), 1.6 * DIAMETER);
     bench_simulated_step(result, 1e6 * STEP_S);
-    bench_counter(result, "penetration_um", 1e6 * vbss_max(DIAMETER - least, 0.0));
+    bench_counter(result, "penetration_um", 1e6 * vbss_max(DIAMETER - smallest, 0.0));
     bench_counter(result, "stretch_max", stretch);
     bench_counter(result, "topology_kept", kept ? 1.0 : 0.0);
     bench_counter(result, "force_N", k->tension);

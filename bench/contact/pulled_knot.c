@@ -19,7 +19,7 @@
 
 void pulled_knot_init(pulled_knot *k, knot_kind kind, vbss_method method)
 {
-    *k = (pulled_knot){.h = 1e-3, .most_steps = 4000};
+    *k = (pulled_knot){.h = 1e-3, .max_steps = 4000};
     (void)contact_scene_init(&k->options, CONTACT_SCENE_PULLED);
     k->options.knot.kind = kind;
     k->options.knot.length = 0.15;
@@ -39,10 +39,10 @@ static const thread_object *inside(const pulled_knot *k)
     return t;
 }
 
-double pulled_knot_least_distance(const vec3 *x, uint32_t nodes, const double *rest, double length,
-                                  double apart)
+double pulled_knot_min_distance(const vec3 *x, uint32_t nodes, const double *rest, double length,
+                                double apart)
 {
-    double least = 1.0;
+    double smallest = 1.0;
     for (uint32_t a = 0; a + 1 < nodes; a++) {
         double arc = 0.0;
         for (uint32_t b = a + 2; b + 1 < nodes; b++) {
@@ -53,16 +53,15 @@ double pulled_knot_least_distance(const vec3 *x, uint32_t nodes, const double *r
             double s, u;
             vec3 way = closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
                                              vec3_sub(x[b], x[a]), &s, &u);
-            least = vbss_min(vec3_norm(way), least);
+            smallest = vbss_min(vec3_norm(way), smallest);
         }
     }
-    return least;
+    return smallest;
 }
 
-static double least_distance(const thread_object *t)
+static double min_distance(const thread_object *t)
 {
-    return pulled_knot_least_distance(t->now.x, t->node_count, t->rest, 0.0,
-                                      3.2 * t->config.radius);
+    return pulled_knot_min_distance(t->now.x, t->node_count, t->rest, 0.0, 3.2 * t->config.radius);
 }
 
 static double taken_up(const thread_object *t)
@@ -92,12 +91,12 @@ static vbss_result pin_crossing(pulled_knot *k)
 {
     const thread_object *t = inside(k);
     uint32_t nodes[2] = {0, 0}, last = t->node_count - 1, pin;
-    double least = 1.0;
+    double smallest = 1.0;
     for (uint32_t a = 1; a < last; a++) {
         for (uint32_t b = a + 3; b < last; b++) {
             double distance = vec3_distance(t->now.x[a], t->now.x[b]);
-            if (distance < least) {
-                least = distance;
+            if (distance < smallest) {
+                smallest = distance;
                 nodes[0] = a;
                 nodes[1] = b;
             }
@@ -117,7 +116,7 @@ bool pulled_knot_make(pulled_knot *k)
            (!k->pinned || pin_crossing(k) == VBSS_OK);
 }
 
-static bool lay(pulled_knot *k)
+static bool place(pulled_knot *k)
 {
     bool fine = true, paper = k->options.scene.method == VBSS_METHOD_PAPER;
     for (uint32_t i = 0; i < (paper ? 0 : LAID_STEPS) && fine; i++) {
@@ -128,7 +127,7 @@ static bool lay(pulled_knot *k)
 
 bool pulled_knot_run(pulled_knot *k)
 {
-    for (k->steps_to_load = 0; k->steps_to_load < k->most_steps && (k->whole || !loaded(k));
+    for (k->steps_to_load = 0; k->steps_to_load < k->max_steps && (k->whole || !loaded(k));
          k->steps_to_load++) {
         if (contact_scene_step(&k->scene, k->h) != VBSS_OK) {
             k->broken = true; /* no finite state */
@@ -159,8 +158,8 @@ static int set_up(void *user)
     k->looks = k->node_steps = k->most_nodes = 0;
     k->node_sum = 0;
     k->broken = false;
-    k->least_distance = 1.0;
-    if (!pulled_knot_make(k) || (!k->held && (!lay(k) || !save(k))) || !pulled_knot_run(k) ||
+    k->min_distance = 1.0;
+    if (!pulled_knot_make(k) || (!k->held && (!place(k) || !save(k))) || !pulled_knot_run(k) ||
         (k->held && !save(k))) {
         return 1;
     }
@@ -204,7 +203,7 @@ static uint64_t hash(void *user)
     (void)contact_scene_hash(&k->scene, &value);
     count_nodes(k);
     if (k->looks < count_steps(k) && k->looks++ % LOOK_EVERY == 0) {
-        k->least_distance = vbss_min(least_distance(inside(k)), k->least_distance);
+        k->min_distance = vbss_min(min_distance(inside(k)), k->min_distance);
     }
     return value;
 }
@@ -227,7 +226,7 @@ static void finish(void *user, bench_result *result)
     }
     bench_simulated_step(result, 1e6 * k->h);
     bench_counter(result, "penetration_um",
-                  1e6 * vbss_max(2.0 * t->config.radius - k->least_distance, 0.0));
+                  1e6 * vbss_max(2.0 * t->config.radius - k->min_distance, 0.0));
     bench_counter(result, "stretch_max", t->statistics.stretch_error);
     bench_counter(result, "topology_kept", topology_kept(k) ? 1.0 : 0.0);
     bench_counter(result, "contacts", s.contacts);

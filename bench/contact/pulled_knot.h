@@ -15,7 +15,7 @@ typedef struct pulled_knot {
     bool held;           /* what is timed begins when the load is reached */
     bool pinned;         /* the nodes of both strands that are nearest to a crossing, in space */
     uint32_t hold_steps; /* not held: timed too, after the load is reached */
-    uint32_t most_steps; /* to get there */
+    uint32_t max_steps;  /* to get there */
     bool whole;          /* all of them, load or not */
     void (*more)(bench_result *result); /* called after its own counters; may be NULL */
 
@@ -31,8 +31,8 @@ typedef struct pulled_knot {
     uint64_t rejected_at_begin;
     /* looked at between the steps of the first repetition */
     uint32_t looks;
-    double least_distance; /* of strands, m */
-    uint64_t node_sum;     /* of the same steps, all of them */
+    double min_distance; /* of strands, m */
+    uint64_t node_sum;   /* of the same steps, all of them */
     uint32_t node_steps, most_nodes;
     double taken_up; /* m, when the load is reached or the steps are over */
 } pulled_knot;
@@ -47,6 +47,6 @@ bool pulled_knot_run(pulled_knot *k);
 void pulled_knot_end(pulled_knot *k);
 /* Of axes of segments that are at least `apart` from each other along the thread, m. Rest lengths, or one for
  * all with NULL. */
-double pulled_knot_least_distance(const vec3 *x, uint32_t nodes, const double *rest, double length,
-                                  double apart);
+double pulled_knot_min_distance(const vec3 *x, uint32_t nodes, const double *rest, double length,
+                                double apart);
 #endif

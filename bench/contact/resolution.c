@@ -69,7 +69,7 @@ static void add_paper_cases(bench *b)
             k->options.knot.size = PAPER_SIZE;
             k->options.thread.paper_damping = PAPER_DAMPING;
             k->h = paper_steps[h];
-            k->most_steps = (uint32_t)(PAPER_SECONDS / k->h + 0.5);
+            k->max_steps = (uint32_t)(PAPER_SECONDS / k->h + 0.5);
             snprintf(k->name, sizeof k->name, "contact/resolution/paper-%.3gms/%g", 1e3 * k->h,
                      1e6 * paper_segments[i]);
             pulled_knot_add(b, k);

@@ -11,7 +11,7 @@ typedef struct throw_case {
     double finest;  /* if it adapts; m */
     vbss_context *context;
     throw_scene scene, begin;
-    uint32_t steps, most_contacts, most_nodes;
+    uint32_t steps, max_contacts, most_nodes;
     bool twice, adapts, offline;
     bool long_run; /* not in a quick look */
     uint64_t node_sum;
@@ -91,7 +91,7 @@ static int set_up(void *user)
         }
         c->node_sum += t.nodes;
         c->most_nodes = t.nodes > c->most_nodes ? t.nodes : c->most_nodes;
-        c->most_contacts = s.contacts > c->most_contacts ? s.contacts : c->most_contacts;
+        c->max_contacts = s.contacts > c->max_contacts ? s.contacts : c->max_contacts;
     }
     return 0;
 }
@@ -134,7 +134,7 @@ static void finish(void *user, bench_result *result)
     bench_simulated_step(result, 1e6 * THROW_SCENE_STEP);
     bench_counter(result, "penetration_um", 1e6 * s.penetration);
     bench_counter(result, "stretch_max", s.stretch_error);
-    bench_counter(result, "contacts", c->most_contacts);
+    bench_counter(result, "contacts", c->max_contacts);
     bench_counter(result, "retries", tries - (double)(s.parts - b->parts) + (double)s.clamped);
     bench_counter(result, "clamped", (double)s.clamped);
     bench_counter(result, "attempts_per_step", tries / steps);

@@ -8,12 +8,12 @@
 #include "bench_device.h"
 #include "fixtures/hand_path.h"
 
-enum { PATHS = 200, ROUND = 1000, MOST_DELAY = 2 };
+enum { PATHS = 200, ROUND = 1000, MAX_DELAY = 2 };
 static const double stiffness = 400.0;
 
 typedef struct passivity {
     double coupling_damping, arm_damping; /* N s/m */
-    double most_gained, mean_gained;      /* J */
+    double max_gained, mean_gained;       /* J */
     uint64_t interventions;
     char name[64];
     uint32_t delay; /* steps */
@@ -31,7 +31,7 @@ static double gained(passivity *s, const hand_path *p)
     vbss_output_config config;
     output_state stage;
     output_demand demand = {.age = 0.0};
-    vec3 late[MOST_DELAY + 1] = {{0.0, 0.0, 0.0}};
+    vec3 late[MAX_DELAY + 1] = {{0.0, 0.0, 0.0}};
     double work = 0.0;
     vbss_output_config_init(&config, sizeof config);
     vbss_output_init_state(&config, &stage);
@@ -59,14 +59,14 @@ static void run(void *user)
     passivity *s = user;
     vbss_random random;
     vbss_random_seed(&random, 5, 7);
-    s->most_gained = -1e9;
+    s->max_gained = -1e9;
     s->mean_gained = 0.0;
     s->interventions = 0;
     for (int i = 0; i < PATHS; i++) {
         double size = 1e-3 + 4e-3 * i / PATHS;
         hand_path p = hand_path_draw(&random, size);
         double work = gained(s, &p);
-        s->most_gained = vbss_max(s->most_gained, work);
+        s->max_gained = vbss_max(s->max_gained, work);
         s->mean_gained += work / PATHS;
     }
 }
@@ -74,7 +74,7 @@ static void run(void *user)
 static void finish(void *user, bench_result *result)
 {
     const passivity *s = user;
-    bench_counter(result, "most_gained_mj", 1e3 * s->most_gained);
+    bench_counter(result, "most_gained_mj", 1e3 * s->max_gained);
     bench_counter(result, "mean_gained_mj", 1e3 * s->mean_gained);
     bench_counter(result, "interventions", (double)s->interventions);
 }

@@ -10,7 +10,7 @@
 #include "scene/world/world.h"
 #include "tool_rig.h"
 
-enum { STEPS = 600, SETTLED = 300 };
+enum { STEPS = 600, AT_REST = 300 };
 
 typedef enum tool_cost_kind { ALONE, FAR_AWAY, HELD, HELD_TWICE, KINDS } tool_cost_kind;
 
@@ -37,7 +37,7 @@ static vbss_result make(tool_cost *c)
         VBSS_TRY(tool_rig_add(r, c->tips[1]));
     }
     VBSS_TRY(tool_rig_close(r));
-    VBSS_TRY(tool_rig_steps(r, SETTLED));
+    VBSS_TRY(tool_rig_steps(r, AT_REST));
     return tool_rig_save(r);
 }
 
@@ -95,7 +95,7 @@ static void teardown(void *user)
 
 /* ---- looking for strands */
 
-enum { LOOKS = 100, MOST_NODES = 301 };
+enum { LOOKS = 100, MAX_NODES = 301 };
 
 typedef struct tool_look {
     char name[64];
@@ -106,7 +106,7 @@ typedef struct tool_look {
 
 static vbss_result coil(tool_look *l)
 {
-    static double x[MOST_NODES][3];
+    static double x[MAX_NODES][3];
     for (uint32_t i = 0; i < l->nodes; i++) {
         vbss_sincos(i / 12.0, &x[i][1], &x[i][0]);
         x[i][0] *= 6e-3;
@@ -159,7 +159,7 @@ static void teardown_look(void *user)
 static void add_look_cases(bench *b)
 {
     static tool_look cases[] = {
-        {.nodes = 61}, {.nodes = MOST_NODES}, {.nodes = MOST_NODES, .coiled = true}};
+        {.nodes = 61}, {.nodes = MAX_NODES}, {.nodes = MAX_NODES, .coiled = true}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         tool_look *l = &cases[i];
         snprintf(l->name, sizeof l->name, "device/tool-looking/%s/%u",

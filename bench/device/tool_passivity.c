@@ -15,7 +15,7 @@ enum {
     DELAYS = 3,
     ARMS = 3,
     TIMED = 300,
-    MOST_DRAWN = 8 * PATHS
+    MAX_DRAWN = 8 * PATHS
 };
 static const double arms[ARMS] = {0.0, 2.0, 10.0}; /* N s/m, of the hand */
 static const double slides = 1e-4;                 /* m on a round */
@@ -25,7 +25,7 @@ typedef struct tool_passivity {
     tool_meeting what;
     double stiffness, damping;
     uint32_t paths, counted, torn, drawn; /* asked for, and what they were */
-    double most_gained[DELAYS][ARMS], most_torn, largest;
+    double max_gained[DELAYS][ARMS], max_torn, largest;
     tool_rig rig;
     vec3 home;
     hand_path last;
@@ -50,7 +50,7 @@ static void count(tool_passivity *s, const double work[DELAYS], double paid, dou
     s->drawn++;
     s->torn += torn ? 1 : 0;
     for (int d = 0; torn && d < DELAYS; d++) {
-        s->most_torn = vbss_max(s->most_torn, work[d]);
+        s->max_torn = vbss_max(s->max_torn, work[d]);
     }
     if (!counts(s, slid_before)) {
         return;
@@ -58,7 +58,7 @@ static void count(tool_passivity *s, const double work[DELAYS], double paid, dou
     s->counted++;
     for (int d = 0; d < DELAYS; d++) {
         for (int a = 0; a < ARMS; a++) {
-            s->most_gained[d][a] = vbss_max(s->most_gained[d][a], work[d] - arms[a] * paid);
+            s->max_gained[d][a] = vbss_max(s->max_gained[d][a], work[d] - arms[a] * paid);
         }
     }
 }
@@ -90,7 +90,7 @@ static vbss_result go_all(tool_passivity *s)
     vbss_random_seed(&random, 5, 7);
     VBSS_TRY(tool_rig_meet(&s->rig, s->what, s->stiffness, s->damping, &s->home));
     VBSS_TRY(tool_rig_save(&s->rig));
-    for (uint32_t i = 0; s->counted < s->paths && i < MOST_DRAWN; i++) {
+    for (uint32_t i = 0; s->counted < s->paths && i < MAX_DRAWN; i++) {
         s->last = hand_path_draw(&random, 1e-3 + 4e-3 * (i % PATHS) / (PATHS - 1));
         VBSS_TRY(tool_rig_restore(&s->rig));
         VBSS_TRY(go_round(s, &s->last));
@@ -103,10 +103,10 @@ static int setup(void *user)
     tool_passivity *s = user;
     s->largest = 0.0;
     s->counted = s->torn = s->drawn = 0;
-    s->most_torn = -1e9;
+    s->max_torn = -1e9;
     for (int d = 0; d < DELAYS; d++) {
         for (int a = 0; a < ARMS; a++) {
-            s->most_gained[d][a] = -1e9;
+            s->max_gained[d][a] = -1e9;
         }
     }
     vbss_result result = go_all(s);
@@ -145,7 +145,7 @@ static void finish(void *user, bench_result *result)
         for (int d = 0; d < DELAYS; d++) {
             char name[32];
             snprintf(name, sizeof name, "mj_arm%.0f_late%d", arms[a], d);
-            bench_counter(result, name, 1e3 * s->most_gained[d][a]);
+            bench_counter(result, name, 1e3 * s->max_gained[d][a]);
         }
     }
     bench_counter(result, "largest_N", s->largest);
@@ -153,7 +153,7 @@ static void finish(void *user, bench_result *result)
     bench_counter(result, "paths_drawn", s->drawn);
     bench_counter(result, "paths_torn", s->torn);
     if (s->torn > 0) {
-        bench_counter(result, "mj_torn", 1e3 * s->most_torn);
+        bench_counter(result, "mj_torn", 1e3 * s->max_torn);
     }
 }
 

@@ -6,7 +6,7 @@
 #include "bench_device.h"
 #include "tool_rig.h"
 
-enum { SETTLED = 2000, LOOKED = 1000 };
+enum { AT_REST = 2000, LOOKED = 1000 };
 static const double draw_speed = 2e-3; /* m/s */
 
 typedef enum tool_rest_kind { TAUT, PRESSED, SLIPPING, KINDS } tool_rest_kind;
@@ -49,9 +49,9 @@ static vbss_result make(tool_rest *s)
     return VBSS_OK;
 }
 
-static vbss_result settle(tool_rest *s)
+static vbss_result relax(tool_rest *s)
 {
-    for (uint32_t i = 1; i <= SETTLED; i++) {
+    for (uint32_t i = 1; i <= AT_REST; i++) {
         VBSS_TRY(tool_rig_step_to(&s->rig, 0, hand_at(s, i)));
     }
     return tool_rig_save(&s->rig);
@@ -63,7 +63,7 @@ static vbss_result look(tool_rest *s)
     vec3 low = vec3_zero(), high = low, mean = low, first = low;
     double sum = 0.0;
     for (uint32_t i = 0; i < LOOKED; i++) {
-        VBSS_TRY(tool_rig_step_to(&s->rig, 0, hand_at(s, SETTLED + 1 + i)));
+        VBSS_TRY(tool_rig_step_to(&s->rig, 0, hand_at(s, AT_REST + 1 + i)));
         VBSS_TRY(tool_rig_force(&s->rig, 0, &force[i]));
         first = i == 0 ? force[0] : first;
         force[i] = vec3_sub(force[i], first);
@@ -86,7 +86,7 @@ static int setup(void *user)
 {
     tool_rest *s = user;
     vbss_result result = make(s);
-    result = result == VBSS_OK ? settle(s) : result;
+    result = result == VBSS_OK ? relax(s) : result;
     result = result == VBSS_OK ? look(s) : result;
     if (result != VBSS_OK) {
         tool_rig_end(&s->rig);
@@ -103,7 +103,7 @@ static int restore(void *user)
 static int step(void *user, uint32_t index)
 {
     tool_rest *s = user;
-    return tool_rig_step_to(&s->rig, 0, hand_at(s, SETTLED + 1 + index));
+    return tool_rig_step_to(&s->rig, 0, hand_at(s, AT_REST + 1 + index));
 }
 
 static uint64_t hash(void *user)

@@ -7,7 +7,7 @@
 #include "bench_device.h"
 #include "tool_rig.h"
 
-enum { MOST_DELAY = 2, STEPS = 3000, RUNGS = 128, QUICK_RUNGS = 4 };
+enum { MAX_DELAY = 2, STEPS = 3000, RUNGS = 128, QUICK_RUNGS = 4 };
 static const double pressed = 1.0, speed = 0.05, rest = 1e-5; /* N; m/s; m */
 
 typedef struct tool_wall {
@@ -33,7 +33,7 @@ static vbss_result swing(tool_wall *s, vec3 in, double *swung)
 {
     enum { FINE = 20 };
     const double fine = 1.0 / (TOOL_RIG_ROUND * FINE);
-    double x = 0.0, v = speed, late[MOST_DELAY + 1] = {0.0}, low = 1.0, high = -1.0;
+    double x = 0.0, v = speed, late[MAX_DELAY + 1] = {0.0}, low = 1.0, high = -1.0;
     for (int i = 0; i < STEPS && fabs(x) < 0.1; i++) {
         vec3 force;
         VBSS_TRY(tool_rig_step_to(&s->rig, 0, vec3_add_scaled(s->home, x, in)));

@@ -7,7 +7,7 @@
 #include "harness/run.h"
 #include "harness/stats.h"
 
-enum { LEAST_POINTS = 3 };
+enum { MIN_POINTS = 3 };
 
 /* The N of a member of the family within the range, 0 for any other case. */
 static uint32_t member_n(const bench_growth *growth, const char *name)
@@ -76,7 +76,7 @@ bool bench_fit_growth(const bench *b, const bench_growth *growth, bench_result *
         points++;
     }
     result->repetitions = b->options.repetitions;
-    if (points < LEAST_POINTS) {
+    if (points < MIN_POINTS) {
         judged = b->options.filter == NULL;
         bench_fail(result, "only %zu cases %s/<N>", points, growth->family);
     } else if (!result->failed) {

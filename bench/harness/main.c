@@ -1,5 +1,6 @@
 /* From the command line to the two reports. */
 #include <errno.h>
+#include <locale.h>
 #include <string.h>
 
 #include "harness/report.h"
@@ -36,6 +37,7 @@ static int run_and_report(bench *b)
 
 int bench_main(int argc, char **argv, const bench_suite *suite)
 {
+    (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     bench_options options;
     if (!bench_parse_options(argc, argv, &options, stderr)) {
         bench_print_usage(stderr, suite->name);

@@ -75,13 +75,13 @@ bool bench_parse_options(int argc, char **argv, bench_options *options, FILE *co
             return false;
         }
     }
-    unsigned least = options->quick ? BENCH_QUICK_REPETITIONS : BENCH_REPETITIONS;
-    if (repetitions != 0 && repetitions < least) {
-        fprintf(complaints, "--repetitions must be at least %u%s\n", least,
+    unsigned smallest = options->quick ? BENCH_QUICK_REPETITIONS : BENCH_REPETITIONS;
+    if (repetitions != 0 && repetitions < smallest) {
+        fprintf(complaints, "--repetitions must be at least %u%s\n", smallest,
                 options->quick ? "" : " without --quick");
         return false;
     }
-    options->repetitions = repetitions != 0 ? repetitions : least;
+    options->repetitions = repetitions != 0 ? repetitions : smallest;
     options->seeds = seeds != 0       ? seeds
                      : options->quick ? (unsigned)BENCH_QUICK_SEEDS
                                       : (unsigned)BENCH_SEEDS;

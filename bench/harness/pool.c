@@ -16,7 +16,7 @@ static void append(bench_step_times *all, const bench_step_times *some)
     all->count += some->count;
 }
 
-static void tell_all(const bench *b, const bench_pool *pool, uint32_t count, bench_result *result)
+static void report_all(const bench *b, const bench_pool *pool, uint32_t count, bench_result *result)
 {
     bench_step_times all = {0};
     if (!bench_allocate_step_times(&all, count)) {
@@ -28,7 +28,7 @@ static void tell_all(const bench *b, const bench_pool *pool, uint32_t count, ben
                 append(&all, &b->cases[i].result.steps);
             }
         }
-        bench_tell_step_times(&all, pool->dt_us, pool->deadline_us, result);
+        bench_report_step_times(&all, pool->dt_us, pool->deadline_us, result);
         if (pool->finish != NULL) {
             pool->finish(pool->user, result);
         }
@@ -56,7 +56,7 @@ bool bench_measure_pool(const bench *b, const bench_pool *pool, bench_result *re
         return b->options.filter == NULL;
     }
     if (!result->failed) {
-        tell_all(b, pool, count, result);
+        report_all(b, pool, count, result);
     }
     return true;
 }

@@ -31,8 +31,8 @@ static double sort_times(double *sorted_us, const uint64_t *times_ns, uint32_t c
     return sum_us / (double)count;
 }
 
-void bench_tell_step_times(const bench_step_times *times, double dt_us, double deadline_us,
-                           bench_result *result)
+void bench_report_step_times(const bench_step_times *times, double dt_us, double deadline_us,
+                             bench_result *result)
 {
     uint32_t n = times->count;
     double *sorted = calloc(n, sizeof *sorted);

@@ -16,7 +16,7 @@ typedef struct bench_step_times {
 bool bench_allocate_step_times(bench_step_times *times, uint32_t count);
 void bench_free_step_times(bench_step_times *times);
 /* Sets the times of a case and its own counters, percentiles and all. dt_us, deadline_us: as in bench_stepped. */
-void bench_tell_step_times(const bench_step_times *times, double dt_us, double deadline_us,
-                           bench_result *result);
+void bench_report_step_times(const bench_step_times *times, double dt_us, double deadline_us,
+                             bench_result *result);
 
 #endif

@@ -84,7 +84,7 @@ static void measure_after_setup(const bench *b, const bench_stepped *stepped, be
             result->repetitions = r + 1;
         }
         if (good) {
-            bench_tell_step_times(&records.times, stepped->dt_us, stepped->deadline_us, result);
+            bench_report_step_times(&records.times, stepped->dt_us, stepped->deadline_us, result);
             if (stepped->finish != NULL) {
                 stepped->finish(stepped->user, result);
             }

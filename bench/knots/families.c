@@ -5,7 +5,7 @@
 
 #include "knots/bench_knots.h"
 #include "knots/shown_set.h"
-#include "knots/told.h"
+#include "knots/reported.h"
 
 /* Configurations of a family at one N: of all 10^5. */
 enum { CONFIGURATIONS = 1280, QUICK_CONFIGURATIONS = 16, SIZES = 5 };
@@ -24,7 +24,7 @@ typedef struct row {
     knot_detector *inside;
     bool counted;
     uint32_t at;
-    told_counts counts;
+    reported_counts counts;
 } row;
 
 static row rows[FAMILIES][SIZES][2];
@@ -33,7 +33,7 @@ static int set_up(void *user)
 {
     row *r = user;
     r->set = shown_set_of(r->family, r->segments, r->wanted);
-    r->counts = (told_counts){0};
+    r->counts = (reported_counts){0};
     r->counted = false;
     r->at = 0;
     if (r->set == NULL || vbss_context_create(NULL, &r->context) != VBSS_OK) {
@@ -91,10 +91,10 @@ static uint64_t hash(void *user)
 {
     row *r = user;
     const family_case *truth = &r->set->cases[r->at++];
-    told t = r->closure ? told_by_closure(&r->inside->job.reader.reading, truth)
-                        : told_by_judge(r->detector, truth);
+    reported t = r->closure ? reported_by_closure(&r->inside->job.reader.reading, truth)
+                            : reported_by_judge(r->detector, truth);
     if (!r->counted) {
-        told_add(&r->counts, &t);
+        reported_add(&r->counts, &t);
     }
     (void)vbss_knot_detector_reset(r->detector); /* each is the first that it sees */
     return t.hash;
@@ -103,7 +103,7 @@ static uint64_t hash(void *user)
 static void finish(void *user, bench_result *result)
 {
     row *r = user;
-    told_report(&r->counts, result);
+    reported_report(&r->counts, result);
     bench_counter(result, "truth", r->set->cases[0].truth == FAMILY_OPEN ? 0.0 : 1.0);
 }
 
@@ -139,7 +139,7 @@ void add_family_cases(bench *b)
                 continue;
             }
             /* Of so few segments hardly one can be made. */
-            if (2 * r->segments < r->family->least_segments) {
+            if (2 * r->segments < r->family->min_segments) {
                 bench_add_skipped(b, r->name, "too few segments for such knots");
                 continue;
             }

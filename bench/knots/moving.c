@@ -7,7 +7,7 @@
 #include "base/elementary.h"
 #include "knot/judge.h"
 #include "knots/bench_knots.h"
-#include "knots/told.h"
+#include "knots/reported.h"
 #include "fixtures/wrap_scripts.h"
 
 #define TURN 6.28318530717958648
@@ -44,9 +44,9 @@ typedef struct row {
     vbss_knot_input input;
     /* counted in the first repetition */
     uint64_t reading_step;
-    told_counts told;
-    double steps_sum, steps_most;    /* from what was shown to what is told of it */
-    uint32_t passed_at, passed_most; /* from a throw that is passed to when that is told */
+    reported_counts reported;
+    double steps_sum, steps_max;    /* delay from a knot to its report */
+    uint32_t passed_at, passed_max; /* delay from a throw to its report */
     uint32_t readings;
     bool counted;
 } row;
@@ -161,7 +161,7 @@ static void watch_passing(row *r, const vbss_knot_state *s)
 {
     const script_frame *f = r->frame;
     bool passed = f->stage == SCRIPT_PASSED;
-    bool is_told = s->next_verdict == VBSS_KNOT_VERDICT_PASSED || s->throw_count > f->throws;
+    bool is_reported = s->next_verdict == VBSS_KNOT_VERDICT_PASSED || s->throw_count > f->throws;
     uint32_t now = r->at + 1;
     if (!passed) {
         r->passed_at = 0;
@@ -170,8 +170,8 @@ static void watch_passing(row *r, const vbss_knot_state *s)
     if (r->passed_at == 0) {
         r->passed_at = now;
     }
-    if (!is_told && now - r->passed_at + 1 > r->passed_most) {
-        r->passed_most = now - r->passed_at + 1;
+    if (!is_reported && now - r->passed_at + 1 > r->passed_max) {
+        r->passed_max = now - r->passed_at + 1;
     }
 }
 
@@ -191,10 +191,10 @@ static void count(row *r)
     r->reading_step = s.reading_step;
     r->readings++;
     r->steps_sum += late;
-    r->steps_most = vbss_max(late, r->steps_most);
+    r->steps_max = vbss_max(late, r->steps_max);
     if (set_truth(r, (uint32_t)s.reading_step - 1)) {
-        told t = told_by_judge(r->detector, r->shown);
-        told_add(&r->told, &t);
+        reported t = reported_by_judge(r->detector, r->shown);
+        reported_add(&r->reported, &t);
     }
 }
 
@@ -220,10 +220,10 @@ static int set_up(void *user)
     r->shown = calloc(1, sizeof *r->shown);
     r->frame = calloc(1, sizeof *r->frame);
     r->counted = false;
-    r->told = (told_counts){0};
+    r->reported = (reported_counts){0};
     r->reading_step = 0;
-    r->readings = r->passed_at = r->passed_most = 0;
-    r->steps_sum = r->steps_most = 0.0;
+    r->readings = r->passed_at = r->passed_max = 0;
+    r->steps_sum = r->steps_max = 0.0;
     bool made = r->base != NULL && r->shown != NULL && r->frame != NULL &&
                 vbss_context_create(NULL, &r->context) == VBSS_OK &&
                 vbss_knot_detector_create(r->context, NULL, &r->detector) == VBSS_OK;
@@ -282,13 +282,13 @@ static void finish(void *user, bench_result *result)
     bench_simulated_step(result, 1e3);
     bench_counter(result, "readings", r->readings);
     bench_counter(result, "verdict_steps_mean", r->steps_sum / r->readings);
-    bench_counter(result, "verdict_steps_max", r->steps_most);
+    bench_counter(result, "verdict_steps_max", r->steps_max);
     bench_counter(result, "step_work_max", (double)s.most_step_work);
-    if (r->told.configurations > 0) {
-        told_report(&r->told, result);
+    if (r->reported.configurations > 0) {
+        reported_report(&r->reported, result);
     }
     if (r->kind == MOVING_TYING) {
-        bench_counter(result, "passed_steps_max", r->passed_most);
+        bench_counter(result, "passed_steps_max", r->passed_max);
     }
 }
 

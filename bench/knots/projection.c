@@ -245,19 +245,19 @@ static void finish_case(void *user, bench_result *result)
 {
     case_row *r = user;
     const paper_knot_case *c = &paper_knot_cases[r->kind];
-    double turns = c->beside_tool ? c->turns : 0.0, told = 0.0;
+    double turns = c->beside_tool ? c->turns : 0.0, reported = 0.0;
     bool right, as_paper = true;
     if (r->method == VBSS_KNOT_PROJECTION) {
-        told = count_loops(r->watcher.detector);
-        as_paper = (uint32_t)told == c->loops;
-        right = told == floor(fabs(turns) + 0.5);
-        bench_counter(result, "paper_count", told);
+        reported = count_loops(r->watcher.detector);
+        as_paper = (uint32_t)reported == c->loops;
+        right = reported == floor(fabs(turns) + 0.5);
+        bench_counter(result, "paper_count", reported);
     } else {
         vbss_knot_winding winding = {.turns = 0.0};
         (void)vbss_knot_detector_get_winding(r->watcher.detector, 0, &winding, sizeof winding);
-        told = winding.turns;
-        right = fabs(told - turns) <= 0.02;
-        bench_counter(result, "told_turns", told);
+        reported = winding.turns;
+        right = fabs(reported - turns) <= 0.02;
+        bench_counter(result, "told_turns", reported);
     }
     bench_counter(result, "truth_turns", turns);
     bench_counter(result, "configurations", 1.0);
@@ -265,9 +265,9 @@ static void finish_case(void *user, bench_result *result)
     bench_counter(result, "wrong", right ? 0.0 : 1.0);
     bench_counter(result, "uncertain", 0.0);
     if (!as_paper) {
-        bench_fail(result, "%g loops instead of %u", told, (unsigned)c->loops);
+        bench_fail(result, "%g loops instead of %u", reported, (unsigned)c->loops);
     } else if (!right && r->method == VBSS_KNOT_TOPOLOGY) {
-        bench_fail(result, "%g turns instead of %g", told, turns);
+        bench_fail(result, "%g turns instead of %g", reported, turns);
     }
 }
 

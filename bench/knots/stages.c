@@ -7,7 +7,7 @@
 
 #include "knot/knot.h"
 
-enum { CONFIGURATIONS = 256, QUICK_CONFIGURATIONS = 8, SIZES = 5, MOST_STAGES = 32 };
+enum { CONFIGURATIONS = 256, QUICK_CONFIGURATIONS = 8, SIZES = 5, MAX_STAGES = 32 };
 static const uint32_t sizes[SIZES] = {30, 60, 120, 240, 300};
 
 typedef struct stage_row stage_row;
@@ -123,7 +123,7 @@ static void signature(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
     knot_ops work = INT64_MAX;
-    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_ORDINARY_1000,
+    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_ORDINARY_10000,
                               &curve->reading.invariants.signature, &work);
     r->result = (uint64_t)curve->reading.invariants.signature;
 }
@@ -132,7 +132,7 @@ static void tristram(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
     knot_ops work = INT64_MAX;
-    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_TRISTRAM_1000,
+    (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_TRISTRAM_10000,
                               &curve->reading.invariants.signature_tristram, &work);
     r->result = (uint64_t)curve->reading.invariants.signature_tristram;
 }
@@ -288,11 +288,11 @@ static const stage stages[] = {
     {"step", NULL, step_alone, true, "readings"},
 };
 enum { STAGES = sizeof stages / sizeof stages[0] };
-_Static_assert((int)STAGES <= (int)MOST_STAGES, "room for all");
+_Static_assert((int)STAGES <= (int)MAX_STAGES, "room for all");
 
 /* ---- rows */
 
-static stage_row rows[SIZES][MOST_STAGES];
+static stage_row rows[SIZES][MAX_STAGES];
 
 static void run_those_before(stage_row *r)
 {

@@ -5,6 +5,7 @@
  *
  * Names: finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s), limit (N). Seed 0 is the knot
  * as it is laid out, others are disturbed. The trace has a line a step: growth, tension, slip, line in the knot. */
+#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,6 +114,7 @@ static vbss_result measure(const held_knot_options *o, double asked, FILE *trace
 
 int main(int argc, char **argv)
 {
+    (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     held_knot_options o;
     FILE *trace = NULL;
     int kind = argc < 5 ? KNOT_KINDS : find_kind(argv[1]);

@@ -12,7 +12,7 @@
 #include "needle/stitch.h"
 
 #define STEP_S 1e-3
-#define MOST_S 20.0 /* simulated, of a trial */
+#define MAX_S 20.0 /* simulated, of a trial */
 #define POOL "needle/passed/all"
 enum { ENDS_OTHERWISE = -1 }; /* no result of the library */
 
@@ -52,7 +52,7 @@ static int begin_trial(void *user)
 
 static bool goes_on(void)
 {
-    return now.state < STITCH_DONE && now.site.stand.time < MOST_S;
+    return now.state < STITCH_DONE && now.site.stand.time < MAX_S;
 }
 
 static uint64_t hash_trial(void *user)
@@ -109,8 +109,8 @@ static uint32_t count_steps(void *user)
     return ((const trial *)user)->steps;
 }
 
-static void tell(bench_result *result, double through, const double *off,
-                 const vbss_scene_statistics *scene)
+static void report(bench_result *result, double through, const double *off,
+                   const vbss_scene_statistics *scene)
 {
     bench_counter(result, "through", through);
     if (off[SITE_RIGHT] >= 0.0) {
@@ -130,7 +130,7 @@ static void finish_trial(void *user, bench_result *result)
     if (vbss_scene_get_statistics(now.site.stand.scene, &t->scene, sizeof t->scene) != VBSS_OK) {
         bench_fail(result, "no statistics");
     }
-    tell(result, t->through ? 1.0 : 0.0, t->off, &t->scene);
+    report(result, t->through ? 1.0 : 0.0, t->off, &t->scene);
 }
 
 /* ---- all of them */
@@ -148,7 +148,7 @@ static void finish_all(void *user, bench_result *result)
         sums.paused += t->scene.paused;
         sums.clamped += t->scene.clamped;
     }
-    tell(result, through, off, &sums);
+    report(result, through, off, &sums);
     bench_counter(result, "seeds", seeds);
 }
 

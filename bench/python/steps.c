@@ -1,6 +1,7 @@
 /* What measure.py does, without Python: steps of a scene, ns of processor time each. usage: steps SEGMENTS STEPS */
 #define _POSIX_C_SOURCE 200809L
 
+#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -29,6 +30,7 @@ static vbss_result add_thread(vbss_context *context, vbss_scene *scene, uint32_t
 
 int main(int count, char **words)
 {
+    (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     if (count != 3) {
         return 2;
     }

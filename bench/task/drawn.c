@@ -43,7 +43,7 @@ void add_drawn_cases(bench *b)
             k->options.thread.paper_damping = PAPER_DAMPING;
             k->h = methods[m].h;
             k->whole = true;
-            k->most_steps = (uint32_t)(DRAWN_SECONDS / k->h + 0.5);
+            k->max_steps = (uint32_t)(DRAWN_SECONDS / k->h + 0.5);
             snprintf(k->name, sizeof k->name, "task/double-throw-drawn/%s/%u", methods[m].name,
                      sizes[i]);
             pulled_knot_add(b, k);

@@ -30,7 +30,7 @@ static vec3 *room_for(passed *p, part *t, size_t count, vec3 **end)
 static void keep_chain(passed *p, part *t, chain c, const vec3 *start, const vec3 *end)
 {
     vec3 *ends, *starts = room_for(p, t, c.count, &ends);
-    p->failed = p->failed || t->chain_count == MOST_CHAINS;
+    p->failed = p->failed || t->chain_count == MAX_CHAINS;
     if (!p->failed) {
         c.first = (size_t)(starts - t->start);
         memcpy(starts, start, c.count * sizeof *start);
@@ -97,19 +97,19 @@ static void read_holes(passed *p)
 {
     memcpy(p->before, p->now, sizeof p->now);
     p->before_count = p->now_count;
-    for (p->now_count = 0; p->now_count < MOST_HOLES &&
+    for (p->now_count = 0; p->now_count < MAX_HOLES &&
                            vbss_scene_get_hole(p->scene, p->now_count, &p->now[p->now_count],
                                                sizeof p->now[0]) == VBSS_OK;) {
         p->now_count++;
     }
-    p->failed = p->failed || p->now_count == MOST_HOLES;
+    p->failed = p->failed || p->now_count == MAX_HOLES;
 }
 
 static void read_grasps_of(passed *p, uint32_t tool)
 {
     vbss_grasp g;
     for (uint32_t i = 0; vbss_scene_get_grasp(p->scene, tool, i, &g, sizeof g) == VBSS_OK; i++) {
-        if (p->held_now_count == MOST_GRASPS) {
+        if (p->held_now_count == MAX_GRASPS) {
             p->failed = true;
             return;
         }

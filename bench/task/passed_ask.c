@@ -9,7 +9,7 @@
 #define HOLE_REACH 1e-3
 #define JAW_REACH 1.5e-3
 #define SWAGE_REACH 1.2e-3
-enum { MOST_STRETCHES = 256 };
+enum { MAX_STRETCHES = 256 };
 
 /* ---- what may be across */
 
@@ -111,7 +111,7 @@ static double length_of(const part *t, const chain *c)
 
 static uint64_t ask_threads(const part *t)
 {
-    passing_chain asked[MOST_CHAINS];
+    passing_chain asked[MAX_CHAINS];
     size_t count = 0;
     for (size_t i = 0; i < t->chain_count; i++) {
         const chain *c = &t->chains[i];
@@ -214,7 +214,7 @@ static uint64_t ask_needle(const part *t, const chain *thread, const chain *need
 /* ---- the wall */
 
 typedef struct asked_chains {
-    passing_chain chains[MOST_STRETCHES];
+    passing_chain chains[MAX_STRETCHES];
     size_t count;
 } asked_chains;
 
@@ -236,7 +236,7 @@ static beside beside_of(const passed *p, const part *t, const chain *c, size_t i
 
 static void add_stretch(passed *p, asked_chains *to, passing_chain c)
 {
-    if (to->count == MOST_STRETCHES) {
+    if (to->count == MAX_STRETCHES) {
         p->failed = true;
         return;
     }

@@ -6,7 +6,7 @@
 #include "scene/world/world.h"
 #include "task/passed.h"
 
-enum { MOST_CHAINS = 64, MOST_HOLES = 32, MOST_GRASPS = 16 };
+enum { MAX_CHAINS = 64, MAX_HOLES = 32, MAX_GRASPS = 16 };
 
 typedef enum chain_kind { CHAIN_THREAD, CHAIN_TOOL, CHAIN_NEEDLE } chain_kind;
 
@@ -19,7 +19,7 @@ typedef struct chain {
 } chain;
 
 typedef struct part {
-    chain chains[MOST_CHAINS];
+    chain chains[MAX_CHAINS];
     size_t chain_count, node_count, room;
     vec3 *start, *end; /* of all chains, then of the drain */
     size_t drain_first;
@@ -37,9 +37,9 @@ struct passed {
     part *parts;
     size_t part_count, part_room;
     bool failed; /* no memory or room */
-    vbss_hole before[MOST_HOLES], now[MOST_HOLES];
+    vbss_hole before[MAX_HOLES], now[MAX_HOLES];
     uint32_t before_count, now_count;
-    held held_before[MOST_GRASPS], held_now[MOST_GRASPS];
+    held held_before[MAX_GRASPS], held_now[MAX_GRASPS];
     uint32_t held_before_count, held_now_count;
     const drain_object *drain;
     uint32_t (*sides)[2], (*triangles)[3]; /* of the wall, or of what is not round a hole */

@@ -25,7 +25,7 @@
 #endif
 
 #define STEP_S 1e-3
-enum { MOST_STEPS = 300000, NOTATION = 32, KINDS = 7 };
+enum { MAX_STEPS = 300000, NOTATION = 32, KINDS = 7 };
 
 /* Whose hands: more of them need a line more. */
 static const char *const skills[] = {"expert", "resident", "novice"};
@@ -64,7 +64,7 @@ static vbss_result begin(performance *p, const surgeon_options *o)
 
 static bool goes_on(const performances *c, const performance *p)
 {
-    return p->surgeon.stage < c->until && p->surgeon.steps < MOST_STEPS;
+    return p->surgeon.stage < c->until && p->surgeon.steps < MAX_STEPS;
 }
 
 static void end(performance *p)
@@ -193,7 +193,7 @@ static vbss_result run_seed(performances *c, uint64_t seed)
 
 /* ---- all of them */
 
-static void tell(performances *c, bench_result *result)
+static void report(performances *c, bench_result *result)
 {
     bench_trial_steps(result, c->cpu_us, c->wall_us, c->steps);
     bench_simulated_step(result, 1e6 * STEP_S);
@@ -229,7 +229,7 @@ static void run(void *user, bench_result *result)
             bench_fail(result, "seed %u: %s", seed, vbss_result_name(r));
         }
     }
-    tell(c, result);
+    report(c, result);
     free(c->cpu_us);
     free(c->wall_us);
 }

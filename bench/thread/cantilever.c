@@ -18,7 +18,7 @@ enum { SIZES = 4, METHODS = 7, FIRST_PEER = 3, NAME_SIZE = 64 };
 static const uint32_t sizes[SIZES] = {30, 60, 120, 240};
 
 /* A tip this far from the static one has not settled. */
-#define SETTLED_MM 1.0
+#define DAMPED_MM 1.0
 
 /* N = 480, BDF2 with steps of 10 us; N = 240 agrees within 5 um. Not made by this library. */
 static const double fallen_tip[3] = {132.9157e-3, -46.2432e-3, 0.0};
@@ -47,15 +47,15 @@ static const struct {
 };
 
 /* What takes too long: minutes in a full run, more than a few seconds in a quick one. */
-typedef enum slow_part { SETTLING, EVERYTHING } slow_part;
+typedef enum slow_part { RELAX_STEPS, EVERYTHING } slow_part;
 static const struct {
     const char *method;
     uint32_t size;
     slow_part part;
     bool only_quick;
 } left_out[] = {
-    {"paper", 240, SETTLING, true},           {"bullet-multibody", 240, SETTLING, true},
-    {"mujoco", 60, SETTLING, true},           {"mujoco", 120, SETTLING, false},
+    {"paper", 240, RELAX_STEPS, true},        {"bullet-multibody", 240, RELAX_STEPS, true},
+    {"mujoco", 60, RELAX_STEPS, true},        {"mujoco", 120, RELAX_STEPS, false},
     {"mujoco", 120, EVERYTHING, true},        {"mujoco", 240, EVERYTHING, false},
     {"mujoco-damped", 240, EVERYTHING, true},
 };
@@ -65,7 +65,7 @@ typedef struct fall {
     const cantilever_method *method;
     cantilever_setup setup;
     double largest_dt;
-    bool settles; /* the static tip is looked for */
+    bool relaxes; /* the static tip is looked for */
     bool quick;
     void *thread;
     double stretch; /* largest so far */
@@ -148,9 +148,9 @@ static void finish_fall(void *user, bench_result *result)
     f->method->tip(f->thread, tip);
     bench_simulated_step(result, timed * 1e6);
     double us_per_ms = bench_counter_value(result, "us_per_ms");
-    if (f->settles) {
+    if (f->relaxes) {
         bench_counter(result, "static_tip_error_mm",
-                      cantilever_settle_mm(f->method, segments, timed));
+                      cantilever_relax_mm(f->method, segments, timed));
     }
     bench_counter(result, "dynamic_tip_error_mm", cantilever_distance_mm(tip, fallen_tip));
     bench_counter(result, "stretch_max", f->stretch);
@@ -166,8 +166,8 @@ static void finish_fall(void *user, bench_result *result)
     } else {
         bench_counter(result, "us_per_ms_at_largest_dt",
                       cantilever_us_per_ms(f->method, segments, largest, tries));
-        double off = cantilever_settle_mm(f->method, segments, largest);
-        if (!(off < SETTLED_MM)) {
+        double off = cantilever_relax_mm(f->method, segments, largest);
+        if (!(off < DAMPED_MM)) {
             bench_fail(result, "%g mm from the static tip by steps of largest_dt", off);
         }
     }
@@ -198,7 +198,7 @@ static void add_fall(bench *b, size_t m, size_t size)
     f->setup.segments = sizes[size];
     f->largest_dt = method->largest_dt[size];
     f->setup.dt = method->dt[size] > 0.0 ? method->dt[size] : f->largest_dt;
-    f->settles = !is_left_out(b, methods[m].name, sizes[size], SETTLING);
+    f->relaxes = !is_left_out(b, methods[m].name, sizes[size], RELAX_STEPS);
     f->quick = bench_is_quick(b);
     bench_add_stepped(b, &(bench_stepped){.name = f->name,
                                           .user = f,
@@ -209,7 +209,7 @@ static void add_fall(bench *b, size_t m, size_t size)
                                           .hash = hash_fall,
                                           .finish = finish_fall,
                                           .teardown = end_fall});
-    if (!f->settles) {
+    if (!f->relaxes) {
         bench_add_skipped(b, f->static_name, "settling takes too long");
     }
 }

@@ -5,8 +5,8 @@
 
 #include "harness/clock.h"
 
-#define SETTLING_S 6.0
-#define SETTLING_DRAG 8.0
+#define DAMPING_S 6.0
+#define DAMPING_DRAG 8.0
 /* CPU time after which the fall is not repeated again. */
 #define ENOUGH_NS 2e9
 
@@ -24,10 +24,10 @@ double cantilever_distance_mm(const double a[3], const double b[3])
     return 1e3 * sqrt(x * x + y * y + z * z);
 }
 
-double cantilever_settle_mm(const cantilever_method *method, uint32_t segments, double dt)
+double cantilever_relax_mm(const cantilever_method *method, uint32_t segments, double dt)
 {
-    const cantilever_setup setup = {.segments = segments, .dt = dt, .drag = SETTLING_DRAG};
-    uint32_t steps = cantilever_steps(SETTLING_S, dt);
+    const cantilever_setup setup = {.segments = segments, .dt = dt, .drag = DAMPING_DRAG};
+    uint32_t steps = cantilever_steps(DAMPING_S, dt);
     double tip[3], off = (double)NAN;
     int status = 0;
     void *thread = method->create(&setup);
@@ -46,7 +46,7 @@ double cantilever_settle_mm(const cantilever_method *method, uint32_t segments, 
 }
 
 /* Keeps the least time of each step; false when one failed. */
-static bool time_steps(const cantilever_method *method, void *thread, double *least_ns,
+static bool time_steps(const cantilever_method *method, void *thread, double *min_ns,
                        uint32_t steps)
 {
     bench_clock clock = bench_system_clock();
@@ -58,7 +58,7 @@ static bool time_steps(const cantilever_method *method, void *thread, double *le
         if (status != 0) {
             return false;
         }
-        least_ns[i] = fmin(least_ns[i], (double)taken.cpu_ns);
+        min_ns[i] = fmin(min_ns[i], (double)taken.cpu_ns);
     }
     return true;
 }
@@ -77,20 +77,20 @@ double cantilever_us_per_ms(const cantilever_method *method, uint32_t segments, 
 {
     const cantilever_setup setup = {.segments = segments, .dt = dt};
     uint32_t steps = cantilever_steps(CANTILEVER_FALL_S, dt);
-    double *least_ns = calloc(steps, sizeof *least_ns), spent_ns = 0.0;
-    bool good = least_ns != NULL;
+    double *min_ns = calloc(steps, sizeof *min_ns), spent_ns = 0.0;
+    bool good = min_ns != NULL;
     for (uint32_t i = 0; good && i < steps; i++) {
-        least_ns[i] = 1e300;
+        min_ns[i] = 1e300;
     }
     for (uint32_t r = 0; good && r < repetitions && spent_ns < ENOUGH_NS; r++) {
         void *thread = method->create(&setup);
-        good = thread != NULL && time_steps(method, thread, least_ns, steps);
+        good = thread != NULL && time_steps(method, thread, min_ns, steps);
         if (thread != NULL) {
             method->destroy(thread);
         }
-        spent_ns += good ? sum_of(least_ns, steps) : 0.0;
+        spent_ns += good ? sum_of(min_ns, steps) : 0.0;
     }
-    double us = good ? 1e-3 * sum_of(least_ns, steps) : (double)NAN;
-    free(least_ns);
+    double us = good ? 1e-3 * sum_of(min_ns, steps) : (double)NAN;
+    free(min_ns);
     return us / (CANTILEVER_FALL_S * 1e3);
 }

@@ -15,7 +15,7 @@
 #include "fixtures/drain_scenes.h"
 #include "tissue/scenes.h"
 
-enum { MESHES = 4, REFERENCE_DIVISIONS = 2, SETTLING = 1500 };
+enum { MESHES = 4, REFERENCE_DIVISIONS = 2, RELAX_STEPS = 1500 };
 static const unsigned nodes[MESHES] = {137, 159, 181, 225};
 #define STEP_S 1e-3
 
@@ -86,15 +86,16 @@ static uint64_t hash_drain(void *user)
 static double farthest(vbss_drain *a, vbss_drain *b)
 {
     vbss_view x, y;
-    double most = 0.0;
+    double largest = 0.0;
     if (vbss_drain_get_view(a, VBSS_DRAIN_POSITIONS, &x, sizeof x) != VBSS_OK ||
         vbss_drain_get_view(b, VBSS_DRAIN_POSITIONS, &y, sizeof y) != VBSS_OK) {
         return (double)NAN;
     }
     for (uint64_t i = 0; i < x.count; i++) {
-        most = vbss_max(vec3_distance(((const vec3 *)x.data)[i], ((const vec3 *)y.data)[i]), most);
+        largest =
+            vbss_max(vec3_distance(((const vec3 *)x.data)[i], ((const vec3 *)y.data)[i]), largest);
     }
-    return most;
+    return largest;
 }
 
 /* Both from the begin, side by side. */
@@ -230,7 +231,7 @@ static bool know_reference(double *marks, double *gap)
     bool good = known[0] > 0.0;
     if (!good && begin_slit(&fine) == 0) {
         good = true;
-        for (int i = 0; good && i < SETTLING; i++) {
+        for (int i = 0; good && i < RELAX_STEPS; i++) {
             good = step_slit(&fine, 0) == 0;
         }
         get_stiffness(&fine, &known[0], &known[1]);
@@ -301,7 +302,7 @@ static void add_cases(bench *b)
         snprintf(s->name, sizeof s->name, "tissue/slit/ours/%u", nodes[mesh]);
         bench_add_stepped(b, &(bench_stepped){.name = s->name,
                                               .user = s,
-                                              .steps = SETTLING,
+                                              .steps = RELAX_STEPS,
                                               .dt_us = STEP_S * 1e6,
                                               .deadline_us = 1000.0,
                                               .restore = begin_slit,

@@ -48,7 +48,7 @@ static void end_show(void *user)
 }
 
 /* 150 mm; a quarter of it in turns of 3 mm. */
-static void lay_thread(uint32_t frame)
+static void place_thread(uint32_t frame)
 {
     const double swing = 0.02 * (double)(frame % 32);
     double angle = 0.0, length = 0.15 / (NODES - 1);
@@ -66,7 +66,7 @@ static vbss_result make_thread(void)
 {
     vbss_thread_config c;
     VBSS_TRY(vbss_thread_config_init(&c, sizeof c));
-    lay_thread(0);
+    place_thread(0);
     c.segment_count = NODES - 1;
     c.positions = nodes;
     c.rest_lengths = rest;
@@ -131,7 +131,7 @@ static vbss_result move_all(void)
     VBSS_TRY(vbss_visual_get_statistics(visual, &s, sizeof s));
     const uint32_t frame = (uint32_t)s.updates;
     if (thread != NULL) {
-        lay_thread(frame);
+        place_thread(frame);
         VBSS_TRY(vbss_thread_set_state(thread, nodes, NULL, NODES));
     }
     if (drain != NULL) {
@@ -158,7 +158,7 @@ static uint64_t hash_show(void *user)
     return move_all() == VBSS_OK ? vbss_hash_end(&hash) : 0;
 }
 
-static void tell(void *user, bench_result *result)
+static void report(void *user, bench_result *result)
 {
     vbss_visual_statistics s;
     (void)user;
@@ -181,7 +181,7 @@ static void add_cases(bench *b)
                                        .restore = begin_show,
                                        .step = step_show,
                                        .hash = hash_show,
-                                       .finish = tell,
+                                       .finish = report,
                                        .teardown = end_show};
         bench_add_stepped(b, &stepped);
     }

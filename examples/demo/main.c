@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "decimal_point.h"
 #include "demo/performance.h"
 
 static surgeon_stage stage_after(const char *name)
@@ -76,7 +77,8 @@ static bool completed(const performance *p)
 
 int main(int count, char **words)
 {
-    static performance p = {.watch = {.most = 250.0, .every = 1e9}};
+    use_decimal_point();
+    static performance p = {.watch = {.time_limit = 250.0, .every = 1e9}};
     if (!read_options(count, words, &p)) {
         fprintf(stderr, "demo FOLDER [-s seed] [-u pass|pull|tie|over|second|back|third|cut]\n");
         return 2;
@@ -85,8 +87,8 @@ int main(int count, char **words)
     if (screen == NULL) {
         return 2;
     }
-    p.count = observe_pictures(p.observers, MOST_OBSERVERS, p.at.film, p.at.folder);
-    p.count += observe_page(p.observers + p.count, MOST_OBSERVERS - p.count, p.at.page);
+    p.count = observe_pictures(p.observers, MAX_OBSERVERS, p.at.film, p.at.folder);
+    p.count += observe_page(p.observers + p.count, MAX_OBSERVERS - p.count, p.at.page);
     bar_begin(&p.bar, screen);
     const bool whole = perform(&p);
     const bool done = completed(&p);

@@ -136,7 +136,7 @@ bool perform(performance *p)
     p->result = watch_run(&p->watch, &p->surgeon, times);
     bar_show(&p->bar, "writing the pages", 1.0);
     watch_report(&p->watch, &p->surgeon, p->result);
-    watch_tell_events(&p->watch);
+    watch_report_events(&p->watch);
     end_observers(p);
     if (p->surgeon.stitch.site.stand.log != NULL) {
         (void)fflush(p->surgeon.stitch.site.stand.log);

@@ -6,7 +6,7 @@
 #include "demo/observer.h"
 #include "surgeon/watch.h"
 
-enum { MOST_OBSERVERS = 4, PATH_SIZE = 1024 };
+enum { MAX_OBSERVERS = 4, PATH_SIZE = 1024 };
 
 typedef struct places {
     char log[PATH_SIZE], film[PATH_SIZE], stages[PATH_SIZE], page[PATH_SIZE], report[PATH_SIZE];
@@ -20,7 +20,7 @@ typedef struct performance {
     surgeon surgeon;
     facts facts;
     stage stage;
-    observer observers[MOST_OBSERVERS];
+    observer observers[MAX_OBSERVERS];
     size_t count;
     bar bar;
     uint64_t steps;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/error.h"
+#include "decimal_point.h"
 #include "painter/painter.h"
 #include "portrait.h"
 #include "fixtures/tissue_scenes.h"
@@ -128,6 +129,7 @@ static bool show(const char *folder, const exhibit *e)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     bool fine = true;
     if (argc != 2) {
         fprintf(stderr, "usage: drain_gallery FOLDER\n");

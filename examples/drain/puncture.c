@@ -4,6 +4,7 @@
  * drives the needle with beside the range that was measured on Penrose drains; and force.csv. */
 #include <stdio.h>
 
+#include "decimal_point.h"
 #include "force_plot.h"
 #include "painter/painter.h"
 #include "portrait.h"
@@ -71,7 +72,7 @@ static bool paint(const char *folder, const moment *m, const puncture_scene *s)
 
 /* ---- the run */
 
-static void tell(const puncture_scene *s, double way, double push)
+static void report(const puncture_scene *s, double way, double push)
 {
     static const struct {
         vbss_event_kind kind;
@@ -97,7 +98,7 @@ static bool run(const char *folder, puncture_scene *s, force_curve *curve)
         curve->turn += s->speed * STEP_S * i <= PUNCTURE_SCENE_ON;
         curve->way[curve->count] = way;
         curve->force[curve->count++] = push;
-        tell(s, way, push);
+        report(s, way, push);
         for (int k = 0; fine && k < MOMENTS; k++) {
             if (i == (uint32_t)(moments[k].at * steps)) {
                 fine = paint(folder, &moments[k], s);
@@ -138,6 +139,7 @@ static bool show(const char *folder, const force_curve *curve)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     static force_curve curve;
     vbss_context *context;
     vbss_scene_config scene;

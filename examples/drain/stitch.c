@@ -3,6 +3,7 @@
  * above, and lumen.png, shut, seen along the lumen. */
 #include <stdio.h>
 
+#include "decimal_point.h"
 #include "painter/painter.h"
 #include "portrait.h"
 #include "fixtures/stitch_scenes.h"
@@ -66,7 +67,7 @@ static bool paint(const char *folder, const char *file, const char *title, const
     return fine;
 }
 
-static void tell(const stitch_scene *s, uint32_t step)
+static void report(const stitch_scene *s, uint32_t step)
 {
     vbss_drain_gap gap;
     vbss_hole left, right;
@@ -85,7 +86,7 @@ static bool run(const char *folder, stitch_scene *s)
     for (uint32_t i = 0; fine && i < STITCH_TIE_STEPS; i++) {
         fine = stitch_scene_tie(s, i, STEP_S) == VBSS_OK;
         if (i % TELL == 0 || i + 1 == STITCH_TIE_STEPS) {
-            tell(s, i);
+            report(s, i);
         }
         for (int k = 0; fine && k < MOMENTS; k++) {
             if (i == moments[k].at) {
@@ -98,6 +99,7 @@ static bool run(const char *folder, stitch_scene *s)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     static stitch_scene s;
     static stitch_scene_options options;
     vbss_context *context;

@@ -2,6 +2,7 @@
  *
  * The host here has a fixed budget of memory and wants to know what the library does with it. */
 #include <inttypes.h>
+#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -75,6 +76,7 @@ static vbss_result run(uint64_t bytes)
 
 int main(void)
 {
+    (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     printf("headers %d, library %u: %s\n", VBSS_VERSION_NUM, (unsigned)vbss_version(),
            vbss_build_info());
     printf("arithmetic of this thread: %s\n", vbss_result_string(vbss_arithmetic_check()));

@@ -1,4 +1,5 @@
 // The same from C++: statuses become exceptions, handles become owners, the C ABI stays in between.
+#include <clocale>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -38,6 +39,7 @@ Context make_context()
 
 int main()
 {
+    std::setlocale(LC_NUMERIC, "C"); // numbers with a decimal point
     try {
         const Context context = make_context();
         vbss_context_statistics statistics;

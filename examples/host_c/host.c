@@ -3,6 +3,7 @@
  *
  * The layer here is a small one of the usual kind: devices by number, a thread-safe newest state in millimetres, forces set
  * in newtons, errors by number. What is worth copying stands under "the bridge". */
+#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -208,6 +209,7 @@ static int run(vbss_context *context)
 
 int main(void)
 {
+    (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     vbss_context *context;
     if (vbss_context_create(NULL, &context) != VBSS_OK) {
         return 1;

@@ -1,6 +1,7 @@
 // The same bridge as in examples/host_c, from a device layer in C++: interfaces instead of functions, exceptions instead of
 // numbers. No exception may leave a function of the table: each is caught there, kept, and told as a status with a text.
 #include <algorithm>
+#include <clocale>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -240,6 +241,7 @@ void run()
 
 int main()
 {
+    std::setlocale(LC_NUMERIC, "C"); // numbers with a decimal point
     try {
         run();
         return 0;

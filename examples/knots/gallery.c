@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "decimal_point.h"
 #include "knots/gallery.h"
 
 static gallery_knot knots[] = {
@@ -95,6 +96,7 @@ static bool show(gallery_knot *g, const char *folder)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     bool good = true;
     if (argc != 2) {
         fprintf(stderr, "usage: %s <folder for the pictures>\n", argv[0]);

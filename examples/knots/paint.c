@@ -16,7 +16,7 @@ enum { WIDTH = 680, HEIGHT = 600, PANEL_WIDTH = 420, PANEL_HEIGHT = 400, PANELS 
 /* How far from its middle the knot is painted, in widths of the picture; and of a drawing. */
 #define SHOWN 0.9
 #define DRAWN 0.6
-enum { MOST_DOTS = 256 };
+enum { MAX_DOTS = 256 };
 
 static bool complain(const gallery_knot *g, painter *p)
 {
@@ -39,7 +39,7 @@ static size_t find_contacts(const gallery_knot *g, vec3 *points, vec3 *middle)
             VBSS_OK) {
         return 0;
     }
-    for (size_t i = 0; i < features.count && count < MOST_DOTS; i++) {
+    for (size_t i = 0; i < features.count && count < MAX_DOTS; i++) {
         if (((const uint32_t *)features.data)[5 * i] == VBSS_CONTACT_SEGMENTS) {
             points[count] = ((const vec3 *)all.data)[i];
             *middle = vec3_add(*middle, points[count++]);
@@ -83,7 +83,7 @@ static vec3 below(const gallery_knot *g, vec3 middle)
 
 static bool paint_tight(const gallery_knot *g, const char *folder)
 {
-    vec3 dots[MOST_DOTS], middle;
+    vec3 dots[MAX_DOTS], middle;
     size_t count = find_contacts(g, dots, &middle);
     char path[1024];
     painter *p = NULL;
@@ -102,7 +102,7 @@ static bool paint_tight(const gallery_knot *g, const char *folder)
 /* Strokes in the order of their depths, which the tube has none of when it is seen from the front. */
 static bool paint_drawing(const gallery_knot *g, const char *folder)
 {
-    vec3 dots[MOST_DOTS], middle;
+    vec3 dots[MAX_DOTS], middle;
     (void)find_contacts(g, dots, &middle);
     char path[1024];
     painter *p = NULL;

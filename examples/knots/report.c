@@ -28,7 +28,7 @@ static void print_reading(const gallery_reading *r, const char *when)
     char faults[WORD_TAGS];
     words_of_faults(s->faults, faults);
     printf("  %-5s  %s, %s, %s, %s, %.0f us\n", when, r->notation, words_of_name(s->name),
-           words_of_verdict(s->verdict), faults, r->us);
+           words_of_result(s->verdict), faults, r->us);
     printf("    closed: %u crossings, det %lld, signature %d and %d at 0.27 pi, v2 %lld, v3 %lld; "
            "ends %s\n",
            (unsigned)s->crossings, (long long)s->determinant, (int)s->signature,

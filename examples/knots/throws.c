@@ -154,7 +154,7 @@ static bool add_legend(painter *p, const panel *a)
     int line = 0;
     words_of_faults(r->state.faults, words);
     snprintf(text, sizeof text, "%s: %s, %s, %s", a->loose ? "loose" : "tight", r->notation,
-             words_of_name(r->state.name), words_of_verdict(r->state.verdict));
+             words_of_name(r->state.name), words_of_result(r->state.verdict));
     bool good = add_line(p, line++, text) && add_line(p, line++, words);
     for (uint32_t i = 0; i < r->state.throw_count && good; i++) {
         words_of_throw(&r->throws[i], words);

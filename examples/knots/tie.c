@@ -9,7 +9,7 @@
 #include "oracle/knot_type.h"
 
 #define STEP 1e-3
-enum { MOST_STEPS = 5000, HELD_STEPS = 300, FRAME_EVERY = 10 };
+enum { MAX_STEPS = 5000, HELD_STEPS = 300, FRAME_EVERY = 10 };
 
 double gallery_processor_us(void)
 {
@@ -94,7 +94,7 @@ static vbss_result look(gallery_knot *g)
 
 static vbss_result tie(gallery_knot *g)
 {
-    static double times[MOST_STEPS];
+    static double times[MAX_STEPS];
     tied_knot_options options;
     VBSS_TRY(vbss_context_create(NULL, &g->context));
     VBSS_TRY(tied_knot_init(&options, g->kind));
@@ -102,7 +102,7 @@ static vbss_result tie(gallery_knot *g)
     VBSS_TRY(tied_knot_create(g->context, &options, &g->knot));
     VBSS_TRY(keep_frame(g));
     uint32_t steps = 0;
-    while (steps < MOST_STEPS && !tied_knot_done(&g->knot)) {
+    while (steps < MAX_STEPS && !tied_knot_done(&g->knot)) {
         VBSS_TRY(step(g, &times[steps++]));
     }
     g->tight = tied_knot_done(&g->knot);

@@ -11,8 +11,8 @@ static const char *const names[] = {
     "FLS knot",    "stack of throws", "no stack of throws",
 };
 
-static const char *const verdicts[] = {"none",   "wrapping",  "passed",
-                                       "formed", "certified", "uncertain"};
+static const char *const results[] = {"none",   "wrapping",  "passed",
+                                      "formed", "certified", "uncertain"};
 
 typedef struct word {
     uint32_t bit;
@@ -52,15 +52,15 @@ const char *words_of_name(vbss_knot_name name)
     return name >= 0 && name <= VBSS_KNOT_NAME_OTHER ? names[name] : "?";
 }
 
-const char *words_of_verdict(vbss_knot_verdict verdict)
+const char *words_of_result(vbss_knot_verdict verdict)
 {
-    return verdict >= 0 && verdict <= VBSS_KNOT_VERDICT_UNCERTAIN ? verdicts[verdict] : "?";
+    return verdict >= 0 && verdict <= VBSS_KNOT_VERDICT_UNCERTAIN ? results[verdict] : "?";
 }
 
 void words_of_throw(const vbss_knot_throw *t, char text[WORD_TAGS])
 {
     snprintf(text, WORD_TAGS, "%d wrap%s, %s-handed, %s", (int)t->wraps, t->wraps == 1 ? "" : "s",
-             t->handedness > 0 ? "right" : "left", words_of_verdict(t->verdict));
+             t->handedness > 0 ? "right" : "left", words_of_result(t->verdict));
     for (int i = 0; i < FLAGS; i++) {
         add(text, (t->flags & flags_named[i].bit) != 0 ? flags_named[i].text : "");
     }

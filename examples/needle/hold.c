@@ -2,7 +2,7 @@
 
 #define SEEING 0.1 /* s: what is seen is told so late */
 
-pose hold_told(const hand *h)
+pose hold_reported(const hand *h)
 {
     pose p = {.at = h->at};
     memcpy(p.q, h->face, sizeof p.q);
@@ -25,7 +25,7 @@ pose hold_grip(const site *s, double arc_length, double behind, double lean, dou
 
 void hold_see(pose *held, const hand *h, const site *s, double dt)
 {
-    pose tool = hold_told(h), back = pose_back(&tool), needle = site_needle(s);
+    pose tool = hold_reported(h), back = pose_back(&tool), needle = site_needle(s);
     pose now = pose_after(&back, &needle);
     *held = pose_mix(held, &now, dt / SEEING);
 }

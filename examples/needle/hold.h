@@ -5,7 +5,7 @@
 #include "needle/site.h"
 
 /* What the tool was told. */
-pose hold_told(const hand *h);
+pose hold_reported(const hand *h);
 void hold_go(hand *h, const pose *p, double speed);
 /* Of the tool when it holds the needle that far from its tip, so far behind its own, in the needle's frame: it comes
  * against the needle's axis, leaning from that toward `up`, an angle in the needle's plane. */

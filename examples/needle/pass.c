@@ -15,9 +15,9 @@ static double now(void)
 
 /* ---- what is felt */
 
-static void note(double *most, double force)
+static void note(double *largest, double force)
 {
-    *most = force > *most ? force : *most;
+    *largest = force > *largest ? force : *largest;
 }
 
 static bool is_wall_on_needle(const stitch *t, const uint32_t *contact)
@@ -99,7 +99,8 @@ static void show(const stitch *t, const pass_options *o, pass_outcome *out)
 static vbss_result pass(stitch *t, const pass_options *o, pass_outcome *out)
 {
     stitch_state before = STITCH_LIE;
-    while (t->state < STITCH_DONE && t->site.stand.time < o->most && out->count < PASS_STEPS) {
+    while (t->state < STITCH_DONE && t->site.stand.time < o->time_limit &&
+           out->count < PASS_STEPS) {
         TRY(stitch_lead(t, STEP));
         double begin = now();
         TRY(stand_step(&t->site.stand, STEP));

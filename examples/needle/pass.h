@@ -10,7 +10,7 @@ enum { PASS_STEPS = 40000 }; /* at most, of 1 ms */
 
 typedef struct pass_options {
     uint64_t seed;
-    double most;        /* s, simulated */
+    double time_limit;  /* s, simulated */
     const char *log;    /* may be NULL */
     const char *folder; /* for pictures; may be NULL */
     bool verbose;

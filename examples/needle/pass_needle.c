@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "decimal_point.h"
 #include "needle/pass.h"
 
 #define MILLI 1e3
@@ -24,11 +25,11 @@ typedef struct tally {
     int seeds, good, within; /* 1 mm of both marks */
     int failed;              /* simulations, and logs that do not play back */
     int again;               /* seeds that were drawn back */
-    double off[2], most_off[2], wall[2];
-    double least_wall[2];
+    double off[2], max_off[2], wall[2];
+    double min_wall[2];
 } tally;
 
-static bool read_options(int count, char **words, pass_options *o, int *seeds, int *least,
+static bool read_options(int count, char **words, pass_options *o, int *seeds, int *smallest,
                          bool *quiet)
 {
     for (int i = 1; i < count; i++) {
@@ -55,10 +56,10 @@ static bool read_options(int count, char **words, pass_options *o, int *seeds, i
             *seeds = atoi(words[i]);
             break;
         case 'g':
-            *least = atoi(words[i]);
+            *smallest = atoi(words[i]);
             break;
         case 't':
-            o->most = strtod(words[i], NULL);
+            o->time_limit = strtod(words[i], NULL);
             break;
         case 'l':
             o->log = words[i];
@@ -70,7 +71,7 @@ static bool read_options(int count, char **words, pass_options *o, int *seeds, i
             return false;
         }
     }
-    return *seeds >= 1 && *least != 0; /* atoi reads a word as 0 */
+    return *seeds >= 1 && *smallest != 0; /* atoi reads a word as 0 */
 }
 
 static double quantile(const pass_outcome *out, double share)
@@ -79,7 +80,7 @@ static double quantile(const pass_outcome *out, double share)
     return out->count == 0 ? 0.0 : MICRO * out->steps[i < out->count ? i : out->count - 1];
 }
 
-static void tell(uint64_t seed, const pass_outcome *o)
+static void report(uint64_t seed, const pass_outcome *o)
 {
     printf("seed %3lu: %s %s %s  %.2f s, taken at try %d, back from the left wall %d, holes %u, "
            "else %u, out %.1f mm\n",
@@ -104,22 +105,23 @@ static void count(tally *t, const pass_outcome *o)
     t->within += o->good && o->off[0] < 1e-3 && o->off[1] < 1e-3;
     for (int side = 0; o->good && side < 2; side++) {
         t->off[side] += o->off[side];
-        t->most_off[side] = larger(t->most_off[side], o->off[side]);
+        t->max_off[side] = larger(t->max_off[side], o->off[side]);
         t->wall[side] = larger(t->wall[side], o->wall[side]);
-        t->least_wall[side] =
-            t->good == 1 ? o->wall[side] : smaller(t->least_wall[side], o->wall[side]);
+        t->min_wall[side] =
+            t->good == 1 ? o->wall[side] : smaller(t->min_wall[side], o->wall[side]);
     }
 }
 
 int main(int argc, char **argv)
 {
-    pass_options o = {.seed = 1, .most = 20.0};
+    use_decimal_point();
+    pass_options o = {.seed = 1, .time_limit = 20.0};
     static double steps[PASS_STEPS];
     pass_outcome out = {.steps = steps};
     tally t = {0};
-    int seeds = 1, least = -1;
+    int seeds = 1, smallest = -1;
     bool quiet = false, painted = true;
-    if (!read_options(argc, argv, &o, &seeds, &least, &quiet)) {
+    if (!read_options(argc, argv, &o, &seeds, &smallest, &quiet)) {
         return usage();
     }
     for (int i = 0; i < seeds; i++, o.seed++) {
@@ -138,7 +140,7 @@ int main(int argc, char **argv)
             t.failed += !same;
         }
         if (!quiet) {
-            tell(o.seed, &out);
+            report(o.seed, &out);
         }
     }
     printf(
@@ -147,8 +149,8 @@ int main(int argc, char **argv)
     if (t.good > 0) {
         printf("off, mean and most: right %.2f, %.2f mm; left %.2f, %.2f mm; walls entered at "
                "%.2f to %.2f N and %.2f to %.2f N\n",
-               MILLI * t.off[1] / t.good, MILLI * t.most_off[1], MILLI * t.off[0] / t.good,
-               MILLI * t.most_off[0], t.least_wall[1], t.wall[1], t.least_wall[0], t.wall[0]);
+               MILLI * t.off[1] / t.good, MILLI * t.max_off[1], MILLI * t.off[0] / t.good,
+               MILLI * t.max_off[0], t.min_wall[1], t.wall[1], t.min_wall[0], t.wall[0]);
     }
-    return t.good >= (least < 0 ? seeds : least) && t.failed == 0 && painted ? 0 : 1;
+    return t.good >= (smallest < 0 ? seeds : smallest) && t.failed == 0 && painted ? 0 : 1;
 }

@@ -9,7 +9,7 @@ enum { WIDTH = 760, HEIGHT = 620 };
 bool show_picture(const stitch *t, const char *path, const char *text)
 {
     painter *p;
-    bool wide = t->state < STITCH_AIM;
+    bool wide = t->state < STITCH_TARGET;
     painter_camera c = {
         .eye = {0.0, -0.24, 0.07}, .target = {0.0, 0.0, -2e-3}, .up = {0, 0, 1}, .width = CLOSE};
     if (wide) {

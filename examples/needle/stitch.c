@@ -60,7 +60,7 @@ static void steer(stitch *t, const pose *needle, double speed)
 
 /* ---- the way of the needle */
 
-static vec aimed(const stitch *t, int side)
+static vec targeted(const stitch *t, int side)
 {
     return v_add(v_add(t->marks[side], t->errors[side]), t->beside);
 }
@@ -81,21 +81,21 @@ static pose entering(const stitch *t)
 }
 
 /* The left mark as it is seen; where the needle pushes it out, it is not followed. */
-static vec exit_aim(const stitch *t)
+static vec exit_target(const stitch *t)
 {
     vec rest = site_mark_at_rest(&t->site, SITE_LEFT), n = site_normal_at_rest(&t->site, SITE_LEFT);
     vec moved = v_sub(t->marks[SITE_LEFT], rest);
     moved = v_along(moved, -larger(v_dot(moved, n), 0.0), n);
     vec up = v_cross(v3(0.0, 1.0, 0.0), n);
-    vec aim = v_along(v_add(v_add(rest, t->errors[SITE_LEFT]), t->beside), LEAD, up);
-    return v_add(v_add(aim, t->trim), v_limit(moved, FOLLOW));
+    vec target_at = v_along(v_add(v_add(rest, t->errors[SITE_LEFT]), t->beside), LEAD, up);
+    return v_add(v_add(target_at, t->trim), v_limit(moved, FOLLOW));
 }
 
 /* From the circle on which the needle really lies to the left mark. */
 static vec miss(const stitch *t)
 {
     pose needle = site_needle(&t->site);
-    vec to = v_sub(aimed(t, SITE_LEFT), needle.at);
+    vec to = v_sub(targeted(t, SITE_LEFT), needle.at);
     vec z = hand_rotate(needle.q, v3(0.0, 0.0, 1.0)), flat = v_across(to, z);
     vec out = v_scale(v_length(flat) - t->site.radius, v_unit(flat));
     return v_along(out, v_dot(to, z), z);
@@ -104,7 +104,7 @@ static vec miss(const stitch *t)
 /* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. */
 static pose crossing(const stitch *t)
 {
-    vec from = t->entry, to = exit_aim(t);
+    vec from = t->entry, to = exit_target(t);
     vec e1 = v_unit(v_sub(from, to)), e3 = v_unit(v_across(v3(0.0, 0.0, 1.0), e1));
     double half = 0.5 * v_distance(from, to), r = t->site.radius;
     vec centre = v_along(v_mix(from, to, 0.5), sqrt(r * r - half * half), e3);
@@ -137,7 +137,7 @@ static void take(stitch *t)
         hand_open(h, STITCH_JAW_WIDE);
         tool.at.z += OVER;
         hold_go(h, &tool, CARRY);
-        if (v_distance(h->at, v_add(tool.at, h->aim)) < 1e-3) {
+        if (v_distance(h->at, v_add(tool.at, h->target_at)) < 1e-3) {
             enter_state(t, STITCH_LOWER);
         }
         return;
@@ -145,19 +145,19 @@ static void take(stitch *t)
     tool.at.z = low;
     hold_go(h, &tool, CAREFUL);
     if (t->state == STITCH_LOWER) {
-        if (fabs(h->at.z - low) < 0.1e-3 + fabs(h->aim.z)) {
+        if (fabs(h->at.z - low) < 0.1e-3 + fabs(h->target_at.z)) {
             enter_state(t, STITCH_CLOSE);
         }
         return;
     }
     hand_open(h, 0.0);
     if (h->holds && t->since > 0.25) {
-        pose now = hold_told(h), back = pose_back(&now);
+        pose now = hold_reported(h), back = pose_back(&now);
         t->held = pose_after(&back, &needle);
         t->from = now;
         enter_state(t, STITCH_LIFT);
     } else if (t->since > 0.8) {
-        hand_aim(h, h->nature.aim_end);
+        hand_target(h, h->nature.target_end);
         enter_state(t, STITCH_REACH);
         if (++t->tries == TRIES) {
             fail(t, "the needle is not taken");
@@ -176,14 +176,14 @@ static void carry(stitch *t)
         }
         return;
     }
-    t->entry = aimed(t, SITE_RIGHT);
+    t->entry = targeted(t, SITE_RIGHT);
     t->gone = -BEFORE;
     pose needle = entering(t);
     if (t->state == STITCH_BRING) {
         needle.at = v_add(needle.at, v3(0.012, 0.0, 0.015));
         steer(t, &needle, CARRY);
         if (hold_off(&t->site, &needle) < 4e-3) {
-            enter_state(t, STITCH_AIM);
+            enter_state(t, STITCH_TARGET);
         }
         return;
     }
@@ -242,7 +242,7 @@ static void try_again(stitch *t, yielding how)
     }
     t->trim = v3(0.0, 0.0, 0.0);
     t->square = 0.0;
-    hand_aim(&t->left, t->left.nature.aim_end);
+    hand_target(&t->left, t->left.nature.target_end);
     t->again++;
     enter_state(t, STITCH_EASE);
     if (t->again > AGAIN) {
@@ -315,7 +315,7 @@ static void lead_right(stitch *t, double dt)
         break;
     case STITCH_LIFT:
     case STITCH_BRING:
-    case STITCH_AIM:
+    case STITCH_TARGET:
         carry(t);
         break;
     case STITCH_ENTER:
@@ -353,13 +353,13 @@ static void lead_left(stitch *t)
     switch (t->support) {
     case SUPPORT_AWAY:
         if (t->since > 0.1 && t->state > STITCH_LIE) {
-            hand_aim(h, h->nature.aim_end);
+            hand_target(h, h->nature.target_end);
             enter_support(t, SUPPORT_OVER);
         }
         break;
     case SUPPORT_OVER:
         hand_go(h, v_along(tip, 0.02, way), CARRY);
-        if (v_distance(h->at, v_add(v_along(tip, 0.02, way), h->aim)) < 0.5e-3) {
+        if (v_distance(h->at, v_add(v_along(tip, 0.02, way), h->target_at)) < 0.5e-3) {
             enter_support(t, SUPPORT_UNDER);
         }
         break;
@@ -371,7 +371,7 @@ static void lead_left(stitch *t)
         break;
     case SUPPORT_OUT:
         hand_go(h, v_along(tip, 0.025, way), CARRY);
-        if (v_distance(h->at, v_add(v_along(tip, 0.025, way), h->aim)) < 1e-3) {
+        if (v_distance(h->at, v_add(v_along(tip, 0.025, way), h->target_at)) < 1e-3) {
             enter_support(t, SUPPORT_BESIDE);
         }
         break;
@@ -379,7 +379,7 @@ static void lead_left(stitch *t)
         way = v_unit(v_sub(h->trocar, on));
         hand_go(h, v_along(on, 4e-3, way), CARRY);
         if (t->state != STITCH_EASE &&
-            v_distance(h->at, v_add(v_along(on, 4e-3, way), h->aim)) < 0.5e-3) {
+            v_distance(h->at, v_add(v_along(on, 4e-3, way), h->target_at)) < 0.5e-3) {
             enter_support(t, SUPPORT_ON);
         }
         break;

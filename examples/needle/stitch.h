@@ -14,13 +14,13 @@ typedef enum stitch_state {
     STITCH_LOWER,
     STITCH_CLOSE,
     STITCH_LIFT,
-    STITCH_BRING, /* over the right mark */
-    STITCH_AIM,   /* the tip before it */
-    STITCH_ENTER, /* through the right wall */
-    STITCH_CROSS, /* the lumen */
-    STITCH_LEAVE, /* through the left wall */
-    STITCH_EASE,  /* back from it, to try again */
-    STITCH_DRAW,  /* until enough of it stands out */
+    STITCH_BRING,  /* over the right mark */
+    STITCH_TARGET, /* the tip before it */
+    STITCH_ENTER,  /* through the right wall */
+    STITCH_CROSS,  /* the lumen */
+    STITCH_LEAVE,  /* through the left wall */
+    STITCH_EASE,   /* back from it, to try again */
+    STITCH_DRAW,   /* until enough of it stands out */
     STITCH_DONE,
     STITCH_FAILED
 } stitch_state;

@@ -59,22 +59,22 @@ vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan)
     hand_nature nature = {.speed = 1.0, .seed = seed};
     const hand_skill *skill = skill_or_expert(plan->skill);
     vec place = v3(0.035, -0.005, 0.0);
-    double turn = 3.141592653589793, aim = 0.0;
+    double turn = 3.141592653589793, target_at = 0.0;
     memset(t, 0, sizeof *t);
     if (seed > 0) { /* 0: steady hands, everything where it belongs */
         nature.speed = between(&random, 0.6, 1.5);
         nature.tremor = between(&random, 0.1e-3, 0.4e-3);
-        aim = 0.5e-3;
+        target_at = 0.5e-3;
         place.x += between(&random, -8e-3, 8e-3);
         place.y += between(&random, -8e-3, 8e-3);
         turn += between(&random, -0.8, 0.8);
     }
     nature.speed *= skill->speed;
     nature.tremor *= skill->tremor;
-    nature.aim = nature.aim_end = aim *= skill->aim;
+    nature.target_at = nature.target_end = target_at *= skill->target_at;
     TRY(site_create(&t->site, place, turn, &plan->site));
     for (int side = 0; side < 2; side++) {
-        t->errors[side] = any_error(&random, aim, site_normal_at_rest(&t->site, side));
+        t->errors[side] = any_error(&random, target_at, site_normal_at_rest(&t->site, side));
         t->marks[side] = site_mark(&t->site, side);
     }
     t->held.q[0] = 1.0;

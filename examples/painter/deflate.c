@@ -139,7 +139,7 @@ static uint32_t longest_repeat(const matcher *m, size_t at, uint32_t *distance)
     if (at + SHORTEST > m->count) {
         return 0;
     }
-    uint32_t most = m->count - at < LONGEST ? (uint32_t)(m->count - at) : LONGEST;
+    uint32_t largest = m->count - at < LONGEST ? (uint32_t)(m->count - at) : LONGEST;
     size_t candidate = m->head[hash_at(m->data + at)];
     for (int tries = 0; candidate != 0 && tries < PATIENCE; tries++) {
         size_t from = candidate - 1;
@@ -147,14 +147,14 @@ static uint32_t longest_repeat(const matcher *m, size_t at, uint32_t *distance)
             break;
         }
         uint32_t length = 0;
-        while (length < most && m->data[from + length] == m->data[at + length]) {
+        while (length < largest && m->data[from + length] == m->data[at + length]) {
             length++;
         }
         if (length > best) {
             best = length;
             *distance = (uint32_t)(at - from);
         }
-        if (best == most) {
+        if (best == largest) {
             break;
         }
         candidate = m->previous[from % WINDOW];

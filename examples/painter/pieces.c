@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-enum { MOST_PARTS = 96, MOST_JOINED = 16 };
+enum { MOST_PARTS = 96, MAX_JOINED = 16 };
 
 static bool is_round(const shape *s)
 {
@@ -77,7 +77,7 @@ static double wanted_length(const drawing *d, const shape *s)
 static bool is_joined(const drawing *d, const piece *part, double length, double wanted)
 {
     size_t next = part->last + 1;
-    if (next >= d->count || part->last - part->first >= MOST_JOINED) {
+    if (next >= d->count || part->last - part->first >= MAX_JOINED) {
         return false;
     }
     const shape *s = &d->placed[part->first], *other = &d->placed[next];

@@ -79,11 +79,11 @@ static void filter_rows(const uint8_t *pixels, size_t row_size, int height, uint
         const uint8_t *row = pixels + (size_t)y * row_size;
         const uint8_t *above = y > 0 ? row - row_size : NULL;
         uint8_t *best = out + (size_t)y * (row_size + 1);
-        uint64_t least = UINT64_MAX;
+        uint64_t smallest = UINT64_MAX;
         for (int filter = 0; filter < 5; filter++) {
             uint64_t rough = filter_row(filter, row, above, row_size, trial);
-            if (rough < least) {
-                least = rough;
+            if (rough < smallest) {
+                smallest = rough;
                 best[0] = (uint8_t)filter;
                 memcpy(best + 1, trial, row_size);
             }

@@ -104,24 +104,24 @@ static void put_columns(page *p, const film_model *m, film_column column)
 {
     static const char *const names[] = {"positions", "normals", "material", "face"};
     const int count = column == FACE ? 1 : 3;
-    double most = 1e-30;
+    double largest = 1e-30;
     uint8_t *bytes = malloc(2 * (size_t)count * m->vertex_count + 1);
     for (uint32_t i = 0; i < m->vertex_count; i++) {
         for (int k = 0; k < count; k++) {
-            most = fmax(most, fabs(number_of(&m->vertices[i], column, k)));
+            largest = fmax(largest, fabs(number_of(&m->vertices[i], column, k)));
         }
     }
     put(p, ",\"%s\":\"", names[column]);
     for (uint32_t i = 0; bytes != NULL && i < m->vertex_count; i++) {
         for (int k = 0; k < count; k++) {
             store16(bytes + 2 * ((size_t)count * i + (size_t)k),
-                    32767.0 * number_of(&m->vertices[i], column, k) / most);
+                    32767.0 * number_of(&m->vertices[i], column, k) / largest);
         }
     }
     if (bytes != NULL) {
         put_base64(p, bytes, 2 * (size_t)count * m->vertex_count);
     }
-    put(p, "\",\"%sUnit\":%.9g", names[column], most / 32767.0);
+    put(p, "\",\"%sUnit\":%.9g", names[column], largest / 32767.0);
     free(bytes);
 }
 

@@ -45,12 +45,12 @@ static void find_axes(const film_vertex *v, const uint32_t corners[3], v3 axes[3
 static uint32_t farthest(const film_model *m, v3 from, v3 line)
 {
     uint32_t best = 0;
-    double most = -1.0;
+    double largest = -1.0;
     for (uint32_t i = 0; i < m->vertex_count; i++) {
         v3 way = less(at(&m->vertices[i]), from);
         v3 off = dot(line, line) > 0.0 ? cross(line, way) : way;
-        if (dot(off, off) > most) {
-            most = dot(off, off);
+        if (dot(off, off) > largest) {
+            largest = dot(off, off);
             best = i;
         }
     }
@@ -70,11 +70,11 @@ void film_find_corners(film_model *m)
 static void turn_of(double r[3][3], double q[4])
 {
     const double trace = r[0][0] + r[1][1] + r[2][2];
-    int most = 0;
+    int largest = 0;
     for (int i = 0; i < 3; i++) {
-        most = r[i][i] > (most == 0 ? trace : r[most - 1][most - 1]) ? i + 1 : most;
+        largest = r[i][i] > (largest == 0 ? trace : r[largest - 1][largest - 1]) ? i + 1 : largest;
     }
-    if (most == 0) {
+    if (largest == 0) {
         double s = sqrt(1.0 + trace);
         q[0] = 0.5 * s;
         q[1] = 0.5 * (r[2][1] - r[1][2]) / s;
@@ -82,7 +82,7 @@ static void turn_of(double r[3][3], double q[4])
         q[3] = 0.5 * (r[1][0] - r[0][1]) / s;
         return;
     }
-    const int i = most - 1, j = (i + 1) % 3, k = (i + 2) % 3;
+    const int i = largest - 1, j = (i + 1) % 3, k = (i + 2) % 3;
     double s = sqrt(1.0 + r[i][i] - r[j][j] - r[k][k]);
     q[0] = 0.5 * (r[k][j] - r[j][k]) / s;
     q[1 + i] = 0.5 * s;

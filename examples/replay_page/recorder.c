@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "replay_page/assets.h"
-#include "replay_page/told.h"
+#include "replay_page/reported.h"
 
 /* ---- frames */
 
@@ -87,7 +87,7 @@ bool recorder_write(const recorder *c, const facts *f, const char *to)
         if (i == 0) {
             put_asset(p, asset_style, asset_style_size);
         } else if (i == 1) {
-            told_put(p, f, &c->film, c->steps);
+            reported_put(p, f, &c->film, c->steps);
         } else {
             put_asset(p, asset_player, asset_player_size);
         }

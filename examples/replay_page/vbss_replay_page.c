@@ -9,10 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "replay_page/recorder.h"
 #include "throw/replay.h"
 
-enum { MOST_PATH = 1024 };
+enum { MAX_PATH = 1024 };
 
 typedef struct options {
     const char *log, *to;
@@ -62,7 +63,7 @@ static int run(const options *o)
 {
     static facts f;
     static recorder c;
-    char beside[MOST_PATH];
+    char beside[MAX_PATH];
     int length = snprintf(beside, sizeof beside, "%s.html", o->log);
     const char *to = o->to != NULL ? o->to : beside;
     f.path = o->log;
@@ -70,7 +71,7 @@ static int run(const options *o)
     f.again.watch = recorder_watch;
     f.again.user = &c;
     c.rate = o->rate;
-    bool read = length > 0 && length < MOST_PATH && read_log(o->log, &f);
+    bool read = length > 0 && length < MAX_PATH && read_log(o->log, &f);
     const char *problem = read ? play(&f, &c) : "cannot be read";
     int code = 2;
     if (problem != NULL) {
@@ -92,6 +93,7 @@ static int run(const options *o)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     options o = {NULL, NULL, 30.0};
     if (!read_options(count, words, &o)) {
         fprintf(stderr, "vbss-replay-page LOG [-o FILE.html] [--rate FRAMES_A_SECOND]\n");

@@ -56,17 +56,17 @@ static void put_slit(page *p, const facts *f)
     const again *a = &f->again;
     double *t = calloc((size_t)a->count + 1, sizeof *t),
            *gap = calloc((size_t)a->count + 1, sizeof *t),
-           *widest = calloc((size_t)a->count + 1, sizeof *t), most = 0.0;
+           *widest = calloc((size_t)a->count + 1, sizeof *t), largest = 0.0;
     for (uint64_t i = 0; t != NULL && gap != NULL && widest != NULL && i < a->count; i++) {
         t[i] = f->moments[i].time;
         gap[i] = 1e3 * a->steps[i].gap;
         widest[i] = 1e3 * a->steps[i].widest;
-        most = fmax(most, fmax(gap[i], widest[i]));
+        largest = fmax(largest, fmax(gap[i], widest[i]));
     }
     if (t != NULL && gap != NULL && widest != NULL) {
         put(p, "<figure><figcaption>Gap of the slit</figcaption>");
         plot d = plot_of_time(p, "Gap of the slit over time",
-                              "Between its middles, and where it is widest.", facts_end(f), most,
+                              "Between its middles, and where it is widest.", facts_end(f), largest,
                               "gap, mm");
         plot_phases(&d, f);
         plot_curve(&d, t, gap, (size_t)a->count, "gap");

@@ -159,15 +159,15 @@ static void put_outcome(page *p, const facts *f)
 static double peak_tying(const facts *f, int side)
 {
     const measured *m = &f->measured;
-    double most = -1.0;
+    double largest = -1.0;
     for (size_t k = 0; k < f->phase_count; k++) {
         const phase *h = &f->phases[k];
         for (size_t i = 0; h->tying && i < m->force_rows[side]; i++) {
             double t = m->begin + 0.01 * (double)i;
-            most = t >= h->from && t < h->to ? fmax(most, m->force[side][i]) : most;
+            largest = t >= h->from && t < h->to ? fmax(largest, m->force[side][i]) : largest;
         }
     }
-    return most;
+    return largest;
 }
 
 static void put_forces(page *p, const facts *f)
@@ -225,6 +225,18 @@ static void put_idle(page *p, const facts *f, bool sews, const char *mark)
         0.0, -1.0, sews ? 52.0 : 49.0, sews ? "52, suturing" : "49, knot", mark, true);
 }
 
+/* Left out of all figures of motion. */
+static void put_outliers(page *p, const facts *f)
+{
+    const vbss_metrics_report *r = &f->measured.report;
+    static const char *const names[SIDES] = {"implausible samples left out, left",
+                                             "implausible samples left out, right"};
+    for (int side = 0; side < SIDES; side++) {
+        row o = row_of(names[side], "", has_moved(f, side), (double)r->outliers[side], 0, 0.0);
+        put_row(p, &o);
+    }
+}
+
 static void put_motion(page *p, const facts *f)
 {
     const measured *m = &f->measured;
@@ -250,6 +262,7 @@ static void put_motion(page *p, const facts *f)
     }
     put_peaks(p, f, sews, mark);
     put_idle(p, f, sews, mark);
+    put_outliers(p, f);
 }
 
 static void put_smoothness(page *p, const facts *f)

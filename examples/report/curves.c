@@ -88,7 +88,7 @@ static frame frame_of(const facts *f)
     for (uint64_t i = 0; i < f->steps; i++) {
         const moment *m = &f->moments[i];
         for (int side = 0; side < SIDES; side++) {
-            for (int k = 0; m->told[side] && k < 3; k++) {
+            for (int k = 0; m->reported[side] && k < 3; k++) {
                 if (fabs(m->at[side][k]) <= 1e3) {
                     r.low[k] = fmin(r.low[k], m->at[side][k]);
                     r.high[k] = fmax(r.high[k], m->at[side][k]);
@@ -109,7 +109,7 @@ static void put_trace(page *p, const facts *f, int side, int across, int up, con
         const moment *m = &f->moments[i];
         double x = 20.0 + scale * (m->at[side][across] - r->low[across]);
         double y = height - 30.0 - scale * (m->at[side][up] - r->low[up]);
-        if (!m->told[side] || !(fabs(x) < 1e4 && fabs(y) < 1e4) ||
+        if (!m->reported[side] || !(fabs(x) < 1e4 && fabs(y) < 1e4) ||
             (down && fabs(x - last[0]) + fabs(y - last[1]) < 0.7)) {
             continue;
         }

@@ -17,15 +17,16 @@
         }                             \
     } while (0)
 
-enum { LEFT = 0, RIGHT = 1, SIDES = 2, MOST_THROWS = 8, MOST_NAME = 64 };
+enum { LEFT = 0, RIGHT = 1, SIDES = 2, MAX_THROWS = 8, MAX_NAME = 64 };
 
 /* ---- of the log alone */
 
 typedef struct closest_points {
     double time, h;      /* s, after the step; its length */
+    double lost;         /* simulated time lost up to it, s */
     double at[SIDES][3]; /* where the tools were told to be, m */
     double opening[SIDES];
-    bool told[SIDES]; /* from the first time on */
+    bool reported[SIDES]; /* from the first time on */
 } moment;
 
 typedef struct happening {
@@ -56,8 +57,8 @@ typedef struct reading {
     double time;
     uint64_t step;
     vbss_knot_state state;
-    vbss_knot_throw throws[MOST_THROWS];
-    char notation[MOST_NAME];
+    vbss_knot_throw throws[MAX_THROWS];
+    char notation[MAX_NAME];
 } reading;
 
 typedef struct puncture {
@@ -98,6 +99,8 @@ typedef struct again {
     double time; /* s, after the last of them */
     reading *readings;
     size_t reading_count, reading_room;
+    bool hitch, hitch_candidate; /* half hitch: debounced, and in the last reading */
+    double hitch_since;          /* the candidate, s */
     puncture *punctures;
     size_t puncture_count, puncture_room;
     uint32_t needle;   /* its body; 0: none */
@@ -109,7 +112,7 @@ typedef struct again {
 /* ---- of both */
 
 typedef struct phase {
-    char name[MOST_NAME];
+    char name[MAX_NAME];
     double from, to;
     uint64_t step;
     bool tying; /* throws are tied or pulled down in it */

@@ -31,7 +31,7 @@ static void put_throws(page *p, const reading *r, const again *a)
         "scope=\"col\">Chirality</th><th scope=\"col\">Order</th><th scope=\"col\">How "
         "sure</th><th scope=\"col\" class=\"n\">first tied at, s</th></tr></thead><tbody>\n",
         r->time);
-    for (uint32_t i = 0; i < r->state.throw_count && i < MOST_THROWS; i++) {
+    for (uint32_t i = 0; i < r->state.throw_count && i < MAX_THROWS; i++) {
         const vbss_knot_throw *t = &r->throws[i];
         const reading *first = a->readings;
         while (first->state.throw_count <= i) {
@@ -47,12 +47,12 @@ static void put_throws(page *p, const reading *r, const again *a)
             hand_of(t->handedness), lies(t, i),
             (t->flags & VBSS_KNOT_THROW_ORDERED) != 0 ? "" : "; place in the stack not proved",
             (t->flags & VBSS_KNOT_THROW_HITCH) != 0 ? "; a half hitch, which slides" : "",
-            words_of_verdict(t->verdict), first->time);
+            words_of_result(t->verdict), first->time);
     }
     put(p, "</tbody></table>\n");
 }
 
-static void put_verdict(page *p, const char *when, const reading *r)
+static void put_result(page *p, const char *when, const reading *r)
 {
     char faults[WORD_TAGS];
     if (r->notation[0] == '\0') {
@@ -64,7 +64,7 @@ static void put_verdict(page *p, const char *when, const reading *r)
     put(p, "<p class=\"verdict\">%s, %.2f s: <strong>", when, r->time);
     put_text(p, r->notation);
     put(p, "</strong> %s, %s. Against the knot of the task, 2=1=1: ", words_of_name(r->state.name),
-        words_of_verdict(r->state.verdict));
+        words_of_result(r->state.verdict));
     put_text(p, faults);
     put(p, ".</p>\n");
 }
@@ -85,7 +85,7 @@ static void put_history(page *p, const again *a)
         put(p, "<tr><td class=\"n\">%.2f</td><td class=\"n\">%llu</td><td>", r->time,
             (unsigned long long)r->step);
         put_text(p, r->notation[0] != '\0' ? r->notation : "no knot");
-        put(p, "</td><td>%s</td><td>", words_of_verdict(r->state.verdict));
+        put(p, "</td><td>%s</td><td>", words_of_result(r->state.verdict));
         put_text(p, faults);
         put(p, "</td></tr>\n");
     }
@@ -103,10 +103,10 @@ void page_knot(page *p, const facts *f)
     }
     const reading *last = &a->readings[a->reading_count - 1], *proved = facts_certified(f);
     if (proved != NULL && proved != last) {
-        put_verdict(p, "Last certified", proved);
+        put_result(p, "Last certified", proved);
         put_throws(p, proved, a);
     }
-    put_verdict(p, "At the end", last);
+    put_result(p, "At the end", last);
     put_throws(p, last, a);
     put_history(p, a);
     const vbss_metrics_report *m = &f->measured.report;

@@ -5,6 +5,8 @@
 #include "report/stage.h"
 
 enum { JUDGED_EVERY = 50 };
+/* s, as in a session: the slip measure swings while a throw is drawn tight. */
+#define HITCH_DWELL 2.0
 
 static double length(const double *v)
 {
@@ -135,11 +137,27 @@ static bool says_the_same(const reading *a, const reading *b)
            a->state.throw_count == b->state.throw_count && a->state.faults == b->state.faults;
 }
 
+static void debounce_hitch(again *a, reading *r)
+{
+    const uint32_t fault = VBSS_KNOT_FAULT_HITCH, flag = VBSS_KNOT_THROW_HITCH;
+    bool hitch = (r->state.faults & fault) != 0;
+    if (hitch != a->hitch_candidate) {
+        a->hitch_candidate = hitch;
+        a->hitch_since = r->time;
+    }
+    a->hitch = r->time - a->hitch_since >= HITCH_DWELL ? hitch : a->hitch;
+    r->state.faults = (r->state.faults & ~fault) | (a->hitch ? fault : 0);
+    for (uint32_t i = 0; i < MAX_THROWS && !a->hitch; i++) {
+        r->throws[i].flags &= ~flag;
+    }
+}
+
 /* Kept when it says something else than before, and the last one always. */
 static vbss_result read_knot(again *a, stage *s, bool last)
 {
     reading r = {.time = a->time, .step = a->count};
     TRY(stage_judge(s, &r));
+    debounce_hitch(a, &r);
     if (!last && a->reading_count > 0 && says_the_same(&a->readings[a->reading_count - 1], &r)) {
         return VBSS_OK;
     }

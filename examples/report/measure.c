@@ -33,7 +33,7 @@ static vbss_metrics_event event_of(vbss_metrics_event_kind kind, uint64_t step, 
 
 /* ---- what happened in the steps up to one */
 
-static vbss_result tell_phases(feeder *d, const moment *m)
+static vbss_result report_phases(feeder *d, const moment *m)
 {
     const facts *f = d->f;
     for (; d->phase < f->phase_count && f->phases[d->phase].from < m->time; d->phase++) {
@@ -45,7 +45,7 @@ static vbss_result tell_phases(feeder *d, const moment *m)
     return VBSS_OK;
 }
 
-static vbss_result tell_transfer(feeder *d, const happening *h)
+static vbss_result report_transfer(feeder *d, const happening *h)
 {
     const facts *f = d->f;
     for (int side = 0; side < SIDES; side++) {
@@ -62,13 +62,13 @@ static vbss_result tell_transfer(feeder *d, const happening *h)
     return VBSS_OK;
 }
 
-static vbss_result tell_events(feeder *d, uint64_t step)
+static vbss_result report_events(feeder *d, uint64_t step)
 {
     const facts *f = d->f;
     for (; d->event < f->event_count && f->events[d->event].step <= step; d->event++) {
         const happening *h = &f->events[d->event];
         if (h->kind == VBSS_EVENT_GRASP && f->again.needle != 0) {
-            TRY(tell_transfer(d, h));
+            TRY(report_transfer(d, h));
         } else if (h->kind == VBSS_EVENT_CUT && h->second != 0 && d->cuts < 2) {
             vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_TAIL_CUT, h->step, h->time);
             e.number = d->cuts++;
@@ -79,7 +79,7 @@ static vbss_result tell_events(feeder *d, uint64_t step)
 }
 
 /* Told when all is known of them, as one that is withdrawn is told twice. */
-static vbss_result tell_punctures(feeder *d, uint64_t step, double time)
+static vbss_result report_punctures(feeder *d, uint64_t step, double time)
 {
     const again *a = &d->f->again;
     for (; d->puncture < a->puncture_count && a->punctures[d->puncture].step <= step;
@@ -99,7 +99,7 @@ static vbss_result tell_punctures(feeder *d, uint64_t step, double time)
     return VBSS_OK;
 }
 
-static vbss_result tell_throws(feeder *d, uint64_t step)
+static vbss_result report_throws(feeder *d, uint64_t step)
 {
     const again *a = &d->f->again;
     for (; d->reading < a->reading_count && a->readings[d->reading].step <= step; d->reading++) {
@@ -110,7 +110,7 @@ static vbss_result tell_throws(feeder *d, uint64_t step)
             e.undone = 1;
             TRY(tell(d, &e));
         }
-        for (uint32_t i = 0; i < r->state.throw_count && i < MOST_THROWS; i++) {
+        for (uint32_t i = 0; i < r->state.throw_count && i < MAX_THROWS; i++) {
             vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_THROW, r->step, r->time);
             bool granny = (r->throws[i].flags & VBSS_KNOT_THROW_GRANNY) != 0;
             e.number = i;
@@ -134,7 +134,7 @@ static bool is_place(const double *x)
            fabs(x[2]) <= 1e3; /* false for what is no number */
 }
 
-static vbss_result tell_sample(feeder *d, uint64_t step, const moment *m)
+static vbss_result report_sample(feeder *d, uint64_t step, const moment *m)
 {
     static const uint32_t places[SIDES] = {VBSS_METRICS_HAS_LEFT, VBSS_METRICS_HAS_RIGHT};
     static const uint32_t forces[SIDES] = {VBSS_METRICS_HAS_LEFT_FORCE,
@@ -144,8 +144,9 @@ static vbss_result tell_sample(feeder *d, uint64_t step, const moment *m)
     (void)vbss_metrics_sample_init(&s, sizeof s);
     s.step = step;
     s.time = m->time;
+    s.time_lost = m->lost;
     for (int side = 0; side < SIDES; side++) {
-        if (m->told[side] && is_place(m->at[side])) {
+        if (m->reported[side] && is_place(m->at[side])) {
             s.valid |= places[side];
             memcpy(s.position[side], m->at[side], sizeof s.position[side]);
         }
@@ -167,12 +168,12 @@ static vbss_result feed(feeder *d)
         if (!(m->time > d->last)) { /* a log may say anything */
             continue;
         }
-        TRY(tell_phases(d, m));
-        TRY(tell_sample(d, step, m));
+        TRY(report_phases(d, m));
+        TRY(report_sample(d, step, m));
         d->last = m->time;
-        TRY(tell_events(d, step));
-        TRY(tell_punctures(d, step, m->time));
-        TRY(tell_throws(d, step));
+        TRY(report_events(d, step));
+        TRY(report_punctures(d, step, m->time));
+        TRY(report_throws(d, step));
     }
     if (f->again.count > 0 && f->again.steps[f->again.count - 1].gap >= 0.0) {
         const again_step *end = &f->again.steps[f->again.count - 1];

@@ -30,6 +30,23 @@ static void put_faults(page *p, const facts *f)
     put(p, "</p>\n");
 }
 
+/* The trial's share; a log without a trial has none. */
+static void put_lost_time(page *p, const facts *f)
+{
+    const vbss_metrics_report *r = &f->measured.report;
+    if ((r->flags & VBSS_METRICS_TIME_LOST) == 0) {
+        return;
+    }
+    put(p,
+        "<p class=\"banner\" role=\"note\"><strong>Simulated time was lost.</strong> Of %.2f s on "
+        "the "
+        "session clock %.2f s (%.0f %%) were left out, as steps exceeded their limits of work; "
+        "%.2f s "
+        "were simulated. Time, score and motion use the session clock, lost time included, and do "
+        "not compare with those of other trials.</p>\n",
+        r->time, r->time_lost, 100.0 * r->time_lost / r->time, r->time_simulated);
+}
+
 void page_head(page *p, const facts *f)
 {
     const char *name = file_name(f->path);
@@ -45,8 +62,9 @@ void page_head(page *p, const facts *f)
     }
     put(p, "</style>\n</head>\n<body>\n<header>\n<h1>Session report</h1>\n<p><bdi>");
     put_text(p, name);
-    put(p, "</bdi>: %llu steps, %.2f s simulated</p>\n", (unsigned long long)f->steps,
-        facts_end(f));
+    put(p, "</bdi>: %llu steps, %.2f s on the session clock, %.2f s of it simulated</p>\n",
+        (unsigned long long)f->steps, facts_end(f), facts_end(f) - f->check.time_lost);
+    put_lost_time(p, f);
     put_faults(p, f);
     put(p, "</header>\n<main>\n");
 }

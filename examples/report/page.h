@@ -5,7 +5,7 @@
 #include "report/facts.h"
 #include "report/text.h"
 
-enum { MOST_PICTURES = 24 };
+enum { MAX_PICTURES = 24 };
 
 typedef struct picture {
     char name[256];
@@ -14,7 +14,7 @@ typedef struct picture {
 } picture;
 
 typedef struct pictures {
-    picture all[MOST_PICTURES];
+    picture all[MAX_PICTURES];
     size_t count, left_out; /* too many, too large, or no PNG */
     const char *folder;     /* NULL: none was named */
 } pictures;

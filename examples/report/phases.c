@@ -7,23 +7,23 @@
 #include "report/facts.h"
 #include "surgeon/task.h"
 
-enum { MOST_ENDS = 8 + MOST_THROWS };
+enum { MAX_ENDS = 8 + MAX_THROWS };
 
 typedef struct phase_end {
-    char name[MOST_NAME]; /* of what ends here */
+    char name[MAX_NAME]; /* of what ends here */
     double time;
     uint64_t step;
     bool tying;
 } phase_end;
 
 typedef struct ends {
-    phase_end all[MOST_ENDS];
+    phase_end all[MAX_ENDS];
     size_t count;
 } ends;
 
 static void add(ends *e, const char *name, double time, uint64_t step, bool tying)
 {
-    if (e->count < MOST_ENDS) {
+    if (e->count < MAX_ENDS) {
         phase_end *p = &e->all[e->count++];
         snprintf(p->name, sizeof p->name, "%s", name);
         p->time = time;
@@ -73,8 +73,8 @@ static void add_throws(const facts *f, ends *e)
     uint32_t tied = 0;
     for (size_t i = 0; i < f->again.reading_count; i++) {
         const reading *r = &f->again.readings[i];
-        for (; tied < r->state.throw_count && tied < MOST_THROWS; tied++) {
-            char name[MOST_NAME];
+        for (; tied < r->state.throw_count && tied < MAX_THROWS; tied++) {
+            char name[MAX_NAME];
             snprintf(name, sizeof name, "throw %u", (unsigned)tied + 1);
             add(e, name, r->time, r->step, true);
         }
@@ -141,7 +141,7 @@ static vbss_result take_phases(facts *f)
 
 /* ---- from what happened */
 
-static vbss_result tell_apart(facts *f)
+static vbss_result report_apart(facts *f)
 {
     ends e = {.count = 0};
     double from = 0.0;
@@ -179,5 +179,5 @@ static vbss_result tell_apart(facts *f)
 
 vbss_result facts_phases(facts *f)
 {
-    return f->again.session.count > 0 ? take_phases(f) : tell_apart(f);
+    return f->again.session.count > 0 ? take_phases(f) : report_apart(f);
 }

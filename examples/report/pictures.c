@@ -6,7 +6,7 @@
 
 #include "report/page.h"
 
-enum { MOST_BYTES = 4 << 20, MOST_FILES = 1024, MOST_PATH = 1024 };
+enum { MAX_BYTES = 4 << 20, MAX_FILES = 1024, MAX_PATH = 1024 };
 
 static bool is_named_png(const char *name)
 {
@@ -19,14 +19,14 @@ static bool is_named_png(const char *name)
 static bool read_png(const char *folder, picture *into)
 {
     static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    char path[MOST_PATH];
+    char path[MAX_PATH];
     int length = snprintf(path, sizeof path, "%s/%s", folder, into->name);
-    FILE *file = length > 0 && length < MOST_PATH ? fopen(path, "rb") : NULL;
+    FILE *file = length > 0 && length < MAX_PATH ? fopen(path, "rb") : NULL;
     if (file == NULL) {
         return false;
     }
-    into->bytes = malloc(MOST_BYTES);
-    into->count = into->bytes != NULL ? fread(into->bytes, 1, MOST_BYTES, file) : 0;
+    into->bytes = malloc(MAX_BYTES);
+    into->count = into->bytes != NULL ? fread(into->bytes, 1, MAX_BYTES, file) : 0;
     bool whole = fgetc(file) == EOF && ferror(file) == 0;
     (void)fclose(file);
     if (whole && into->count > sizeof signature &&
@@ -45,7 +45,7 @@ static int by_name(const void *a, const void *b)
 
 bool pictures_read(pictures *p, const char *folder)
 {
-    static char names[MOST_FILES][sizeof p->all[0].name];
+    static char names[MAX_FILES][sizeof p->all[0].name];
     size_t found = 0;
     DIR *open = opendir(folder);
     if (open == NULL) {
@@ -53,15 +53,15 @@ bool pictures_read(pictures *p, const char *folder)
     }
     p->folder = folder;
     for (const struct dirent *e = readdir(open); e != NULL; e = readdir(open)) {
-        if (is_named_png(e->d_name) && found < MOST_FILES) {
+        if (is_named_png(e->d_name) && found < MAX_FILES) {
             snprintf(names[found++], sizeof names[0], "%s", e->d_name);
         }
     }
     (void)closedir(open);
     qsort(names, found, sizeof names[0], by_name);
     for (size_t i = 0; i < found; i++) {
-        picture *one = &p->all[p->count < MOST_PICTURES ? p->count : MOST_PICTURES - 1];
-        bool room = p->count < MOST_PICTURES;
+        picture *one = &p->all[p->count < MAX_PICTURES ? p->count : MAX_PICTURES - 1];
+        bool room = p->count < MAX_PICTURES;
         if (room) {
             memcpy(one->name, names[i], sizeof one->name);
         }
@@ -105,7 +105,7 @@ void page_pictures(page *p, const pictures *s)
         put(p,
             "<p class=\"note\">%u more were left out: beyond %d, larger than %d MB, or no "
             "PNG.</p>\n",
-            (unsigned)s->left_out, MOST_PICTURES, MOST_BYTES >> 20);
+            (unsigned)s->left_out, MAX_PICTURES, MAX_BYTES >> 20);
     }
     put(p, "</section>\n");
 }

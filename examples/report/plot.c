@@ -64,12 +64,12 @@ static void draw_axes(const plot *p, const char *unit)
     put(p->to, "</text>\n");
 }
 
-plot plot_of_time(page *to, const char *title, const char *description, double end, double most,
+plot plot_of_time(page *to, const char *title, const char *description, double end, double limit,
                   const char *unit)
 {
     plot p = {.to = to,
               .x1 = end > 1e-6 ? end : 1.0,
-              .y1 = most > 1e-9 ? 1.08 * most : 1.0,
+              .y1 = limit > 1e-9 ? 1.08 * limit : 1.0,
               .left = 52.0,
               .top = 24.0,
               .width = WIDTH - 62.0,

@@ -15,7 +15,7 @@ typedef struct plot {
 void plot_open(page *to, int width, int height, const char *title, const char *description);
 void plot_close(page *to);
 /* Opens a drawing with axes: time below, from 0 to `end`, and 0 to `most` of a unit on the left. */
-plot plot_of_time(page *to, const char *title, const char *description, double end, double most,
+plot plot_of_time(page *to, const char *title, const char *description, double end, double limit,
                   const char *unit);
 double plot_x(const plot *p, double x);
 double plot_y(const plot *p, double y);

@@ -4,7 +4,7 @@
 
 #include "report/facts.h"
 
-enum { MOST_BODIES = 4096, KINDS = 32 };
+enum { MAX_BODIES = 4096, KINDS = 32 };
 
 bool facts_room(void **array, size_t *room, size_t used, size_t size)
 {
@@ -34,7 +34,7 @@ static void choose_tools(facts *f, const seen_body *bodies)
 {
     for (int side = 0; side < SIDES; side++) {
         uint32_t best = 0;
-        for (uint32_t i = 1; i < MOST_BODIES; i++) {
+        for (uint32_t i = 1; i < MAX_BODIES; i++) {
             const seen_body *a = &bodies[i], *b = &bodies[best];
             bool better =
                 best == 0 || (a->grasper == b->grasper ? a->moves > b->moves : a->grasper);
@@ -50,7 +50,7 @@ static void choose_tools(facts *f, const seen_body *bodies)
         f->tools[LEFT] = f->tools[RIGHT];
         f->tools[RIGHT] = left;
     }
-    for (uint32_t i = 1; i < MOST_BODIES; i++) {
+    for (uint32_t i = 1; i < MAX_BODIES; i++) {
         f->others += bodies[i].moves > 0 && i != f->tools[LEFT] && i != f->tools[RIGHT];
     }
 }
@@ -58,12 +58,12 @@ static void choose_tools(facts *f, const seen_body *bodies)
 static bool is_move(const vbss_log_input *input)
 {
     return (input->kind == VBSS_INPUT_MOVE_GRASPER || input->kind == VBSS_INPUT_MOVE_RIGID) &&
-           input->words[0] > 0 && input->words[0] < MOST_BODIES;
+           input->words[0] > 0 && input->words[0] < MAX_BODIES;
 }
 
 static vbss_result find_tools(facts *f)
 {
-    static seen_body bodies[MOST_BODIES];
+    static seen_body bodies[MAX_BODIES];
     vbss_log_step step;
     memset(bodies, 0, sizeof bodies);
     for (uint64_t n = 1; n <= f->steps; n++) {
@@ -92,7 +92,7 @@ static void hear(const facts *f, const vbss_log_input *input, moment *m)
         }
         if (is_move(input)) {
             memcpy(m->at[side], input->numbers, sizeof m->at[side]);
-            m->told[side] = true;
+            m->reported[side] = true;
         } else if (input->kind == VBSS_INPUT_SET_OPENING) {
             m->opening[side] = input->numbers[0];
         }
@@ -136,6 +136,7 @@ static vbss_result read_steps(facts *f)
         }
         m->time = step.time;
         m->h = step.h;
+        m->lost += step.time_lost;
         for (uint32_t i = 0; i < step.input_count; i++) {
             hear(f, &step.inputs[i], m);
             if (step.inputs[i].kind == VBSS_INPUT_CUT && !keep_cut(f, &step, &step.inputs[i])) {

@@ -46,12 +46,6 @@ static void put_count(page *p, const char *name, uint64_t count, const char *wor
 
 static void put_events(page *p, const facts *f)
 {
-    double lost = 0.0;
-    for (size_t i = 0; i < f->event_count; i++) {
-        const happening *e = &f->events[i];
-        lost +=
-            e->kind == VBSS_EVENT_CLAMPED ? f->moments[e->step - 1].h * e->number / 65536.0 : 0.0;
-    }
     put(p,
         "<table><caption>Counted in the log</caption><thead><tr><th scope=\"col\">What</th><th "
         "scope=\"col\" class=\"n\">times</th><th scope=\"col\">meaning</th></tr></thead><tbody>\n");
@@ -65,27 +59,27 @@ static void put_events(page *p, const facts *f)
     put_count(p, "steps with lost events", f->counts[VBSS_EVENT_LOST],
               "more happened than was kept");
     put(p, "</tbody></table>\n<p>Simulated time lost in steps cut short or paused: %.2f ms.</p>\n",
-        1e3 * lost);
+        1e3 * f->check.time_lost);
 }
 
 static void put_scene(page *p, const again *a)
 {
     const vbss_scene_statistics *s = &a->scene;
-    uint32_t most = 0;
+    uint32_t largest = 0;
     for (uint64_t i = 0; i < a->count; i++) {
-        most = a->steps[i].contacts > most ? a->steps[i].contacts : most;
+        largest = a->steps[i].contacts > largest ? a->steps[i].contacts : largest;
     }
     put(p, "<table><caption>Guard and contacts, from playing it back</caption><thead><tr><th "
            "scope=\"col\">What</th><th scope=\"col\" class=\"n\">count</th><th "
            "scope=\"col\">meaning</th></tr></thead><tbody>\n");
-    put_count(p, "most contacts at a time", most, "that carry a force");
+    put_count(p, "most contacts at a time", largest, "that carry a force");
     put_count(p, "parts of steps", s->parts, "steps are divided where they are hard");
     put_count(p, "attempts", s->attempts, "rejected ones included");
     put_count(p, "rejected by the guard", s->rejected_guard, "something would have passed");
     put_count(p, "rejected, depth", s->rejected_depth, "too much penetration");
     put_count(p, "rejected, stretch", s->rejected_stretch, "lengths or shape not found");
     put_count(p, "clamped", s->clamped, "parts cut short by the guard");
-    put_count(p, "paused", s->paused, "steps of which a part waited");
+    put_count(p, "paused", s->paused, "steps of which a part was left out");
     put_count(p, "pairs looked at", s->guard_pairs, "by the guard");
     put(p,
         "</tbody></table>\n<p>Deepest penetration %.1f &#181;m; largest stretch error "

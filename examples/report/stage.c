@@ -8,7 +8,7 @@
 
 /* ---- notes */
 
-enum { MOST_WORDS = 96 };
+enum { MAX_WORDS = 96 };
 
 /* "vbss throw surgeons seed 2" and nothing else, or "vbss surgeon seed 2", whose kind is empty. */
 typedef struct words {
@@ -18,7 +18,7 @@ typedef struct words {
 
 static bool read_note(const void *note, size_t count, words *w)
 {
-    char text[MOST_WORDS];
+    char text[MAX_WORDS];
     int end = 0;
     memset(w, 0, sizeof *w);
     if (count == 0 || count >= sizeof text || memchr(note, '\0', count) != NULL) {
@@ -231,7 +231,7 @@ vbss_result stage_judge(stage *s, reading *r)
     }
     TRY(vbss_knot_detector_judge(s->detector, &in));
     TRY(vbss_knot_detector_get_state(s->detector, &r->state, sizeof r->state));
-    for (uint32_t i = 0; i < r->state.throw_count && i < MOST_THROWS; i++) {
+    for (uint32_t i = 0; i < r->state.throw_count && i < MAX_THROWS; i++) {
         TRY(vbss_knot_detector_get_throw(s->detector, i, &r->throws[i], sizeof r->throws[i]));
     }
     return vbss_knot_detector_get_notation(s->detector, r->notation, sizeof r->notation);

@@ -95,7 +95,7 @@ static void put_knot_card(page *p, const facts *f)
     } else {
         put(p, "certified at %.2f s; at the end ", shown->time);
         put_text(p, last->notation[0] != '\0' ? last->notation : "none");
-        put(p, ", %s", words_of_verdict(last->state.verdict));
+        put(p, ", %s", words_of_result(last->state.verdict));
     }
     put(p, "</p></div>\n");
 }
@@ -124,8 +124,8 @@ static void put_cards(page *p, const facts *f)
     put_task(p, f);
     put(p,
         "<div class=\"card\"><p class=\"label\">Time</p><p class=\"big\">%.2f "
-        "<small>s</small></p><p>%s</p></div>\n",
-        m->report.time,
+        "<small>s</small></p><p>on the session clock, %.2f s of it simulated; %s</p></div>\n",
+        m->report.time, m->report.time_simulated,
         done ? "from the begin of the log to the second cut"
              : "recorded, from the begin of the log");
     put_score_card(p, f);
@@ -163,7 +163,8 @@ static void put_score(page *p, const measured *m)
         "class=\"n\">%.1f</td></tr>\n",
         m->config.max_time);
     put(p,
-        "<tr><th scope=\"row\">time, a point a second</th><td class=\"n\">%.2f "
+        "<tr><th scope=\"row\">time on the session clock, a point a second</th><td "
+        "class=\"n\">%.2f "
         "s</td><td></td><td></td><td></td><td class=\"n\">&#8722;%.1f</td></tr>\n",
         m->report.time, m->report.time);
     for (uint32_t i = 0; i < m->report.penalty_count; i++) {
@@ -189,7 +190,10 @@ void page_summary(page *p, const facts *f)
     put(p,
         "<p class=\"note\">600 &#8722; time &#8722; penalties, as Korndorffer et al. published the "
         "form in 2005; the weights are common ones and not those of FLS, which are not published. "
-        "This is not an FLS score and says nothing of certification.");
+        "This is not an FLS score and says nothing of certification. The session clock adds up the "
+        "lengths of the steps. It runs with the hands and includes simulated time that was lost: "
+        "%.2f s.",
+        m->report.time_lost);
     if ((m->report.flags & VBSS_METRICS_FINAL) == 0) {
         put(p, " What is not known costs nothing here, so a whole trial with the same faults "
                "could have less.");

@@ -27,13 +27,13 @@ static const mark marks[] = {
 enum { MARKS = sizeof marks / sizeof marks[0] };
 
 /* Of the session: its kinds of events. */
-static const mark told_marks[] = {
+static const mark reported_marks[] = {
     {"a throw is tied", "m-knot", VBSS_SESSION_EVENT_THROW, 'c'},
     {"a throw is seated", "m-knot", VBSS_SESSION_EVENT_SEATED, 'd'},
     {"the needle has changed hands", "m-tool", VBSS_SESSION_EVENT_TRANSFER, 't'},
     {"the needle is dropped", "m-bad", VBSS_SESSION_EVENT_DROPPED, 'x'},
 };
-enum { TOLD_MARKS = sizeof told_marks / sizeof told_marks[0] };
+enum { REPORTED_MARKS = sizeof reported_marks / sizeof reported_marks[0] };
 
 static double at(const facts *f, double time)
 {
@@ -115,15 +115,15 @@ static void put_mark(page *p, const facts *f, const mark *m, double time, uint64
         (unsigned long long)step);
 }
 
-static void put_told(page *p, const facts *f)
+static void put_reported(page *p, const facts *f)
 {
     const followed *t = &f->again.session;
     for (size_t i = 0; i < t->count; i++) {
         const vbss_session_event *e = &t->events[i];
-        for (int k = 0; k < TOLD_MARKS; k++) {
-            if (told_marks[k].kind == (uint32_t)e->kind && e->undone == 0 && e->step > 0 &&
+        for (int k = 0; k < REPORTED_MARKS; k++) {
+            if (reported_marks[k].kind == (uint32_t)e->kind && e->undone == 0 && e->step > 0 &&
                 e->step <= f->steps) {
-                put_mark(p, f, &told_marks[k], f->moments[e->step - 1].time, e->step);
+                put_mark(p, f, &reported_marks[k], f->moments[e->step - 1].time, e->step);
             }
         }
     }
@@ -145,7 +145,7 @@ static void put_events(page *p, const facts *f)
             put_mark(p, f, &marks[k], e->time, e->step);
         }
     }
-    put_told(p, f);
+    put_reported(p, f);
 }
 
 static void put_axis(page *p, const facts *f)
@@ -168,7 +168,7 @@ static void put_entry(page *p, const mark *m, unsigned long long count)
     }
 }
 
-static unsigned long long count_told(const followed *t, uint32_t kind)
+static unsigned long long count_reported(const followed *t, uint32_t kind)
 {
     unsigned long long count = 0;
     for (size_t i = 0; i < t->count; i++) {
@@ -183,8 +183,8 @@ static void put_legend(page *p, const facts *f)
     for (int k = 0; k < MARKS; k++) {
         put_entry(p, &marks[k], f->counts[marks[k].kind]);
     }
-    for (int k = 0; k < TOLD_MARKS; k++) {
-        put_entry(p, &told_marks[k], count_told(&f->again.session, told_marks[k].kind));
+    for (int k = 0; k < REPORTED_MARKS; k++) {
+        put_entry(p, &reported_marks[k], count_reported(&f->again.session, reported_marks[k].kind));
     }
     put(p, "</p>\n");
 }

@@ -9,9 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "report/page.h"
 
-enum { MOST_PATH = 1024 };
+enum { MAX_PATH = 1024 };
 
 typedef struct options {
     const char *log, *to, *pictures;
@@ -86,11 +87,11 @@ static int run(const options *o)
 {
     static facts f;
     static pictures shown;
-    char beside[MOST_PATH];
+    char beside[MAX_PATH];
     int length = snprintf(beside, sizeof beside, "%s.html", o->log);
     f.path = o->log;
     f.again.asked = !o->log_only;
-    if (length < 0 || length >= MOST_PATH || !read_whole(o->log, &f)) {
+    if (length < 0 || length >= MAX_PATH || !read_whole(o->log, &f)) {
         fprintf(stderr, "%s cannot be read\n", o->log);
         free(f.bytes);
         return 2;
@@ -108,6 +109,7 @@ static int run(const options *o)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     options o = {NULL, NULL, NULL, false};
     if (!read_options(count, words, &o)) {
         fprintf(

@@ -30,8 +30,10 @@ vbss_result print_info(FILE *out, vbss_context *context, const log_file *log)
     fprintf(out, "written by %s\n", info.build_info);
     fprintf(out, "hash every %" PRIu32 " steps, note of %" PRIu32 " bytes\n", info.hash_interval,
             info.note_bytes);
-    fprintf(out, "%" PRIu64 " steps, %.6g s, %" PRIu64 " inputs, %" PRIu64 " events\n",
-            report.steps, report.time, report.inputs, report.events);
+    fprintf(out,
+            "%" PRIu64 " steps, %.6g s, %.6g s of it lost, %" PRIu64 " inputs, %" PRIu64
+            " events\n",
+            report.steps, report.time, report.time_lost, report.inputs, report.events);
     fprintf(out, "%" PRIu64 " snapshots, the first of %" PRIu64 " bytes\n", report.snapshots,
             info.snapshot_bytes);
     fprintf(out, "%" PRIu64 " bytes, of which %" PRIu64 " are good: %s\n", report.log_bytes,

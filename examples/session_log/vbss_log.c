@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "session_log/export.h"
 
 typedef vbss_result (*command)(FILE *out, vbss_context *context, const log_file *log);
@@ -51,6 +52,7 @@ static int run(command print, const log_file *log)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     log_file log = {NULL, 0};
     for (size_t i = 0; argc == 3 && i < sizeof commands / sizeof commands[0]; i++) {
         if (strcmp(argv[1], commands[i].name) == 0) {

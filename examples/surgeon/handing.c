@@ -20,8 +20,8 @@ static pose before(const site *s, double arc_length, double distance)
 
 static bool is_there(const hand *h, const pose *p, double within)
 {
-    pose now = hold_told(h);
-    return v_distance(h->at, v_add(p->at, h->aim)) < within && pose_angle(&now, p) < 0.1;
+    pose now = hold_reported(h);
+    return v_distance(h->at, v_add(p->at, h->target_at)) < within && pose_angle(&now, p) < 0.1;
 }
 
 handing_news handing_take(const site *s, hand *h, double arc_length, handing_part part,
@@ -39,7 +39,7 @@ handing_news handing_take(const site *s, hand *h, double arc_length, handing_par
 
 pose handing_held(const site *s, const hand *h)
 {
-    pose now = hold_told(h), back = pose_back(&now), needle = site_needle(s);
+    pose now = hold_reported(h), back = pose_back(&now), needle = site_needle(s);
     return pose_after(&back, &needle);
 }
 
@@ -47,7 +47,7 @@ bool handing_leave(hand *h, double since, pose *back, vec park)
 {
     hand_open(h, since > 1.0 ? 0.0 : WIDE);
     if (since < 0.15) {
-        *back = hold_told(h);
+        *back = hold_reported(h);
         return false;
     }
     pose away = *back;

@@ -14,7 +14,7 @@
     0.05 /* N, of both hands while the tail is drawn: else what is tied goes to one side */
 #define SLACK_TAIL \
     0.75 /* share of the tail that W goes to then, until the turns are off its jaws */
-#define LEAST_HEIGHT 5e-3 /* m above the drain's top, of W then */
+#define MIN_HEIGHT 5e-3   /* m above the drain's top, of W then */
 #define LOW 0.015         /* m below the drain's top, to where both pull: the floor is not far */
 #define FAR 0.05          /* m farther out than C may be already */
 #define ASKEW (-PI / 4.0) /* so that the ends do not go straight back over what is tied */
@@ -62,7 +62,7 @@ vbss_result surgeon_begin_later(surgeon *s)
     plan.askew = kept ? ASKEW : 0.0;
     plan.off_floor = OFF_FLOOR;
     plan.reach = SLACK_TAIL;
-    plan.least_height = LEAST_HEIGHT;
+    plan.min_height = MIN_HEIGHT;
     plan.pull = kept ? PULL_KEPT : PULL;
     surgeon_hold_level(s);
     s->shut = 0.0;

@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "decimal_point.h"
 #include "surgeon/watch.h"
 
 static int usage(void)
@@ -37,8 +38,8 @@ static surgeon_stage after(const char *name)
 }
 
 typedef struct tally {
-    int seeds, least; /* to be good; below 0: all */
-    int good, failed; /* simulations, and logs that do not play back */
+    int seeds, smallest; /* to be good; below 0: all */
+    int good, failed;    /* simulations, and logs that do not play back */
 } tally;
 
 static bool read_options(int count, char **words, watch *w, tally *t, bool *whole)
@@ -60,14 +61,14 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
             t->seeds = atoi(words[i]);
             break;
         case 'g':
-            t->least = atoi(words[i]);
+            t->smallest = atoi(words[i]);
             break;
         case 'u':
             w->options.until = after(words[i]);
             *whole = false;
             break;
         case 't':
-            w->most = strtod(words[i], NULL);
+            w->time_limit = strtod(words[i], NULL);
             break;
         case 'w':
             w->options.work = atoi(words[i]);
@@ -103,16 +104,16 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
             return false;
         }
     }
-    return t->seeds >= 1 && t->least != 0; /* atoi reads a word as 0 */
+    return t->seeds >= 1 && t->smallest != 0; /* atoi reads a word as 0 */
 }
 
 static bool judge_mistake(const watch *w)
 {
     surgeon_mistake mistake = w->options.mistake;
-    bool told = surgeon_mistake_is_told(mistake, w->task.session, w->task.metrics);
+    bool reported = surgeon_mistake_is_reported(mistake, w->task.session, w->task.metrics);
     printf("  %s: wanted: %s: %s\n", surgeon_mistake_name(mistake), surgeon_mistake_wanted(mistake),
-           told ? "so it is told" : "NOT TOLD");
-    return told;
+           reported ? "so it is told" : "NOT TOLD");
+    return reported;
 }
 
 /* All stages that were asked for were gone through and, if that is the whole task, the session calls it done. */
@@ -128,7 +129,7 @@ static void run(watch w, bool whole, tally *t)
     static double times[WATCH_STEPS];
     vbss_result result = watch_run(&w, &s, times);
     watch_report(&w, &s, result);
-    watch_tell_events(&w);
+    watch_report_events(&w);
     bool good =
         result == VBSS_OK &&
         (w.options.mistake != SURGEON_NO_MISTAKE ? judge_mistake(&w) : is_made(&w, &s, whole));
@@ -144,8 +145,9 @@ static void run(watch w, bool whole, tally *t)
 
 int main(int count, char **words)
 {
-    watch w = {.options = {.until = SURGEON_DONE}, .most = 250.0, .every = 1e9};
-    tally t = {.seeds = 1, .least = -1};
+    use_decimal_point();
+    watch w = {.options = {.until = SURGEON_DONE}, .time_limit = 250.0, .every = 1e9};
+    tally t = {.seeds = 1, .smallest = -1};
     bool whole = true; /* until a last stage is named */
     if (!read_options(count, words, &w, &t, &whole)) {
         return usage();
@@ -154,5 +156,5 @@ int main(int count, char **words)
         run(w, whole, &t);
     }
     printf("%d of %d\n", t.good, t.seeds);
-    return t.good >= (t.least < 0 ? t.seeds : t.least) && t.failed == 0 ? 0 : 1;
+    return t.good >= (t.smallest < 0 ? t.seeds : t.smallest) && t.failed == 0 ? 0 : 1;
 }

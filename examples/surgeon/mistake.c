@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#define LEAST_MISSED 2.0 /* mm: 3, with what the walls give way */
-#define MOST_MISSED 6.0
+#define MIN_MISSED 2.0 /* mm: 3, with what the walls give way */
+#define MAX_MISSED 6.0
 
 static const struct {
     const char *name, *wanted;
@@ -53,10 +53,11 @@ static bool happened(vbss_session *session, const vbss_session_status *s,
 
 static bool is_missed(double deviation)
 {
-    return deviation > LEAST_MISSED && deviation < MOST_MISSED;
+    return deviation > MIN_MISSED && deviation < MAX_MISSED;
 }
 
-bool surgeon_mistake_is_told(surgeon_mistake mistake, vbss_session *session, vbss_metrics *metrics)
+bool surgeon_mistake_is_reported(surgeon_mistake mistake, vbss_session *session,
+                                 vbss_metrics *metrics)
 {
     vbss_session_status s;
     vbss_metrics_report r;

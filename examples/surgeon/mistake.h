@@ -22,6 +22,7 @@ surgeon_mistake surgeon_mistake_named(const char *name);
 /* What shall be said of it, in words. */
 const char *surgeon_mistake_wanted(surgeon_mistake mistake);
 /* Whether the session says so, after the surgeon has stopped. */
-bool surgeon_mistake_is_told(surgeon_mistake mistake, vbss_session *session, vbss_metrics *metrics);
+bool surgeon_mistake_is_reported(surgeon_mistake mistake, vbss_session *session,
+                                 vbss_metrics *metrics);
 
 #endif

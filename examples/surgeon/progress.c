@@ -21,9 +21,9 @@ static void words_of_knot(const watch *w, char text[WORD_TAGS])
         snprintf(text, WORD_TAGS, "none");
     } else if (k.next_verdict != VBSS_KNOT_VERDICT_NONE) {
         snprintf(text, WORD_TAGS, "%s%s%s", notation, notation[0] != '\0' ? ", next " : "",
-                 words_of_verdict(k.next_verdict));
+                 words_of_result(k.next_verdict));
     } else {
-        snprintf(text, WORD_TAGS, "%s, %s", notation, words_of_verdict(k.verdict));
+        snprintf(text, WORD_TAGS, "%s, %s", notation, words_of_result(k.verdict));
     }
 }
 
@@ -32,10 +32,11 @@ void watch_progress(watch *w, const surgeon *s, bool enters)
     const double time = s->stitch.site.stand.time;
     const bool again = isatty(STDOUT_FILENO) != 0;
     char knot[WORD_TAGS];
-    if (w->verbose || w->guest != NULL || (!enters && time < w->told + (again ? OFTEN : SELDOM))) {
+    if (w->verbose || w->guest != NULL ||
+        (!enters && time < w->reported + (again ? OFTEN : SELDOM))) {
         return;
     }
-    if (w->told == 0.0) {
+    if (w->reported == 0.0) {
         printf("%7s%8s  %-7s %-10s%9s%9s%10s  %s\n", "s", "real s", "stage", "hands", "left, N",
                "right, N", "slit, mm", "knot");
     }
@@ -45,5 +46,5 @@ void watch_progress(watch *w, const surgeon *s, bool enters)
            watch_feels(&s->stitch.left), watch_feels(&s->stitch.right), MILLI * s->gap,
            again ? 32 : 0, knot, again && !enters ? "" : "\n");
     fflush(stdout);
-    w->told = time;
+    w->reported = time;
 }

@@ -8,7 +8,7 @@
 #define TURNING 0.02     /* m/s, of the needle along its arc */
 #define HALF_ROUND 2.5   /* rad: a drain that went along is left from then on by lifting too, */
 #define MOST_TURN 4.5 /* and from here on by lifting alone: the needle's end is in the wall still */
-#define MOST_LIFT 9.0 /* as if it turned on */
+#define MAX_LIFT 9.0  /* as if it turned on */
 #define LEAVING v3(-5e-3, 0.0, 9e-3) /* so, m for each rad */
 #define RISE 0.03                    /* m */
 #define DRAWING 0.05                 /* m/s, of the needle away from the drain */
@@ -99,7 +99,7 @@ static void turn(pull_run *p, double dt)
     hold_steer(&t->left, &p->held, &needle, CARRY);
     if (is_through(p)) {
         enter(p, PULL_LIFT);
-    } else if (p->turned > MOST_LIFT) {
+    } else if (p->turned > MAX_LIFT) {
         fail(p, "the needle is not through");
     }
 }

@@ -10,7 +10,7 @@ enum { NOTATION = 32, PHASES = VBSS_SESSION_PHASE_FAILED + 1 };
 
 /* ---- the hands' stages, and what their steps took */
 
-static void tell_stages(const watch *w)
+static void report_stages(const watch *w)
 {
     printf("  %-7s%9s%9s%9s%8s%8s%8s%9s%9s%10s\n", "stage", "begins s", "takes s", "CPU s",
            "p50 us", "p99", "p99.9", "longest", "left, N", "right, N");
@@ -33,7 +33,7 @@ static void tell_stages(const watch *w)
 }
 
 /* The stages' times lie one after the other: after this they are all together. */
-static void tell_steps(watch *w, const surgeon *s)
+static void report_steps(watch *w, const surgeon *s)
 {
     vbss_scene_statistics c = {0};
     double sum = 0.0, *all = w->times[0];
@@ -63,7 +63,7 @@ static void tell_steps(watch *w, const surgeon *s)
 
 /* ---- the task */
 
-static void tell_outcome(const watch *w, const surgeon *s, vbss_result result)
+static void report_outcome(const watch *w, const surgeon *s, vbss_result result)
 {
     printf("seed %lu: %s\n", (unsigned long)w->options.seed,
            watch_complete(w) ? "the task is complete" : "the task is not complete");
@@ -73,7 +73,7 @@ static void tell_outcome(const watch *w, const surgeon *s, vbss_result result)
            task_phase_name(w->status.phase), task_failure_name(w->status.failure));
 }
 
-static void tell_phases(const watch *w, const vbss_metrics_report *r)
+static void report_phases(const watch *w, const vbss_metrics_report *r)
 {
     double spent[PHASES] = {0.0};
     uint32_t visits[PHASES] = {0};
@@ -102,7 +102,7 @@ static const char *words_of_tightness(vbss_metrics_tightness t)
                                                 : "not tested";
 }
 
-static void tell_tails(const surgeon *s, const vbss_metrics_report *r)
+static void report_tails(const surgeon *s, const vbss_metrics_report *r)
 {
     static const uint32_t known[2] = {VBSS_METRICS_TAIL_0, VBSS_METRICS_TAIL_1};
     static const char *const names[2] = {"short", "needle's"};
@@ -118,7 +118,7 @@ static void tell_tails(const surgeon *s, const vbss_metrics_report *r)
     printf("\n");
 }
 
-static void tell_slit(const surgeon *s, const vbss_metrics_report *r)
+static void report_slit(const surgeon *s, const vbss_metrics_report *r)
 {
     printf("  slit %.2f mm in the end (%.2f between the edges' middles)", MILLI * s->gap,
            MILLI * s->edges);
@@ -131,18 +131,18 @@ static void tell_slit(const surgeon *s, const vbss_metrics_report *r)
     printf("\n");
 }
 
-static void tell_measures(const surgeon *s, const vbss_metrics_report *r)
+static void report_measures(const surgeon *s, const vbss_metrics_report *r)
 {
     printf(
         "  holes %.2f and %.2f mm off their marks; tightness by the pull test: %s, by the strain: "
         "%s\n",
         r->deviation_mm[0], r->deviation_mm[1], words_of_tightness(r->tightness_ours),
         words_of_tightness(r->tightness_paper));
-    tell_slit(s, r);
-    tell_tails(s, r);
+    report_slit(s, r);
+    report_tails(s, r);
 }
 
-static void tell_score(const watch *w, const vbss_metrics_report *r)
+static void report_score(const watch *w, const vbss_metrics_report *r)
 {
     printf("  score %.1f of 600 in the style of MISTELS%s: %.1f for the time", r->score,
            (r->flags & VBSS_METRICS_FINAL) != 0 ? "" : ", provisional", -r->time);
@@ -155,7 +155,7 @@ static void tell_score(const watch *w, const vbss_metrics_report *r)
     printf("\n");
 }
 
-static void tell_knot(const watch *w)
+static void report_knot(const watch *w)
 {
     vbss_knot_state k;
     char notation[NOTATION] = "", words[WORD_TAGS];
@@ -165,7 +165,7 @@ static void tell_knot(const watch *w)
     }
     words_of_faults(k.faults, words);
     printf("  knot: %s, %s (%s); %s; %u throws tied, %u seated\n",
-           notation[0] != '\0' ? notation : "none", words_of_verdict(k.verdict),
+           notation[0] != '\0' ? notation : "none", words_of_result(k.verdict),
            words_of_name(k.name), words, (unsigned)w->status.throws, (unsigned)w->status.seated);
     for (uint32_t i = 0; i < k.throw_count; i++) {
         vbss_knot_throw t;
@@ -178,26 +178,26 @@ static void tell_knot(const watch *w)
 
 /* ---- counts */
 
-static void tell_counts(const watch *w, const surgeon *s)
+static void report_counts(const watch *w, const surgeon *s)
 {
     const hand *hands[2] = {&s->stitch.left, &s->stitch.right};
     static const char *const names[2] = {"left device", "right device"};
     vbss_scene_statistics c;
     if (vbss_scene_get_statistics(s->stitch.site.stand.scene, &c, sizeof c) == VBSS_OK) {
-        counts_tell_scene(&c);
+        counts_report_scene(&c);
         printf("  most contacts at a time %u; %lu steps of which a part waited, %.1f ms in all\n",
-               (unsigned)w->most_contacts, (unsigned long)c.paused, MILLI * c.time_paused);
+               (unsigned)w->max_contacts, (unsigned long)c.paused, MILLI * c.time_paused);
     }
     for (int i = 0; i < 2; i++) {
         vbss_device_statistics in;
         vbss_output_statistics out;
-        double most = 0.0;
+        double largest = 0.0;
         for (int k = 0; k < SURGEON_DONE; k++) {
-            most = larger(most, i == 0 ? w->left[k] : w->right[k]);
+            largest = larger(largest, i == 0 ? w->left[k] : w->right[k]);
         }
         if (vbss_device_get_statistics(hands[i]->device, &in, sizeof in) == VBSS_OK &&
             vbss_device_get_output_statistics(hands[i]->device, &out, sizeof out) == VBSS_OK) {
-            counts_tell_device(names[i], &in, &out, most);
+            counts_report_device(names[i], &in, &out, largest);
         }
     }
 }
@@ -206,17 +206,17 @@ void watch_report(watch *w, const surgeon *s, vbss_result result)
 {
     vbss_metrics_report r;
     printf("\n");
-    tell_outcome(w, s, result);
-    tell_stages(w);
+    report_outcome(w, s, result);
+    report_stages(w);
     if (w->task.session != NULL &&
         vbss_metrics_get_report(w->task.metrics, &r, sizeof r) == VBSS_OK) {
-        tell_phases(w, &r);
-        tell_measures(s, &r);
-        tell_knot(w);
-        tell_score(w, &r);
+        report_phases(w, &r);
+        report_measures(s, &r);
+        report_knot(w);
+        report_score(w, &r);
     }
-    tell_steps(w, s);
-    tell_counts(w, s);
+    report_steps(w, s);
+    report_counts(w, s);
     if (w->unpainted) {
         printf("  A PICTURE COULD NOT BE MADE\n");
     }

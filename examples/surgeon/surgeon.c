@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#define MOST_OFF 2e-3 /* of a hole from its mark */
+#define MAX_OFF 2e-3 /* of a hole from its mark */
 #define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
 #define TAIL_JAMMED 22.5e-3 /* what has jammed at 22 mm, and is eased */
@@ -106,7 +106,7 @@ static vbss_result pass(surgeon *s, double dt)
         }
         pull_begin(&s->pull, t);
         s->stage = SURGEON_PULL;
-        if (t->punctures != 2 || t->others > 0 || s->off[0] > MOST_OFF || s->off[1] > MOST_OFF) {
+        if (t->punctures != 2 || t->others > 0 || s->off[0] > MAX_OFF || s->off[1] > MAX_OFF) {
             fail(s, "not through both marks");
         }
     } else if (t->state == STITCH_FAILED) {
@@ -142,8 +142,8 @@ static vbss_result pull(surgeon *s, double dt)
         s->stage = SURGEON_TIE;
         s->tail = s->pull.tail;
         s->gap_before = s->gap;
-        double most = s->pull.jammed ? TAIL_JAMMED : TAIL_LONG;
-        if (s->tail < TAIL_SHORT || s->tail > most || s->gap < GAP_OPEN) {
+        double limit = s->pull.jammed ? TAIL_JAMMED : TAIL_LONG;
+        if (s->tail < TAIL_SHORT || s->tail > limit || s->gap < GAP_OPEN) {
             fail(s, "tail or slit are not as they shall be");
         }
         return surgeon_begin_tie(s);

@@ -41,7 +41,7 @@ typedef struct surgeon {
     double tail;            /* when it was set, m */
     double gap_before, gap; /* between the lips: before the throw, now, m */
     double edges;           /* between the middles of the slit's edges, m */
-    double shut, calm;      /* so long, while both hands pull hard; or less, s */
+    double shut, at_rest;   /* so long, while both hands pull hard; or less, s */
     double met;             /* so long, while both pull at all, s */
     bool seated;            /* it was for a moment, and has not gaped since */
 } surgeon;

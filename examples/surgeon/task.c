@@ -197,6 +197,10 @@ void task_words(const vbss_session_event *e, char words[TASK_WORDS])
     case VBSS_SESSION_EVENT_DONE:
         snprintf(words, TASK_WORDS, "the task is complete");
         return;
+    case VBSS_SESSION_EVENT_TIME_LOST:
+        snprintf(words, TASK_WORDS, "%s simulated time is lost: %.3f s",
+                 e->undone != 0 ? "little" : "much", e->amount);
+        return;
     default:
         break;
     }

@@ -4,7 +4,7 @@
 #include "surgeon/watch.h"
 
 /* Stages of throws come and go while hands wind: they are told to who wants all. */
-void watch_tell_events(const watch *w)
+void watch_report_events(const watch *w)
 {
     const vbss_session_status *s = &w->status;
     printf("  %lu events:\n", (unsigned long)s->event_count);

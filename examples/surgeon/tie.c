@@ -160,13 +160,13 @@ static void watch_slit(surgeon *s, double dt)
     double sprung = s->stage == SURGEON_THIRD ? SPRUNG_THIRD : SPRUNG;
     watch_seat(s, weaker, dt);
     s->shut = since_when(met && (first || back) && hard, s->shut, dt);
-    bool calm = back ? weaker > LESS_AGAIN : !first && weaker > ENOUGH_AGAIN;
-    s->calm = since_when(met && calm, s->calm, dt);
+    bool at_rest = back ? weaker > LESS_AGAIN : !first && weaker > ENOUGH_AGAIN;
+    s->at_rest = since_when(met && at_rest, s->at_rest, dt);
     bool late = !first && t->closed > 0.0 && throw_pulled_for(t) > LATE &&
                 (weaker > AT_ALL || s->gap < SPRUNG);
-    if (s->shut > A_MOMENT || s->calm > LONGER || late) {
+    if (s->shut > A_MOMENT || s->at_rest > LONGER || late) {
         throw_seated(t);
-        s->shut = s->calm = 0.0;
+        s->shut = s->at_rest = 0.0;
     } else if (t->pulls < AGAIN && throw_is_eased(t) && (s->gap > sprung || !s->seated)) {
         throw_pull_again(t);
     }

@@ -9,7 +9,7 @@
 
 /* ---- told */
 
-static void tell_state(const surgeon *s, const char *doing)
+static void report_state(const surgeon *s, const char *doing)
 {
     const stitch *t = &s->stitch;
     const senses *e = &s->see;
@@ -55,15 +55,15 @@ static void look(watch *w, const surgeon *s, const char *doing, bool changed)
     const stitch *t = &s->stitch;
     vbss_scene_statistics c;
     if (vbss_scene_get_statistics(t->site.stand.scene, &c, sizeof c) == VBSS_OK &&
-        c.contacts > w->most_contacts) {
-        w->most_contacts = c.contacts;
+        c.contacts > w->max_contacts) {
+        w->max_contacts = c.contacts;
     }
     if (s->stage < SURGEON_DONE) {
         w->left[s->stage] = larger(w->left[s->stage], watch_feels(&t->left));
         w->right[s->stage] = larger(w->right[s->stage], watch_feels(&t->right));
     }
     if (w->verbose && (changed || fmod(t->site.stand.time, OFTEN) < STEP)) {
-        tell_state(s, doing);
+        report_state(s, doing);
     }
     if (changed) {
         watch_album(w, s, doing);
@@ -103,7 +103,7 @@ static vbss_result perform(watch *w, surgeon *s)
     const char *before = "";
     TRY(show_guest(w, s));
     while (s->stage < w->options.until && s->stage < SURGEON_DONE &&
-           s->stitch.site.stand.time < w->most) {
+           s->stitch.site.stand.time < w->time_limit) {
         surgeon_stage stage = s->stage;
         TRY(surgeon_step(s, STEP));
         keep_time(w, stage, s->stitch.site.stand.took);

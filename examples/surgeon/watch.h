@@ -13,25 +13,25 @@ typedef vbss_result watch_guest(void *user, const struct watch *w, surgeon *s);
 
 typedef struct watch {
     surgeon_options options;
-    task task;          /* beside the scene */
-    double most, every; /* s, simulated: at most; between pictures */
-    const char *folder; /* for pictures of all that the hands do; may be NULL */
-    const char *album;  /* for those of the key stages; may be NULL */
+    task task;                /* beside the scene */
+    double time_limit, every; /* s, simulated: of a run; between pictures */
+    const char *folder;       /* for pictures of all that the hands do; may be NULL */
+    const char *album;        /* for those of the key stages; may be NULL */
     bool verbose;
     watch_guest *guest; /* looks on, and then tells how far they are; may be NULL */
     void *user;         /* handed to it */
     int pictures;
-    bool unpainted; /* a picture could not be made */
-    double next;    /* picture, s */
-    double told;    /* s: when it was last told how far they are */
-    double began;   /* by a clock that goes on, s */
-    double wall;    /* s that the performance took with all that watches it */
+    bool unpainted;  /* a picture could not be made */
+    double next;     /* picture, s */
+    double reported; /* s: when it was last told how far they are */
+    double began;    /* by a clock that goes on, s */
+    double wall;     /* s that the performance took with all that watches it */
     /* of each stage: when it began, s; CPU times of its steps, s, WATCH_STEPS for all together; most that hands feel, N */
     double begin[SURGEON_DONE];
     double *times[SURGEON_DONE];
     uint32_t counts[SURGEON_DONE];
     double left[SURGEON_DONE], right[SURGEON_DONE];
-    uint32_t most_contacts;     /* at a time */
+    uint32_t max_contacts;      /* at a time */
     vbss_session_status status; /* in the end */
 } watch;
 
@@ -57,6 +57,6 @@ void watch_album(watch *w, const surgeon *s, const char *doing);
 /* ---- report.c: in the end, what came of it; sorts the times */
 void watch_report(watch *w, const surgeon *s, vbss_result result);
 /* ---- tell.c: what happened, as the session says */
-void watch_tell_events(const watch *w);
+void watch_report_events(const watch *w);
 
 #endif

@@ -22,7 +22,7 @@ static bool is_right_handed(const demo_knot *k)
     return right;
 }
 
-static bool tell_cuts(const demo *d)
+static bool report_cuts(const demo *d)
 {
     bool good = !d->trial.cut || (d->out.cuts == 2 && d->out.kept);
     if (d->trial.cut) {
@@ -33,7 +33,7 @@ static bool tell_cuts(const demo *d)
     return good;
 }
 
-static bool tell_knot(const demo *d)
+static bool report_knot(const demo *d)
 {
     const demo_knot *k = &d->knot;
     bool hands = is_right_handed(k);
@@ -41,7 +41,7 @@ static bool tell_knot(const demo *d)
     bool proved = k->state.verdict == VBSS_KNOT_VERDICT_CERTIFIED || (d->trial.cut && d->out.kept);
     bool good = d->out.good && hands && proved;
     printf("%s: %s, %s (%s)%s\n", d->name, k->notation[0] != '\0' ? k->notation : "no knot",
-           words_of_verdict(k->state.verdict), words_of_name(k->state.name),
+           words_of_result(k->state.verdict), words_of_name(k->state.name),
            good ? "" : "  NOT WHAT IT SHALL BE");
     for (uint32_t i = 0; i < k->state.throw_count && i < DEMO_THROWS; i++) {
         char words[WORD_TAGS];
@@ -56,7 +56,7 @@ static bool tell_knot(const demo *d)
         "  height over the cylinder at 2 N, of the thread's contacts with itself: middle %.2f mm, "
         "lowest %.2f, highest %.2f\n",
         MILLI * d->out.height, MILLI * d->out.lowest, MILLI * d->out.highest);
-    return tell_cuts(d) && good;
+    return report_cuts(d) && good;
 }
 
 /* ---- time */
@@ -74,7 +74,7 @@ static double percentile(const demo_times *t, double percent)
     return t->steps[rank < t->count ? rank : t->count - 1];
 }
 
-static void tell_time(demo *d)
+static void report_time(demo *d)
 {
     demo_times *t = &d->times;
     double sum = 0.0;
@@ -94,12 +94,12 @@ static void tell_time(demo *d)
            (unsigned long)t->count);
 }
 
-bool demo_tell(demo *d)
+bool demo_report(demo *d)
 {
-    bool good = tell_knot(d);
-    tell_time(d);
-    counts_tell_scene(&d->scene);
-    counts_tell_device("left device", &d->device[0], &d->output[0], d->most[0]);
-    counts_tell_device("right device", &d->device[1], &d->output[1], d->most[1]);
+    bool good = report_knot(d);
+    report_time(d);
+    counts_report_scene(&d->scene);
+    counts_report_device("left device", &d->device[0], &d->output[0], d->largest[0]);
+    counts_report_device("right device", &d->device[1], &d->output[1], d->largest[1]);
     return good;
 }

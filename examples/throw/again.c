@@ -21,7 +21,7 @@ static bool same(const demo *d, const replay_log *log)
     return good;
 }
 
-static bool told_byte(const demo *d, const replay_log *log)
+static bool reported_byte(const demo *d, const replay_log *log)
 {
     size_t place = log->count / 4;
     log->data[place] ^= 1u;
@@ -32,12 +32,12 @@ static bool told_byte(const demo *d, const replay_log *log)
     return !f.equal;
 }
 
-static bool told_scene(const demo *d, const replay_log *log)
+static bool reported_scene(const demo *d, const replay_log *log)
 {
     replay_finding f = replay_run(&d->trial, log, true);
-    bool told = f.result == VBSS_OK && f.report.outcome == VBSS_REPLAY_DIFFERS;
-    printf("  one pin of the scene taken out: %s: %s\n", told ? "told" : "NOT TOLD", f.text);
-    return told;
+    bool reported = f.result == VBSS_OK && f.report.outcome == VBSS_REPLAY_DIFFERS;
+    printf("  one pin of the scene taken out: %s: %s\n", reported ? "told" : "NOT TOLD", f.text);
+    return reported;
 }
 
 bool demo_replay(const demo *d)
@@ -47,7 +47,7 @@ bool demo_replay(const demo *d)
     if (!good) {
         printf("  the log %s cannot be read\n", d->log);
     } else {
-        bool equal = same(d, &log), byte = told_byte(d, &log), scene = told_scene(d, &log);
+        bool equal = same(d, &log), byte = reported_byte(d, &log), scene = reported_scene(d, &log);
         good = equal && byte && scene;
     }
     free(log.data);

@@ -191,7 +191,7 @@ static bool add_legend(album *a, const senses *s, const demo_knot *k)
     char text[2 * WORD_TAGS], words[WORD_TAGS];
     painter *p = a->painter;
     snprintf(text, sizeof text, "%s: %s, %s, at 2 N, %.2f s", a->name, k->notation,
-             words_of_verdict(k->state.verdict), s->stand->time);
+             words_of_result(k->state.verdict), s->stand->time);
     bool good = put_text(p, 0, LEFT, text);
     for (uint32_t i = 0; i < k->state.throw_count && i < DEMO_THROWS && good; i++) {
         words_of_throw(&k->throws[i], words);
@@ -244,17 +244,17 @@ static bool paint(album *a, const trial_moment *m, const demo_knot *k)
     }
     if (strcmp(m->state, "lower") == 0) {
         snprintf(text, sizeof text, "drawn through: %s, %s", k->notation,
-                 words_of_verdict(k->state.verdict));
+                 words_of_result(k->state.verdict));
         return paint_stage(a, m, DRAWN, text);
     }
     if (strcmp(m->state, "done") == 0) {
         snprintf(text, sizeof text, "pulled to 2 N: %s, %s", k->notation,
-                 words_of_verdict(k->state.verdict));
+                 words_of_result(k->state.verdict));
         return paint_stage(a, m, SEATED, text) && paint_near(a, m, k);
     }
     if (strcmp(m->state, "cut both") == 0) {
         snprintf(text, sizeof text, "both ends cut: %s, %s", k->notation,
-                 words_of_verdict(k->state.verdict));
+                 words_of_result(k->state.verdict));
         return paint_stage(a, m, CUT, text);
     }
     return true;

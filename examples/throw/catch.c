@@ -75,7 +75,7 @@ vec catch_point(const senses *s, const hand *h, uint32_t node)
     vec trocar = seen(h, h->trocar), place = s->x[node], way = direction(s, node), best = p->handle;
     vec to = v_sub(trocar, place), n = v_unit(to), now = v_unit(v_across(p->handle, n));
     vec side = v_cross(n, now);
-    double least = 1e9;
+    double smallest = 1e9;
     for (int i = -18; i < 18; i++) {
         double angle = 3.14159265358979 / 18.0 * i;
         vec roll = v_along(v_scale(vbss_cos(angle), now), vbss_sin(angle), side);
@@ -83,8 +83,8 @@ vec catch_point(const senses *s, const hand *h, uint32_t node)
         double across = v_dot(t.opening, way) / ALIGNED;
         double near = larger(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
         double cost = across * across + near * near + angle * angle;
-        if (cost < least) {
-            least = cost;
+        if (cost < smallest) {
+            smallest = cost;
             best = roll;
         }
     }
@@ -130,7 +130,7 @@ static void draw_back(catch_run *t)
     vec way = v_unit(v_along(approach(t), OFF_UP, v3(0.0, 0.0, 1.0)));
     t->off = v_along(pose_of(t)->tip, OFF, way);
     t->pushed = 0.0;
-    hand_aim(t->hand, t->hand->nature.aim_end);
+    hand_target(t->hand, t->hand->nature.target_end);
     enter(t, CATCH_BACK);
 }
 

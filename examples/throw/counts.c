@@ -11,7 +11,7 @@ static unsigned long long u(uint64_t count)
     return count;
 }
 
-void counts_tell_scene(const vbss_scene_statistics *s)
+void counts_report_scene(const vbss_scene_statistics *s)
 {
     printf("  contacts at the end %u; parts of steps %llu of %llu attempts; rejected: states %llu, "
            "stretch %llu,"
@@ -28,8 +28,8 @@ void counts_tell_scene(const vbss_scene_statistics *s)
            PERCENT * s->penetration / (2.0 * THREAD_RADIUS), s->stretch_error);
 }
 
-void counts_tell_device(const char *name, const vbss_device_statistics *in,
-                        const vbss_output_statistics *out, double most)
+void counts_report_device(const char *name, const vbss_device_statistics *in,
+                          const vbss_output_statistics *out, double largest_force)
 {
     printf("  %s: %llu samples read, %llu refused; %llu forces written, largest %.2f N (the "
            "tool's: %.2f N);"
@@ -38,7 +38,7 @@ void counts_tell_device(const char *name, const vbss_device_statistics *in,
            name, u(in->accepted[0]),
            u(in->out_of_order[0] + in->not_finite[0] + in->out_of_range[0] + in->not_unit[0] +
              in->failed_reads[0]),
-           u(out->steps), out->largest_force, most, u(out->clamped), u(out->slewed),
+           u(out->steps), out->largest_force, largest_force, u(out->clamped), u(out->slewed),
            u(out->continuous), u(out->input_stale + out->command_stale), u(out->watchdogs),
            u(in->clamped_reads));
 }

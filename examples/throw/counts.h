@@ -5,9 +5,9 @@
 #include <vblast_ss/vblast_ss.h>
 
 /* Contacts, tries, guard; how well lengths and distances are kept. */
-void counts_tell_scene(const vbss_scene_statistics *s);
-/* Of a hand's device, and of the force on its tool, of which `most` N was the largest. */
-void counts_tell_device(const char *name, const vbss_device_statistics *in,
-                        const vbss_output_statistics *out, double most);
+void counts_report_scene(const vbss_scene_statistics *s);
+/* Of a hand's device, and of the force on its tool, whose magnitude was at most `largest_force` N. */
+void counts_report_device(const char *name, const vbss_device_statistics *in,
+                          const vbss_output_statistics *out, double largest_force);
 
 #endif

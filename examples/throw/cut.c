@@ -128,7 +128,7 @@ static uint32_t place_of(const cut_run *t, bool limb, int tries)
 }
 
 /* Slack, the knot has opened: it ends elsewhere than when it was pulled. */
-static vbss_result aim_at(cut_run *t, bool limb)
+static vbss_result target_at(cut_run *t, bool limb)
 {
     senses *s = t->see;
     TRY(senses_find_roots(s));
@@ -137,7 +137,7 @@ static vbss_result aim_at(cut_run *t, bool limb)
     t->grip.behind = BEHIND;
     t->grip.resolute = true;
     t->cuts = s->stand->cuts;
-    hand_aim(s->w, s->w->nature.aim_end);
+    hand_target(s->w, s->w->nature.target_end);
     return VBSS_OK;
 }
 
@@ -148,7 +148,7 @@ static vbss_result do_exchange(cut_run *t)
     hold_up(s);
     TRY(vbss_grasper_get_state(s->w->grasper, &state, sizeof state));
     if (state.kind == VBSS_GRASPER_SHEARS) {
-        TRY(aim_at(t, true));
+        TRY(target_at(t, true));
         enter(t, CUT_LIMB);
     } else if (t->since > 1.0) {
         enter(t, CUT_FAILED);
@@ -204,7 +204,7 @@ static vbss_result do_away(cut_run *t)
     hand_open(s->w, 0.0);
     hand_go(s->c, AWAY_C, SPEED);
     if (v_distance(s->tool_c.tip, AWAY_C) < 5e-3) {
-        TRY(aim_at(t, false));
+        TRY(target_at(t, false));
         enter(t, CUT_TAIL);
     }
     return VBSS_OK;

@@ -41,7 +41,7 @@ typedef struct demo {
     bool watched;
     demo_times times;
     demo_stage stage;
-    double most[2]; /* force at the left and the right hand, N */
+    double largest[2]; /* force at the left and the right hand, N */
     uint32_t tries[DEMO_THROWS];
     /* in the end */
     bool ended; /* or the trial broke off */
@@ -62,7 +62,7 @@ static inline uint32_t demo_side(const hand *h)
 }
 
 /* ---- telling (account.c); true: the knot is what it shall be, certified and seated */
-bool demo_tell(demo *d);
+bool demo_report(demo *d);
 
 /* ---- once more (again.c); true: to equal hashes, and what was changed is told */
 bool demo_replay(const demo *d);

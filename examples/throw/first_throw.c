@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "throw/demo.h"
 
 #define LONGEST 40.0 /* s for a throw */
@@ -33,7 +34,7 @@ static bool tie(int kind, uint64_t seed, const char *folder)
     snprintf(d.log, sizeof d.log, "%s/%s.vbss", folder, d.name);
     d.trial = (trial_options){.kind = (trial_kind)kind,
                               .seed = seed,
-                              .most = LONGEST,
+                              .time_limit = LONGEST,
                               .log = d.log,
                               .cut = kind == TRIAL_SURGEONS || kind == TRIAL_FLS,
                               .watch = demo_watch,
@@ -43,7 +44,7 @@ static bool tie(int kind, uint64_t seed, const char *folder)
     vbss_result result = trial_run(&d.trial, &d.out);
     bool painted = album_close(d.album), good = false;
     if (result == VBSS_OK && d.ended) {
-        bool right = demo_tell(&d), replayed = demo_replay(&d);
+        bool right = demo_report(&d), replayed = demo_replay(&d);
         good = right && replayed && painted;
     } else {
         printf("%s: broken off: %s\n", d.name, vbss_result_name(result));
@@ -58,6 +59,7 @@ static bool tie(int kind, uint64_t seed, const char *folder)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     int asked[2 * TRIAL_KINDS] = {0, 1}, number = 0;
     const char *folder = NULL;
     uint64_t seed = 1;

@@ -182,9 +182,9 @@ void hand_give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double fe
     hand_go(h, *carrot, 0.05);
 }
 
-void hand_aim(hand *h, double size)
+void hand_target(hand *h, double size)
 {
-    h->aim = v_scale(size, any_direction(&h->random));
+    h->target_at = v_scale(size, any_direction(&h->random));
 }
 
 /* ---- how it moves */
@@ -200,7 +200,7 @@ static vec give(const hand *h, vec velocity)
 
 static void follow(hand *h, double dt)
 {
-    vec way = v_sub(v_add(h->goal, h->aim), h->at);
+    vec way = v_sub(v_add(h->goal, h->target_at), h->at);
     double stop = sqrt(2.0 * 0.7 * ACCELERATION * v_length(way)); /* from where it can still stop */
     vec wanted = v_limit(v_scale(1.0 / LAG, way), smaller(h->limit, stop));
     vec change = v_limit(v_sub(wanted, h->velocity), ACCELERATION * dt);
@@ -226,21 +226,21 @@ bool hand_is_turned(const hand *h, double within)
 
 static void turn(hand *h, double dt)
 {
-    double most = ROLL_SPEED * h->nature.speed * dt;
+    double limit = ROLL_SPEED * h->nature.speed * dt;
     vec now, side;
-    double angle = clamp(angle_to_turn(h, &now, &side) * dt / LAG, -most, most);
+    double angle = clamp(angle_to_turn(h, &now, &side) * dt / LAG, -limit, limit);
     h->roll = v_along(v_scale(vbss_cos(angle), now), vbss_sin(angle), side);
 }
 
 /* Part of the way of the chord between the two, the shorter way round. */
 static void face(hand *h, double dt)
 {
-    double most = FACE_SPEED * h->nature.speed * dt, dot = 0.0, length = 0.0;
+    double limit = FACE_SPEED * h->nature.speed * dt, dot = 0.0, length = 0.0;
     for (int i = 0; i < 4; i++) {
         dot += h->face[i] * h->wanted_face[i];
     }
     double angle = 2.0 * vbss_acos(smaller(fabs(dot), 1.0));
-    double share = angle * dt > LAG * most ? most / angle : dt / LAG;
+    double share = angle * dt > LAG * limit ? limit / angle : dt / LAG;
     for (int i = 0; i < 4; i++) {
         double wanted = dot < 0.0 ? -h->wanted_face[i] : h->wanted_face[i];
         h->face[i] += share * (wanted - h->face[i]);
@@ -261,7 +261,7 @@ static vec tremor(const hand *h)
 
 vbss_result hand_step(hand *h, double dt)
 {
-    double most = JAW_SPEED * h->nature.speed * dt;
+    double limit = JAW_SPEED * h->nature.speed * dt;
     h->time += dt;
     follow(h, dt);
     if (h->through) {
@@ -271,9 +271,9 @@ vbss_result hand_step(hand *h, double dt)
         stand_through(h, h->at, h->wanted_face);
     }
     face(h, dt);
-    h->opening += clamp(h->wanted_opening - h->opening, -most, most);
+    h->opening += clamp(h->wanted_opening - h->opening, -limit, limit);
     show(h, v_add(h->at, tremor(h)));
-    return wire_tell(h);
+    return wire_report(h);
 }
 
 /* ---- what it feels and where it is */

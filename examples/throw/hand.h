@@ -11,9 +11,9 @@
 
 /* What distinguishes one trial's hands from another's. */
 typedef struct hand_nature {
-    double speed;        /* of all motions, 1: usual */
-    double tremor;       /* m */
-    double aim, aim_end; /* errors of aim when winding, when grasping, m */
+    double speed;                 /* of all motions, 1: usual */
+    double tremor;                /* m */
+    double target_at, target_end; /* errors of aim when winding, when grasping, m */
     uint64_t seed;
 } hand_nature;
 
@@ -34,11 +34,11 @@ typedef struct hand {
     /* in the world: */
     bool through; /* the hand keeps the shaft on a line through `trocar` */
     vec trocar;
-    double face[4], wanted_face[4]; /* w, x, y, z: how a free tool is turned, how it shall be */
-    vec aim, goal, at, velocity;    /* of the tip: error, where it shall go, is */
-    vec point;                      /* to where the handle's end of the jaws shall point */
-    vec roll;                       /* where it points now, normal to the line from tip to trocar */
-    double limit;                   /* m/s */
+    double face[4], wanted_face[4];    /* w, x, y, z: how a free tool is turned, how it shall be */
+    vec target_at, goal, at, velocity; /* of the tip: error, where it shall go, is */
+    vec point;                         /* to where the handle's end of the jaws shall point */
+    vec roll;     /* where it points now, normal to the line from tip to trocar */
+    double limit; /* m/s */
     double phase[2];
     vec shake[2];
     double time;
@@ -86,7 +86,7 @@ void hand_take_tool(hand *h, vbss_device_tool tool);
 /* Back toward a knot that its thread comes from, slower as the pull ceases that it feels, N; `carrot` goes ahead of it. */
 void hand_give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt);
 /* A new error of aim of that size. */
-void hand_aim(hand *h, double size);
+void hand_target(hand *h, double size);
 /* Moves the tool for the coming step. */
 vbss_result hand_step(hand *h, double dt);
 /* Feels what the step did. */

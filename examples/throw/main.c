@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "knots/words.h"
 #include "throw/mistake.h"
 #include "throw/replay.h"
@@ -21,7 +22,7 @@ static int usage(void)
     return 2;
 }
 
-static bool read_options(int count, char **words, trial_options *o, int *seeds, int *least)
+static bool read_options(int count, char **words, trial_options *o, int *seeds, int *smallest)
 {
     for (int i = 2; i < count; i++) {
         const char *word = words[i], *value = i + 1 < count ? words[i + 1] : "";
@@ -56,7 +57,7 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds, 
             *seeds = atoi(value);
             break;
         case 'g':
-            *least = atoi(value);
+            *smallest = atoi(value);
             break;
         case 'l':
             o->log = value;
@@ -74,33 +75,34 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds, 
             o->every = strtod(value, NULL);
             break;
         case 't':
-            o->most = strtod(value, NULL);
+            o->time_limit = strtod(value, NULL);
             break;
         default:
             return false;
         }
         i++;
     }
-    return *seeds >= 1 && *least != 0; /* atoi reads a word as 0 */
+    return *seeds >= 1 && *smallest != 0; /* atoi reads a word as 0 */
 }
 
-static void tell_mistake(const trial_options *o, const trial_outcome *out)
+static void report_mistake(const trial_options *o, const trial_outcome *out)
 {
     const vbss_knot_state *k = &out->knot.state, *next = &out->predicted.state;
     char faults[WORD_TAGS];
     words_of_faults(k->faults, faults);
     printf("  %s: wanted: %s\n", mistake_name(o->mistake), mistake_wanted(o->mistake));
     printf("  told: at the tail %s, %d wraps to come; in the end '%s', %s, slip %.2f; %s\n",
-           words_of_verdict(next->next_verdict), (int)next->next_wraps, out->knot.notation,
-           words_of_verdict(k->verdict), out->knot.slip, faults);
+           words_of_result(next->next_verdict), (int)next->next_wraps, out->knot.notation,
+           words_of_result(k->verdict), out->knot.slip, faults);
 }
 
 int main(int count, char **words)
 {
-    trial_options o = {.most = 40.0, .every = 0.25};
-    int seeds = 1, least = -1, good = 0, failed = 0,
+    use_decimal_point();
+    trial_options o = {.time_limit = 40.0, .every = 0.25};
+    int seeds = 1, smallest = -1, good = 0, failed = 0,
         kind = count > 1 ? trial_kind_of(words[1]) : TRIAL_KINDS;
-    if (kind == TRIAL_KINDS || !read_options(count, words, &o, &seeds, &least)) {
+    if (kind == TRIAL_KINDS || !read_options(count, words, &o, &seeds, &smallest)) {
         return usage();
     }
     o.kind = (trial_kind)kind;
@@ -122,7 +124,7 @@ int main(int count, char **words)
                out.left[0] * 1e3, out.left[1] * 1e3, out.kept ? "kept" : "",
                out.tight ? "tight" : "");
         if (o.mistake != THROW_NO_MISTAKE) {
-            tell_mistake(&o, &out);
+            report_mistake(&o, &out);
         }
         if (o.log != NULL) {
             replay_finding f = replay_file(&o);
@@ -133,5 +135,5 @@ int main(int count, char **words)
         fflush(stdout);
     }
     printf("%d of %d\n", good, seeds);
-    return good >= (least < 0 ? seeds : least) && failed == 0 ? 0 : 1;
+    return good >= (smallest < 0 ? seeds : smallest) && failed == 0 ? 0 : 1;
 }

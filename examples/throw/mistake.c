@@ -35,7 +35,8 @@ throw_mistake mistake_named(const char *name)
     return i < MISTAKES ? (throw_mistake)i : THROW_NO_MISTAKE;
 }
 
-bool mistake_is_told(throw_mistake mistake, const trial_outcome *out, uint32_t throws, int wraps)
+bool mistake_is_reported(throw_mistake mistake, const trial_outcome *out, uint32_t throws,
+                         int wraps)
 {
     const vbss_knot_state *k = &out->knot.state, *next = &out->predicted.state;
     bool as_meant = next->next_verdict == VBSS_KNOT_VERDICT_PASSED && next->next_wraps == wraps;

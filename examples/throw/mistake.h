@@ -10,6 +10,7 @@ throw_mistake mistake_named(const char *name);
 /* What the detector shall say of it. */
 const char *mistake_wanted(throw_mistake mistake);
 /* Whether it does, of a knot whose last throw was spoilt, so many throws and wraps of the last one were meant. */
-bool mistake_is_told(throw_mistake mistake, const trial_outcome *out, uint32_t throws, int wraps);
+bool mistake_is_reported(throw_mistake mistake, const trial_outcome *out, uint32_t throws,
+                         int wraps);
 
 #endif

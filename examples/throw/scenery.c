@@ -10,7 +10,7 @@
 #define PI 3.14159265358979324
 
 enum { SIDES = 120, CORNERS = 2 * SIDES + 1 }; /* of the drain, where it is cut */
-enum { FLOOR_CELLS = 32, PARTS = 4, MOST_POINTS = PARTS * STAND_NODES + 1 };
+enum { FLOOR_CELLS = 32, PARTS = 4, MAX_POINTS = PARTS * STAND_NODES + 1 };
 
 /* ---- boxes */
 
@@ -148,8 +148,8 @@ static vec between(const vec *x, uint32_t nodes, uint32_t i, double t)
 
 static bool add_run(painter *p, const senses *s, const demo_knot *k, uint32_t from, uint32_t to)
 {
-    static vec points[MOST_POINTS];
-    static painter_colour colours[MOST_POINTS];
+    static vec points[MAX_POINTS];
+    static painter_colour colours[MAX_POINTS];
     const vec *x = stand_nodes(s->stand);
     size_t count = 0;
     for (uint32_t i = from; i < to; i++) {
@@ -184,7 +184,7 @@ bool scenery_add_knot(painter *p, const senses *s, const demo_knot *k, const sce
 /* ---- from where */
 
 bool scenery_look(painter *p, const scenery_box *b, bool above, int width, int height, int top,
-                  double least_width)
+                  double min_width)
 {
     double angle = above ? 0.5 * PI : ELEVATION;
     vec right = v3(1.0, 0.0, 0.0), up = v3(0.0, vbss_sin(angle), vbss_cos(angle));
@@ -192,7 +192,7 @@ bool scenery_look(painter *p, const scenery_box *b, bool above, int width, int h
     vec size = v_sub(b->high, b->low), middle = v_mix(b->low, b->high, 0.5);
     double across = v_dot(size, right);
     double tall = fabs(size.y * up.y) + fabs(size.z * up.z);
-    double wide = larger(BORDER * larger(across, tall * width / (height - top)), least_width);
+    double wide = larger(BORDER * larger(across, tall * width / (height - top)), min_width);
     middle = v_along(middle, 0.5 * top * wide / width, up);
     painter_camera c = {.width = wide};
     v_store(c.target, middle);

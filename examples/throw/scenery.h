@@ -29,6 +29,6 @@ painter_colour scenery_throw_colour(uint32_t number, bool tail);
 
 /* An orthographic camera a little above the front, or above; `top` pixels are left free for text. */
 bool scenery_look(painter *p, const scenery_box *b, bool above, int width, int height, int top,
-                  double least_width);
+                  double min_width);
 
 #endif

@@ -16,19 +16,19 @@
 #define BACK_NEAR 8e-3 /* m, of C from where it goes: it is there */
 /* Pulled again so often, it is left as it was pulled: squared it has sprung open as often. */
 enum { SQUARED_NO_MORE = 2 };
-#define BACK_LATEST 10.0  /* s */
-#define SQUARING 0.8      /* N, of both ends while the hands come from there again */
-#define SLACK_FORCE 0.03  /* N */
-#define EASING 3.0        /* s, at most */
-#define EASED 0.15        /* s, slack */
-#define LOOSENED 0.45     /* s: until then both ends are given slack, */
-#define LOOSENING 0.01    /* m/s */
-#define LEFT_ALONE 1.3    /* s: then it is done; it slips late */
-#define AHEAD 0.3         /* N, of what is asked for over what the weaker end bears */
-#define UNLIKE_LEAST 0.05 /* of slack ends */
-#define UNLIKE_SHARE 0.3  /* in between, of the weaker one's */
-#define LEAN 120.0        /* N/m: so much less, of the end to which the drain has gone */
-#define LEAN_MOST 1.0     /* N */
+#define BACK_LATEST 10.0 /* s */
+#define SQUARING 0.8     /* N, of both ends while the hands come from there again */
+#define SLACK_FORCE 0.03 /* N */
+#define EASING 3.0       /* s, at most */
+#define EASED 0.15       /* s, slack */
+#define LOOSENED 0.45    /* s: until then both ends are given slack, */
+#define LOOSENING 0.01   /* m/s */
+#define LEFT_ALONE 1.3   /* s: then it is done; it slips late */
+#define AHEAD 0.3        /* N, of what is asked for over what the weaker end bears */
+#define UNLIKE_MIN 0.05  /* of slack ends */
+#define UNLIKE_SHARE 0.3 /* in between, of the weaker one's */
+#define LEAN 120.0       /* N/m: so much less, of the end to which the drain has gone */
+#define LEAN_MAX 1.0     /* N */
 /* A drain that does not come back for it is left where it is: no more of it from then on, and none in the end, s. */
 #define LEAN_FADES 4.0
 #define LEAN_FADED 6.0
@@ -41,7 +41,7 @@ enum { SQUARED_NO_MORE = 2 };
 #define LOW 0.003 /* m above the drain's top, where it has come down */
 
 /* C follows to the right, and gives way toward W. */
-void throw_follow(throw_run *t, double least, double dt)
+void throw_follow(throw_run *t, double smallest, double dt)
 {
     const senses *s = t->see;
     double speed = 0.03;
@@ -50,9 +50,9 @@ void throw_follow(throw_run *t, double least, double dt)
         double far = s->tool_c.tip.y < FAR_SIDE ? 0.6 : 0.0;
         way = s->tool_c.tip.z > LOW ? v3(0.6, far, -0.7) : v3(1.0, 0.0, 0.0);
     }
-    if (s->tension_c > least) {
+    if (s->tension_c > smallest) {
         way = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
-        speed = smaller(0.1, 0.03 * (s->tension_c / least - 1.0) + 0.005);
+        speed = smaller(0.1, 0.03 * (s->tension_c / smallest - 1.0) + 0.005);
     }
     t->carrot_c = v_along(t->carrot_c, speed * dt, way);
     t->carrot_c = v_add(s->tool_c.tip, v_limit(v_sub(t->carrot_c, s->tool_c.tip), 8e-3));
@@ -66,20 +66,20 @@ static vec turned(vec way, double about)
 }
 
 /* W is on a leash: the tail, or what is left of it. */
-void throw_on_leash(throw_run *t, double most, double dt)
+void throw_on_leash(throw_run *t, double limit, double dt)
 {
     const senses *s = t->see;
     bool slack = s->last > 0 && t->state == THROW_DRAW && t->since < SLACK_TIME;
     double share = slack ? t->plan.reach : REACH;
     double full = share * senses_length(s, s->w->node, t->tail_root);
-    t->leash += s->tension_w > most ? -0.03 * dt : 0.01 * dt;
+    t->leash += s->tension_w > limit ? -0.03 * dt : 0.01 * dt;
     t->leash = clamp(t->leash, 0.3 * full, full);
     double up = vbss_sin(t->angle), tilt = up > 0.0 ? t->plan.tilt : 0.0;
     vec way = v3(vbss_cos(t->angle), -up * vbss_sin(tilt), up * vbss_cos(tilt));
     way = t->state == THROW_SEAT ? turned(way, t->plan.askew) : way;
     vec jaws = v_along(steer_tail_root(t), t->leash, way);
     if (t->state == THROW_DRAW) {
-        jaws.z = larger(jaws.z, t->plan.least_height);
+        jaws.z = larger(jaws.z, t->plan.min_height);
     }
     hand_go(s->w, v_along(jaws, -GRASP_BEHIND, s->tool_w.handle), 0.08);
 }
@@ -222,7 +222,7 @@ static double lean_to_w(const throw_run *t)
 {
     const senses *s = t->see;
     vec jaws = steer_jaws_of(&s->tool_w), way = v_unit(v3(jaws.x, jaws.y, 0.0));
-    return clamp(LEAN * v_dot(senses_drain(s), way), -LEAN_MOST, LEAN_MOST);
+    return clamp(LEAN * v_dot(senses_drain(s), way), -LEAN_MAX, LEAN_MAX);
 }
 
 static void draw_to(hand *h, const hand_pose *p, vec *carrot, vec to, double felt, double wanted,
@@ -238,7 +238,7 @@ static void pull_back(throw_run *t, double dt)
     senses *s = t->see;
     const double full = t->plan.pull;
     double weaker = smaller(s->tension_w, s->tension_c);
-    double unlike = smaller(UNLIKE_LEAST + UNLIKE_SHARE * weaker, UNLIKE);
+    double unlike = smaller(UNLIKE_MIN + UNLIKE_SHARE * weaker, UNLIKE);
     double stays = (LEAN_FADED - throw_pulled_for(t)) / (LEAN_FADED - LEAN_FADES);
     double lean = lean_to_w(t) * clamp(stays, 0.0, 1.0);
     t->asked = smaller(smaller(t->asked + RISE * dt, weaker + AHEAD), full);

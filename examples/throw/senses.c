@@ -233,7 +233,7 @@ vbss_result senses_find_knot(senses *s)
 {
     vbss_view kinds, points;
     vec sum = v3(0.0, 0.0, 0.0);
-    double least = 1.0, most = -1.0;
+    double smallest = 1.0, largest = -1.0;
     uint32_t count = 0, end = limb_end(s);
     TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
     TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
@@ -242,16 +242,16 @@ vbss_result senses_find_knot(senses *s)
         if (is_of_knot(s, contact_at(&kinds, i), end)) {
             vec at = point_at(&points, i);
             sum = v_add(sum, at);
-            least = smaller(least, stand_height(at));
-            most = larger(most, stand_height(at));
+            smallest = smaller(smallest, stand_height(at));
+            largest = larger(largest, stand_height(at));
             count++;
         }
     }
     if (count > 0) {
         s->knot = v_scale(1.0 / count, sum);
         s->knot_height = stand_height(s->knot);
-        s->knot_lowest = least;
-        s->knot_highest = most;
+        s->knot_lowest = smallest;
+        s->knot_highest = largest;
     }
     return VBSS_OK;
 }

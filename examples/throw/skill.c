@@ -5,9 +5,9 @@
 #include "throw/hand.h"
 
 static const hand_skill skills[] = {
-    {.name = "expert", .speed = 1.0, .tremor = 1.0, .aim = 1.0, .hesitation = 0.0},
-    {.name = "resident", .speed = 0.8, .tremor = 1.5, .aim = 1.4, .hesitation = 0.2},
-    {.name = "novice", .speed = 0.6, .tremor = 2.0, .aim = 2.0, .hesitation = 0.5},
+    {.name = "expert", .speed = 1.0, .tremor = 1.0, .target_at = 1.0, .hesitation = 0.0},
+    {.name = "resident", .speed = 0.8, .tremor = 1.5, .target_at = 1.4, .hesitation = 0.2},
+    {.name = "novice", .speed = 0.6, .tremor = 2.0, .target_at = 2.0, .hesitation = 0.5},
 };
 
 const hand_skill *skill_named(const char *name)

@@ -9,9 +9,9 @@
  * gives them. */
 typedef struct hand_skill {
     const char *name;
-    double speed;  /* of all motions */
-    double tremor; /* its size */
-    double aim;    /* every error of aim */
+    double speed;     /* of all motions */
+    double tremor;    /* its size */
+    double target_at; /* every error of aim */
     double
         hesitation; /* s: mean of how long both hands stay where they are before each thing they do */
 } hand_skill;

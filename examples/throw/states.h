@@ -33,8 +33,8 @@ void throw_seat(throw_run *t, double dt);
 void throw_square(throw_run *t, double dt);
 void throw_part(throw_run *t, double dt);
 /* C follows the tail, and gives way toward W to more than that. */
-void throw_follow(throw_run *t, double least, double dt);
+void throw_follow(throw_run *t, double smallest, double dt);
 /* W where the tail, or what is left of it, lets it be. */
-void throw_on_leash(throw_run *t, double most, double dt);
+void throw_on_leash(throw_run *t, double limit, double dt);
 
 #endif

@@ -26,7 +26,7 @@ void throw_plan_usual(throw_plan *p, int wraps)
         .clearance = 0.003,
         .drawn = 0.15,
         .reach = REACH,
-        .least_height = -1.0,
+        .min_height = -1.0,
         .pull = 2.0,
         .retries = 2,
         .light = 0.02,

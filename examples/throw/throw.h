@@ -71,10 +71,10 @@ typedef struct throw_plan {
     double light; /* N, of C while the tail is drawn through */
     double drawn; /* N, of W meanwhile: what is tied already stays quiet */
     double reach; /* share of the tail that W goes to while turns are on its jaws: it hangs slack */
-    double least_height; /* m above the drain's top, of W meanwhile */
-    double tilt;         /* rad, of W's way meanwhile, from upright to the near side */
-    double low;          /* m, below the drain's top, to where both pull then */
-    double far;          /* m, farther outward than usual */
+    double min_height; /* m above the drain's top, of W meanwhile */
+    double tilt;       /* rad, of W's way meanwhile, from upright to the near side */
+    double low;        /* m, below the drain's top, to where both pull then */
+    double far;        /* m, farther outward than usual */
     double
         askew; /* rad about the upright, that both hands are off the stitch's line while it is closed */
     double pull; /* N, in the end */

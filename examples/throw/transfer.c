@@ -27,12 +27,12 @@ static void enter(transfer_run *t, transfer_state state)
 static void do_ease(transfer_run *t)
 {
     senses *s = t->see;
-    const double least = 0.05;
+    const double smallest = 0.05;
     vec knot = s->x[s->tail_root];
     vec w = v_unit(v_sub(knot, s->tool_w.tip)), c = v_unit(v_sub(knot, s->tool_c.tip));
-    hand_go(s->w, v_along(s->tool_w.tip, s->tension_w > least ? 1e-3 : 0.0, w), 0.01);
-    hand_go(s->c, v_along(s->tool_c.tip, s->tension_c > least ? 1e-3 : 0.0, c), 0.01);
-    if ((s->tension_w < least && s->tension_c < least) || t->since > 2.0) {
+    hand_go(s->w, v_along(s->tool_w.tip, s->tension_w > smallest ? 1e-3 : 0.0, w), 0.01);
+    hand_go(s->c, v_along(s->tool_c.tip, s->tension_c > smallest ? 1e-3 : 0.0, c), 0.01);
+    if ((s->tension_w < smallest && s->tension_c < smallest) || t->since > 2.0) {
         t->from = s->tool_w.tip;
         t->back = s->tool_w.handle;
         enter(t, TRANSFER_RELEASE);

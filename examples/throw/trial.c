@@ -55,8 +55,8 @@ static hand_nature nature_of(uint64_t seed)
     if (seed != 0) {
         n.speed = 0.6 + 0.9 * hand_chance(&random);
         n.tremor = 1e-4 + 3e-4 * hand_chance(&random);
-        n.aim = 0.8e-3;
-        n.aim_end = 0.5e-3;
+        n.target_at = 0.8e-3;
+        n.target_end = 0.5e-3;
         n.seed = seed * 77 + 1;
     }
     return n;
@@ -112,7 +112,7 @@ static vbss_result step(trial *t)
     return VBSS_OK;
 }
 
-static void tell(trial *t, const char *state, bool changed)
+static void report(trial *t, const char *state, bool changed)
 {
     const senses *s = &t->see;
     const trial_options *o = t->options;
@@ -152,13 +152,13 @@ static vbss_result tie(trial *t, const throw_plan *plan, bool *good)
     throw_run *r = &t->run;
     throw_begin(r, &t->see, plan);
     while (r->state != THROW_DONE && r->state != THROW_FAILED &&
-           t->st.time - begin < t->options->most) {
-        tell(t, throw_state_name(r->state), r->state != before);
+           t->st.time - begin < t->options->time_limit) {
+        report(t, throw_state_name(r->state), r->state != before);
         before = r->state;
         TRY(throw_step(r, STEP));
         TRY(step(t));
     }
-    tell(t, throw_state_name(r->state), true);
+    report(t, throw_state_name(r->state), true);
     *good = r->state == THROW_DONE;
     return VBSS_OK;
 }
@@ -170,8 +170,8 @@ static vbss_result change_hands(trial *t, bool *good)
     TRY(senses_find_roots(&t->see));
     transfer_begin(&t->pass, &t->see);
     while (t->pass.state != TRANSFER_DONE && t->pass.state != TRANSFER_FAILED &&
-           t->st.time - begin < t->options->most) {
-        tell(t, transfer_state_name(t->pass.state), t->pass.state != before);
+           t->st.time - begin < t->options->time_limit) {
+        report(t, transfer_state_name(t->pass.state), t->pass.state != before);
         before = t->pass.state;
         TRY(transfer_step(&t->pass, STEP));
         TRY(step(t));
@@ -203,13 +203,13 @@ static vbss_result cut_ends(trial *t, trial_outcome *out)
     double begin = t->st.time;
     TRY(cut_begin(r, &t->see));
     while (r->state != CUT_DONE && r->state != CUT_FAILED &&
-           t->st.time - begin < t->options->most) {
-        tell(t, cut_state_name(r->state), r->state != before);
+           t->st.time - begin < t->options->time_limit) {
+        report(t, cut_state_name(r->state), r->state != before);
         before = r->state;
         TRY(cut_step(r, STEP));
         TRY(step(t));
     }
-    tell(t, cut_state_name(r->state), true);
+    report(t, cut_state_name(r->state), true);
     out->cuts = r->ends;
     senses_knot k;
     TRY(senses_judge(&t->see, false, &k));
@@ -286,8 +286,9 @@ static vbss_result look_back(trial *t, trial_outcome *out)
     out->state = throw_state_name(t->run.state);
     out->why = t->run.why != NULL ? t->run.why : "";
     if (t->options->mistake != THROW_NO_MISTAKE) {
-        out->good = out->good && mistake_is_told(t->options->mistake, out, (uint32_t)tied->throws,
-                                                 tied->throws > 1 ? 1 : tied->wraps);
+        out->good =
+            out->good && mistake_is_reported(t->options->mistake, out, (uint32_t)tied->throws,
+                                             tied->throws > 1 ? 1 : tied->wraps);
         return VBSS_OK;
     }
     out->good = out->good && proved && out->handedness == throw_handedness(&t->run) &&

@@ -36,8 +36,8 @@ typedef void trial_watch(void *user, const trial_moment *moment);
 
 typedef struct trial_options {
     trial_kind kind;
-    uint64_t seed; /* 0: steady hands of usual speed */
-    double most;   /* s for a throw, a change of hands, the cutting */
+    uint64_t seed;     /* 0: steady hands of usual speed */
+    double time_limit; /* s for a throw, a change of hands, the cutting */
     int verbose;
     const char *log;       /* file; may be NULL */
     const char *folder;    /* of pictures; may be NULL */

@@ -82,10 +82,10 @@ static inline vec v_across(vec a, vec unit)
     return v_along(a, -v_dot(a, unit), unit);
 }
 
-static inline vec v_limit(vec a, double most)
+static inline vec v_limit(vec a, double limit)
 {
     double length = v_length(a);
-    return length > most ? v_scale(most / length, a) : a;
+    return length > limit ? v_scale(limit / length, a) : a;
 }
 
 static inline vec v_mix(vec a, vec b, double share)

@@ -84,12 +84,12 @@ static const char *words_of_stage(const char *name)
     return name;
 }
 
-static void tell_stage(demo *d, const trial_moment *m, const demo_knot *k)
+static void report_stage(demo *d, const trial_moment *m, const demo_knot *k)
 {
     const senses_knot *next = &m->run->predicted;
     char knot[96] = "-";
     if (k->state.throw_count > 0) {
-        snprintf(knot, sizeof knot, "%s, %s", k->notation, words_of_verdict(k->state.verdict));
+        snprintf(knot, sizeof knot, "%s, %s", k->notation, words_of_result(k->state.verdict));
     }
     if (strcmp(d->stage.name, "close") == 0 &&
         next->state.next_verdict == VBSS_KNOT_VERDICT_PASSED) {
@@ -123,7 +123,7 @@ static void entered(demo *d, const trial_moment *m)
         snprintf(k.notation, sizeof k.notation, "?");
     }
     if (d->stage.name != NULL) {
-        tell_stage(d, m, &k);
+        report_stage(d, m, &k);
     }
     album_show(d->album, m, &k);
     begin_stage(d, m);
@@ -140,7 +140,7 @@ static void feel(demo *d, const trial_moment *m)
             double force = v_length(v_load(s.hand_force));
             d->stage.force[i] = larger(d->stage.force[i], force);
             uint32_t side = demo_side(hands[i]);
-            d->most[side] = larger(d->most[side], force);
+            d->largest[side] = larger(d->largest[side], force);
         }
     }
 }

@@ -27,7 +27,7 @@ void throw_near(throw_run *t)
     hand_go(s->c, steer_tip_of(t, jaws), 0.12);
     if (v_distance(s->held_c, jaws) < 3e-3) {
         throw_enter(t, THROW_PLACE);
-        hand_aim(s->w, s->w->nature.aim);
+        hand_target(s->w, s->w->nature.target_at);
     }
 }
 
@@ -45,7 +45,7 @@ void throw_place(throw_run *t)
         }
         t->phi = vbss_atan2(v_dot(c, f.away), v_dot(c, f.over));
         t->rho = v_hypotenuse(v_dot(c, f.away), v_dot(c, f.over));
-        hand_aim(s->c, s->c->nature.aim);
+        hand_target(s->c, s->c->nature.target_at);
         t->clear = 0.0;
         t->back = false;
         throw_enter(t, THROW_ORBIT);
@@ -136,7 +136,7 @@ void throw_check(throw_run *t, double dt)
         catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
         t->grip.behind = t->plan.behind;
         t->grip.minds = t->plan.minds;
-        hand_aim(s->w, s->w->nature.aim_end);
+        hand_target(s->w, s->w->nature.target_end);
     } else {
         throw_fail(t, "wrap lost");
     }

@@ -47,7 +47,7 @@ vbss_result wire_create(hand *h)
 
 /* ---- out of the hand */
 
-vbss_result wire_tell(hand *h)
+vbss_result wire_report(hand *h)
 {
     vbss_device_input in;
     vbss_record *record = h->stand->record;

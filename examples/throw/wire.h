@@ -7,7 +7,7 @@
 
 /* The tool, with its tip where the hand is. */
 vbss_result wire_create(hand *h);
-vbss_result wire_tell(hand *h);
+vbss_result wire_report(hand *h);
 vbss_result wire_feel(hand *h, const vbss_grasper_state *state);
 
 #endif

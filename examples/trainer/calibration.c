@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NUMBERS = 6, LINE_BYTES = 256 };
+enum { MAX_NUMBERS = 6, LINE_BYTES = 256 };
 
 static const char *const hand_names[HANDS] = {"left", "right"};
 static const char *const first_line = "# vblast_ss trainer calibration 1\n";
@@ -112,7 +112,7 @@ static bool set(vbss_device_calibration *c, int which, const double *x)
 static void write_hand(FILE *file, const char *name, const vbss_device_calibration *c)
 {
     for (int which = 0; which < FACTS; which++) {
-        double x[MOST_NUMBERS] = {0.0};
+        double x[MAX_NUMBERS] = {0.0};
         get(c, which, x);
         fprintf(file, "%s.%s", name, facts[which].name);
         for (int i = 0; i < facts[which].count; i++) {
@@ -164,7 +164,7 @@ static unsigned read_line(const char *line, calibration *c)
         for (int which = 0; which < FACTS; which++) {
             const char *fact_text = line + length + 1;
             size_t word = strlen(facts[which].name);
-            double x[MOST_NUMBERS] = {0.0};
+            double x[MAX_NUMBERS] = {0.0};
             if (strncmp(fact_text, facts[which].name, word) == 0 && fact_text[word] == ' ' &&
                 read_numbers(fact_text + word, facts[which].count, x) &&
                 set(&c->hands[i], which, x)) {

@@ -12,7 +12,7 @@
 #define REHEARSED 4.0 /* s of each step that a stand-in's hand makes */
 #define CORNER 0.5    /* s at each corner of its space */
 
-enum { FAILED = 1, NOT_THERE = 3, MOST_TRIES = 5 };
+enum { FAILED = 1, NOT_THERE = 3, MAX_TRIES = 5 };
 
 static const char *const side_names[HANDS] = {"left", "right"};
 
@@ -70,6 +70,15 @@ static vbss_result let_time_pass(coach *c)
     return VBSS_OK;
 }
 
+static void cause_faults(const coach *c, int side)
+{
+    for (uint32_t i = 0; i < c->options->fault_count; i++) {
+        const fault_plan *plan = &c->options->faults[i];
+        rehearsal_cause(c->rehearsal, rehearsal_fault(plan->name), side,
+                        c->now >= plan->from && c->now < plan->until);
+    }
+}
+
 /* Until the step was made: 1, or nobody is there: -1, or the device fails: 0. */
 static int watch_step(coach *c, int side, guide *g)
 {
@@ -80,6 +89,7 @@ static int watch_step(coach *c, int side, guide *g)
         vbss_device_input in;
         if (c->rehearsed) {
             obey(c, side, g->step, since);
+            cause_faults(c, side);
         }
         if (let_time_pass(c) != VBSS_OK ||
             vbss_device_read(c->hardware.devices[side], c->now, &in, sizeof in) != VBSS_OK ||
@@ -90,6 +100,22 @@ static int watch_step(coach *c, int side, guide *g)
         done = c->left_alone ? -1 : c->rehearsed ? since >= REHEARSED : entered();
     }
     return done;
+}
+
+/* An arm without a calibration of its own measures nothing that is worth a file. */
+static const char *find_objection(const coach *c, int side, const guide *g)
+{
+    vbss_openhaptics_status s;
+    const bool is_known =
+        g->arm && vbss_openhaptics_get_status(c->hardware.openhaptics, (uint32_t)side, &s,
+                                              sizeof s) == VBSS_OK;
+    if (!is_known || s.state != VBSS_HARDWARE_UNCALIBRATED) {
+        return NULL;
+    }
+    return s.is_constant != 0
+               ? "the arm gives a constant pose: calibrate it with the vendor's program, "
+                 "and hold it"
+               : "the arm is not calibrated: put the stylus into the inkwell";
 }
 
 static bool guide_hand(coach *c, int side, guide *g)
@@ -104,12 +130,13 @@ static bool guide_hand(coach *c, int side, guide *g)
             printf("%s\n", done < 0 ? "given up" : why);
             return false;
         }
-        const char *again = guide_next(g);
+        const char *objection = find_objection(c, side, g);
+        const char *again = objection != NULL ? objection : guide_next(g);
         tries = again != NULL ? tries + 1 : 0;
         if (again != NULL) {
             printf("  again: %s\n", again);
         }
-        if (tries == MOST_TRIES) {
+        if (tries == MAX_TRIES) {
             return false;
         }
     }

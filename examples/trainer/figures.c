@@ -33,7 +33,7 @@ void figures_note(figures *f, bool fault, const char *format, ...)
 {
     va_list list;
     f->faults += fault;
-    if (f->event_count == MOST_EVENTS) {
+    if (f->event_count == MAX_EVENTS) {
         f->events_lost++;
         return;
     }

@@ -8,7 +8,7 @@
 
 #include "trainer/options.h"
 
-enum { BINS = 9, MOST_EVENTS = 24, EVENT_BYTES = 160 };
+enum { BINS = 9, MAX_EVENTS = 24, EVENT_BYTES = 160 };
 
 /* Upper ends of the bins of a histogram, us; the last has none. */
 extern const int figures_bins[BINS];
@@ -20,7 +20,7 @@ typedef struct event {
 
 typedef struct hand_figures {
     vbss_device_input in;
-    double force, most_force; /* that goes out, N */
+    double force, max_force; /* that goes out, N */
     double jaw;
     bool joined; /* the tool has come to the hand */
     uint32_t solenoid;
@@ -45,11 +45,11 @@ typedef struct figures {
     uint64_t our_misses;  /* of them or not: the thread's CPU time alone was longer than the slot */
     hand_figures hands[HANDS];
     uint64_t pulses[HANDS]; /* that the stand-in's lines had */
-    fault_finding findings[MOST_FAULTS];
+    fault_finding findings[MAX_FAULTS];
     char phase[16];
     uint32_t event_count, events_lost;
     uint32_t faults; /* events that are faults */
-    event events[MOST_EVENTS];
+    event events[MAX_EVENTS];
 } figures;
 
 void figures_slot(figures *f, double period, double work, double late, double wall);

@@ -17,7 +17,7 @@ enum { CLOSES = 1, EXCHANGES = 1, CLUTCHES = 2 };
 void grip_begin(grip *g, const double at[3])
 {
     memset(g, 0, sizeof *g);
-    memcpy(g->told, at, sizeof g->told);
+    memcpy(g->reported, at, sizeof g->reported);
     g->opening = 1.0;
     g->has = g->wants = VBSS_GRASPER_NEEDLE_DRIVER;
 }
@@ -30,14 +30,14 @@ static void lead(grip *g, double h)
     const double *to = g->in.position;
     double way[3], length = 0.0;
     for (int i = 0; i < 3; i++) {
-        way[i] = to[i] - g->told[i];
+        way[i] = to[i] - g->reported[i];
         length += way[i] * way[i];
     }
     length = sqrt(length);
     g->joined = g->in.status != VBSS_DEVICE_LOST && (g->joined || length < JOINED);
     double share = g->joined || length <= JOIN_SPEED * h ? 1.0 : JOIN_SPEED * h / length;
     for (int i = 0; i < 3; i++) {
-        g->told[i] += share * way[i];
+        g->reported[i] += share * way[i];
     }
 }
 
@@ -46,8 +46,9 @@ static double find_opening(grip *g, double h)
     if ((g->in.valid & VBSS_DEVICE_HAS_JAW) != 0) {
         return g->in.jaw;
     }
-    double wanted = (g->in.buttons & g->let_go & CLOSES) != 0 ? 0.0 : 1.0, most = BUTTON_SPEED * h;
-    g->opening += smaller(larger(wanted - g->opening, -most), most);
+    double wanted = (g->in.buttons & g->let_go & CLOSES) != 0 ? 0.0 : 1.0,
+           largest = BUTTON_SPEED * h;
+    g->opening += smaller(larger(wanted - g->opening, -largest), largest);
     return g->opening;
 }
 
@@ -56,10 +57,10 @@ static void find_tool(grip *g)
 {
     uint32_t down = g->in.buttons & g->let_go, pressed = down & ~g->held;
     bool by_button = (g->in.valid & VBSS_DEVICE_HAS_JAW) != 0 && (pressed & EXCHANGES) != 0;
-    bool told = (g->in.events & VBSS_DEVICE_EVENT_TOOL) != 0;
-    bool shears = told ? g->in.tool == VBSS_DEVICE_TOOL_SHEARS : g->has != VBSS_GRASPER_SHEARS;
+    bool reported = (g->in.events & VBSS_DEVICE_EVENT_TOOL) != 0;
+    bool shears = reported ? g->in.tool == VBSS_DEVICE_TOOL_SHEARS : g->has != VBSS_GRASPER_SHEARS;
     g->held = down;
-    g->exchanges = told || by_button;
+    g->exchanges = reported || by_button;
     if (g->exchanges) {
         g->wants = shears ? VBSS_GRASPER_SHEARS : VBSS_GRASPER_NEEDLE_DRIVER;
     }

@@ -11,7 +11,7 @@
 
 typedef struct grasper_thread_clamp {
     vbss_device_input in;         /* as read last */
-    double told[3];               /* to the tool, m */
+    double reported[3];           /* to the tool, m */
     double jaw;                   /* the same */
     double opening;               /* of a handle that is the arm's button */
     uint32_t let_go;              /* buttons that were up once: one that is stuck does not count */

@@ -5,12 +5,12 @@
 
 #include "throw/vec.h"
 
-#define LEAST_WAY 0.02   /* m, of a motion that tells an axis */
-#define STRAIGHT 2.0     /* so much more than along the others */
-#define LEAST_REACH 0.04 /* m, along each axis */
-#define LEAST_SPAN 0.05  /* V of a handle: five steps of an 11-bit converter */
-#define HIGHEST 10.0     /* V */
-#define MEAN 0.05        /* share of a new sample in the handle's mean */
+#define LEAST_WAY 0.02 /* m, of a motion that tells an axis */
+#define STRAIGHT 2.0   /* so much more than along the others */
+#define MIN_REACH 0.04 /* m, along each axis */
+#define MIN_SPAN 0.05  /* V of a handle: five steps of an 11-bit converter */
+#define HIGHEST 10.0   /* V */
+#define MEAN 0.05      /* share of a new sample in the handle's mean */
 
 static const char *const questions[] = {
     "Hold the handle in the middle of its space.",
@@ -66,20 +66,20 @@ void guide_see(guide *g, const vbss_device_input *in)
 /* The device's axis along which the hand went from its rest, counted from 1; negative: against it. */
 static const char *find_axis(const guide *g, int32_t *axis)
 {
-    double way[3], most = 0.0, next = 0.0;
+    double way[3], largest = 0.0, next = 0.0;
     for (int i = 0; i < 3; i++) {
         way[i] = g->position[i] - g->rest[i];
-        if (fabs(way[i]) > most) {
-            next = most;
-            most = fabs(way[i]);
+        if (fabs(way[i]) > largest) {
+            next = largest;
+            largest = fabs(way[i]);
             *axis = way[i] > 0.0 ? i + 1 : -(i + 1);
         } else {
             next = larger(next, fabs(way[i]));
         }
     }
-    return most < LEAST_WAY         ? "that was too short"
-           : most < STRAIGHT * next ? "that was not straight"
-                                    : NULL;
+    return largest < LEAST_WAY         ? "that was too short"
+           : largest < STRAIGHT * next ? "that was not straight"
+                                       : NULL;
 }
 
 /* World axes: x right, y away from who trains, z up. */
@@ -143,7 +143,7 @@ static const char *take_reach(guide *g)
     to_world(g->found.axes, g->low, a);
     to_world(g->found.axes, g->high, b);
     for (int i = 0; i < 3; i++) {
-        if (fabs(a[i] - b[i]) < LEAST_REACH) {
+        if (fabs(a[i] - b[i]) < MIN_REACH) {
             return "that was less than 4 cm along one axis";
         }
     }
@@ -158,7 +158,7 @@ static const char *take_reach(guide *g)
 
 static const char *take_open(guide *g)
 {
-    if (fabs(g->raw - g->closed) < LEAST_SPAN) {
+    if (fabs(g->raw - g->closed) < MIN_SPAN) {
         return "the sensor says the same open and closed: see the wiring";
     }
     g->found.jaw_closed = g->closed;

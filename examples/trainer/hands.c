@@ -8,7 +8,7 @@
 
 #define ROUNDING 1e-6 /* s */
 
-enum { NOBODY = 0 };
+enum { NO_BODY = 0 };
 
 /* ---- a log */
 
@@ -32,18 +32,18 @@ static void meet(reader *r, uint32_t body)
     if (body == *right || body == *left) {
         return;
     }
-    if (*right == NOBODY || body < *right) {
+    if (*right == NO_BODY || body < *right) {
         *left = *right;
         *right = body;
-    } else if (*left == NOBODY || body < *left) {
+    } else if (*left == NO_BODY || body < *left) {
         *left = body;
     }
 }
 
-static void take(const reader *r, const vbss_log_input *in, told now[HANDS])
+static void take(const reader *r, const vbss_log_input *in, reported now[HANDS])
 {
     for (int side = 0; side < HANDS; side++) {
-        told *t = &now[side];
+        reported *t = &now[side];
         if (in->words[0] != r->bodies[side]) {
             continue;
         }
@@ -67,8 +67,8 @@ static void take(const reader *r, const vbss_log_input *in, told now[HANDS])
 static vbss_result walk(reader *r, bool store)
 {
     vbss_log_step step;
-    const told begin = {.orientation = {1.0}, .kind = VBSS_GRASPER_NEEDLE_DRIVER};
-    told now[HANDS] = {begin, begin};
+    const reported begin = {.orientation = {1.0}, .kind = VBSS_GRASPER_NEEDLE_DRIVER};
+    reported now[HANDS] = {begin, begin};
     for (uint64_t n = 1; n <= r->steps; n++) {
         TRY(vbss_replay_read(r->replay, n, &step, sizeof step));
         for (uint32_t i = 0; i < step.input_count; i++) {
@@ -83,7 +83,7 @@ static vbss_result walk(reader *r, bool store)
         }
         for (int side = 0; store && side < HANDS; side++) {
             now[side].time = step.time - step.h;
-            r->score->told[side][n - 1] = now[side];
+            r->score->reported[side][n - 1] = now[side];
         }
         r->score->duration = step.time;
     }
@@ -115,12 +115,12 @@ static vbss_result read_log(vbss_context *context, const replay_log *log, score 
     TRY(vbss_log_check(context, log->data, log->count, &report, sizeof report));
     r.steps = report.steps;
     TRY(walk(&r, false));
-    if (r.bodies[RIGHT] == NOBODY) {
+    if (r.bodies[RIGHT] == NO_BODY) {
         return VBSS_ERROR_OUT_OF_RANGE; /* no tool moves in it */
     }
     for (int side = 0; side < HANDS; side++) {
-        s->told[side] = calloc((size_t)r.steps, sizeof *s->told[side]);
-        if (s->told[side] == NULL) {
+        s->reported[side] = calloc((size_t)r.steps, sizeof *s->reported[side]);
+        if (s->reported[side] == NULL) {
             return VBSS_ERROR_OUT_OF_MEMORY;
         }
     }
@@ -153,41 +153,41 @@ bool score_read(score *s, const char *path, char *why, size_t bytes)
 void score_free(score *s)
 {
     for (int side = 0; side < HANDS; side++) {
-        free(s->told[side]);
-        s->told[side] = NULL;
+        free(s->reported[side]);
+        s->reported[side] = NULL;
     }
 }
 
 /* ---- a hand */
 
 /* The row of the log's step that is due, in time with its steps though times are sums. */
-static told read_score(follower *f, double time)
+static reported read_score(follower *f, double time)
 {
-    const told *row = f->score->told[f->side];
+    const reported *row = f->score->reported[f->side];
     while (f->next + 1 < f->score->count && row[f->next + 1].time <= time + ROUNDING) {
         f->next++;
     }
     return row[f->next];
 }
 
-told follower_want(follower *f, double time)
+reported follower_want(follower *f, double time)
 {
     if (f->score != NULL) {
         return read_score(f, time);
     }
     motion m = f->stage->row->script(f->stage, f->side, time);
-    told w = {.time = time,
-              .orientation = {1.0},
-              .opening = m.opening,
-              .kind = VBSS_GRASPER_NEEDLE_DRIVER,
-              .known = true};
+    reported w = {.time = time,
+                  .orientation = {1.0},
+                  .opening = m.opening,
+                  .kind = VBSS_GRASPER_NEEDLE_DRIVER,
+                  .known = true};
     v_store(w.position, m.at);
     return w;
 }
 
 void follower_measure(void *user, double time, vbss_device_sample *sample)
 {
-    const told w = follower_want(user, time);
+    const reported w = follower_want(user, time);
     if (!w.known) {
         return;
     }

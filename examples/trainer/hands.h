@@ -6,16 +6,16 @@
 #include "trainer/stage.h"
 
 /* Where a tool was told to be, in a step of a log; or shall be. */
-typedef struct told {
+typedef struct reported {
     double time; /* s, from the log's begin */
     double position[3], orientation[4], opening;
     vbss_grasper_kind kind; /* what it shall be */
     bool known;
-} told;
+} reported;
 
 /* A log, read before anything runs: both tools in each step. */
 typedef struct score {
-    told *told[HANDS]; /* NULL: that tool is in no input */
+    reported *reported[HANDS]; /* NULL: that tool is in no input */
     size_t count;
     double duration;
     unsigned long seed; /* of the surgeon whose log it is */
@@ -35,7 +35,7 @@ typedef struct follower {
 bool score_read(score *s, const char *path, char *why, size_t bytes);
 void score_free(score *s);
 /* What the hand wants at a time, which does not go back; not `known`: nothing yet. */
-told follower_want(follower *f, double time);
+reported follower_want(follower *f, double time);
 /* As vbss_mock_measure_fn, of a follower. */
 void follower_measure(void *user, double time, vbss_device_sample *sample);
 

@@ -111,6 +111,7 @@ static vbss_result open_device(hardware *h, int side, const options *o, const ca
     }
     name_hand(h, side, o, log);
     config.calibration = &one;
+    config.jaw_takeover = 1;
     return vbss_device_create(h->context, &first, h->handle[side] ? &second : NULL, &config,
                               &h->devices[side]);
 }

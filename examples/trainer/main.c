@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "trainer/coach.h"
 #include "trainer/screen.h"
 
@@ -59,7 +60,7 @@ static const char *find_missing_fault(const options *o, const rehearsal *r)
         const fault_row *row = rehearsal_fault(o->faults[i].name);
         bool arms = r->hd != NULL && row->arm >= 0, lines = r->daq != NULL && row->lines >= 0;
         bool mock = o->arm_count < HANDS && row->mock >= 0;
-        if (!arms && !lines && !mock) {
+        if (!arms && !lines && !mock && row->clock == 0.0) {
             return row->name;
         }
     }
@@ -139,6 +140,7 @@ static int run_with_files(const options *o, const stage_row *row)
 
 int main(int count, char **words)
 {
+    use_decimal_point();
     options o;
     char why[256];
     if (count == 1 || strcmp(words[1], "--help") == 0) {

@@ -104,7 +104,7 @@ static bool read_fault(const char *text, options *o)
 {
     char *end;
     const char *at = strchr(text, '@');
-    if (o->fault_count == MOST_FAULTS || at == NULL || at == text) {
+    if (o->fault_count == MAX_FAULTS || at == NULL || at == text) {
         return false;
     }
     fault_plan *f = &o->faults[o->fault_count];

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 enum { LEFT = 0, RIGHT = 1, HANDS = 2 };
-enum { NAME_BYTES = 128, MOST_FAULTS = 8 };
+enum { NAME_BYTES = 128, MAX_FAULTS = 8 };
 
 /* A fault of the stand-ins or of a mock, to see what comes of it. */
 typedef struct fault_plan {
@@ -27,7 +27,7 @@ typedef struct options {
     uint32_t handle_count;
     char inputs[HANDS][NAME_BYTES], lines[HANDS][NAME_BYTES];
     const char *nidaq_library;
-    fault_plan faults[MOST_FAULTS];
+    fault_plan faults[MAX_FAULTS];
     uint32_t fault_count;
 } options;
 

@@ -22,6 +22,7 @@ typedef struct fault_row {
     int arm, lines, mock;
     bool hand_feels; /* the force ends, too */
     bool frozen;     /* the motors are beyond reach: what would go out counts */
+    double clock;    /* s, by which the host's clock steps; 0: it does not */
 } fault_row;
 
 void rehearsal_find(rehearsal *r, const options *o);

@@ -55,7 +55,7 @@ static void show_hand(const task *t, const figures *f, int side)
     printf("    at (%7.2f %7.2f %7.2f) mm\033[K\n", 1e3 * h->in.position[0],
            1e3 * h->in.position[1], 1e3 * h->in.position[2]);
     printf("    force  [%s] %5.2f N, most %5.2f N\033[K\n", bar(h->force / FULL_FORCE, BAR, force),
-           h->force, h->most_force);
+           h->force, h->max_force);
     printf("    handle [%s] %3.0f %% open   solenoid %s, %" PRIu64 " pulses\033[K\n",
            bar(h->jaw, BAR, jaw), 100.0 * h->jaw, h->solenoid != 0 ? "ON " : "off", h->given);
 }
@@ -144,7 +144,7 @@ static void report_hand(const task *t, const figures *f, int side)
     const hand_figures *h = &f->hands[side];
     printf("%s: %s, old poses %" PRIu64 ", refused %" PRIu64
            ", most force %.2f N, solenoid wanted %" PRIu64 ", let through %" PRIu64,
-           side_names[side], t->hardware.names[side], h->old, h->refused, h->most_force, h->asked,
+           side_names[side], t->hardware.names[side], h->old, h->refused, h->max_force, h->asked,
            h->given);
     if (t->rehearsal.daq != NULL && t->hardware.handle[side]) {
         printf(", on the line %" PRIu64, f->pulses[side]);
@@ -191,7 +191,7 @@ bool screen_report(const task *t, const char *system)
     if (f->events_lost > 0) {
         printf("and %" PRIu32 " more\n", f->events_lost);
     }
-    stage_tell(&t->stage);
+    stage_report(&t->stage);
     bool good = report_faults(t, f);
     int illegal = rehearsal_illegal(&t->rehearsal, &first);
     if (t->rehearsal.hd != NULL || t->rehearsal.daq != NULL) {

@@ -222,7 +222,7 @@ const char *stage_phase(const stage *s)
     return names[status.phase];
 }
 
-void stage_tell(const stage *s)
+void stage_report(const stage *s)
 {
     vbss_session_status now;
     vbss_session_event e;

@@ -43,7 +43,7 @@ vbss_result stage_step(stage *s, double h);
 /* How far the task is; empty without one. */
 const char *stage_phase(const stage *s);
 /* What the session says that happened, and how far it came, on stdout; nothing without one. */
-void stage_tell(const stage *s);
+void stage_report(const stage *s);
 /* How often the right hand of the script has closed on the needle by then. */
 uint64_t stage_closings(const stage_row *row, double time);
 void stage_destroy(stage *s);

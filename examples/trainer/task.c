@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "decimal_point.h"
+
 #define STEP PACE_PERIOD
 #define LAST_SECONDS 0.05 /* after an emergency stop, so that all of it is told */
 
@@ -18,11 +20,11 @@ static vbss_result read_hand(task *t, int side)
     f->in = g->in;
     f->joined = g->joined;
     f->jaw = g->jaw;
-    task_tell(t, side, &f->in);
+    task_report(t, side, &f->in);
     if (!known) {
         return VBSS_OK;
     }
-    TRY(vbss_grasper_move(tool, g->told, g->in.orientation));
+    TRY(vbss_grasper_move(tool, g->reported, g->in.orientation));
     if (g->exchanges) {
         TRY(vbss_grasper_exchange(tool, g->wants));
     }
@@ -50,7 +52,7 @@ static vbss_result write_hand(task *t, int side)
     TRY(grip_write(&h->grip, t->hardware.devices[side], t->clock, &tool, late));
     count_pulses(h, f);
     f->force = h->grip.force;
-    f->most_force = larger(f->most_force, f->force);
+    f->max_force = larger(f->max_force, f->force);
     return VBSS_OK;
 }
 
@@ -92,6 +94,7 @@ static void run_slot(task *t)
     t->now.time = (double)(t->now.slots + 1) * STEP;
     t->clock = t->pace.simulated ? t->now.time : pace_slot_time(&t->pace);
     vbss_result result = task_rehearse(t);
+    t->clock += task_clock_step(t);
     pace_work_begins(&t->pace);
     result = result == VBSS_OK ? work(t) : result;
     double cpu = pace_work_ends(&t->pace, &wall);
@@ -108,6 +111,15 @@ static void run_slot(task *t)
     exchange_put(&t->shown, &t->now);
 }
 
+/* The handle takes over the jaws when it has passed where they are. */
+static void hold_jaws(const task *t, int side)
+{
+    vbss_grasper_state tool;
+    if (vbss_grasper_get_state(t->stage.tools[side], &tool, sizeof tool) == VBSS_OK) {
+        (void)vbss_device_hold_jaw(t->hardware.devices[side], tool.opening);
+    }
+}
+
 void task_init(task *t)
 {
     exchange_init(&t->shown);
@@ -118,6 +130,7 @@ void task_init(task *t)
         double at[3];
         v_store(at, t->stage.start[side]);
         grip_begin(&t->hands[side].grip, at);
+        hold_jaws(t, side);
     }
 }
 
@@ -136,6 +149,7 @@ static void end_hand(task *t, int side)
 void *task_run(void *user)
 {
     task *t = user;
+    use_decimal_point();
     pace_begin(&t->pace, t->options->simulated);
     while (!is_over(t)) {
         run_slot(t);

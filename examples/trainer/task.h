@@ -45,9 +45,11 @@ void *task_run(void *t);
 
 /* Before the slot's work: moves the stand-ins' hands, begins and ends faults, lets their clock tick. */
 vbss_result task_rehearse(task *t);
+/* The step of the clock that a fault has caused, s. */
+double task_clock_step(const task *t);
 /* After it: whether what was to be safe is. */
 void task_judge(task *t);
 /* What a read has found. */
-void task_tell(task *t, int side, const vbss_device_input *in);
+void task_report(task *t, int side, const vbss_device_input *in);
 
 #endif

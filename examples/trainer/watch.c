@@ -50,15 +50,29 @@ static bool acts(const task *t, const fault_row *row, int side)
     return (row->hand_feels && force > NOTHING) || solenoid;
 }
 
+double task_clock_step(const task *t)
+{
+    double step = 0.0;
+    for (uint32_t i = 0; i < t->options->fault_count; i++) {
+        const fault_plan *plan = &t->options->faults[i];
+        const bool is_on = t->now.findings[i].begun && t->now.time < plan->until;
+        step += is_on ? rehearsal_fault(plan->name)->clock : 0.0;
+    }
+    return step;
+}
+
 void task_judge(task *t)
 {
     int side = struck_side(t);
     for (uint32_t i = 0; i < t->options->fault_count; i++) {
         const fault_plan *plan = &t->options->faults[i];
         fault_finding *f = &t->now.findings[i];
+        const fault_row *row = rehearsal_fault(plan->name);
         double since = t->now.time - plan->from;
-        if (f->begun && since < smaller(LOOKED_AT, plan->until - plan->from) &&
-            acts(t, rehearsal_fault(plan->name), side)) {
+        /* a jump of the clock is over when the outputs have been off */
+        const bool is_over = row->clock > 0.0 && since - f->safe_after > 0.5 * PACE_PERIOD;
+        if (f->begun && !is_over && since < smaller(LOOKED_AT, plan->until - plan->from) &&
+            acts(t, row, side)) {
             f->safe_after = since + PACE_PERIOD;
             f->unsafe = f->unsafe || since > SAFE_WITHIN;
         }
@@ -88,7 +102,8 @@ static bool mirrors(const vbss_device_calibration *c)
 }
 
 /* Where an arm must be, and how turned, so that the device says what is wanted of its tool. */
-static void to_device(const vbss_device_calibration *c, const told *w, double at[3], double turn[4])
+static void to_device(const vbss_device_calibration *c, const reported *w, double at[3],
+                      double turn[4])
 {
     const double unmount[4] = {c->mount[0], -c->mount[1], -c->mount[2], -c->mount[3]};
     double away[3], turned[4];
@@ -101,7 +116,7 @@ static void to_device(const vbss_device_calibration *c, const told *w, double at
     to_axes(c, turned + 1, turn + 1);
 }
 
-static void lead_arm(task *t, int side, const told *w)
+static void lead_arm(task *t, int side, const reported *w)
 {
     task_hand *h = &t->hands[side];
     double at[3], turn[4];
@@ -122,7 +137,7 @@ static void lead_arm(task *t, int side, const told *w)
 static void lead_hand(task *t, int side)
 {
     const vbss_device_calibration *c = &t->calibration->hands[side];
-    const told w = follower_want(&t->hardware.followers[side], t->now.time);
+    const reported w = follower_want(&t->hardware.followers[side], t->now.time);
     if (!w.known) {
         return;
     }
@@ -160,18 +175,22 @@ vbss_result task_rehearse(task *t)
 
 static const struct {
     uint32_t bit;
-    bool fault;
+    bool fault, says_why;
     const char *text;
-} wordings[] = {{VBSS_DEVICE_EVENT_LOST, true, "the hardware is gone"},
-                {VBSS_DEVICE_EVENT_FOUND, false, "the hardware is back"},
-                {VBSS_DEVICE_EVENT_STALE, true, "the pose is old: forces ramp down"},
-                {VBSS_DEVICE_EVENT_JAW_STALE, true, "the handle's opening is old"},
-                {VBSS_DEVICE_EVENT_REFUSED, true, "a sample was refused"},
-                {VBSS_DEVICE_EVENT_FAILED, true, "a read failed"},
-                {VBSS_DEVICE_EVENT_FAULT, true, "it refuses forces: all off"},
-                {VBSS_DEVICE_EVENT_STOPPED, true, "emergency stop: all outputs are off"}};
+} wordings[] = {
+    {VBSS_DEVICE_EVENT_LOST, true, true, "the hardware is gone"},
+    {VBSS_DEVICE_EVENT_FOUND, false, false, "the hardware is back"},
+    {VBSS_DEVICE_EVENT_STALE, true, true, "the pose is old: forces ramp down"},
+    {VBSS_DEVICE_EVENT_JAW_STALE, true, true, "the handle's opening is old"},
+    {VBSS_DEVICE_EVENT_REFUSED, true, true, "a sample was refused"},
+    {VBSS_DEVICE_EVENT_FAILED, true, true, "a read failed"},
+    {VBSS_DEVICE_EVENT_FAULT, true, true, "it refuses forces: all off"},
+    {VBSS_DEVICE_EVENT_STOPPED, true, true, "emergency stop: all outputs are off"},
+    {VBSS_DEVICE_EVENT_SLOW, false, true, "the handles are slow"},
+    {VBSS_DEVICE_EVENT_JAW_HELD, false, false, "the jaws stay until the handle has passed them"},
+    {VBSS_DEVICE_EVENT_JAW_TAKEN, false, false, "the handle has taken over the jaws"}};
 
-void task_tell(task *t, int side, const vbss_device_input *in)
+void task_report(task *t, int side, const vbss_device_input *in)
 {
     char why[EVENT_BYTES];
     task_hand *h = &t->hands[side];
@@ -185,9 +204,10 @@ void task_tell(task *t, int side, const vbss_device_input *in)
             continue;
         }
         if (!known) {
+            const bool says_why = wordings[i].says_why && why[0] != '\0';
             figures_note(&t->now, wordings[i].fault, "%s: %s%s%s%s", side_names[side],
-                         wordings[i].text, why[0] != '\0' ? " (" : "", why,
-                         why[0] != '\0' ? ")" : "");
+                         wordings[i].text, says_why ? " (" : "", says_why ? why : "",
+                         says_why ? ")" : "");
         }
         h->noted[i] = t->now.time;
     }

@@ -6,7 +6,7 @@
 
 #include "trainer/hardware.h"
 
-enum { MOST_WORDS = 32 };
+enum { MAX_WORDS = 32 };
 
 struct arms {
     options options;
@@ -54,9 +54,9 @@ static bool knows_faults(const options *o)
 /* A hand without a device is the mouse's, so that the trainer's question who moves it is answered. */
 static bool read_words(arms *a, int count, char **words)
 {
-    static char nobody[] = "viewer", scripted[] = "--mock";
-    char *all[MOST_WORDS + 2] = {nobody, scripted}, why[256];
-    if (count > MOST_WORDS) {
+    static char none[] = "viewer", scripted[] = "--mock";
+    char *all[MAX_WORDS + 2] = {none, scripted}, why[256];
+    if (count > MAX_WORDS) {
         return refuse("devices", "too many words");
     }
     for (int i = 0; i < count; i++) {

@@ -14,7 +14,7 @@ camera camera_from(point3 target, float aside, float down, float away)
     const float x = sinf(aside), y = -cosf(aside);
     c.tip = point3_add(target, away, (point3){x * cosf(down), y * cosf(down), sinf(down)});
     c.port = point3_add(c.tip, shaft, (point3){x * cosf(tube), y * cosf(tube), sinf(tube)});
-    c.clear = fminf(CAMERA_CLEAR * away, CAMERA_MOST_CLEAR);
+    c.clear = fminf(CAMERA_CLEAR * away, CAMERA_MAX_CLEAR);
     c.gain = (away / CAMERA_AWAY) * (away / CAMERA_AWAY);
     return c;
 }

@@ -12,8 +12,8 @@
 
 /* Of what is between lens and target; a shaft of 5 mm covers a tenth of the picture's height at the most of it. */
 #define CAMERA_CLEAR 0.6F
-#define CAMERA_MOST_CLEAR 0.045F /* m */
-#define CAMERA_GONE 0.7F         /* of the two */
+#define CAMERA_MAX_CLEAR 0.045F /* m */
+#define CAMERA_GONE 0.7F        /* of the two */
 
 typedef struct camera {
     point3 port, tip; /* m: the tube goes from one to the other */

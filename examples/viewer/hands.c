@@ -5,7 +5,7 @@
 
 #include "playing.h"
 
-#define MOST_STEPS 50 /* a frame: what takes longer is slow motion */
+#define MAX_STEPS 50 /* a frame: what takes longer is slow motion */
 #define MICRO 1e6
 
 /* ---- steps */
@@ -20,7 +20,7 @@ static int count_steps(playing *p, double elapsed)
     if (p->o->frame_steps > 0) {
         return p->o->frame_steps;
     }
-    return (int)fmin(fmax(floor(elapsed * 1e3 + 0.5), 1.0), MOST_STEPS);
+    return (int)fmin(fmax(floor(elapsed * 1e3 + 0.5), 1.0), MAX_STEPS);
 }
 
 static vbss_result make_steps(playing *p, int count)
@@ -101,7 +101,7 @@ static bool begin(playing *p)
 static bool play(playing *p)
 {
     while (!p->again && window_listen(&p->window, &p->desk)) {
-        if (p->o->lockstep != 0 && !telling_grants(p)) {
+        if (p->o->lockstep != 0 && !reporting_grants(p)) {
             continue;
         }
         const vbss_result result = go_on(p);
@@ -115,8 +115,8 @@ static bool play(playing *p)
             return false;
         }
         p->frames++;
-        if (p->o->tell != 0) {
-            telling_frame(p);
+        if (p->o->report != 0) {
+            reporting_frame(p);
         }
     }
     return true;

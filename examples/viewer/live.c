@@ -88,8 +88,8 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
 
 /* ---- a step */
 
-static vbss_result tell_tool(const live *l, int side, const double at[3], const double turned[4],
-                             double opening)
+static vbss_result report_tool(const live *l, int side, const double at[3], const double turned[4],
+                               double opening)
 {
     vbss_record *record = l->stage.stand->record;
     const uint32_t body = l->hands[side].body;
@@ -110,10 +110,10 @@ static vbss_result lead(live *l, int side)
     bool known = true;
     if (!live_by_device(l, side)) {
         TRY(mouse_hand_read(m, l->time));
-        return tell_tool(l, side, m->in.position, m->in.orientation, m->in.jaw);
+        return report_tool(l, side, m->in.position, m->in.orientation, m->in.jaw);
     }
     TRY(grip_read(g, arms_device(l->arms, side), device_clock(l), STEP, &known));
-    return known ? tell_tool(l, side, g->told, g->in.orientation, g->jaw) : VBSS_OK;
+    return known ? report_tool(l, side, g->reported, g->in.orientation, g->jaw) : VBSS_OK;
 }
 
 static vbss_result feel(live *l, int side)

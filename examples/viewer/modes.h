@@ -4,16 +4,16 @@
 
 #include <stdint.h>
 
-enum { MOST_DEVICE_WORDS = 32 };
+enum { MAX_DEVICE_WORDS = 32 };
 enum { MODE_NO_OPENGL = 77 }; /* what it exits with then */
 
 typedef struct options {
-    const char *log;                  /* to be played back */
-    const char *live;                 /* or a scene to be played in */
-    const char *keep;                 /* its log */
-    const char *hands;                /* a log whose hands move its tools */
-    unsigned long seed;               /* of it */
-    char *devices[MOST_DEVICE_WORDS]; /* words for the trainer's part */
+    const char *log;                 /* to be played back */
+    const char *live;                /* or a scene to be played in */
+    const char *keep;                /* its log */
+    const char *hands;               /* a log whose hands move its tools */
+    unsigned long seed;              /* of it */
+    char *devices[MAX_DEVICE_WORDS]; /* words for the trainer's part */
     int device_words;
     const char *folder; /* of stills */
     const char *film;
@@ -21,7 +21,7 @@ typedef struct options {
     int width, height;
     uint32_t looks;  /* SHOW_ bits */
     int frame_steps; /* of each frame, however long they take; 0: as many as the clock asks */
-    int tell;        /* 1: a line a frame, on standard output */
+    int report;      /* 1: a line a frame, on standard output */
     int lockstep;    /* 1: a frame for each byte on standard input, and none without */
     int renew;       /* so many frames after the begin the context counts as lost; 0: never */
 } options;

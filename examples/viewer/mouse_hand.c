@@ -25,9 +25,9 @@ static void take(mouse_hand *m, int way, double h, double motion[3])
     const double notch = way == SHIFT ? c->mouse_depth : c->mouse_roll;
     const double size = sqrt((rest[0] * rest[0] + rest[1] * rest[1]) * unit * unit +
                              rest[2] * rest[2] * notch * notch);
-    const double most = (way == SHIFT ? FASTEST : SWIFTEST) * h;
+    const double largest = (way == SHIFT ? FASTEST : SWIFTEST) * h;
     double share = fmin(1.0, h / LAG);
-    share = size * share > most ? most / size : share;
+    share = size * share > largest ? largest / size : share;
     for (int i = 0; i < 3; i++) {
         motion[i] = share * rest[i];
         m->pending[way][i] -= motion[i];

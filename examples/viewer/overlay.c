@@ -11,10 +11,10 @@
 #define HELP_WIDE 520.0F
 #define WORDS_WIDE 450.0F
 #define GRAPH_TALL 70.0F
-#define MOST_TIME 2000.0F /* us, at its top */
-#define BUDGET 1000.0F    /* of a step in real time */
+#define MAX_TIME 2000.0F /* us, at its top */
+#define BUDGET 1000.0F   /* of a step in real time */
 
-enum { MOST_LINE = 160 };
+enum { MAX_LINE = 160 };
 
 /* ---- in the scene */
 
@@ -83,7 +83,7 @@ static void put_line(show *s, float *y, pen_colour colour, const char *text)
     *y += SHOW_LINE;
 }
 
-static const char *verdict_of(const vbss_knot_state *k)
+static const char *result_of(const vbss_knot_state *k)
 {
     static const char *const words[] = {"none",   "wrapping",  "passed",
                                         "formed", "certified", "uncertain"};
@@ -104,7 +104,7 @@ bool overlay_judge(show *s, double time)
 
 static void put_knot(show *s, float *y, double time)
 {
-    char line[MOST_LINE];
+    char line[MAX_LINE];
     if (!overlay_judge(s, time)) {
         put_line(s, y, PEN_PALE, "knot: cannot be judged");
         return;
@@ -112,7 +112,7 @@ static void put_knot(show *s, float *y, double time)
     const vbss_knot_state *k = &s->knot.state;
     snprintf(line, sizeof line, "knot: %s%s%s, throws %u, crossings %u",
              k->throw_count > 0 ? s->knot.notation : "", k->throw_count > 0 ? " " : "",
-             verdict_of(k), (unsigned)k->throw_count, (unsigned)k->crossings);
+             result_of(k), (unsigned)k->throw_count, (unsigned)k->crossings);
     put_line(s, y, k->throw_count > 0 ? PEN_GREEN : PEN_WHITE, line);
 }
 
@@ -120,7 +120,7 @@ static void put_knot(show *s, float *y, double time)
 static void put_work(show *s, float *y)
 {
     vbss_scene_statistics now;
-    char line[MOST_LINE];
+    char line[MAX_LINE];
     if (vbss_scene_get_statistics(s->stage->scene, &now, sizeof now) == VBSS_OK) {
         snprintf(line, sizeof line, "contacts %u, clamped %llu", (unsigned)now.contacts,
                  (unsigned long long)now.clamped);
@@ -145,18 +145,18 @@ static void put_times(show *s)
 {
     const float right = s->wide - SHOW_MARGIN, x = right - SHOW_TIMES_KEPT;
     const float top = SHOW_MARGIN, bottom = top + GRAPH_TALL;
-    float most = 0.0F;
-    char line[MOST_LINE];
+    float largest = 0.0F;
+    char line[MAX_LINE];
     pen_box(&s->pen, x, top, SHOW_TIMES_KEPT, GRAPH_TALL, PEN_SHADE);
     for (int i = 0; i < SHOW_TIMES_KEPT; i++) {
         const float us = s->times[(s->times_next + i) % SHOW_TIMES_KEPT];
-        const float tall = GRAPH_TALL * fminf(us, MOST_TIME) / MOST_TIME;
+        const float tall = GRAPH_TALL * fminf(us, MAX_TIME) / MAX_TIME;
         pen_box(&s->pen, x + (float)i, bottom - tall, 1.0F, tall,
                 us > BUDGET ? PEN_RED : PEN_GREEN);
-        most = fmaxf(most, us);
+        largest = fmaxf(largest, us);
     }
-    pen_box(&s->pen, x, bottom - GRAPH_TALL * BUDGET / MOST_TIME, SHOW_TIMES_KEPT, 1.0F, PEN_PALE);
-    snprintf(line, sizeof line, "longest step %.0f us; line: 1 ms", (double)most);
+    pen_box(&s->pen, x, bottom - GRAPH_TALL * BUDGET / MAX_TIME, SHOW_TIMES_KEPT, 1.0F, PEN_PALE);
+    snprintf(line, sizeof line, "longest step %.0f us; line: 1 ms", (double)largest);
     pen_text(&s->pen, x, bottom + SHOW_LINE, 0.8F * SHOW_TEXT, PEN_PALE, line);
 }
 

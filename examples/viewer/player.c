@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool told(const char *path, const char *what, const char *why)
+static bool reported(const char *path, const char *what, const char *why)
 {
     fprintf(stderr, "viewer: %s %s%s%s\n", path, what, *why != '\0' ? ": " : "", why);
     return false;
@@ -35,15 +35,15 @@ bool player_open(player *p, const char *path)
     memset(p, 0, sizeof *p);
     p->log = replay_read(path);
     if (p->log.count == 0) {
-        return told(path, "cannot be read", "");
+        return reported(path, "cannot be read", "");
     }
     if (vbss_context_create(NULL, &reader) != VBSS_OK) {
-        return told(path, "cannot be read", "no memory");
+        return reported(path, "cannot be read", "no memory");
     }
     vbss_result result = begin(p, reader);
     (void)vbss_context_destroy(reader);
     return result == VBSS_OK ||
-           told(path, "is no log of a scene that can be made here", vbss_result_string(result));
+           reported(path, "is no log of a scene that can be made here", vbss_result_string(result));
 }
 
 void player_close(player *p)

@@ -21,10 +21,10 @@ typedef struct playing {
     double clock;      /* of the last frame, s */
     double pace;       /* simulated over real, smoothed */
     uint64_t frames;
-    double motion[2]; /* counts that came, since the beginning */
-    double next;      /* picture, s */
-    uint64_t granted; /* frames, in lockstep */
-    uint64_t told;    /* what had come when it was told last */
+    double motion[2];  /* counts that came, since the beginning */
+    double next;       /* picture, s */
+    uint64_t granted;  /* frames, in lockstep */
+    uint64_t reported; /* what had come when it was told last */
 } playing;
 
 /* ---- person.c: what the person does */
@@ -36,9 +36,9 @@ vbss_result person_pull(playing *p, double seconds);
 /* ---- captions.c: on the picture */
 void captions_put(playing *p);
 
-/* ---- telling.c: a line a frame, for who plays by a script */
-void telling_frame(playing *p);
+/* ---- reporting.c: a line a frame, for who plays by a script */
+void reporting_frame(playing *p);
 /* In lockstep a script grants frames: false if this one is not; what has come meanwhile is told. */
-bool telling_grants(playing *p);
+bool reporting_grants(playing *p);
 
 #endif

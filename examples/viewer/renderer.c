@@ -159,7 +159,7 @@ static void draw_seen(const renderer *r, const meshes *m, const camera_view *vie
     glUniform3f(named(r, "eye"), view->eye.x, view->eye.y, view->eye.z);
     glUniform3f(named(r, "lamp"), view->lamp.x, view->lamp.y, view->lamp.z);
     glUniform1f(named(r, "brightness"), BRIGHTNESS * c->gain);
-    glUniform1f(named(r, "most_tension"), r->most_tension);
+    glUniform1f(named(r, "most_tension"), r->max_tension);
     glUniform1f(named(r, "gone"), CAMERA_GONE);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, r->shadow.depth);

@@ -15,7 +15,7 @@ typedef struct renderer {
     GLuint program, vertex_array, vertices, triangles;
     shadow shadow;
     lens lens;
-    float most_tension; /* N, of the last of the colours that threads have then; 0: they are silk */
+    float max_tension; /* N, of the last of the colours that threads have then; 0: they are silk */
 } renderer;
 
 /* An OpenGL 3.3 context must be current. False, told on standard error: it cannot do what is needed. */

@@ -14,7 +14,7 @@
 #define SMALL_JUMP 0.1 /* with shift */
 #define SLOWEST 0.0625 /* of real time */
 #define FASTEST 8.0
-#define MOST_WORK 0.1 /* s of steps a frame */
+#define MAX_WORK 0.1 /* s of steps a frame */
 #define BAR_TALL 10.0F
 #define MICRO 1e6
 
@@ -147,7 +147,7 @@ static void go_on(watching *w)
         }
         longest = fmax(longest, show_clock() - before);
         w->due -= STEP;
-        if (w->o->frame_steps == 0 && window_clock() - now > MOST_WORK) {
+        if (w->o->frame_steps == 0 && window_clock() - now > MAX_WORK) {
             w->due = 0.0; /* slow motion */
         }
     }
@@ -183,7 +183,7 @@ static void put_line_of_time(watching *w)
     pen_text(&s->pen, x, y - 8.0F, SHOW_TEXT, w->player.differs ? PEN_RED : PEN_WHITE, line);
 }
 
-static void tell(watching *w)
+static void report(watching *w)
 {
     (void)overlay_judge(&w->show, w->player.time);
     printf("frame %llu step %llu of %llu time %.3f playing %d speed %g looks %u knot %d %u %s",
@@ -229,8 +229,8 @@ static bool watch(watching *w)
             return false;
         }
         w->frames++;
-        if (w->o->tell != 0) {
-            tell(w);
+        if (w->o->report != 0) {
+            report(w);
         }
     }
     return !w->player.differs;

@@ -6,13 +6,13 @@ static GLuint compile(const char *name, GLenum stage, const char *const *text, i
 {
     GLuint shader = glCreateShader(stage);
     GLint good = GL_FALSE;
-    char told[1024];
+    char reported[1024];
     glShaderSource(shader, pieces, text, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
     if (good == GL_FALSE) {
-        glGetShaderInfoLog(shader, sizeof told, NULL, told);
-        fprintf(stderr, "viewer: shader %s: %s\n", name, told);
+        glGetShaderInfoLog(shader, sizeof reported, NULL, reported);
+        fprintf(stderr, "viewer: shader %s: %s\n", name, reported);
         glDeleteShader(shader);
         return 0;
     }

@@ -7,7 +7,7 @@
 #define USUAL_HEIGHT 720.0F /* pixels, with a point each */
 #define SMALLEST 0.5F
 #define LARGEST 3.0F
-#define MOST_TENSION 1.0F /* N, of the last colour */
+#define MAX_TENSION 1.0F /* N, of the last colour */
 
 static bool is_ok(vbss_result result)
 {
@@ -93,7 +93,7 @@ static void measure(show *s)
 bool show_draw(show *s, double time)
 {
     measure(s);
-    s->renderer.most_tension = (s->looks & SHOW_TENSION) != 0 ? MOST_TENSION : 0.0F;
+    s->renderer.max_tension = (s->looks & SHOW_TENSION) != 0 ? MAX_TENSION : 0.0F;
     if (!is_ok(vbss_visual_update(s->visual)) ||
         !renderer_draw(&s->renderer, s->visual, &s->camera)) {
         return false;

@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decimal_point.h"
 #include "modes.h"
 #include "show.h"
 
@@ -108,7 +109,7 @@ static int take_device_words(int count, char **words, options *o)
     if (taken > 0 && count > 1 && strncmp(words[1], "--", 2) != 0) {
         taken++;
     }
-    for (int i = 0; i < taken && o->device_words < MOST_DEVICE_WORDS; i++) {
+    for (int i = 0; i < taken && o->device_words < MAX_DEVICE_WORDS; i++) {
         o->devices[o->device_words++] = words[i];
     }
     return taken;
@@ -121,7 +122,7 @@ static bool read_options(int count, char **words, options *o)
         if (taken > 0) {
             i += taken - 1;
         } else if (strcmp(words[i], "--tell") == 0) {
-            o->tell = 1;
+            o->report = 1;
         } else if (strcmp(words[i], "--lockstep") == 0) {
             o->lockstep = 1;
         } else if (i + 1 == count || !read_option(words[i], words[i + 1], o)) {
@@ -138,6 +139,7 @@ static bool read_options(int count, char **words, options *o)
 
 int main(int argc, char **argv)
 {
+    use_decimal_point();
     options o = {.to = 1e9, .width = 960, .height = 720};
     if (!read_options(argc, argv, &o)) {
         fprintf(stderr, "viewer --live throw|needle|stitch [--log FILE] [--seed N]\n"

@@ -4,7 +4,7 @@
 
 #include <epoxy/gl.h>
 
-static void tell_error(int code, const char *what)
+static void report_error(int code, const char *what)
 {
     fprintf(stderr, "viewer: window: %s (%d)\n", what, code);
 }
@@ -99,7 +99,7 @@ static bool open_window(window *w, int width, int height)
     }
     glfwMakeContextCurrent(w->handle);
     glfwSwapInterval(1);
-    w->tells_loss = epoxy_has_gl_extension("GL_ARB_robustness");
+    w->reports_loss = epoxy_has_gl_extension("GL_ARB_robustness");
     w->resized = true; /* a screen of many pixels */
     hear(w);
     return true;
@@ -107,7 +107,7 @@ static bool open_window(window *w, int width, int height)
 
 static bool begin_glfw(void)
 {
-    glfwSetErrorCallback(tell_error);
+    glfwSetErrorCallback(report_error);
     return glfwInit() == GLFW_TRUE;
 }
 
@@ -137,7 +137,7 @@ void window_end(window *w, show *s)
 
 static bool is_lost(const window *w)
 {
-    return w->give_up || (w->tells_loss && glGetGraphicsResetStatusARB() != GL_NO_ERROR);
+    return w->give_up || (w->reports_loss && glGetGraphicsResetStatusARB() != GL_NO_ERROR);
 }
 
 /* At the same place, and the pointer is whose it was. */

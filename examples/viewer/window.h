@@ -21,15 +21,15 @@ typedef struct desk {
 typedef struct tick_window {
     void *handle; /* of GLFW */
     const desk *desk;
-    double x, y;     /* of the pointer */
-    bool known;      /* where it is */
-    bool taken;      /* the pointer is the window's: it moves hands, and is not seen */
-    bool resized;    /* since the last picture */
-    uint64_t moves;  /* of mouse and wheel that came */
-    double wheel;    /* notches that came, since the beginning, away */
-    uint64_t events; /* keys and buttons that went down or up */
-    bool tells_loss; /* OpenGL tells whether its context is lost */
-    bool give_up;    /* the context counts as lost */
+    double x, y;       /* of the pointer */
+    bool known;        /* where it is */
+    bool taken;        /* the pointer is the window's: it moves hands, and is not seen */
+    bool resized;      /* since the last picture */
+    uint64_t moves;    /* of mouse and wheel that came */
+    double wheel;      /* notches that came, since the beginning, away */
+    uint64_t events;   /* keys and buttons that went down or up */
+    bool reports_loss; /* OpenGL tells whether its context is lost */
+    bool give_up;      /* the context counts as lost */
     unsigned renewed;
     bool has_pad, lost_pad; /* a gamepad is there; was, and is no more */
 } window;

@@ -38,7 +38,9 @@ enum {
     VBSS_DEVICE_FLAG_LOST = 1, /**< It is not there: unplugged, or its driver has given up. */
     VBSS_DEVICE_FLAG_STOP = 2, /**< Emergency stop: latches as #vbss_device_stop does. */
     /** It refuses forces for now: all outputs are off while this is set. */
-    VBSS_DEVICE_FLAG_FAULT = 4
+    VBSS_DEVICE_FLAG_FAULT = 4,
+    /** It is too slow to put outputs off within vbss_output_result::expires. `explain` says how slow. */
+    VBSS_DEVICE_FLAG_SLOW = 8
 };
 
 /** Which tool a device holds: a VBSS_DEVICE_TOOL_ constant. */

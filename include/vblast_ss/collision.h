@@ -1,8 +1,8 @@
 /**
  * @file collision.h
- * @brief Closest points, continuous collision tests, and the search for pairs worth testing.
+ * @brief Closest points, continuous collision tests, and the search for candidate pairs.
  *
- * Three ways to ask, each usable alone:
+ * There are three interfaces, each usable alone:
  * - pure functions for one question: #vbss_closest_segments and its kin, #vbss_edges_test,
  *   #vbss_point_triangle_test;
  * - batches of questions in rows: #vbss_collision_test_batch;
@@ -10,11 +10,11 @@
  *   #vbss_collision_find_candidates, then #vbss_collision_find_impacts.
  *
  * A continuous test asks whether two features, whose vertices move evenly from their start to their end
- * positions in the time from 0 to 1, come within the contact distance D of each other. With
+ * positions from time 0 to time 1, come within the contact distance D of each other. With
  * VBSS_COLLISION_CONSERVATIVE a miss is a proof, rounding included: docs/collision.md.
  *
  * Coordinates are at most 1e30 in magnitude; D is zero or from 1e-30 to 1e30. Lengths are in m, but
- * nothing depends on it except the default unit of the paper's method.
+ * only the default unit of the paper's method depends on it.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -31,17 +31,18 @@ typedef int32_t vbss_collision_method;
 
 /** The constants of #vbss_collision_method. */
 enum {
-    /** Directional conservative advancement, the default: never misses. For D = 0 exact both ways. */
+    /** Directional conservative advancement, the default: never misses. For D = 0, hits and misses are
+     * exact. */
     VBSS_COLLISION_CONSERVATIVE = 0,
-    /** The usual one: roots of the coplanarity cubic, an inside test at each, the distance at the
-     * end. May miss. */
+    /** The usual method: roots of the coplanarity cubic, an inside test at each root, and the distance at
+     * the end. May miss. */
     VBSS_COLLISION_CUBIC = 1,
-    /** As in VBLaST-SS (Qi et al. 2017, algorithm 1): distance at the end, then a sign test and a
-     * linear time of impact. Often misses. */
+    /** Algorithm 1 of VBLaST-SS (Qi et al. 2017): distance at the end, then a sign test and a linear time
+     * of impact. Often misses. */
     VBSS_COLLISION_PAPER = 2
 };
 
-/** Which features a continuous test is about: a VBSS_PAIR_ constant. */
+/** Kinds of the two features of a continuous test: a VBSS_PAIR_ constant. */
 typedef int32_t vbss_pair_kind;
 
 /** The constants of #vbss_pair_kind, with their four vertices. */
@@ -50,7 +51,7 @@ enum {
     VBSS_PAIR_POINT_TRIANGLE = 1 /**< The point (a), then b0, b1, b2 of the triangle. */
 };
 
-/** What an answer stands on: a VBSS_DECISION_ constant. */
+/** Evidence for an answer: a VBSS_DECISION_ constant. */
 typedef int32_t vbss_decision;
 
 /** The constants of #vbss_decision. */
@@ -58,86 +59,88 @@ enum {
     /** Miss: planes that separate the features by more than D at all times. Hit: at `time` the
      * distance is at most D plus the tolerance. */
     VBSS_DECISION_PROVED = 0,
-    VBSS_DECISION_EXACT = 1, /**< D = 0: true of the given numbers, without any tolerance. */
-    /** Neither could be shown; told as a hit. D > 0: pass_limit was reached, or no direction was exact
-     * enough, which takes a D below some 1e-8 of the size. D = 0: the bits of the coordinates spread over
-     * more binary places than there is memory for: some 250 in a call without an object; with one, any
-     * doubles have fitted so far. */
+    VBSS_DECISION_EXACT = 1, /**< D = 0: true for the given numbers, without any tolerance. */
+    /** Neither could be shown, so the answer is a hit. D > 0: the test reached pass_limit, or no direction
+     * was exact enough, which takes a D below about 1e-8 of the size. D = 0: the bits of the coordinates
+     * spread over more binary places than there is memory for. A call without an object has memory for
+     * about 250 places; with an object, all doubles tried so far have fitted. */
     VBSS_DECISION_UNDECIDED = 2,
-    VBSS_DECISION_CLAIMED = 3 /**< Of CUBIC and PAPER, which prove nothing. */
+    VBSS_DECISION_CLAIMED = 3 /**< CUBIC and PAPER: not proved. */
 };
 
 /** Two closest points. */
 typedef struct vbss_closest {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double distance;   /**< m; of capsules: negative by the penetration depth when they overlap. */
-    double normal[3];  /**< Unit vector from a to b; zero where there is none (axes that meet). */
-    double point_a[3]; /**< On a, m. */
-    double point_b[3]; /**< On b, m. */
-    double weights_a[3]; /**< point_a as a sum of a's vertices; of the axis for a capsule. */
-    double weights_b[3]; /**< point_b likewise. */
+    double distance;      /**< m; capsules that overlap: minus the penetration depth. */
+    double normal[3];     /**< Unit vector from a to b; zero if undefined (axes that meet). */
+    double point_a[3];    /**< On a, m. */
+    double point_b[3];    /**< On b, m. */
+    double weights_a[3];  /**< point_a as a weighted sum of the vertices of a, or of its axis. */
+    double weights_b[3];  /**< point_b likewise. */
 } vbss_closest;
 
-/** What a continuous test found. */
+/** Result of a continuous test. */
 typedef struct vbss_impact {
     uint32_t struct_size;   /**< Bytes of this struct that the library filled. */
     int32_t hit;            /**< 1: they come within D; 0: they do not. */
-    vbss_decision decision; /**< What `hit` stands on. */
-    uint32_t passes;        /**< CONSERVATIVE: looks at the closest points; else roots looked at. */
-    /** Hit: 0 to 1; with CONSERVATIVE there is no contact before. PROVED: at `time` they are within D
-     * plus the tolerance. EXACT: `time` is as near to the first contact as the advancement came; `distance`
-     * tells how near, some 1e-14 of the size, but where features graze it stays behind. Miss: 1. */
+    vbss_decision decision; /**< Evidence for `hit`. */
+    uint32_t passes;        /**< CONSERVATIVE: evaluations of the closest points; else of roots. */
+    /** Hit: 0 to 1; with CONSERVATIVE there is no contact before. PROVED: at `time` the features are within
+     * D plus the tolerance. EXACT: `time` is as near to the first contact as the advancement came.
+     * `distance` says how near: about 1e-14 of the size, but more where features graze. Miss: 1. */
     double time;
-    /** Hit: of the features at `time`, m; of CUBIC and PAPER: between what they take for the points of
+    /** Hit: distance of the features at `time`, m; CUBIC and PAPER: distance of the assumed points of
      * contact. Miss: 0. */
     double distance;
-    double normal[3];  /**< Hit: unit vector from a to b, or zero where none is known. Miss: 0. */
-    double weights[4]; /**< Hit: of the four vertices, summing to 1 on either feature. Miss: 0. */
-    double point_a[3]; /**< Hit: on a at `time`, m. Miss: 0. */
-    double point_b[3]; /**< Hit: on b at `time`, m. Miss: 0. */
+    double normal[3];  /**< Hit: unit vector from a to b, or zero if none is known. Miss: 0. */
+    double weights[4]; /**< Hit: weights of the four vertices, sum 1 on either feature. Miss: 0. */
+    double point_a[3]; /**< Hit: point on a at `time`, m. Miss: 0. */
+    double point_b[3]; /**< Hit: point on b at `time`, m. Miss: 0. */
 } vbss_impact;
 
-/** How to test and how much room there is. Fill it with #vbss_collision_config_init. */
+/** Method of the tests, and capacities. Fill it with #vbss_collision_config_init. */
 typedef struct vbss_collision_config {
     uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
     vbss_collision_method method; /**< Default VBSS_COLLISION_CONSERVATIVE. */
     /** Contact distance D, m: 0, or 1e-30 to 1e30; default 0. Between shapes their radii are added. */
     double thickness;
-    /** Share of D, 1e-12 to 1: a hit may be told of features that come no nearer than D (1 +
-     * tolerance); default 1e-3. Rounding sets a lower limit: docs/collision.md. Without effect on the
-     * answer when D = 0. */
+    /** Share of D, 1e-12 to 1; default 1e-3. A test may report a hit for features that only come within
+     * D (1 + tolerance). Rounding sets a lower limit: docs/collision.md. No effect on the answer when
+     * D = 0. */
     double tolerance;
-    /** CONSERVATIVE: passes before a test gives up and tells a hit, 1 to 1000000; default 10000. Most
-     * take one or two; edges that turn about each other just above D take hundreds. With D = 0 at most 256
-     * are made. Exact decisions are not limited by it: they take some 10 us, milliseconds where bits
-     * spread over hundreds of binary places, and up to a second with subnormal numbers beside 1. */
+    /** CONSERVATIVE: passes before a test gives up and reports a hit, 1 to 1000000; default 10000. Most
+     * tests take one or two; edges that turn about each other just above D take hundreds. With D = 0 a test
+     * makes at most 256. The limit does not apply to exact decisions. They take about 10 us, milliseconds
+     * where bits spread over hundreds of binary places, and up to a second with subnormal numbers beside
+     * 1. */
     uint32_t pass_limit;
-    uint32_t shape_capacity;  /**< Most shapes ever added, 0 to 65536; default 16. */
-    uint32_t pair_capacity;   /**< Most candidates at a time, 0 to 1e8; default 16384. */
-    uint32_t impact_capacity; /**< Most impacts at a time, 0 to 1e8; default 4096. */
-    /** Segments of one chain are no candidates when the arc between their nearest ends is shorter than
-     * `exclusion` times D, D being that of the pair; 0 to 1e3; default 1.6: a tube bent until it
-     * touches itself needs pi/2. Neighbours never are. */
+    uint32_t shape_capacity;  /**< Largest number of shapes ever added, 0 to 65536; default 16. */
+    uint32_t pair_capacity;   /**< Largest number of candidates, 0 to 1e8; default 16384. */
+    uint32_t impact_capacity; /**< Largest number of impacts, 0 to 1e8; default 4096. */
+    /** Excludes two segments of one chain from the candidates if the arc between their nearest ends is
+     * shorter than `exclusion` times the D of the pair; 0 to 1e3. Neighbours are always excluded. Default
+     * 1.6: a tube bent until it touches itself needs pi/2. */
     double exclusion;
-    /** Candidates are also told when features come within D plus this, m, 0 to 1e3; default 0. */
+    /** Added to D in the search for candidates, m, 0 to 1e3; default 0. */
     double margin;
     /** PAPER: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in paper_unit^4; 0 to 1;
      * default 1e-6. */
     double paper_parallel;
-    double paper_unit; /**< PAPER: its unit of length, m, 1e-9 to 1e3; default 1e-3. */
+    double paper_unit; /**< PAPER: unit of length, m, 1e-9 to 1e3; default 1e-3. */
 } vbss_collision_config;
 
 /** Questions in rows, answers in rows. Fill it with #vbss_collision_batch_init. */
 typedef struct vbss_collision_batch {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    vbss_pair_kind kind;  /**< Of all questions. */
+    vbss_pair_kind kind;  /**< Kinds of the features of all questions. */
     uint32_t count;       /**< Questions, at most 1e8. */
-    uint32_t stride;      /**< From one row to the next, at least count; in every array of rows. */
-    /** No two arrays overlap. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x of vertex 1, ...; m. */
+    uint32_t stride;      /**< Elements from one row to the next in every array, at least count. */
+    /** Positions at time 0, m. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x of vertex 1,
+     * and so on. No two arrays of a batch overlap. */
     const double *start;
-    const double *end;       /**< The same at time 1. */
-    const double *thickness; /**< D of each question, m; NULL: that of the configuration. */
+    const double *end;       /**< Positions at time 1, m, likewise. */
+    const double *thickness; /**< D of each question, m; NULL: D of the configuration. */
     int32_t *hit;            /**< Receives #vbss_impact.hit of each question. */
     int32_t *decision;       /**< Receives #vbss_impact.decision; may be NULL. */
     double *time;            /**< Receives #vbss_impact.time; may be NULL. */
@@ -154,7 +157,7 @@ enum {
      * point (node) or a triangle. Sorted by these five numbers. */
     VBSS_COLLISION_VIEW_CANDIDATES = 0,
     VBSS_COLLISION_VIEW_IMPACTS = 1,   /**< uint32_t: index of the candidate, ascending. */
-    VBSS_COLLISION_VIEW_TIMES = 2,     /**< Of each impact: #vbss_impact.time. */
+    VBSS_COLLISION_VIEW_TIMES = 2,     /**< #vbss_impact.time. */
     VBSS_COLLISION_VIEW_NORMALS = 3,   /**< x 3: #vbss_impact.normal. */
     VBSS_COLLISION_VIEW_WEIGHTS = 4,   /**< x 4: #vbss_impact.weights. */
     VBSS_COLLISION_VIEW_DECISIONS = 5, /**< uint32_t: #vbss_impact.decision. */
@@ -164,40 +167,41 @@ enum {
 /** Counters of a collision object since its creation. Searches and tests that fail are not counted. */
 typedef struct vbss_collision_statistics {
     uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
-    uint32_t candidates;       /**< Of the last search. */
-    uint32_t impacts;          /**< Of the last search. */
+    uint32_t candidates;       /**< Candidates of the last search. */
+    uint32_t impacts;          /**< Impacts of the last search. */
     uint32_t reserved;         /**< Zero. */
     uint64_t queries;          /**< Continuous tests. */
-    uint64_t hits;             /**< Of these, hits. */
-    uint64_t undecided;        /**< Of these, undecided. */
+    uint64_t hits;             /**< Continuous tests that were hits. */
+    uint64_t undecided;        /**< Continuous tests that were undecided. */
     uint64_t exact;            /**< Tests that needed exact arithmetic. */
-    uint64_t passes;           /**< CONSERVATIVE: looks at the closest points. */
+    uint64_t passes;           /**< CONSERVATIVE: evaluations of the closest points. */
     uint64_t sign_tests_ended; /**< PAPER: tests ended by the sign of w.w'. */
-    uint64_t boxes_tested; /**< Pairs of boxes looked at by the searches; not part of the state. */
+    uint64_t boxes_tested; /**< Pairs of boxes that the searches tested; not part of the state. */
     uint64_t searches;     /**< Searches for candidates. */
 } vbss_collision_statistics;
 
-/** How the paper's response finds direction and depth: a VBSS_RESPONSE_ constant. */
+/** Direction and depth of the paper's response: a VBSS_RESPONSE_ constant. */
 typedef int32_t vbss_response_variant;
 
 /** The constants of #vbss_response_variant. */
 enum {
     /** Algorithm 2 as printed: along the shortest vector at the end of the step. */
     VBSS_RESPONSE_END_OF_STEP = 0,
-    /** Along the normal at the time of impact, by D: D apart in the positions of that time. */
+    /** Along the normal at the time of impact, by D: the features are then D apart in the positions of that
+     * time. */
     VBSS_RESPONSE_TIME_OF_IMPACT = 1
 };
 
 /** Displacements by the paper's response. */
 typedef struct vbss_response {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    /** 1: the paper leaves this case open, such as no relative motion along the direction, or features
-     * that meet at the end, and a rule of docs/paper-collision.md was used. */
+    /** 1: the paper leaves this case open, and a rule of docs/paper-collision.md was used. Examples are no
+     * relative motion along the direction, and features that meet at the end. */
     int32_t completed;
     double direction[3];     /**< q: unit vector from edge b to edge a, on the side of the start. */
-    double depth;            /**< u: what is to be restored along q, m. */
+    double depth;            /**< u: distance to restore along q, m. */
     double share_a;          /**< Share of u that a moves along q; b moves -(1 - share_a) u q. */
-    double displacement[12]; /**< Of the four vertices at time 1, m. */
+    double displacement[12]; /**< Displacements of the four vertices at time 1, m. */
 } vbss_response;
 
 #ifdef __cplusplus
@@ -284,12 +288,12 @@ VBSS_API vbss_result vbss_collision_config_init(vbss_collision_config *config,
                                                 uint32_t struct_size);
 
 /**
- * Whether two moving edges come within D of each other. Edges of length zero are points; all cases,
- * parallel and degenerate ones too, are answered. Needs no object.
+ * Tests whether two moving edges come within D of each other. Edges of length zero are points. The test
+ * answers all cases, also parallel and degenerate ones, and needs no object.
  *
  * @param config       method, thickness, tolerance; NULL for the defaults. Capacities are not read.
  * @param start        a0, a1, b0, b1 at time 0, m
- * @param end          the same at time 1, m
+ * @param end          these vertices at time 1, m
  * @param[out] impact  receives the answer
  * @param struct_size  `sizeof *impact` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
@@ -302,11 +306,11 @@ VBSS_API vbss_result vbss_edges_test(const vbss_collision_config *config, const 
                                      uint32_t struct_size);
 
 /**
- * Whether a moving point and a moving triangle come within D of each other. Needs no object.
+ * Tests whether a moving point and a moving triangle come within D of each other. Needs no object.
  *
  * @param config       method, thickness, tolerance; NULL for the defaults. Capacities are not read.
  * @param start        the point, then the corners b0, b1, b2 at time 0, m
- * @param end          the same at time 1, m
+ * @param end          these vertices at time 1, m
  * @param[out] impact  receives the answer
  * @param struct_size  `sizeof *impact` as the caller was compiled
  * @return as #vbss_edges_test
@@ -318,21 +322,22 @@ VBSS_API vbss_result vbss_point_triangle_test(const vbss_collision_config *confi
                                               vbss_impact *impact, uint32_t struct_size);
 
 /**
- * The paper's response to a hit (algorithm 2): how far to move the four vertices at the end of the step
- * so that the features are D apart on the side they came from; with TIME_OF_IMPACT, D more than they have
- * come nearer since. Between the two vertices of an edge, or the three of a triangle, the shift of the
- * contact point is shared by weights and inverse masses. Source, signs and the rules for what the paper
- * leaves open: docs/paper-collision.md.
+ * Computes the paper's response to a hit (algorithm 2): displacements of the four vertices at the end of
+ * the step after which the features are D apart, on the side they came from. With TIME_OF_IMPACT they are
+ * D apart in the positions of that time, and at the end nearer by their approach since then. The shift of the contact point is shared between the two vertices of an
+ * edge, or the three of a triangle, by weights and inverse masses. docs/paper-collision.md has the source,
+ * the signs, and the rules for cases that the paper leaves open.
  *
- * @param kind            what the vertices are
- * @param variant         printed, or with the time of impact
- * @param impact          the hit, as a test with the same vertices told it; TIME_OF_IMPACT needs it,
- *                        END_OF_STEP takes its normal when there is no other, and may have NULL
+ * @param kind            kinds of the features
+ * @param variant         as printed, or at the time of impact
+ * @param impact          the hit, as reported by a test of the same vertices. TIME_OF_IMPACT needs it.
+ *                        END_OF_STEP uses its normal if there is no other; NULL is allowed
  * @param start           four vertices at time 0, m
- * @param end             the same at time 1, m
+ * @param end             four vertices at time 1, m
  * @param thickness       D, m, 0 to 1e30
- * @param inverse_masses  of the vertices, 1/kg, 0 to 1e30; 0 for a vertex that cannot move: a feature of
- *                        such vertices is rigid and the other takes all. At least one is above 0.
+ * @param inverse_masses  one for each vertex, 1/kg, 0 to 1e30; 0 for a vertex that cannot move. If no
+ *                        vertex of a feature can move, the other feature takes the whole correction. At
+ *                        least one inverse mass is above 0.
  * @param[out] response   receives the displacements
  * @param struct_size     `sizeof *response` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
@@ -352,7 +357,7 @@ VBSS_API vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_vari
  * Creates a collision object without shapes.
  *
  * @param context         owner
- * @param config          how; NULL for the defaults
+ * @param config          the configuration; NULL for the defaults
  * @param[out] collision  the new object; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
@@ -375,12 +380,12 @@ VBSS_API vbss_result vbss_collision_create(vbss_context *context,
 VBSS_API vbss_result vbss_collision_destroy(vbss_collision *collision);
 
 /**
- * One test with the object's method and thickness, counted in its statistics.
+ * Runs one test with the method and the thickness of the object, and counts it in the statistics.
  *
  * @param collision    the object
- * @param kind         what the vertices are
+ * @param kind         kinds of the features
  * @param start        four vertices at time 0, m
- * @param end          the same at time 1, m
+ * @param end          four vertices at time 1, m
  * @param[out] impact  receives the answer
  * @param struct_size  `sizeof *impact` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
@@ -405,7 +410,7 @@ VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_ki
 VBSS_API vbss_result vbss_collision_batch_init(vbss_collision_batch *batch, uint32_t struct_size);
 
 /**
- * Many tests, four at a time. The answers have the bits of #vbss_collision_test. Nothing is allocated.
+ * Runs many tests, four at a time. The answers have the bits of #vbss_collision_test. Nothing is allocated.
  *
  * @param collision  the object: method, tolerance, counters
  * @param batch      questions, and arrays for the answers
@@ -422,12 +427,13 @@ VBSS_API vbss_result vbss_collision_test_batch(vbss_collision *collision,
 
 /**
  * Adds a chain of capsules, such as a thread: node_count nodes, edge i joins the nodes i and i + 1.
- * Candidates and impacts are forgotten, as with any new shape. Allocates; its nodes are at the origin until #vbss_collision_move.
+ * The call clears candidates and impacts, as with any new shape. It allocates. The nodes are at the origin
+ * until #vbss_collision_move.
  *
  * @param collision     the object
  * @param node_count    2 to 65537
- * @param rest_lengths  of the node_count - 1 edges, m, 0 to 1e30: the arc that `exclusion` measures;
- *                      NULL: neighbours alone are excluded. Copied.
+ * @param rest_lengths  rest lengths of the node_count - 1 edges, m, 0 to 1e30, which the call copies.
+ *                      `exclusion` measures the arc by them. NULL excludes neighbours only.
  * @param radius        m, 0 or 1e-30 to 1e29
  * @param[out] shape    names the shape, from 0 on, never used again in this object
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
@@ -441,11 +447,11 @@ VBSS_API vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_
 
 /**
  * Adds capsules that move independently and collide with each other: edge i joins the nodes 2 i and
- * 2 i + 1. Allocates; its nodes are at the origin until #vbss_collision_move.
+ * 2 i + 1. The call allocates. The nodes are at the origin until #vbss_collision_move.
  *
  * @param collision      the object
  * @param capsule_count  1 to 32768
- * @param radius         of all, m, 0 or 1e-30 to 1e29
+ * @param radius         radius of all capsules, m, 0 or 1e-30 to 1e29
  * @param[out] shape     names the shape, from 0 on, never used again in this object
  * @return as #vbss_collision_add_chain
  * @threads one thread at a time per context
@@ -456,8 +462,8 @@ VBSS_API vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint
 
 /**
  * Adds a triangle mesh, open or closed. Its edges are those of its triangles, each once, sorted by
- * their two nodes. Features that share a node are no candidates. Allocates; its nodes are at the origin
- * until #vbss_collision_move.
+ * their two nodes. Features that share a node are never candidates. The call allocates. The nodes are
+ * at the origin until #vbss_collision_move.
  *
  * @param collision       the object
  * @param node_count      3 to 65536
@@ -474,7 +480,7 @@ VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t
                                              double radius, uint32_t *shape);
 
 /**
- * Removes a shape; the others keep their names. Candidates and impacts are forgotten.
+ * Removes a shape; the others keep their names. The call clears candidates and impacts.
  *
  * @param collision  the object
  * @param shape      which
@@ -486,9 +492,9 @@ VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t
 VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape);
 
 /**
- * Says which shapes a shape is searched with: those whose category has a bit in its mask, and in whose mask
- * its category has a bit. Of itself too: without a common bit a thread or a mesh does not collide with
- * itself. Candidates and impacts are forgotten.
+ * Sets the category and the mask of a shape. The search pairs two shapes if each one's category has a bit
+ * in the other's mask. A shape is also paired with itself by this rule: without a common bit, a thread or
+ * a mesh does not collide with itself. The call clears candidates and impacts.
  *
  * @param collision  the object
  * @param shape      which
@@ -503,7 +509,7 @@ VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32
                                                uint32_t category, uint32_t mask);
 
 /**
- * Says how a shape moves in the coming searches. Candidates and impacts are forgotten.
+ * Sets the motion of a shape for the next searches. The call clears candidates and impacts.
  *
  * @param collision   the object
  * @param shape       which
@@ -520,10 +526,11 @@ VBSS_API vbss_result vbss_collision_move(vbss_collision *collision, uint32_t sha
                                          uint32_t node_count);
 
 /**
- * Lists the pairs of features whose boxes, swept over the motion and inflated by the radii, `thickness`,
- * the tolerance and `margin`, overlap: edges with edges, and points with triangles where a mesh takes
- * part (points of chains, capsules and other meshes, and of the mesh itself). Complete; the list depends
- * on the positions alone, not on what was searched before. Nothing is allocated. Impacts are forgotten.
+ * Lists the pairs of features whose boxes overlap. Boxes are swept over the motion, and inflated by the
+ * radii, `thickness`, the tolerance and `margin`. Pairs are edges with edges, and points with triangles
+ * where a mesh takes part: points of chains, capsules and other meshes, and of the mesh itself. The list
+ * is complete and depends on the positions alone, not on earlier searches. Nothing is allocated. The call
+ * clears the impacts.
  *
  * @param collision  the object
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (pair_capacity: there are no
@@ -534,9 +541,9 @@ VBSS_API vbss_result vbss_collision_move(vbss_collision *collision, uint32_t sha
 VBSS_API vbss_result vbss_collision_find_candidates(vbss_collision *collision);
 
 /**
- * Tests all candidates of the last search; the hits are the impacts. Nothing is allocated. Impacts are those
- * of edges with edges and points with triangles: what has gone through a triangle before, and is near
- * neither its edges nor with a point its inside, is none.
+ * Tests all candidates of the last search; the hits are the impacts. Nothing is allocated. The tests see
+ * edges with edges and points with triangles only. They report no impact for a feature that went through
+ * a triangle earlier, is not near its edges, and has no point near its inside.
  *
  * @param collision  the object
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (impact_capacity: there are no
@@ -547,11 +554,11 @@ VBSS_API vbss_result vbss_collision_find_candidates(vbss_collision *collision);
 VBSS_API vbss_result vbss_collision_find_impacts(vbss_collision *collision);
 
 /**
- * A look at the candidates or the impacts.
+ * Returns a view of the candidates or the impacts.
  *
  * @param collision    the object
  * @param field        which array
- * @param[out] view    receives where the array is
+ * @param[out] view    receives the address and the shape of the array
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)

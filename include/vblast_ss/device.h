@@ -87,6 +87,11 @@ typedef struct vbss_device_config {
     uint32_t stop_when_lost;
     /** 1: the clutch holds the orientation too; 0 (default): it always follows. */
     uint32_t clutch_orientation;
+    /** 1: the opening does not jump. It stays as it was reported last while the clutch is held, after
+     * #vbss_device_restore, after another tool was taken, and after #vbss_device_hold_jaw, until the handle has passed
+     * it; a session also does so in its first step and after #vbss_session_restore. 0 (default): it always follows. */
+    uint32_t jaw_takeover;
+    uint32_t reserved; /**< Zero. */
     /** Age at which the jaw's opening is stale, s, 1e-4 to 1e3; default 0.1. The pose's is the output's
      * input_timeout. */
     double jaw_timeout;
@@ -123,7 +128,10 @@ enum {
     VBSS_DEVICE_EVENT_STOPPED = 256,    /**< The device latched the emergency stop. */
     VBSS_DEVICE_EVENT_FAULT = 512,      /**< A device began to refuse forces. */
     VBSS_DEVICE_EVENT_RESTARTED = 1024, /**< The clock of an adapter began anew. */
-    VBSS_DEVICE_EVENT_TOOL = 2048       /**< The tool is another. */
+    VBSS_DEVICE_EVENT_TOOL = 2048,      /**< The tool is another. */
+    VBSS_DEVICE_EVENT_SLOW = 4096, /**< An adapter became too slow to put outputs off in time. */
+    VBSS_DEVICE_EVENT_JAW_HELD = 8192,  /**< The opening is held until the handle has passed it. */
+    VBSS_DEVICE_EVENT_JAW_TAKEN = 16384 /**< The handle took over the opening. */
 };
 
 /** What a read found, in the world's frame. */
@@ -141,7 +149,7 @@ typedef struct vbss_device_input {
     int32_t jaw_closed;         /**< 1: the jaws count as closed. */
     int32_t clutched;           /**< 1: the clutch is held: the pose stays, there is no force. */
     int32_t stopped;            /**< 1: the emergency stop is latched. */
-    uint32_t reserved;          /**< Zero. */
+    uint32_t jaw_held;          /**< 1: `jaw` is held until the handle has passed it. */
     double time;                /**< Of the pose, by the adapter's clock, s. */
     double age;                 /**< Of the pose, s; -1: there was none. */
     double jaw_age;             /**< Of the opening, s; -1: there was none. */
@@ -247,7 +255,8 @@ VBSS_API vbss_result vbss_device_destroy(vbss_device *device);
  * succeeds. Nothing is allocated.
  *
  * @param device       the device
- * @param now          the host's clock, s; not before the `now` of an earlier call
+ * @param now          the host's clock, s; not before the `now` of an earlier call. If it is, or is no number in
+ *                     range, the call returns an error and puts all outputs off
  * @param[out] input   receives what was found
  * @param struct_size  `sizeof *input` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
@@ -261,15 +270,17 @@ VBSS_API vbss_result vbss_device_read(vbss_device *device, double now, vbss_devi
 
 /**
  * Puts a command through the output stage and writes what is left of it to the adapters. While the clutch is held,
- * forces and solenoid are off. Nothing is allocated.
+ * forces and solenoid are off. When two writes are more than 0.1 s apart, the clock has jumped or the host was stopped:
+ * all outputs are off for vbss_output_result::expires from then on. Nothing is allocated.
  *
  * @param device       the device
- * @param now          the host's clock, s; not before the `now` of an earlier call
+ * @param now          the host's clock, s; not before the `now` of an earlier call. If it is, or is no number in
+ *                     range, the call returns an error and puts all outputs off
  * @param command      what is wanted, forces in the world's frame; NULL: there is no new command since the last, which
  *                     grows old
  * @param[out] result  receives what went out, in the device's frame; may be NULL
  * @param struct_size  `sizeof *result` as the caller was compiled
- * @return as #vbss_device_read, further VBSS_ERROR_UNKNOWN_FIELD; then nothing was written
+ * @return as #vbss_device_read, further VBSS_ERROR_UNKNOWN_FIELD; then nothing was written, or zeros for a wrong `now`
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -284,7 +295,8 @@ VBSS_API vbss_result vbss_device_write(vbss_device *device, double now,
  * pose, the coupling holds no more than that.
  *
  * @param device       the device
- * @param now          the host's clock, s; not before the `now` of an earlier call
+ * @param now          the host's clock, s; not before the `now` of an earlier call. If it is, or is no number in
+ *                     range, the call returns an error and puts all outputs off
  * @param command      what else is wanted, forces in the world's frame
  * @param coupling     where the tool is that the hand is tied to, and how, in the world's frame
  * @param[out] result  receives what went out, in the device's frame; may be NULL
@@ -343,6 +355,19 @@ VBSS_API vbss_result vbss_device_clutch(vbss_device *device, int32_t held);
  */
 VBSS_API vbss_result vbss_device_recentre(vbss_device *device, const double *position,
                                           const double *orientation);
+
+/**
+ * Holds the opening that reads report until the handle has passed it, or has come within 0.04 of it. A host calls this
+ * when the jaws are elsewhere than the handle, such as after it has restored a scene.
+ *
+ * @param device   the device; its configuration has `jaw_takeover`
+ * @param opening  of the jaws, 0 closed to 1 open
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (also: without `jaw_takeover`),
+ *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_device_hold_jaw(vbss_device *device, double opening);
 
 /**
  * Calibrates a device anew, from the next read on; what clutch and re-centring did is forgotten, as is the filter

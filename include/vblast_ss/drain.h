@@ -1,16 +1,19 @@
 /**
  * @file drain.h
- * @brief The Penrose drain: a tube of rubber with a slit that stands open, alone so far.
+ * @brief The Penrose drain: a tube of rubber with an open slit.
  *
- * A thin elastic shell of triangles of its middle surface. In its own frame the tube lies along x with its centre at
- * the origin; the slit is on top (+y), and a strip along the bottom is glued to the block on which the drain lies, by
- * anchors that tear off. At rest nothing is under stress, and the slit stands open.
+ * A drain is a thin elastic shell, modelled by triangles of its middle surface. In its own frame the
+ * tube lies along x with its centre at the origin, and the slit is on top (+y). Anchors glue a strip
+ * along the bottom to the block on which the drain lies; they tear off under load. At rest the drain has
+ * no stress, and the slit is open.
  *
- * Method OURS: membrane and bending are those of an isotropic elastic shell with large rotations (assumed-strain patch
- * triangles, Flores and Onate 2005; docs/drain-shell.md). Time is backward Euler with one linearisation a step and a second look at
- * the forces (docs/drain.md). Method PAPER is that of VBLaST-SS (Qi et al. 2017): 85 particles, each tied to its rest
- * position by a spring and to nothing else, in explicit steps (docs/paper-drain.md). It has a mesh of its own and no
- * anchors.
+ * Method OURS: membrane and bending are those of an isotropic elastic shell with large rotations
+ * (assumed-strain patch triangles, Flores and Onate 2005; docs/drain-shell.md). The time integration is
+ * backward Euler with one linearisation and one correction a step (docs/drain.md).
+ *
+ * Method PAPER (VBLaST-SS, Qi et al. 2017): 85 particles, which move in explicit steps. A spring ties
+ * each particle to its rest position, and nothing ties it to its neighbours (docs/paper-drain.md). The
+ * method has a mesh of its own and no anchors.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -22,8 +25,8 @@
 /** A drain. */
 typedef struct vbss_drain vbss_drain;
 
-/** How fine a drain's mesh is: a VBSS_DRAIN_MESH_ constant. All are graded toward the slit, with its tips and both marks
- * on nodes. */
+/** Mesh of a drain: a VBSS_DRAIN_MESH_ constant. All meshes are graded toward the slit, and have nodes
+ * at its tips and at both marks. */
 typedef int32_t vbss_drain_mesh;
 
 /** The constants of #vbss_drain_mesh. */
@@ -39,76 +42,83 @@ typedef struct vbss_drain_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
     vbss_method method;   /**< Default VBSS_METHOD_OURS. */
     vbss_drain_mesh mesh; /**< Method OURS; default VBSS_DRAIN_MESH_137. */
-    /** Method OURS: each cell is divided so often each way, 1 to 4; default 1. */
+    /** Method OURS: divisions of each cell in each direction, 1 to 4; default 1. */
     uint32_t mesh_divisions;
-    uint32_t attachment_capacity; /**< Most attachments at a time, 0 to 256; default 8. */
-    /** Method OURS: linearisations of a step, 1 to 50; default 1. More until position_tolerance is kept: for references. */
+    uint32_t attachment_capacity; /**< Largest number of attachments, 0 to 256; default 8. */
+    /** Method OURS: largest number of linearisations in a step, 1 to 50; default 1. A step with a larger
+     * limit stops at position_tolerance; this serves reference solutions. */
     uint32_t linearisation_limit;
     uint32_t halving_limit; /**< Method OURS: how often a step may be halved, 0 to 10; default 4. */
     uint32_t reserved;      /**< Zero. */
-    double radius;          /**< Of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
-    double length;          /**< m, 2 to 7 radii; default 32e-3. */
-    double thickness;       /**< Of the wall, m, 0.01 to 0.3 radii; default 1e-3. */
-    double slit_length;     /**< m, a radius to 0.7 lengths; default 10e-3. */
-    /** At the middle of the slit, along the surface, m, 0 to 0.4 slit lengths and a radius; default 3e-3. */
+    double radius;          /**< Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
+    double length;          /**< Length of the tube, m, 2 to 7 radii; default 32e-3. */
+    double thickness;       /**< Thickness of the wall, m, 0.01 to 0.3 radii; default 1e-3. */
+    double slit_length;     /**< Length of the slit, m, one radius to 0.7 lengths; default 10e-3. */
+    /** Width of the slit at its middle, along the surface, m, 0 to 0.4 slit lengths and one radius; default
+     * 3e-3. */
     double slit_opening;
-    /** From the slit's middle to each mark, along the surface before the slit was opened, m; beyond half the opening,
-     * from 20 to 90 degrees; default 4.5e-3. */
+    /** Arc from the middle of the slit to each mark, along the surface before the slit was opened, m. It is
+     * longer than half the opening and lies between 20 and 90 degrees. Default 4.5e-3. */
     double mark_arc;
-    /** Method OURS: Pa, 1e3 to 1e12; default 1.2e6. Of real drains: not verified. */
+    /** Method OURS: Pa, 1e3 to 1e12; default 1.2e6 (not verified for real drains). */
     double young_modulus;
     double poisson_ratio; /**< Method OURS: 0 to 0.49; default 0.47. */
     double density;       /**< kg/m^3, 1 to 1e5; default 950. */
     double drag;          /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 20. */
-    double gravity
-        [3]; /**< m/s^2, each at most 1e6; default 0: the rest shape is the one that lies there. */
-    double position[3]; /**< Of the drain's frame in the world, m, each at most 1e3; default 0. */
+    /** Acceleration, m/s^2, each at most 1e6; default 0: the rest shape is that of a drain that lies on its
+     * block. */
+    double gravity[3];
+    double position
+        [3]; /**< Origin of the drain's frame in the world, m, each at most 1e3; default 0. */
     double orientation
         [4]; /**< Quaternion (w, x, y, z) of any length from 1e-100 to 1e100; default (1, 0, 0, 0). */
-    /** Method OURS: what the glue of the strip bears, Pa, 1 to 1e12; default 5e4 (not verified). The anchor of a node tears
-     * off for ever above this times the part of the strip that is the node's; the one that is overloaded most, one a
-     * step. */
+    /** Method OURS: strength of the glue of the strip, Pa, 1 to 1e12; default 5e4 (not verified). The anchor
+     * of a node tears off permanently above this stress times the node's area of the strip. Each step tears
+     * off at most one anchor: the one with the largest overload. */
     double tear_stress;
-    /** Method OURS: of the last linearisation's increments, m, 1e-15 to 1; default 1e-6. */
+    /** Method OURS: largest increment of the last linearisation, m, 1e-15 to 1; default 1e-6. */
     double position_tolerance;
-    /** Method OURS: a step in which a node would move farther gets one more linearisation; four times as far, and it is
-     * halved; m, 1e-9 to 1; default 1e-3. */
+    /** Method OURS: a step in which a node would move farther than this gets one more linearisation. A step
+     * in which it would move four times as far is halved. m, 1e-9 to 1; default 1e-3. */
     double move_limit;
-    /** Method PAPER: of the spring that ties a particle to its rest position, N/m, 0 to 1e9; default 125. */
+    /** Method PAPER: stiffness of the spring that ties a particle to its rest position, N/m, 0 to 1e9;
+     * default 125. */
     double paper_stiffness;
-    /** Method PAPER: share of the velocity relative to the drain's rigid motion that is removed at each explicit step,
-     * 0 to 1; default 0.7. */
+    /** Method PAPER: share of the velocity relative to the rigid motion of the drain that each explicit step
+     * removes, 0 to 1; default 0.7. */
     double paper_damping;
-    /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the springs need. */
+    /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as stability needs. */
     uint32_t paper_substeps;
     uint32_t reserved2; /**< Zero. */
-    /** In a scene: coefficient of friction with threads, 0 to 10; with other bodies, the floor and itself the geometric mean
-     * of both counts. Default 0.3 (not verified). */
+    /** In a scene: coefficient of friction with threads, 0 to 10. Friction with other bodies, the floor and
+     * the drain itself uses the geometric mean of both coefficients. Default 0.3 (not verified). */
     double friction;
     /* Needles that are pushed through the wall in a scene: docs/puncture.md. */
-    /** With which a tip is pushed along its direction when it enters a wall, N, 1e-3 to 1e3; default 1 (the published range
-     * for both walls of a Penrose drain is 0.85 to 2.92). */
+    /** Force along the direction of a tip at which it enters a wall, N, 1e-3 to 1e3; default 1 (the
+     * published range for both walls of a Penrose drain is 0.85 to 2.92). */
     double puncture_force;
     /** Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default 0.25 (not verified). */
     double hole_force;
-    /** Beside that, a share of what is borne across, 0 to 10; default 0.3 (not verified). */
+    /** Coefficient of the additional friction from the force across the suture, 0 to 10; default 0.3 (not
+     * verified). */
     double hole_friction;
-    double
-        hole_stiffness; /**< Of a hole across and along what is in it, N/m, 1 to 1e7; default 2e4. */
-    double hole_damping; /**< Of what slides in it, N s/m, 0 to 1e3; default 0.05. */
-    /** Of a tip's way through the wall, over which puncture_force falls to hole_force, m, 0 to 0.1; default 0.5e-3. */
+    /** Stiffness of a hole across and along the suture in it, N/m, 1 to 1e7; default 2e4. */
+    double hole_stiffness;
+    double hole_damping; /**< Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05. */
+    /** Length of a tip's path through the wall over which puncture_force falls to hole_force, m, 0 to 0.1;
+     * default 0.5e-3. */
     double tip_length;
-    /** Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02 (not verified). One that is tight rubs as a
-     * rope round a post: docs/stitch.md. */
+    /** Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02 (not verified). A tight
+     * thread has capstan friction: docs/stitch.md. */
     double thread_force;
 } vbss_drain_config;
 
-/** What an attachment does: a VBSS_DRAIN_ATTACHMENT_ constant. */
+/** Kind of an attachment: a VBSS_DRAIN_ATTACHMENT_ constant. */
 typedef int32_t vbss_drain_attachment_kind;
 
 /** The constants of #vbss_drain_attachment_kind. */
 enum {
-    VBSS_DRAIN_ATTACHMENT_PIN = 0,   /**< The node is where `position` says. */
+    VBSS_DRAIN_ATTACHMENT_PIN = 0,   /**< The node is at `position`. */
     VBSS_DRAIN_ATTACHMENT_FORCE = 1, /**< `force` pulls at the node. */
     VBSS_DRAIN_ATTACHMENT_SPRING = 2 /**< A spring from `position` to the node. */
 };
@@ -119,8 +129,8 @@ typedef struct vbss_drain_attachment {
     vbss_drain_attachment_kind kind; /**< Default VBSS_DRAIN_ATTACHMENT_PIN. */
     uint32_t node;                   /**< A node that is not anchored. */
     uint32_t reserved;               /**< Zero. */
-    double position
-        [3]; /**< PIN: where the node is taken in the next step; SPRING: its end; m, each at most 1e3. */
+    /** PIN: target of the node in the next step; SPRING: its fixed end; m, each at most 1e3. */
+    double position[3];
     double force[3];  /**< FORCE: N, each at most 1e6. */
     double stiffness; /**< SPRING: N/m, 0 to 1e9. */
 } vbss_drain_attachment;
@@ -130,18 +140,19 @@ typedef int32_t vbss_drain_field;
 
 /** The constants of #vbss_drain_field. n nodes, m triangles. */
 enum {
-    VBSS_DRAIN_POSITIONS = 0,      /**< n x 3 doubles, m: of the middle surface. */
+    VBSS_DRAIN_POSITIONS = 0,      /**< n x 3 doubles, m, on the middle surface. */
     VBSS_DRAIN_VELOCITIES = 1,     /**< n x 3 doubles, m/s. */
     VBSS_DRAIN_REST_POSITIONS = 2, /**< n x 3 doubles, m, in the drain's frame. */
     VBSS_DRAIN_TRIANGLES = 3, /**< m x 3 uint32_t, nodes counter-clockwise seen from outside. */
     VBSS_DRAIN_SLIT_LEFT =
         4, /**< uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x. */
-    VBSS_DRAIN_SLIT_RIGHT = 5, /**< The same on the right (+z). */
+    VBSS_DRAIN_SLIT_RIGHT = 5, /**< Nodes of the right edge (+z), likewise. */
     VBSS_DRAIN_ANCHORS = 6,    /**< uint32_t: nodes of the bottom strip; method PAPER: none. */
-    /** 3 doubles for each of VBSS_DRAIN_ANCHORS, N: of the anchor on the drain; zero for those torn off. */
+    /** 3 doubles for each of VBSS_DRAIN_ANCHORS, N: the force of the anchor on the drain; zero once it is
+     * torn off. */
     VBSS_DRAIN_ANCHOR_FORCES = 7,
-    /** m x 3 doubles: strains of the middle surface along and across the triangle's first side, and shear (2 e12). What
-     * method PAPER does not resist is told as well, and so are curvatures. */
+    /** m x 3 doubles: strains of the middle surface along and across the triangle's first side, and shear
+     * (2 e12). Method PAPER reports strains and curvatures too, although it does not resist them. */
     VBSS_DRAIN_STRAINS = 8,
     VBSS_DRAIN_CURVATURES = 9 /**< m x 3 doubles, 1/m: changes of curvature, likewise (2 k12). */
 };
@@ -152,57 +163,58 @@ typedef struct vbss_drain_places {
     uint32_t node_count;     /**< Nodes of the mesh. */
     uint32_t triangle_count; /**< Its triangles. */
     uint32_t marks[2];       /**< The marks, left and right. */
-    uint32_t
-        gap_points[2]; /**< The middles of the slit's edges, left and right: the paper's points. */
+    /** The middles of the slit's edges, left and right: the paper's points. */
+    uint32_t gap_points[2];
     uint32_t reserved; /**< Zero. */
 } vbss_drain_places;
 
-/** How far the slit stands open. */
+/** Opening of the slit. */
 typedef struct vbss_drain_gap {
     uint32_t struct_size;  /**< Bytes of this struct that the library filled. */
-    uint32_t largest_pair; /**< Of which nodes of the two edges, counted along x. */
-    double gap;            /**< Distance of the middles of the edges, m: the paper's measure. */
-    double largest;        /**< Largest distance of opposite nodes of the edges, m. */
-    /** Component of the vector between the middles, left to right, along the one at rest as the drain's frame carries it, m:
-     * negative when the edges have crossed. */
+    uint32_t largest_pair; /**< Index of the opposite nodes that `largest` is between, along x. */
+    double gap;     /**< Distance between the middles of the edges, m: the paper's measure. */
+    double largest; /**< Largest distance between opposite nodes of the edges, m. */
+    /** Component of the vector between the middles, left to right, along that vector at rest, which moves
+     * with the drain's frame, m. It is negative when the edges have crossed. */
     double signed_gap;
-    /** Between the lips, which are as high as the wall, at the middles of the edges, m: the distance of the lines through the
-     * wall there. At rest about the gap; 0 to a fifth of the wall where lips meet, however they are turned: lips that rise
-     * meet with their inner corners, or face to face, when `gap` is up to a whole wall. 0, shut, where one lip
-     * lies on the other. Method PAPER: likewise. */
+    /** Distance between the lips at the middles of the edges, m: that of the lines through the wall there.
+     * At rest it is about the gap. Where lips meet it is 0 to a fifth of the wall, for any rotation of the
+     * lips: raised lips meet with their inner corners or face to face, when `gap` is up to a whole wall.
+     * It is 0 (shut) where one lip lies on the other. Method PAPER: likewise. */
     double opening;
-    double widest_opening; /**< The largest of opposite nodes of the edges, m. */
-    double lips[2][3];     /**< The points that `opening` is between, left and right, m. */
+    double widest_opening; /**< Largest opening between opposite nodes of the edges, m. */
+    double lips[2][3];     /**< End points of `opening`, left and right, m. */
 } vbss_drain_gap;
 
 /** Energies of a drain, J. */
 typedef struct vbss_drain_energies {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double kinetic;       /**< Of lumped masses. */
-    double membrane;      /**< Elastic, of stretching the middle surface; method PAPER: zero. */
-    double bending;       /**< Elastic; method PAPER: zero. */
-    double springs; /**< Of SPRING attachments; method PAPER: and of those to the rest positions. */
+    double kinetic;       /**< Kinetic energy of the lumped masses. */
+    double membrane;      /**< Elastic energy of stretching; method PAPER: zero. */
+    double bending;       /**< Elastic energy of bending; method PAPER: zero. */
+    /** Energy of SPRING attachments; method PAPER: also of the springs to the rest positions. */
+    double springs;
     double gravity; /**< Potential, zero at the origin. */
-    double total;   /**< Of all. */
+    double total;   /**< Sum of the energies. */
 } vbss_drain_energies;
 
 /** Counters since creation, and figures of the last step. */
 typedef struct vbss_drain_statistics {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t torn;        /**< Anchors that have torn off. */
-    uint32_t inverted;    /**< Triangles that are turned over or collapsed now. */
+    uint32_t inverted;    /**< Triangles that are inverted or collapsed at present. */
     uint32_t reserved;    /**< Zero. */
     uint64_t steps;       /**< Calls of #vbss_drain_step that succeeded, and steps of its scene. */
     uint64_t parts;       /**< Equal to steps if none was halved; method PAPER: explicit steps. */
-    uint64_t linearisations; /**< Tangents made and solved with. */
-    uint64_t
-        corrections_dropped; /**< Second looks whose correction was not small against the first, and was left out. */
+    uint64_t linearisations; /**< Linearisations assembled and solved. */
+    /** Corrections that were not small against the increment, and were left out. */
+    uint64_t corrections_dropped;
     uint64_t forced;  /**< Parts that moved a node beyond four move_limits at the last halving. */
-    double last_move; /**< Farthest that a node went in a part of the last step, m. */
-    double
-        last_correction; /**< Largest of the last part's last correction, m: what is left is smaller. */
-    double time;         /**< Simulated so far, s. */
+    double last_move; /**< Largest displacement of a node in a part of the last step, m. */
+    /** Largest displacement by the last correction of the last part, m: the remaining error is smaller. */
+    double last_correction;
+    double time; /**< Simulated time, s. */
 } vbss_drain_statistics;
 
 #ifdef __cplusplus
@@ -224,7 +236,7 @@ VBSS_API vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t 
  * Creates a drain at rest.
  *
  * @param context     owner
- * @param config      how
+ * @param config      the configuration
  * @param[out] drain  the new drain; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
@@ -246,8 +258,8 @@ VBSS_API vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_c
 VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
 
 /**
- * Moves a drain forward in time. Nothing is allocated. A state that is no longer finite is told
- * and the drain stays as it was before the step.
+ * Moves a drain forward in time. Nothing is allocated. If the new state is not finite, the call fails
+ * and the drain keeps its state from before the step.
  *
  * @param drain  the drain
  * @param h      s, 1e-7 to 0.1
@@ -259,8 +271,8 @@ VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
 VBSS_API vbss_result vbss_drain_step(vbss_drain *drain, double h);
 
 /**
- * Places the nodes and gives them velocities. Anchored nodes that have not torn off must stay where they are and get no
- * velocity.
+ * Sets positions and velocities of the nodes. Anchored nodes that have not torn off must keep their
+ * position and have no velocity.
  *
  * @param drain       the drain
  * @param positions   3 doubles a node, m, each at most 1e3; NULL leaves them
@@ -291,7 +303,7 @@ VBSS_API vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachmen
  * their ranges, also those that the kind does not read.
  *
  * @param drain       the drain
- * @param attachment  what
+ * @param attachment  the attachment
  * @param[out] id     names the attachment, from 1 on, never used again in this drain
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is pinned or anchored already),
@@ -303,8 +315,8 @@ VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attac
                                        uint32_t *id);
 
 /**
- * Says where an attachment shall be at the end of the next step; a PIN goes there evenly in the step and then stays, a
- * SPRING's end too.
+ * Sets where an attachment shall be at the end of the next step. A PIN, or the end of a SPRING, moves
+ * there at constant velocity during the step, and then stays.
  *
  * @param drain   the drain
  * @param id      the attachment
@@ -329,7 +341,7 @@ VBSS_API vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const doubl
 VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
 
 /**
- * The force of an attachment on the drain at the end of the last step; zero before its first.
+ * Returns the force of an attachment on the drain at the end of the last step; zero before its first step.
  *
  * @param drain       the drain
  * @param id          the attachment
@@ -342,7 +354,7 @@ VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
 VBSS_API vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force[3]);
 
 /**
- * Which nodes are the marks and the points between which the gap is measured.
+ * Returns the nodes of the marks and of the points between which the gap is measured.
  *
  * @param drain        the drain
  * @param[out] places  receives the numbers
@@ -355,7 +367,7 @@ VBSS_API vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places 
                                            uint32_t struct_size);
 
 /**
- * How far the slit stands open.
+ * Returns the opening of the slit.
  *
  * @param drain        the drain
  * @param[out] gap     receives the numbers
@@ -368,11 +380,11 @@ VBSS_API vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap,
                                         uint32_t struct_size);
 
 /**
- * A look at one of the drain's arrays.
+ * Returns a view of one of the drain's arrays.
  *
  * @param drain        the drain
- * @param field        which
- * @param[out] view    receives where the array is
+ * @param field        the array
+ * @param[out] view    receives the address and the shape of the array
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
@@ -383,7 +395,7 @@ VBSS_API vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field fie
                                          uint32_t struct_size);
 
 /**
- * The drain's energies.
+ * Returns the drain's energies.
  *
  * @param drain          the drain
  * @param[out] energies  receives the numbers
@@ -396,7 +408,7 @@ VBSS_API vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energ
                                              uint32_t struct_size);
 
 /**
- * The drain's counters.
+ * Returns the drain's counters.
  *
  * @param drain            the drain
  * @param[out] statistics  receives the numbers
@@ -409,7 +421,7 @@ VBSS_API vbss_result vbss_drain_get_statistics(vbss_drain *drain, vbss_drain_sta
                                                uint32_t struct_size);
 
 /**
- * Saves the drain's state, to go back to it or to go on elsewhere to the same bits.
+ * Saves the drain's state. A drain that restores it continues with identical bits, on any machine.
  *
  * @param drain         the drain
  * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error

@@ -2,26 +2,33 @@
  * @file grasper.h
  * @brief A tool with a shaft and two jaws: needle driver or shears.
  *
- * A grasper does nothing alone: it is told where its tip shall be and how far its handle is open, is added to
- * a scene (#vbss_scene_add_grasper), and moves, touches, holds and cuts when that is stepped. It is a *proxy*,
- * tied to the pose it is told by a virtual coupling, so that what stops the tool is felt by the hand.
+ * A grasper does nothing alone. The host adds it to a scene (#vbss_scene_add_grasper), sets where its
+ * tip shall be and how far its handle is open, and steps the scene. The tool then moves, touches, holds
+ * and cuts. It is a *proxy*: a virtual coupling ties it to its target pose, so the hand feels whatever
+ * stops the tool.
  *
- * Frame of the tool: the origin is the *tip*, midway between the ends of the axes of the closed jaws; +z goes
- * along the shaft from the tip to the handle; the jaws open along x. Jaws that are bent lean toward -y, by
- * the angle `bend` from the shaft's axis. The *pivot* is where they begin; between it and the bend lies the *neck*,
- * along the line of the jaws.
+ * Frame of the tool: the origin is the *tip*, midway between the ends of the axes of the closed jaws; +z
+ * goes along the shaft from the tip to the handle; the jaws open along x. Bent jaws lean toward -y, by
+ * the angle `bend` from the axis of the shaft. The *pivot* is where the jaws begin. The *neck* lies
+ * between the pivot and the bend, in line with the jaws.
  *
- * Grasping a thread, method OURS: the jaws close until what lies between them touches both, and hold it from then on
- * by a compliant clamp over a short length of the thread, in position and direction. What it can bear grows
- * with the pressure of the jaws, as Coulomb friction of both faces: beyond that the thread slides through,
- * turns, or is torn out, over its end or over the jaws'. Shears cut what lies between them when they close,
- * but not nearer to an end of a thread than it is thick: that, and a thread of which all cuts are made, they close
- * through, and do not touch it until they have been clear of it.
- * A wall of a drain that they close on is held at up to three points along the jaws. A needle (needle.h) is held where the jaws have found it, as it was turned, in position and orientation; it slides and
- * turns in them above what the pressure bears.
- * Method PAPER (VBLaST-SS, Qi et al. 2017): tools are where the hand is; one that closes near a thread carries
- * its nearest node exactly, and one that closes near a needle across its jaws carries that; of two tools the first leads, the
- * other changes nothing until that lets go.
+ * Grasping, method OURS:
+ * - A thread: the jaws close until both touch it. A compliant clamp then holds a short length of the
+ *   thread in position and direction. The load that it bears grows with the pressure of the jaws, as
+ *   Coulomb friction of both faces. Beyond that load the thread slides through, turns, or is torn out
+ *   over its own end or over that of the jaws.
+ * - A wall of a drain: the jaws hold it at up to three points along them.
+ * - A needle (needle.h): the jaws hold it where they find it, in position and orientation. It slides and
+ *   turns in them under a load above the limit of the pressure.
+ * - Shears cut a thread between their blades when they close. They do not cut within one thickness of
+ *   an end of the thread, or a thread that has no cuts left. They close through such a thread, and do
+ *   not touch it until they have been clear of it.
+ *
+ * Grasping, method PAPER (VBLaST-SS, Qi et al. 2017): tools are exactly where the hand is. A tool that
+ * closes near a thread carries its nearest node exactly. A tool that closes near a needle across its
+ * jaws carries the needle. The first of two tools leads; the second changes nothing until the first
+ * lets go.
+ *
  * docs/graspers.md has the formulas and limits.
  *
  * SPDX-License-Identifier: Apache-2.0
@@ -34,7 +41,7 @@
 /** A tool with two jaws. */
 typedef struct vbss_grasper vbss_grasper;
 
-/** What a tool is: a VBSS_GRASPER_ constant. */
+/** Kind of a tool: a VBSS_GRASPER_ constant. */
 typedef int32_t vbss_grasper_kind;
 
 /** The constants of #vbss_grasper_kind. */
@@ -46,63 +53,71 @@ enum {
 /** How to make a grasper. Fill it with #vbss_grasper_config_init, then change what you need. */
 typedef struct vbss_grasper_config {
     uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;     /**< Default VBSS_METHOD_OURS; the scene's must be the same. */
-    vbss_grasper_kind kind; /**< With which it begins; default VBSS_GRASPER_NEEDLE_DRIVER. */
+    vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_OURS. */
+    vbss_grasper_kind kind; /**< Initial kind; default VBSS_GRASPER_NEEDLE_DRIVER. */
     int32_t has_trocar;     /**< 1: the shaft goes through `trocar`; default 0: free. */
-    double trocar[3];       /**< Where the shaft enters, m, each at most 1e3; default 0. */
-    /* Two jaws, or blades, round fingers that touch along their length when closed. */
-    double driver_length; /**< Of a driver's jaws, pivot to tip, m, 1e-4 to 1; default 13e-3. */
-    double driver_radius; /**< Of each jaw, m, 1e-6 to 0.1, below the length; default 0.5e-3. */
-    double driver_bend;   /**< By which they lean from the shaft, rad, -1.5 to 1.5; default 0. */
-    /** Angle of each from the middle when the handle is open, rad, 1e-3 to 1.2; default 0.35. */
+    double trocar[3];       /**< Point of entry of the shaft, m, each at most 1e3; default 0. */
+    /* Both jaws or blades are round fingers that touch along their length when closed. */
+    /** Length of a driver's jaws, pivot to tip, m, 1e-4 to 1; default 13e-3. */
+    double driver_length;
+    /** Radius of each jaw, m, 1e-6 to 0.1, below the length; default 0.5e-3. */
+    double driver_radius;
+    double driver_bend; /**< Angle between jaws and shaft, rad, -1.5 to 1.5; default 0. */
+    /** Angle of each jaw from the middle when the handle is open, rad, 1e-3 to 1.2; default 0.35. */
     double driver_opening;
-    double shears_length;  /**< Of the blades of shears, as driver_length; default 15e-3. */
+    double shears_length;  /**< Length of the blades of shears, as driver_length; default 15e-3. */
     double shears_radius;  /**< As driver_radius; default 0.5e-3. */
     double shears_bend;    /**< As driver_bend; default 0. */
     double shears_opening; /**< As driver_opening; default 0.35. */
-    double driver_neck;    /**< From the pivot back to the bend, m, 0 to 1; default 0. */
+    double driver_neck;    /**< Length from the pivot back to the bend, m, 0 to 1; default 0. */
     double shears_neck;    /**< As driver_neck; default 0. */
-    double neck_radius;    /**< Of both, m, 1e-6 to 0.1; default 1.2e-3. */
-    double shaft_length;   /**< From the bend on, m, 1e-3 to 10; default 0.15. */
-    double shaft_radius;   /**< m, 1e-6 to 0.1; default 2.5e-3. */
-    double friction;       /**< Coefficient with all but what is held, 0 to 10; default 0.15. */
-    double closing_force;  /**< Pressure of the jaws of a closed handle on what they hold, N,
-                               * 0 to 1e4; default 8. */
-    /** Angle that the jaws of a closed handle would close further if nothing held them, rad, 1e-3 to 1: the
-     * pressure grows over it from nothing to closing_force; default 0.1. */
+    double neck_radius;    /**< Radius of either neck, m, 1e-6 to 0.1; default 1.2e-3. */
+    double shaft_length;   /**< Length from the bend on, m, 1e-3 to 10; default 0.15. */
+    double shaft_radius;   /**< Radius of the shaft, m, 1e-6 to 0.1; default 2.5e-3. */
+    double friction; /**< Coefficient for contacts outside the grasp, 0 to 10; default 0.15. */
+    /** Pressure of the jaws on a grasped body when the handle is closed, N, 0 to 1e4; default 8. */
+    double closing_force;
+    /** Angle by which the jaws of a closed handle would close further without a grasped body, rad, 1e-3
+     * to 1. The pressure grows over this angle from zero to closing_force. Default 0.1. */
     double closing_angle;
-    double jaw_speed;     /**< Most of each jaw, rad/s, 1e-2 to 1e3; default 8. */
-    double grip_friction; /**< Coefficient of each face with what is held, 0 to 10; default 0.5. */
-    double grip_length;   /**< Of thread that is held, m, 1e-5 to 1e-1; default 1e-3. */
-    /** Of the clamp as a whole along the faces, N/m, 1 to 1e6; default 3000. From face to face it is 64 times as
-     * stiff. */
+    double jaw_speed;     /**< Largest speed of each jaw, rad/s, 1e-2 to 1e3; default 8. */
+    double grip_friction; /**< Coefficient of each face in the grasp, 0 to 10; default 0.5. */
+    double grip_length; /**< Length of thread that a grasp holds, m, 1e-5 to 1e-1; default 1e-3. */
+    /** Stiffness of the whole clamp of a thread along the faces, N/m, 1 to 1e6; default 3000. From face to
+     * face it is 64 times as stiff. */
     double grip_stiffness;
-    /** Of the proxy, kg, 1e-4 to 1e2; default 0.02. It is at the tip, with a radius of gyration of 30 mm. */
+    /** Mass of the proxy, kg, 1e-4 to 1e2; default 0.02. It is at the tip, with a radius of gyration of
+     * 30 mm. */
     double mass;
-    /** Of the virtual coupling, N/m, 0 to 1e9; default 400: for haptic arms; scripted hands may take 2000, with 10
-     * N s/m. */
+    /** Stiffness of the virtual coupling, N/m, 0 to 1e9. The default of 400 suits haptic arms; scripted
+     * hands may use 2000 with a damping of 10 N s/m. */
     double stiffness;
-    /** N s/m, 0 to 1e6; default 5. A hand that gets its force d after its pose was read, held for h, wants at least
-     * stiffness (d + h / 2), or the coupling feeds it. */
+    /** Damping of the virtual coupling, N s/m, 0 to 1e6; default 5. If a hand receives its force a time d
+     * after its pose was read, and holds it for h, the damping must be at least stiffness (d + h / 2).
+     * Otherwise the coupling adds energy to the hand. */
     double damping;
-    double turning_stiffness; /**< N m/rad, 0 to 1e9; default 5. */
-    double turning_damping;   /**< N m s/rad, 0 to 1e6; default 0.05. */
-    /** Tools are exchanged only with empty jaws and with the tip further than exchange_distance from here,
-     * m, each at most 1e3; default 0. */
+    /** Rotational stiffness of the coupling, N m/rad, 0 to 1e9; default 5. */
+    double turning_stiffness;
+    /** Rotational damping of the coupling, N m s/rad, 0 to 1e6; default 0.05. */
+    double turning_damping;
+    /** Tools are exchanged only with empty jaws and with the tip farther than exchange_distance from this
+     * point, m, each at most 1e3; default 0. */
     double exchange_centre[3];
-    double exchange_distance; /**< m, 0 to 1e3; default 0: anywhere. */
-    /** PAPER: k_s of the force to the hand, k_s (stretched length - length), N/m, 0 to 1e6; default 50. */
+    double exchange_distance; /**< Distance, m, 0 to 1e3; default 0: no limit. */
+    /** PAPER: factor k_s of the force on the hand, k_s (stretched length - length), N/m, 0 to 1e6;
+     * default 50. */
     double paper_stiffness;
-    /** PAPER: within which closed jaws take a node, from their tip, or a needle, from their middle line, m, 0 to 0.1; default
-     * 2e-3 (the paper gives no number). */
+    /** PAPER: largest distance from the tip at which closing jaws take a node, and from the centre line of
+     * the jaws at which they take a needle, m, 0 to 0.1; default 2e-3 (the paper gives no number). */
     double paper_distance;
-    /* What is stiffer than a thread: a needle (needle.h), a wall of a drain. */
-    /** Of the clamp on either, the same in all directions, N/m, 1 to 1e7; default 3e4. */
+    /* Needles (needle.h) and walls of drains, which are stiffer than threads. */
+    /** Stiffness of the clamp on either, equal in all directions, N/m, 1 to 1e7; default 3e4. */
     double needle_stiffness;
-    /** Of that on a needle about the normal of the jaws' faces, N m/rad, 1e-6 to 1e4; about axes in them half of it; default 0.5. */
+    /** Rotational stiffness of the clamp on a needle about the normal of the jaws' faces, N m/rad, 1e-6 to
+     * 1e4; default 0.5. About axes in the faces it is half of this. */
     double needle_turning_stiffness;
-    /** Torque that jaws of a closed handle bear before the needle turns in them, N m, 0 to 1e2; default 0.03 (not
-     * verified). Of jaws that press less, less in proportion. */
+    /** Torque at which a needle turns in the jaws of a closed handle, N m, 0 to 1e2; default 0.03 (not
+     * verified). The torque is proportional to the pressure of the jaws. */
     double needle_torque;
     double solenoid_opening; /**< See vbss_grasper_state::solenoid; 0 to 1; default 0.2. */
 } vbss_grasper_config;
@@ -113,43 +128,45 @@ typedef int32_t vbss_grasper_preset;
 /** The constants of #vbss_grasper_preset. */
 enum {
     VBSS_GRASPER_PRESET_STRAIGHT = 0, /**< A needle driver with straight jaws: the defaults. */
-    /** Jaws on a neck of 5 mm, bent by 0.8 rad: rolled about its shaft, the tool points its jaws at the other one,
-     * which can then go round them without meeting the shaft. */
+    /** Jaws on a neck of 5 mm, bent by 0.8 rad. Rolled about its shaft, the tool points its jaws at the
+     * other tool, which can then go round them without meeting the shaft. */
     VBSS_GRASPER_PRESET_ANGLED = 1
 };
 
-/** Where a grasper is, and what acts on it. */
+/** Pose of a grasper, and the forces that act on it. */
 typedef struct vbss_grasper_state {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
-    vbss_grasper_kind kind;       /**< What it is now. */
-    uint32_t body;                /**< Its number in its scene; 0: it is in none. */
-    uint32_t grasp_count;         /**< Places of threads that it holds; a needle; a wall. */
-    double position[3];           /**< Of the tip, m. */
-    double orientation[4];        /**< w, x, y, z, unit. */
-    double velocity[3];           /**< Of the tip, m/s. */
-    double angular_velocity[3];   /**< rad/s. */
-    double target_position[3];    /**< Where the tip shall be, m. */
-    double target_orientation[4]; /**< What was told, as the trocar lets it be. */
-    double opening;               /**< Of the handle, as told. */
-    double jaw_angle;             /**< Of each jaw from the middle, rad. */
-    double pressure;              /**< Of the jaws on all that they hold, N. */
-    /** On the hand at the tip, N; what a device shall exert. PAPER: of the stretch of what it carries. */
+    vbss_grasper_kind kind;       /**< Present kind. */
+    uint32_t body;                /**< Its number in its scene; 0: not in a scene. */
+    uint32_t grasp_count;         /**< Number of grasps: places of threads, a needle, a wall. */
+    double position[3];           /**< Position of the tip, m. */
+    double orientation[4];        /**< Unit quaternion, w, x, y, z. */
+    double velocity[3];           /**< Velocity of the tip, m/s. */
+    double angular_velocity[3];   /**< Angular velocity, rad/s. */
+    double target_position[3];    /**< Target of the tip, m. */
+    double target_orientation[4]; /**< Target, after the trocar has turned it. */
+    double opening;               /**< Opening of the handle that the host set. */
+    double jaw_angle;             /**< Angle of each jaw from the middle, rad. */
+    double pressure;              /**< Pressure of the jaws on all grasped bodies, N. */
+    /** Force on the hand at the tip, which a device shall exert, N. PAPER: the force of stretched threads
+     * that it carries. */
     double hand_force[3];
-    double hand_torque[3]; /**< On the hand about the tip, N m; PAPER: 0. */
-    uint32_t needle;       /**< Number in its scene of the needle that it holds; 0: none. */
-    uint32_t drain;        /**< The same of the drain whose wall it holds. */
-    /** 1: a solenoid that locks the handle is wanted (vbss_output_command::solenoid): from when it holds a needle and the
-     * handle is closed below solenoid_opening, until it holds none. */
+    double hand_torque[3]; /**< Torque on the hand about the tip, N m; PAPER: 0. */
+    uint32_t needle;       /**< Number of the held needle in its scene; 0: none. */
+    uint32_t drain;        /**< Number of the drain whose wall it holds; 0: none. */
+    /** 1: a solenoid shall lock the handle (vbss_output_command::solenoid). It is set once the tool holds a
+     * needle and the opening of the handle is below solenoid_opening, and cleared when the tool holds no
+     * needle. */
     uint32_t solenoid;
     uint32_t reserved; /**< Zero. */
 } vbss_grasper_state;
 
-/** Arrays to look at: a VBSS_GRASPER_VIEW_ constant. */
+/** An array to view: a VBSS_GRASPER_VIEW_ constant. */
 typedef int32_t vbss_grasper_field;
 
 /** The constants of #vbss_grasper_field. */
 enum {
-    /** x 7: begin and end of the axis, radius, m; shaft, the jaw at +x, the one at -x, neck. */
+    /** x 7: start and end of the axis, radius, m. Order: shaft, jaw at +x, jaw at -x, neck. */
     VBSS_GRASPER_VIEW_CAPSULES = 0
 };
 
@@ -172,7 +189,7 @@ VBSS_API vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint3
  * Sets length, radius, bend, opening and neck of the driver's jaws to those of a known tool.
  *
  * @param[in,out] config  an initialised configuration
- * @param preset          which tool
+ * @param preset          the known tool
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
  *         such preset)
  * @threads any thread, any time
@@ -182,10 +199,10 @@ VBSS_API vbss_result vbss_grasper_config_preset(vbss_grasper_config *config,
                                                 vbss_grasper_preset preset);
 
 /**
- * Creates a grasper with open jaws; its tip is at the origin until it is moved.
+ * Creates a grasper with open jaws. Its tip is at the origin until the host moves it.
  *
  * @param context       owner
- * @param config        how; NULL for the defaults
+ * @param config        the configuration; NULL for the defaults
  * @param[out] grasper  the new grasper; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
@@ -207,13 +224,14 @@ VBSS_API vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasp
 VBSS_API vbss_result vbss_grasper_destroy(vbss_grasper *grasper);
 
 /**
- * Says where the tip shall be at the end of the next step, and how the tool shall be turned. Before it is added
- * to a scene, that is where it begins. With a trocar the tip goes where it is told, and the orientation is the
- * told one turned the shortest way that takes the shaft through the trocar: what is left of it is the roll.
+ * Sets the pose that the tool shall reach at the end of the next step. Before the tool is added to a
+ * scene, the call sets its initial pose. With a trocar, the tip moves to the given position. The given
+ * orientation is turned along the shortest path until the shaft passes through the trocar, so only its
+ * roll about the shaft is free.
  *
  * @param grasper      the grasper
- * @param position     of the tip, m, each at most 1e3
- * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves what was told
+ * @param position     target of the tip, m, each at most 1e3
+ * @param orientation  target, w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the last one
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (also: the
  *         trocar is nearer to the tip than the bent jaws reach aside), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -223,7 +241,7 @@ VBSS_API vbss_result vbss_grasper_move(vbss_grasper *grasper, const double posit
                                        const double *orientation);
 
 /**
- * Says how far the handle is open from the next step on. The jaws follow as fast as jaw_speed lets them.
+ * Sets how far the handle is open from the next step on. The jaws follow with at most jaw_speed.
  *
  * @param grasper  the grasper
  * @param opening  0 closed to 1 open
@@ -235,12 +253,13 @@ VBSS_API vbss_result vbss_grasper_move(vbss_grasper *grasper, const double posit
 VBSS_API vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening);
 
 /**
- * Says which tool it shall be. The next step of its scene exchanges it, or refuses to, with an event either way: while
- * it holds something, is where exchange_distance forbids it, or too near to its trocar for the other jaws. What was
- * refused is forgotten.
+ * Requests another kind of tool. The next step of the scene exchanges the tool or refuses the request,
+ * with an event either way. It refuses while the tool holds something, where exchange_distance forbids
+ * the exchange, and where the tip is too near to the trocar for the other jaws. A refused request is not
+ * repeated.
  *
  * @param grasper  the grasper
- * @param kind     what it shall be; what it is already changes nothing
+ * @param kind     the new kind; the present kind changes nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -248,7 +267,7 @@ VBSS_API vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double open
 VBSS_API vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind);
 
 /**
- * Where a grasper is and what acts on it.
+ * Returns the pose of a grasper and the forces that act on it.
  *
  * @param grasper      the grasper
  * @param[out] state   receives the numbers
@@ -261,11 +280,11 @@ VBSS_API vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_
                                             uint32_t struct_size);
 
 /**
- * A look at one of the grasper's arrays, as it is after the last step.
+ * Returns a view of one of the grasper's arrays after the last step.
  *
  * @param grasper      the grasper
- * @param field        which
- * @param[out] view    receives where the array is
+ * @param field        the array
+ * @param[out] view    receives the address and the shape of the array
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)

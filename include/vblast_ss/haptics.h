@@ -51,10 +51,12 @@ typedef struct vbss_openhaptics_config {
         rate; /**< Of the servo, Hz, 100 to 8000; default 1000. The vendor takes 500, 1000 and 2000, or other
                               * ones for some arms. */
     uint32_t reserved; /**< Zero. */
-    const char
-        *library; /**< Path or name; NULL (default): `libHD.so`, `hd.dll` or `libHD.dylib`. */
-    const char
-        *first_name; /**< As the vendor's set-up calls it; NULL (default): its default device. */
+    const char *
+        library; /**< Path or name; NULL (default): `libHD.so`, `libHD.so.3.4` or `libHD.so.3.0`; `hd.dll`; or
+                   * `libHD.dylib`. */
+    const char *
+        first_name; /**< As the vendor's set-up calls it; NULL (default): its default device, or the one that is
+                      * called `Default Device` or `Default PHANToM`. */
     const char *second_name; /**< The same of the second; default `Device2`. */
     /** Limits of the stage in the servo, lowered to what the arms say they can; NULL (default): as initialised. Copied. */
     const vbss_output_config *output;
@@ -72,7 +74,9 @@ enum {
     VBSS_HARDWARE_REFUSING =
         2, /**< It measures, but takes no forces for now: motors warm, force or speed too high. */
     VBSS_HARDWARE_UNCALIBRATED =
-        3, /**< No forces until it is calibrated: put the stylus into the inkwell. */
+        3, /**< No forces until it is calibrated: put the stylus into the inkwell. Also an arm whose pose has not changed
+            * by a bit for 1 s: it is not calibrated, its encoders give no data, or nobody holds it. It gets forces again
+            * when its pose changes. */
     VBSS_HARDWARE_LOST = 4 /**< It is not there: unplugged, or its driver has failed. */
 };
 
@@ -91,6 +95,8 @@ typedef struct vbss_openhaptics_status {
     double temperature;    /**< Of the hottest motor, 0 to 1. */
     double longest_tick;   /**< From the beginning of a tick to the end of our work in it, s. */
     double force[3];       /**< That went out last, device's frame, N. */
+    uint32_t is_constant;  /**< 1: the pose has not changed by a bit for 1 s. */
+    uint32_t reserved;     /**< Zero. */
 } vbss_openhaptics_status;
 
 /* ---- handles and solenoids */
@@ -109,7 +115,10 @@ enum {
 typedef struct vbss_nidaqmx_config {
     uint32_t struct_size;  /**< Size of this struct in bytes, set by the init function. */
     uint32_t handle_count; /**< 1 or 2 (default). */
-    const char *library;   /**< Path or name; NULL (default): `libnidaqmx.so.1`, or `nicaiu.dll`. */
+    /** Path or name; NULL (default): `libnidaqmx.so.1` or, without it, `libnidaqmxbase.so`; `nicaiu.dll` on Windows.
+     * NI-DAQmx Base is recognised by its functions. It needs all lines on one port, such as `Dev1/port0/line0` and
+     * `Dev1/port0/line1`, and the other lines of that port stay high. */
+    const char *library;
     const char *first_input;  /**< Analog input of the first handle; default `Dev1/ai0`. */
     const char *second_input; /**< Of the second; default `Dev1/ai1`. */
     /** Digital line of the first solenoid, NULL: there are no solenoids; default `Dev1/port0/line0`. */
@@ -125,14 +134,18 @@ typedef struct vbss_nidaqmx_config {
     double low;        /**< Lowest voltage, V, -10 to 10; default -10. */
     double high;       /**< Highest voltage, above `low`, to 10; default 10. */
     double period;     /**< Time between two samples, s, 5e-4 to 1; default 0.002. */
-    double timeout; /**< Longest wait of a call for the hardware, s, 1e-3 to 10; default 0.004. */
+    /** Longest wait of a call for the hardware, s, 1e-3 to 10, or 0 (default): the library chooses it. It starts with
+     * 0.004 s, and doubles it up to 0.064 s while calls time out. A wait that the host chooses stays; the text of the
+     * handle's error says when it is too short. */
+    double timeout;
 } vbss_nidaqmx_config;
 
 /** What the lines went through. */
 typedef struct vbss_nidaqmx_status {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     vbss_hardware_state
-        state;              /**< How they are; REFUSING: the last read failed, solenoids are off. */
+        state; /**< How they are. REFUSING: the last read failed, or the lines are being opened again after an error that
+                * passes; solenoids are off. LOST: an error that stays; the library opens the lines again when it can. */
     int32_t error;          /**< What the vendor's library said last, its code; 0: nothing. */
     uint32_t solenoids;     /**< 1, 2: solenoids that are on. */
     uint64_t cycles;        /**< Rounds of write and read. */
@@ -140,6 +153,15 @@ typedef struct vbss_nidaqmx_status {
     uint64_t failed_writes; /**< Writes that were not taken. */
     uint64_t warnings;      /**< Calls that succeeded with a warning. */
     uint64_t silent_cycles; /**< Rounds in which a solenoid was put off, as the host was silent. */
+    uint64_t timeouts;      /**< Reads and writes that timed out. */
+    uint64_t reopened;      /**< How often the lines were opened again after an error. */
+    uint64_t
+        late_rounds; /**< Rounds at a pace at which a solenoid goes off later than its command expires. */
+    double timeout;    /**< Longest wait of a call for the hardware, in force now, s. */
+    double round_time; /**< Time from round to round, mean of about the last 16, s. */
+    /** Longest time from the host's last command to a solenoid that is off, at that pace, s; 0: unknown. A command
+     * expires after vbss_output_result::expires, 10 ms by default; rounds above half of that are too slow for it. */
+    double off_time;
 } vbss_nidaqmx_status;
 
 #ifdef __cplusplus
@@ -285,7 +307,7 @@ VBSS_API vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t wh
  * hardware, up to twice `timeout`.
  *
  * @param nidaqmx  the lines, made without a thread
- * @param now      a clock that only goes forward, s, at most 1e9 in magnitude
+ * @param now      a clock that only goes forward, s, at most 1e9 in magnitude; when it goes back, solenoids go off
  * @return VBSS_OK (also when the hardware fails, which its status tells), VBSS_ERROR_INVALID_HANDLE,
  *         VBSS_ERROR_OUT_OF_RANGE (also: there is a thread) or VBSS_ERROR_NOT_FINITE, all without a text
  * @threads any one thread, also while another uses the context, but for the end of the lines
@@ -313,8 +335,9 @@ VBSS_API vbss_result vbss_nidaqmx_get_status(vbss_nidaqmx *nidaqmx, vbss_nidaqmx
  * @param library    path or name; NULL as in #vbss_nidaqmx_config
  * @param[out] text  receives UTF-8 text and a final zero, cut off where there is no more room
  * @param bytes      room there is, at least 1
- * @return VBSS_OK, VBSS_ERROR_DEVICE (no such library, or it failed), VBSS_ERROR_INVALID_HANDLE,
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_DEVICE (no such library, it failed, it knows no device, or it is NI-DAQmx Base, which
+ *         has no list), VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */

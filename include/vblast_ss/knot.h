@@ -143,8 +143,10 @@ enum {
     VBSS_KNOT_REASON_NONE = 0,       /**< It is not. */
     VBSS_KNOT_REASON_ENDS = 1,       /**< Closures differ: an end lies inside the knot. */
     VBSS_KNOT_REASON_DEGENERATE = 2, /**< The thread touches itself in every projection. */
-    VBSS_KNOT_REASON_CAPACITY = 3,   /**< More crossings than there is room for. */
-    VBSS_KNOT_REASON_CONFLICT = 4    /**< Twist regions and invariants differ. */
+    /** The diagram has more crossings than the detector has room for, or is too wide for the Jones polynomial that must
+     * confirm the result. */
+    VBSS_KNOT_REASON_CAPACITY = 3,
+    VBSS_KNOT_REASON_CONFLICT = 4 /**< Twist regions and invariants differ. */
 };
 
 /** The name of a knot, the same for its mirror image: a VBSS_KNOT_NAME_ constant. */
@@ -513,7 +515,8 @@ VBSS_API vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8
  * @param count     its size
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
  *         VBSS_ERROR_CORRUPT (also: of another detector), VBSS_ERROR_DATA_VERSION,
- *         VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
+ *         VBSS_ERROR_CAPACITY (it counts more than the detector has room for), VBSS_ERROR_OUT_OF_MEMORY,
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
  * @threads one thread at a time per context
  * @since 0.1
  */

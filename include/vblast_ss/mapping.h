@@ -14,10 +14,11 @@
 typedef struct vbss_mapping_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
     uint32_t pad_curve;   /**< Gamepad: power of the deflection, 1 to 4; default 2. */
-    double right[3];      /**< Direction of the screen's right, unit to 1e-6; default x. */
-    double up[3];   /**< Of its top, normal to it; default y. Right x up points towards the user. */
-    double low[3];  /**< Corner of the box that positions are kept in, m; default -0.1. */
-    double high[3]; /**< The opposite corner; each within 1e3; default 0.1. */
+    double right[3];      /**< Direction to the right of the screen, unit to 1e-6; default x. */
+    /** Direction to the top of the screen, normal to `right`; default y. Right x up points towards the user. */
+    double up[3];
+    double low[3];        /**< Corner of the box that positions are kept in, m; default -0.1. */
+    double high[3];       /**< The opposite corner; each within 1e3; default 0.1. */
     double mouse_metres;  /**< Mouse: m a count; default 1e-4. */
     double mouse_depth;   /**< Mouse: m away from the user a notch of the wheel; default 2e-3. */
     double mouse_radians; /**< Mouse, turning: rad a count; default 5e-3. */

@@ -8,9 +8,13 @@
  * readings of a *pull test* of the finished knot. What is known is a pure function of these: the same log gives the same
  * bits.
  *
+ * All times are of that clock, which hosts should run with the hands: a session adds up the lengths of its steps. The
+ * score uses it, too. A simulation that cannot keep up leaves out part of this time; samples report how much
+ * (#vbss_metrics_sample.time_lost), and the report gives all three: time, time lost, time simulated.
+ *
  * Motion is measured on a fixed grid of 100 Hz behind a fixed low-pass filter, whatever the times of the samples, so that
- * smoothness does not hang on the rate of a recording. A figure of a tick is known 0.26 s after it; #vbss_metrics_finish
- * ends that. docs/metrics.md has every formula with its source, what is not verified, and what may be claimed: the score is
+ * smoothness does not hang on the rate of a recording. Samples that no hand can have reached are counted and left out. A
+ * figure of a tick is known 0.26 s after it; #vbss_metrics_finish ends that. docs/metrics.md has every formula with its source, what is not verified, and what may be claimed: the score is
  * in the style of MISTELS and is not the FLS score.
  *
  * SI units; what is in mm says so.
@@ -65,6 +69,13 @@ typedef struct vbss_metrics_config {
     double weight_drop;      /**< Points a drop; default 0. */
     double weight_transfer;  /**< Points a needle transfer that was missed; default 0. */
     double weight_host;      /**< Times the points of a penalty of the host; default 1. */
+    /** Largest speed of a hand, m/s, 0 to 1e6; default 2, for the upper limbs by ISO 13855. A sample that is farther from
+     * the last one than this speed allows, plus 1 mm for noise, is an outlier: see #vbss_metrics_add_sample. 0: no sample
+     * is an outlier. */
+    double max_speed;
+    /** Share of the time, 0 to 1, above which lost time sets VBSS_METRICS_TIME_LOST; default 0.02. A trial shorter than
+     * 1 s counts as 1 s. */
+    double lost_share;
 } vbss_metrics_config;
 
 /** Parts of a sample: bits. */
@@ -83,6 +94,9 @@ typedef struct vbss_metrics_sample {
     double time;           /**< s, at most 1e9 in magnitude, after the last sample. */
     double position[2][3]; /**< Of the tips, left and right, m, each at most 1e3. */
     double force[2][3];    /**< On the tools, N, each at most 1e6. */
+    /** Time that the simulation has left out since its clock began, s, at most 1e9 and not less than in the last sample;
+     * default 0. It is part of `time`. */
+    double time_lost;
 } vbss_metrics_sample;
 
 /** What happened: a VBSS_METRICS_EVENT_ constant. */
@@ -183,7 +197,10 @@ enum {
     VBSS_METRICS_TIMEOUT = 1024, /**< The time is up. */
     /** The score is that of a whole trial: stopped, with deviations, gap and tightness known, or zero for good. Without
      * it the score is what it would be if nothing more were found. */
-    VBSS_METRICS_FINAL = 2048
+    VBSS_METRICS_FINAL = 2048,
+    /** More than `lost_share` of the time is lost. Time and score include it and do not compare with those of other
+     * trials. */
+    VBSS_METRICS_TIME_LOST = 4096
 };
 
 /** What is known of a trial. What is not known is 0, and its bit is not set. */
@@ -206,9 +223,10 @@ typedef struct vbss_metrics_report {
     uint32_t host_penalties;                /**< penalties of the host. */
     uint32_t reserved;                      /**< Zero. */
     uint64_t samples;                       /**< Samples taken. */
-    uint64_t ticks;         /**< Of motion that are known, of the tool of which more are. */
-    uint64_t ticks_lost;    /**< Beyond the room for motion: not measured. */
-    double time;            /**< From the needle until both tails were cut, or until now, s. */
+    uint64_t ticks;      /**< Of motion that are known, of the tool of which more are. */
+    uint64_t ticks_lost; /**< Beyond the room for motion: not measured. */
+    /** From the needle until both tails were cut, or until now, s, on the clock of the hands. It includes `time_lost`. */
+    double time;
     double deviation_mm[2]; /**< Of the punctures from their marks, along the drain. */
     double gap_mm;          /**< Between the two points, */
     double gap_largest_mm;  /**< where the slit gapes most. */
@@ -218,6 +236,10 @@ typedef struct vbss_metrics_report {
     double drawn_in_mm;     /**< Most tail that was drawn in. */
     double score;           /**< max_time - time - penalties, not below zero. */
     double penalties;       /**< Sum of the penalties. */
+    uint64_t outliers[2];   /**< Samples of the left and the right tool left out as outliers. */
+    uint32_t jumps[2];      /**< Times that outliers lasted for more than 0.1 s: a new run began. */
+    double time_lost;       /**< Part of `time` that the simulation left out, s. */
+    double time_simulated;  /**< `time` without `time_lost`, s. */
 } vbss_metrics_report;
 
 /** A throw that was tied, in the order in which they were told. */
@@ -266,7 +288,9 @@ enum {
     VBSS_METRICS_PENALTY_AVULSED = 11,  /**< The drain was torn off: all that was left. */
     VBSS_METRICS_PENALTY_BROKEN = 12,   /**< The thread broke: all that was left. */
     VBSS_METRICS_PENALTY_INCOMPLETE =
-        13 /**< Finished before both tails were cut: all that was left. */
+        13, /**< Finished before both tails were cut: all that was left. */
+    /** More than `lost_share` of the time was lost: `measure` s. It costs no points. */
+    VBSS_METRICS_PENALTY_TIME_LOST = 14
 };
 
 /** One reason why the score is not max_time - time. Faults that cost nothing are told too. */
@@ -339,8 +363,9 @@ enum {
     VBSS_METRICS_VIEW_LEFT_SPEED =
         0, /**< x 1 double: of the left tool, m/s; 0 where it was not seen, */
     VBSS_METRICS_VIEW_RIGHT_SPEED = 1, /**< of the right one. */
-    VBSS_METRICS_VIEW_LEFT_JERK = 2,   /**< x 1 double: |jerk|^2 of the left tool, m^2/s^6, */
-    VBSS_METRICS_VIEW_RIGHT_JERK = 3,  /**< of the right one. */
+    /** x 1 double: |jerk|^2 of the left tool, m^2/s^6; 0 where it was not seen for 0.25 s without a gap, */
+    VBSS_METRICS_VIEW_LEFT_JERK = 2,
+    VBSS_METRICS_VIEW_RIGHT_JERK = 3, /**< of the right one. */
     VBSS_METRICS_VIEW_LEFT_FORCE =
         4, /**< x 1 double: largest |force| in that hundredth, N, of the left tool, */
     VBSS_METRICS_VIEW_RIGHT_FORCE = 5 /**< of the right one. */
@@ -421,7 +446,10 @@ VBSS_API vbss_result vbss_metrics_destroy(vbss_metrics *metrics);
 
 /**
  * Takes a sample. A tool that is not seen for more than 0.1 s has not moved meanwhile: where it comes back is where it
- * goes on. Nothing is allocated; motion beyond the room for it is counted as lost.
+ * goes on. A position that the hand cannot have reached with `max_speed` is an outlier. It is counted and left out, and
+ * the curve bridges it as it does a lost sample. Later positions that are nearer to the outlier are outliers, too. After
+ * 0.1 s of them the tool has jumped: it counts as not seen for that time, and goes on from there. Nothing is allocated;
+ * motion beyond the room for it is counted as lost.
  *
  * @param metrics  the measurement
  * @param sample   where the tools are

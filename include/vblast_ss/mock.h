@@ -13,10 +13,10 @@
 typedef struct vbss_mock vbss_mock;
 
 /**
- * What a mock measures: a function of time.
+ * Sample of a mock as a function of time.
  *
  * @param user         the config's `user`
- * @param time         when, s: the host's clock, or earlier if a fault says so
+ * @param time         time of the sample, s: the host's clock, or earlier by a fault
  * @param[out] sample  `time` is set, all else is cleared, orientation (1, 0, 0, 0)
  */
 typedef void (*vbss_mock_measure_fn)(void *user, double time, vbss_device_sample *sample);
@@ -24,51 +24,51 @@ typedef void (*vbss_mock_measure_fn)(void *user, double time, vbss_device_sample
 /** How to make a mock. Fill it with #vbss_mock_config_init, then change what you need. */
 typedef struct vbss_mock_config {
     uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
-    uint32_t fault_capacity; /**< Most faults at a time, 0 to 4096; default 16. */
-    /** Most rows of what was written that are kept, 0 to 2^20; default 1024. */
+    uint32_t fault_capacity; /**< Largest number of faults, 0 to 4096; default 16. */
+    /** Largest number of stored rows, one for each write, 0 to 2^20; default 1024. */
     uint32_t row_capacity;
     uint32_t reserved;            /**< Zero. */
     vbss_mock_measure_fn measure; /**< NULL (default): the sample of #vbss_mock_set_sample. */
-    void *user;                   /**< Handed to measure; may be NULL. */
+    void *user;                   /**< Argument of measure; may be NULL. */
     /** NULL (default): 6 and 3 degrees of freedom, 3.3 N, 400 N/m, 4 N s/m, 1 kHz, a box of 0.15 m, all signals and
      * outputs. Copied. */
     const vbss_device_capabilities *capabilities;
 } vbss_mock_config;
 
-/** What goes wrong with a mock: a VBSS_MOCK_ fault constant. */
+/** Fault of a mock: a VBSS_MOCK_ fault constant. */
 typedef int32_t vbss_mock_fault;
 
-/** The constants of #vbss_mock_fault; t0: when the fault begins, v: its value. */
+/** The constants of #vbss_mock_fault; t0: start of the fault, v: its value. */
 enum {
-    /** A NaN in: 0 position, 1 orientation, 2 velocity, 3 jaw (raw and not), 4 time, as v says. */
+    /** A NaN in the position (v = 0), orientation (1), velocity (2), jaw, raw and not (3), or time (4). */
     VBSS_MOCK_NAN = 1,
-    VBSS_MOCK_STALL = 2,      /**< The sample of t0 again and again. */
+    VBSS_MOCK_STALL = 2,      /**< Each read repeats the sample of t0. */
     VBSS_MOCK_DISCONNECT = 3, /**< Reads and writes fail, with VBSS_DEVICE_FLAG_LOST. */
-    VBSS_MOCK_RATE = 4,       /**< A new sample every v s only. */
+    VBSS_MOCK_RATE = 4,       /**< Only one new sample every v s. */
     VBSS_MOCK_LATE = 5,       /**< Samples of v s ago. */
-    /** Every second interval of v s, samples of v s ago: their order is broken. */
+    /** In every second interval of v s, samples of v s ago, so that their order is broken. */
     VBSS_MOCK_SHUFFLE = 6,
     VBSS_MOCK_NORM = 7,        /**< Orientations of length v. */
-    VBSS_MOCK_JUMP = 8,        /**< x further by v m. */
+    VBSS_MOCK_JUMP = 8,        /**< x larger by v m. */
     VBSS_MOCK_TEMPERATURE = 9, /**< A temperature of v. */
-    VBSS_MOCK_JAW = 10,        /**< A raw opening of v, as of a broken wire. */
+    VBSS_MOCK_JAW = 10,        /**< A raw opening of v, like that of a broken wire. */
     VBSS_MOCK_STOP = 11,       /**< VBSS_DEVICE_FLAG_STOP. */
     VBSS_MOCK_REFUSAL = 12,    /**< VBSS_DEVICE_FLAG_FAULT. */
     VBSS_MOCK_READ_FAILS = 13, /**< Reads fail. */
     VBSS_MOCK_WRITE_FAILS = 14 /**< Writes fail. */
 };
 
-/** What a mock went through. */
+/** Counters of a mock. */
 typedef struct vbss_mock_statistics {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    int32_t open;         /**< 1: it is open. */
-    uint64_t opens;       /**< How often it was opened. */
-    uint64_t reads;       /**< How often it was read. */
-    uint64_t writes;      /**< How often it was written to, also in vain. */
-    uint64_t rows_lost;   /**< Rows there was no room for. */
+    int32_t open;         /**< 1: the mock is open. */
+    uint64_t opens;       /**< Number of calls that opened it. */
+    uint64_t reads;       /**< Number of reads. */
+    uint64_t writes;      /**< Number of writes, also those that failed. */
+    uint64_t rows_lost;   /**< Rows beyond row_capacity. */
 } vbss_mock_statistics;
 
-/** What can be looked at in a mock: a VBSS_MOCK_VIEW_ constant. */
+/** An array to view: a VBSS_MOCK_VIEW_ constant. */
 typedef int32_t vbss_mock_field;
 
 /** The constants of #vbss_mock_field. */
@@ -96,7 +96,7 @@ VBSS_API vbss_result vbss_mock_config_init(vbss_mock_config *config, uint32_t st
  * Creates a mock.
  *
  * @param context    owner
- * @param config     how; NULL for the defaults
+ * @param config     the configuration; NULL for the defaults
  * @param[out] mock  the new mock; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
@@ -108,7 +108,7 @@ VBSS_API vbss_result vbss_mock_create(vbss_context *context, const vbss_mock_con
                                       vbss_mock **mock);
 
 /**
- * Destroys a mock. A device that stands on it finds it lost.
+ * Destroys a mock. A device that uses it reports it as lost.
  *
  * @param mock  the mock; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -118,7 +118,7 @@ VBSS_API vbss_result vbss_mock_create(vbss_context *context, const vbss_mock_con
 VBSS_API vbss_result vbss_mock_destroy(vbss_mock *mock);
 
 /**
- * The mock as an adapter, for one device at a time.
+ * Fills an adapter table for the mock, for one device at a time.
  *
  * @param mock             the mock
  * @param[in,out] adapter  an initialised table; every field of it is set
@@ -168,7 +168,7 @@ VBSS_API vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault,
 VBSS_API vbss_result vbss_mock_clear_faults(vbss_mock *mock);
 
 /**
- * Forgets the rows of what was written.
+ * Clears the rows of the writes.
  *
  * @param mock  the mock
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -178,10 +178,10 @@ VBSS_API vbss_result vbss_mock_clear_faults(vbss_mock *mock);
 VBSS_API vbss_result vbss_mock_clear_rows(vbss_mock *mock);
 
 /**
- * Looks at what was written.
+ * Returns a view of the rows of the writes.
  *
  * @param mock         the mock
- * @param field        which
+ * @param field        the array
  * @param[out] view    receives it; valid until the next write or change
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or

@@ -2,14 +2,14 @@
  * @file needle.h
  * @brief A curved suture needle: a rigid arc of round wire.
  *
- * A needle flies alone (#vbss_needle_step) or is added to a scene (#vbss_scene_add_needle), where it touches, is grasped and carries a thread.
- * For contact it is a chain of straight capsules whose ends lie on its arc; mass and inertia are those of the arc
- * itself, exactly.
+ * A needle flies alone (#vbss_needle_step) or is added to a scene (#vbss_scene_add_needle). In a scene it touches
+ * other bodies, tools grasp it, and it carries a thread. Contacts use a chain of straight capsules whose ends lie
+ * on its arc. Mass and inertia are exactly those of the arc.
  *
  * Frame of the needle: the origin is the centre of its arc, which lies in the plane z = 0. The *tip* is at
- * (radius, 0, 0) and points along +y; the body of the needle goes back clockwise about +z, to the *swage*, where the
- * thread is fixed, at the angle -arc: of a half circle at (-radius, 0, 0). Turning about +z drives the tip forward.
- * Arc length counts from the tip to the swage.
+ * (radius, 0, 0) and points along +y. The body of the needle goes back clockwise about +z to the *swage*, where
+ * the thread is fixed, at the angle -arc; the swage of a half circle is at (-radius, 0, 0). A rotation about +z
+ * drives the tip forward. Arc length is measured from the tip to the swage.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -24,20 +24,22 @@ typedef struct vbss_needle vbss_needle;
 /** How to make a needle. Fill it with #vbss_needle_config_init, then change what you need. */
 typedef struct vbss_needle_config {
     uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;     /**< Default VBSS_METHOD_OURS; the scene's must be the same. */
+    vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_OURS. */
     uint32_t segment_count; /**< Capsules along the arc, 2 to 64; default 8. */
     uint32_t reserved;      /**< Zero. */
-    double radius; /**< Of the arc's middle line, m, 1e-4 to 1; default 10.5e-3, the paper's. */
-    double wire_radius; /**< m, 1e-6 to a fifth of radius; default 0.35e-3 (not verified). */
+    /** Radius of the arc's centre line, m, 1e-4 to 1; default 10.5e-3, that of the paper. */
+    double radius;
+    /** Radius of the wire, m, 1e-6 to radius / 5; default 0.35e-3 (not verified). */
+    double wire_radius;
     double arc;         /**< Angle from tip to swage, rad, 0.1 to 6; default pi. */
     double density;     /**< kg/m^3, 1 to 1e5; default 7900, steel. */
     double friction;    /**< In a scene: coefficient with other bodies, 0 to 10; default 0.2. */
     double drag;        /**< Both momenta decay at this rate, 1/s, 0 to 1e6; default 0. */
     double gravity[3];  /**< m/s^2, each at most 1e6; default 0. */
-    double position[3]; /**< Of the frame, m, each at most 1e3; default 0. */
-    double
-        orientation[4]; /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
-    double velocity[3]; /**< Of the frame's origin, m/s, each at most 1e5; default 0. */
+    double position[3]; /**< Origin of the frame, m, each at most 1e3; default 0. */
+    /** w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
+    double orientation[4];
+    double velocity[3];         /**< Velocity of the origin, m/s, each at most 1e5; default 0. */
     double angular_velocity[3]; /**< rad/s, each at most 1e6; default 0. */
 } vbss_needle_config;
 
@@ -51,41 +53,41 @@ enum {
     VBSS_NEEDLE_PRESET_SH = 1 /**< Half circle of 26 mm, radius 8.28 mm (not verified). */
 };
 
-/** Where a needle is. */
+/** Pose and velocity of a needle. */
 typedef struct vbss_needle_state {
     uint32_t struct_size;       /**< Bytes of this struct that the library filled. */
-    uint32_t body;              /**< Its number in its scene; 0: it is in none. */
-    double position[3];         /**< Of the frame, m. */
+    uint32_t body;              /**< Its number in its scene; 0: not in a scene. */
+    double position[3];         /**< Origin of the frame, m. */
     double orientation[4];      /**< w, x, y, z, unit. */
-    double velocity[3];         /**< Of the frame's origin, m/s. */
+    double velocity[3];         /**< Velocity of the origin, m/s. */
     double angular_velocity[3]; /**< rad/s. */
     double tip[3];              /**< m. */
-    double tip_direction[3];    /**< Unit: where the tip points. */
+    double tip_direction[3];    /**< Unit vector out of the tip. */
     double swage[3];            /**< m. */
-    double swage_direction[3];  /**< Unit: where the thread leaves, away from the needle. */
+    double swage_direction[3];  /**< Unit vector of the thread, away from the needle. */
 } vbss_needle_state;
 
-/** What a needle weighs. */
+/** Mass and inertia of a needle. */
 typedef struct vbss_needle_mass {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
     double mass;          /**< kg. */
-    double length;        /**< Of the middle line, m. */
+    double length;        /**< Length of the centre line, m. */
     double centre[3];     /**< Centre of mass in the needle's frame, m. */
     double inertia[3];    /**< Principal moments about it, kg m^2. */
-    double axes[3][3];    /**< Unit, of the moments in turn, in the needle's frame. */
+    double axes[3][3];    /**< Their unit axes in the needle's frame, in the same order. */
 } vbss_needle_mass;
 
 /** Energies, J. */
 typedef struct vbss_needle_energies {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double kinetic;       /**< Of translation and rotation. */
+    double kinetic;       /**< Kinetic energy of translation and rotation. */
     double gravity;       /**< Zero at the world's origin. */
     double total;         /**< Their sum. */
 } vbss_needle_energies;
 
-/** Arrays to look at: a VBSS_NEEDLE_VIEW_ constant. */
+/** An array to view: a VBSS_NEEDLE_VIEW_ constant. */
 typedef int32_t vbss_needle_field;
 
 /** The constants of #vbss_needle_field. */
@@ -179,7 +181,7 @@ VBSS_API vbss_result vbss_needle_set_state(vbss_needle *needle, const double pos
                                            const double *angular_velocity);
 
 /**
- * Where a needle is.
+ * Returns pose and velocity of a needle.
  *
  * @param needle       the needle
  * @param[out] state   receives the numbers
@@ -192,7 +194,7 @@ VBSS_API vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_stat
                                            uint32_t struct_size);
 
 /**
- * What a needle weighs.
+ * Returns mass and inertia of a needle.
  *
  * @param needle       the needle
  * @param[out] mass    receives the numbers
@@ -205,12 +207,13 @@ VBSS_API vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass 
                                           uint32_t struct_size);
 
 /**
- * A place on the exact middle line, and the way toward the tip there. Beyond the ends the line goes on straight.
+ * Returns a point on the exact centre line, and the direction toward the tip there. Beyond the ends the line
+ * continues straight.
  *
  * @param needle          the needle
  * @param arc_length      from the tip toward the swage, m, each way at most 10
  * @param[out] position   m
- * @param[out] direction  unit; NULL: not wanted
+ * @param[out] direction  unit; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_NOT_FINITE
  * @threads one thread at a time per context
@@ -220,7 +223,7 @@ VBSS_API vbss_result vbss_needle_get_place(vbss_needle *needle, double arc_lengt
                                            double position[3], double *direction);
 
 /**
- * Its energies.
+ * Returns the energies of a needle.
  *
  * @param needle         the needle
  * @param[out] energies  receives the numbers
@@ -233,7 +236,7 @@ VBSS_API vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_e
                                               uint32_t struct_size);
 
 /**
- * A look at one of the needle's arrays, as it is after the last step.
+ * Returns a view of one of the needle's arrays after the last step.
  *
  * @param needle       the needle
  * @param field        which

@@ -82,11 +82,14 @@ typedef struct vbss_log_step {
     uint64_t hash;                /**< Of the scene after it; 0 if it was not hashed. */
     uint64_t position;            /**< Byte of the log at which what follows it begins. */
     double h;                     /**< Its length, s. */
-    double time;                  /**< Simulated after it since the begin of the log, s. */
+    double time;                  /**< Sum of the lengths up to it, s: the clock of the hands. */
     const vbss_log_input *inputs; /**< What was told before it, in that order. */
     const uint32_t *events;       /**< x 4, as in #VBSS_SCENE_VIEW_EVENTS: what happened in it. */
     uint32_t input_count;         /**< Of inputs. */
     uint32_t event_count;         /**< Of events: four words each. */
+    /** Part of `h` that the scene has left out, s, by #VBSS_EVENT_CLAMPED. Each such event is up to h / 65536 too small. A
+     * paused step may be reported in a later one. */
+    double time_lost;
 } vbss_log_step;
 
 /** What is in a log, and what is wrong with it. The counts are those of its good part, before the first fault. */
@@ -101,11 +104,13 @@ typedef struct vbss_log_report {
     uint64_t inputs;               /**< Told before them. */
     uint64_t events;               /**< In them. */
     uint64_t snapshots;            /**< With that at the begin. */
-    double time;                   /**< Simulated in them, s. */
+    double time;                   /**< Sum of their lengths, s: the clock of the hands. */
     uint64_t fault_positions[8];   /**< Bytes of the log. */
     const char *fault_problems[8]; /**< Constant texts, in English. */
     /** VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION. */
     vbss_result fault_results[8];
+    double
+        time_lost; /**< Part of `time` that the scene has left out, s: see #vbss_log_step.time_lost. */
 } vbss_log_report;
 
 /** What a log says about itself. */

@@ -127,10 +127,11 @@ typedef struct vbss_scene_config {
      * ends it, which is counted there, too, and the next 1000 do not wait. Beyond the limit a call does what follows at
      * the end of a step, and what the guard has refused. 0: a call makes its step, all of it; default 210000. */
     uint32_t slot_limit;
-    /** Largest speed of any point of a driven or coupled body, and of a grasper, that its target may ask for, m/s, 0 to 1e6; 0: no
-     * limit; default 20. A target that is farther away is approached at this speed, over several steps. So a pose in the wrong
-     * unit, or a device that jumps, makes no step that is long or strong. Method OURS only. A log stores
-     * the limit; a snapshot does not. */
+    /** Largest speed of any point of a driven or coupled body, or of a grasper, on the way to its target, m/s, 0 to 1e6; 0: no
+     * limit; default 20. A body approaches a target that is farther away at this speed, over several steps. So a pose in the
+     * wrong unit, or a device that jumps, causes no long step and no extreme force. Method OURS only. Logs and snapshots store
+     * the limit, and a scene with another one rejects them. One exception: scenes without a limit and with the default limit
+     * accept each other's snapshots. */
     double speed_limit;
     vbss_overlap_policy overlap; /**< Default VBSS_OVERLAP_WARN. */
     uint32_t reserved;           /**< 0. */
@@ -280,7 +281,10 @@ enum {
     VBSS_EVENT_RETURNED =
         17, /**< The swage has come back through it: the needle is in it again: the same. */
     VBSS_EVENT_UNTHREADED =
-        18 /**< An end of a thread has left the hole: thread, drain, id of the hole. */
+        18, /**< An end of a thread has left the hole: thread, drain, id of the hole. */
+    /** Bodies are held back, for the first time since a while: the two bodies of #vbss_blocker, its cause. */
+    VBSS_EVENT_BLOCKED = 19,
+    VBSS_EVENT_UNBLOCKED = 20 /**< They have moved freely for 0.1 s: the same numbers. */
 };
 
 /** Counters since creation, and figures of the last step. Method PAPER counts its passes of detection and
@@ -315,7 +319,7 @@ typedef struct vbss_scene_statistics {
     double last_stretch_error; /**< max |length / rest length - 1 - T / EA| after the last step. */
     double stretch_error;      /**< Largest so far. */
     double last_residual;      /**< Of the contact law after the last part, N. */
-    double time;               /**< Simulated so far, s. */
+    double time;               /**< Sum of the lengths of the steps, s, with `time_paused`. */
     uint64_t operations;       /**< Of all steps, as work_limit counts them; method OURS. */
     uint64_t most_operations;  /**< Of a step. */
     uint64_t paused;           /**< REAL_TIME: steps of which a part, or all, was left out. */
@@ -324,6 +328,32 @@ typedef struct vbss_scene_statistics {
     uint32_t behind;   /**< Such steps after the last call, 0 to 2. */
     uint32_t reserved; /**< Zero. */
 } vbss_scene_statistics;
+
+/** Why bodies are held back: a VBSS_BLOCKER_ constant. */
+typedef int32_t vbss_blocker_cause;
+
+/** The constants of #vbss_blocker_cause. */
+enum {
+    VBSS_BLOCKER_WORK = 0,      /**< The limit of work of the step was exhausted. */
+    VBSS_BLOCKER_COLLISION = 1, /**< The bodies would pass through each other, or come too near. */
+    VBSS_BLOCKER_PENETRATION =
+        2,                       /**< The bodies penetrate each other by more than the tolerance. */
+    VBSS_BLOCKER_CONTACT = 3,    /**< No contact forces were found that obey the contact law. */
+    VBSS_BLOCKER_CONVERGENCE = 4 /**< The motion of the body did not converge. */
+};
+
+/** Two bodies that hold back each other, and all bodies that touch them. A step that fails is held back
+ * for the bodies that are connected with them by contacts, grasps, holes or pins. All other bodies move
+ * on. */
+typedef struct vbss_blocker {
+    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
+    vbss_blocker_cause cause; /**< Why, in the last step that held them back. */
+    uint32_t body_a;          /**< Number of a body; 0: unknown. */
+    uint32_t body_b;          /**< Number of the other; 0: the floor, or no second body. */
+    double since;             /**< Simulated time at which they were first held back, s. */
+    double lost_time;         /**< Simulated time that they have lost since then, s. */
+    double depth; /**< Their deepest overlap in the last step that held them back, m; 0: none. */
+} vbss_blocker;
 
 /** A hole of a needle or a thread in a drain. */
 typedef struct vbss_hole {
@@ -528,6 +558,22 @@ VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss
                                          uint32_t struct_size);
 
 /**
+ * A pair of bodies that holds back others, in the order in which they began. A pair is listed until it has
+ * moved freely for 0.1 s of simulated time. At most 16 are listed. Method OURS.
+ *
+ * @param scene         the scene
+ * @param index         which, from 0 on
+ * @param[out] blocker  receives the numbers
+ * @param struct_size   `sizeof *blocker` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (there are not so many)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
+                                            vbss_blocker *blocker, uint32_t struct_size);
+
+/**
  * Makes a hole where a thread or a needle already goes through the wall of a drain: as a host lays out a stitch. From then on
  * it is as if a needle had made it.
  *
@@ -539,7 +585,8 @@ VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss
  * @param weights     of its nodes in the hole: three, from 0 to 1, with the sum 1
  * @param[out] id     receives its name; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a value; no such body; the
- *         suture is farther from there than it would touch the wall), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
+ *         suture is farther from there than it would touch the wall; a hole of the same suture is less than its
+ *         diameter from there), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
  *         (hole_capacity) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -705,9 +752,10 @@ VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_sta
 
 /**
  * The deepest overlap of a body with another body or the floor, where they are now. An overlap counts if it is deeper than
- * `penetration_tolerance` of the scene's configuration allows after a step. Left out are the places where a thread is pinned to the
- * other body, or begins at the end of a needle; two driven bodies, which never hold each other back; and a body with itself. What jaws
- * or a hole hold counts. The call compares all segments of the body with all others, so it is for setting up a scene.
+ * `penetration_tolerance` of the scene's configuration allows after a step. The call leaves out the places where a thread is pinned
+ * to the other body or begins at the end of a needle, and the body itself. It leaves out pairs of driven bodies, which a step does
+ * not test until they have come apart. Contacts in jaws and holes count. The call compares all segments of the body with all
+ * others, so it is for setting up a scene.
  *
  * @param scene         the scene
  * @param body          number of the body

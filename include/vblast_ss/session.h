@@ -9,6 +9,10 @@
  * than to come; so what the geometry undoes is undone, and nothing chatters. docs/session.md has the table of phases, facts
  * and failures.
  *
+ * The clock of a session runs with the hands: it adds up the lengths of the steps from the needle's appearance on. All
+ * times, limits and dwells, the metrics and the score use it. A scene that exceeds its limits of work leaves out part of
+ * that time. The status reports how much of it is lost and how much is simulated; above `lost_share` there is an event.
+ *
  * Devices, a knot detector, metrics and a record or replay are the host's; each may be absent and then costs nothing. A step:
  *
  *     devices -> scene step -> knots -> metrics -> forces out -> record
@@ -108,12 +112,16 @@ enum {
     VBSS_SESSION_EVENT_TRANSFER = 12, /**< After throw `number` `tool` has taken over the needle. */
     /** Throw `number` is tied, but the needle has not changed hands since the one before. Undone: with the throw. */
     VBSS_SESSION_EVENT_TRANSFER_MISSED = 13,
-    /** The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, such as HITCH: a throw has capsized. Undone. */
+    /** The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`; HITCH (a throw has capsized): for
+     * 20 times `throw_dwell`, because its measure swings while a throw is drawn tight. Undone: after the same time. */
     VBSS_SESSION_EVENT_FAULT = 14,
     /** Tail `number` (0: the short one, 1: the needle's) was cut; `amount` m are left of it. */
     VBSS_SESSION_EVENT_CUT = 15,
-    VBSS_SESSION_EVENT_DONE = 16,  /**< The task is complete. */
-    VBSS_SESSION_EVENT_FAILED = 17 /**< It has failed: `number` is a #vbss_session_failure. */
+    VBSS_SESSION_EVENT_DONE = 16,   /**< The task is complete. */
+    VBSS_SESSION_EVENT_FAILED = 17, /**< It has failed: `number` is a #vbss_session_failure. */
+    /** More than `lost_share` of the time is lost: `amount` s of it, since the needle appeared. Times and score do not
+     * compare with those of other trials. Undone: it is less than half of that share again. */
+    VBSS_SESSION_EVENT_TIME_LOST = 18
 };
 
 /** Something that happened. */
@@ -130,7 +138,7 @@ typedef struct vbss_session_event {
     vbss_session_phase phase;       /**< The phase after the step in which it happened. */
     uint64_t ordinal;               /**< Of the event, from 0 on. */
     uint64_t step;                  /**< Of the session, from 1 on. */
-    double time;                    /**< Since the needle appeared, s. */
+    double time;                    /**< Since the needle appeared, s, on the clock of the hands. */
     double position[3];             /**< Of the tool's tip, or where the kind says, m. */
     double force[3];                /**< On the tool's hand, N; zero without a tool. */
     double amount;                  /**< As the kind says. */
@@ -184,10 +192,12 @@ typedef struct vbss_session_config {
     vbss_session_event_fn listen; /**< NULL (default): nobody. */
     void *user;                   /**< Handed to it; may be NULL. */
     double time_limit; /**< From the needle's appearing on, s, 1e-3 to 1e6; default 600. */
-    double dwell; /**< That a fact must be otherwise before it changes, s, 0 to 10; default 0.05; */
-    double throw_dwell; /**< of throws, s, 0 to 10; default 0.1. */
-    double tail_low;    /**< Shortest tail, m, 0 to 1; default 15e-3; */
-    double tail_high;   /**< longest tail, tail_low to 1; default 20e-3. */
+    double
+        dwell; /**< A fact changes after it has differed for this time, s, 0 to 10; default 0.05. */
+    /** The same time for throws and faults of the knot, s, 0 to 10; default 0.1. A half hitch has 20 times that. */
+    double throw_dwell;
+    double tail_low;  /**< Shortest tail, m, 0 to 1; default 15e-3; */
+    double tail_high; /**< longest tail, tail_low to 1; default 20e-3. */
     /** So far beyond these it is not as it should any more, m, 0 to 1; default 1e-3. */
     double tail_margin;
     double tail_reach; /**< The tail is grasped within this of its end, m, 0 to 1; default 0.01. */
@@ -202,6 +212,9 @@ typedef struct vbss_session_config {
     /** What seats throws and is told as gap, to status, events and metrics; default LIPS. */
     vbss_session_gap gap_measure;
     uint32_t reserved; /**< Zero. */
+    /** Share of the time, 0 to 1, above which lost time is an event and sets `is_lossy`; default 0.02. A trial shorter
+     * than 1 s counts as 1 s. */
+    double lost_share;
 } vbss_session_config;
 
 /** How far a session is. */
@@ -212,23 +225,31 @@ typedef struct vbss_session_status {
     vbss_session_failure failure; /**< Why it has failed. */
     vbss_metrics_tool
         holder; /**< Who holds the needle, the first of two; VBSS_METRICS_NO_TOOL: nobody. */
-    uint32_t punctured;     /**< Bits: 1, 2: the hole in, the hole out is there, */
-    uint32_t threaded;      /**< and the thread goes through it. */
-    uint32_t tail_set;      /**< 1: the tail is as it should. */
-    uint32_t throws;        /**< Throws that are tied, */
-    uint32_t seated;        /**< of them seated, counted from the tissue. */
-    uint32_t transfers;     /**< Transfers between them that were made, at most two. */
-    uint32_t cut;           /**< Bits: 1 the short tail, 2 the needle's. */
-    uint32_t faults;        /**< Of the knot: VBSS_KNOT_FAULT_ bits that were told. */
-    uint32_t metrics_lost;  /**< Events for which the metrics had no room. */
-    uint64_t steps;         /**< Steps so far. */
-    uint64_t first_event;   /**< The oldest event that is kept; so many are lost. */
-    uint64_t event_count;   /**< Events so far. */
-    double time;            /**< Since the needle appeared, until the end or now, s. */
+    uint32_t punctured;    /**< Bits: 1, 2: the hole in, the hole out is there, */
+    uint32_t threaded;     /**< and the thread goes through it. */
+    uint32_t tail_set;     /**< 1: the tail is as it should. */
+    uint32_t throws;       /**< Throws that are tied, */
+    uint32_t seated;       /**< of them seated, counted from the tissue. */
+    uint32_t transfers;    /**< Transfers between them that were made, at most two. */
+    uint32_t cut;          /**< Bits: 1 the short tail, 2 the needle's. */
+    uint32_t faults;       /**< Of the knot: VBSS_KNOT_FAULT_ bits, as last reported by events. */
+    uint32_t metrics_lost; /**< Events for which the metrics had no room. */
+    uint64_t steps;        /**< Steps so far. */
+    uint64_t first_event;  /**< The oldest event that is kept; so many are lost. */
+    uint64_t event_count;  /**< Events so far. */
+    /** Since the needle appeared, until the end or now, s, on the clock of the hands. It includes `time_lost`. */
+    double time;
     double tail;            /**< Length of the short tail, from the hole, m; 0 without. */
     double gap;             /**< Of the slit's middle, as `gap_measure` says, m. */
     double tension[2];      /**< Largest of the short limb, of the needle's, N. */
     double deviation_mm[2]; /**< Of the holes from the marks. */
+    /** Part of `time` that the scene has left out, s: paused steps (vbss_scene_statistics::time_paused) and truncated
+     * substeps (#VBSS_EVENT_CLAMPED), from the second step on. */
+    double time_lost;
+    /** `time` without `time_lost`, s. Up to two steps of it may still wait (vbss_scene_statistics::behind). */
+    double time_simulated;
+    uint32_t is_lossy; /**< 1: more than `lost_share` of the time is lost, with hysteresis. */
+    uint32_t reserved; /**< Zero. */
 } vbss_session_status;
 
 #ifdef __cplusplus
@@ -369,7 +390,8 @@ VBSS_API vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, ui
  * @param count    its size
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part), VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
  *         VBSS_ERROR_CORRUPT (also: of another session, or the scene is at another step), VBSS_ERROR_DATA_VERSION,
- *         VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
+ *         VBSS_ERROR_CAPACITY (it counts more than the detector has room for), VBSS_ERROR_OUT_OF_MEMORY,
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
  * @threads one thread at a time per context
  * @since 0.1
  */

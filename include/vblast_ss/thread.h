@@ -68,7 +68,7 @@ typedef struct vbss_thread_config {
     vbss_method method;           /**< Default VBSS_METHOD_OURS. */
     vbss_bending bending;         /**< Default VBSS_BENDING_SPLINE; read by method OURS. */
     uint32_t segment_count;       /**< 1 to 65536; default 120. */
-    uint32_t attachment_capacity; /**< Most attachments at a time, 0 to 256; default 8. */
+    uint32_t attachment_capacity; /**< Largest number of attachments, 0 to 256; default 8. */
     uint32_t cut_capacity; /**< Most cuts of this thread and its pieces, 0 to 64; default 0. */
     /** m, 1e-6 to 1e3, at least 1e-7 a segment; default 0.15; ignored with rest_lengths. */
     double length;
@@ -119,10 +119,11 @@ typedef struct vbss_thread_config {
     /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
      * bending mode and the tension need. */
     uint32_t paper_substeps;
-    uint32_t paper_iteration_limit; /**< Method PAPER: of the projection, 1 to 1000; default 50. */
+    /** Method PAPER: limit of the projection, 1 to 1000; default 50. */
+    uint32_t paper_iteration_limit;
     /** Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
     double paper_tolerance;
-    vbss_mesh mesh; /**< Default VBSS_MESH_FIXED, which reads none of what follows. */
+    vbss_mesh mesh; /**< Default VBSS_MESH_FIXED, which ignores the following fields. */
     /** ADAPTIVE: most nodes, segment_count + 1 to 65537; 0 (default): four times as many segments as at first, at most
      * 65536. A scene must have room for all of them when the thread is added. */
     uint32_t node_capacity;
@@ -148,12 +149,12 @@ typedef struct vbss_thread_config {
     uint32_t reserved; /**< Zero. */
 } vbss_thread_config;
 
-/** What an attachment does: a VBSS_ATTACHMENT_ constant. */
+/** Kind of an attachment: a VBSS_ATTACHMENT_ constant. */
 typedef int32_t vbss_attachment_kind;
 
 /** The constants of #vbss_attachment_kind. */
 enum {
-    VBSS_ATTACHMENT_PIN = 0,    /**< The node is where `position` says. */
+    VBSS_ATTACHMENT_PIN = 0,    /**< The node is at `position`. */
     VBSS_ATTACHMENT_CLAMP = 1,  /**< Also the thread's direction at the node is `direction`. */
     VBSS_ATTACHMENT_FORCE = 2,  /**< `force` pulls at the node. */
     VBSS_ATTACHMENT_SPRING = 3, /**< A spring-damper from `position` to the node. */
@@ -166,23 +167,24 @@ typedef struct vbss_thread_attachment {
     vbss_attachment_kind kind; /**< Default VBSS_ATTACHMENT_PIN. */
     uint32_t node;             /**< 0 to segment_count; default 0. */
     uint32_t reserved;         /**< Zero. */
-    /** PIN, CLAMP: where the node is taken in the next step, m, each at most 1e3; SPRING: its end. */
+    /** PIN, CLAMP: target of the node in the next step, m, each at most 1e3; SPRING: its fixed end. */
     double position[3];
     /** CLAMP: toward higher nodes, of any length from 1e-100 to 1e100; default (1, 0, 0). A thread
      * that has moved is turned there in the next step. */
     double direction[3];
     double force[3];  /**< FORCE: N, each at most 1e6. */
     double stiffness; /**< SPRING: N/m, 0 to 1e9. */
-    double damping;   /**< SPRING: of the velocity relative to the moving end, N s/m, 0 to 1e6. */
-    double mass;      /**< MASS: kg, 0 to 1e3. */
+    /** SPRING: damping of the velocity relative to the moving end, N s/m, 0 to 1e6. */
+    double damping;
+    double mass; /**< MASS: kg, 0 to 1e3. */
 } vbss_thread_attachment;
 
-/** What an attachment did in the last step. */
+/** Reaction of an attachment in the last step. */
 typedef struct vbss_thread_reaction {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t node;        /**< The node, as cuts have renumbered it. */
-    double force[3];      /**< Of the attachment on the thread, N, at the end of the step. */
-    double torque[3];     /**< CLAMP: of the attachment on the thread, N m; else 0. */
+    double force[3];      /**< Force of the attachment on the thread at the end of the step, N. */
+    double torque[3];     /**< CLAMP: torque of the attachment on the thread, N m; else 0. */
 } vbss_thread_reaction;
 
 /** An array of a thread: a VBSS_THREAD_ constant. */
@@ -193,14 +195,14 @@ enum {
     VBSS_THREAD_POSITIONS = 0,    /**< n x 3 doubles, m. */
     VBSS_THREAD_VELOCITIES = 1,   /**< n x 3 doubles, m/s. */
     VBSS_THREAD_REST_LENGTHS = 2, /**< n - 1 doubles, m. */
-    VBSS_THREAD_LENGTHS = 3,  /**< n - 1 doubles, m: of chords, or of arcs with BENDING_SPLINE. */
-    VBSS_THREAD_TENSIONS = 4, /**< n - 1 doubles, N, at the end of the last step. */
+    VBSS_THREAD_LENGTHS = 3,      /**< n - 1 doubles, m: chords, or arcs with BENDING_SPLINE. */
+    VBSS_THREAD_TENSIONS = 4,     /**< n - 1 doubles, N, at the end of the last step. */
     VBSS_THREAD_CURVATURES =
         5, /**< n x 3 doubles, 1/m: from the node to the centre of curvature. */
     VBSS_THREAD_SECTIONS =
         6, /**< First node of each section, uint32_t; the last ends at node n - 1. */
-    /** n - 1 doubles, m: what the mesh leaves out of the shape, the sagitta of each segment: rest length^2 / 8 times the
-     * larger curvature at its two nodes. Of any mesh. */
+    /** n - 1 doubles, m: sagitta of each segment, the error of the shape by the mesh. It is rest length^2 / 8 times
+     * the larger curvature at the two nodes. Fixed meshes have it too. */
     VBSS_THREAD_SAGITTAS = 7
 };
 
@@ -208,11 +210,11 @@ enum {
 typedef struct vbss_thread_energies {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double kinetic;       /**< Attached masses included. */
-    double stretching;    /**< Elastic, of EA. */
-    double bending;       /**< Elastic, of EI. */
+    double kinetic;       /**< Kinetic energy, attached masses included. */
+    double stretching;    /**< Elastic energy of EA. */
+    double bending;       /**< Elastic energy of EI. */
     double gravity;       /**< Potential, zero at the origin; attached masses included. */
-    double total;         /**< Of the four. */
+    double total;         /**< Sum of the four. */
 } vbss_thread_energies;
 
 /** Momentum of a thread, attached masses included. */
@@ -236,28 +238,28 @@ typedef struct vbss_thread_statistics {
     uint64_t rejections;      /**< OURS: tries that were undone and halved. */
     uint64_t forced;          /**< OURS: substeps accepted unconverged, at the last halving. */
     uint64_t fallbacks; /**< PAPER: sections that did not converge, point constraints alone. */
-    /** OURS: linearisations made again with less compression, parts that started from the old positions
-     * as the prediction was no start, and parts in which the pull of rest curvature was held. */
+    /** OURS: linearisations repeated with less compression, parts that started from the old positions because
+     * the prediction was unusable, and parts in which the force of rest curvature was kept constant. */
     uint64_t softened;
     /** OURS: max |length / rest length - 1 - T / EA| after the last step; PAPER: max |length / rest
      * length - 1|. */
     double last_stretch_error;
     double stretch_error; /**< Largest so far, after any part of a step. */
     double last_stretch;  /**< max (length / rest length - 1) after the last step. */
-    double time;          /**< Simulated so far, s. */
-    /* Of an adaptive mesh; else 0. */
+    double time;          /**< Simulated time, s. */
+    /* The following counters are 0 for a fixed mesh, except where they say otherwise. */
     uint64_t refined;   /**< Segments divided. */
     uint64_t coarsened; /**< Nodes removed. */
-    /** Of the divided: those whose new node was laid on the chord instead of the arc, for want of room. */
+    /** Divisions whose new node is on the chord instead of the arc, for lack of room. */
     uint64_t laid_on_chord;
-    /** Divisions for which there was no node left, in thread or scene. Each time it is asked. */
+    /** Requests for a division without a free node in thread or scene. */
     uint64_t refused_capacity;
-    /** Changes that were wanted at or beside attachments, pins, grasps or the ends at a cut. Each time it is asked. */
+    /** Requests for a change at or beside attachments, pins, grasps or the ends at a cut. */
     uint64_t refused_held;
-    uint64_t refused_near; /**< Removals for which something was too near. Each time it is asked. */
-    uint32_t nodes;        /**< Now; of a fixed mesh too. */
-    uint32_t most_nodes;   /**< So far; of a fixed mesh 0. */
-    double sagitta;        /**< Largest of VBSS_THREAD_SAGITTAS now, m; of a fixed mesh too. */
+    uint64_t refused_near; /**< Requests for a removal with something too near. */
+    uint32_t nodes;        /**< Present number of nodes; also for a fixed mesh. */
+    uint32_t most_nodes;   /**< Largest number of nodes so far; 0 for a fixed mesh. */
+    double sagitta;        /**< Largest of VBSS_THREAD_SAGITTAS, m; also for a fixed mesh. */
 } vbss_thread_statistics;
 
 #ifdef __cplusplus
@@ -337,9 +339,9 @@ VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread
 VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
 
 /**
- * Moves a thread forward in time. Nothing is allocated. A state that is no longer finite is told
- * and the thread stays as it was before the step. A thread with an adaptive mesh adapts it afterwards, by its
- * curvature alone: what it is near to only a scene knows.
+ * Moves a thread forward in time. Nothing is allocated. If the new state is not finite, the call fails
+ * and the thread keeps its state from before the step. A thread with an adaptive mesh then adapts it by its
+ * curvature alone, because only a scene knows the distance to other bodies.
  *
  * @param thread  the thread
  * @param h       s, 1e-7 to 0.1
@@ -351,7 +353,7 @@ VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
 VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
 
 /**
- * Places the nodes and gives them velocities. What attachments hold moves there at the next step.
+ * Sets positions and velocities of the nodes. Nodes held by attachments move to their targets in the next step.
  *
  * @param thread      the thread
  * @param positions   3 doubles a node, m, each at most 1e3; NULL leaves them
@@ -512,7 +514,7 @@ VBSS_API vbss_result vbss_thread_get_statistics(vbss_thread *thread,
                                                 uint32_t struct_size);
 
 /**
- * Saves the thread's state, to go back to it or to go on elsewhere to the same bits.
+ * Saves the thread's state. A thread that restores it continues with identical bits, on any machine.
  *
  * @param thread        the thread
  * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error

@@ -1,7 +1,7 @@
-/* The door: what every public function does first and last.
+/* Entry and exit of every public function.
  *
  * VBSS_ENTER takes the context for the calling thread and sets the floating-point mode that the
- * library needs. Both end with the function, on every return. gate.door checks that each exported
+ * library needs. Both end with the function, on every return. gate.entry checks that each exported
  * function enters. */
 #ifndef VBSS_BASE_API_CALL_H
 #define VBSS_BASE_API_CALL_H

@@ -5,6 +5,7 @@
 #include "base/config.h"
 #include "base/error.h"
 #include "base/linear.h"
+#include "base/number_text.h"
 
 vbss_result vbss_check_pointer(vbss_context *context, const void *pointer, const char *name)
 {
@@ -17,8 +18,8 @@ vbss_result vbss_check_finite(vbss_context *context, const double *values, size_
 {
     for (size_t i = 0; i < count; i++) {
         if (!isfinite(values[i])) {
-            return vbss_fail(context, VBSS_ERROR_NOT_FINITE, "%s[%llu] is %g", name,
-                             (unsigned long long)i, values[i]);
+            return vbss_fail(context, VBSS_ERROR_NOT_FINITE, "%s[%llu] is %s", name,
+                             (unsigned long long)i, VBSS_NUMBER(values[i]));
         }
     }
     return VBSS_OK;
@@ -28,11 +29,11 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
                              const char *name)
 {
     if (!isfinite(value)) {
-        return vbss_fail(context, VBSS_ERROR_NOT_FINITE, "%s is %g", name, value);
+        return vbss_fail(context, VBSS_ERROR_NOT_FINITE, "%s is %s", name, VBSS_NUMBER(value));
     }
     if (value < low || value > high) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s is %g, outside [%g, %g]", name,
-                         value, low, high);
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s is %s, outside [%s, %s]", name,
+                         VBSS_NUMBER(value), VBSS_NUMBER(low), VBSS_NUMBER(high));
     }
     return VBSS_OK;
 }

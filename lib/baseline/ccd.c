@@ -1,9 +1,10 @@
-/* Method PAPER: the continuous test of VBLaST-SS (Qi et al. 2017, algorithm 1, extended to a point
- * and a triangle), including its misses and false hits: docs/paper-collision.md.
+/* Method PAPER: the continuous collision test of VBLaST-SS (Qi et al. 2017, algorithm 1),
+ * extended to a point and a triangle. It keeps the misses and false hits of the paper:
+ * docs/paper-collision.md.
  *
- * w leads from b to a: between the lines of two edges, or from the plane of the triangle to the
- * point. The unit of length matters only for eps_E, below which edges count as parallel. The code
- * converts eps_E to the unit of the coordinates. */
+ * The vector w leads from b to a: between the lines of two edges, or from the plane of the
+ * triangle to the point. Edges count as parallel below the paper's eps_E, the only number that
+ * depends on the unit of length. The code converts eps_E to the unit of the coordinates. */
 #include "collision/collision.h"
 
 #include "collision/closest.h"
@@ -14,15 +15,15 @@ typedef struct shortest {
     double height, nn;
 } shortest;
 
-/* For features with the normal n; r leads from a to b. Where n is zero the paper divides 0 by 0;
- * here the sign test then ends the method. */
+/* Returns w for features with the normal n; r leads from a to b. Where n is zero, the paper
+ * divides 0 by 0; here the sign test then reports a miss. */
 static inline shortest shortest_along(vec3 n, vec3 r)
 {
     shortest w = {n, -vec3_dot(r, n), vec3_norm_squared(n)};
     return w;
 }
 
-/* Vector from a to b; nn must not be zero. */
+/* Returns the vector from a to b; nn must not be zero. */
 static inline vec3 from_a_to_b(const shortest *w)
 {
     return vec3_scale(w->n, -w->height / w->nn);
@@ -42,7 +43,8 @@ static inline bool near_at_end(vec3 apart, double thickness, collision_ccd_resul
     return true;
 }
 
-/* Time at which w, assumed linear, is zero. Returns false if its signs show no crossing. */
+/* Computes the time at which w, assumed linear, is zero. Returns false if its signs show no
+ * crossing. */
 static inline bool linear_time(const shortest *first, const shortest *last,
                                collision_ccd_result *answer, collision_counters *counters,
                                double *time)
@@ -51,7 +53,7 @@ static inline bool linear_time(const shortest *first, const shortest *last,
         counters->sign_tests_ended++;
         return false;
     }
-    /* |w| is |height| / sqrt(nn); both are multiplied by both roots. */
+    /* |w| is |height| / sqrt(nn); both lengths are multiplied by both roots. */
     double before = fabs(first->height) * sqrt(last->nn),
            after = fabs(last->height) * sqrt(first->nn);
     *time = before / (before + after);
@@ -59,10 +61,10 @@ static inline bool linear_time(const shortest *first, const shortest *last,
     return true;
 }
 
-/* Result of a crossing. a and b are assumed to touch at that time, so w at the start gives the
- * side. n is normal to both features, or zero if it is not unique. */
-static void tell_crossing(collision_ccd_result *answer, double time, double distance, vec3 n,
-                          const shortest *first)
+/* Sets the result of a crossing. The features are assumed to touch at that time, so w at the
+ * start gives the side. n is normal to both features, or zero if their normal is not unique. */
+static void set_crossing_result(collision_ccd_result *answer, double time, double distance, vec3 n,
+                                const shortest *first)
 {
     vec3 back = first->height > 0.0 ? vec3_neg(first->n) : first->n; /* from a to b */
     vec3 across = vec3_dot(n, back) < 0.0 ? vec3_neg(n) : n;
@@ -95,8 +97,9 @@ static inline edge_lines edge_lines_of(vec3 a0, vec3 a1, vec3 b0, vec3 b1, doubl
     return l;
 }
 
-/* The paper's s_j for parallel edges, d / b. For edges of zero length, or edges called parallel
- * although they are at right angles, it is NaN: inside no edge, and without a sign. */
+/* Returns the paper's s_j for parallel edges, d / b. It is NaN for edges of zero length, and for
+ * edges that count as parallel although they are perpendicular. NaN lies inside no edge and has
+ * no sign. */
 static inline double parallel_foot(const edge_lines *l)
 {
     return l->ab != 0.0 ? -l->ar / l->ab : (double)NAN;
@@ -112,7 +115,7 @@ static inline shortest shortest_of_lines(const edge_lines *l)
     return shortest_along(vec3_cross(l->a, l->b), l->r);
 }
 
-/* Whether both feet of w are inside; if so, their fractions s and u along a and b. */
+/* Returns whether both feet of w are inside their edges; if so, sets their fractions s and u. */
 static inline bool feet_inside(const edge_lines *l, double *s, double *u)
 {
     if (l->parallel) {
@@ -164,7 +167,7 @@ static void test_edges(double eps, const collision_ccd_query *question,
     if (feet_inside(&then, &s, &u)) { /* step (ii b) */
         double distance = vec3_norm(edge_separation(then.a, then.b, then.r, s, u));
         vec3 n = then.parallel ? vec3_zero() : vec3_cross(then.a, then.b);
-        tell_crossing(answer, time, distance, n, &w0);
+        set_crossing_result(answer, time, distance, n, &w0);
         set_edge_weights(answer, s, u);
     }
 }
@@ -190,7 +193,7 @@ static inline point_plane point_plane_of(vec3 p, vec3 b0, vec3 b1, vec3 b2)
     return q;
 }
 
-/* Whether the foot of w is inside; if so, its area coordinates. */
+/* Returns whether the foot of w is inside the triangle; if so, sets its area coordinates. */
 static inline bool foot_inside(const point_plane *q, double weights[3])
 {
     double w1 = vec3_dot(vec3_cross(q->e2, q->f[0]), q->n);
@@ -236,7 +239,7 @@ static void test_point_triangle(const collision_ccd_query *question, collision_c
                                       vec3_lerp(x[2], y[2], time), vec3_lerp(x[3], y[3], time));
     if (foot_inside(&then, weights)) { /* step (ii b) */
         shortest w = shortest_along(then.n, then.f[0]);
-        tell_crossing(answer, time, fabs(w.height) / sqrt(w.nn), then.n, &w0);
+        set_crossing_result(answer, time, fabs(w.height) / sqrt(w.nn), then.n, &w0);
         set_corner_weights(answer, weights);
     }
 }

@@ -1,6 +1,7 @@
-/* A pass over all pairs that are near. Each is tested between begin and end of the step, as
- * far as responses have moved the end by now (algorithm 1), and what hits is moved at once (algorithm 2).
- * What the paper leaves open and how it was chosen: docs/paper-scene.md. */
+/* One pass over all candidate pairs. The pass tests each pair between the start and the end of
+ * the step (algorithm 1), and moves a pair that hits at once (algorithm 2). Each test uses the
+ * end positions that earlier responses have left. docs/paper-scene.md lists the points that the
+ * paper leaves open, and the choices here. */
 #include "base/error.h"
 #include "baseline/drain.h"
 #include "baseline/scene.h"
@@ -15,13 +16,13 @@
 
 /* ---- features */
 
-/* A segment of a thread, a side of a drain's triangles or the axis of a capsule, by its ends; one node alone: the
- * floor. */
+/* A segment of a thread, an edge of a drain, or the axis of a capsule, given by its two ends.
+ * Against the floor only the first end is set: a node. */
 typedef struct feature {
     const vec3 *start[2];
-    vec3 *end[2], *speed[2]; /* speed NULL: nothing moves it */
+    vec3 *end[2], *speed[2]; /* speed: NULL if no response moves the end */
     double radius;
-    double mass[2], mobility[2]; /* mobility, 1/kg, 0: held */
+    double mass[2], mobility[2]; /* mobility: 1/kg, 0 if the node is prescribed */
 } feature;
 
 static void set_thread_node(feature *f, int k, const thread_object *t, uint32_t node)
@@ -44,7 +45,7 @@ static void set_drain_node(feature *f, int k, const drain_object *d, uint32_t no
     f->mobility[k] = d->baseline->free_mass[node] > 0.0 ? 1.0 / d->mass[node] : 0.0;
 }
 
-/* Of a thread or a drain. */
+/* Sets end k of a feature to a node of a thread or a drain. */
 static void set_node(feature *f, int k, const scene_body *b, uint32_t node)
 {
     if (b->kind == SCENE_BODY_THREAD) {
@@ -75,7 +76,8 @@ static bool moves(const feature *f)
     return f->mobility[0] > 0.0 || f->mobility[1] > 0.0;
 }
 
-/* From b to a at the end, and where on each. */
+/* Returns the shortest vector from b to a at the end of the step; `at` gets the fractions of its
+ * feet. */
 static vec3 apart_at_end(const feature *a, const feature *b, double at[2])
 {
     return vec3_neg(closest_between_edges(vec3_sub(*a->end[1], *a->end[0]),
@@ -83,7 +85,7 @@ static vec3 apart_at_end(const feature *a, const feature *b, double at[2])
                                           vec3_sub(*b->end[0], *a->end[0]), &at[0], &at[1]));
 }
 
-/* ---- pairs of them */
+/* ---- pairs of features */
 
 typedef struct pair {
     contact_key key;
@@ -99,8 +101,9 @@ static uint32_t kind_of(const scene_body *a, const scene_body *b)
                                                   : VBSS_CONTACT_SEGMENTS;
 }
 
-/* Threads come first and drains last, as their kinds are numbered, whatever the order in which bodies were added. False:
- * these two do not touch. */
+/* Sets up a pair in the order of the body kinds, threads first and drains last, so that the
+ * order in which bodies were added does not matter. Returns false if the two features never
+ * collide. */
 static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p)
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
@@ -127,7 +130,7 @@ static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p
     return !vbss_scene_is_excluded_across_cut(s, a, i, b, k);
 }
 
-/* ---- what was responded to, in the order of the features */
+/* ---- contact records, in ascending order of keys */
 
 static uint32_t place_of(const scene_object *s, const contact_key *key)
 {
@@ -198,16 +201,19 @@ static vbss_result respond(const feature *a, const feature *b, double thickness,
 
 static void limit_side(double displacement[6], double share, double wanted, double depth)
 {
-    double factor = share != 0.0 ? wanted / share : 0.0, most = BASELINE_MAX_LEVER * wanted * depth;
+    double factor = share != 0.0 ? wanted / share : 0.0,
+           max_displacement = BASELINE_MAX_LEVER * wanted * depth;
     double largest = factor * vbss_max(vec3_norm(vec3_load(displacement)),
                                        vec3_norm(vec3_load(displacement + 3)));
-    factor *= largest > most ? most / largest : 1.0;
+    factor *= largest > max_displacement ? max_displacement / largest : 1.0;
     for (int k = 0; k < 6; k++) {
         displacement[k] *= factor;
     }
 }
 
-/* Shares beyond 0 ... 1, of one side that flees, and long levers: printed, and what makes knots explode. */
+/* Limits the shares to 0 ... 1 and the displacement of each node to a multiple of the shift. The
+ * paper allows larger shares, where one side moves away from the other, and long levers. Both
+ * make knots explode. */
 static void limit_response(vbss_response *r)
 {
     double share = clamp_unit(r->share_a);
@@ -215,16 +221,17 @@ static void limit_response(vbss_response *r)
     limit_side(r->displacement + 6, 1.0 - r->share_a, 1.0 - share, r->depth);
 }
 
-/* Positions at once, velocities by as much over the step. Returns mass times displacement. */
+/* Moves the ends at once, and changes their velocities by the displacement over h. Returns mass
+ * times displacement. */
 static vec3 displace(const feature *f, const double displacement[6], double h)
 {
     vec3 push = vec3_zero();
     for (size_t k = 0; k < 2; k++) {
-        vec3 way = vec3_load(displacement + 3 * k);
+        vec3 node_displacement = vec3_load(displacement + 3 * k);
         if (f->speed[k] != NULL && f->mobility[k] > 0.0) {
-            *f->end[k] = vec3_add(*f->end[k], way);
-            *f->speed[k] = vec3_add_scaled(*f->speed[k], 1.0 / h, way);
-            push = vec3_add_scaled(push, f->mass[k], way);
+            *f->end[k] = vec3_add(*f->end[k], node_displacement);
+            *f->speed[k] = vec3_add_scaled(*f->speed[k], 1.0 / h, node_displacement);
+            push = vec3_add_scaled(push, f->mass[k], node_displacement);
         }
     }
     return push;
@@ -241,7 +248,7 @@ static vbss_result meet(scene_object *s, const contact_key *key, const feature *
         return VBSS_OK;
     }
     if (respond(a, b, thickness, &impact, &response) != VBSS_OK) {
-        return VBSS_ERROR_NOT_FINITE; /* beyond all that collision takes */
+        return VBSS_ERROR_NOT_FINITE; /* a coordinate exceeds the range of the response */
     }
     limit_response(&response);
     vec3 push = displace(a, response.displacement, h);
@@ -263,7 +270,7 @@ static vbss_result meet_candidate(scene_object *s, const collision_candidate *q,
     return meets ? meet(s, &p.key, &p.a, &p.b, h) : VBSS_OK;
 }
 
-/* ---- the floor: nodes below it are put on it */
+/* ---- the floor: nodes below it are moved to its surface */
 
 static double height_of(const scene_object *s, vec3 x)
 {
@@ -326,10 +333,11 @@ vbss_result vbss_baseline_run_pass(scene_object *s, double h)
     return vbss_baseline_carry_holes(s, h);
 }
 
-/* ---- afterwards */
+/* ---- after the passes */
 
-/* Where the surfaces are, on the side that was responded to. */
-static void lay_hit(const scene_object *s, scene_contact_record *hit)
+/* Sets normal, gap and point of a contact. The sign follows the side that the last response
+ * chose. */
+static void update_contact_geometry(const scene_object *s, scene_contact_record *hit)
 {
     const scene_body *a = vbss_scene_body(s, hit->key.body_a);
     const scene_body *b = vbss_scene_body(s, hit->key.body_b);
@@ -345,14 +353,14 @@ static void lay_hit(const scene_object *s, scene_contact_record *hit)
     double at[2];
     vec3 apart = apart_at_end(&f, &g, at), here = vec3_lerp(*f.end[0], *f.end[1], at[0]);
     double distance = vec3_norm(apart), side = vec3_dot(apart, hit->normal) < 0.0 ? -1.0 : 1.0;
-    if (distance > SCENE_MIN_DISTANCE) {
+    if (distance > SCENE_MIN_DISTANCE_RATIO * (f.radius + g.radius)) {
         hit->normal = vec3_scale(apart, side / distance);
     }
     hit->gap = side * distance - f.radius - g.radius;
     hit->point = vec3_add_scaled(here, -f.radius - 0.5 * hit->gap, hit->normal);
 }
 
-/* Overlap of what was near in the last search. */
+/* Returns the overlap of a pair of the last broad phase, m; negative if the surfaces are apart. */
 static double depth_of(const scene_object *s, const collision_candidate *q)
 {
     double at[2];
@@ -370,7 +378,7 @@ double vbss_baseline_measure_contacts(scene_object *s, double h)
         if (hit->key.kind == VBSS_CONTACT_HOLE) {
             vbss_baseline_locate_hole_contact(s, hit);
         } else {
-            lay_hit(s, hit);
+            update_contact_geometry(s, hit);
         }
         depth = vbss_max(-hit->gap, depth);
     }

@@ -1,6 +1,6 @@
-/* One step of the baseline drain in equal explicit parts, as of the thread:
+/* One step of the baseline drain in equal explicit substeps, like the baseline thread:
  *   forces -> velocities (symplectic Euler) -> damping -> positions.
- * Nothing but the damping and the collision with others knows neighbours. */
+ * Only the damping and contacts with other bodies couple neighbouring particles. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "baseline/drain.h"
@@ -19,7 +19,8 @@ static void prepare_masses(drain_object *d)
     }
 }
 
-/* A particle on its spring is stable below dt = 2 sqrt(mass / stiffness); what resists its velocity lengthens this. */
+/* A particle on its spring is stable below dt = 2 sqrt(mass / stiffness). Drag and attached
+ * springs only raise this limit. */
 static uint32_t count_parts(const drain_object *d, double h)
 {
     double rate = 0.0;
@@ -35,7 +36,7 @@ static uint32_t count_parts(const drain_object *d, double h)
     return vbss_baseline_substep_count(h, rate);
 }
 
-/* Drag and attached springs are implicit and count as mass, as in the paper's thread. */
+/* Drag and attached springs are implicit and count as mass, as in the baseline thread. */
 static void prepare_mobilities(drain_object *d, double dt)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
@@ -53,7 +54,7 @@ static void prepare_mobilities(drain_object *d, double dt)
     }
 }
 
-/* ---- one explicit part */
+/* ---- one explicit substep */
 
 static void pull_back(drain_object *d)
 {
@@ -63,7 +64,7 @@ static void pull_back(drain_object *d)
     }
 }
 
-/* What attachments add to the forces of the springs. */
+/* Adds gravity and the forces of attachments to the forces of the springs. */
 static void gather_forces(drain_object *d, double end, vec3 *sums)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
@@ -75,8 +76,8 @@ static void gather_forces(drain_object *d, double end, vec3 *sums)
         if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_FORCE) {
             *sum = vec3_add(*sum, a->force);
         } else if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_SPRING) {
-            vec3 way = vec3_sub(vbss_drain_attachment_position(a, end), d->x[a->node]);
-            *sum = vec3_add_scaled(*sum, a->stiffness, way);
+            vec3 stretch = vec3_sub(vbss_drain_attachment_position(a, end), d->x[a->node]);
+            *sum = vec3_add_scaled(*sum, a->stiffness, stretch);
         }
     }
 }
@@ -95,12 +96,12 @@ static void set_velocities(drain_object *d, double dt, const vec3 *sums)
 
 static void move_to(drain_object *d, uint32_t node, vec3 to)
 {
-    double way = vec3_distance(to, d->x[node]);
-    d->baseline->last_move = vbss_max_or_nan(way, d->baseline->last_move);
+    double distance = vec3_distance(to, d->x[node]);
+    d->baseline->last_move = vbss_max_or_nan(distance, d->baseline->last_move);
     d->x[node] = to;
 }
 
-/* Pinned particles go evenly to their places. */
+/* Moves free particles with their velocities, and pinned ones evenly towards their targets. */
 static void move(drain_object *d, double dt, double end)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
@@ -182,8 +183,8 @@ static void add_energies(drain_object *d, vbss_drain_energies *energies)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        vec3 way = vec3_sub(d->x[i], d->baseline->rest[i]);
-        sum += 0.5 * d->config.paper_stiffness * vec3_norm_squared(way);
+        vec3 displacement = vec3_sub(d->x[i], d->baseline->rest[i]);
+        sum += 0.5 * d->config.paper_stiffness * vec3_norm_squared(displacement);
     }
     energies->springs = sum;
 }

@@ -1,6 +1,7 @@
-/* Grasping by the baseline: jaws that have just closed near a thread carry its nearest node exactly, and
- * the first tool that has one leads; another waits until it is let go. The force to the hand is that of the
- * springs of the two sections beside the node: docs/paper-scene.md. */
+/* Grasps of the baseline. Jaws that have just closed near a thread carry its nearest node
+ * exactly. The first tool that grasps a node leads it, and a second tool waits until the first
+ * releases it. The hand feels the springs of the two sections beside the node:
+ * docs/paper-scene.md. */
 #include "baseline/scene.h"
 #include "scene/tools/tools.h"
 
@@ -9,7 +10,7 @@ static uint32_t *pin_of(const scene_object *s, const scene_thread_grasp *g)
     return &s->baseline->grasp_pins[g - s->thread_grasps];
 }
 
-/* The grasp of a node that leads; NULL: nobody's. */
+/* Returns the grasp that leads a node, or NULL if there is none. */
 static const scene_thread_grasp *leader_of(const scene_object *s, uint32_t thread, uint32_t node)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
@@ -21,7 +22,8 @@ static const scene_thread_grasp *leader_of(const scene_object *s, uint32_t threa
     return NULL;
 }
 
-/* Takes the node if nobody leads it; it is free, or a pin of the host's holds it. */
+/* Takes the lead of a node that no tool leads. The grasp keeps waiting if the host has pinned
+ * the node or no pin is free. */
 static void lead(scene_object *s, scene_thread_grasp *g)
 {
     if (leader_of(s, g->thread, g->segment) == NULL &&
@@ -30,7 +32,8 @@ static void lead(scene_object *s, scene_thread_grasp *g)
     }
 }
 
-/* The node nearest to the middle of the jaws' ends, within the distance; false: none. */
+/* Finds the node nearest to the point between the tips of the jaws, within paper_distance.
+ * Returns false if there is none. */
 static bool nearest_node(const scene_object *s, const scene_body *tool, scene_thread_grasp *found)
 {
     const grasper_object *g = tool->rigid.grasper;
@@ -75,7 +78,7 @@ static void let_go(scene_object *s, scene_thread_grasp *g)
     uint32_t *pin = pin_of(s, g);
     if (*pin != 0) {
         vbss_scene_emit_grasp_event(s, VBSS_EVENT_RELEASE, g);
-        (void)vbss_scene_unpin_node(s, *pin); /* the host may have removed it */
+        (void)vbss_scene_unpin_node(s, *pin); /* the host may have removed the pin */
         *pin = 0;
     }
     *g = (scene_thread_grasp){0};
@@ -91,20 +94,20 @@ void vbss_baseline_set_carried_targets(scene_object *s)
     }
 }
 
-/* After the step, from which on the node is carried, or free: jaws that have opened let go first. */
+/* Opened jaws release their nodes first, so that a waiting tool can take the lead in the same
+ * step. */
 void vbss_baseline_update_grasps(scene_object *s)
 {
-    vbss_scene_remove_clear_thread_grasps(s); /* what blades were closed through */
+    vbss_scene_remove_clear_thread_grasps(s); /* strands that blades have left uncut */
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && !g->is_released &&
-            vbss_scene_body(s, g->tool)->rigid.grasper->jaw_angle > 0.0) {
+        if (scene_holds_strand(g) && vbss_scene_body(s, g->tool)->rigid.grasper->jaw_angle > 0.0) {
             let_go(s, g);
         }
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && !g->is_released && *pin_of(s, g) == 0) {
+        if (scene_holds_strand(g) && *pin_of(s, g) == 0) {
             lead(s, g);
         }
     }
@@ -119,7 +122,8 @@ void vbss_baseline_update_grasps(scene_object *s)
     }
 }
 
-/* k_s (stretched length - length) toward the other end of a section that is stretched. */
+/* Returns the force k_s (length - rest length) toward the other end of a section, or zero if the
+ * section is slack. */
 static vec3 pull_of_section(const thread_object *t, uint32_t from, uint32_t to, double stiffness)
 {
     uint32_t low = from < to ? from : to, high = from < to ? to : from;
@@ -129,11 +133,11 @@ static vec3 pull_of_section(const thread_object *t, uint32_t from, uint32_t to, 
         rest += t->rest[i];
     }
     double size = stiffness * vbss_max(length - rest, 0.0);
-    vec3 way = vec3_unit_or(vec3_sub(t->now.x[to], t->now.x[from]), vec3_zero());
-    return vec3_scale(way, size);
+    vec3 direction = vec3_unit_or(vec3_sub(t->now.x[to], t->now.x[from]), vec3_zero());
+    return vec3_scale(direction, size);
 }
 
-/* Of both sections that end at a node. */
+/* Returns the force of both sections that end at a node. */
 static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness)
 {
     uint32_t before = 0, after = t->node_count - 1;
@@ -147,7 +151,7 @@ static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness
                     pull_of_section(t, node, after, stiffness));
 }
 
-/* What it carries itself, and what its needle carries. */
+/* Sums the forces of nodes that the tool carries, and of nodes pinned to its needle. */
 vec3 vbss_baseline_hand_force(const scene_object *s, const scene_body *tool)
 {
     double stiffness = tool->rigid.grasper->config.paper_stiffness;

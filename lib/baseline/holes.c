@@ -1,19 +1,21 @@
-/* Holes by the baseline: where algorithm 3 has seen a needle go through a wall, the particles of the triangle follow the needle
- * by their weights, as responses to contacts do, and the wall round it does not touch it: docs/paper-needle.md. */
+/* Holes of the baseline. Where algorithm 3 has detected that a needle passed through a wall, the
+ * particles of that triangle follow the needle by their weights, like responses to contacts. The
+ * wall around the hole does not collide with the needle: docs/paper-needle.md. */
 #include "base/error.h"
 #include "baseline/drain.h"
 #include "baseline/scene.h"
 #include "scene/tissue/tissue.h"
 
-/* ---- carrying */
+/* ---- motion of the particles at holes */
 
 static pose needle_at_end(const scene_rigid *r)
 {
     return pose_mul(r->trial, pose_inverse(r->frame));
 }
 
-/* From the hole to where the needle is in it: along the needle it has slid to the place beside. */
-static vec3 way_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
+/* Slides the hole along the needle's tangent to the nearest point, and returns the displacement
+ * from the hole to that point. */
+static vec3 displacement_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
 {
     const needle_object *n = r->needle;
     vec3 seen = pose_apply_inverse(needle_at_end(r), here);
@@ -22,20 +24,20 @@ static vec3 way_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
     return vec3_sub(pose_apply(needle_at_end(r), vbss_needle_point(n, hole->arc)), here);
 }
 
-/* The point of the triangle goes all of the way, each corner as far as it is light and near. Returns mass times
- * displacement. */
-static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 way, double h)
+/* Moves the point of the triangle by the displacement. Each corner moves in proportion to its
+ * weight over its mass. Returns mass times displacement. */
+static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 displacement, double h)
 {
     const uint32_t *node = d->mesh.triangles[hole->triangle];
     double light[3], sum = 0.0;
     vec3 push = vec3_zero();
-    for (int k = 0; k < 3; k++) { /* pinned ones stay */
+    for (int k = 0; k < 3; k++) { /* pinned corners stay */
         light[k] =
             d->baseline->free_mass[node[k]] > 0.0 ? hole->barycentric[k] / d->mass[node[k]] : 0.0;
         sum += hole->barycentric[k] * light[k];
     }
     for (int k = 0; k < 3 && sum > 0.0; k++) {
-        vec3 own = vec3_scale(way, light[k] / sum);
+        vec3 own = vec3_scale(displacement, light[k] / sum);
         d->x[node[k]] = vec3_add(d->x[node[k]], own);
         d->v[node[k]] = vec3_add_scaled(d->v[node[k]], 1.0 / h, own);
         push = vec3_add_scaled(push, light[k] > 0.0 ? d->mass[node[k]] : 0.0, own);
@@ -49,14 +51,15 @@ static vbss_result carry(scene_object *s, uint32_t i, double h)
     const scene_rigid *r = &vbss_scene_body(s, hole->needle)->rigid;
     drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
     const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, i, hole->drain, 0};
-    vec3 way = way_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
-    vec3 push = carry_triangle(hole, d, way, h);
-    if (vec3_norm(way) < BASELINE_MIN_DEPTH_RATIO * d->config.thickness ||
+    vec3 displacement = displacement_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
+    vec3 push = carry_triangle(hole, d, displacement, h);
+    if (vec3_norm(displacement) < BASELINE_MIN_DEPTH_RATIO * d->config.thickness ||
         vec3_norm_squared(push) == 0.0) {
         return VBSS_OK;
     }
     s->baseline->counts.responses++;
-    return vbss_baseline_record_contact(s, &key, vec3_unit_or(way, vec3_zero()), vec3_neg(push));
+    return vbss_baseline_record_contact(s, &key, vec3_unit_or(displacement, vec3_zero()),
+                                        vec3_neg(push));
 }
 
 vbss_result vbss_baseline_carry_holes(scene_object *s, double h)
@@ -77,7 +80,7 @@ void vbss_baseline_locate_hole_contact(const scene_object *s, scene_contact_reco
     hit->gap = 0.0;
 }
 
-/* ---- what does not touch */
+/* ---- pairs that do not collide */
 
 static bool has_node_of(const drain_object *d, const uint32_t side[2], uint32_t triangle)
 {
@@ -111,7 +114,7 @@ bool vbss_baseline_is_in_hole(const scene_object *s, const scene_body *needle, u
 
 /* ---- after a step */
 
-/* What the wall did to the needle in it. */
+/* Stores the contact forces of walls on needles at their holes. */
 static void note_forces(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
@@ -125,7 +128,7 @@ static void note_forces(scene_object *s)
     }
 }
 
-static void look_for_punctures(scene_object *s, const scene_body *needle, const scene_body *drain)
+static void find_punctures(scene_object *s, const scene_body *needle, const scene_body *drain)
 {
     const scene_rigid *r = &needle->rigid;
     baseline_toggle *toggles = baseline_body_of(s, needle)->toggles;
@@ -156,7 +159,7 @@ void vbss_baseline_update_holes(scene_object *s)
         bool is_needle = needle->kind == SCENE_BODY_RIGID && needle->rigid.needle != NULL;
         for (uint32_t k = 0; is_needle && k < s->body_count; k++) {
             if (s->bodies[k].kind == SCENE_BODY_DRAIN) {
-                look_for_punctures(s, needle, &s->bodies[k]);
+                find_punctures(s, needle, &s->bodies[k]);
             }
         }
     }

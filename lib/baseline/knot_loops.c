@@ -1,17 +1,17 @@
 /* Method PROJECTION, criterion 1: loops of the thread that close around a tool in the projection
- * along it (Qi et al. 2017, section 5, algorithm 4), including its misses and false detections:
- * docs/paper-knots.md.
+ * along it (Qi et al. 2017, section 5, algorithm 4). The method keeps the misses and false
+ * detections of the paper: docs/paper-knots.md.
  *
- * As in the paper, the tool's line has no ends, a loop ends at the first segment that crosses it,
- * and the search for the next loop starts after that segment. The paper does not define at which
- * end segment 0 is. */
+ * As in the paper, the line of the tool has no ends, and a loop ends at the first segment that
+ * crosses it. The search for the next loop starts after that segment. The paper does not define
+ * at which end segment 0 is. */
 #include "baseline/knots.h"
 
 #include "base/elementary.h"
 #include "base/lanes.h"
 #include "base/pi.h"
 
-/* A loop takes three segments at least, so that all of sixteen tools have room. Derived. */
+/* A loop takes at least three segments, so all loops of sixteen tools fit. Derived. */
 enum { MAX_TOOLS = 16, LOOP_SEGMENTS = 3 };
 
 void vbss_baseline_list_loop_arrays(baseline_loops *p, uint32_t capacity,
@@ -20,7 +20,7 @@ void vbss_baseline_list_loop_arrays(baseline_loops *p, uint32_t capacity,
     p->capacity = capacity;
     p->loop_capacity = MAX_TOOLS * (capacity / LOOP_SEGMENTS);
     arrays[0] = (vbss_array){&p->loops, p->loop_capacity, sizeof *p->loops};
-    /* The last lanes may read beyond the last point. */
+    /* The last load of lanes may read beyond the last point. */
     arrays[1] = (vbss_array){&p->flat, 3 * (size_t)capacity + LANES, sizeof *p->flat};
 }
 
@@ -64,15 +64,16 @@ void vbss_baseline_project_thread(baseline_loops *p, const projection_plane *pla
 
 /* ---- the even-odd rule */
 
-/* A corner in the frame of the ray: distance along it, and side. */
+/* Returns a corner in the coordinates of the ray: the distance along it, and the distance to its
+ * left. */
 static inline plane_point from_ray(plane_point ray, double x, double y)
 {
     plane_point seen = {ray.x * x + ray.y * y, ray.x * y - ray.y * x};
     return seen;
 }
 
-/* Whether the ray meets an edge. One end must be on its left and the other not, so that a corner on
- * the ray counts once. */
+/* Returns whether the ray meets an edge. One end must be on its left and the other not, so that
+ * a corner on the ray counts once. */
 static inline bool ray_meets(plane_point a, plane_point b)
 {
     if ((a.y < 0.0) == (b.y < 0.0)) {
@@ -105,8 +106,9 @@ static inline double cross(double ax, double ay, double bx, double by)
     return ax * by - ay * bx;
 }
 
-/* Where the projections of two segments cross, as fractions of both. A point on the other's line
- * counts as on its left, so that a crossing at a point belongs to one segment only. */
+/* Returns whether the projections of two segments cross; if so, sets the fractions s and u of
+ * both. A point on the line of the other segment counts as left of it, so a crossing at a point
+ * belongs to one segment only. */
 static bool segments_cross(const baseline_loops *p, uint32_t i, uint32_t j, double *s, double *u)
 {
     const double *x = projected_x(p), *y = projected_y(p);
@@ -124,7 +126,7 @@ static bool segments_cross(const baseline_loops *p, uint32_t i, uint32_t j, doub
     return true;
 }
 
-/* Bit mask of the four segments from j on whose boxes overlap that of segment i. */
+/* Returns a bit mask of the four segments from j on whose boxes overlap that of segment i. */
 static inline unsigned near_four(const baseline_loops *p, const lanes box[4], uint32_t j)
 {
     const double *x = projected_x(p) + j, *y = projected_y(p) + j;
@@ -136,8 +138,8 @@ static inline unsigned near_four(const baseline_loops *p, const lanes box[4], ui
     return 15u & ~lanes_movemask(lanes_or(across, along));
 }
 
-/* The first segment before i, and not adjacent to it, that crosses it, searching toward the tail's
- * end; i if there is none. */
+/* Searches from segment i toward the end of the tail for the first segment that crosses i and is
+ * not adjacent to it. Returns i if there is none. */
 static uint32_t next_crossing(const baseline_loops *p, uint32_t i, double *s, double *u)
 {
     const double *x = projected_x(p), *y = projected_y(p);
@@ -170,13 +172,13 @@ static void record(baseline_loops *p, const projection_plane *plane, const knot_
     p->loops[p->loop_count++] = loop;
 }
 
-/* The paper's segment 0 is the last one here, at the end of the long limb. */
+/* The paper's segment 0 is the last segment here, at the end of the long limb. */
 void vbss_baseline_find_loops(baseline_loops *p, const vbss_knot_config *config,
                               const knot_input *scene, uint32_t tool)
 {
     projection_plane plane = vbss_baseline_projection_plane(config, &scene->tools[tool]);
     vbss_baseline_project_thread(p, &plane, scene);
-    uint32_t left = scene->point_count - 1; /* unused segments are 0 to left - 1 */
+    uint32_t left = scene->point_count - 1; /* segments 0 to left - 1 are unused */
     while (left >= LOOP_SEGMENTS && p->loop_count < p->loop_capacity) {
         double s, u;
         uint32_t i = left - 1, j = next_crossing(p, i, &s, &u);

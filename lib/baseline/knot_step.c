@@ -1,4 +1,4 @@
-/* The step of method PROJECTION: loops about each tool, and what crosses them. */
+/* The step of method PROJECTION: loops around each tool, and the segments that cross them. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "baseline/knots.h"
@@ -23,10 +23,11 @@ static void show_loops(knot_detector *d)
     }
 }
 
-/* The tool with most loops that tie; the throw has as many wraps, and no handedness. */
+/* The throw belongs to the tool with the largest number of tied loops. It has as many wraps as
+ * loops, and no handedness. */
 static void step_detector(knot_detector *d, bool immediate)
 {
-    (void)immediate; /* a step is always whole */
+    (void)immediate; /* a step is never divided */
     baseline_loops *p = &d->baseline->loops;
     vbss_knot_state *s = &d->state;
     const uint32_t before = s->loops;

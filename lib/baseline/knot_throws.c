@@ -8,11 +8,11 @@ typedef struct crossing {
     uint32_t segment;
     vec3 at;
     plane_point flat;
-    bool rising; /* toward the handle, in the order of the thread */
+    bool rising; /* whether the thread crosses toward the handle */
 } crossing;
 
-/* Strand of the pair that the crossing segment belongs to: 0 before the loop, on the side of the
- * pair's first segment; 1 after it; -1 if it is part of the loop. */
+/* Returns the strand of the loop's pair that the crossing belongs to: 0 before the loop, on the
+ * side of the first segment; 1 after the loop; -1 within it. */
 static int strand_of(const baseline_loop *loop, const knot_input *scene, const crossing *c)
 {
     if (c->segment < loop->first || c->segment > loop->last) {
@@ -28,14 +28,14 @@ static int strand_of(const baseline_loop *loop, const knot_input *scene, const c
     return before == (end == 0) ? end : -1;
 }
 
-typedef struct verdict {
+typedef struct crossing_result {
     bool inside, ties, inside_out;
-} verdict;
+} crossing_result;
 
-static verdict judge(baseline_loops *p, const projection_plane *plane, const knot_input *scene,
-                     const baseline_loop *loop, const crossing *c)
+static crossing_result judge(baseline_loops *p, const projection_plane *plane,
+                             const knot_input *scene, const baseline_loop *loop, const crossing *c)
 {
-    verdict v = {false, false, false};
+    crossing_result v = {false, false, false};
     int strand = strand_of(loop, scene, c);
     if (strand < 0) {
         return v;
@@ -49,7 +49,7 @@ static verdict judge(baseline_loops *p, const projection_plane *plane, const kno
     return v;
 }
 
-/* Counts the loops of the tool that a segment ties. */
+/* Counts the loops of a tool that a crossing ties. */
 static void count(baseline_loops *p, const projection_plane *plane, const knot_input *scene,
                   uint32_t tool, const crossing *c, baseline_throw *found)
 {
@@ -59,7 +59,7 @@ static void count(baseline_loops *p, const projection_plane *plane, const knot_i
         if (loop->tool != tool || loop->inside == 0) {
             continue;
         }
-        verdict v = judge(p, plane, scene, loop, c);
+        crossing_result v = judge(p, plane, scene, loop, c);
         if (v.ties && here.loops == 0) {
             here.first_is_above = loop->first_is_above;
             here.inside_out = v.inside_out;

@@ -1,27 +1,30 @@
-/* Needles by the baseline: one follows the first tool whose jaws have closed on it, exactly; another that closes on it changes
- * nothing until the first lets go, and leads from then on. A free one flies, comes down on the floor, and stays in the walls
- * that it goes through: docs/paper-needle.md. */
+/* Needles of the baseline. A needle follows the first tool whose jaws have closed on it,
+ * exactly. A second tool waits until the first releases the needle, and leads it from then on. A
+ * free needle flies, lands on the floor, and stays in the walls that it passes through:
+ * docs/paper-needle.md. */
 #include "baseline/scene.h"
 
 #include "collision/closest.h"
 #include "scene/tuning.h"
 
-/* Jaws hold a needle that goes across them: cosine of the largest angle, 45 degrees, between it and the width of the jaws. */
+/* Jaws hold a needle that lies across them: cosine of the largest angle, 45 degrees, between the
+ * needle and the width of the jaws. Chosen. */
 #define MIN_ACROSS 0.70710678118654752
 
-/* ---- the floor: nothing of it below, nothing pulled down, so that it comes down and does not bounce */
+/* ---- landing: the floor pushes the ends of capsules up and never pulls them down, so a needle
+ * does not bounce */
 
-/* An end of a capsule, on which the floor acts upward. */
+/* The end of a capsule, on which the floor acts upward. */
 typedef struct corner {
-    vec3 arm, turn;       /* from the centre of mass; of the needle, by an impulse of 1 */
-    double rise, impulse; /* of the corner, by an impulse of 1; so far */
+    vec3 arm, turn;       /* arm from the centre of mass; rotation by a unit impulse */
+    double rise, impulse; /* rise by a unit impulse; sum of the impulses so far */
 } corner;
 
 typedef struct landing {
     const scene_rigid *needle;
     vec3 up;
-    double height; /* of the middle of the wire on the floor */
-    pose at;       /* where it would be without the floor */
+    double height; /* smallest height of the wire's centre line, m */
+    pose at;       /* pose without the floor */
     vec3 moved, turned;
     corner corners[NEEDLE_MAX_SEGMENTS + 1];
 } landing;
@@ -47,10 +50,10 @@ static double height_of(const landing *l, const corner *c)
     return vec3_dot(l->up, vec3_add(vec3_add(l->at.position, c->arm), moved)) - l->height;
 }
 
-/* Projected Gauss-Seidel. Returns the farthest that it has moved a corner. */
+/* One round of projected Gauss-Seidel. Returns the largest displacement of a corner, m. */
 static double make_round(landing *l, uint32_t count)
 {
-    double most = 0.0;
+    double max_displacement = 0.0;
     for (uint32_t i = 0; i < count; i++) {
         corner *c = &l->corners[i];
         double before = c->impulse;
@@ -58,9 +61,9 @@ static double make_round(landing *l, uint32_t count)
         double more = c->impulse - before;
         l->moved = vec3_add_scaled(l->moved, more / l->needle->body.mass, l->up);
         l->turned = vec3_add_scaled(l->turned, more, c->turn);
-        most = vbss_max(most, fabs(more) * c->rise);
+        max_displacement = vbss_max(max_displacement, fabs(more) * c->rise);
     }
-    return most;
+    return max_displacement;
 }
 
 static void begin_landing(landing *l, pose at, uint32_t count)
@@ -87,13 +90,13 @@ static void land(const scene_object *s, const scene_rigid *r, pose *at)
     }
     vbss_rigid_apply_increment(at, l.moved, l.turned);
     begin_landing(&l, *at, count);
-    for (uint32_t i = 0; i < count; i++) { /* turns are not small */
+    for (uint32_t i = 0; i < count; i++) { /* the rotation is finite, not linear */
         below = vbss_min(below, height_of(&l, &l.corners[i]));
     }
     at->position = vec3_add_scaled(at->position, -below, s->floor_normal);
 }
 
-/* ---- before a step: where it will be */
+/* ---- before a step: targets */
 
 static bool is_in_a_wall(const scene_object *s, const scene_body *b)
 {
@@ -119,7 +122,7 @@ static vbss_rigid_motion fly(const scene_object *s, const scene_rigid *r,
     return body.now;
 }
 
-static void aim(const scene_object *s, scene_body *b, double h)
+static void set_needle_target(const scene_object *s, scene_body *b, double h)
 {
     scene_rigid *r = &b->rigid;
     const vbss_rigid_substep whole = {h, 0.0, 1.0};
@@ -146,7 +149,7 @@ void vbss_baseline_set_needle_targets(scene_object *s, double h)
     bool any = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
-            aim(s, &s->bodies[i], h);
+            set_needle_target(s, &s->bodies[i], h);
             any = true;
         }
     }
@@ -169,9 +172,9 @@ void vbss_baseline_reset_needle_targets(scene_object *s)
     }
 }
 
-/* ---- after a step: who leads */
+/* ---- after a step: leaders */
 
-static void tell(scene_object *s, vbss_event_kind kind, const scene_body *tool)
+static void emit_grasp_event(scene_object *s, vbss_event_kind kind, const scene_body *tool)
 {
     const scene_needle_grasp *hold = &tool->rigid.needle_grasp;
     vbss_scene_add_event(s, kind, hold->needle, tool->number, (uint32_t)(1e6 * hold->arc));
@@ -188,14 +191,14 @@ static bool has_closed_on_one(const scene_body *b)
            b->rigid.needle_grasp.needle != 0;
 }
 
-/* It stays as it is to the tool from now on. */
+/* The needle keeps its present pose relative to the tool. */
 static void lead(scene_object *s, scene_body *tool)
 {
     const scene_body *needle = needle_of(s, tool);
     baseline_body_of(s, needle)->leader = tool->number;
     tool->rigid.needle_grasp.pose_in_jaws =
         pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->rigid.body.now.pose);
-    tell(s, VBSS_EVENT_GRASP, tool);
+    emit_grasp_event(s, VBSS_EVENT_GRASP, tool);
 }
 
 static void let_go(scene_object *s, scene_body *tool)
@@ -203,12 +206,12 @@ static void let_go(scene_object *s, scene_body *tool)
     baseline_body *needle = baseline_body_of(s, needle_of(s, tool));
     if (needle->leader == tool->number) {
         needle->leader = 0;
-        tell(s, VBSS_EVENT_RELEASE, tool);
+        emit_grasp_event(s, VBSS_EVENT_RELEASE, tool);
     }
     tool->rigid.needle_grasp = (scene_needle_grasp){0};
 }
 
-/* Who has closed on it first; NULL: nobody waits. */
+/* Returns the tool that has closed on the needle first, or NULL if none waits. */
 static scene_body *next_leader(const scene_object *s, const scene_body *needle)
 {
     scene_body *first = NULL;
@@ -224,9 +227,10 @@ static scene_body *next_leader(const scene_object *s, const scene_body *needle)
 
 /* ---- jaws that have just closed */
 
-/* The place of the needle that is nearest to the middle line of the jaws, and goes across them; nearer than `nearest`. */
-static void look_along(const scene_body *tool, const scene_body *b, scene_needle_grasp *found,
-                       double *nearest)
+/* Finds the point of a needle that is nearest to the centre line of the jaws, nearer than
+ * *nearest, where the needle lies across the jaws. */
+static void find_needle_grasp(const scene_body *tool, const scene_body *b,
+                              scene_needle_grasp *found, double *nearest)
 {
     const needle_object *n = b->rigid.needle;
     double jaw = vbss_grasper_current_jaws(tool->rigid.grasper)->length;
@@ -243,8 +247,8 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_needle
             closest_between_edges(vec3_sub(end, begin), vec3_make(0.0, 0.0, -jaw), vec3_neg(begin),
                                   &at[0], &at[1]); /* jaws point along -z from their pivot */
         double arc = (i + at[0]) * length;
-        vec3 way = quat_rotate(seen.orientation, vbss_needle_direction(n, arc));
-        if (vec3_norm(apart) <= *nearest && fabs(way.y) >= MIN_ACROSS) {
+        vec3 direction = quat_rotate(seen.orientation, vbss_needle_direction(n, arc));
+        if (vec3_norm(apart) <= *nearest && fabs(direction.y) >= MIN_ACROSS) {
             *nearest = vec3_norm(apart);
             *found = (scene_needle_grasp){
                 .needle = b->number, .arc = arc, .pose_in_jaws = pose_identity()};
@@ -258,13 +262,13 @@ static void take(scene_object *s, scene_body *tool)
     double nearest = tool->rigid.grasper->config.paper_distance;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
-            look_along(tool, &s->bodies[i], &found, &nearest);
+            find_needle_grasp(tool, &s->bodies[i], &found, &nearest);
         }
     }
     if (found.needle != 0) {
         tool->rigid.needle_grasp = found;
         baseline_body_of(s, tool)->has_closed_jaws =
-            false; /* on a needle, and on nothing beside it */
+            false; /* jaws that hold a needle take no node */
     }
 }
 

@@ -1,4 +1,4 @@
-/* Algorithm 3 of VBLaST-SS: detection of a puncture at the ends of steps. */
+/* Algorithm 3 of VBLaST-SS: detection of punctures at the ends of steps. */
 #include "baseline/puncture.h"
 #include "suture/tuning.h"
 
@@ -20,8 +20,8 @@ typedef struct crossing {
     bool outward;
 } crossing;
 
-/* A plane also separates a point on it from one beside it; otherwise the tip could stop there
- * unnoticed. */
+/* A point in the plane counts as on its outer side; otherwise the test would miss a tip that
+ * stops in the plane. */
 static bool crosses(const baseline_probe *p, uint32_t t, int first, crossing *c)
 {
     const uint32_t *node = p->wall->mesh.triangles[t];
@@ -45,7 +45,8 @@ static bool crosses(const baseline_probe *p, uint32_t t, int first, crossing *c)
            c->weights[2] >= -SUTURE_WEIGHT_ROUNDING;
 }
 
-/* Whether triangles are equal or share a corner, so that a tip can move from one to the other. */
+/* Returns whether two triangles are equal or share a corner, so that a tip can move from one to
+ * the other. */
 static bool are_beside(const drain_object *d, uint32_t a, uint32_t b)
 {
     const uint32_t *one = d->mesh.triangles[a], *other = d->mesh.triangles[b];
@@ -75,7 +76,7 @@ static baseline_toggle *find_beside(const baseline_probe *p,
     return NULL;
 }
 
-/* A tip that has just made a hole, or is about to leave it, makes no other hole beside it. */
+/* A tip that has just made a hole, or is about to leave it, makes no second hole beside it. */
 static bool is_at_hole(const baseline_probe *p, uint32_t t)
 {
     for (uint32_t i = 0; i < p->hole_count; i++) {

@@ -15,9 +15,9 @@ enum { BASELINE_TOGGLES = 4 };
 
 /* A place that the tip is passing through. */
 typedef struct baseline_toggle {
-    uint32_t drain; /* number in the scene; 0 for a free entry */
+    uint32_t drain; /* body number; 0: unused entry */
     uint32_t triangle;
-    bool outward; /* from the inside of the drain */
+    bool outward; /* the tip passes from the inside of the drain outward */
 } baseline_toggle;
 
 /* A needle and a drain after a step, and the holes of the scene. */
@@ -29,16 +29,17 @@ typedef struct baseline_probe {
     uint32_t hole_count;
 } baseline_probe;
 
-/* The tip, and the points one and two wall thicknesses behind it along the needle's first segment,
- * extended beyond its end. */
+/* Computes the tip, and the points one and two wall thicknesses behind it on the line of the
+ * needle's first segment, also beyond the end of that segment. */
 void vbss_baseline_set_probe_points(const needle_object *n, pose needle, double thickness,
                                     vec3 points[3]);
-/* Finds a place where the tip has passed through since its toggle was set, and clears that toggle.
- * The new hole has no id and no arc length yet. Returns false if there is no further place. */
+/* Finds a place where the tip has passed through since its toggle was set, and clears that
+ * toggle. The new hole has no id and no arc length yet. Returns false if there is no further
+ * place. */
 bool vbss_baseline_find_puncture(const baseline_probe *probe,
                                  baseline_toggle toggles[BASELINE_TOGGLES], suture_hole *made);
-/* Clears toggles of places that neither sub-segment crosses any more, and sets new ones where the
- * first sub-segment crosses. */
+/* Clears the toggles of places that neither sub-segment crosses any longer, and sets new ones
+ * where the first sub-segment crosses. */
 void vbss_baseline_update_toggles(const baseline_probe *probe,
                                   baseline_toggle toggles[BASELINE_TOGGLES]);
 

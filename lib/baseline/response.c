@@ -1,6 +1,6 @@
-/* The response of VBLaST-SS (Qi et al. 2017, algorithm 2), with one consistent set of signs and
- * with rules for the cases that the paper leaves open: docs/paper-collision.md. q and w lead from b
- * to a. */
+/* The response of VBLaST-SS (Qi et al. 2017, algorithm 2), with one consistent set of signs, and
+ * with rules for the cases that the paper leaves open: docs/paper-collision.md. The vectors q
+ * and w lead from b to a. */
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
@@ -32,12 +32,12 @@ typedef struct separation {
     vec3 nearest;      /* between the closest points */
     vec3 across;       /* normal to both features; zero if it is not unique */
     double weights[4]; /* weights of the closest points */
-    double least;      /* shorter vectors have no direction */
+    double min_length; /* shorter vectors have no direction */
 } separation;
 
 static bool has_direction(const separation *s, vec3 v)
 {
-    return vec3_norm(v) > s->least;
+    return vec3_norm(v) > s->min_length;
 }
 
 static double larger_component(double size, vec3 v)
@@ -48,7 +48,7 @@ static double larger_component(double size, vec3 v)
     return largest > size ? largest : size;
 }
 
-/* Component of r along n, reversed so that it leads from b to a; zero if n is zero. */
+/* Returns the component of r along n, reversed so that it leads from b to a; zero if n is zero. */
 static vec3 back_along(vec3 n, vec3 r)
 {
     double nn = vec3_norm_squared(n);
@@ -84,14 +84,14 @@ static void separate_point(const vec3 corners[3], separation *s)
 
 static separation separate(const hit_pair *pair, const vec3 at[4])
 {
-    separation s = {.least = 0.0};
+    separation s = {.min_length = 0.0};
     vec3 to[3];
     double size = 0.0;
     for (int k = 0; k < 3; k++) {
         to[k] = vec3_sub(at[k + 1], at[0]);
         size = larger_component(size, to[k]);
     }
-    s.least = BASELINE_MIN_DIRECTION_RATIO * size;
+    s.min_length = BASELINE_MIN_DIRECTION_RATIO * size;
     if (pair->kind == VBSS_PAIR_EDGE_EDGE) {
         separate_edges(to[0], vec3_sub(to[2], to[1]), to[1], &s);
     } else {
@@ -108,8 +108,8 @@ typedef struct correction {
     bool completed;
 } correction;
 
-/* Direction for features that meet, where the vector between them has none. `closing` is the motion
- * of b relative to a. */
+/* Returns the direction for features that meet, where the vector between them has none.
+ * `closing` is the motion of b relative to a. */
 static vec3 direction_where_they_meet(const hit_pair *pair, const separation *before,
                                       const separation *after, vec3 closing)
 {
@@ -129,8 +129,8 @@ static vec3 direction_where_they_meet(const hit_pair *pair, const separation *be
     return vec3_unit_or(known, any);
 }
 
-/* As printed in the paper. The shortest vector is that of step (i) of the test, unless the lines
- * have crossed. */
+/* Computes the correction as printed in the paper. The shortest vector is that of step (i) of
+ * the test, unless the lines have crossed. */
 static correction at_end_of_step(const hit_pair *pair, const separation *before,
                                  const separation *after, vec3 closing)
 {
@@ -148,7 +148,7 @@ static correction at_end_of_step(const hit_pair *pair, const separation *before,
     double sigma = sign < 0.0 ? -1.0 : 1.0, length = vec3_norm(apart);
     c.q = vec3_scale(apart, sigma / length);
     c.depth -= sigma * length;
-    /* already D apart: nothing to correct, and features are not drawn together */
+    /* features at least D apart need no correction, and a response never pulls them together */
     if (c.depth < 0.0) {
         c.depth = 0.0;
         c.completed = true;
@@ -170,9 +170,9 @@ static correction at_time_of_impact(const hit_pair *pair, const separation *befo
 /* ---- shares of the correction */
 
 typedef struct side {
-    int first, last; /* range of vertices */
-    vec3 way;        /* motion of its contact point over the step */
-    double mobility; /* motion for a unit impulse, 1/kg; 0 if immovable */
+    int first, last;   /* range of vertices */
+    vec3 displacement; /* motion of its contact point over the step */
+    double mobility;   /* motion for a unit impulse, 1/kg; 0 if immovable */
     bool rigid;
 } side;
 
@@ -182,7 +182,8 @@ static side side_of(const hit_pair *pair, const double weights[4], int first, in
     double largest = 0.0;
     for (int k = first; k <= last; k++) {
         double m = pair->inverse_masses[k];
-        s.way = vec3_add_scaled(s.way, weights[k], vec3_sub(pair->end[k], pair->start[k]));
+        s.displacement =
+            vec3_add_scaled(s.displacement, weights[k], vec3_sub(pair->end[k], pair->start[k]));
         s.mobility += weights[k] * weights[k] * m;
         largest = m > largest ? m : largest;
     }
@@ -199,8 +200,10 @@ static double share_of_a(const side *a, const side *b, correction *c)
         c->completed = c->completed || !(a->rigid || b->rigid);
         return a->mobility > 0.0 ? 1.0 : b->mobility > 0.0 ? 0.0 : 0.5;
     }
-    double closing_a = -vec3_dot(a->way, c->q), closing = closing_a + vec3_dot(b->way, c->q);
-    if (fabs(closing) > BASELINE_MIN_CLOSING_RATIO * (vec3_norm(a->way) + vec3_norm(b->way))) {
+    double closing_a = -vec3_dot(a->displacement, c->q),
+           closing = closing_a + vec3_dot(b->displacement, c->q);
+    if (fabs(closing) >
+        BASELINE_MIN_CLOSING_RATIO * (vec3_norm(a->displacement) + vec3_norm(b->displacement))) {
         return closing_a / closing;
     }
     c->completed = true;
@@ -219,13 +222,14 @@ static void displace(const hit_pair *pair, const double weights[4], const side *
 
 static vbss_response respond(const hit_pair *pair, vbss_response_variant variant)
 {
-    /* A hit at time 1 has no other time of impact, and its normal may be that after a crossing. */
+    /* A hit at time 1 has no earlier time of impact, and its normal may be that after a
+     * crossing. */
     bool end_of_step = variant == VBSS_RESPONSE_END_OF_STEP || pair->impact.time == 1.0;
     separation before = separate(pair, pair->start), after = separate(pair, pair->end);
     const double *weights = end_of_step ? after.weights : pair->impact.weights;
     side a = side_of(pair, weights, 0, pair->first_of_b - 1);
     side b = side_of(pair, weights, pair->first_of_b, 3);
-    vec3 closing = vec3_sub(b.way, a.way);
+    vec3 closing = vec3_sub(b.displacement, a.displacement);
     correction c = end_of_step ? at_end_of_step(pair, &before, &after, closing)
                                : at_time_of_impact(pair, &before, &after, closing);
     double share = share_of_a(&a, &b, &c);
@@ -260,7 +264,8 @@ static vbss_result check_sum(const double *weights, int count)
     return vbss_check_range(NULL, sum, 0.999999, 1.000001, "sum of impact->weights");
 }
 
-/* Accepts impacts that a test can return: a hit with weights, and a unit normal or none. */
+/* Accepts the impacts that a test can return: a hit with weights, and with a unit normal or
+ * none. */
 static vbss_result check_impact(const vbss_impact *impact, int first_of_b)
 {
     VBSS_TRY(vbss_check_range(NULL, impact->hit, 1.0, 1.0, "impact->hit"));

@@ -1,4 +1,4 @@
-/* The baseline method of scenes: its state, and the table of what it does. */
+/* The baseline method of scenes: its state, and its function table. */
 #include "base/memory.h"
 #include "baseline/scene.h"
 #include "scene/tools/tools.h"
@@ -44,7 +44,7 @@ static void configure_collision(const scene_object *s, vbss_collision_config *co
     config->margin = 0.0;
 }
 
-/* Edges alone, against those of others: docs/paper-scene.md. */
+/* Only the edges of a drain collide, and only with other bodies: docs/paper-scene.md. */
 static vbss_result prepare_drain(scene_object *s, const drain_object *added, uint32_t shape)
 {
     (void)added;
@@ -69,7 +69,7 @@ static void remove_body(scene_object *s, uint32_t number)
 
 /* ---- tools */
 
-/* Needle drivers close whatever is between their jaws. */
+/* Needle drivers close fully, whatever is between their jaws. */
 static void move_jaws(scene_object *s, scene_body *tool, double h)
 {
     grasper_object *g = tool->rigid.grasper;
@@ -115,7 +115,8 @@ static void serialise_needle(vbss_stream *stream, scene_object *s, const scene_b
     }
 }
 
-/* A needle follows a tool that has closed on it; its tip is in walls that there are. */
+/* A needle may only follow a tool that has closed on it, and its toggles must name existing
+ * triangles. */
 static bool is_valid_body(const scene_object *s, const scene_body *b)
 {
     const baseline_body *own = baseline_body_of(s, b);

@@ -1,7 +1,8 @@
-/* A step of VBLaST-SS (Qi et al. 2017): what docs/paper-scene.md tells in full.
- *   tool poses -> needles -> threads and drains, each by its own explicit steps -> passes of detection and response,
- *   until nothing hits -> events -> tool forces
- * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
+/* A step of VBLaST-SS (Qi et al. 2017); docs/paper-scene.md describes it in full.
+ *   tool poses -> needles -> threads and drains, each with its own explicit substeps
+ *   -> passes of detection and response, until no pair hits -> events -> tool forces
+ * Rigid bodies follow their targets, whatever is in the way; needles follow tools or fly. The
+ * method has no friction, and no CCD after the responses. */
 #include "base/error.h"
 #include "baseline/drain.h"
 #include "baseline/scene.h"
@@ -12,7 +13,7 @@
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
 
-/* ---- as it was, if the step fails */
+/* ---- checkpoint and rollback */
 
 static vbss_result keep(scene_object *s)
 {
@@ -22,14 +23,14 @@ static vbss_result keep(scene_object *s)
             thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_thread_update_derived(t));
             vbss_thread_copy_state(t, &t->saved, &t->now);
-            b->thread.checkpoint_statistics = t->statistics;
+            b->thread.checkpoint.statistics = t->statistics;
         } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_checkpoint_drain(&b->drain);
             b->drain.drain->statistics.last_move = 0.0;
         }
     }
     vbss_scene_checkpoint_tools(s);
-    s->checkpoint_statistics = s->statistics;
+    s->checkpoint.statistics = s->report.statistics;
     return VBSS_OK;
 }
 
@@ -39,7 +40,7 @@ static void go_back(scene_object *s)
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_copy_state(t, &t->now, &t->saved);
-            t->statistics = s->bodies[i].thread.checkpoint_statistics;
+            t->statistics = s->bodies[i].thread.checkpoint.statistics;
         } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             vbss_scene_rollback_drain(&s->bodies[i].drain);
         }
@@ -47,21 +48,21 @@ static void go_back(scene_object *s)
     vbss_scene_rollback_tools(s);
     vbss_baseline_set_carried_targets(s);
     vbss_baseline_reset_needle_targets(s);
-    s->statistics = s->checkpoint_statistics;
+    s->report.statistics = s->checkpoint.statistics;
     s->baseline->contact_count = 0;
     vbss_scene_clear_events(s);
-    s->generation++;
+    s->report.generation++;
 }
 
-/* ---- where everything goes */
+/* ---- motion without contacts */
 
-/* The capsules' axes at both ends of the step, for the tests and for the search. */
+/* Sets the axes of the capsules at both ends of the step, for the tests and for the broad phase. */
 static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid *r, double h)
 {
     const vbss_rigid_substep whole = {h, 0.0, 1.0};
     uint32_t count = 2 * r->capsule_count;
-    vec3 *start = s->vertices, *end = start + count;
-    if (r->needle == NULL) { /* needles have been aimed */
+    vec3 *start = s->scratch.vertices, *end = start + count;
+    if (r->needle == NULL) { /* needles have their prediction already */
         r->predicted = vbss_rigid_target_motion(&r->body, &whole);
     }
     r->trial = r->predicted.pose;
@@ -94,7 +95,6 @@ static vbss_result move_bodies(scene_object *s, double h)
 
 /* ---- passes */
 
-/* Far below what collision refuses; a sum is finite only if all its terms are. */
 static double sum_motion(const vec3 *x, const vec3 *v, uint32_t count)
 {
     double sum = 0.0;
@@ -104,6 +104,7 @@ static double sum_motion(const vec3 *x, const vec3 *v, uint32_t count)
     return sum;
 }
 
+/* A sum is finite only if all its terms are. The limit is far below what collision refuses. */
 static bool is_sound(const scene_object *s)
 {
     double sum = 0.0;
@@ -139,12 +140,12 @@ static vbss_result make_passes(scene_object *s, double h)
     if (counts->has_converged) {
         return VBSS_OK;
     }
-    return search(s); /* what the last pass has moved is near others now */
+    return search(s); /* the last pass has moved features next to others */
 }
 
 /* ---- the end of the step */
 
-static void arrive(scene_object *s, double h)
+static void finish_motion(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
@@ -163,19 +164,19 @@ static void arrive(scene_object *s, double h)
 static void note_counts(scene_object *s)
 {
     const baseline_scene_counts *counts = &s->baseline->counts;
-    s->statistics.attempts += counts->passes;
-    s->statistics.guard_pairs += counts->tested_pairs;
-    s->statistics.loose_states += !counts->has_converged;
+    s->report.statistics.attempts += counts->passes;
+    s->report.statistics.guard_pairs += counts->tested_pairs;
+    s->report.statistics.loose_states += !counts->has_converged;
 }
 
 static void note_errors(scene_object *s, double h)
 {
-    vbss_scene_statistics *c = &s->statistics;
+    vbss_scene_statistics *c = &s->report.statistics;
     double stretch = 0.0, depth = vbss_baseline_measure_contacts(s, h);
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
-            vbss_baseline_record_stretch(t); /* responses have stretched it again */
+            vbss_baseline_record_stretch(t); /* responses have stretched the thread again */
             stretch = vbss_max(t->statistics.last_stretch_error, stretch);
         }
     }
@@ -188,7 +189,7 @@ static void note_errors(scene_object *s, double h)
     c->parts++;
 }
 
-/* The hand that leads a coupled body feels what one that drives it would. */
+/* A hand that leads a coupled body feels the same force as one that drives it. */
 static void note_hands(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -234,11 +235,11 @@ vbss_result vbss_baseline_scene_step(scene_object *s, double h)
         return result != VBSS_ERROR_NOT_FINITE
                    ? result
                    : vbss_fail(s->context, result, "scene step: no finite state after step %llu",
-                               (unsigned long long)s->statistics.steps);
+                               (unsigned long long)s->report.statistics.steps);
     }
     note_counts(s);
     note_errors(s, h);
-    arrive(s, h);
+    finish_motion(s, h);
     vbss_scene_commit_capsules(s);
     vbss_scene_update_cut_exclusions(s);
     vbss_scene_update_touching_pairs(s);

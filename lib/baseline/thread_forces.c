@@ -1,16 +1,17 @@
-/* Forces inside the baseline thread, and how stiff they are.
+/* Internal forces of the baseline thread, and their stiffness.
  *
- * Bending is discrete Kirchhoff without twist: a turn by phi has the curvature binormal
+ * Bending is discrete Kirchhoff without twist. A turn by phi has the curvature binormal
  *   k = 2 t x t' / (1 + t.t'),  |k| = 2 tan(phi/2),  energy EI (|k| - k_rest)^2 / span,
- * with the span of rest lengths that turns there: both neighbouring segments. A clamp's direction
- * is a ghost segment: it turns against either neighbour over half a segment, so the span is one.
- * The paper's gradients of k hold lengths fixed and leave a part along the segments, which the
- * projection would cancel; the gradients here are whole, so that there is none. They are couples:
- * with M the moment of a turn, dE/de = t x M / |e| before it and M x t' / |e| behind it. */
+ * where the span is the rest length of both neighbouring segments. The direction of a clamp is a
+ * ghost segment: it turns against either neighbour over half a segment, so its span is one
+ * segment. The paper's gradients of k hold lengths fixed and leave a component along the
+ * segments, which the projection would cancel. The gradients here are complete and have no such
+ * component. They are couples: with M the moment of a turn,
+ * dE/de = t x M / |e| before it and M x t' / |e| behind it. */
 #include "baseline/thread.h"
 #include "thread/tuning.h"
 
-/* |k|^2 by the cosine of the turn, and minus its slope. */
+/* |k|^2 as a function of the cosine of the turn, and its negative slope. */
 typedef struct bend {
     double square, slope;
 } bend;
@@ -23,18 +24,19 @@ static bend bend_of(double cosine)
         c = BASELINE_FOLD_COSINE;
     }
     double inverse = 1.0 / c;
-    c = c < 2.0 ? c : 2.0; /* of a straight thread, but for rounding */
+    c = c < 2.0 ? c : 2.0; /* the value of a straight thread, without rounding */
     bend b = {0.0, 8.0 * inverse * inverse};
     b.square = 4.0 * (2.0 - c) * inverse + b.slope * beyond;
     return b;
 }
 
-/* |k_rest|, and |k| smoothed below a thousandth of it: a straight thread has no plane to bend. */
+/* Returns |k_rest| of a turn. */
 static double rest_bend(const thread_object *t, double span)
 {
     return 0.5 * t->config.rest_curvature * span;
 }
 
+/* Returns |k|, smoothed below a thousandth of |k_rest|: a straight thread has no bending plane. */
 static double smoothed(double square, double rest)
 {
     return sqrt(square + BASELINE_SMOOTH_CURVATURE_SQUARED * rest * rest);
@@ -59,7 +61,8 @@ static double energy_between(const thread_object *t, double span, vec3 before, v
     return t->config.bending_stiffness / span * energy;
 }
 
-/* How many times stiffer a turn is than a straight one: with u = tan^2(phi/2), (1 + u)(1 + 3 u). */
+/* Returns how many times stiffer a turn is than a straight one: (1 + u)(1 + 3 u) with u =
+ * tan^2(phi/2). */
 static double hardening(vec3 before, vec3 behind)
 {
     double cosine = 1.0 + vec3_dot(before, behind);
@@ -77,7 +80,8 @@ static const thread_attachment *clamp_at(const thread_object *t, uint32_t node)
     return a != NULL && a->kind == VBSS_ATTACHMENT_CLAMP ? a : NULL;
 }
 
-/* The moments of the turns at a node, as its two neighbours feel them: but for a clamp the same. */
+/* Moments of the turns at a node, as they act on its two neighbours. They differ only at a
+ * clamp. */
 typedef struct moments {
     vec3 before, behind;
 } moments;
@@ -114,7 +118,8 @@ void vbss_baseline_add_internal_forces(const thread_object *t, double part, vec3
         if (bends) {
             moments high = moments_at(t, i + 1, part);
             vec3 couple = vec3_cross(vec3_sub(low, high.before), s->tangent);
-            /* Compressed, where the projection gave up: not stiffer than dt was chosen for. */
+            /* A failed projection may leave a segment compressed. The rest length then keeps the
+             * couple as soft as dt requires. */
             double length = s->chord > t->rest[i] ? s->chord : t->rest[i];
             force = vec3_add_scaled(force, 1.0 / length, couple);
             low = high.behind;
@@ -151,24 +156,25 @@ vec3 vbss_baseline_reaction_torque(const thread_object *t, uint32_t node)
     const vec3 *x = t->now.x;
     vec3 torque = vec3_zero();
     if (clamp != NULL && node > 0) {
-        vec3 way = vec3_unit_or(vec3_sub(x[node], x[node - 1]), clamp->direction);
-        torque = moment_between(t, t->rest[node - 1], way, clamp->direction);
+        vec3 tangent = vec3_unit_or(vec3_sub(x[node], x[node - 1]), clamp->direction);
+        torque = moment_between(t, t->rest[node - 1], tangent, clamp->direction);
     }
     if (clamp != NULL && node + 1 < t->node_count) {
-        vec3 way = vec3_unit_or(vec3_sub(x[node + 1], x[node]), clamp->direction);
-        torque = vec3_sub(torque, moment_between(t, t->rest[node], clamp->direction, way));
+        vec3 tangent = vec3_unit_or(vec3_sub(x[node + 1], x[node]), clamp->direction);
+        torque = vec3_sub(torque, moment_between(t, t->rest[node], clamp->direction, tangent));
     }
     return torque;
 }
 
-/* ---- how short an explicit part must be
+/* ---- stability limit of an explicit substep
  *
- * Of a transverse mode, with bending taken at the old positions and tension, by the projection, at
- * the predicted ones, the factor of amplitudes f has f^2 - (1 - a) (2 - b) f + (1 - a) = 0, where
- * b = (dt frequency of bending)^2 and a the same of tension. So b <= 4 and a <= 4/3. */
+ * For a transverse mode, bending acts at the old positions, and tension, by the projection, at
+ * the predicted ones. The amplification factor f satisfies f^2 - (1 - a) (2 - b) f + (1 - a) = 0
+ * with b = (dt w_b)^2 and a = (dt w_t)^2, where w_b and w_t are the angular frequencies of
+ * bending and tension. Stability requires b <= 4 and a <= 4/3. */
 
-/* Bounds by Cauchy and Schwarz: a turn is a linear form b of the positions and adds
- * 2 weight |b|_1 |b_i| to the row of each node, with |b|_1 over nodes that are free to move. */
+/* Adds a bound by Cauchy and Schwarz. A turn is a linear form b of the positions. It adds 2
+ * weight |b|_1 |b_i| to the row of each node, where |b|_1 sums over nodes that are free to move. */
 static void add_rate(thread_object *t, uint32_t node, bool before, bool behind, double stiffness)
 {
     double low = before ? 1.0 / t->rest[node - 1] : 0.0;
@@ -208,7 +214,7 @@ static void add_bending_rates(thread_object *t)
 double vbss_baseline_thread_rate(thread_object *t)
 {
     baseline_thread_row *rows = t->baseline->rows;
-    double largest = 0.0, pull = 0.0; /* of the segment before */
+    double largest = 0.0, pull = 0.0; /* pull: tension over length of the segment before */
     for (uint32_t i = 0; i < t->node_count; i++) {
         rows[i].right = 0.0;
     }

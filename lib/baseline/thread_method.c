@@ -1,4 +1,4 @@
-/* The baseline method of threads: its memory, and the table of what it does. */
+/* The baseline method of threads: its memory, and its function table. */
 #include "base/memory.h"
 #include "baseline/thread.h"
 
@@ -27,8 +27,7 @@ const thread_method vbss_baseline_thread = {
     .step_thread = vbss_baseline_thread_step,
     .bending_energy = vbss_baseline_bending_energy,
     .constraint_force = vbss_baseline_constraint_force,
-    .reaction_force =
-        vbss_baseline_constraint_force, /* forces and springs at the node are not in it */
+    .reaction_force = vbss_baseline_constraint_force, /* without forces and springs at the node */
     .reaction_torque = vbss_baseline_reaction_torque,
     .corrects_masses = false,
     .is_guarded = false,

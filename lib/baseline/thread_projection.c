@@ -1,14 +1,16 @@
-/* Inextensibility of the baseline thread by fast projection (Goldenthal et al. 2007), one section at a time.
+/* Inextensibility of the baseline thread by fast projection (Goldenthal et al. 2007), one
+ * section at a time.
  *
- * C_i = |e_i|^2 / l_i - l_i has the gradient +-(2 / l_i) e_i at the segment's ends. Repeat until
- * all C_i are small: solve (J M^-1 J^T) u = C, a tridiagonal system, and move x by -M^-1 J^T u.
- * Held nodes have no inverse mass, so they do not move. */
+ * The constraint C_i = |e_i|^2 / l_i - l_i has the gradient +-(2 / l_i) e_i at the ends of its
+ * segment. Each iteration solves the tridiagonal system (J M^-1 J^T) u = C and moves x by -M^-1
+ * J^T u, until all C_i are small. Prescribed nodes have no inverse mass, so they do not move. */
 #include "baseline/thread.h"
 #include "thread/tuning.h"
 
 #include <string.h>
 
-/* Edges, and C_i / l_i as right-hand sides. Returns the largest, not finite if one is not. */
+/* Computes the edges, and C_i / l_i as right-hand sides. Returns the largest |C_i| / l_i, or a
+ * value that is not finite if one is not. */
 static double measure(thread_object *t, uint32_t first, uint32_t last)
 {
     double largest = 0.0, sum = 0.0;
@@ -24,8 +26,8 @@ static double measure(thread_object *t, uint32_t first, uint32_t last)
     return sum < 1e100 ? largest : sum;
 }
 
-/* Scaled so that row i is C_i / l_i and its unknown is 2 u_i: the edges are e_i / l_i then.
- * False: a pivot was below that share of its diagonal. */
+/* Solves the system for 2 u_i, scaled so that row i is C_i / l_i and its edge is e_i / l_i.
+ * Returns false if a pivot is below `share` times its diagonal. */
 static bool solve(thread_object *t, uint32_t first, uint32_t last, double share)
 {
     baseline_thread_row *rows = t->baseline->rows;
@@ -35,7 +37,8 @@ static bool solve(thread_object *t, uint32_t first, uint32_t last, double share)
         double diagonal = over * row->square * (row->inverse_mass + rows[i + 1].inverse_mass);
         double pivot = diagonal;
         if (i > first) {
-            /* Of the row before with this unknown, and of this row with the one before. */
+            /* Off-diagonal entries: this row with the unknown before (lower), and the row before
+             * with this unknown (ratio). */
             double pair = -vec3_dot(rows[i - 1].edge, row->edge) * row->inverse_mass;
             double lower = over * pair, ratio = rows[i - 1].ratio;
             rows[i - 1].ratio = 2.0 * rows[i - 1].inverse_rest * pair * ratio;
@@ -45,7 +48,7 @@ static bool solve(thread_object *t, uint32_t first, uint32_t last, double share)
         if (!(pivot > share * diagonal)) {
             return false;
         }
-        row->ratio = 1.0 / pivot; /* until the next row turns it into its share in that unknown */
+        row->ratio = 1.0 / pivot; /* the next row multiplies it by its off-diagonal entry */
         row->right *= row->ratio;
     }
     for (uint32_t i = last - 1; i > first; i--) {
@@ -85,13 +88,13 @@ bool vbss_baseline_project_section(thread_object *t, uint32_t first, uint32_t la
     for (uint32_t k = 0;; k++) {
         double error = measure(t, first, last);
         bool good = error <= t->config.paper_tolerance;
-        if (good && k > 0) { /* once at least: its multipliers are the tensions */
+        if (good && k > 0) { /* at least one iteration: its multipliers are the tensions */
             break;
         }
         bool more = k < t->config.paper_iteration_limit && error < 1e100;
         if (!more || !solve(t, first, last,
                             good ? BASELINE_UNSOUND_PIVOT_RATIO : BASELINE_SINGULAR_PIVOT_RATIO)) {
-            if (good) { /* and nothing can move */
+            if (good) { /* no node can move */
                 break;
             }
             give_up(t, first, last);

@@ -1,7 +1,7 @@
-/* One step of the baseline thread in equal explicit parts:
+/* One step of the baseline thread in equal explicit substeps:
  *   forces -> velocities (symplectic Euler) -> damping -> positions -> projection, velocities.
- * A section whose projection does not converge keeps the positions before it: its held nodes are in
- * their places, it may be stretched, and its springs work against that. */
+ * A section whose projection does not converge keeps the positions from before the projection.
+ * Its prescribed nodes are at their targets; it may be stretched, and its springs pull it back. */
 #include "base/error.h"
 #include "baseline/explicit_substeps.h"
 #include "baseline/thread.h"
@@ -25,9 +25,9 @@ static void prepare_masses(thread_object *t)
     }
 }
 
-/* What resists a velocity, drag and attached springs, counts as mass of the part: implicit, and at
- * its end, so that what is at rest is in balance. An explicit spring would ask for dt below
- * 2 sqrt(mass / stiffness). */
+/* Drag and attached springs resist a velocity, so they count as mass. They are implicit and act
+ * at the end of the substep, so that a thread at rest is in equilibrium. An explicit spring
+ * would need dt below 2 sqrt(mass / stiffness). */
 static void resist(thread_object *t, double dt)
 {
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
@@ -50,15 +50,15 @@ static void prepare_springs(thread_object *t, double dt)
         double mobility = t->baseline->rows[i].inverse_mass + t->baseline->rows[i + 1].inverse_mass;
         double stiffness = t->config.paper_stiffness;
         if (stiffness == 0.0 && mobility > 0.0) {
-            double most = t->config.axial_stiffness / t->rest[i];
+            double max_stiffness = t->config.axial_stiffness / t->rest[i];
             stiffness = 2.0 * BASELINE_SPRING_FRACTION / (dt * dt * mobility);
-            stiffness = stiffness < most ? stiffness : most;
+            stiffness = stiffness < max_stiffness ? stiffness : max_stiffness;
         }
         t->baseline->rows[i].stiffness = stiffness;
     }
 }
 
-/* ---- one explicit part */
+/* ---- one explicit substep */
 
 static void gather_forces(thread_object *t, double h, double begin, double end, vec3 *forces)
 {
@@ -74,9 +74,9 @@ static void gather_forces(thread_object *t, double h, double begin, double end, 
             *force = vec3_add(*force, a->force);
         } else if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
             vec3 stretch = vec3_sub(vbss_thread_attachment_position(a, end), t->now.x[a->node]);
-            vec3 way = vec3_sub(a->target, a->position);
+            vec3 displacement = vec3_sub(a->target, a->position);
             *force = vec3_add_scaled(*force, a->stiffness, stretch);
-            *force = vec3_add_scaled(*force, a->damping / h, way);
+            *force = vec3_add_scaled(*force, a->damping / h, displacement);
         }
     }
 }
@@ -115,8 +115,8 @@ static void project_sections(thread_object *t, double dt, vec3 *forces)
 
 /* ---- the step */
 
-/* Of the last part: accelerations, what holds the held nodes, tensions. now.q has the velocities
- * before it. */
+/* Stores accelerations, constraint forces and tensions of the last substep. now.q holds the
+ * velocities before it. */
 static void note_forces(thread_object *t, double dt, const vec3 *forces)
 {
     const thread_state *m = &t->now;
@@ -157,8 +157,8 @@ static vec3 still(vec3 v)
 
 static bool motion_is_finite(const thread_object *t)
 {
-    /* A sum is finite only if all its terms are; v is finite only if x is, but far too large is
-     * broken as well. */
+    /* A sum is finite only if all its terms are. The limit also refuses finite values that are
+     * far too large. */
     double sum = 0.0;
     for (uint32_t i = 0; i < t->node_count; i++) {
         sum += vec3_norm_squared(t->now.x[i]) + vec3_norm_squared(t->now.v[i]);
@@ -211,7 +211,7 @@ vbss_result vbss_baseline_thread_step(thread_object *t, double h)
     return VBSS_OK;
 }
 
-/* Kept with the state, so a restored thread answers as the saved one. */
+/* The force is stored with the state, so a restored thread returns the same value. */
 vec3 vbss_baseline_constraint_force(const thread_object *t, uint32_t node)
 {
     return t->now.a[node];

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/compiler.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "collision/collision.h"
 
 #include <string.h>
@@ -99,9 +100,9 @@ vbss_result vbss_collision_check_coordinates(vbss_context *context, const double
     while (fabs(values[i]) <= COLLISION_MAX_COORDINATE) {
         i++;
     }
-    return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s[%llu] is %g, outside [-%g, %g]", name,
-                     (unsigned long long)i, values[i], COLLISION_MAX_COORDINATE,
-                     COLLISION_MAX_COORDINATE);
+    return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s[%llu] is %s, outside [-%s, %s]", name,
+                     (unsigned long long)i, VBSS_NUMBER(values[i]),
+                     VBSS_NUMBER(COLLISION_MAX_COORDINATE), VBSS_NUMBER(COLLISION_MAX_COORDINATE));
 }
 
 /* The point of a feature at the time of the result; its vertices are first to last. */

@@ -1,4 +1,5 @@
 /* Shapes: creation, removal and motion. */
+#include "base/number_text.h"
 #include "collision/shapes.h"
 
 #include <string.h>
@@ -102,8 +103,8 @@ static vbss_result check_chain(const collision_object *c, uint32_t node_count,
         if (!(rest_lengths[i] >= 0.0 && rest_lengths[i] <= COLLISION_MAX_COORDINATE)) {
             vbss_result result =
                 isfinite(rest_lengths[i]) ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_NOT_FINITE;
-            return vbss_fail(c->context, result, "rest_lengths[%u] is %g, outside [0, %g]", i,
-                             rest_lengths[i], COLLISION_MAX_COORDINATE);
+            return vbss_fail(c->context, result, "rest_lengths[%u] is %s, outside [0, %s]", i,
+                             VBSS_NUMBER(rest_lengths[i]), VBSS_NUMBER(COLLISION_MAX_COORDINATE));
         }
     }
     return VBSS_OK;

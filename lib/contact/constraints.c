@@ -6,7 +6,7 @@
 
 /* ---- creation and destruction */
 
-enum { PARTS = 11 };
+enum { PARTS = 10 };
 
 static void list_arrays(contact_set *s, vbss_array arrays[PARTS])
 {
@@ -15,7 +15,6 @@ static void list_arrays(contact_set *s, vbss_array arrays[PARTS])
         {&s->sort_permutation, s->capacity, sizeof *s->sort_permutation},
         {&s->warm_start, s->capacity, sizeof *s->warm_start},
         {&s->checkpoint, s->capacity, sizeof *s->checkpoint},
-        {&s->scratch_flags, s->capacity, sizeof *s->scratch_flags},
         {&s->next_solutions, s->capacity, sizeof *s->next_solutions},
         {&s->saved_solutions, s->capacity, sizeof *s->saved_solutions},
         {&s->current, s->capacity, sizeof *s->current},
@@ -82,18 +81,16 @@ contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key)
     if (set->count == set->capacity) {
         return NULL;
     }
-    contact_constraint *constraint = &set->constraints[set->count++];
+    contact_constraint *constraint = &set->constraints[set->count];
     constraint->key = *key; /* the Jacobian, most of the record, is not read until it is set */
     constraint->jacobian_block_count = 0;
-    constraint->is_bilateral = false;
-    constraint->is_sleeve = false;
-    constraint->tangential_stiffness_ratio = constraint->elastic_slip_limit =
-        constraint->lip_thickness = constraint->fold_allowance = 0.0;
-    constraint->axis_interval[0][0] = constraint->axis_interval[1][0] = 0.0;
-    constraint->axis_interval[0][1] = constraint->axis_interval[1][1] = 1.0;
+    constraint->is_bilateral = constraint->is_sleeve = false;
+    constraint->friction = constraint->tangential_stiffness_ratio = constraint->elastic_slip_limit =
+        constraint->fold_allowance = 0.0;
     constraint->solution = (contact_solution){.status = CONTACT_OPEN};
     constraint->previous_force = vec3_zero();
     constraint->schur_offset = UINT32_MAX;
+    constraint->geometry = set->count++;
     return constraint;
 }
 
@@ -200,7 +197,7 @@ static void warm_start_sleeve(contact_constraint *constraint, const contact_warm
         vbss_contact_rotate_to_tangent_plane(entry->tangential_force, constraint->normal);
     constraint->solution.slip_direction =
         vec3_unit_or(constraint->solution.tangential_force, vec3_any_normal(constraint->normal));
-    constraint->solution.friction_ratio = entry->friction_ratio;
+    constraint->solution.is_forward = entry->is_forward;
     constraint->solution.status = (contact_status)entry->status;
     constraint->solution.normal_force = entry->normal_force;
 }
@@ -278,31 +275,71 @@ void vbss_contact_warm_start(contact_set *set)
             if (order > 0) {
                 break;
             }
-            set->scratch_flags[m] = order == 0;
+            set->warm_start[m].has_constraint = order == 0;
             if (order == 0) {
                 warm_start_constraint(constraint, &set->warm_start[m]);
             }
         }
     }
     for (; m < set->warm_start_count; m++) {
-        set->scratch_flags[m] = 0;
+        set->warm_start[m].has_constraint = false;
+    }
+}
+
+/* Moves the entries that stay to the front, and returns their number. */
+static uint32_t keep_entries(contact_set *set, const uint8_t *keeps)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < set->warm_start_count; i++) {
+        if (keeps[i] != 0) {
+            set->warm_start[kept++] = set->warm_start[i];
+        }
+    }
+    return kept;
+}
+
+/* Sorts the entries by insertion: those that stayed and those after them are sorted already. */
+static void sort_entries(contact_set *set)
+{
+    for (uint32_t i = 1; i < set->warm_start_count; i++) {
+        const contact_warm_start_entry entry = set->warm_start[i];
+        uint32_t to = i;
+        while (to > 0 && vbss_contact_compare_keys(&set->warm_start[to - 1].key, &entry.key) > 0) {
+            set->warm_start[to] = set->warm_start[to - 1];
+            to--;
+        }
+        set->warm_start[to] = entry;
+    }
+}
+
+/* Appends the constraints that carry a force. */
+static void append_entries(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count && set->warm_start_count < set->capacity; i++) {
+        const contact_constraint *constraint = &set->constraints[i];
+        if (constraint->solution.status != CONTACT_OPEN) {
+            contact_warm_start_entry *entry = &set->warm_start[set->warm_start_count++];
+            entry->key = constraint->key;
+            entry->status = (uint8_t)constraint->solution.status;
+            entry->is_forward = constraint->solution.is_forward;
+            entry->normal_force = constraint->solution.normal_force;
+            entry->friction_ratio = constraint->solution.friction_ratio;
+            entry->tangential_force = constraint->solution.tangential_force;
+        }
     }
 }
 
 void vbss_contact_store_warm_start(contact_set *set)
 {
     set->warm_start_count = 0;
-    for (uint32_t i = 0; i < set->count; i++) {
-        const contact_constraint *constraint = &set->constraints[i];
-        if (constraint->solution.status != CONTACT_OPEN) {
-            contact_warm_start_entry *entry = &set->warm_start[set->warm_start_count++];
-            entry->key = constraint->key;
-            entry->status = (uint32_t)constraint->solution.status;
-            entry->normal_force = constraint->solution.normal_force;
-            entry->friction_ratio = constraint->solution.friction_ratio;
-            entry->tangential_force = constraint->solution.tangential_force;
-        }
-    }
+    append_entries(set);
+}
+
+void vbss_contact_store_warm_start_beside(contact_set *set, const uint8_t *keeps)
+{
+    set->warm_start_count = keep_entries(set, keeps);
+    append_entries(set);
+    sort_entries(set);
 }
 
 void vbss_contact_checkpoint(contact_set *set)

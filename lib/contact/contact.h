@@ -54,70 +54,53 @@ typedef enum contact_status { CONTACT_OPEN, CONTACT_STICK, CONTACT_SLIP } contac
 
 typedef struct contact_solution {
     contact_status status;
-    double normal_force;   /* normal force on a, N */
-    vec3 tangential_force; /* tangential force on a, N */
-    vec3 slip_direction;   /* SLIP: unit vector of the friction force */
-    /* SLIP: friction bound / |augmented friction force|. Sleeve: 1 if it slides with its axial
-     * force along the normal, 0 if against; its normal_force is the axial force, its
-     * tangential_force the transverse one. */
-    double friction_ratio;
+    bool is_forward;     /* sleeve, SLIP: it slides with its force along the normal, not against */
+    double normal_force; /* force on a along the normal, N: on a sleeve the axial force */
+    vec3
+        tangential_force; /* force on a in the tangent plane, N: on a sleeve the transverse force */
+    vec3 slip_direction;  /* SLIP: unit vector of the friction force */
+    double friction_ratio; /* SLIP: friction bound / |augmented friction force|; not of a sleeve */
 } contact_solution;
 
 typedef struct contact_constraint {
     contact_key key;
     uint32_t jacobian_block_count;
     contact_jacobian_block jacobian[CONTACT_MAX_JACOBIAN_BLOCKS];
-    /* a tie that also pulls: a grasp or a hole. With friction it holds in the tangent plane without
-     * slip. */
+    /* a tie that also pulls: a grasp or a hole. It holds in the tangent plane without slip. */
     bool is_bilateral;
+    bool is_sleeve;                    /* a tie that slides along its normal; see below */
     double stiffness;                  /* normal and tangential stiffness, N/m */
-    double friction;                   /* coefficient */
+    double friction;                   /* unilateral: coefficient */
     double tangential_stiffness_ratio; /* tangential stiffness / stiffness; 0 for 1 */
     /* Unilateral: at small normal forces the tangential stiffness is reduced so that the friction
      * bound is reached after this displacement, m. 0 for none. */
     double elastic_slip_limit;
-    /* A bilateral constraint that holds the suture across its axis, the normal, and lets it slide
-     * along it. It sticks below the yield force yield_force + yield_friction[] times the transverse
+    /* A sleeve holds the suture across its axis, the normal, and lets it slide along it. It sticks below the yield force yield_force + yield_friction[] times the transverse
      * force, in N; index 0 is for a force against the normal, 1 along it. Either bound may be
      * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
      * substep, N/m, lets it slide. The axial force is remembered. */
-    bool is_sleeve;
     double yield_force, yield_friction[2], viscous_stiffness;
-    vec3 curvature; /* derivative of the normal as it slides along the normal, 1/m */
-    /* Sleeve, for the module that creates the constraint: span and arc length, m, of its present
-     * place on the suture. */
-    uint32_t span;
-    double start_arc_length;
+    vec3 curvature;      /* derivative of the normal as it slides along the normal, 1/m */
     double augmentation; /* augmentation parameter r of Alart and Curnier, N/m */
     vec3 normal;         /* unit vector from b to a */
     double gap;          /* at the trial state, m */
     /* displacement of a relative to b from the start of the substep to the trial state, m */
     vec3 relative_displacement;
-    /* contact point on the two features; from here to allowed_penetration the scene sets all
-     * fields */
-    double barycentric[2];
-    /* segments: interval of each axis on which contact is possible, as fractions of it */
-    double axis_interval[2][2];
-    /* identity of both contact points and hash list, to remove duplicates */
-    uint32_t dedup_points[2], dedup_next;
-    vec3 point; /* midway between the surfaces, m */
-    /* distance of the axes or centres at contact, m */
-    double contact_distance;
-    /* contact of two lips: thickness of the wall along the normal, m */
-    double lip_thickness;
-    double overlap_allowance; /* overlap that is allowed without a force, beside a hole, m */
-    /* part of it in a fold: overlap at the start of the substep that the contact force does not
+    /* unilateral: part of `gap` that is allowed overlap in a fold, which the contact force does not
      * explain, m */
     double fold_allowance;
-    /* diameter of the thinner feature; gap at the start of the substep; largest penetration allowed
-     * at its end; m */
-    double thickness, start_gap, allowed_penetration;
+    /* unilateral: diameter of the thinner feature; largest penetration allowed at the end of the
+     * substep; m */
+    double thickness, allowed_penetration;
 
     contact_solution solution; /* result of the last solve */
     vec3 previous_force;       /* tangential force at the start of the substep, N */
 
     /* offset of its indices in schur_indices; UINT32_MAX before they are assigned */
     uint32_t schur_offset;
+    /* index of its geometry in an array of the module that creates it; differs between constraints,
+     * is below the capacity, and stays when the list is sorted */
+    uint32_t geometry;
 } contact_constraint;
 
 /* Stiffness in the tangent plane, N/m. */
@@ -157,7 +140,9 @@ typedef struct contact_simd_batch {
 /* Status and force of a constraint at the end of a substep: the initial guess in the next. */
 typedef struct contact_warm_start_entry {
     contact_key key;
-    uint32_t status;
+    uint8_t status; /* contact_status */
+    bool is_forward;
+    bool has_constraint; /* set by vbss_contact_warm_start: a constraint has this key */
     double normal_force, friction_ratio;
     vec3 tangential_force;
 } contact_warm_start_entry;
@@ -205,8 +190,6 @@ typedef struct contact_set {
     /* warm-start entries at the last vbss_contact_checkpoint */
     contact_warm_start_entry *checkpoint;
     uint32_t checkpoint_count;
-    /* per warm-start entry: 1 if a constraint with the same key exists */
-    uint8_t *scratch_flags;
     contact_solution *next_solutions; /* per constraint: solution according to the last solve */
     /* per constraint: copy by vbss_contact_save_solution */
     contact_solution *saved_solutions;
@@ -235,21 +218,23 @@ vbss_result vbss_contact_create(vbss_context *context, uint32_t capacity, contac
 void vbss_contact_destroy(vbss_context *context, contact_set *set);
 
 /* The list of constraints (constraints.c). vbss_contact_add returns NULL if the set is full. Keys
- * may come in any order; vbss_contact_sort sorts them. */
+ * may come in any order; vbss_contact_sort sorts them, and no constraint is added after that. */
 void vbss_contact_clear(contact_set *set);
 contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key);
 void vbss_contact_sort(contact_set *set);
 /* Index of the constraint with this key in a sorted list, or UINT32_MAX. */
 uint32_t vbss_contact_find(const contact_set *set, const contact_key *key);
 /* Warm start of the sorted constraints. Each gets status and force of the entry with its key, if
- * there is one. For an entry without one (scratch_flags is 0) the contact is gone or has slid on to
+ * there is one. For an entry without one (has_constraint is false) the contact is gone or has slid on to
  * neighbouring features. vbss_contact_warm_start_neighbour passes it to the first open constraint
  * within one feature number of its own; vbss_contact_warm_start_one to a given constraint. */
 void vbss_contact_warm_start(contact_set *set);
 void vbss_contact_warm_start_neighbour(contact_set *set, uint32_t entry_index);
 void vbss_contact_warm_start_one(contact_set *set, uint32_t entry_index, uint32_t constraint_index);
-/* Stores the constraints that carry a force as warm-start entries, once the substep is accepted. */
+/* Stores the constraints that carry a force as warm-start entries, once the substep is accepted.
+ * In a substep of some of the bodies, entries with a nonzero flag in `keeps` stay beside them. */
 void vbss_contact_store_warm_start(contact_set *set);
+void vbss_contact_store_warm_start_beside(contact_set *set, const uint8_t *keeps);
 /* Copies warm-start entries, residual and counters, and returns to that copy. */
 void vbss_contact_checkpoint(contact_set *set);
 void vbss_contact_rollback(contact_set *set);

@@ -15,6 +15,12 @@ static vec3 tangential_component(vec3 v, vec3 normal)
     return vec3_add_scaled(v, -vec3_dot(v, normal), normal);
 }
 
+/* Whether the constraint can have a force in the tangent plane. */
+static bool acts_tangentially(const contact_constraint *constraint)
+{
+    return constraint->is_bilateral || constraint->friction != 0.0;
+}
+
 vec3 vbss_contact_rotate_to_tangent_plane(vec3 force, vec3 normal)
 {
     double before = vec3_norm_squared(force);
@@ -82,10 +88,9 @@ static sleeve_force linearised_sleeve_force(const contact_constraint *constraint
         elastic_axial_force(constraint, displacement)};
     if (constraint->solution.status == CONTACT_SLIP) {
         double transverse_force = vec3_dot(f.transverse, constraint->solution.slip_direction);
-        f.axial = viscoplastic_force(constraint, f.axial,
-                                     axial_yield_limit(constraint,
-                                                       constraint->solution.friction_ratio > 0.5,
-                                                       transverse_force));
+        f.axial = viscoplastic_force(
+            constraint, f.axial,
+            axial_yield_limit(constraint, constraint->solution.is_forward, transverse_force));
     }
     return f;
 }
@@ -105,7 +110,7 @@ static void update_sleeve(const contact_constraint *constraint, vec3 u, contact_
                                .tangential_force = transverse,
                                .slip_direction =
                                    vec3_unit_or(transverse, vec3_any_normal(constraint->normal)),
-                               .friction_ratio = is_forward ? 1.0 : 0.0};
+                               .is_forward = is_forward};
     if (is_forward || elastic < lower_limit) {
         next->status = CONTACT_SLIP;
         next->normal_force =
@@ -139,7 +144,7 @@ static void linearise_sleeve(const contact_constraint *constraint, contact_linea
     t->left[2] = t->right[2] = vec3_cross(constraint->normal, direction);
     t->stiffness[0] = t->stiffness[1] = t->stiffness[2] = k;
     if (constraint->solution.status == CONTACT_SLIP) {
-        bool is_forward = constraint->solution.friction_ratio > 0.5;
+        bool is_forward = constraint->solution.is_forward;
         double friction =
             is_forward ? constraint->yield_friction[1] : -constraint->yield_friction[0];
         t->stiffness[0] = constraint->viscous_stiffness * k / (constraint->viscous_stiffness + k);
@@ -168,7 +173,7 @@ void vbss_contact_linearise(const contact_constraint *constraint, contact_linear
     t->left[0] = t->right[0] = n;
     t->stiffness[0] = k;
     t->force = vec3_scale(n, normal_force);
-    if (constraint->friction == 0.0) {
+    if (!acts_tangentially(constraint)) {
         return;
     }
     vec3 tangential_displacement = tangential_component(constraint->relative_displacement, n);
@@ -275,7 +280,7 @@ double vbss_contact_update_solution(const contact_constraint *constraint, vec3 u
         return normal_force;
     }
     next->status = CONTACT_STICK;
-    if (constraint->friction == 0.0) {
+    if (!acts_tangentially(constraint)) {
         return 0.0;
     }
     next->tangential_force =
@@ -305,7 +310,7 @@ vec3 vbss_contact_linearised_force(const contact_constraint *constraint, vec3 u)
     if (constraint->solution.status == CONTACT_OPEN) {
         return vec3_zero();
     }
-    if (constraint->friction == 0.0) {
+    if (!acts_tangentially(constraint)) {
         return vec3_scale(n, normal_force);
     }
     vec3 slip, tangential_displacement =
@@ -328,7 +333,7 @@ vec3 vbss_contact_force(const contact_constraint *constraint, vec3 u)
     if (!constraint->is_bilateral && !(normal_force > 0.0)) {
         return vec3_zero();
     }
-    if (constraint->friction == 0.0) {
+    if (!acts_tangentially(constraint)) {
         return vec3_scale(n, normal_force);
     }
     vec3 tangential_displacement =

@@ -84,8 +84,9 @@ static inline vlanes force_of_batch(const contact_simd_batch *batch, vlanes u)
     tangential_force = v_select(
         is_slipping, v_scale(tangential_force, lanes_div(max_friction, size)), tangential_force);
     lanes_mask has_friction = lanes_or(lanes_less(friction, zero), lanes_less(zero, friction));
-    vlanes force = v_select(has_friction, v_add_scaled(tangential_force, normal_force, n),
-                            v_scale(n, normal_force));
+    vlanes force =
+        v_select(lanes_or(bilateral, has_friction), v_add_scaled(tangential_force, normal_force, n),
+                 v_scale(n, normal_force));
     return v_select(lanes_or(bilateral, lanes_less(zero, normal_force)), force, none);
 }
 

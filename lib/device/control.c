@@ -47,6 +47,9 @@ vbss_result vbss_device_clutch(vbss_device *device, int32_t held)
     VBSS_TRY(vbss_check_range(d->context, held, 0.0, 1.0, "held"));
     if (held != 0 && !d->is_clutched) {
         d->clutch_pose = d->reported_pose;
+        if (d->config.jaw_takeover != 0) {
+            vbss_device_hold_opening(d, vbss_device_reported_opening(d));
+        }
         d->statistics.clutches++;
     } else if (held == 0 && d->is_clutched) {
         set_position_offset(d, d->clutch_pose.position);
@@ -84,6 +87,19 @@ vbss_result vbss_device_recentre(vbss_device *device, const double *position,
         set_orientation_offset(d, quat_unit(quat_make(orientation[0], orientation[1],
                                                       orientation[2], orientation[3])));
     }
+    return VBSS_OK;
+}
+
+vbss_result vbss_device_hold_jaw(vbss_device *device, double opening)
+{
+    VBSS_ENTER(device);
+    device_object *d;
+    VBSS_TRY(vbss_device_edit(device, &d));
+    VBSS_TRY(vbss_check_range(d->context, opening, 0.0, 1.0, "opening"));
+    if (d->config.jaw_takeover == 0) {
+        return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "the device has no jaw_takeover");
+    }
+    vbss_device_hold_opening(d, opening);
     return VBSS_OK;
 }
 

@@ -1,6 +1,7 @@
 /* Creation and destruction of devices. The limits of a device follow from its configuration and
  * from the capabilities of its adapters. */
 
+#include "base/number_text.h"
 #include "device/device.h"
 
 #include "base/api_call.h"
@@ -9,7 +10,7 @@
 #include "base/memory.h"
 #include "base/snapshot.h"
 
-_Static_assert(sizeof(vbss_device_config) == 64 + 2 * sizeof(void *), "no hidden padding");
+_Static_assert(sizeof(vbss_device_config) == 72 + 2 * sizeof(void *), "no hidden padding");
 
 static const vbss_device_config config_defaults = {
     .struct_size = sizeof(vbss_device_config),
@@ -23,7 +24,7 @@ static const vbss_device_config config_defaults = {
     .max_stiffness = 400.0,
     .max_damping = 4.0,
 };
-static const uint32_t config_sizes[] = {64u + 2u * (uint32_t)sizeof(void *), 0};
+static const uint32_t config_sizes[] = {72u + 2u * (uint32_t)sizeof(void *), 0};
 static const vbss_layout config_layout = {"vbss_device_config", &config_defaults, config_sizes};
 
 vbss_result vbss_device_config_init(vbss_device_config *config, uint32_t struct_size)
@@ -40,6 +41,8 @@ static vbss_result check_config(vbss_context *context, const vbss_device_config 
                               "clock"));
     VBSS_TRY(vbss_check_range(context, c->stop_when_lost, 0.0, 1.0, "stop_when_lost"));
     VBSS_TRY(vbss_check_range(context, c->clutch_orientation, 0.0, 1.0, "clutch_orientation"));
+    VBSS_TRY(vbss_check_range(context, c->jaw_takeover, 0.0, 1.0, "jaw_takeover"));
+    VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
     VBSS_TRY(vbss_check_range(context, c->jaw_timeout, 1e-4, 1e3, "jaw_timeout"));
     VBSS_TRY(vbss_check_range(context, c->velocity_time, 0.0, 10.0, "velocity_time"));
     VBSS_TRY(vbss_check_range(context, c->norm_tolerance, 0.0, 0.5, "norm_tolerance"));
@@ -92,6 +95,7 @@ static void init_state(device_object *d)
     d->clutch_pose = d->reported_pose = pose_identity();
     d->tool = d->config.tool;
     d->jaw.opening = 1.0;
+    d->off_until = -1e9;
     d->pose_reading.age = d->opening_reading.age = -1.0;
     vbss_device_reset_motion(&d->motion);
     vbss_output_init_state(&d->limits, &d->output);
@@ -203,12 +207,23 @@ vbss_result vbss_device_destroy(vbss_device *device)
     return vbss_slot_destroy(device, &vbss_device_kind);
 }
 
-vbss_result vbss_device_check_now(const device_object *d, double now)
+static vbss_result check_clock(const device_object *d, double now)
 {
     VBSS_TRY(vbss_check_range(d->context, now, -1e9, 1e9, "now"));
     return !d->has_time || now >= d->now
                ? VBSS_OK
-               : vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "now is %g, after %g", now, d->now);
+               : vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE,
+                           "now is %s, after %s: the clock stepped back, and the outputs are off",
+                           vbss_format_number(now, 9).text, vbss_format_number(d->now, 9).text);
+}
+
+vbss_result vbss_device_check_now(device_object *d, double now)
+{
+    vbss_result result = check_clock(d, now);
+    if (result != VBSS_OK) {
+        vbss_device_switch_off(d);
+    }
+    return result;
 }
 
 vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint64_t capacity,
@@ -221,7 +236,14 @@ vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint64_t capac
 vbss_result vbss_device_restore(vbss_device *device, const uint8_t *bytes, uint64_t count)
 {
     VBSS_ENTER(device);
-    return vbss_object_restore(device, &vbss_device_kind, bytes, count);
+    device_object *d;
+    VBSS_TRY(vbss_object_restore(device, &vbss_device_kind, bytes, count));
+    VBSS_TRY(vbss_device_open(device, &d));
+    d->off_until = -1e9;
+    if (d->config.jaw_takeover != 0) {
+        vbss_device_hold_opening(d, vbss_device_reported_opening(d));
+    }
+    return VBSS_OK;
 }
 
 vbss_result vbss_device_get_hash(vbss_device *device, uint64_t *hash)

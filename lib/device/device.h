@@ -5,7 +5,7 @@
  * samples), output_limiter.c and solenoid.c (limits of outputs). They know no handle and call no
  * adapter; adapter.c alone calls the functions of adapters. routing.c chooses between two adapters,
  * device.c creates devices, handle.c finds and destroys them. poll.c and read.c read them, send.c
- * and write.c write to them, control.c has clutch, emergency stop, re-centring and calibration, and
+ * and write.c write to them, takeover.c holds jaws until the handle has passed them, control.c has clutch, emergency stop, re-centring and calibration, and
  * views.c and snapshot.c report and save their state. output.c is the output stage
  * with a handle of its own, mock.c and mock_faults.c are an adapter without hardware, and mapping.c
  * is independent of devices.
@@ -91,6 +91,13 @@ double vbss_device_opening_from_raw(const vbss_device_calibration *c, double raw
 void vbss_device_update_jaw(device_jaw *jaw, const vbss_device_calibration *c, double opening,
                             double h);
 
+/* Jaws that wait for the handle to take them over. */
+typedef struct device_takeover {
+    bool is_waiting, is_new; /* is_new: the host was not told yet; not saved */
+    bool has_side, is_above; /* the handle was seen; it is further open than the jaws */
+    double opening;          /* of the jaws, 0 to 1 */
+} device_takeover;
+
 /* ---- motion.c */
 
 /* Estimate of velocities from poses, in the device's frame. */
@@ -128,6 +135,7 @@ typedef struct device_source {
     bool is_lost, has_fault, read_failed, /* read_failed: by the last read */
         has_time;                         /* `time` and `received_at` are known */
     double time, received_at; /* last accepted sample: adapter's clock, host's clock, s */
+    bool is_slow; /* outputs go off too late; it is told again after a restore, so not saved */
 } device_source;
 
 /* Copies a function table of this library to a struct of the host. Returns VBSS_OK,
@@ -215,6 +223,8 @@ uint32_t vbss_output_advance(const vbss_output_config *c, output_state *s, doubl
                              const output_demand *demand);
 /* Latches the emergency stop and sets the outputs to zero. */
 void vbss_output_latch_stop(output_state *s);
+/* Sets the outputs to zero, as those of the last step. */
+void vbss_output_set_zero(output_state *s);
 /* Fills the public result from the state. `flags` are VBSS_OUTPUT_ bits. */
 void vbss_output_fill_result(const vbss_output_config *c, const output_state *s, uint32_t flags,
                              vbss_output_result *result);
@@ -261,6 +271,7 @@ typedef struct device_object {
     quat orientation;              /* last sample, handle to device frame */
     device_motion motion;
     device_jaw jaw;
+    device_takeover takeover;
     double jaw_raw, temperature;
     uint32_t buttons;
     vbss_device_tool tool;
@@ -269,13 +280,15 @@ typedef struct device_object {
     quat orientation_offset;         /* by clutch and re-centring, in the tool's frame */
     pose clutch_pose, reported_pose; /* kept by the clutch; result of the last read */
     uint32_t events;                 /* VBSS_DEVICE_EVENT_ bits of this read; not saved */
+    double off_until;                /* end of the pause after a jump of the clock, s; not saved */
     output_state output;
     vbss_device_statistics statistics;
 } device_object;
 
 /* Returns VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE unless `now` is finite, at most 1e9 s
- * in magnitude, and not before the last call. */
-vbss_result vbss_device_check_now(const device_object *d, double now);
+ * in magnitude, and not before the last call. On an error it writes zeros to the adapters, because
+ * the host cannot write anything else while its clock is wrong. */
+vbss_result vbss_device_check_now(device_object *d, double now);
 
 /* ---- routing.c */
 
@@ -294,6 +307,16 @@ vbss_result vbss_device_edit(vbss_device *handle, device_object **device);
 /* Frees the memory of a device whose adapters are closed. */
 void vbss_device_free(vbss_context *context, device_object *d);
 
+/* ---- takeover.c: for devices with `jaw_takeover` */
+
+/* Holds the reported opening until the handle has passed it. */
+void vbss_device_hold_opening(device_object *d, double opening);
+/* Lets the handle take over if it has passed the opening. */
+void vbss_device_update_takeover(device_object *d);
+double vbss_device_reported_opening(const device_object *d);
+/* Whether the reported opening counts as closed. */
+bool vbss_device_reports_closed(const device_object *d);
+
 /* ---- poll.c, read.c, send.c, snapshot.c */
 
 /* Reads one adapter and updates the state from its sample; does nothing if it has no `read`. */
@@ -306,6 +329,8 @@ uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
                           const vbss_device_coupling *coupling);
 /* Latches the emergency stop and writes zeros at once. */
 void vbss_device_latch_stop(device_object *d);
+/* Writes zeros at once; the next write may put out forces again. */
+void vbss_device_switch_off(device_object *d);
 /* Visitor for snapshots. */
 void vbss_device_serialise(vbss_stream *stream, void *object);
 

@@ -9,10 +9,12 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/number_text.h"
 #include "base/stream.h"
+#include "device/tuning.h"
 
 _Static_assert(sizeof(vbss_nidaqmx_config) == 56 + 5 * sizeof(void *), "no hidden padding");
-_Static_assert(sizeof(vbss_nidaqmx_status) == 56, "published size");
+_Static_assert(sizeof(vbss_nidaqmx_status) == 104, "published size");
 
 static const vbss_nidaqmx_config config_defaults = {
     .struct_size = sizeof(vbss_nidaqmx_config),
@@ -27,11 +29,10 @@ static const vbss_nidaqmx_config config_defaults = {
     .low = -10.0,
     .high = 10.0,
     .period = 0.002,
-    .timeout = 0.004,
 };
 static const uint32_t config_sizes[] = {56u + 5u * (uint32_t)sizeof(void *), 0};
 static const vbss_layout config_layout = {"vbss_nidaqmx_config", &config_defaults, config_sizes};
-static const uint32_t status_sizes[] = {56, 0};
+static const uint32_t status_sizes[] = {104, 0};
 static const vbss_layout status_layout = {"vbss_nidaqmx_status", NULL, status_sizes};
 
 vbss_result vbss_nidaqmx_config_init(vbss_nidaqmx_config *config, uint32_t struct_size)
@@ -41,25 +42,13 @@ vbss_result vbss_nidaqmx_config_init(vbss_nidaqmx_config *config, uint32_t struc
 
 /* ---- closing */
 
-static void end_task(const daq_functions *daq, daq_task task)
-{
-    if (task != NULL) {
-        daq->stop_task(task);
-        daq->clear_task(task);
-    }
-}
-
 static void close_lines(nidaqmx_object *o)
 {
     if (o->has_thread) {
         atomic_store_explicit(&o->stop_requested, true, memory_order_release);
         vbss_device_join_thread(&o->thread);
     }
-    if (o->lines_open) {
-        vbss_nidaqmx_switch_off(o);
-    }
-    end_task(&o->daq, o->analog);
-    end_task(&o->daq, o->digital);
+    vbss_nidaqmx_close_tasks(o);
     vbss_device_unload_library(o->daq.library);
 }
 
@@ -145,51 +134,25 @@ static vbss_result read_config(nidaqmx_object *o, const vbss_nidaqmx_config *con
     VBSS_TRY(vbss_check_range(context, c->low, -10.0, 10.0, "low"));
     VBSS_TRY(vbss_check_range(context, c->high, c->low + 1e-3, 10.0, "high"));
     VBSS_TRY(vbss_check_range(context, c->period, 5e-4, 1.0, "period"));
-    VBSS_TRY(vbss_check_range(context, c->timeout, 1e-3, 10.0, "timeout"));
+    if (c->timeout != 0.0) {
+        VBSS_TRY(vbss_check_range(context, c->timeout, 1e-3, 10.0, "timeout"));
+    }
+    o->timeout = c->timeout != 0.0 ? c->timeout : DEVICE_DAQ_FIRST_TIMEOUT;
     return read_names(o);
-}
-
-static vbss_result open_inputs(nidaqmx_object *o)
-{
-    const int32_t terminal =
-        o->config.terminal == VBSS_NIDAQMX_DIFFERENTIAL ? DAQ_DIFFERENTIAL : DAQ_RSE;
-    int32_t code = o->daq.create_task("", &o->analog);
-    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, "inputs"));
-    for (uint32_t i = 0; i < o->handle_count; i++) {
-        code = o->daq.create_voltage_input(o->analog, o->inputs[i], "", terminal, o->config.low,
-                                           o->config.high, DAQ_VOLTS, NULL);
-        VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, o->inputs[i]));
-    }
-    code = o->daq.start_task(o->analog);
-    return vbss_nidaqmx_check(o->context, &o->daq, code, "start of inputs");
-}
-
-/* Makes one channel of all lines, and switches the solenoids off at once. */
-static vbss_result open_lines(nidaqmx_object *o)
-{
-    char names[2 * DAQ_NAME_BYTES] = "";
-    if (!o->has_lines) {
-        return VBSS_OK;
-    }
-    for (uint32_t i = 0; i < o->handle_count; i++) {
-        if (o->lines[i][0] != '\0') {
-            size_t used = strlen(names);
-            snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? "," : "", o->lines[i]);
-        }
-    }
-    int32_t code = o->daq.create_task("", &o->digital);
-    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, "lines"));
-    code = o->daq.create_digital_output(o->digital, names, "", DAQ_CHANNEL_FOR_ALL_LINES);
-    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, names));
-    o->lines_open = true;
-    return vbss_nidaqmx_check(o->context, &o->daq, vbss_nidaqmx_switch_off(o), names);
 }
 
 static vbss_result open_all(nidaqmx_object *o)
 {
     VBSS_TRY(vbss_nidaqmx_load(o->context, o->config.library, &o->daq));
-    VBSS_TRY(open_inputs(o));
-    VBSS_TRY(open_lines(o));
+    if (!vbss_nidaqmx_name_channel(o)) {
+        return vbss_fail(o->context, VBSS_ERROR_DEVICE,
+                         "NI-DAQmx Base: %s, %s are not lines 0 to 7 of one port, as in "
+                         "Dev1/port0/line0",
+                         o->lines[0], o->lines[1]);
+    }
+    const char *what = "";
+    const int32_t code = vbss_nidaqmx_open_tasks(o, &what);
+    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, what));
     if (o->config.own_thread == 0) {
         return VBSS_OK;
     }
@@ -329,6 +292,35 @@ static vbss_result handle_describe(void *user, vbss_device_capabilities *capabil
     return VBSS_OK;
 }
 
+/* Says what the last failure was and, for a timeout, what the user can do. */
+static void explain_failure(daq_handle *h, const vbss_nidaqmx_status *s, bool has_late_reads)
+{
+    char hint[64] = "";
+    const vbss_number_text timeout = vbss_format_number(1e3 * s->timeout, 3);
+    if (has_late_reads && h->owner->config.timeout != 0.0) {
+        snprintf(hint, sizeof hint, ": the timeout of %.9s ms is too short", timeout.text);
+    } else if (has_late_reads) {
+        snprintf(hint, sizeof hint, ": a call may take %.9s ms from now on", timeout.text);
+    }
+    snprintf(h->text, sizeof h->text, "%s (%d)%s", vbss_nidaqmx_error_name(s->error), s->error,
+             hint);
+}
+
+static void explain_report(daq_handle *h, const daq_report *r)
+{
+    const vbss_nidaqmx_status *s = &r->status;
+    if (s->state == VBSS_HARDWARE_RUNNING && r->is_slow) {
+        snprintf(h->text, sizeof h->text,
+                 "rounds of %.9s ms: solenoids go off up to %.9s ms after the last command",
+                 vbss_format_number(1e3 * s->round_time, 3).text,
+                 vbss_format_number(1e3 * s->off_time, 3).text);
+    } else if (s->state == VBSS_HARDWARE_WAITING && s->error == 0) {
+        vbss_device_copy_text(h->text, sizeof h->text, "nothing was measured yet");
+    } else if (s->state != VBSS_HARDWARE_RUNNING) {
+        explain_failure(h, s, r->has_late_reads);
+    }
+}
+
 static vbss_result handle_read(void *user, double now, vbss_device_sample *sample)
 {
     VBSS_ENTER(user);
@@ -343,14 +335,9 @@ static vbss_result handle_read(void *user, double now, vbss_device_sample *sampl
     sample->time = r->time;
     sample->jaw_raw = r->volts[h->handle_index];
     sample->flags = r->status.state == VBSS_HARDWARE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
-    if (r->status.state == VBSS_HARDWARE_RUNNING) {
-        return VBSS_OK;
-    }
-    snprintf(h->text, sizeof h->text, "%s (%d)",
-             r->has_sample || r->status.error != 0 ? vbss_nidaqmx_error_name(r->status.error)
-                                                   : "nothing was measured yet",
-             r->status.error);
-    return VBSS_ERROR_DEVICE;
+    sample->flags |= r->is_slow ? VBSS_DEVICE_FLAG_SLOW : 0u;
+    explain_report(h, r);
+    return r->status.state == VBSS_HARDWARE_RUNNING ? VBSS_OK : VBSS_ERROR_DEVICE;
 }
 
 static vbss_result handle_write(void *user, double now, const vbss_output_result *output)

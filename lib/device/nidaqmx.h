@@ -1,8 +1,9 @@
 /* Internal interface of instrument handles and solenoids that are connected by NI-DAQmx.
  *
- * nidaqmx_library.c and nidaqmx_list.c call the vendor's library. nidaqmx_cycle.c has the cycle of
- * writing and reading, which runs in a thread of its own or in one of the host. nidaqmx.c has the
- * host's side: creation and adapters.
+ * nidaqmx_library.c and nidaqmx_list.c call the vendor's library. nidaqmx_lines.c opens and closes
+ * the lines. nidaqmx_cycle.c has the cycle of writing and reading, which runs in a thread of its own
+ * or in one of the host, and nidaqmx_recovery.c its recovery from errors. nidaqmx.c has the host's
+ * side: creation and adapters.
  *
  * Types and constants follow the vendor's documentation; no header of the vendor is used. */
 #ifndef VBSS_DEVICE_NIDAQMX_H
@@ -26,7 +27,13 @@ enum {
     DAQ_DIFFERENTIAL = 10106,
     DAQ_CHANNEL_FOR_ALL_LINES = 1,
     DAQ_GROUP_BY_CHANNEL = 0,
-    DAQ_GROUP_BY_SCAN = 1
+    DAQ_GROUP_BY_SCAN = 1,
+    DAQ_NO_DEVICE = -200220
+};
+
+enum {
+    DAQ_TIMEOUTS_IN_A_ROW = 2, /* a single timeout is no sign of a slow device */
+    DAQ_OPENING_ATTEMPTS = 10  /* for the first write, while it times out */
 };
 
 /* An opaque pointer. */
@@ -35,6 +42,7 @@ typedef void *daq_task;
 /* Functions return 0, a negative error code, or a positive warning code. */
 typedef struct daq_functions {
     void *library;
+    bool is_base; /* NI-DAQmx Base: `write_digital` takes the bits of a port; no list of devices */
     int32_t(DAQ_CALL *create_task)(const char *name, daq_task *task);
     int32_t(DAQ_CALL *start_task)(daq_task task);
     int32_t(DAQ_CALL *stop_task)(daq_task task);
@@ -63,8 +71,16 @@ typedef struct daq_functions {
 vbss_result vbss_nidaqmx_load(vbss_context *context, const char *name, daq_functions *daq);
 /* Description of an error code, never NULL. */
 const char *vbss_nidaqmx_error_name(int32_t code);
-/* Whether the hardware is lost after this error. */
-bool vbss_nidaqmx_is_lost(int32_t code);
+
+/* What helps after a code of the vendor. */
+typedef enum daq_remedy {
+    DAQ_FINE,
+    DAQ_RETRY,  /* a timeout: the next call may succeed */
+    DAQ_REOPEN, /* a transient error that ends the task: the lines must be opened again */
+    DAQ_LOST    /* the device is not there; the lines can be opened again when it is back */
+} daq_remedy;
+
+daq_remedy vbss_nidaqmx_remedy(int32_t code);
 /* Returns VBSS_OK for success and warnings. For errors it returns VBSS_ERROR_DEVICE, with `what`
  * and the vendor's description in the error text. */
 vbss_result vbss_nidaqmx_check(vbss_context *context, const daq_functions *daq, int32_t code,
@@ -82,8 +98,8 @@ typedef struct handle_command {
 
 /* Result of a cycle. */
 typedef struct daq_report {
-    bool has_sample;
-    double time, volts[DAQ_HANDLES]; /* last good read: clock of the cycle, s; V */
+    bool has_sample, is_slow, has_late_reads; /* has_late_reads: the last ones have timed out */
+    double time, volts[DAQ_HANDLES];          /* last good read: clock of the cycle, s; V */
     vbss_nidaqmx_status status;
 } daq_report;
 
@@ -112,19 +128,45 @@ struct nidaqmx_object {
     char inputs[DAQ_HANDLES][DAQ_NAME_BYTES],
         lines[DAQ_HANDLES][DAQ_NAME_BYTES]; /* channels per handle; line "": no solenoid */
     uint32_t handle_count;
-    bool has_lines, lines_open; /* has_lines: a handle has a solenoid */
-    daq_task analog, digital;   /* NULL while not created */
+    bool has_lines, lines_open;       /* a handle has a solenoid; the task has its channel */
+    char channel[2 * DAQ_NAME_BYTES]; /* all lines, or their port for NI-DAQmx Base */
+    uint32_t line_bits[DAQ_HANDLES];  /* bits of the lines in their port */
+    daq_task analog, digital;         /* NULL while not created */
     device_thread thread;
     bool has_thread;
     atomic_bool stop_requested;
     daq_report reports[3];
     /* Used by the cycle only. */
     bool levels_written, read_failed, is_lost; /* levels_written: the lines have `levels` */
-    uint8_t levels[DAQ_HANDLES];               /* 0 or 1 per line */
+    bool must_reopen, is_slow;   /* is_slow: solenoids go off later than commands expire */
+    uint8_t levels[DAQ_HANDLES]; /* 0 or 1 per line */
+    uint32_t read_timeouts, write_timeouts, quick_calls; /* each in a row */
+    double timeout, write_time;      /* of calls, in force; duration of the last write, s */
+    double trouble_since, reopen_at; /* first error; earliest next attempt to open the lines, s */
     /* Start of this cycle, and time since the start of the one before, at least a period, s. */
     double cycle_start, cycle_interval;
     daq_report report;
 };
+
+/* ---- nidaqmx_lines.c */
+
+/* Finds the name of the channel of all lines. Returns false if NI-DAQmx Base cannot write to them
+ * together: they must be lines of one port. */
+bool vbss_nidaqmx_name_channel(nidaqmx_object *o);
+/* Opens inputs and lines, with the solenoids off. Returns the vendor's code and, in `what`, the part
+ * that it is about. After a failure the caller closes the tasks. */
+int32_t vbss_nidaqmx_open_tasks(nidaqmx_object *o, const char **what);
+/* Switches the solenoids off and closes the tasks that are open. */
+void vbss_nidaqmx_close_tasks(nidaqmx_object *o);
+
+/* ---- nidaqmx_recovery.c */
+
+/* Stores the code of a read or write that took `duration` s. `in_a_row` counts its timeouts. */
+void vbss_nidaqmx_record_code(nidaqmx_object *o, int32_t code, double duration, uint32_t *in_a_row);
+/* Opens the lines again if an error has made that necessary. */
+void vbss_nidaqmx_recover(nidaqmx_object *o, double now);
+/* Compares the pace of the cycles with the time after which commands expire, s; 0: unknown. */
+void vbss_nidaqmx_update_rate(nidaqmx_object *o, double expires);
 
 /* ---- nidaqmx_cycle.c */
 

@@ -7,29 +7,36 @@
 
 /* ---- solenoids */
 
-static void record_code(nidaqmx_object *o, int32_t code)
+/* NI-DAQmx Base takes one byte with the levels of a port. Lines without a solenoid stay high, as
+ * they are when no program drives them. */
+static uint8_t port_levels(const nidaqmx_object *o, const uint8_t *levels)
 {
-    if (code != 0) {
-        o->report.status.error = code;
-        o->report.status.warnings += code > 0;
-        o->is_lost = o->is_lost || vbss_nidaqmx_is_lost(code);
+    uint32_t port = 0xFFu, line = 0;
+    for (uint32_t i = 0; i < o->handle_count; i++) {
+        if (o->lines[i][0] != '\0' && levels[line++] == 0) {
+            port &= ~(1u << o->line_bits[i]);
+        }
     }
+    return (uint8_t)port;
 }
 
 /* Writes 0 or 1 to each line. The first write starts the task, so a line is never driven before it
  * has a value. */
 static int32_t write_lines(nidaqmx_object *o, const uint8_t *levels)
 {
-    int32_t written = 0;
-    int32_t code = o->daq.write_digital(o->digital, 1, 1, o->config.timeout, DAQ_GROUP_BY_CHANNEL,
-                                        levels, &written, NULL);
-    o->levels_written = code >= 0 && written == 1;
+    const uint8_t port = port_levels(o, levels);
+    const double start = vbss_device_time();
+    int32_t written[2] = {0, 0}; /* some versions of the vendor's library write 8 bytes */
+    int32_t code = o->daq.write_digital(o->digital, 1, 1, o->timeout, DAQ_GROUP_BY_CHANNEL,
+                                        o->daq.is_base ? &port : levels, written, NULL);
+    o->write_time = vbss_device_time() - start;
+    o->levels_written = code >= 0 && written[0] == 1;
     if (o->levels_written) {
         memcpy(o->levels, levels, sizeof o->levels);
     } else {
         o->report.status.failed_writes++;
     }
-    record_code(o, code);
+    vbss_nidaqmx_record_code(o, code, o->write_time, &o->write_timeouts);
     return code;
 }
 
@@ -43,7 +50,7 @@ static int32_t set_solenoids(nidaqmx_object *o, uint32_t wanted)
             levels[line++] = (uint8_t)(o->config.active_low != 0 ? 1u - on : on);
         }
     }
-    if (!o->has_lines || (o->levels_written && memcmp(levels, o->levels, sizeof levels) == 0)) {
+    if (!o->lines_open || (o->levels_written && memcmp(levels, o->levels, sizeof levels) == 0)) {
         return 0;
     }
     int32_t code = write_lines(o, levels);
@@ -58,17 +65,20 @@ int32_t vbss_nidaqmx_switch_off(nidaqmx_object *o)
 
 /* A command may be one cycle old when it is found, and stays in force until the next cycle. Both
  * cycles are assumed to take as long as the last one. If that is long, a command expires unless
- * this cycle found it. */
+ * this cycle found it. After a step back of the clock the age is negative, and the command counts
+ * as expired. */
 static bool is_expired(const nidaqmx_object *o, const handle_command *command, double age)
 {
-    return age > vbss_max(command->expires - 2.0 * o->cycle_interval, 0.0);
+    return age < 0.0 || age > vbss_max(command->expires - 2.0 * o->cycle_interval, 0.0);
 }
 
-/* Bits of the solenoids that are to be on. A command that has expired counts as off. */
-static uint32_t wanted_solenoids(nidaqmx_object *o, double now)
+/* Bits of the solenoids that are to be on. A command that has expired counts as off. `expires`
+ * receives the shortest time after which a command expires, s; 0: there is no command. */
+static uint32_t wanted_solenoids(nidaqmx_object *o, double now, double *expires)
 {
     uint32_t wanted = 0;
     bool is_silent = false;
+    *expires = 0.0;
     for (uint32_t i = 0; i < o->handle_count; i++) {
         daq_handle *h = &o->handles[i];
         if (device_triple_buffer_fetch(&h->to_cycle)) {
@@ -78,6 +88,9 @@ static uint32_t wanted_solenoids(nidaqmx_object *o, double now)
         bool is_too_old = is_expired(o, command, now - h->commanded_at);
         is_silent = is_silent || (command->is_on && is_too_old);
         wanted |= command->is_on && !is_too_old ? 1u << i : 0u;
+        if (command->expires > 0.0 && (*expires == 0.0 || command->expires < *expires)) {
+            *expires = command->expires;
+        }
     }
     o->report.status.silent_cycles += is_silent;
     return wanted;
@@ -88,11 +101,12 @@ static uint32_t wanted_solenoids(nidaqmx_object *o, double now)
 static void read_inputs(nidaqmx_object *o, double now)
 {
     double volts[DAQ_HANDLES] = {0.0};
-    int32_t read = 0;
-    int32_t code = o->daq.read_analog(o->analog, 1, o->config.timeout, DAQ_GROUP_BY_SCAN, volts,
-                                      o->handle_count, &read, NULL);
-    record_code(o, code);
-    o->read_failed = code < 0 || read != 1;
+    int32_t read[2] = {0, 0}; /* as in write_lines */
+    const double start = vbss_device_time();
+    int32_t code = o->daq.read_analog(o->analog, 1, o->timeout, DAQ_GROUP_BY_SCAN, volts,
+                                      o->handle_count, read, NULL);
+    vbss_nidaqmx_record_code(o, code, vbss_device_time() - start, &o->read_timeouts);
+    o->read_failed = code < 0 || read[0] != 1;
     if (o->read_failed) {
         o->report.status.failed_reads++;
         return;
@@ -107,27 +121,37 @@ static void read_inputs(nidaqmx_object *o, double now)
 static void publish_report(nidaqmx_object *o)
 {
     vbss_nidaqmx_status *s = &o->report.status;
-    s->state = o->is_lost             ? VBSS_HARDWARE_LOST
-               : o->read_failed       ? VBSS_HARDWARE_REFUSING
-               : o->report.has_sample ? VBSS_HARDWARE_RUNNING
-                                      : VBSS_HARDWARE_WAITING;
+    s->state = o->is_lost                         ? VBSS_HARDWARE_LOST
+               : o->read_failed || o->must_reopen ? VBSS_HARDWARE_REFUSING
+               : o->report.has_sample             ? VBSS_HARDWARE_RUNNING
+                                                  : VBSS_HARDWARE_WAITING;
+    o->report.is_slow = o->is_slow;
+    o->report.has_late_reads = o->read_timeouts >= DAQ_TIMEOUTS_IN_A_ROW;
     o->reports[o->to_host.writer] = o->report;
     device_triple_buffer_publish(&o->to_host);
 }
 
-void vbss_nidaqmx_cycle(nidaqmx_object *o, double now)
+static void begin_cycle(nidaqmx_object *o, double now)
 {
     o->cycle_interval = o->report.status.cycles > 0
                             ? vbss_max(now - o->cycle_start, o->config.period)
                             : o->config.period;
     o->cycle_start = now;
     o->report.status.cycles++;
-    uint32_t wanted = wanted_solenoids(o, now);
-    set_solenoids(o, o->read_failed || o->is_lost ? 0 : wanted);
-    if (!o->is_lost) {
+}
+
+void vbss_nidaqmx_cycle(nidaqmx_object *o, double now)
+{
+    double expires;
+    begin_cycle(o, now);
+    uint32_t wanted = wanted_solenoids(o, now, &expires);
+    vbss_nidaqmx_update_rate(o, expires);
+    vbss_nidaqmx_recover(o, now);
+    set_solenoids(o, o->read_failed || o->must_reopen ? 0 : wanted);
+    if (!o->must_reopen) {
         read_inputs(o, now);
     }
-    if (o->read_failed || o->is_lost) { /* whether the jaws are closed is unknown */
+    if (o->read_failed || o->must_reopen) { /* whether the jaws are closed is unknown */
         vbss_nidaqmx_switch_off(o);
     }
     publish_report(o);

@@ -17,9 +17,16 @@ static vbss_result list_devices(vbss_context *context, const daq_functions *daq,
                                 uint32_t bytes)
 {
     char names[1024] = "", product[DAQ_NAME_BYTES];
+    if (daq->is_base) {
+        return vbss_fail(context, VBSS_ERROR_DEVICE,
+                         "NI-DAQmx Base has no list of devices: run its program lsdaq");
+    }
     int32_t code = daq->get_device_names(names, sizeof names);
     VBSS_TRY(vbss_nidaqmx_check(context, daq, code, "devices"));
     names[sizeof names - 1] = '\0';
+    if (names[0] == '\0') {
+        return vbss_nidaqmx_check(context, daq, DAQ_NO_DEVICE, "the driver knows no device");
+    }
     for (char *name = names; *name != '\0';) { /* separated by a comma and a space */
         char *end = name;
         while (*end != '\0' && *end != ',') {

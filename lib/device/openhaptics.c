@@ -12,7 +12,7 @@
 #include "device/tuning.h"
 
 _Static_assert(sizeof(vbss_openhaptics_config) == 16 + 6 * sizeof(void *), "no hidden padding");
-_Static_assert(sizeof(vbss_openhaptics_status) == 104, "published size");
+_Static_assert(sizeof(vbss_openhaptics_status) == 112, "published size");
 
 static const vbss_openhaptics_config config_defaults = {
     .struct_size = sizeof(vbss_openhaptics_config),
@@ -23,7 +23,7 @@ static const vbss_openhaptics_config config_defaults = {
 static const uint32_t config_sizes[] = {16u + 6u * (uint32_t)sizeof(void *), 0};
 static const vbss_layout config_layout = {"vbss_openhaptics_config", &config_defaults,
                                           config_sizes};
-static const uint32_t status_sizes[] = {104, 0};
+static const uint32_t status_sizes[] = {112, 0};
 static const vbss_layout status_layout = {"vbss_openhaptics_status", NULL, status_sizes};
 
 vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32_t struct_size)
@@ -180,16 +180,35 @@ static void init_arm(haptic_arm *a)
     vbss_output_init_state(&a->limits, &a->output);
 }
 
+/* Some drivers have no default device, but one of these names. */
+static const char *const default_names[] = {NULL, "Default Device", "Default PHANToM"};
+enum { DEFAULT_NAMES = sizeof default_names / sizeof default_names[0] };
+
+/* Opens the arm by the first of some names that the driver knows. Reports the error of the first
+ * name. */
+static vbss_result init_device(openhaptics_object *o, haptic_arm *a, const char *const *names,
+                               int count, const char *what)
+{
+    vbss_result first = VBSS_OK;
+    for (int i = 0; i < count && !a->is_open; i++) {
+        a->device = o->hd.init_device(names[i]);
+        vbss_result result = vbss_openhaptics_check(i == 0 ? o->context : NULL, &o->hd, what);
+        a->is_open = a->device != HD_NO_DEVICE && result == VBSS_OK;
+        first = i == 0 ? result : first;
+    }
+    if (!a->is_open && first == VBSS_OK) {
+        return vbss_fail(o->context, VBSS_ERROR_DEVICE, "OpenHaptics: %s is not there", what);
+    }
+    return a->is_open ? VBSS_OK : first;
+}
+
 static vbss_result open_arm(openhaptics_object *o, haptic_arm *a, const char *name)
 {
     char what[DEVICE_TEXT_BYTES];
-    snprintf(what, sizeof what, "device '%.80s'", name != NULL ? name : "default");
-    a->device = o->hd.init_device(name);
-    a->is_open = a->device != HD_NO_DEVICE;
-    VBSS_TRY(vbss_openhaptics_check(o->context, &o->hd, what));
-    if (!a->is_open) {
-        return vbss_fail(o->context, VBSS_ERROR_DEVICE, "OpenHaptics: %s is not there", what);
-    }
+    snprintf(what, sizeof what, "device '%.80s'%s", name != NULL ? name : "default",
+             name != NULL ? "" : " (nor 'Default Device', 'Default PHANToM')");
+    VBSS_TRY(name != NULL ? init_device(o, a, &name, 1, what)
+                          : init_device(o, a, default_names, DEFAULT_NAMES, what));
     o->hd.make_current_device(a->device);
     o->hd.enable(HD_FORCE_OUTPUT);
     describe_arm(o, a);
@@ -370,6 +389,8 @@ static void explain_status(haptic_arm *a, const vbss_openhaptics_status *s)
 {
     if (s->ticks == 0) {
         set_failure_text(a, "the servo has not begun yet");
+    } else if (s->state == VBSS_HARDWARE_UNCALIBRATED && s->is_constant != 0) {
+        set_failure_text(a, "the arm gives a constant pose: not calibrated, or nobody holds it");
     } else if (s->state == VBSS_HARDWARE_UNCALIBRATED) {
         set_failure_text(a, "not calibrated: put the stylus into the inkwell");
     } else if (s->error != 0) {

@@ -135,6 +135,8 @@ typedef struct haptic_arm {
      * refusing forces. Ticks count from 1. */
     uint64_t command_tick, failed_tick, lost_until_tick, refused_until_tick;
     bool is_calibrated;
+    double last_transform[16];      /* as the vendor's library gave it */
+    uint64_t transform_change_tick; /* when it last changed */
 } haptic_arm;
 
 /* All arms; one servo drives them. */

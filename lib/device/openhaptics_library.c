@@ -3,12 +3,13 @@
 #include "device/openhaptics.h"
 
 #ifdef _WIN32
-#define USUAL_NAME "hd.dll"
+static const char *const usual_names[] = {"hd.dll"};
 #elif defined(__APPLE__)
-#define USUAL_NAME "libHD.dylib"
+static const char *const usual_names[] = {"libHD.dylib"};
 #else
-#define USUAL_NAME "libHD.so"
+static const char *const usual_names[] = {"libHD.so", "libHD.so.3.4", "libHD.so.3.0"};
 #endif
+enum { USUAL_NAMES = sizeof usual_names / sizeof usual_names[0] };
 
 vbss_result vbss_openhaptics_load(vbss_context *context, const char *name, hd_functions *hd)
 {
@@ -35,16 +36,18 @@ vbss_result vbss_openhaptics_load(vbss_context *context, const char *name, hd_fu
         {"hdCheckCalibration", &hd->check_calibration},
         {"hdUpdateCalibration", &hd->update_calibration},
     };
-    char text[DEVICE_TEXT_BYTES] = "";
-    name = name != NULL ? name : USUAL_NAME;
-    hd->library = vbss_device_load_library(name, text, sizeof text);
+    char text[DEVICE_LOAD_TEXT_BYTES] = "";
+    const char *loaded = "";
+    hd->library = name != NULL
+                      ? vbss_device_load_any(&name, 1, &loaded, text, sizeof text)
+                      : vbss_device_load_any(usual_names, USUAL_NAMES, &loaded, text, sizeof text);
     if (hd->library == NULL) {
-        return vbss_fail(context, VBSS_ERROR_DEVICE, "OpenHaptics: no library %s: %s", name, text);
+        return vbss_fail(context, VBSS_ERROR_DEVICE, "OpenHaptics: %s", text);
     }
     const char *missing =
         vbss_device_find_symbols(hd->library, symbols, sizeof symbols / sizeof symbols[0]);
     if (missing != NULL) {
-        return vbss_fail(context, VBSS_ERROR_DEVICE, "OpenHaptics: %s has no %s", name, missing);
+        return vbss_fail(context, VBSS_ERROR_DEVICE, "OpenHaptics: %s has no %s", loaded, missing);
     }
     return VBSS_OK;
 }

@@ -117,6 +117,18 @@ static void read_slow_signals(openhaptics_object *o, haptic_arm *a)
     a->is_calibrated = calibration == HD_CALIBRATION_OK;
 }
 
+/* The hand's tremor changes a measured pose all the time. A pose that is constant to the bit comes
+ * from an arm that nobody holds, or from one whose encoders give no data. */
+static void watch_transform(openhaptics_object *o, haptic_arm *a, const double transform[16])
+{
+    if (memcmp(transform, a->last_transform, sizeof a->last_transform) != 0) {
+        memcpy(a->last_transform, transform, sizeof a->last_transform);
+        a->transform_change_tick = o->tick;
+    }
+    a->status.is_constant =
+        o->tick - a->transform_change_tick >= ticks_of(o, DEVICE_CONSTANT_POSE_TIME);
+}
+
 static void measure_arm(openhaptics_object *o, haptic_arm *a)
 {
     double transform[16] = {0.0}, velocity[3] = {0.0};
@@ -126,6 +138,7 @@ static void measure_arm(openhaptics_object *o, haptic_arm *a)
     o->hd.get_doublev(HD_CURRENT_VELOCITY, velocity);
     o->hd.get_doublev(HD_CURRENT_ANGULAR_VELOCITY, s->angular_velocity);
     o->hd.get_integerv(HD_CURRENT_BUTTONS, &buttons);
+    watch_transform(o, a, transform);
     millimetres_to_metres(transform + 12, s->position);
     millimetres_to_metres(velocity, s->velocity);
     store_orientation(transform, s->orientation);
@@ -142,7 +155,7 @@ static vbss_hardware_state hardware_state(const openhaptics_object *o, const hap
     if (o->tick < a->lost_until_tick) {
         return VBSS_HARDWARE_LOST;
     }
-    if (!a->is_calibrated) {
+    if (!a->is_calibrated || a->status.is_constant != 0) {
         return VBSS_HARDWARE_UNCALIBRATED;
     }
     return o->tick < a->refused_until_tick ? VBSS_HARDWARE_REFUSING : VBSS_HARDWARE_RUNNING;

@@ -234,12 +234,17 @@ void vbss_output_store_demand(output_state *s, const output_demand *demand)
     s->last_demand = sanitise_demand(demand);
 }
 
+void vbss_output_set_zero(output_state *s)
+{
+    s->force = s->torque = vec3_zero();
+    s->solenoid.is_on = false;
+}
+
 void vbss_output_latch_stop(output_state *s)
 {
     s->statistics.stops += s->is_stopped ? 0 : 1;
     s->is_stopped = true;
-    s->force = s->torque = vec3_zero();
-    s->solenoid.is_on = false;
+    vbss_output_set_zero(s);
 }
 
 /* ---- commands and results */

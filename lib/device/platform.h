@@ -19,9 +19,13 @@ typedef struct device_symbol {
     void *address; /* points to a function pointer */
 } device_symbol;
 
-/* Loads a library by path or file name. Returns NULL on failure, with the reason in `text`, which
- * has room for `room` bytes. */
-void *vbss_device_load_library(const char *name, char *text, size_t room);
+enum { DEVICE_LOAD_TEXT_BYTES = 192 };
+
+/* Loads the first of `count` libraries that can be loaded, by path or file name, and stores its name
+ * in `loaded`. Returns NULL on failure; `text`, which has room for `room` bytes, then names the
+ * libraries that are missing, or the one that a library needs and that is missing. */
+void *vbss_device_load_any(const char *const *names, size_t count, const char **loaded, char *text,
+                           size_t room);
 /* Releases the library, but keeps its code in memory: threads of the vendor may still run it. NULL
  * does nothing. */
 void vbss_device_unload_library(void *library);

@@ -44,6 +44,17 @@ static void handle_loss(device_object *d, uint32_t source)
                  s->text[0] == '\0' ? "no reason is given" : s->text);
 }
 
+static void handle_rate(device_object *d, uint32_t source, bool slow)
+{
+    device_source *s = &d->sources[source];
+    if (slow && !s->is_slow) {
+        d->events |= VBSS_DEVICE_EVENT_SLOW;
+        vbss_device_record_failure(d->context, s, VBSS_ERROR_DEVICE);
+        vbss_message(d->context, VBSS_LOG_WARNING, "%s is slow: %s", s->name, s->text);
+    }
+    s->is_slow = slow || (s->is_slow && s->read_failed);
+}
+
 /* A failed read can begin a loss or a fault, but cannot end one. */
 static void handle_flags(device_object *d, uint32_t source, uint32_t flags)
 {
@@ -63,8 +74,10 @@ static void handle_flags(device_object *d, uint32_t source, uint32_t flags)
     if (fault && !s->has_fault) {
         d->statistics.faults[source]++;
         d->events |= VBSS_DEVICE_EVENT_FAULT;
+        vbss_device_record_failure(d->context, s, VBSS_ERROR_DEVICE);
         warn(d, source, "refuses forces");
     }
+    handle_rate(d, source, (flags & VBSS_DEVICE_FLAG_SLOW) != 0);
     s->has_fault = fault || (s->has_fault && s->read_failed);
 }
 
@@ -128,8 +141,12 @@ static void accept_other_signals(device_object *d, const vbss_device_sample *sam
         d->temperature = sample->temperature;
     }
     if ((valid & VBSS_DEVICE_HAS_TOOL) != 0) {
-        d->events |= sample->tool != d->tool ? VBSS_DEVICE_EVENT_TOOL : 0u;
+        const bool is_other = sample->tool != d->tool;
+        d->events |= is_other ? VBSS_DEVICE_EVENT_TOOL : 0u;
         d->tool = sample->tool;
+        if (is_other && d->config.jaw_takeover != 0) {
+            vbss_device_hold_opening(d, vbss_device_reported_opening(d));
+        }
     }
     d->known_signals |=
         valid & (VBSS_DEVICE_HAS_BUTTONS | VBSS_DEVICE_HAS_TEMPERATURE | VBSS_DEVICE_HAS_TOOL);

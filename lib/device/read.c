@@ -111,13 +111,14 @@ static void fill_input(device_object *d, uint32_t buttons_before, vbss_device_in
     in->pressed = d->buttons & ~buttons_before;
     in->released = buttons_before & ~d->buttons;
     in->tool = d->tool;
-    in->jaw_closed = d->jaw.is_closed;
+    in->jaw_closed = vbss_device_reports_closed(d);
     in->clutched = d->is_clutched;
     in->stopped = d->output.is_stopped;
     in->time = d->pose_reading.time;
     in->age = d->pose_reading.age;
     in->jaw_age = d->opening_reading.age;
-    in->jaw = d->jaw.opening;
+    in->jaw = vbss_device_reported_opening(d);
+    in->jaw_held = d->takeover.is_waiting;
     in->jaw_raw = d->jaw_raw;
     in->temperature = d->temperature;
     fill_pose(d, in);
@@ -141,6 +142,7 @@ vbss_result vbss_device_read(vbss_device *device, double now, vbss_device_input 
         vbss_device_poll(d, i, now);
     }
     update_ages(d, now);
+    vbss_device_update_takeover(d);
     fill_input(d, buttons_before, &own);
     d->statistics.clamped_reads += d->pose_reading.is_known && own.clamped != 0 ? 1 : 0;
     return vbss_struct_write(d->context, &input_layout, &own, input, struct_size);

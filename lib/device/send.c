@@ -16,10 +16,21 @@ uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
     return d->write_failed ? VBSS_OUTPUT_NOT_WRITTEN : 0;
 }
 
-void vbss_device_latch_stop(device_object *d)
+static void send_zeros(device_object *d, uint32_t flags)
 {
     vbss_output_result zeros;
-    vbss_output_latch_stop(&d->output);
-    vbss_output_fill_result(&d->limits, &d->output, VBSS_OUTPUT_STOPPED, &zeros);
+    vbss_output_fill_result(&d->limits, &d->output, flags, &zeros);
     vbss_device_send(d, &zeros, NULL);
+}
+
+void vbss_device_latch_stop(device_object *d)
+{
+    vbss_output_latch_stop(&d->output);
+    send_zeros(d, VBSS_OUTPUT_STOPPED);
+}
+
+void vbss_device_switch_off(device_object *d)
+{
+    vbss_output_set_zero(&d->output);
+    send_zeros(d, VBSS_OUTPUT_COMMAND_STALE);
 }

@@ -40,6 +40,9 @@ static void visit_config(vbss_stream *stream, const device_object *d)
     for (uint32_t i = 0; i < d->source_count; i++) {
         vbss_stream_expect(stream, 3, d->sources[i].capabilities.outputs);
     }
+    if (c->jaw_takeover != 0) {
+        vbss_stream_expect(stream, 5, c->jaw_takeover);
+    }
     vbss_output_visit_config(stream, &d->limits);
 }
 
@@ -116,6 +119,17 @@ static void visit_jaw(vbss_stream *stream, device_jaw *jaw)
     }
 }
 
+static void visit_takeover(vbss_stream *stream, device_takeover *t)
+{
+    vbss_stream_bool(stream, 55, &t->is_waiting);
+    vbss_stream_bool(stream, 56, &t->has_side);
+    vbss_stream_bool(stream, 57, &t->is_above);
+    vbss_stream_f64(stream, 58, &t->opening, 1);
+    if (!(t->opening >= 0.0 && t->opening <= 1.0)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no jaws are that open");
+    }
+}
+
 static void visit_sample(vbss_stream *stream, device_object *d)
 {
     vbss_stream_u32(stream, 60, &d->known_signals, 1);
@@ -180,6 +194,9 @@ void vbss_device_serialise(vbss_stream *stream, void *object)
     visit_reading(stream, &d->opening_reading);
     visit_motion(stream, &d->motion);
     visit_jaw(stream, &d->jaw);
+    if (d->config.jaw_takeover != 0) {
+        visit_takeover(stream, &d->takeover);
+    }
     visit_sample(stream, d);
     vbss_output_visit_state(stream, &d->limits, &d->output);
     visit_figures(stream, &d->statistics);

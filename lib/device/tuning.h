@@ -22,6 +22,10 @@
  * Unit: s, absolute. Origin: chosen. Test: none known. */
 #define DEVICE_MAX_CLOCK_LEAD VBSS_TUNE(DEVICE_MAX_CLOCK_LEAD, 0.1)
 
+/* The host's clock has jumped, or the host was stopped, when two writes are this far apart.
+ * Unit: s, absolute. Origin: chosen. Test: device.hardware_table. */
+#define DEVICE_CLOCK_JUMP VBSS_TUNE(DEVICE_CLOCK_JUMP, 0.1)
+
 /* ---- Output (output_limiter.c, solenoid.c) */
 
 /* Longest time for which a force may rise in one step.
@@ -45,5 +49,35 @@
 /* An arm that refuses forces gets none for this time.
  * Unit: s, absolute. Origin: chosen. Test: none known. */
 #define DEVICE_REFUSED_TIME VBSS_TUNE(DEVICE_REFUSED_TIME, 1.0)
+/* An arm whose pose has not changed by a bit for this time counts as not calibrated.
+ * Unit: s, absolute. Origin: chosen, longer than a period of tremor. Test: device.hardware_table. */
+#define DEVICE_CONSTANT_POSE_TIME VBSS_TUNE(DEVICE_CONSTANT_POSE_TIME, 1.0)
+
+/* ---- NI-DAQmx (nidaqmx_recovery.c) */
+
+/* First timeout of a call, if the library chooses it.
+ * Unit: s, absolute. Origin: chosen, for a round within 10 ms. Test: device.hardware_table. */
+#define DEVICE_DAQ_FIRST_TIMEOUT VBSS_TUNE(DEVICE_DAQ_FIRST_TIMEOUT, 0.004)
+/* Longest timeout of a call, if the library chooses it.
+ * Unit: s, absolute. Origin: chosen, above the slowest devices known (24 ms). Test: device.hardware_table. */
+#define DEVICE_DAQ_LONGEST_TIMEOUT VBSS_TUNE(DEVICE_DAQ_LONGEST_TIMEOUT, 0.064)
+/* Quick calls in a row after which the timeout is shortened.
+ * Unit: calls. Origin: chosen. Test: none known. */
+#define DEVICE_DAQ_QUICK_CALLS VBSS_TUNE(DEVICE_DAQ_QUICK_CALLS, 1000)
+/* Time between two attempts to open the lines again.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define DEVICE_DAQ_REOPEN_INTERVAL VBSS_TUNE(DEVICE_DAQ_REOPEN_INTERVAL, 0.05)
+/* A device that cannot be opened again for this time is lost.
+ * Unit: s, absolute. Origin: chosen, for a device that enumerates again. Test: device.hardware_table. */
+#define DEVICE_DAQ_GRACE_TIME VBSS_TUNE(DEVICE_DAQ_GRACE_TIME, 1.0)
+/* Slow lines are fast again when their rounds are shorter than this part of the limit.
+ * Unit: 1, relative. Origin: chosen. Test: none known. */
+#define DEVICE_DAQ_RATE_HYSTERESIS VBSS_TUNE(DEVICE_DAQ_RATE_HYSTERESIS, 0.8)
+
+/* ---- Handles (takeover.c) */
+
+/* A handle that is this near takes over the jaws: two steps of an 11-bit converter.
+ * Unit: 1, relative to the range of the handle. Origin: chosen. Test: device.takeover. */
+#define DEVICE_TAKEOVER_DISTANCE VBSS_TUNE(DEVICE_TAKEOVER_DISTANCE, 0.04)
 
 #endif

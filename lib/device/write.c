@@ -84,6 +84,17 @@ static void couple_demand(const device_object *d, vbss_device_coupling *c, outpu
                         : vec3_load(c->force);
 }
 
+/* Whether outputs are off because the clock has jumped, or the host was stopped: the time for which
+ * the last force was out is unknown. They stay off for as long as a command lasts, so that each
+ * adapter finds out. */
+static bool is_after_jump(device_object *d, double h)
+{
+    if (h > DEVICE_CLOCK_JUMP) {
+        d->off_until = d->now + d->limits.command_timeout + d->limits.ramp_time;
+    }
+    return d->now < d->off_until;
+}
+
 static vbss_result write_output(device_object *d, double now, const vbss_output_command *command,
                                 vbss_device_coupling *coupling, vbss_output_result *result,
                                 uint32_t struct_size)
@@ -105,6 +116,9 @@ static vbss_result write_output(device_object *d, double now, const vbss_output_
     d->statistics.writes++;
     vbss_output_store_demand(&d->output, &demand);
     demand = complete_demand(d, demand);
+    if (is_after_jump(d, h)) {
+        demand.age = OUTPUT_NEVER;
+    }
     uint32_t flags = vbss_output_advance(&d->limits, &d->output, h, &demand);
     vbss_output_fill_result(&d->limits, &d->output, flags, &own);
     bool coupled = coupling != NULL && (flags & COUPLING_OFF_FLAGS) == 0 && !d->is_clutched &&

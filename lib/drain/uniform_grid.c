@@ -1,6 +1,7 @@
 /* Uniform grids: meshes of equal cells, for validation and for the baseline method. */
 #include "base/check.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/pi.h"
 #include "drain/mesh.h"
 #include "drain/tuning.h"
@@ -22,7 +23,8 @@ static vbss_result check_line(vbss_context *context, double cells, uint32_t line
     return fabs(cells - line) <= DRAIN_LINE_TOLERANCE
                ? VBSS_OK
                : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
-                           "%s is %.9g cells: no line of equal cells is there", name, cells);
+                           "%s is %s cells: no line of equal cells is there", name,
+                           vbss_format_number(cells, 9).text);
 }
 
 static vbss_result check_uniform(vbss_context *context, const drain_mesh_options *o)

@@ -52,7 +52,7 @@ static vbss_view numbers(const uint32_t *data, uint64_t count)
     return view;
 }
 
-static vbss_result look(drain_object *d, vbss_drain_field field, vbss_view *view)
+static vbss_result get_field(drain_object *d, vbss_drain_field field, vbss_view *view)
 {
     const drain_mesh *m = &d->mesh;
     switch (field) {
@@ -102,7 +102,7 @@ vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field field, vbss_
     drain_object *d;
     vbss_view own;
     VBSS_TRY(vbss_drain_open(drain, &d));
-    VBSS_TRY(look(d, field, &own));
+    VBSS_TRY(get_field(d, field, &own));
     own.generation = d->generation;
     return vbss_struct_write(d->context, &vbss_view_layout, &own, view, struct_size);
 }

@@ -10,8 +10,9 @@ bool vbss_grasper_apply_trocar(const grasper_object *g, pose commanded, pose *ta
     }
     vec3 direction = vec3_sub(vec3_load(g->config.trocar), commanded.position);
     double distance = vec3_norm(direction);
+    double min_distance = GRASPER_MIN_TROCAR_RATIO * vbss_grasper_current_jaws(g)->length;
     double aside = vbss_grasper_bend_point(g).y, reach = fabs(aside);
-    if (!(distance > reach * (1.0 + 1e-9)) || !(distance > GRASPER_MIN_TROCAR_DISTANCE)) {
+    if (!(distance > reach * (1.0 + 1e-9)) || !(distance > min_distance)) {
         return false;
     }
     /* Bent jaws put the axis of the shaft beside the tip. This is the point of the axis at the

@@ -3,8 +3,7 @@
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
  * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
  * five of the bench tuning (docs/notebook/tuning.md).
- * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
- * whose threads or steps are not the defaults. */
+ * That page says why a number stays absolute. */
 #ifndef VBSS_GRASPER_TUNING_H
 #define VBSS_GRASPER_TUNING_H
 
@@ -16,8 +15,8 @@
  * Unit: 1, relative to the radius of the jaws. Origin: chosen. Test: none known. */
 #define GRASPER_MAX_OFFSET_RATIO VBSS_TUNE(GRASPER_MAX_OFFSET_RATIO, 0.5)
 /* A tip nearer to its trocar defines no shaft direction.
- * Unit: m, absolute. Origin: chosen. Test: none known. */
-#define GRASPER_MIN_TROCAR_DISTANCE VBSS_TUNE(GRASPER_MIN_TROCAR_DISTANCE, 1e-12)
+ * Unit: 1, relative to the length of the jaws. Origin: chosen. Test: none known. */
+#define GRASPER_MIN_TROCAR_RATIO VBSS_TUNE(GRASPER_MIN_TROCAR_RATIO, 1e-10)
 
 /* ---- Clamps (thread_clamp.c, needle_clamp.c) */
 

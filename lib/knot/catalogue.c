@@ -7,13 +7,13 @@
  * at X_TRISTRAM y + z. These three equations have one solution, so the invariants distinguish all
  * sums. */
 #include "knot/knot.h"
+#include "knot/prime_field.h"
 
-/* The prime that determinants are computed by: what is known of those from 2^30 on is the remainder. */
-#define PRIME 2147483647
+#include <string.h>
 
-/* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.911) / pi = 0.27062320040. No odd / (2 k + 1) with k below 2048 is nearer than
- * 1e-7. */
-#define TRISTRAM_1E9 270623200
+/* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.9114) / pi = 0.27000506897. No odd / (2 k + 1) with k below
+ * 2048 is nearer than 9e-8. */
+#define TRISTRAM_1E9 270005069
 
 enum { MAX_WRAPS = 3 };
 
@@ -46,20 +46,20 @@ knot_invariants vbss_knot_invariants_of(const knot_factors *factors)
     return sum;
 }
 
-/* The determinant as determinant.c can compute it. */
+/* The determinant as determinant.c computes it: from 2^30 on only its remainder is known. */
 static int64_t reduce_determinant(int64_t determinant)
 {
-    int64_t rest = determinant % PRIME;
-    return rest > PRIME / 2 ? PRIME - rest : rest;
+    const int64_t prime = FIELD_PRIME, rest = determinant % prime;
+    return rest > prime / 2 ? prime - rest : rest;
 }
 
-/* Unknown invariants never count as equal. */
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b)
 {
     return a.known && b.known &&
            reduce_determinant(a.determinant) == reduce_determinant(b.determinant) && a.v2 == b.v2 &&
            a.v3 == b.v3 && a.signature == b.signature &&
-           a.signature_tristram == b.signature_tristram;
+           a.signature_tristram == b.signature_tristram &&
+           (!a.jones_known || !b.jones_known || memcmp(a.jones, b.jones, sizeof a.jones) == 0);
 }
 
 /* ---- inverse */

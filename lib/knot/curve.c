@@ -83,11 +83,11 @@ static void compute(knot_curve *curve, knot_ops *budget)
         vbss_knot_vassiliev(code, &v->v2, &v->v3, budget);
         return;
     case 2:
-        v->known =
-            vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_1000, &v->signature, budget);
+        v->known = vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_10000, &v->signature,
+                                       budget);
         return;
     case 3:
-        v->known = v->known && vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_1000,
+        v->known = v->known && vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_10000,
                                                    &v->signature_tristram, budget);
         return;
     default:
@@ -99,10 +99,33 @@ static void compute(knot_curve *curve, knot_ops *budget)
         bool same = vbss_knot_invariants_same(vbss_knot_invariants_of(&r->factors), *v);
         r->throws = same;
         end_reading(curve, same ? VBSS_KNOT_REASON_NONE : VBSS_KNOT_REASON_CONFLICT);
+    } else if (vbss_knot_match(*v, &r->factors)) {
+        vbss_knot_jones_begin(&curve->bracket, code, budget);
+        curve->stage = KNOT_CURVE_CONFIRM;
     } else {
-        r->throws = vbss_knot_match(*v, &r->factors);
         end_reading(curve, VBSS_KNOT_REASON_NONE);
     }
+}
+
+/* Other knots can have the determinant, signatures, v2 and v3 of throws, or of the unknot. The Jones
+ * polynomial distinguishes all that are known. */
+static void confirm(knot_curve *curve, knot_ops *budget)
+{
+    knot_reading *r = &curve->reading;
+    if (!vbss_knot_bracket_resume(&curve->bracket, budget)) {
+        return;
+    }
+    if (!vbss_knot_jones_end(&curve->bracket, &r->invariants)) {
+        end_reading(curve, VBSS_KNOT_REASON_CAPACITY);
+        return;
+    }
+    knot_invariants sum = vbss_knot_invariants_of(&r->factors);
+    vbss_knot_jones_of(&r->factors, &sum);
+    r->throws = vbss_knot_invariants_same(sum, r->invariants);
+    if (!r->throws) {
+        r->factors = (knot_factors){.count = 0};
+    }
+    end_reading(curve, VBSS_KNOT_REASON_NONE);
 }
 
 static void finish_projecting(knot_curve *curve)
@@ -149,6 +172,9 @@ bool vbss_knot_curve_resume(knot_curve *curve, knot_ops *budget)
         case KNOT_CURVE_COMPUTE:
             compute(curve, budget);
             break;
+        case KNOT_CURVE_CONFIRM:
+            confirm(curve, budget);
+            break;
         case KNOT_CURVE_READ:
             break;
         }
@@ -169,6 +195,12 @@ static bool same_throws(const knot_factors *a, const knot_factors *b)
     return same;
 }
 
+/* Whether only the Jones polynomial distinguishes the curve from throws, or from the unknot. */
+static bool is_refuted(const knot_reading *r)
+{
+    return r->invariants.jones_known && !r->throws;
+}
+
 bool vbss_knot_readings_agree(const knot_reading *a, const knot_reading *b)
 {
     if (a->reason != VBSS_KNOT_REASON_NONE || b->reason != VBSS_KNOT_REASON_NONE) {
@@ -177,5 +209,6 @@ bool vbss_knot_readings_agree(const knot_reading *a, const knot_reading *b)
     if (a->certified && b->certified) {
         return same_throws(&a->factors, &b->factors);
     }
-    return vbss_knot_invariants_same(a->invariants, b->invariants);
+    return is_refuted(a) == is_refuted(b) &&
+           vbss_knot_invariants_same(a->invariants, b->invariants);
 }

@@ -4,8 +4,8 @@
  * step. A reading of the topology is a job (job.c) on a copy: core.c reduces the thread once with all that
  * its ends will be closed by as obstacles, closure.c closes it this way and that, and curve.c reads one closed curve:
  * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, gauss_code.c and untangle.c
- * simplify it, twist_regions.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
- * invariants, catalogue.c compares. throw_locator.c finds where the throws lie (throw_places.c, sub_chains.c), classification.c makes of it
+ * simplify it, twist_regions.c takes it apart into torus knots, determinant.c, signature.c, vassiliev.c and jones.c
+ * (kauffman_bracket.c) compute invariants, catalogue.c compares. throw_locator.c finds where the throws lie (throw_places.c, sub_chains.c), classification.c makes of it
  * what hosts see, topology_method.c starts and continues readings, detector.c
  * is the step. Method PROJECTION is in lib/baseline. */
 #ifndef VBSS_KNOT_KNOT_H
@@ -188,21 +188,85 @@ void vbss_knot_algebra_arrays(knot_algebra *a, uint32_t capacity,
 int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_gauss_code *code, knot_ops *budget);
 /* Levine-Tristram signature at theta = 2 acos(x) (signature.c), by Kashaev's matrix. Two
  * factorisations prove its inertia, with shifts that exceed the effect of rounding on an
- * eigenvalue. Returns false if that fails. KNOT_X_ORDINARY_1000 gives the ordinary signature, at
+ * eigenvalue. Returns false if that fails. KNOT_X_ORDINARY_10000 gives the ordinary signature, at
  * -1. */
-#define KNOT_X_TRISTRAM_1000 911 /* chosen: theta = 0.2704 pi, between pi/5 and 3 pi/11 */
-#define KNOT_X_ORDINARY_1000 0
-bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_1000,
+#define KNOT_X_TRISTRAM_10000 9114 /* chosen: theta = 0.27000 pi, between pi/5 and 3 pi/11 */
+#define KNOT_X_ORDINARY_10000 0
+bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_10000,
                          int32_t *signature, knot_ops *budget);
 /* Vassiliev invariants v2 and v3 by Gauss diagram formulas (vassiliev.c); both are 1 for the
  * right-handed 3_1. */
 void vbss_knot_vassiliev(const knot_gauss_code *code, int64_t *v2, int64_t *v3, knot_ops *budget);
 
+/* The Kauffman bracket of a code, at elements A of the field of integers modulo 2^31 - 1
+ * (kauffman_bracket.c). */
+enum {
+    KNOT_JONES_POINTS = 4,
+    KNOT_CROSSING_ARCS = 4,
+    KNOT_SMOOTHINGS = 2,
+    KNOT_SMOOTHING_LOOPS = 3, /* a smoothing closes at most two loops */
+    KNOT_BRACKET_ARRAYS = 5,
+    KNOT_BRACKET_ENDS = 20,      /* capacity: 16 open arcs, and those of the crossing under way */
+    KNOT_BRACKET_PAIRINGS = 1430 /* capacity: Catalan(8), the planar pairings of 16 ends */
+};
+
+typedef struct knot_bracket_crossing {
+    uint16_t arcs[KNOT_CROSSING_ARCS]; /* over strand: in, out; under strand: in, out */
+    int8_t sign;
+    bool is_swept;
+} knot_bracket_crossing;
+
+/* A pairing of the ends of open arcs, and the sum over all states of the swept crossings with it. */
+typedef struct knot_bracket_pairing {
+    uint8_t mate[KNOT_BRACKET_ENDS]; /* the other end of the pair; 0 for an unused end */
+    uint32_t value[KNOT_JONES_POINTS];
+} knot_bracket_pairing;
+
+/* The change by one crossing. */
+typedef struct knot_bracket_addition {
+    uint8_t ends[KNOT_CROSSING_ARCS];
+    bool opens[KNOT_CROSSING_ARCS];  /* the arc is not open before */
+    bool closes[KNOT_CROSSING_ARCS]; /* the arc is not open afterwards */
+    /* by smoothing, and by the number of loops that it closes */
+    uint32_t factors[KNOT_SMOOTHINGS][KNOT_SMOOTHING_LOOPS][KNOT_JONES_POINTS];
+} knot_bracket_addition;
+
+typedef struct knot_bracket {
+    uint32_t crossing_capacity;
+    uint32_t a[KNOT_JONES_POINTS], inverse_a[KNOT_JONES_POINTS]; /* A and 1 / A */
+    uint32_t loop[KNOT_JONES_POINTS];                            /* -A^2 - A^-2 */
+    uint32_t crossing_count, swept_count, pairing_count;
+    knot_bracket_crossing *crossing; /* the crossing under way; NULL: none */
+    knot_bracket_addition addition;  /* of that crossing */
+    uint32_t cursor, old_count;      /* next pairing without that crossing; number of these */
+    knot_bracket_crossing *crossings;
+    uint8_t *ends; /* arc -> its end; KNOT_BRACKET_ENDS if the arc is not open */
+    bool is_end_used[KNOT_BRACKET_ENDS];
+    bool is_full; /* more open arcs or pairings than the capacity: there is no result */
+    knot_bracket_pairing *pairings, *next_pairings;
+    uint16_t *index; /* hash table of `next_pairings` */
+} knot_bracket;
+void vbss_knot_bracket_arrays(knot_bracket *b, uint32_t crossing_capacity,
+                              vbss_array arrays[KNOT_BRACKET_ARRAYS]);
+/* Starts the sweep over a code of 1 to crossing_capacity crossings. */
+void vbss_knot_bracket_begin(knot_bracket *b, const knot_gauss_code *code,
+                             const uint32_t a[KNOT_JONES_POINTS]);
+/* Returns true when the sweep is done or full. The bracket is then the value of the only pairing; a
+ * loop without crossings has the bracket `loop`. */
+bool vbss_knot_bracket_resume(knot_bracket *b, knot_ops *budget);
+
 typedef struct knot_invariants {
     int64_t determinant, v2, v3;
     int32_t signature, signature_tristram;
-    bool known; /* false if a signature could not be determined */
+    uint32_t jones[KNOT_JONES_POINTS]; /* values of the Jones polynomial */
+    bool known;                        /* false if a signature could not be determined */
+    bool jones_known;                  /* false if the Jones polynomial was not computed */
 } knot_invariants;
+
+/* Values of the Jones polynomial (jones.c): starts the sweep for a code with crossings. */
+void vbss_knot_jones_begin(knot_bracket *b, const knot_gauss_code *code, knot_ops *budget);
+/* Stores the values after the sweep. Returns false if the diagram did not fit the bracket. */
+bool vbss_knot_jones_end(const knot_bracket *b, knot_invariants *invariants);
 
 /* ---- decomposition of a code (twist_regions.c), and sums with given invariants (catalogue.c) */
 
@@ -223,8 +287,12 @@ typedef struct knot_factors {
  * point at infinity, so the inside is defined. */
 bool vbss_knot_decompose(const knot_gauss_code *code, knot_factors *factors);
 
-/* Invariants of a connected sum of throws. */
+/* Invariants of a connected sum of throws, all but the Jones polynomial. */
 knot_invariants vbss_knot_invariants_of(const knot_factors *factors);
+/* Adds the values of the Jones polynomial of that sum (jones.c). */
+void vbss_knot_jones_of(const knot_factors *factors, knot_invariants *invariants);
+/* The Jones polynomials are compared only if both are known. Other unknown invariants are never
+ * the same. */
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b);
 /* Finds the only sum of at most KNOT_THROWS throws of at most three wraps that has these
  * invariants. Returns false if there is none. */
@@ -275,6 +343,7 @@ typedef enum knot_curve_stage {
     KNOT_CURVE_PROJECT,
     KNOT_CURVE_UNTANGLE,
     KNOT_CURVE_COMPUTE,
+    KNOT_CURVE_CONFIRM, /* by the Jones polynomial: the other invariants are those of throws */
     KNOT_CURVE_READ
 } knot_curve_stage;
 
@@ -286,6 +355,7 @@ typedef struct knot_curve {
     knot_projector projector;
     knot_gauss_code codes[KNOT_CODES]; /* the present one, the best so far, and a spare one */
     knot_algebra algebra;
+    knot_bracket bracket;
     knot_curve_stage stage;
     bool checked; /* compute invariants even if the curve is certified */
     bool overflowed, has_best;

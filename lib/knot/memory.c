@@ -6,7 +6,8 @@
 
 enum {
     ARRAY_COUNT = 6 + 2 + 2 * (3 + KNOT_REDUCTION_ARRAYS) + KNOT_PROJECTOR_ARRAYS +
-                  KNOT_CODES * KNOT_GAUSS_CODE_ARRAYS + KNOT_ALGEBRA_ARRAYS + 1 + 3
+                  KNOT_CODES * KNOT_GAUSS_CODE_ARRAYS + KNOT_ALGEBRA_ARRAYS + KNOT_BRACKET_ARRAYS +
+                  1 + 3
 };
 
 static uint32_t list_input_arrays(knot_input *input, const vbss_knot_config *c, vbss_array *arrays)
@@ -50,6 +51,8 @@ static uint32_t list_arrays(knot_detector *d, vbss_array arrays[ARRAY_COUNT])
     }
     vbss_knot_algebra_arrays(&curve->algebra, c->crossing_capacity / 4, arrays + n);
     n += KNOT_ALGEBRA_ARRAYS;
+    vbss_knot_bracket_arrays(&curve->bracket, c->crossing_capacity / 4, arrays + n);
+    n += KNOT_BRACKET_ARRAYS;
     arrays[n++] = (vbss_array){&core->obstacles, KNOT_OBSTACLES, sizeof *core->obstacles};
     n += list_polygon_arrays(&d->job.locator.polygon, vertices, arrays + n);
     return n;

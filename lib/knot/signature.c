@@ -8,7 +8,7 @@
  * faces across the curve obey next = -2 x this - previous, and the values on these two faces
  * determine all others. The rest is singular only where Delta(t) = 0, 4 - 4 x^2 = 2 - t - 1/t.
  * Conway's polynomial is integral with constant term 1, so its rational roots are 1/k and -1/k, and
- * -(4 - 4 x^2) is not such a number for any x below 1 in thousandths.
+ * -(4 - 4 x^2) is not such a number for any x below 1 in ten-thousandths.
  *
  * The numbers of positive and negative eigenvalues are proved. The matrix is factorised twice,
  * shifted down and up by more than rounding can move an eigenvalue. The first gives a lower bound
@@ -265,7 +265,7 @@ static bool count_signs(form *f, uint32_t *positive, uint32_t *negative)
     return f->largest <= LARGEST_ENTRY;
 }
 
-bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_1000,
+bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_10000,
                          int32_t *signature, knot_ops *budget)
 {
     uint32_t n = code->n, positive = 0, negative = 0, rest = 0;
@@ -278,7 +278,7 @@ bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uin
     if (!vbss_knot_find_faces(algebra, code, &faces)) {
         return false;
     }
-    double x = (double)x_1000 / 1000.0, shift = SHIFT_BY_SQUARE_OF_ROWS * n * n;
+    double x = (double)x_10000 / 10000.0, shift = SHIFT_BY_SQUARE_OF_ROWS * n * n;
     form f = form_in(algebra, n);
     number_rows(&f, algebra->index);
     fill(&f, code, algebra->index, x, -shift);

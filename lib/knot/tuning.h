@@ -3,8 +3,7 @@
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
  * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
  * five of the bench tuning (docs/notebook/tuning.md).
- * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
- * whose threads or steps are not the defaults. */
+ * That page says why a number stays absolute. */
 #ifndef VBSS_KNOT_TUNING_H
 #define VBSS_KNOT_TUNING_H
 

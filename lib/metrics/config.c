@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "metrics/metrics.h"
 
-_Static_assert(sizeof(vbss_metrics_config) == 176, "published size");
+_Static_assert(sizeof(vbss_metrics_config) == 192, "published size");
 
 static const vbss_metrics_config defaults = {
     .struct_size = sizeof(vbss_metrics_config),
@@ -26,8 +26,10 @@ static const vbss_metrics_config defaults = {
     .weight_gap = 10.0,
     .weight_tightness = 1.0,
     .weight_host = 1.0,
+    .max_speed = 2.0, /* of a hand: ISO 13855 */
+    .lost_share = 0.02,
 };
-static const uint32_t config_sizes[] = {176, 0};
+static const uint32_t config_sizes[] = {176, 192, 0};
 static const vbss_layout config_layout = {"vbss_metrics_config", &defaults, config_sizes};
 
 vbss_result vbss_metrics_config_init(vbss_metrics_config *config, uint32_t struct_size)
@@ -65,6 +67,8 @@ static vbss_result check_config(vbss_context *context, const vbss_metrics_config
         {"weight_drop", c->weight_drop, 0.0, 1e6},
         {"weight_transfer", c->weight_transfer, 0.0, 1e6},
         {"weight_host", c->weight_host, 0.0, 1e6},
+        {"max_speed", c->max_speed, 0.0, 1e6},
+        {"lost_share", c->lost_share, 0.0, 1.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

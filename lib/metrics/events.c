@@ -104,13 +104,14 @@ static metrics_entry make_entry(const metrics_object *m, const vbss_metrics_even
 {
     metrics_entry entry = {.kind = e->kind,
                            .number = e->number,
-                           .standing = 1,
+                           .is_active = 1,
                            .tool = e->tool,
                            .wraps = e->wraps,
                            .handedness = e->handedness,
                            .relation = e->relation,
                            .step = e->step,
                            .time = e->time,
+                           .time_lost = m->time_lost,
                            .position = vec3_load(e->position),
                            .force = vec3_load(e->force)};
     entry.value[0] = e->amount;
@@ -130,7 +131,7 @@ static vbss_result fail_full(const metrics_object *m, const char *what, uint32_t
     return vbss_fail(m->context, VBSS_ERROR_CAPACITY, "there is room for %u %s", capacity, what);
 }
 
-static vbss_result fail_not_standing(const metrics_object *m, const vbss_metrics_event *e)
+static vbss_result fail_inactive(const metrics_object *m, const vbss_metrics_event *e)
 {
     return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
                      "event %d with number %u is undone, but does not stand", e->kind, e->number);
@@ -154,24 +155,24 @@ static vbss_result set_fact(metrics_object *m, metrics_fact first, const vbss_me
         *fact = entry;
         return VBSS_OK;
     }
-    if (!fact->standing) {
-        return fail_not_standing(m, e);
+    if (!fact->is_active) {
+        return fail_inactive(m, e);
     }
     if (e->kind == VBSS_METRICS_EVENT_PUNCTURE) {
         entry.value[0] = fact->value[0]; /* deviation of the attempt */
         VBSS_TRY(add_incident(m, &entry));
     }
-    fact->standing = 0;
+    fact->is_active = 0;
     return VBSS_OK;
 }
 
 /* The youngest valid entry, or NULL. */
-static metrics_entry *find_standing(metrics_entry *entries, uint32_t count,
-                                    vbss_metrics_event_kind kind, uint32_t number)
+static metrics_entry *find_active_entry(metrics_entry *entries, uint32_t count,
+                                        vbss_metrics_event_kind kind, uint32_t number)
 {
     for (uint32_t i = count; i-- > 0;) {
         metrics_entry *entry = &entries[i];
-        if (entry->standing && entry->kind == kind && entry->number == number) {
+        if (entry->is_active && entry->kind == kind && entry->number == number) {
             return entry;
         }
     }
@@ -182,9 +183,9 @@ static vbss_result undo_entry(const metrics_object *m, metrics_entry *entry,
                               const vbss_metrics_event *e)
 {
     if (entry == NULL) {
-        return fail_not_standing(m, e);
+        return fail_inactive(m, e);
     }
-    entry->standing = 0;
+    entry->is_active = 0;
     entry->undone_time = e->time;
     return VBSS_OK;
 }
@@ -192,7 +193,7 @@ static vbss_result undo_entry(const metrics_object *m, metrics_entry *entry,
 /* A repeated event for a valid throw updates it; the time of the first event stays. */
 static vbss_result set_throw(metrics_object *m, const vbss_metrics_event *e)
 {
-    metrics_entry *existing = find_standing(m->throws, m->throw_count, e->kind, e->number);
+    metrics_entry *existing = find_active_entry(m->throws, m->throw_count, e->kind, e->number);
     if (e->undone != 0) {
         return undo_entry(m, existing, e);
     }
@@ -232,7 +233,8 @@ static vbss_result store_event(metrics_object *m, const vbss_metrics_event *e)
         return set_throw(m, e);
     }
     if (e->undone != 0) {
-        return undo_entry(m, find_standing(m->incidents, m->incident_count, e->kind, e->number), e);
+        return undo_entry(m, find_active_entry(m->incidents, m->incident_count, e->kind, e->number),
+                          e);
     }
     metrics_entry entry = make_entry(m, e);
     return add_incident(m, &entry);

@@ -8,12 +8,11 @@
 
 /* ---- memory: one table lists all arrays */
 
-enum { HAND_ARRAYS = 7, ARRAY_COUNT = METRICS_HANDS * HAND_ARRAYS + 5 };
+enum { HAND_ARRAYS = 6, ARRAY_COUNT = METRICS_HANDS * HAND_ARRAYS + 5 };
 
 static void list_hand_arrays(metrics_hand *h, size_t ticks, vbss_array *arrays)
 {
     const vbss_array own[HAND_ARRAYS] = {{&h->ring, METRICS_RING_SIZE, sizeof *h->ring},
-                                         {&h->ring_seen, METRICS_RING_SIZE, sizeof *h->ring_seen},
                                          {&h->speed, ticks, sizeof *h->speed},
                                          {&h->jerk, ticks, sizeof *h->jerk},
                                          {&h->seen, ticks, sizeof *h->seen},
@@ -49,7 +48,7 @@ static void free_metrics(vbss_context *context, void *object)
     vbss_release(context, m, 1, sizeof *m);
 }
 
-const vbss_kind vbss_metrics_kind = {"metrics", VBSS_CODE('M', 'E', 'T', 'R'), 1, free_metrics,
+const vbss_kind vbss_metrics_kind = {"metrics", VBSS_CODE('M', 'E', 'T', 'R'), 2, free_metrics,
                                      vbss_metrics_serialise};
 
 static vbss_result allocate_metrics(vbss_context *context, const vbss_metrics_config *config,

@@ -1,8 +1,8 @@
 /* Private interface of measurements, for the files of lib/metrics. It depends on lib/base only.
  *
  * config.c checks configurations; metrics.c creates and destroys measurements; samples.c, events.c
- * and pull_test.c take the host's input. Motion is processed in stages: samples -> smoothing.c (a
- * finely sampled, filtered curve) -> tracks.c (ticks of both tools) -> motion.c and spectrum.c
+ * and pull_test.c take the host's input. Motion is processed in stages: samples -> outliers.c -> tracks.c (ticks
+ * of both tools, by smoothing.c and, near the ends of a run, run_ends.c) -> motion.c and spectrum.c
  * (metrics of a window of ticks). penalties.c and report.c compute the results; snapshot.c saves
  * measurements. */
 #ifndef VBSS_METRICS_METRICS_H
@@ -44,17 +44,20 @@ typedef struct metrics_kernel {
 
 /* One tool: its last samples and its ticks. */
 typedef struct metrics_hand {
-    /* number of the last uninterrupted samples below, at most 3, the newest last */
+    /* number of the last points of the run below, at most 3, the newest last; a point is a sample
+     * that is no outlier */
     uint32_t point_count;
     double time[3];
     vec3 position[3];
-    /* continuous position minus true position: the sum of the jumps while the tool was not seen,
-     * m */
-    vec3 offset;
+    uint64_t run_start;   /* index of the first fine sample of the run */
     uint64_t next_fine;   /* index of the next fine sample */
     uint32_t still_count; /* number of equal fine samples in a row, at most METRICS_RING_SIZE */
     vec3 *ring;           /* ring buffer of the last fine samples */
-    uint8_t *ring_seen;   /* ring buffer: whether the tool was seen then */
+    uint32_t has_outlier; /* the last sample was an outlier, with this time and position */
+    double outlier_time;
+    vec3 outlier;
+    uint64_t outlier_count; /* samples that were left out */
+    uint32_t jump_count;    /* runs that ended because outliers lasted */
     uint32_t has_force;
     double force_time, force; /* time and magnitude of the last force, s and N */
     uint32_t tick_count, force_count;
@@ -83,10 +86,11 @@ typedef enum metrics_fact {
  * kind PUNCTURE among the incidents: an attempt. */
 typedef struct metrics_entry {
     vbss_metrics_event_kind kind;
-    uint32_t number, standing; /* standing: not undone */
+    uint32_t number, is_active; /* is_active: 0 once the event is undone */
     int32_t tool, wraps, handedness, relation;
     uint64_t step;
     double time, undone_time;
+    double time_lost; /* metrics_object.time_lost when it arrived */
     /* deviation, mm; tail length, m; gap and largest gap, mm; or penalty points */
     double value[2];
     vec3 position, force;
@@ -119,6 +123,7 @@ typedef struct metrics_object {
     uint32_t has_time, has_sample, is_finished;
     double origin_time;            /* time of the first sample, s */
     double sample_time, last_time; /* times of the last sample and of the last input, s */
+    double time_lost;              /* simulated time lost in all, as the last sample says, s */
     uint64_t last_step;            /* step of the last input */
     metrics_entry facts[METRICS_FACT_COUNT];
     metrics_entry *throws, *incidents;
@@ -161,6 +166,16 @@ vec3 vbss_metrics_segment_at(const metrics_segment *segment, double time);
 /* Velocity at the middle one of three samples, m/s. */
 vec3 vbss_metrics_middle_velocity(const double time[3], const vec3 position[3]);
 
+/* Speed, m/s, and squared jerk, m^2/s^6, at a fine sample of the run that is less than
+ * METRICS_KERNEL_HALF_WIDTH from one of its ends (run_ends.c). */
+void vbss_metrics_differentiate_end(const metrics_hand *h, uint64_t centre, double *speed,
+                                    double *jerk);
+
+/* Whether a sample is an outlier of the run; counts an outlier (outliers.c). */
+bool vbss_metrics_is_outlier(const vbss_metrics_config *config, const metrics_hand *h, double time,
+                             vec3 position);
+void vbss_metrics_keep_outlier(metrics_hand *h, double time, vec3 position);
+
 /* Tracks of the tools (tracks.c) */
 void vbss_metrics_track_position(metrics_object *m, uint32_t hand, double time, vec3 position);
 void vbss_metrics_track_force(metrics_object *m, uint32_t hand, double time, double force);
@@ -186,7 +201,13 @@ vbss_metrics_tightness vbss_metrics_tightness_by_strain(const metrics_pull *pull
 /* time at which both tails were cut, or the time of the last input */
 double vbss_metrics_stop_time(const metrics_object *m);
 bool vbss_metrics_is_stopped(const metrics_object *m);
-double vbss_metrics_task_time(const metrics_object *m); /* duration of the task, s */
+double vbss_metrics_task_time(const metrics_object *m);      /* duration of the task, s */
+double vbss_metrics_task_time_lost(const metrics_object *m); /* of it, simulated time lost, s */
+/* Whether more than a share of a time was lost. Sessions use it, too. */
+static inline bool vbss_metrics_is_time_lost(double lost, double time, double share)
+{
+    return lost > share * vbss_max(time, METRICS_LOST_TIME_WINDOW);
+}
 
 typedef struct metrics_score {
     double score, penalties;

@@ -29,7 +29,7 @@ static vbss_result find_window(const metrics_object *m, int32_t phase, tick_wind
     const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
     if (phase >= 0) {
         begin = vbss_metrics_tick_from(m, m->phases[phase].start_time);
-    } else if (appeared->standing) {
+    } else if (appeared->is_active) {
         begin = vbss_metrics_tick_from(m, appeared->time);
     }
     if (phase >= 0 && (uint32_t)phase + 1 < m->phase_count) {
@@ -47,6 +47,18 @@ static tick_window clip_window(tick_window w, uint32_t count)
     w.end = w.end < count ? w.end : count;
     w.begin = w.begin < w.end ? w.begin : w.end;
     return w;
+}
+
+/* Integrals are sums by the trapezoidal rule over the intervals between ticks. An interval belongs
+ * to the window of its first tick; it was seen if both ticks were. */
+static uint32_t interval_count(const metrics_hand *h, tick_window w)
+{
+    return w.end > w.begin && w.end == h->tick_count ? w.end - w.begin - 1 : w.end - w.begin;
+}
+
+static bool is_interval_seen(const metrics_hand *h, uint32_t tick)
+{
+    return tick + 1 < h->tick_count && h->seen[tick] != 0 && h->seen[tick + 1] != 0;
 }
 
 /* ---- rest, with hysteresis; a window starts at rest if its first tick is slow */
@@ -69,14 +81,16 @@ static void add_kinematics(const metrics_object *m, const metrics_hand *h, tick_
             continue;
         }
         is_rested = is_resting(&m->config, h->speed[i], is_rested);
-        seen++;
-        idle += is_rested ? 1u : 0u;
-        length += h->speed[i];
-        roughness += h->jerk[i];
         out->peak_speed = vbss_max(out->peak_speed, h->speed[i]);
+        if (is_interval_seen(h, i)) {
+            seen++;
+            idle += is_rested ? 1u : 0u;
+            length += 0.5 * (h->speed[i] + h->speed[i + 1]);
+            roughness += 0.5 * (h->jerk[i] + h->jerk[i + 1]);
+        }
     }
     double t = out->time = seen * METRICS_TICK_SECONDS, peak = out->peak_speed;
-    out->unseen_time = (w.end - w.begin - seen) * METRICS_TICK_SECONDS;
+    out->unseen_time = (interval_count(h, w) - seen) * METRICS_TICK_SECONDS;
     out->path_length = length * METRICS_TICK_SECONDS;
     out->idle_time = idle * METRICS_TICK_SECONDS;
     if (seen == 0) {
@@ -154,6 +168,11 @@ vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics_tool too
 
 /* ---- both tools */
 
+static bool are_both_seen(const metrics_object *m, uint32_t tick)
+{
+    return is_interval_seen(&m->hands[0], tick) && is_interval_seen(&m->hands[1], tick);
+}
+
 /* Two passes, which lose no digits where speeds hardly vary. */
 static void correlate(const metrics_object *m, tick_window w, uint32_t seen,
                       vbss_metrics_bimanual *out)
@@ -161,12 +180,12 @@ static void correlate(const metrics_object *m, tick_window w, uint32_t seen,
     const metrics_hand *a = &m->hands[0], *b = &m->hands[1];
     double mean_a = 0.0, mean_b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
     for (uint32_t i = w.begin; i < w.end; i++) {
-        bool both = a->seen[i] != 0 && b->seen[i] != 0;
+        bool both = are_both_seen(m, i);
         mean_a += both ? a->speed[i] / seen : 0.0;
         mean_b += both ? b->speed[i] / seen : 0.0;
     }
     for (uint32_t i = w.begin; i < w.end; i++) {
-        if (a->seen[i] != 0 && b->seen[i] != 0) {
+        if (are_both_seen(m, i)) {
             double da = a->speed[i] - mean_a, db = b->speed[i] - mean_b;
             aa += da * da;
             bb += db * db;
@@ -190,7 +209,7 @@ static uint32_t add_activity(const metrics_object *m, tick_window w, vbss_metric
             is_rested[k] = is_resting(&m->config, h[k].speed[i], is_rested[k]);
             active += is_rested[k] ? 0u : 1u;
         }
-        if (h[0].seen[i] != 0 && h[1].seen[i] != 0) {
+        if (are_both_seen(m, i)) {
             seen++;
             moving[active]++;
         }

@@ -17,6 +17,7 @@ static const char *const texts[] = {
     "the drain was torn off",
     "the thread broke or was cut early",
     "finished before both tails were cut",
+    "simulated time was lost, which the clock of the score includes",
 };
 
 /* Counts and sums the penalties in order; a query may select one of them. */
@@ -52,13 +53,13 @@ static void add_placement_penalties(const metrics_object *m, penalty_tally *t)
 {
     for (int i = 0; i < 2; i++) {
         const metrics_entry *puncture = &m->facts[METRICS_PUNCTURE + i];
-        if (puncture->standing && puncture->value[0] > 0.0) {
+        if (puncture->is_active && puncture->value[0] > 0.0) {
             add_penalty(t, VBSS_METRICS_PENALTY_DEVIATION, puncture, puncture->value[0],
                         m->config.weight_deviation * puncture->value[0]);
         }
     }
     const metrics_entry *gap = &m->facts[METRICS_GAP];
-    if (gap->standing && gap->value[0] > 0.0) {
+    if (gap->is_active && gap->value[0] > 0.0) {
         add_penalty(t, VBSS_METRICS_PENALTY_GAP, gap, gap->value[0],
                     m->config.weight_gap * gap->value[0]);
     }
@@ -80,23 +81,23 @@ static metrics_entry entry_at(const metrics_object *m, double time)
 static void add_knot_penalties(const metrics_object *m, penalty_tally *t)
 {
     vbss_metrics_tightness loose = tightness(m);
-    uint32_t standing = 0;
+    uint32_t active_throws = 0;
     if (loose > VBSS_METRICS_TIGHTNESS_TIGHT) {
         add_penalty(t, VBSS_METRICS_PENALTY_TIGHTNESS, &m->pull.last_change, loose,
                     m->config.weight_tightness * loose);
     }
     for (uint32_t i = 0; i < m->throw_count; i++) {
-        standing += m->throws[i].standing;
+        active_throws += m->throws[i].is_active;
     }
-    if (vbss_metrics_is_stopped(m) && standing < m->config.throws_wanted) {
-        double missing = m->config.throws_wanted - standing;
+    if (vbss_metrics_is_stopped(m) && active_throws < m->config.throws_wanted) {
+        double missing = m->config.throws_wanted - active_throws;
         metrics_entry end = entry_at(m, vbss_metrics_stop_time(m));
         add_penalty(t, VBSS_METRICS_PENALTY_THROWS, &end, missing,
                     m->config.weight_throw * missing);
     }
     for (uint32_t i = 0; i < m->throw_count; i++) {
         const metrics_entry *tied = &m->throws[i];
-        if (tied->standing && tied->relation == VBSS_METRICS_RELATION_GRANNY) {
+        if (tied->is_active && tied->relation == VBSS_METRICS_RELATION_GRANNY) {
             add_penalty(t, VBSS_METRICS_PENALTY_GRANNY, tied, 1.0, m->config.weight_granny);
         }
     }
@@ -107,7 +108,7 @@ static void add_incident_penalties(const metrics_object *m, penalty_tally *t)
     const vbss_metrics_config *c = &m->config;
     for (uint32_t i = 0; i < m->incident_count; i++) {
         const metrics_entry *entry = &m->incidents[i];
-        if (!entry->standing) {
+        if (!entry->is_active) {
             continue;
         }
         switch (entry->kind) {
@@ -130,6 +131,16 @@ static void add_incident_penalties(const metrics_object *m, penalty_tally *t)
     }
 }
 
+/* Lost time costs nothing, but makes the score incomparable. */
+static void add_lost_time(const metrics_object *m, penalty_tally *t)
+{
+    double lost = vbss_metrics_task_time_lost(m);
+    if (vbss_metrics_is_time_lost(lost, vbss_metrics_task_time(m), m->config.lost_share)) {
+        metrics_entry end = entry_at(m, vbss_metrics_stop_time(m));
+        add_penalty(t, VBSS_METRICS_PENALTY_TIME_LOST, &end, lost, 0.0);
+    }
+}
+
 /* ---- conditions that take the rest of the score */
 
 static bool add_final_penalties(const metrics_object *m, penalty_tally *t)
@@ -144,8 +155,8 @@ static bool add_final_penalties(const metrics_object *m, penalty_tally *t)
     } ends[] = {
         {late, VBSS_METRICS_PENALTY_TIMEOUT,
          entry_at(m, m->facts[METRICS_APPEARED].time + max_time)},
-        {avulsed->standing != 0, VBSS_METRICS_PENALTY_AVULSED, *avulsed},
-        {broken->standing != 0, VBSS_METRICS_PENALTY_BROKEN, *broken},
+        {avulsed->is_active != 0, VBSS_METRICS_PENALTY_AVULSED, *avulsed},
+        {broken->is_active != 0, VBSS_METRICS_PENALTY_BROKEN, *broken},
         {unfinished, VBSS_METRICS_PENALTY_INCOMPLETE, entry_at(m, m->last_time)},
     };
     bool ended = false;
@@ -166,11 +177,12 @@ metrics_score vbss_metrics_compute_score(const metrics_object *m, uint32_t numbe
     add_placement_penalties(m, &t);
     add_knot_penalties(m, &t);
     add_incident_penalties(m, &t);
+    add_lost_time(m, &t);
     bool ended = add_final_penalties(m, &t);
-    bool known = m->facts[METRICS_PUNCTURE].standing && m->facts[METRICS_PUNCTURE + 1].standing &&
-                 m->facts[METRICS_GAP].standing && tightness(m) != VBSS_METRICS_TIGHTNESS_UNKNOWN;
+    bool known = m->facts[METRICS_PUNCTURE].is_active && m->facts[METRICS_PUNCTURE + 1].is_active &&
+                 m->facts[METRICS_GAP].is_active && tightness(m) != VBSS_METRICS_TIGHTNESS_UNKNOWN;
     double remaining = vbss_max(m->config.max_time - vbss_metrics_task_time(m) - t.sum, 0.0);
-    bool started = m->facts[METRICS_APPEARED].standing != 0;
+    bool started = m->facts[METRICS_APPEARED].is_active != 0;
     metrics_score score = {started && !ended ? remaining : 0.0, t.sum, t.count,
                            ended || (started && vbss_metrics_is_stopped(m) && known)};
     return score;

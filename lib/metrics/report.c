@@ -6,11 +6,12 @@
 #include "base/error.h"
 #include "metrics/metrics.h"
 
-_Static_assert(sizeof(vbss_metrics_report) == 192, "published size");
+_Static_assert(sizeof(vbss_metrics_report) == 232, "published size");
 _Static_assert(sizeof(vbss_metrics_throw) == 104, "published size");
 _Static_assert(sizeof(vbss_metrics_phase) == 40, "published size");
 _Static_assert(sizeof(vbss_metrics_penalty) == 96 + sizeof(void *), "no hidden padding");
-static const uint32_t report_sizes[] = {192, 0}, throw_sizes[] = {104, 0}, phase_sizes[] = {40, 0},
+static const uint32_t report_sizes[] = {192, 232, 0}, throw_sizes[] = {104, 0},
+                      phase_sizes[] = {40, 0},
                       penalty_sizes[] = {96u + (uint32_t)sizeof(void *), 0};
 static const vbss_layout report_layout = {"vbss_metrics_report", NULL, report_sizes};
 static const vbss_layout throw_layout = {"vbss_metrics_throw", NULL, throw_sizes};
@@ -23,7 +24,7 @@ static const vbss_layout penalty_layout = {"vbss_metrics_penalty", NULL, penalty
 
 bool vbss_metrics_is_stopped(const metrics_object *m)
 {
-    return m->facts[METRICS_CUT].standing && m->facts[METRICS_CUT + 1].standing;
+    return m->facts[METRICS_CUT].is_active && m->facts[METRICS_CUT + 1].is_active;
 }
 
 double vbss_metrics_stop_time(const metrics_object *m)
@@ -36,7 +37,17 @@ double vbss_metrics_stop_time(const metrics_object *m)
 double vbss_metrics_task_time(const metrics_object *m)
 {
     const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
-    return appeared->standing ? vbss_max(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
+    return appeared->is_active ? vbss_max(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
+}
+
+double vbss_metrics_task_time_lost(const metrics_object *m)
+{
+    const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
+    const metrics_entry *first_cut = &m->facts[METRICS_CUT], *second_cut = first_cut + 1;
+    double lost_at_stop = vbss_metrics_is_stopped(m)
+                              ? vbss_max(first_cut->time_lost, second_cut->time_lost)
+                              : m->time_lost;
+    return appeared->is_active ? vbss_max(lost_at_stop - appeared->time_lost, 0.0) : 0.0;
 }
 
 /* ---- the report */
@@ -53,21 +64,21 @@ static void report_facts(const metrics_object *m, vbss_metrics_report *r)
     static const uint32_t puncture[2] = {VBSS_METRICS_PUNCTURE_0, VBSS_METRICS_PUNCTURE_1};
     static const uint32_t tail[2] = {VBSS_METRICS_TAIL_0, VBSS_METRICS_TAIL_1};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
-        r->flags |= m->facts[known[i].fact].standing ? known[i].flag : 0u;
+        r->flags |= m->facts[known[i].fact].is_active ? known[i].flag : 0u;
     }
     for (int i = 0; i < 2; i++) {
         const metrics_entry *cut = &m->facts[METRICS_CUT + i],
-                            *length = cut->standing ? cut : &m->facts[METRICS_TAIL + i];
-        if (m->facts[METRICS_PUNCTURE + i].standing) {
+                            *length = cut->is_active ? cut : &m->facts[METRICS_TAIL + i];
+        if (m->facts[METRICS_PUNCTURE + i].is_active) {
             r->flags |= puncture[i];
             r->deviation_mm[i] = m->facts[METRICS_PUNCTURE + i].value[0];
         }
-        if (length->standing) {
+        if (length->is_active) {
             r->flags |= tail[i];
             r->tail_mm[i] = MILLIMETRES * length->value[0];
         }
     }
-    if (m->facts[METRICS_GAP].standing) {
+    if (m->facts[METRICS_GAP].is_active) {
         r->gap_mm = m->facts[METRICS_GAP].value[0];
         r->gap_largest_mm = m->facts[METRICS_GAP].value[1];
     }
@@ -77,7 +88,7 @@ static void count_throws(const metrics_object *m, vbss_metrics_report *r)
 {
     for (uint32_t i = 0; i < m->throw_count; i++) {
         const metrics_entry *tied = &m->throws[i];
-        if (tied->standing) {
+        if (tied->is_active) {
             r->throw_count++;
             r->square_count += tied->relation == VBSS_METRICS_RELATION_SQUARE;
             r->granny_count += tied->relation == VBSS_METRICS_RELATION_GRANNY;
@@ -90,7 +101,7 @@ static void count_incidents(const metrics_object *m, vbss_metrics_report *r)
 {
     for (uint32_t i = 0; i < m->incident_count; i++) {
         const metrics_entry *entry = &m->incidents[i];
-        if (!entry->standing) {
+        if (!entry->is_active) {
             continue;
         }
         if (entry->kind == VBSS_METRICS_EVENT_PUNCTURE) {
@@ -109,6 +120,21 @@ static void report_motion(const metrics_object *m, vbss_metrics_report *r)
     r->samples = m->samples;
     r->ticks = a->tick_count > b->tick_count ? a->tick_count : b->tick_count;
     r->ticks_lost = vbss_metrics_ticks_lost(m);
+    for (int i = 0; i < METRICS_HANDS; i++) {
+        r->outliers[i] = m->hands[i].outlier_count;
+        r->jumps[i] = m->hands[i].jump_count;
+    }
+}
+
+static void report_time(const metrics_object *m, vbss_metrics_report *r)
+{
+    r->time = vbss_metrics_task_time(m);
+    r->time_lost = vbss_metrics_task_time_lost(m);
+    r->time_simulated = vbss_max(r->time - r->time_lost, 0.0);
+    r->flags |= r->time >= m->config.max_time ? VBSS_METRICS_TIMEOUT : 0;
+    r->flags |= vbss_metrics_is_time_lost(r->time_lost, r->time, m->config.lost_share)
+                    ? VBSS_METRICS_TIME_LOST
+                    : 0;
 }
 
 vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *report,
@@ -123,6 +149,7 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     count_throws(m, &r);
     count_incidents(m, &r);
     report_motion(m, &r);
+    report_time(m, &r);
     r.tightness_ours = vbss_metrics_tightness_by_load(&m->pull);
     r.tightness_paper = vbss_metrics_tightness_by_strain(&m->pull);
     r.pull_held = m->pull.longest_hold;
@@ -131,12 +158,10 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     r.throw_records = m->throw_count;
     r.phase_count = m->phase_count;
     r.penalty_count = score.count;
-    r.time = vbss_metrics_task_time(m);
     r.score = score.score;
     r.penalties = score.penalties;
     r.flags |= vbss_metrics_is_stopped(m) ? VBSS_METRICS_STOPPED : 0;
     r.flags |= m->is_finished ? VBSS_METRICS_FINISHED : 0;
-    r.flags |= r.time >= m->config.max_time ? VBSS_METRICS_TIMEOUT : 0;
     r.flags |= score.is_final ? VBSS_METRICS_FINAL : 0;
     return vbss_struct_write(m->context, &report_layout, &r, report, struct_size);
 }
@@ -161,7 +186,7 @@ vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,
     const metrics_entry *entry = &m->throws[index];
     vbss_metrics_throw own = {.struct_size = sizeof own,
                               .number = entry->number,
-                              .standing = entry->standing,
+                              .standing = entry->is_active,
                               .tool = entry->tool,
                               .wraps = entry->wraps,
                               .handedness = entry->handedness,

@@ -3,11 +3,12 @@
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "metrics/metrics.h"
 
-_Static_assert(sizeof(vbss_metrics_sample) == 120, "published size");
+_Static_assert(sizeof(vbss_metrics_sample) == 128, "published size");
 static const vbss_metrics_sample defaults = {.struct_size = sizeof(vbss_metrics_sample)};
-static const uint32_t sizes[] = {120, 0};
+static const uint32_t sizes[] = {120, 128, 0};
 static const vbss_layout layout = {"vbss_metrics_sample", &defaults, sizes};
 
 vbss_result vbss_metrics_sample_init(vbss_metrics_sample *sample, uint32_t struct_size)
@@ -22,8 +23,9 @@ vbss_result vbss_metrics_check_time(const metrics_object *m, double time)
     VBSS_TRY(
         vbss_check_range(m->context, time, -METRICS_LARGEST_TIME, METRICS_LARGEST_TIME, "time"));
     if (m->has_time && time < m->last_time) {
-        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "time is %.9g, after %.9g", time,
-                         m->last_time);
+        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "time is %s, after %s",
+                         vbss_format_number(time, 9).text,
+                         vbss_format_number(m->last_time, 9).text);
     }
     return VBSS_OK;
 }
@@ -47,15 +49,18 @@ static vbss_result check_sample(const metrics_object *m, const vbss_metrics_samp
 {
     if (m->is_finished) {
         return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "a sample at %.9g: the measurement is finished", s->time);
+                         "a sample at %s: the measurement is finished",
+                         vbss_format_number(s->time, 9).text);
     }
     VBSS_TRY(vbss_check_range(m->context, s->valid, 0.0, 15.0, "valid"));
     VBSS_TRY(vbss_metrics_check_time(m, s->time));
     if (m->has_sample && s->time <= m->sample_time) {
-        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "time of the sample is %.9g, that of the last is %.9g", s->time,
-                         m->sample_time);
+        return vbss_fail(
+            m->context, VBSS_ERROR_OUT_OF_RANGE, "time of the sample is %s, that of the last is %s",
+            vbss_format_number(s->time, 9).text, vbss_format_number(m->sample_time, 9).text);
     }
+    VBSS_TRY(vbss_check_range(m->context, s->time_lost, m->time_lost, METRICS_LARGEST_TIME,
+                              "time_lost"));
     for (int i = 0; i < METRICS_HANDS; i++) {
         if ((s->valid & position_flags[i]) != 0) {
             VBSS_TRY(vbss_check_vector(m->context, s->position[i], METRICS_LARGEST_POSITION,
@@ -90,6 +95,7 @@ vbss_result vbss_metrics_add_sample(vbss_metrics *metrics, const vbss_metrics_sa
     }
     m->samples++;
     m->sample_time = s.time;
+    m->time_lost = s.time_lost;
     vbss_metrics_advance_clock(m, s.time, s.step);
     return VBSS_OK;
 }

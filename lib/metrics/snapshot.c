@@ -32,12 +32,13 @@ static void visit_config(vbss_stream *stream, const vbss_metrics_config *c)
 {
     const uint32_t words[] = {(uint32_t)c->tightness_method, c->throw_capacity, c->phase_capacity,
                               c->incident_capacity, c->throws_wanted};
-    const double numbers[] = {
-        c->duration,         c->drain_radius,    c->stiffness,        c->pull_force,
-        c->pull_time,        c->slip_limit,      c->strain_threshold, c->idle_speed,
-        c->idle_release,     c->max_time,        c->weight_deviation, c->weight_gap,
-        c->weight_tightness, c->weight_throw,    c->weight_granny,    c->weight_attempt,
-        c->weight_drop,      c->weight_transfer, c->weight_host};
+    const double numbers[] = {c->duration,         c->drain_radius,     c->stiffness,
+                              c->pull_force,       c->pull_time,        c->slip_limit,
+                              c->strain_threshold, c->idle_speed,       c->idle_release,
+                              c->max_time,         c->weight_deviation, c->weight_gap,
+                              c->weight_tightness, c->weight_throw,     c->weight_granny,
+                              c->weight_attempt,   c->weight_drop,      c->weight_transfer,
+                              c->weight_host,      c->max_speed,        c->lost_share};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         vbss_stream_expect(stream, 1, words[i]);
     }
@@ -68,9 +69,23 @@ static void visit_flag_bytes(vbss_stream *stream, uint16_t tag, uint8_t *seen, u
 static bool is_tick_count_consistent(const metrics_object *m, const metrics_hand *h)
 {
     uint64_t known = (uint64_t)h->tick_count * METRICS_FINE_PER_TICK;
+    if (h->run_start > h->next_fine || h->run_start > known) {
+        return false;
+    }
     return h->tick_count >= m->tick_capacity ? h->next_fine <= known + METRICS_KERNEL_HALF_WIDTH + 1
                                              : h->next_fine <= known + METRICS_KERNEL_HALF_WIDTH &&
                                                    h->next_fine + METRICS_FINE_PER_TICK > known;
+}
+
+static void visit_outlier(vbss_stream *stream, metrics_hand *h)
+{
+    visit_flag(stream, 19, &h->has_outlier);
+    visit_bounded(stream, 28, &h->outlier_time, 1, METRICS_LARGEST_TIME);
+    visit_bounded(stream, 29, &h->outlier.x, 3, METRICS_LARGEST_POSITION);
+    vbss_stream_u64(stream, 32, &h->outlier_count, 1);
+    vbss_stream_u32(stream, 33, &h->jump_count, 1);
+    refuse(stream, h->has_outlier != 0 &&
+                       (h->point_count == 0 || h->outlier_time <= h->time[h->point_count - 1]));
 }
 
 static void visit_hand(vbss_stream *stream, const metrics_object *m, metrics_hand *h)
@@ -87,15 +102,15 @@ static void visit_hand(vbss_stream *stream, const metrics_object *m, metrics_han
         refuse(stream, !(h->time[i] > h->time[i - 1]));
     }
     for (int i = 0; i < 3; i++) {
-        visit_bounded(stream, 14, &h->position[i].x, 3, LARGEST_FIGURE);
+        visit_bounded(stream, 14, &h->position[i].x, 3, METRICS_LARGEST_POSITION);
     }
-    visit_bounded(stream, 15, &h->offset.x, 3, LARGEST_FIGURE);
+    vbss_stream_u64(stream, 15, &h->run_start, 1);
     vbss_stream_u64(stream, 16, &h->next_fine, 1);
     vbss_stream_count(stream, 17, &h->still_count, METRICS_RING_SIZE);
     for (int i = 0; i < METRICS_RING_SIZE; i++) {
         visit_bounded(stream, 18, &h->ring[i].x, 3, LARGEST_FIGURE);
     }
-    visit_flag_bytes(stream, 19, h->ring_seen, METRICS_RING_SIZE);
+    visit_outlier(stream, h);
     visit_flag(stream, 20, &h->has_force);
     visit_bounded(stream, 21, &h->force_time, 1, METRICS_LARGEST_TIME);
     visit_figures(stream, 22, &h->force, 1);
@@ -113,12 +128,12 @@ static void visit_hand(vbss_stream *stream, const metrics_object *m, metrics_han
 static void visit_entry(vbss_stream *stream, metrics_entry *n)
 {
     int32_t words[] = {n->kind, n->tool, n->wraps, n->handedness, n->relation};
-    double numbers[] = {n->time, n->undone_time, n->value[0], n->value[1]};
+    double numbers[] = {n->time, n->undone_time, n->value[0], n->value[1], n->time_lost};
     vbss_stream_i32(stream, 40, words, sizeof words / sizeof words[0]);
     vbss_stream_u32(stream, 41, &n->number, 1);
-    visit_flag(stream, 42, &n->standing);
+    visit_flag(stream, 42, &n->is_active);
     vbss_stream_u64(stream, 43, &n->step, 1);
-    visit_bounded(stream, 44, numbers, 4, LARGEST_FIGURE);
+    visit_bounded(stream, 44, numbers, sizeof numbers / sizeof numbers[0], LARGEST_FIGURE);
     visit_bounded(stream, 45, &n->position.x, 3, METRICS_LARGEST_POSITION);
     visit_bounded(stream, 46, &n->force.x, 3, METRICS_LARGEST_FORCE);
     n->kind = words[0];
@@ -130,11 +145,12 @@ static void visit_entry(vbss_stream *stream, metrics_entry *n)
     n->undone_time = numbers[1];
     n->value[0] = numbers[2];
     n->value[1] = numbers[3];
+    n->time_lost = numbers[4];
     refuse(stream, n->kind == VBSS_METRICS_EVENT_PUNCTURE && n->number > 1);
     refuse(stream, n->tool < VBSS_METRICS_LEFT || n->tool > VBSS_METRICS_NO_TOOL);
 }
 
-static void visit_told(vbss_stream *stream, metrics_object *m)
+static void visit_events(vbss_stream *stream, metrics_object *m)
 {
     vbss_stream_count(stream, 50, &m->throw_count, m->config.throw_capacity);
     vbss_stream_count(stream, 51, &m->incident_count, m->config.incident_capacity);
@@ -177,6 +193,10 @@ static void visit_pull(vbss_stream *stream, metrics_pull *p)
 void vbss_metrics_serialise(vbss_stream *stream, void *object)
 {
     metrics_object *m = object;
+    if (stream->version < 2) {
+        vbss_stream_refuse(stream, VBSS_ERROR_DATA_VERSION, "it is from before lost time");
+        return;
+    }
     visit_config(stream, &m->config);
     vbss_stream_u64(stream, 3, &m->samples, 1);
     visit_flag(stream, 4, &m->has_time);
@@ -185,11 +205,12 @@ void vbss_metrics_serialise(vbss_stream *stream, void *object)
     visit_bounded(stream, 7, &m->origin_time, 1, METRICS_LARGEST_TIME);
     visit_bounded(stream, 8, &m->sample_time, 1, METRICS_LARGEST_TIME);
     visit_bounded(stream, 9, &m->last_time, 1, METRICS_LARGEST_TIME);
+    visit_bounded(stream, 31, &m->time_lost, 1, METRICS_LARGEST_TIME);
     vbss_stream_u64(stream, 30, &m->last_step, 1);
     for (int i = 0; i < METRICS_HANDS; i++) {
         visit_hand(stream, m, &m->hands[i]);
     }
-    visit_told(stream, m);
+    visit_events(stream, m);
     visit_pull(stream, &m->pull);
     if (stream->mode == VBSS_STREAM_READ) {
         m->generation++;

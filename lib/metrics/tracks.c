@@ -1,5 +1,8 @@
-/* Ticks of one tool from its samples. Fine samples of its curve pass through a ring buffer; a tick
- * is computed as soon as the filter has enough samples on both sides. */
+/* Ticks of one tool from its samples.
+ *
+ * A run is an interval in which the tool was seen without a gap. Fine samples of its curve pass
+ * through a ring buffer; a tick is computed as soon as the filter has enough samples after it. When
+ * the run ends, the ticks that wait are computed from the samples that are there (run_ends.c). */
 #include "metrics/metrics.h"
 
 /* Compares the bits on purpose: a tool that is held still has exactly no motion. */
@@ -34,47 +37,56 @@ uint64_t vbss_metrics_ticks_lost(const metrics_object *m)
 
 /* ---- ticks */
 
-static void add_tick(metrics_object *m, metrics_hand *h)
-{
-    uint32_t tick = h->tick_count++;
-    uint64_t centre = (uint64_t)tick * METRICS_FINE_PER_TICK;
-    h->seen[tick] = h->ring_seen[centre % METRICS_RING_SIZE];
-    h->speed[tick] = h->jerk[tick] = 0.0;
-    if (h->seen[tick] != 0 && h->still_count <= 2 * METRICS_KERNEL_HALF_WIDTH) {
-        vbss_metrics_differentiate(m->kernel, h->ring, centre, &h->speed[tick], &h->jerk[tick]);
-    }
-}
-
 static bool is_full(const metrics_object *m, const metrics_hand *h)
 {
     return h->tick_count >= m->tick_capacity;
 }
 
-static void push_fine_sample(metrics_object *m, metrics_hand *h, vec3 position, bool seen)
+/* Fine sample at the next tick. */
+static uint64_t next_centre(const metrics_hand *h)
+{
+    return (uint64_t)h->tick_count * METRICS_FINE_PER_TICK;
+}
+
+static void add_unseen_tick(metrics_hand *h)
+{
+    uint32_t tick = h->tick_count++;
+    h->seen[tick] = 0;
+    h->speed[tick] = h->jerk[tick] = 0.0;
+}
+
+static void add_seen_tick(metrics_object *m, metrics_hand *h)
+{
+    uint64_t centre = next_centre(h);
+    uint32_t tick = h->tick_count++;
+    bool has_before = centre >= h->run_start + METRICS_KERNEL_HALF_WIDTH;
+    bool has_after = h->next_fine > centre + METRICS_KERNEL_HALF_WIDTH;
+    h->seen[tick] = 1;
+    h->speed[tick] = h->jerk[tick] = 0.0;
+    if (h->still_count > 2 * METRICS_KERNEL_HALF_WIDTH) {
+        return;
+    }
+    if (has_before && has_after) {
+        vbss_metrics_differentiate(m->kernel, h->ring, centre, &h->speed[tick], &h->jerk[tick]);
+    } else {
+        vbss_metrics_differentiate_end(h, centre, &h->speed[tick], &h->jerk[tick]);
+    }
+}
+
+static void push_fine_sample(metrics_object *m, metrics_hand *h, vec3 position)
 {
     vec3 last = h->ring[(h->next_fine + METRICS_RING_SIZE - 1) % METRICS_RING_SIZE];
     h->still_count = !is_same_position(position, last)    ? 1u
                      : h->still_count < METRICS_RING_SIZE ? h->still_count + 1u
                                                           : h->still_count;
     h->ring[h->next_fine % METRICS_RING_SIZE] = position;
-    h->ring_seen[h->next_fine % METRICS_RING_SIZE] = seen;
     h->next_fine++;
-    if (h->next_fine >
-        (uint64_t)h->tick_count * METRICS_FINE_PER_TICK + METRICS_KERNEL_HALF_WIDTH) {
-        add_tick(m, h);
+    if (h->next_fine > next_centre(h) + METRICS_KERNEL_HALF_WIDTH) {
+        add_seen_tick(m, h);
     }
 }
 
 /* ---- curve */
-
-/* Adds fine samples up to a time at the last position, marked as not seen. */
-static void extend_unseen(metrics_object *m, metrics_hand *h, double until)
-{
-    vec3 position = h->position[h->point_count - 1];
-    while (!is_full(m, h) && fine_time(m, h->next_fine) < until) {
-        push_fine_sample(m, h, position, false);
-    }
-}
 
 static void sample_segment(metrics_object *m, metrics_hand *h, const metrics_segment *segment)
 {
@@ -83,13 +95,19 @@ static void sample_segment(metrics_object *m, metrics_hand *h, const metrics_seg
         if (is_full(m, h) || time >= segment->end_time) {
             return;
         }
-        push_fine_sample(
-            m, h, vbss_metrics_segment_at(segment, vbss_max(time, segment->start_time)), true);
+        push_fine_sample(m, h,
+                         vbss_metrics_segment_at(segment, vbss_max(time, segment->start_time)));
     }
 }
 
-/* Samples the segment between the last two points. Its end velocity is the given one, or that of
- * the chord. */
+/* Velocity at one end of a parabola, given that of its chord and that at the other end. */
+static vec3 opposite_velocity(vec3 chord_velocity, vec3 velocity)
+{
+    return vec3_sub(vec3_scale(chord_velocity, 2.0), velocity);
+}
+
+/* Samples the segment between the last two points. Its end velocity is the given one, or follows
+ * from the parabola through the last three points. */
 static void sample_last_segment(metrics_object *m, metrics_hand *h, const vec3 *end_velocity)
 {
     uint32_t b = h->point_count - 1, a = b - 1;
@@ -100,9 +118,13 @@ static void sample_last_segment(metrics_object *m, metrics_hand *h, const vec3 *
                                h->position[b], vec3_zero(), vec3_zero()};
     vec3 chord_velocity = vec3_scale(vec3_sub(segment.end, segment.start),
                                      1.0 / (segment.end_time - segment.start_time));
-    segment.start_velocity =
-        a == 0 ? chord_velocity : vbss_metrics_middle_velocity(h->time, h->position);
-    segment.end_velocity = end_velocity != NULL ? *end_velocity : chord_velocity;
+    segment.start_velocity = a > 0 ? vbss_metrics_middle_velocity(h->time, h->position)
+                             : end_velocity != NULL
+                                 ? opposite_velocity(chord_velocity, *end_velocity)
+                                 : chord_velocity;
+    segment.end_velocity = end_velocity != NULL
+                               ? *end_velocity
+                               : opposite_velocity(chord_velocity, segment.start_velocity);
     sample_segment(m, h, &segment);
 }
 
@@ -119,43 +141,54 @@ static void push_point(metrics_hand *h, double time, vec3 position)
     h->position[h->point_count++] = position;
 }
 
-/* Before its first sample, a tool rests at that position and is not seen. */
-static void begin_track(metrics_object *m, metrics_hand *h, double time, vec3 position)
+/* ---- runs */
+
+/* The tool was not seen since the last run. */
+static void begin_run(metrics_object *m, metrics_hand *h, double time, vec3 position)
 {
     uint64_t limit = m->tick_capacity * METRICS_FINE_PER_TICK;
-    h->next_fine = first_not_before(m, time, METRICS_FINE_RATE, limit);
-    h->still_count = METRICS_RING_SIZE;
-    for (int i = 0; i < METRICS_RING_SIZE; i++) {
-        h->ring[i] = position;
-        h->ring_seen[i] = 0;
+    h->run_start = h->next_fine = first_not_before(m, time, METRICS_FINE_RATE, limit);
+    h->still_count = 0;
+    while (!is_full(m, h) && next_centre(h) < h->run_start) {
+        add_unseen_tick(h);
     }
-    uint64_t ticks = (h->next_fine + METRICS_FINE_PER_TICK - 1) / METRICS_FINE_PER_TICK;
-    while (h->tick_count < ticks) {
-        uint32_t tick = h->tick_count++;
-        h->seen[tick] = 0;
-        h->speed[tick] = h->jerk[tick] = 0.0;
-    }
+    h->point_count = 0;
+    h->has_outlier = 0;
     push_point(h, time, position);
+}
+
+static void end_run(metrics_object *m, metrics_hand *h)
+{
+    double end = h->time[h->point_count - 1];
+    sample_last_segment(m, h, NULL);
+    if (!is_full(m, h) && fine_time(m, h->next_fine) <= end) {
+        push_fine_sample(m, h, h->position[h->point_count - 1]);
+    }
+    while (!is_full(m, h) && next_centre(h) < h->next_fine) {
+        add_seen_tick(m, h);
+    }
 }
 
 void vbss_metrics_track_position(metrics_object *m, uint32_t hand, double time, vec3 position)
 {
     metrics_hand *h = &m->hands[hand];
     if (h->point_count == 0) {
-        begin_track(m, h, time, position);
+        begin_run(m, h, time, position);
         return;
     }
     uint32_t last = h->point_count - 1;
+    bool is_outlier = vbss_metrics_is_outlier(&m->config, h, time, position);
     if (time - h->time[last] > METRICS_MAX_SAMPLE_GAP) {
-        vec3 last_position = h->position[last];
-        sample_last_segment(m, h, NULL);
-        extend_unseen(m, h, time);
-        h->offset = vec3_sub(last_position, position);
-        h->point_count = 0;
-        push_point(h, time, last_position);
+        h->jump_count += is_outlier && h->has_outlier != 0;
+        end_run(m, h);
+        begin_run(m, h, time, position);
         return;
     }
-    position = vec3_add(position, h->offset);
+    if (is_outlier) {
+        vbss_metrics_keep_outlier(h, time, position);
+        return;
+    }
+    h->has_outlier = 0;
     if (h->point_count > 1) {
         const double times[3] = {h->time[last - 1], h->time[last], time};
         const vec3 positions[3] = {h->position[last - 1], h->position[last], position};
@@ -167,19 +200,8 @@ void vbss_metrics_track_position(metrics_object *m, uint32_t hand, double time, 
 
 void vbss_metrics_finish_track(metrics_object *m, uint32_t hand)
 {
-    metrics_hand *h = &m->hands[hand];
-    if (h->point_count == 0) {
-        return;
-    }
-    double end = h->time[h->point_count - 1];
-    vec3 position = h->position[h->point_count - 1];
-    sample_last_segment(m, h, NULL);
-    if (!is_full(m, h) && fine_time(m, h->next_fine) <= end) {
-        push_fine_sample(m, h, position, true);
-    }
-    uint64_t known = h->next_fine;
-    while (!is_full(m, h) && (uint64_t)h->tick_count * METRICS_FINE_PER_TICK < known) {
-        push_fine_sample(m, h, position, false);
+    if (m->hands[hand].point_count > 0) {
+        end_run(m, &m->hands[hand]);
     }
 }
 

@@ -3,14 +3,17 @@
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
  * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
  * five of the bench tuning (docs/notebook/tuning.md).
- * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
- * whose threads or steps are not the defaults. */
+ * That page says why a number stays absolute. */
 #ifndef VBSS_METRICS_TUNING_H
 #define VBSS_METRICS_TUNING_H
 
 #include "base/tune.h"
 
-/* ---- Motion (tracks.c, motion.c, smoothing.c, spectrum.c) */
+/* ---- Motion (outliers.c, tracks.c, motion.c, smoothing.c, spectrum.c) */
+
+/* A sample this far beyond the reach of the hand is no outlier yet: noise of sensors and of clocks.
+ * Unit: m, absolute. Origin: chosen. Test: none known. */
+#define METRICS_OUTLIER_TOLERANCE VBSS_TUNE(METRICS_OUTLIER_TOLERANCE, 1e-3)
 
 /* A tool without a sample for longer is gone.
  * Unit: s, absolute. Origin: derived: three samples at 30 Hz. Test: none known. */
@@ -28,6 +31,12 @@
  * Unit: 1, relative to the amplitude at 0 Hz. Origin: published with the spectral arc length. Test: none
  * known. */
 #define METRICS_AMPLITUDE_THRESHOLD VBSS_TUNE(METRICS_AMPLITUDE_THRESHOLD, 0.05)
+
+/* ---- Lost time (report.c) */
+
+/* A shorter time counts as this long, so that a single lost step is no large share of it.
+ * Unit: s, absolute. Origin: chosen. Test: none known. */
+#define METRICS_LOST_TIME_WINDOW VBSS_TUNE(METRICS_LOST_TIME_WINDOW, 1.0)
 
 /* ---- Pull test (pull_test.c) */
 

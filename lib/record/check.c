@@ -9,9 +9,9 @@
 #include "base/memory.h"
 #include "record/record.h"
 
-_Static_assert(sizeof(vbss_log_report) == 232, "published size");
+_Static_assert(sizeof(vbss_log_report) == 240, "published size");
 
-static const uint32_t report_sizes[] = {232, 0};
+static const uint32_t report_sizes[] = {232, 240, 0};
 static const vbss_layout report_layout = {"vbss_log_report", NULL, report_sizes};
 
 enum { MAX_FAULTS = sizeof((vbss_log_report *)0)->fault_positions / sizeof(uint64_t) };
@@ -46,6 +46,8 @@ static vbss_result read_intact_records(replay_object *p, vbss_log_report *report
             report->inputs += p->step.input_count;
             report->events += p->step.event_count;
             report->time += p->step.h;
+            report->time_lost +=
+                vbss_scene_inspect_lost_time(p->step.events, p->step.event_count, p->step.h);
         }
         report->good_bytes = p->log.position;
     }

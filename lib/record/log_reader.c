@@ -10,9 +10,9 @@ _Static_assert(sizeof(vbss_replay_info) == 48, "published size");
 
 static const uint32_t info_sizes[] = {48, 0};
 static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
-static const uint32_t step_sizes[] = {72, 0};
+static const uint32_t step_sizes[] = {72, 80, 0};
 static const vbss_layout step_layout = {"vbss_log_step", NULL, step_sizes};
-_Static_assert(sizeof(vbss_log_step) == 72 && sizeof(vbss_log_input) == 128, "published sizes");
+_Static_assert(sizeof(vbss_log_step) == 80 && sizeof(vbss_log_input) == 128, "published sizes");
 static const uint32_t scene_config_sizes[] = {160, 168, 176, 192, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
@@ -297,5 +297,6 @@ vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step
     own.event_count = p->step.event_count;
     own.inputs = p->step.inputs;
     own.events = p->step.events[0];
+    own.time_lost = vbss_scene_inspect_lost_time(p->step.events, p->step.event_count, p->step.h);
     return vbss_struct_write(p->context, &step_layout, &own, step, struct_size);
 }

@@ -3,8 +3,7 @@
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
  * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
  * five of the bench tuning (docs/notebook/tuning.md).
- * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
- * whose threads or steps are not the defaults. */
+ * That page says why a number stays absolute. */
 #ifndef VBSS_SCENE_TUNING_H
 #define VBSS_SCENE_TUNING_H
 
@@ -23,8 +22,9 @@
  * Unit: 1, relative to the radius of the wire. Origin: chosen. Test: none known. */
 #define SCENE_TIP_LENGTH_RATIO VBSS_TUNE(SCENE_TIP_LENGTH_RATIO, 1.0)
 /* Axes that are nearer define no direction.
- * Unit: m, absolute. Origin: chosen. Test: none known. */
-#define SCENE_MIN_DISTANCE VBSS_TUNE(SCENE_MIN_DISTANCE, 1e-12)
+ * Unit: 1, relative to the contact distance. Origin: chosen: 1e-12 m between threads of the default diameter.
+ * Test: none known. */
+#define SCENE_MIN_DISTANCE_RATIO VBSS_TUNE(SCENE_MIN_DISTANCE_RATIO, 4e-9)
 
 /* ---- Work in operations of work_limit (world/work_budget.c, solve/newton.c, step/time_slice.c) */
 
@@ -104,9 +104,9 @@
 /* A tip, an end or a swage leaves a hole this far beyond where it entered: hysteresis against tremor.
  * Unit: m, absolute. Origin: chosen. Test: none known. */
 #define SCENE_HOLE_EXIT_DISTANCE VBSS_TUNE(SCENE_HOLE_EXIT_DISTANCE, 0.2e-3)
-/* A hole this near to the swage has constraints of thread and needle.
- * Unit: m, absolute. Origin: chosen. Test: none known. */
-#define SCENE_NEAR_SWAGE VBSS_TUNE(SCENE_NEAR_SWAGE, 2e-3)
+/* A hole has constraints of thread and needle if it can reach the swage at this speed within the step.
+ * Unit: m/s, relative to the length of the step. Origin: chosen: 2 mm in 1 ms. Test: none known. */
+#define SCENE_MAX_SLIDING_SPEED VBSS_TUNE(SCENE_MAX_SLIDING_SPEED, 2.0)
 /* A thread does not touch the wall within this arc length of its hole.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: session. */
 #define SCENE_THREAD_EXCLUSION_ARC VBSS_TUNE(SCENE_THREAD_EXCLUSION_ARC, 1.5)
@@ -168,8 +168,9 @@
  * Unit: 1, relative to mass / h^2. Origin: chosen. Test: scene-tools, needle-hands. */
 #define SCENE_RIGID_AUGMENTATION VBSS_TUNE(SCENE_RIGID_AUGMENTATION, 0.01)
 /* Elastic slip of a node on the floor. Without it, nodes under their own weight stop sticking one per solve.
- * Unit: m, absolute. Origin: chosen. Test: scene-tools, needle-hands. */
-#define SCENE_FLOOR_ELASTIC_SLIP VBSS_TUNE(SCENE_FLOOR_ELASTIC_SLIP, 1e-7)
+ * Unit: 1, relative to the diameter of the thread. Origin: chosen: 1e-7 m at the default diameter. Test: scene-
+ * tools, needle-hands. */
+#define SCENE_FLOOR_ELASTIC_SLIP_RATIO VBSS_TUNE(SCENE_FLOOR_ELASTIC_SLIP_RATIO, 1e-7 / 0.25e-3)
 /* A predicted normal replaces the current one if it is at least this close to it.
  * Unit: 1, cosine. Origin: chosen. Test: halved none known; doubled scene-tools, graspers, needle-hands. */
 #define SCENE_MIN_NORMAL_COSINE VBSS_TUNE(SCENE_MIN_NORMAL_COSINE, 0.5)
@@ -177,9 +178,9 @@
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: halved none known; doubled scene-tools,
  * graspers, needle-hands. */
 #define SCENE_MIN_PREDICTED_RATIO VBSS_TUNE(SCENE_MIN_PREDICTED_RATIO, 0.5)
-/* A fold that starts too deep opens at this speed.
- * Unit: m/s, absolute. Origin: chosen. Test: none known. */
-#define SCENE_FOLD_OPENING_SPEED VBSS_TUNE(SCENE_FOLD_OPENING_SPEED, 0.02)
+/* A fold that starts too deep opens at this rate.
+ * Unit: 1/s, relative to the thickness of the wall. Origin: chosen. Test: none known. */
+#define SCENE_FOLD_OPENING_RATE VBSS_TUNE(SCENE_FOLD_OPENING_RATE, 20.0)
 
 /* ---- Prediction and Newton (solve/predict.c, solve/newton.c) */
 
@@ -230,14 +231,14 @@
 /* ---- Energy check of a stopped search (solve/energy_check.c) */
 
 /* Largest energy gain in a scene without drains, where friction dissipates it.
- * Unit: J a substep, absolute. Origin: derived: the work of a quick hand in 1 ms, 2 N at 0.5 m/s. Test: none
- * known. */
-#define SCENE_ENERGY_WITHOUT_WALLS VBSS_TUNE(SCENE_ENERGY_WITHOUT_WALLS, 1e-3)
+ * Unit: W, relative to the length of the step. Origin: derived: the power of a quick hand, 2 N at 0.5 m/s.
+ * Test: none known. */
+#define SCENE_POWER_WITHOUT_WALLS VBSS_TUNE(SCENE_POWER_WITHOUT_WALLS, 1.0)
 /* Largest energy gain in a scene with drains, which store it.
- * Unit: J a substep, absolute. Origin: fitted: `tests/run.sh soak tugs`. Test: session. */
-#define SCENE_ENERGY_WITH_WALLS VBSS_TUNE(SCENE_ENERGY_WITH_WALLS, 2e-5)
+ * Unit: W, relative to the length of the step. Origin: fitted: `tests/run.sh soak tugs`. Test: session. */
+#define SCENE_POWER_WITH_WALLS VBSS_TUNE(SCENE_POWER_WITH_WALLS, 0.02)
 /* A gain beyond this after the first linearisation rejects the substep at once.
- * Unit: 1, relative to SCENE_ENERGY_WITH_WALLS. Origin: fitted: 7806 stopped substeps of two seeds of a
+ * Unit: 1, relative to SCENE_POWER_WITH_WALLS. Origin: fitted: 7806 stopped substeps of two seeds of a
  * surgeon. Test: session. */
 #define SCENE_HOPELESS_ENERGY_RATIO VBSS_TUNE(SCENE_HOPELESS_ENERGY_RATIO, 3.0)
 
@@ -256,8 +257,11 @@
  * Unit: 1, relative to the factor of the drain alone. Origin: chosen. Test: none known. */
 #define SCENE_FILL_IN_PRODUCT_RATIO VBSS_TUNE(SCENE_FILL_IN_PRODUCT_RATIO, 8u)
 
-/* ---- Continuous collision detection (ccd/ccd.c) */
+/* ---- Continuous collision detection (ccd) */
 
+/* Bodies count as held back until they have moved freely for this time.
+ * Unit: s. Origin: chosen: hosts show it to people. Test: scene.islands. */
+#define SCENE_BLOCKER_MEMORY VBSS_TUNE(SCENE_BLOCKER_MEMORY, 0.1)
 /* Axes stay at least this far apart.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
 #define SCENE_CCD_DISTANCE_RATIO VBSS_TUNE(SCENE_CCD_DISTANCE_RATIO, 0.5)
@@ -310,7 +314,7 @@
  * Unit: 1, relative to the penetration tolerance. Origin: chosen. Test: none known. */
 #define SCENE_ALLOWED_DEEPENING VBSS_TUNE(SCENE_ALLOWED_DEEPENING, 0.1)
 /* Smallest substep in a scene with drains, where a snap-through takes too much work. Without drains each
- * substep may gain 1 mJ, and more of them would gain more.
+ * substep may gain 1 mJ in a step of 1 ms, and more of them would gain more.
  * Unit: 1, relative to the smallest substep. Origin: fitted: four seeds of a surgeon, in which the step of
  * most work fell from 1.9e6 to 0.55e6 operations. Test: none known. */
 #define SCENE_HARD_MIN_SIZE_RATIO VBSS_TUNE(SCENE_HARD_MIN_SIZE_RATIO, 0.125)

@@ -6,10 +6,10 @@
 #include "base/snapshot.h"
 #include "session/session.h"
 
-_Static_assert(sizeof(vbss_session_status) == 136, "published size");
+_Static_assert(sizeof(vbss_session_status) == 160, "published size");
 _Static_assert(sizeof(vbss_session_event) == 120, "published size");
 
-static const uint32_t status_sizes[] = {136, 0};
+static const uint32_t status_sizes[] = {136, 160, 0};
 static const vbss_layout status_layout = {"vbss_session_status", NULL, status_sizes};
 static const uint32_t event_sizes[] = {120, 0};
 static const vbss_layout event_layout = {"vbss_session_event", NULL, event_sizes};
@@ -76,7 +76,7 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
         .seated = s->seated_count,
         .transfers = count_bits(s->transferred),
         .cut = s->cut_limbs,
-        .faults = s->knot_faults.value,
+        .faults = vbss_session_faults(s),
         .metrics_lost = s->metrics_lost,
         .steps = s->steps,
         .first_event = s->event_count > capacity ? s->event_count - capacity : 0,
@@ -84,7 +84,10 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
         .time = vbss_session_is_over(s) ? s->end_time : s->time,
         .tail = s->tail_length,
         .gap = s->gap,
+        .time_lost = vbss_session_is_over(s) ? s->end_time_lost : s->time_lost,
+        .is_lossy = s->is_lossy,
     };
+    own.time_simulated = own.time - own.time_lost;
     for (uint32_t k = 0; k < SESSION_SIDES; k++) {
         const session_hole *hole = &s->holes[k];
         own.punctured |= (uint32_t)(hole->id != 0) << k;

@@ -8,8 +8,10 @@
 #include "session/session.h"
 
 #define SIZE_BEFORE_GAP_MEASURE offsetof(vbss_session_config, gap_measure)
+#define SIZE_BEFORE_LOST_SHARE offsetof(vbss_session_config, lost_share)
 
-_Static_assert(sizeof(vbss_session_config) == 144 + 8 * sizeof(void *), "published size");
+_Static_assert(sizeof(vbss_session_config) == 152 + 8 * sizeof(void *), "published size");
+_Static_assert(SIZE_BEFORE_LOST_SHARE == 144 + 8 * sizeof(void *), "published size");
 _Static_assert(SIZE_BEFORE_GAP_MEASURE == 136 + 8 * sizeof(void *), "published size");
 
 static const vbss_session_config defaults = {
@@ -28,8 +30,10 @@ static const vbss_session_config defaults = {
     .seat_release = 1e-3,
     .seat_force = 0.5,
     .avulsed_share = 0.5,
+    .lost_share = 0.02,
 };
-static const uint32_t sizes[] = {SIZE_BEFORE_GAP_MEASURE, sizeof(vbss_session_config), 0};
+static const uint32_t sizes[] = {SIZE_BEFORE_GAP_MEASURE, SIZE_BEFORE_LOST_SHARE,
+                                 sizeof(vbss_session_config), 0};
 static const vbss_layout layout = {"vbss_session_config", &defaults, sizes};
 
 vbss_result vbss_session_config_init(vbss_session_config *config, uint32_t struct_size)
@@ -63,6 +67,7 @@ vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_c
         {"break_force", own->break_force, 0.0, 1e6},
         {"reserved", own->reserved, 0.0, 0.0},
         {"gap_measure", own->gap_measure, VBSS_SESSION_GAP_LIPS, VBSS_SESSION_GAP_EDGES},
+        {"lost_share", own->lost_share, 0.0, 1.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

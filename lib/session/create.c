@@ -111,8 +111,11 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
     VBSS_TRY(check_bodies(info.context, scene, &own));
     VBSS_TRY(vbss_session_allocate(info.context, &own, &s));
     s->scene = scene;
-    s->scene_steps = info.steps;
-    vbss_result result = check_components(s);
+    s->takes_over = true;
+    vbss_result result = vbss_session_start_clock(s);
+    if (result == VBSS_OK) {
+        result = check_components(s);
+    }
     if (result == VBSS_OK) {
         result = vbss_slot_create(s->context, &vbss_session_kind, s, &slot);
     }

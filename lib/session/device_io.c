@@ -1,5 +1,6 @@
 /* Input and output of devices: hands move the tools before the step, and feel forces after it. */
 #include "base/error.h"
+#include "device/device.h"
 #include "session/session.h"
 #include "session/tuning.h"
 
@@ -63,18 +64,50 @@ static bool has_device(const session_object *s, uint32_t hand)
            tool_of_hand(s, hand) != NULL;
 }
 
-vbss_result vbss_session_read_devices(const session_object *s, double now)
+/* The jaws of a session that begins or was restored stay as they are until the handle has passed
+ * them. */
+static vbss_result hold_jaws(const session_object *s, uint32_t hand)
 {
+    device_object *d;
+    vbss_grasper_state state;
+    VBSS_TRY(vbss_device_open(s->config.devices[hand], &d));
+    if (!s->takes_over || d->config.jaw_takeover == 0) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_grasper_get_state(tool_of_hand(s, hand), &state, sizeof state));
+    return vbss_device_hold_jaw(s->config.devices[hand], state.opening);
+}
+
+static vbss_result follow_hand(const session_object *s, uint32_t hand,
+                               const vbss_device_input *input)
+{
+    if (input->status == VBSS_DEVICE_WAITING) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(move_tool(s, hand, input));
+    VBSS_TRY(set_tool_opening(s, hand, input));
+    return exchange_tool(s, hand, input);
+}
+
+/* Reads all devices even if one fails: a device whose clock is wrong switches its outputs off. */
+vbss_result vbss_session_read_devices(session_object *s, double now)
+{
+    vbss_device_input inputs[SESSION_HANDS];
+    vbss_result result = VBSS_OK;
     for (uint32_t i = 0; i < SESSION_HANDS; i++) {
-        vbss_device_input input;
-        if (!has_device(s, i)) {
-            continue;
+        if (has_device(s, i)) {
+            vbss_result read = hold_jaws(s, i);
+            read = read == VBSS_OK
+                       ? vbss_device_read(s->config.devices[i], now, &inputs[i], sizeof inputs[i])
+                       : read;
+            result = result == VBSS_OK ? read : result;
         }
-        VBSS_TRY(vbss_device_read(s->config.devices[i], now, &input, sizeof input));
-        if (input.status != VBSS_DEVICE_WAITING) {
-            VBSS_TRY(move_tool(s, i, &input));
-            VBSS_TRY(set_tool_opening(s, i, &input));
-            VBSS_TRY(exchange_tool(s, i, &input));
+    }
+    VBSS_TRY(result);
+    s->takes_over = false;
+    for (uint32_t i = 0; i < SESSION_HANDS; i++) {
+        if (has_device(s, i)) {
+            VBSS_TRY(follow_hand(s, i, &inputs[i]));
         }
     }
     return VBSS_OK;

@@ -107,6 +107,7 @@ static vbss_result feed_sample(const session_object *s, const session_observatio
                               VBSS_METRICS_HAS_LEFT_FORCE | VBSS_METRICS_HAS_RIGHT_FORCE);
     sample.step = s->steps;
     sample.time = s->time;
+    sample.time_lost = s->time_lost;
     for (int i = 0; i < SESSION_HANDS; i++) {
         vec3_store(sample.position[i], observed->tools[i].tip);
         vec3_store(sample.force[i], observed->tools[i].force);

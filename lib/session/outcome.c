@@ -59,8 +59,9 @@ void vbss_session_update_cuts(session_object *s, const session_observation *obse
 {
     double lost_length = s->thread_length - observed->thread_length;
     bool is_new = observed->thread != s->thread, is_length_known = s->thread_length > 0.0;
+    double min_lost_length = SESSION_MIN_CUT_RATIO * s->thread_length;
     s->thread_length = observed->thread_length;
-    if (!is_length_known || (!is_new && lost_length < SESSION_MIN_CUT_LENGTH)) {
+    if (!is_length_known || (!is_new && lost_length < min_lost_length)) {
         return;
     }
     uint32_t limb = is_new ? SESSION_EXIT : SESSION_ENTRY;

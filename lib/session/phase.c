@@ -223,6 +223,7 @@ static void update_phase(session_object *s)
     }
     if (vbss_session_is_over(s)) {
         s->end_time = s->time;
+        s->end_time_lost = s->time_lost;
     }
     uint64_t capacity = s->config.event_capacity;
     for (uint64_t i = s->event_count;
@@ -249,5 +250,6 @@ void vbss_session_update_progress(session_object *s, const session_observation *
         vbss_session_update_throws(s, observed);
         vbss_session_update_failures(s, observed);
     }
+    vbss_session_update_lost_time(s);
     update_phase(s);
 }

@@ -5,6 +5,8 @@
  * device_io.c reads and writes the devices. log_sync.c steps the scene and keeps its log.
  * detector_feed.c runs the knot detector, and metrics_feed.c feeds the metrics.
  *
+ * clock.c keeps the clocks of the task: time, and the part of it that the scene has lost.
+ *
  * After the step of the scene, observe.c fills one struct, the observation. It is the only input of
  * phase.c, throws.c and outcome.c, which derive the facts and the phase of the task. They share the
  * queries of task_state.c, and emit events through events.c.
@@ -52,7 +54,7 @@ typedef struct session_hole_observation {
     uint32_t thread;          /* number of the thread in the hole; 0: the needle is in it */
     double distance_from_tip; /* from the needle's tip to the hole, along needle and thread, m */
     double arc;               /* from the needle's tip or the thread's first node to the hole, m */
-    vec3 position, force;     /* m; N */
+    vec3 position;            /* m */
     /* Offset of the hole from each mark on the drain at rest: about the axis, rad, and along it, m.
      * For new holes only. */
     double angle[2], axial[2];
@@ -122,10 +124,17 @@ typedef struct session_object {
     vbss_scene *scene;
     vbss_session_config config;
 
+    bool takes_over; /* in the next step the handles have to take over the jaws; not saved */
     /* State. Snapshots save all of it but h. */
     uint64_t steps, scene_steps; /* of the session; of the scene after the session's last step */
     double time, h;              /* since the needle appeared, s; length of the last step, s */
     double end_time;             /* when the task ended, s; 0: it has not ended */
+    double time_lost;            /* part of `time` that the scene has left out, s */
+    double end_time_lost;        /* of end_time */
+    /* Statistics of the scene after the last step: time_paused, s, and clamped. */
+    double scene_time_paused;
+    uint64_t scene_clamped;
+    uint32_t is_lossy;    /* 1: the share of lost time exceeds its limit, with hysteresis */
     uint32_t thread;      /* number of the thread; after cuts, of the piece with the stitch */
     double thread_length; /* at rest after the last step, m; 0: before the first step */
     vbss_session_phase phase;
@@ -137,8 +146,9 @@ typedef struct session_object {
     uint32_t last_holder; /* hand that last held it alone; VBSS_METRICS_NO_TOOL: none yet */
     /* tail_set: 1 if the length of the tail is within its limits. throw_stage: 8 * throw plus a
      * VBSS_SESSION_STAGE_ constant. newest_seated: 1 if the newest throw is seated. knot_faults:
-     * VBSS_KNOT_FAULT_ bits. broken: 1 if the tension exceeds config.break_force. */
-    session_debounced_value tail_set, throw_stage, newest_seated, knot_faults, broken;
+     * VBSS_KNOT_FAULT_ bits but for the half hitch. half_hitch: 1 if the knot has that fault.
+     * broken: 1 if the tension exceeds config.break_force. */
+    session_debounced_value tail_set, throw_stage, newest_seated, knot_faults, half_hitch, broken;
     session_throw throws[SESSION_MAX_THROWS];
     uint32_t throw_count, seated_count; /* throws that are tied; of them, throws that are seated */
     /* Bit per throw: the needle did not change hands before it. */
@@ -178,7 +188,7 @@ vbss_result vbss_session_open(const vbss_session *handle, session_object **sessi
  * the context. */
 vbss_result vbss_session_edit(vbss_session *handle, session_object **session);
 
-/* ---- config.c; vbss_session_check_record is in log_sync.c */
+/* ---- config.c */
 
 /* Copies the configuration of a host into `own` and checks its numbers, but not its bodies and
  * components. VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
@@ -186,17 +196,13 @@ vbss_result vbss_session_edit(vbss_session *handle, session_object **session);
 vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_config *config,
                                      vbss_session_config *own);
 
-/* Checks that a record belongs to the session's scene; NULL is allowed. VBSS_ERROR_INVALID_HANDLE,
- * VBSS_ERROR_BUSY, or VBSS_ERROR_OUT_OF_RANGE for another scene. */
-vbss_result vbss_session_check_record(const session_object *s, vbss_record *record);
-
 /* ---- device_io.c
  *
  * Both functions do nothing during a replay, and skip a hand that has no device or no tool. `now`
  * is the clock of the host, s. They return the first error of a device, a tool or the record. */
 
 /* Reads the devices, and sets the targets, openings and kinds of the tools. */
-vbss_result vbss_session_read_devices(const session_object *s, double now);
+vbss_result vbss_session_read_devices(session_object *s, double now);
 /* Writes the forces on the hands to the devices. */
 vbss_result vbss_session_write_devices(const session_object *s, double now);
 
@@ -206,6 +212,15 @@ vbss_result vbss_session_write_devices(const session_object *s, double now);
  * the length of the step, s, which a replay replaces. Errors are those of vbss_session_step. */
 vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, double now, double h);
 
+/* ---- clock.c */
+
+/* Starts from the present statistics of the scene. VBSS_ERROR_INVALID_HANDLE. */
+vbss_result vbss_session_start_clock(session_object *s);
+/* Counts the step that the scene has made. VBSS_ERROR_INVALID_HANDLE. */
+vbss_result vbss_session_count_step(session_object *s);
+/* Emits an event if the share of lost time has crossed its limit. */
+void vbss_session_update_lost_time(session_object *s);
+
 /* ---- seek.c */
 
 /* Brings the scene and the session to a step of the replayed log. Errors are those of
@@ -214,6 +229,9 @@ vbss_result vbss_session_seek_step(const vbss_slot *slot, session_object *s, uin
 
 /* ---- log_sync.c */
 
+/* Checks that a record belongs to the session's scene; NULL is allowed. VBSS_ERROR_INVALID_HANDLE,
+ * VBSS_ERROR_BUSY, or VBSS_ERROR_OUT_OF_RANGE for another scene. */
+vbss_result vbss_session_check_record(const session_object *s, vbss_record *record);
 /* Steps the scene: from the replay, through the record, or directly. In a replay,
  * VBSS_ERROR_OUT_OF_RANGE at the end of the log, and VBSS_ERROR_CORRUPT if the scene differs from
  * the recorded one. */
@@ -258,6 +276,8 @@ bool vbss_session_is_threaded(const session_object *s);
 
 /* Updates throws, seats, transfers, stage and faults of the knot. */
 void vbss_session_update_throws(session_object *s, const session_observation *observed);
+/* The debounced faults of the knot, VBSS_KNOT_FAULT_ bits. */
+uint32_t vbss_session_faults(const session_object *s);
 
 /* ---- outcome.c */
 

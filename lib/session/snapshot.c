@@ -43,7 +43,8 @@ static void visit_config(vbss_stream *stream, const vbss_session_config *c)
                               c->metrics != NULL, (uint32_t)c->gap_measure};
     const double numbers[] = {c->time_limit,   c->dwell,       c->throw_dwell,   c->tail_low,
                               c->tail_high,    c->tail_margin, c->tail_reach,    c->seat_gap,
-                              c->seat_release, c->seat_force,  c->avulsed_share, c->break_force};
+                              c->seat_release, c->seat_force,  c->avulsed_share, c->break_force,
+                              c->lost_share};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         vbss_stream_expect(stream, 1, words[i]);
     }
@@ -123,6 +124,11 @@ static void visit_task(vbss_stream *stream, session_object *s)
     vbss_stream_u64(stream, 3, &s->steps, 1);
     visit_bounded(stream, 4, &s->time, LARGEST_TIME);
     visit_bounded(stream, 5, &s->end_time, LARGEST_TIME);
+    visit_bounded(stream, 55, &s->time_lost, LARGEST_TIME);
+    visit_bounded(stream, 56, &s->end_time_lost, LARGEST_TIME);
+    visit_bounded(stream, 57, &s->scene_time_paused, LARGEST_TIME);
+    vbss_stream_u64(stream, 58, &s->scene_clamped, 1);
+    visit_below(stream, 59, &s->is_lossy, 2);
     vbss_stream_u32(stream, 6, &s->thread, 1);
     visit_bounded(stream, 7, &s->thread_length, LARGEST_LENGTH);
     visit_choice(stream, 8, &s->phase, VBSS_SESSION_PHASE_FAILED);
@@ -134,6 +140,7 @@ static void visit_task(vbss_stream *stream, session_object *s)
     visit_debounced(stream, &s->throw_stage, 8 * (SESSION_MAX_THROWS + 1));
     visit_debounced(stream, &s->newest_seated, 2);
     visit_debounced(stream, &s->knot_faults, 1u << 16);
+    visit_debounced(stream, &s->half_hitch, 2);
     visit_debounced(stream, &s->broken, 2);
     visit_throws(stream, s);
     visit_below(stream, 50, &s->cut_limbs, 4);
@@ -249,6 +256,10 @@ static void visit_scene(vbss_stream *stream, session_object *s)
 void vbss_session_serialise(vbss_stream *stream, void *object)
 {
     session_object *s = object;
+    if (stream->version < 2) {
+        vbss_stream_refuse(stream, VBSS_ERROR_DATA_VERSION, "it is from before lost time");
+        return;
+    }
     visit_config(stream, &s->config);
     visit_scene(stream, s);
     visit_task(stream, s);
@@ -256,5 +267,6 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     visit_components(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
         clear_knot_events(s);
+        s->takes_over = true;
     }
 }

@@ -17,17 +17,6 @@ static vbss_result check_scene_step(const session_object *s)
                            (unsigned long long)scene.steps, (unsigned long long)s->scene_steps);
 }
 
-static vbss_result count_step(session_object *s)
-{
-    scene_info scene;
-    VBSS_TRY(vbss_scene_inspect(s->scene, &scene));
-    s->scene_steps = scene.steps;
-    s->time += s->steps > 0 ? s->h : 0.0;
-    s->steps++;
-    s->events_before_step = s->event_count;
-    return VBSS_OK;
-}
-
 static vbss_result observe_and_update(session_object *s)
 {
     vbss_session_observe(s, &s->observation);
@@ -46,7 +35,7 @@ vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, doubl
     VBSS_TRY(check_scene_step(s));
     VBSS_TRY(vbss_session_read_devices(s, now));
     VBSS_TRY(vbss_session_step_scene(s, h));
-    VBSS_TRY(count_step(s));
+    VBSS_TRY(vbss_session_count_step(s));
     vbss_result result = observe_and_update(s);
     keep_first_error(&result, vbss_session_feed_metrics(s, &s->observation));
     keep_first_error(&result, vbss_session_write_devices(s, now));

@@ -1,12 +1,14 @@
 /* Updates the facts of the knot: throws, seats, transfers of the needle, stage, faults. */
 #include "knot/knot.h"
 #include "session/session.h"
+#include "session/tuning.h"
 
 /* Faults of a knot that is being tied. Too few throws are no fault yet. */
 #define FAULTS                                                                           \
     ((uint32_t)(VBSS_KNOT_FAULT_FIRST | VBSS_KNOT_FAULT_LATER | VBSS_KNOT_FAULT_MANY |   \
                 VBSS_KNOT_FAULT_GRANNY | VBSS_KNOT_FAULT_STRAY | VBSS_KNOT_FAULT_HITCH | \
                 VBSS_KNOT_FAULT_TYPE))
+#define HITCH ((uint32_t)VBSS_KNOT_FAULT_HITCH)
 
 static void emit_knot_event(session_object *s, const session_observation *observed,
                             vbss_session_event_kind kind, uint32_t number, uint32_t undone)
@@ -169,16 +171,23 @@ static void update_stage(session_object *s, const session_observation *observed)
     }
 }
 
+uint32_t vbss_session_faults(const session_object *s)
+{
+    return s->knot_faults.value | (s->half_hitch.value != 0 ? HITCH : 0);
+}
+
 static void update_faults(session_object *s, const session_observation *observed)
 {
-    uint32_t before = s->knot_faults.value;
+    uint32_t before = vbss_session_faults(s);
     uint32_t seen =
         observed->knot.faults & (observed->knot.throw_count > 0 ? FAULTS : VBSS_KNOT_FAULT_STRAY);
-    (void)vbss_session_debounce(&s->knot_faults, seen, s->time, s->config.throw_dwell);
+    (void)vbss_session_debounce(&s->knot_faults, seen & ~HITCH, s->time, s->config.throw_dwell);
+    (void)vbss_session_debounce(&s->half_hitch, (seen & HITCH) != 0, s->time,
+                                SESSION_HITCH_DWELLS * s->config.throw_dwell);
+    uint32_t now = vbss_session_faults(s);
     for (uint32_t bit = 1; bit <= FAULTS; bit <<= 1) {
-        if (((s->knot_faults.value ^ before) & bit) != 0) {
-            emit_knot_event(s, observed, VBSS_SESSION_EVENT_FAULT, bit,
-                            (s->knot_faults.value & bit) == 0);
+        if (((now ^ before) & bit) != 0) {
+            emit_knot_event(s, observed, VBSS_SESSION_EVENT_FAULT, bit, (now & bit) == 0);
         }
     }
 }

@@ -8,7 +8,7 @@
 
 /* The most that a body turns in one part, half of what could be told from turning the other way: a
  * faster spin, met once a part, would look like a slower one, and a stiff coupling would hold it. Derived. */
-#define MOST_TURN (0.5 * VBSS_PI)
+#define MAX_TURN (0.5 * VBSS_PI)
 
 /* ---- rotation */
 
@@ -118,7 +118,7 @@ void vbss_rigid_predict(const vbss_rigid *rigid, const vbss_rigid_substep *subst
 {
     const vbss_rigid_motion *now = &rigid->now;
     double h = substep_length(substep), drag_factor = 1.0 / (1.0 + h * rigid->drag);
-    double angle = h * vec3_norm(now->w), spin_factor = angle > MOST_TURN ? MOST_TURN / angle : 1.0;
+    double angle = h * vec3_norm(now->w), spin_factor = angle > MAX_TURN ? MAX_TURN / angle : 1.0;
     vec3 v = vec3_scale(vec3_add_scaled(now->v, h, rigid->gravity), drag_factor);
     vec3 angular_momentum =
         vec3_scale(vbss_rigid_angular_momentum(rigid, now), drag_factor * spin_factor);

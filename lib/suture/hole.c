@@ -54,20 +54,18 @@ hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain
 
 /* A hole at a larger arc length means that the suture has moved toward the tip. */
 void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *config,
-                              const suture_curve_point *now, vec3 drain, double h,
+                              double start_arc, const suture_curve_point *now, vec3 drain, double h,
                               contact_constraint *constraint)
 {
     constraint->normal = now->tangent;
     constraint->curvature = now->curvature;
     constraint->relative_displacement = vec3_sub(now->position, drain);
-    constraint->relative_displacement = vec3_add_scaled(
-        constraint->relative_displacement, now->arc - constraint->start_arc_length, now->tangent);
+    constraint->relative_displacement =
+        vec3_add_scaled(constraint->relative_displacement, now->arc - start_arc, now->tangent);
     constraint->gap = 0.0;
-    constraint->point = drain;
     constraint->previous_force = vec3_scale(now->tangent, hole->friction_force);
     constraint->stiffness = config->hole_stiffness;
     constraint->viscous_stiffness = config->hole_damping / h;
-    constraint->friction = 0.0; /* a sleeve has its own friction */
 }
 
 void vbss_hole_set_arc(suture_hole *hole, double arc)

@@ -121,10 +121,11 @@ typedef struct hole_yield_limit {
 hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain_config *config,
                                        const suture_curve *curve, const suture_curve_point *point);
 /* Sets the constraint of a hole, except its Jacobian and the fields known at the start of the
- * substep. The point `now` of the suture and the hole's position `drain` are in the trial state;
- * the substep lasts h seconds. Side a is the suture. */
+ * substep. The hole began the substep at `start_arc`, m. The point `now` of the suture and the
+ * hole's position `drain` are in the trial state; the substep lasts h seconds. Side a is the
+ * suture. */
 void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *config,
-                              const suture_curve_point *now, vec3 drain, double h,
+                              double start_arc, const suture_curve_point *now, vec3 drain, double h,
                               contact_constraint *constraint);
 /* Moves the hole to this arc length and updates max_arc. */
 void vbss_hole_set_arc(suture_hole *hole, double arc);

@@ -11,9 +11,9 @@ bool vbss_thread_locate_cut(const thread_object *t, double arc_length, thread_cu
     for (; i + 1 < segments && remaining > t->rest[i]; i++) {
         remaining -= t->rest[i];
     }
-    double l = t->rest[i], snap = THREAD_CUT_SNAP_FRACTION * l > THREAD_CUT_MIN_LENGTH
-                                      ? THREAD_CUT_SNAP_FRACTION
-                                      : THREAD_CUT_MIN_LENGTH / l;
+    double l = t->rest[i], min_length = THREAD_CUT_MIN_LENGTH_RATIO * t->config.radius;
+    double snap =
+        THREAD_CUT_SNAP_FRACTION * l > min_length ? THREAD_CUT_SNAP_FRACTION : min_length / l;
     double fraction = remaining / l;
     if (!(fraction >= snap)) {
         if (i == 0) {

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/number_text.h"
 #include "base/snapshot.h"
 #include "thread/remesh.h"
 
@@ -161,8 +162,8 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
     VBSS_TRY(vbss_check_range(t->context, arc_length, 0.0, length, "arc_length"));
     thread_cut cut;
     if (!vbss_thread_locate_cut(t, arc_length, &cut)) {
-        return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a cut at %g m is at an end",
-                         arc_length);
+        return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a cut at %s m is at an end",
+                         VBSS_NUMBER(arc_length));
     }
     vbss_slot *slot;
     thread_object *new_piece = vbss_thread_acquire_piece(t, &slot);

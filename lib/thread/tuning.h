@@ -2,9 +2,7 @@
  *
  * Each entry gives its unit, and whether it is relative or absolute; its origin: derived, fitted, chosen or
  * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
- * five of the bench tuning (docs/notebook/tuning.md).
- * Absolute numbers stay absolute: a value relative to thread, step or mass would change the bits of scenes
- * whose threads or steps are not the defaults. */
+ * five of the bench tuning (docs/notebook/tuning.md). */
 #ifndef VBSS_THREAD_TUNING_H
 #define VBSS_THREAD_TUNING_H
 
@@ -61,8 +59,9 @@
  * Unit: 1, relative to the segment. Origin: chosen. Test: none known. */
 #define THREAD_CUT_SNAP_FRACTION VBSS_TUNE(THREAD_CUT_SNAP_FRACTION, 0.01)
 /* A cut leaves no shorter segment.
- * Unit: m, absolute. Origin: chosen. Test: none known. */
-#define THREAD_CUT_MIN_LENGTH VBSS_TUNE(THREAD_CUT_MIN_LENGTH, 1e-7)
+ * Unit: 1, relative to the radius of the thread. Origin: chosen: 1e-7 m at the default radius. Test: none
+ * known. */
+#define THREAD_CUT_MIN_LENGTH_RATIO VBSS_TUNE(THREAD_CUT_MIN_LENGTH_RATIO, 1e-7 / 0.125e-3)
 
 /* ---- Remeshing (remesh_criteria.c, remesh.c, remesh_window.c) */
 

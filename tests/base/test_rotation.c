@@ -82,8 +82,8 @@ static void unnormalised_quaternion_is_read_as_rotation(void **state)
     (void)state;
     vec3 half = vbss_quat_to_rotation_vector(quat_make(0, 1e-6, 0, 0));
     expect_near(pi, half.x, 1e-15);
-    vec3 most = vbss_quat_to_rotation_vector(quat_make(1e-7, 1e-6, 0, 0));
-    expect_near(2 * atan2(1e-6, 1e-7), most.x, 1e-15);
+    vec3 largest = vbss_quat_to_rotation_vector(quat_make(1e-7, 1e-6, 0, 0));
+    expect_near(2 * atan2(1e-6, 1e-7), largest.x, 1e-15);
 }
 
 static void non_finite_angular_velocity_propagates(void **state)

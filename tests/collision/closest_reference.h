@@ -92,7 +92,7 @@ typedef struct ask {
 } ask;
 typedef long double (*convex)(const ask *q, long double share);
 
-static inline long double least(convex f, const ask *q)
+static inline long double smallest(convex f, const ask *q)
 {
     long double low = 0.0L, high = 1.0L, ends = f(q, low);
     ends = f(q, high) < ends ? f(q, high) : ends;
@@ -122,7 +122,7 @@ static inline long double from_edge_to_triangle(const ask *q, long double share)
 {
     ask at = *q;
     at.p = along(q->a[0], q->a[1], share);
-    return least(from_point_to_slice, &at);
+    return smallest(from_point_to_slice, &at);
 }
 
 static inline double smallest_distance(const feature *a, const feature *b)
@@ -136,9 +136,9 @@ static inline double smallest_distance(const feature *a, const feature *b)
         *(of_a ? &q.a[k] : &q.b[k - 2]) = load_place(x, -power);
     }
     q.p = q.a[0];
-    long double square = b->count == 2   ? least(from_edge_to_edge, &q)
-                         : a->count == 1 ? least(from_point_to_slice, &q)
-                                         : least(from_edge_to_triangle, &q);
+    long double square = b->count == 2   ? smallest(from_edge_to_edge, &q)
+                         : a->count == 1 ? smallest(from_point_to_slice, &q)
+                                         : smallest(from_edge_to_triangle, &q);
     return ldexp((double)sqrtl(square), power);
 }
 

@@ -134,7 +134,7 @@ namespace
 {
 
 struct listener {
-    void (*tell)(void *user, uint32_t i, uint32_t j);
+    void (*report)(void *user, uint32_t i, uint32_t j);
     void *user;
 };
 
@@ -143,17 +143,17 @@ uint32_t index_of(const fcl::CollisionObjectd *object)
     return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(object->getUserData()));
 }
 
-bool tell_pair(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b, void *user)
+bool report_pair(fcl::CollisionObjectd *a, fcl::CollisionObjectd *b, void *user)
 {
     const listener *to = static_cast<const listener *>(user);
     uint32_t i = index_of(a), j = index_of(b);
-    to->tell(to->user, std::min(i, j), std::max(i, j));
+    to->report(to->user, std::min(i, j), std::max(i, j));
     return false; /* go on */
 }
 
 } // namespace
 
-void fcl_boxes_find_pairs(fcl_boxes *boxes, void (*tell)(void *user, uint32_t i, uint32_t j),
+void fcl_boxes_find_pairs(fcl_boxes *boxes, void (*report)(void *user, uint32_t i, uint32_t j),
                           void *user)
 {
     if (boxes->planted) {
@@ -167,6 +167,6 @@ void fcl_boxes_find_pairs(fcl_boxes *boxes, void (*tell)(void *user, uint32_t i,
         boxes->tree.setup();
         boxes->planted = true;
     }
-    listener to = {tell, user};
-    boxes->tree.collide(&to, tell_pair);
+    listener to = {report, user};
+    boxes->tree.collide(&to, report_pair);
 }

@@ -40,7 +40,7 @@ fcl_boxes *fcl_boxes_create(uint32_t count);
 void fcl_boxes_destroy(fcl_boxes *boxes);
 void fcl_boxes_set(fcl_boxes *boxes, uint32_t index, const double low[3], const double high[3]);
 /* Fits the tree to the boxes and tells each pair that overlaps once, the smaller index first. */
-void fcl_boxes_find_pairs(fcl_boxes *boxes, void (*tell)(void *user, uint32_t i, uint32_t j),
+void fcl_boxes_find_pairs(fcl_boxes *boxes, void (*report)(void *user, uint32_t i, uint32_t j),
                           void *user);
 
 #ifdef __cplusplus

@@ -13,13 +13,13 @@ static void support(const void *object, const ccd_vec3_t *direction, ccd_vec3_t 
 {
     const libccd_hull *h = object;
     const double *d = direction->v;
-    double most = -DBL_MAX;
+    double largest = -DBL_MAX;
     uint32_t best = 0;
     for (uint32_t i = 0; i < h->count; i++) {
         const double *p = h->points[i];
         double along = p[0] * d[0] + p[1] * d[1] + p[2] * d[2];
-        if (along > most) {
-            most = along;
+        if (along > largest) {
+            largest = along;
             best = i;
         }
     }

@@ -13,10 +13,10 @@ typedef struct question {
     double start[12], end[12];
 } question;
 
-typedef struct told {
+typedef struct reported {
     vbss_impact impact;
     collision_counters counters;
-} told;
+} reported;
 
 /* Defaults but for the paper's unit: that of the numbers here. */
 static inline vbss_collision_config rules_for(vbss_collision_method method, double thickness)
@@ -37,9 +37,9 @@ static inline void expect_finite(const double *values, int count)
 }
 
 /* Also sees to it that the answer is whole: finite, unit normal or none, weights that sum to 1. */
-static inline told ask_with(const vbss_collision_config *config, const question *q)
+static inline reported ask_with(const vbss_collision_config *config, const question *q)
 {
-    told t = {.counters = {0}};
+    reported t = {.counters = {0}};
     uint32_t limbs[COLLISION_STACK_LIMBS];
     collision_ccd_options rules = vbss_collision_ccd_options_of(config);
     rules.limbs = limbs;
@@ -69,7 +69,7 @@ static inline told ask_with(const vbss_collision_config *config, const question 
     return t;
 }
 
-static inline told ask(vbss_collision_method method, double thickness, const question *q)
+static inline reported ask(vbss_collision_method method, double thickness, const question *q)
 {
     vbss_collision_config config = rules_for(method, thickness);
     return ask_with(&config, q);

@@ -6,7 +6,7 @@
 #include "harness/float_modes.h"
 #include "shapes_model.h"
 
-enum { MOST = 64, STRIDE = MOST + 1, PATTERN = 0xa5 };
+enum { MAX_COUNT = 64, STRIDE = MAX_COUNT + 1, PATTERN = 0xa5 };
 
 typedef struct outputs {
     int32_t hit[STRIDE], decision[STRIDE];
@@ -36,7 +36,7 @@ static void begin(fixture *f, uint32_t which, uint32_t count, uint32_t stride)
     expect_ok(vbss_collision_config_init(&config, sizeof config));
     config.thickness = COLLISION_THICKNESS;
     expect_ok(vbss_collision_create(f->context, &config, &f->object));
-    make_thick_set(which, MOST, 51, &f->set);
+    make_thick_set(which, MAX_COUNT, 51, &f->set);
     size_t cells = 11 * (size_t)stride + count;
     f->rows = (rows){malloc(cells * sizeof(double)), malloc(cells * sizeof(double)),
                      malloc((size_t)count * sizeof(double))};
@@ -115,7 +115,7 @@ static void ask_singly(const fixture *f, vbss_collision_method method, outputs *
 static void batch_equals_single_tests(void **state)
 {
     (void)state;
-    const uint32_t counts[] = {1, 4, 7, MOST};
+    const uint32_t counts[] = {1, 4, 7, MAX_COUNT};
     for (uint32_t i = 0; i < 3 * (thick_set_count() - 1); i++) {
         fixture f;
         outputs wanted;

@@ -191,16 +191,17 @@ static void what_comes_near(harness_source *source, void *user)
         bool edges = pair.kind == VBSS_PAIR_EDGE_EDGE;
         for (pair.a = 0; pair.a < (edges ? 19u : 20u); pair.a++) {
             for (pair.b = 0; pair.b < (edges ? 33u : 18u); pair.b++) {
-                double least = (double)INFINITY;
+                double smallest = (double)INFINITY;
                 for (int i = 0; i <= 16; i++) {
                     double distance = distance_at(&m, &pair, i / 16.0);
-                    least = distance < least ? distance : least;
+                    smallest = distance < smallest ? distance : smallest;
                 }
-                while (listed < last && memcmp(listed, &pair, sizeof pair) != 0 && least <= reach) {
+                while (listed < last && memcmp(listed, &pair, sizeof pair) != 0 &&
+                       smallest <= reach) {
                     listed++; /* a pair that comes near no sample, or of one shape */
                 }
-                assert_true(least > reach || listed < last);
-                *near += least <= reach;
+                assert_true(smallest > reach || listed < last);
+                *near += smallest <= reach;
             }
         }
     }

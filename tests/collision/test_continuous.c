@@ -22,7 +22,7 @@ static void expect_miss(const vbss_impact *impact)
 
 /* The point of the vertices first .. last, which are all of a feature. */
 static void expect_point(const collision_query *query, const vbss_impact *impact, int first,
-                         int last, const double told[3])
+                         int last, const double reported[3])
 {
     vec3 point = vec3_zero();
     double all = 0.0;
@@ -35,7 +35,7 @@ static void expect_point(const collision_query *query, const vbss_impact *impact
         point = vec3_add_scaled(point, w, now);
     }
     expect_near(1.0, all, 1e-15);
-    expect_near(0.0, vec3_distance(point, vec3_load(told)), 1e-14 * size_of(query));
+    expect_near(0.0, vec3_distance(point, vec3_load(reported)), 1e-14 * size_of(query));
 }
 
 static void expect_hit(const collision_query *query, const vbss_impact *impact)

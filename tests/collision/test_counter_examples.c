@@ -9,20 +9,20 @@ enum { MISS = 0, HIT = 1 };
 #define SHORT -1, 0, 0, 1, 0, 0
 #define LONG -2.5, 0, 0, 2.5, 0, 0
 
-static void expect_told(int wanted, vbss_collision_method method, double thickness,
-                        const question *q)
+static void expect_reported(int wanted, vbss_collision_method method, double thickness,
+                            const question *q)
 {
     assert_int_equal(wanted, ask(method, thickness, q).impact.hit);
 }
 
 static void expect_paper(int wanted, double thickness, const question *q)
 {
-    expect_told(wanted, VBSS_COLLISION_PAPER, thickness, q);
+    expect_reported(wanted, VBSS_COLLISION_PAPER, thickness, q);
 }
 
 static void expect_cubic(int wanted, double thickness, const question *q)
 {
-    expect_told(wanted, VBSS_COLLISION_CUBIC, thickness, q);
+    expect_reported(wanted, VBSS_COLLISION_CUBIC, thickness, q);
 }
 
 /* CONSERVATIVE is right; `time` is that of the first touch. */

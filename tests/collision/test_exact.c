@@ -29,10 +29,10 @@ static exact_result decide(const collision_query *query, uint32_t capacity)
     return truth;
 }
 
-static void expect_truth(const collision_query *query, exact_result told)
+static void expect_truth(const collision_query *query, exact_result reported)
 {
-    if (told != (query->hit ? COLLISION_EXACT_HIT : COLLISION_EXACT_MISS)) {
-        print_query(told == COLLISION_EXACT_UNKNOWN ? "unknown" : "wrong", query);
+    if (reported != (query->hit ? COLLISION_EXACT_HIT : COLLISION_EXACT_MISS)) {
+        print_query(reported == COLLISION_EXACT_UNKNOWN ? "unknown" : "wrong", query);
         fail();
     }
 }

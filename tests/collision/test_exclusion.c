@@ -35,12 +35,12 @@ static const candidate *find(const fixture *f, uint32_t edges, const double *res
 
 /* Asserts that exactly the pairs at least `least` edges apart are listed. */
 static void expect_apart(const fixture *f, uint32_t edges, const double *rest, double radius,
-                         uint32_t least)
+                         uint32_t smallest)
 {
     uint32_t count, next = 0;
     const candidate *listed = find(f, edges, rest, radius, &count);
     for (uint32_t a = 0; a < edges; a++) {
-        for (uint32_t b = a + least; b < edges; b++) {
+        for (uint32_t b = a + smallest; b < edges; b++) {
             assert_true(next < count);
             assert_int_equal(listed[next].a, a);
             assert_int_equal(listed[next++].b, b);
@@ -49,7 +49,7 @@ static void expect_apart(const fixture *f, uint32_t edges, const double *rest, d
     assert_int_equal(next, count);
 }
 
-static uint32_t at_least_two(uint32_t edges)
+static uint32_t two_or_more(uint32_t edges)
 {
     return edges < 2 ? 2 : edges;
 }
@@ -71,13 +71,13 @@ static void exclusion_boundary_is_exact(void **state)
             /* As long as k edges: not shorter, so they are listed; D is thickness and both radii. */
             f.config.exclusion = k;
             f.config.thickness = lengths[i];
-            expect_apart(&f, EDGES, rest, 0.0, at_least_two(k + 1));
+            expect_apart(&f, EDGES, rest, 0.0, two_or_more(k + 1));
             f.config.thickness = 0.0;
-            expect_apart(&f, EDGES, rest, 0.5 * lengths[i], at_least_two(k + 1));
+            expect_apart(&f, EDGES, rest, 0.5 * lengths[i], two_or_more(k + 1));
             f.config.thickness = 0.5 * lengths[i];
-            expect_apart(&f, EDGES, rest, 0.25 * lengths[i], at_least_two(k + 1));
+            expect_apart(&f, EDGES, rest, 0.25 * lengths[i], two_or_more(k + 1));
             f.config.exclusion = k * (1.0 + DBL_EPSILON);
-            expect_apart(&f, EDGES, rest, 0.25 * lengths[i], at_least_two(k > 0 ? k + 2 : 1));
+            expect_apart(&f, EDGES, rest, 0.25 * lengths[i], two_or_more(k > 0 ? k + 2 : 1));
         }
         end(&f);
     }

@@ -110,7 +110,7 @@ static void crossing_time_is_accurate(void **state)
 /* ---- motion that turns: passes are many, hits are told near their place all the same */
 
 typedef struct turning {
-    uint32_t hits, far, most_passes;
+    uint32_t hits, far, max_passes;
 } turning;
 
 static void turning_at(harness_source *source, void *user)
@@ -125,7 +125,7 @@ static void turning_at(harness_source *source, void *user)
     if (impact.hit != 0) {
         t->hits++;
         t->far += impact.distance > 1e-12;
-        t->most_passes = impact.passes > t->most_passes ? impact.passes : t->most_passes;
+        t->max_passes = impact.passes > t->max_passes ? impact.passes : t->max_passes;
         assert_true(impact.distance < 1e-2);
     }
 }
@@ -136,7 +136,7 @@ static void thin_hit_place_is_accurate(void **state)
     turning t = {0};
     harness_property("turning", 10000, turning_at, &t);
     assert_true(t.hits > 1000 && t.far < t.hits / 100);
-    assert_true(t.most_passes > 32 && t.most_passes <= 256);
+    assert_true(t.max_passes > 32 && t.max_passes <= 256);
 }
 
 /* ---- small integers, and one number of which the last bit is `places` below their first */

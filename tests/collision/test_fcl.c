@@ -49,19 +49,19 @@ static double segment_to_triangle(const double a[3], const double b[3], const do
 /* Triangles meet, or are closest, where an edge of one and the other are. */
 static double by_edges(const double a[9], const double b[9])
 {
-    double least = (double)INFINITY;
+    double smallest = (double)INFINITY;
     for (size_t k = 0; k < 3; k++) {
         size_t next = (k + 1) % 3;
-        least = fmin(least, segment_to_triangle(a + 3 * k, a + 3 * next, b));
-        least = fmin(least, segment_to_triangle(b + 3 * k, b + 3 * next, a));
+        smallest = fmin(smallest, segment_to_triangle(a + 3 * k, a + 3 * next, b));
+        smallest = fmin(smallest, segment_to_triangle(b + 3 * k, b + 3 * next, a));
     }
-    return least;
+    return smallest;
 }
 
 /* Of triangles that do not meet: 9 pairs of edges, 6 of a corner and a triangle. */
 static double by_features(const double a[9], const double b[9])
 {
-    double least = (double)INFINITY;
+    double smallest = (double)INFINITY;
     vbss_closest closest;
     for (size_t i = 0; i < 3; i++) {
         for (size_t j = 0; j < 3; j++) {
@@ -73,14 +73,14 @@ static double by_features(const double a[9], const double b[9])
                 edges[1][k + 3] = b[3 * ((j + 1) % 3) + k];
             }
             expect_ok(vbss_closest_segments(edges[0], edges[1], &closest, sizeof closest));
-            least = fmin(least, closest.distance);
+            smallest = fmin(smallest, closest.distance);
         }
         expect_ok(vbss_closest_point_triangle(a + 3 * i, b, &closest, sizeof closest));
-        least = fmin(least, closest.distance);
+        smallest = fmin(smallest, closest.distance);
         expect_ok(vbss_closest_point_triangle(b + 3 * i, a, &closest, sizeof closest));
-        least = fmin(least, closest.distance);
+        smallest = fmin(smallest, closest.distance);
     }
-    return least;
+    return smallest;
 }
 
 static void compare_triangles(harness_source *source, void *user)

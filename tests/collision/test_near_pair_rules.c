@@ -72,7 +72,7 @@ static void exclusion_rules_are_checked_in_snapshot(void **state)
 static void invalid_rules_are_rejected(void **state)
 {
     (void)state;
-    enum { MOST = 65536 };
+    enum { MAX_COUNT = 65536 };
     near_rig f;
     const uint32_t triangle[3] = {0, 1, 2};
     uint32_t name;
@@ -81,9 +81,9 @@ static void invalid_rules_are_rejected(void **state)
     model_chain(&f.m, 5, NULL, 0.1);
     near_make(&f);
     model_move(&f.m, f.collision);
-    expect_ok(vbss_collision_add_mesh(f.collision, MOST, triangle, 1, 0.1, &name));
+    expect_ok(vbss_collision_add_mesh(f.collision, MAX_COUNT, triangle, 1, 0.1, &name));
     uint64_t hash = near_hash(&f);
-    vec3 *at = calloc(MOST, sizeof *at);
+    vec3 *at = calloc(MAX_COUNT, sizeof *at);
     assert_non_null(at);
     collision_object *c = f.object;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_exclude_near(c, 3, at, 1.0));

@@ -169,12 +169,11 @@ static void bad_moves_are_rejected(void **state)
         }
         x[i] = i % 2 == 0 ? 1e30 : -1e30;
     }
-    const uint32_t nobody[] = {OBJECT_SHAPES, 77, UINT32_MAX}, nodes[] = {0, 5, 7, UINT32_MAX};
+    const uint32_t none[] = {OBJECT_SHAPES, 77, UINT32_MAX}, nodes[] = {0, 5, 7, UINT32_MAX};
     for (int i = 0; i < 3; i++) {
-        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_move(c, nobody[i], NULL, x, 6), hash);
-        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_remove(c, nobody[i]), hash);
-        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_get_edge(c, nobody[i], 0, NULL),
-                  hash);
+        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_move(c, none[i], NULL, x, 6), hash);
+        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_remove(c, none[i]), hash);
+        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_get_edge(c, none[i], 0, NULL), hash);
     }
     for (int i = 0; i < 4; i++) {
         unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_move(c, 0, NULL, x, nodes[i]), hash);
@@ -222,9 +221,9 @@ static void candidates_above_capacity_are_reported(void **state)
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     vbss_collision *wide = object_make(context, NULL);
-    uint32_t most = shapes_statistics(wide).candidates;
-    assert_in_range(most, 10, 1000);
-    for (uint32_t room = most; room + 6 > most; room--) {
+    uint32_t largest = shapes_statistics(wide).candidates;
+    assert_in_range(largest, 10, 1000);
+    for (uint32_t room = largest; room + 6 > largest; room--) {
         vbss_collision_config config;
         vbss_collision *tight;
         uint32_t count;
@@ -233,17 +232,17 @@ static void candidates_above_capacity_are_reported(void **state)
         tight = object_make_unsearched(context, &config);
         object_move(tight, 1.0); /* rests: less to find */
         shapes_find(tight, &count);
-        assert_in_range(count, 1, most - 6);
+        assert_in_range(count, 1, largest - 6);
         object_move(tight, 0.0); /* back: as much as there was on the way */
         uint64_t hash = object_hash(tight);
-        for (int again = 0; again < 2 && room < most; again++) {
+        for (int again = 0; again < 2 && room < largest; again++) {
             expect_result(VBSS_ERROR_CAPACITY, vbss_collision_find_candidates(tight));
             assert_int_equal(shapes_view(tight, VBSS_COLLISION_VIEW_CANDIDATES).count, 0);
             assert_int_equal(shapes_statistics(tight).candidates, 0);
             assert_true(object_hash(tight) == hash);
             expect_ok(vbss_collision_find_impacts(tight)); /* of none */
         }
-        if (room < most) {
+        if (room < largest) {
             expect_ok(vbss_collision_remove(tight, OBJECT_CAPSULES));
             expect_ok(vbss_collision_remove(wide, OBJECT_CAPSULES));
             shapes_find(wide, &count);

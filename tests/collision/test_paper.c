@@ -31,7 +31,7 @@ static void crossing_edges_hit_at_linear_time(void **state)
     (void)state;
     /* b, along y above x = 0.5, sinks from 3 to -1. */
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, .5, -1, 3, .5, 3, 3}, {EDGE, .5, -1, -1, .5, 3, -1}};
-    told t = ask(VBSS_COLLISION_PAPER, 0.0, &q);
+    reported t = ask(VBSS_COLLISION_PAPER, 0.0, &q);
     assert_int_equal(1, t.impact.hit);
     assert_int_equal(VBSS_DECISION_CLAIMED, t.impact.decision);
     assert_int_equal(1, t.impact.passes);
@@ -54,7 +54,7 @@ static void parallel_edges_use_start_point_of_a(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, -3, 2, 0, 0, 2, 0}, {EDGE, -3, -2, 0, 0, -2, 0}};
-    told t = ask(VBSS_COLLISION_PAPER, 0.0, &q);
+    reported t = ask(VBSS_COLLISION_PAPER, 0.0, &q);
     assert_int_equal(1, t.impact.hit);
     expect_near(0.5, t.impact.time, 1e-15);
     expect_vector(0, 1, 0, t.impact.normal);
@@ -74,7 +74,7 @@ static void end_distance_test_comes_first_and_is_strict(void **state)
     question q = {
         VBSS_PAIR_EDGE_EDGE, {EDGE, .5, -1, 1, .5, 3, 1}, {EDGE, .5, -1, -.25, .5, 3, -.25}};
     expect_near(0.8, ask(VBSS_COLLISION_PAPER, 0.25, &q).impact.time, 1e-15); /* not below D */
-    told t = ask(VBSS_COLLISION_PAPER, 0.5, &q);
+    reported t = ask(VBSS_COLLISION_PAPER, 0.5, &q);
     assert_int_equal(1, t.impact.hit);
     assert_true(t.impact.time == 1.0);
     assert_int_equal(0, t.impact.passes);
@@ -90,7 +90,7 @@ static void end_distance_uses_edges_when_foot_is_outside(void **state)
     question q = {
         VBSS_PAIR_EDGE_EDGE, {EDGE, 1.5, -1, 2, 1.5, 3, 2}, {EDGE, 1.5, -1, 0, 1.5, 3, 0}};
     assert_int_equal(0, ask(VBSS_COLLISION_PAPER, 0.5, &q).impact.hit);
-    told t = ask(VBSS_COLLISION_PAPER, 0.625, &q);
+    reported t = ask(VBSS_COLLISION_PAPER, 0.625, &q);
     assert_int_equal(1, t.impact.hit);
     expect_near(0.5, t.impact.distance, 1e-15);
     expect_vector(1, 0, 0, t.impact.normal);
@@ -108,10 +108,10 @@ static void early_sign_rejections_are_counted(void **state)
     const question *asked[] = {&approach, &point, &beside, &onto};
     const uint64_t ended[] = {1, 1, 0, 1}, ended_thick[] = {1, 1, 0, 0};
     for (int k = 0; k < 4; k++) {
-        told thin = ask(VBSS_COLLISION_PAPER, 0.0, asked[k]);
+        reported thin = ask(VBSS_COLLISION_PAPER, 0.0, asked[k]);
         assert_int_equal(0, thin.impact.hit);
         assert_int_equal(ended[k], thin.counters.sign_tests_ended);
-        told thick = ask(VBSS_COLLISION_PAPER, 0.25, asked[k]);
+        reported thick = ask(VBSS_COLLISION_PAPER, 0.25, asked[k]);
         assert_int_equal(k == 3, thick.impact.hit);
         assert_int_equal(ended_thick[k], thick.counters.sign_tests_ended);
     }
@@ -121,7 +121,7 @@ static void point_triangle_test_is_analogous(void **state)
 {
     (void)state;
     question q = {VBSS_PAIR_POINT_TRIANGLE, {.5, .5, 3, TRIANGLE}, {.5, .5, -1, TRIANGLE}};
-    told t = ask(VBSS_COLLISION_PAPER, 0.5, &q);
+    reported t = ask(VBSS_COLLISION_PAPER, 0.5, &q);
     assert_int_equal(1, t.impact.hit);
     expect_near(0.75, t.impact.time, 1e-15);
     expect_near(0.0, t.impact.distance, 1e-15);
@@ -174,7 +174,7 @@ static void does_what_is_printed(harness_source *source, void *user)
     config.thickness = thickness * config.paper_unit;
     config.paper_parallel = harness_draw_below(source, 2) != 0 ? 1e-6 : 1.0;
     question in_metres = scaled(&q, config.paper_unit);
-    told t = ask_with(&config, &in_metres);
+    reported t = ask_with(&config, &in_metres);
     double distance = printed_distance_at_end(&q, config.paper_parallel);
     printed_steps steps = printed_crossing(&q, config.paper_parallel, 1.0);
     if (fabs(distance - thickness) < 1e-9 || !(steps.margin > 1e-9)) {

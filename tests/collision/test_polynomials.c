@@ -31,7 +31,7 @@ static const surd *expect_isolated(const workspace *w, const known *k, const roo
 
 static void roots_and_signs(harness_source *source, void *user)
 {
-    uint64_t *told = user; /* how many times: a sign of zero, memory that ran out */
+    uint64_t *reported = user; /* how many times: a sign of zero, memory that ran out */
     known k;
     mpz_t c[3];
     draw_known(source, &k);
@@ -58,12 +58,12 @@ static void roots_and_signs(harness_source *source, void *user)
             room_check(&memory);
             assert_true(w->full || sign == sign_at(c, truth));
             assert_true(w->full || expect_isolated(w, &k, &roots[i]) == truth);
-            told[0] += !w->full && sign == 0;
+            reported[0] += !w->full && sign == 0;
         }
         last = truth;
     }
     assert_true(tight || !w->full);
-    told[1] += w->full;
+    reported[1] += w->full;
     room_check(&memory);
     mpz_clears(c[0], c[1], c[2], NULL);
     for_all(&k, end);
@@ -72,11 +72,11 @@ static void roots_and_signs(harness_source *source, void *user)
 static void roots_and_signs_in_unit_interval(void **state)
 {
     (void)state;
-    uint64_t told[2] = {0};
-    harness_property("roots and signs", 4000, roots_and_signs, told);
-    print_message("%llu signs of zero, %llu times out of memory\n", (unsigned long long)told[0],
-                  (unsigned long long)told[1]);
-    assert_true(told[0] > 500 && told[1] > 100);
+    uint64_t reported[2] = {0};
+    harness_property("roots and signs", 4000, roots_and_signs, reported);
+    print_message("%llu signs of zero, %llu times out of memory\n", (unsigned long long)reported[0],
+                  (unsigned long long)reported[1]);
+    assert_true(reported[0] > 500 && reported[1] > 100);
 }
 
 /* ---- arithmetic */

@@ -2,7 +2,7 @@
 #include "collision/ccd_batch.h"
 #include "query.h"
 
-enum { MOST = 400, STRIDE = MOST + 5 };
+enum { MAX_COUNT = 400, STRIDE = MAX_COUNT + 5 };
 
 /* Columns of questions; rows are `stride` apart, at most STRIDE. */
 typedef struct table {
@@ -10,7 +10,7 @@ typedef struct table {
     vbss_pair_kind kind;
     size_t stride;
     double start[12 * STRIDE], end[12 * STRIDE], thickness[STRIDE];
-    collision_ccd_query single[MOST]; /* the same */
+    collision_ccd_query single[MAX_COUNT]; /* the same */
 } table;
 
 typedef struct outputs {
@@ -19,7 +19,7 @@ typedef struct outputs {
 } outputs;
 
 static table questions;
-static outputs wanted, told;
+static outputs wanted, reported;
 static uint32_t limbs[COLLISION_LIMBS];
 
 static collision_ccd_options rules_of(vbss_collision_method method, uint32_t pass_limit)
@@ -88,7 +88,7 @@ static void ask_singly(const collision_ccd_options *rules, const table *t, outpu
 static void ask_in_rows(const collision_ccd_options *rules, const table *t, bool wide,
                         unsigned which, bool same_thickness, collision_counters *counters)
 {
-    memset(&told, 0xa5, sizeof told);
+    memset(&reported, 0xa5, sizeof reported);
     collision_ccd_batch rows = {
         .kind = t->kind,
         .count = t->count,
@@ -97,18 +97,18 @@ static void ask_in_rows(const collision_ccd_options *rules, const table *t, bool
         .end = t->end,
         .thickness = same_thickness ? NULL : t->thickness,
         .same_thickness = same_thickness ? t->thickness[0] : (double)NAN,
-        .hit = told.hit,
-        .decision = (which & 1u) != 0 ? told.decision : NULL,
-        .time = (which & 2u) != 0 ? told.time : NULL,
-        .distance = (which & 4u) != 0 ? told.distance : NULL,
-        .normal = (which & 8u) != 0 ? told.normal : NULL,
-        .weights = (which & 16u) != 0 ? told.weights : NULL,
+        .hit = reported.hit,
+        .decision = (which & 1u) != 0 ? reported.decision : NULL,
+        .time = (which & 2u) != 0 ? reported.time : NULL,
+        .distance = (which & 4u) != 0 ? reported.distance : NULL,
+        .normal = (which & 8u) != 0 ? reported.normal : NULL,
+        .weights = (which & 16u) != 0 ? reported.weights : NULL,
     };
     vbss_collision_run_ccd_batch(rules, wide && vbss_wide_is_available(), &rows, counters);
 }
 
 /* Outputs that were not asked for stay as they were, as all cells beyond the columns do. */
-static void expect_told(unsigned which)
+static void expect_reported(unsigned which)
 {
     static outputs w;
     memcpy(&w, &wanted, sizeof w);
@@ -117,12 +117,12 @@ static void expect_told(unsigned which)
     memset(w.distance, 0xa5, (which & 4u) != 0 ? 0 : sizeof w.distance);
     memset(w.normal, 0xa5, (which & 8u) != 0 ? 0 : sizeof w.normal);
     memset(w.weights, 0xa5, (which & 16u) != 0 ? 0 : sizeof w.weights);
-    assert_memory_equal(told.hit, w.hit, sizeof w.hit);
-    assert_memory_equal(told.decision, w.decision, sizeof w.decision);
-    assert_memory_equal(told.time, w.time, sizeof w.time);
-    assert_memory_equal(told.distance, w.distance, sizeof w.distance);
-    assert_memory_equal(told.normal, w.normal, sizeof w.normal);
-    assert_memory_equal(told.weights, w.weights, sizeof w.weights);
+    assert_memory_equal(reported.hit, w.hit, sizeof w.hit);
+    assert_memory_equal(reported.decision, w.decision, sizeof w.decision);
+    assert_memory_equal(reported.time, w.time, sizeof w.time);
+    assert_memory_equal(reported.distance, w.distance, sizeof w.distance);
+    assert_memory_equal(reported.normal, w.normal, sizeof w.normal);
+    assert_memory_equal(reported.weights, w.weights, sizeof w.weights);
 }
 
 enum { ALL = 31 };
@@ -135,7 +135,7 @@ static collision_counters expect_same(const collision_ccd_options *rules)
     for (int wide = 0; wide < 2; wide++) {
         collision_counters counters = {0};
         ask_in_rows(rules, &questions, wide != 0, ALL, false, &counters);
-        expect_told(ALL);
+        expect_reported(ALL);
         assert_memory_equal(&counters, &singly, sizeof singly);
     }
     return singly;
@@ -160,12 +160,12 @@ static uint32_t set_count(void)
 static void make_set(uint32_t which, uint64_t seed, collision_set *set)
 {
     if (which < thick_set_count()) {
-        make_thick_set(which, MOST, seed, set);
+        make_thick_set(which, MAX_COUNT, seed, set);
         return;
     }
     which -= thick_set_count();
-    assert_true(collision_set_degenerate(which / 2, (vbss_pair_kind)(which % 2), MOST / 2, seed,
-                                         NULL, set));
+    assert_true(collision_set_degenerate(which / 2, (vbss_pair_kind)(which % 2), MAX_COUNT / 2,
+                                         seed, NULL, set));
 }
 
 static void batched_rows_match_in_every_set(void **state)
@@ -177,7 +177,7 @@ static void batched_rows_match_in_every_set(void **state)
     for (uint32_t i = 0; i < set_count(); i++) {
         collision_set set;
         make_set(i, 41, &set);
-        uint32_t count = set.count < MOST ? set.count : MOST;
+        uint32_t count = set.count < MAX_COUNT ? set.count : MAX_COUNT;
         for (vbss_collision_method method = 0; method < 3; method++) {
             collision_ccd_options rules = rules_of(method, 10000);
             make_table(&set, 0, count, STRIDE, false);
@@ -236,11 +236,11 @@ static void many_slow_pairs_converge(void **state)
     collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
     rules.tolerance = 1e-9;
     collision_set picked;
-    assert_true(collision_set_begin(&picked, "slow", MOST));
+    assert_true(collision_set_begin(&picked, "slow", MAX_COUNT));
     for (uint32_t i = 0; i < collision_family_count; i++) {
         collision_set set;
         make_set(i, 43, &set);
-        for (uint32_t k = 0; k < set.count && picked.count < MOST; k++) {
+        for (uint32_t k = 0; k < set.count && picked.count < MAX_COUNT; k++) {
             vbss_collision_config config = config_of(&set.queries[k]);
             config.tolerance = rules.tolerance;
             if (ask(&config, &set.queries[k]).passes > 8) {
@@ -276,7 +276,7 @@ static void any_number_of_queries_and_outputs(void **state)
             collision_counters singly = {0}, counters = {0};
             ask_singly(&rules, &questions, &wanted, &singly);
             ask_in_rows(&rules, &questions, i % 2 == 0, which, same, &counters);
-            expect_told(which);
+            expect_reported(which);
             assert_memory_equal(&counters, &singly, sizeof singly);
         }
         collision_set_release(&set);

@@ -208,7 +208,7 @@ static void moves_go_on_where_they_ended(harness_source *source, void *user)
     fixture f;
     uint32_t count;
     begin(&f, source);
-    vbss_collision *on = make(&f), *told = make(&f);
+    vbss_collision *on = make(&f), *reported = make(&f);
     for (int i = 0; i < 3; i++) {
         for (uint32_t k = 0; k < f.m.count; k++) { /* at the origin before the first move */
             memcpy(f.m.shapes[k].start, f.m.shapes[k].end, f.m.shapes[k].node_count * sizeof(vec3));
@@ -219,10 +219,10 @@ static void moves_go_on_where_they_ended(harness_source *source, void *user)
             expect_ok(vbss_collision_move(on, k, NULL, &f.m.shapes[k].end[0].x,
                                           f.m.shapes[k].node_count));
         }
-        model_move(&f.m, told);
+        model_move(&f.m, reported);
         shapes_find(on, &count);
-        shapes_find(told, &count);
-        shapes_expect_same_list(on, told);
+        shapes_find(reported, &count);
+        shapes_expect_same_list(on, reported);
         model_check(&f.m, on, 0);
     }
     end(&f);

@@ -70,11 +70,11 @@ static void go(fixture *f, harness_source *source)
 {
     for (uint32_t k = 0; k < f->m.count; k++) {
         model_shape *s = &f->m.shapes[k];
-        double most = harness_draw_below(source, 3) * harness_draw_real(source, 0.0, 0.1);
+        double largest = harness_draw_below(source, 3) * harness_draw_real(source, 0.0, 0.1);
         double off = harness_draw_below(source, 4) == 0 ? 0.05 : 0.0;
         for (uint32_t i = 0; i < s->node_count; i++) {
             s->start[i] = vec3_add(s->end[i], harness_draw_vec3(source, -off, off));
-            s->end[i] = vec3_add(s->start[i], harness_draw_vec3(source, -most, most));
+            s->end[i] = vec3_add(s->start[i], harness_draw_vec3(source, -largest, largest));
         }
     }
 }
@@ -123,17 +123,17 @@ typedef struct counts {
 
 static void look(fixture *f, const collision_candidate *q, counts *c)
 {
-    double apart = f->object->separations[q - f->object->candidates], least = (double)INFINITY;
+    double apart = f->object->separations[q - f->object->candidates], smallest = (double)INFINITY;
     assert_true(apart <= distance_of(f, q, 0.0));
     c->known += apart > 0.0;
     for (int k = 0; k <= BETWEEN; k++) {
-        least = vbss_min(least, distance_of(f, q, (double)k / BETWEEN));
+        smallest = vbss_min(smallest, distance_of(f, q, (double)k / BETWEEN));
     }
-    assert_false(vbss_collision_stays_separated(f->object, q, least));
+    assert_false(vbss_collision_stays_separated(f->object, q, smallest));
     for (int k = 0; k < 10; k++) {
         double distance = 0.1 * k;
         bool stays = vbss_collision_stays_separated(f->object, q, distance);
-        assert_true(!stays || distance < least);
+        assert_true(!stays || distance < smallest);
         c->stays += stays;
         c->near += !stays;
     }

@@ -18,12 +18,12 @@ static double sine_between(const collision_query *query, bool end)
 
 static double travel(const collision_query *query)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (int i = 0; i < 4; i++) {
-        most = vbss_max_or_nan(
-            most, vec3_distance(vertex_of(query, false, i), vertex_of(query, true, i)));
+        largest = vbss_max_or_nan(
+            largest, vec3_distance(vertex_of(query, false, i), vertex_of(query, true, i)));
     }
-    return most;
+    return largest;
 }
 
 static bool is_slow(const collision_query *q)

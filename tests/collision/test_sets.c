@@ -75,25 +75,25 @@ static double refined(const collision_query *query, long double low, long double
 static void expect_true_by_samples(const collision_query *query)
 {
     enum { SAMPLES = 300 };
-    double least = (double)INFINITY;
+    double smallest = (double)INFINITY;
     int where = 0;
     for (int i = 0; i <= SAMPLES; i++) {
         double d = (double)collision_distance(query, (long double)i / SAMPLES);
-        where = d < least ? i : where;
-        least = fmin(d, least);
+        where = d < smallest ? i : where;
+        smallest = fmin(d, smallest);
     }
-    double near_least = relative_speed(query) / (2 * SAMPLES), thickness = query->thickness;
+    double near_min = relative_speed(query) / (2 * SAMPLES), thickness = query->thickness;
     bool wrong;
     if (query->hit) {
-        wrong = !(query->clearance < 0.0) || least - near_least > thickness;
+        wrong = !(query->clearance < 0.0) || smallest - near_min > thickness;
     } else {
-        wrong = !(query->clearance > 0.0) || least <= thickness;
+        wrong = !(query->clearance > 0.0) || smallest <= thickness;
         if (query->clearance < 0.01 * thickness) { /* then the clearance itself is promised */
             long double low = (long double)(where > 0 ? where - 1 : 0) / SAMPLES;
             long double high = (long double)(where < SAMPLES ? where + 1 : SAMPLES) / SAMPLES;
             double clearance = refined(query, low, high) - thickness;
             wrong = wrong || query->clearance > clearance + 1e-9 ||
-                    query->clearance < clearance - near_least;
+                    query->clearance < clearance - near_min;
         }
     }
     if (wrong) {

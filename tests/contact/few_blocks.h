@@ -67,7 +67,7 @@ static inline contact_constraint *few_plane(few_blocks *f, uint32_t feature, uin
 
 /* Bears 0.05 N along and a share of what it bears across: less against the normal than along it. */
 #define FEW_SLEEVE_STIFFNESS 2e4
-#define FEW_SLEEVE_LEAST 0.05
+#define FEW_SLEEVE_MIN 0.05
 #define FEW_SLEEVE_GRIP \
     {                   \
         0.2, 0.5        \
@@ -78,10 +78,9 @@ static inline contact_constraint few_sleeve(vec3 normal)
                               .stiffness = FEW_SLEEVE_STIFFNESS,
                               .is_bilateral = true,
                               .is_sleeve = true,
-                              .yield_force = FEW_SLEEVE_LEAST,
+                              .yield_force = FEW_SLEEVE_MIN,
                               .yield_friction = FEW_SLEEVE_GRIP,
-                              .viscous_stiffness = 500.0,
-                              .thickness = 1.0};
+                              .viscous_stiffness = 500.0};
     row.solution.status = CONTACT_STICK;
     return row;
 }
@@ -149,14 +148,14 @@ static inline vec3 few_law(const contact_constraint *row, vec3 u)
     if (!row->is_bilateral && pressure <= 0.0) {
         return vec3_zero();
     }
-    if (row->friction == 0.0) {
+    if (!row->is_bilateral && row->friction == 0.0) {
         return vec3_scale(n, pressure);
     }
     vec3 moved = across(vec3_add(row->relative_displacement, u), n);
     vec3 rubbing = vec3_add_scaled(row->previous_force, -few_stiffness_along(row), moved);
-    double size = vec3_norm(rubbing), most = row->friction * pressure;
-    if (!row->is_bilateral && size > most) {
-        rubbing = vec3_scale(rubbing, most / size);
+    double size = vec3_norm(rubbing), largest = row->friction * pressure;
+    if (!row->is_bilateral && size > largest) {
+        rubbing = vec3_scale(rubbing, largest / size);
     }
     return vec3_add_scaled(rubbing, pressure, n);
 }

@@ -4,16 +4,16 @@
 
 /* ---- the answer is right: every row as the law says, every block in balance */
 
-static double largest_imbalance(const few_blocks *f, bool as_told)
+static double largest_imbalance(const few_blocks *f, bool as_reported)
 {
     double largest = 0.0;
     for (uint32_t b = 0; b < f->count; b++) {
         vec3 left = vec3_sub(f->force[b], mat3_mul_vec3(f->stiffness[b], f->system->solution[b]));
         for (uint32_t i = 0; i < f->set->count && f->roles[b] != VBSS_ROLE_PRESCRIBED; i++) {
             const contact_constraint *row = &f->set->constraints[i];
-            vec3 told = vec3_add_scaled(row->solution.tangential_force, row->solution.normal_force,
-                                        row->normal);
-            vec3 force = as_told ? told : few_law(row, few_moved(f, row));
+            vec3 reported = vec3_add_scaled(row->solution.tangential_force,
+                                            row->solution.normal_force, row->normal);
+            vec3 force = as_reported ? reported : few_law(row, few_moved(f, row));
             for (uint32_t p = 0; p < row->jacobian_block_count; p++) {
                 const contact_jacobian_block *t = &row->jacobian[p];
                 if (t->block == b) {
@@ -35,9 +35,9 @@ static double largest_untruth(const few_blocks *f)
     double largest = 0.0;
     for (uint32_t i = 0; i < f->set->count; i++) {
         const contact_constraint *row = &f->set->constraints[i];
-        vec3 told = vec3_add_scaled(row->solution.tangential_force, row->solution.normal_force,
-                                    row->normal);
-        largest = vbss_max(vec3_distance(told, few_law(row, few_moved(f, row))), largest);
+        vec3 reported = vec3_add_scaled(row->solution.tangential_force, row->solution.normal_force,
+                                        row->normal);
+        largest = vbss_max(vec3_distance(reported, few_law(row, few_moved(f, row))), largest);
     }
     return largest;
 }
@@ -101,7 +101,7 @@ static vec3 draw_unit(harness_source *source)
     return vec3_unit_or(harness_draw_vec3(source, -1.0, 1.0), vec3_make(0.0, 1.0, 0.0));
 }
 
-static void draw_few(few_blocks *f, harness_source *source, double most_friction)
+static void draw_few(few_blocks *f, harness_source *source, double max_friction)
 {
     few_begin(f, 1 + harness_draw_below(source, 4));
     for (uint32_t b = 0; b < f->count; b++) {
@@ -115,7 +115,7 @@ static void draw_few(few_blocks *f, harness_source *source, double most_friction
     for (uint32_t i = 0; i < rows; i++) {
         vec3 normal = draw_unit(source);
         contact_constraint *row = few_plane(f, i, harness_draw_below(source, f->count), normal);
-        row->friction = harness_draw_real(source, 0.0, most_friction);
+        row->friction = harness_draw_real(source, 0.0, max_friction);
         row->gap = harness_draw_real(source, -1e-5, 1e-5);
         row->augmentation = vbss_exp(harness_draw_real(source, 8.0, 12.0));
         row->is_bilateral = harness_draw_below(source, 8) == 0;

@@ -110,7 +110,7 @@ static void light_node_on_plane_sticks_or_slides(void **state)
 
 /* ---- nodes on a round tool, each held by a few planes and touching the next */
 
-static void lay_loop(few_blocks *f, harness_source *source)
+static void place_loop(few_blocks *f, harness_source *source)
 {
     begin_light(f, 6, harness_draw_real(source, LIGHT, 1.0));
     for (uint32_t b = 0; b < f->count; b++) {
@@ -144,7 +144,7 @@ static void what_is_found_of_a_loop_is_right(harness_source *source, void *user)
 {
     tally *t = user;
     few_blocks f;
-    lay_loop(&f, source);
+    place_loop(&f, source);
     contact_outcome outcome = few_solve(&f);
     assert_true(outcome == CONTACT_CONVERGED || outcome == CONTACT_NOT_CONVERGED);
     if (outcome == CONTACT_CONVERGED) {
@@ -156,7 +156,7 @@ static void what_is_found_of_a_loop_is_right(harness_source *source, void *user)
 }
 
 /* More than half of them are lost if solves are followed all the way. */
-static void most_cyclic_cases_converge(void **state)
+static void cyclic_cases_converge(void **state)
 {
     (void)state;
     tally t = {0};
@@ -183,8 +183,8 @@ static void forces_are_those_of_the_law(harness_source *source, void *user)
     contact_solution next;
     vbss_contact_solution_at(&row, &stand, &next);
     row.solution = next;
-    double least = row.is_bilateral ? -1.0 : 0.0, pressed = vec3_dot(force, normal);
-    assert_true((next.status == CONTACT_OPEN) == !(pressed > least) || row.is_bilateral);
+    double smallest = row.is_bilateral ? -1.0 : 0.0, pressed = vec3_dot(force, normal);
+    assert_true((next.status == CONTACT_OPEN) == !(pressed > smallest) || row.is_bilateral);
     if (next.status == CONTACT_STICK) {
         expect_near(0.0, vec3_distance(force, vbss_contact_linearised_force(&row, u)), 1e-9);
     } else if (next.status == CONTACT_SLIP) { /* but for the share, which has a largest value */
@@ -225,7 +225,7 @@ int test_active_set_cycling(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_node_on_plane_sticks_or_slides),
-        harness_test(most_cyclic_cases_converge),
+        harness_test(cyclic_cases_converge),
         harness_test(law_and_linear_force_agree),
         cmocka_unit_test(plain_contacts_need_minimum_solves),
     };

@@ -23,8 +23,10 @@ static void slope_begin(slope *s, double angle, double mu, bool held)
     double weight = mass * g * vbss_cos(angle), pull = mass * g * vbss_sin(angle);
     s->at = vec3_scale(s->normal, -weight / 2e5);
     vec3 holding = vec3_scale(s->down, held ? -vbss_min(pull, mu * weight) : 0.0);
-    s->f.set->warm_start[0] =
-        (contact_warm_start_entry){{3, 1, 0, 0, 0}, CONTACT_STICK, weight, 0.0, holding};
+    s->f.set->warm_start[0] = (contact_warm_start_entry){.key = {3, 1, 0, 0, 0},
+                                                         .status = CONTACT_STICK,
+                                                         .normal_force = weight,
+                                                         .tangential_force = holding};
     s->f.set->warm_start_count = 1;
     double inertia = mass / (h * h);
     s->f.stiffness[0] = mat3_diagonal(inertia, inertia, inertia);

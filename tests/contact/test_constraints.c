@@ -73,6 +73,7 @@ static void constraints_fill_to_capacity(void **state)
             for (uint32_t i = 0; i < capacity; i++) {
                 contact_constraint *row = add(&l, i, 7);
                 assert_int_equal(row->key.feature_a, i);
+                assert_int_equal(row->geometry, i); /* differs, and is below the capacity */
                 assert_int_equal(row->jacobian_block_count,
                                  0); /* nothing is left of who was there before */
                 assert_int_equal(row->solution.status, CONTACT_OPEN);
@@ -94,13 +95,14 @@ static void rows_are_sorted(harness_source *source, void *user)
 {
     (void)user;
     list l;
-    uint32_t count = harness_draw_below(source, 40), sum = 0;
+    uint32_t count = harness_draw_below(source, 40), sum = 0, geometries[40];
     list_begin(&l, 40);
     for (uint32_t i = 0; i < count; i++) {
         uint32_t a = harness_draw_below(source, 6);
         contact_constraint *row = add(&l, a, 100 + i); /* each but once */
         row->key.kind = harness_draw_below(source, 3);
         row->gap = row->key.feature_b;
+        geometries[i] = row->geometry;
         sum += row->key.feature_b;
     }
     vbss_contact_sort(l.set);
@@ -109,6 +111,7 @@ static void rows_are_sorted(harness_source *source, void *user)
         const contact_constraint *row = &l.set->constraints[i];
         assert_true(i == 0 || vbss_contact_compare_keys(&row[-1].key, &row->key) < 0);
         expect_near(row->key.feature_b, row->gap, 0.0); /* all of it moved */
+        assert_int_equal(geometries[row->key.feature_b - 100], row->geometry);
         sum -= row->key.feature_b;
     }
     assert_int_equal(sum, 0);
@@ -129,14 +132,14 @@ static void new_constraint_is_reset(void **state)
     list_begin(&l, 1);
     contact_constraint *row = add(&l, 0, 0);
     row->is_bilateral = true;
-    row->tangential_stiffness_ratio = row->lip_thickness = 0.25;
+    row->tangential_stiffness_ratio = row->fold_allowance = 0.25;
     row->is_sleeve = true;
     row->previous_force = vec3_make(1.0, 2.0, 3.0);
     close_with(row, 1.0);
     vbss_contact_clear(l.set);
     row = add(&l, 1, 0);
     assert_false(row->is_bilateral);
-    expect_near(0.0, row->tangential_stiffness_ratio + row->lip_thickness, 0.0);
+    expect_near(0.0, row->tangential_stiffness_ratio + row->fold_allowance, 0.0);
     assert_false(row->is_sleeve);
     expect_near(0.0, vec3_norm(row->previous_force), 0.0);
     assert_int_equal(row->solution.status, CONTACT_OPEN);
@@ -235,11 +238,11 @@ static void warm_start_restores_closed_constraints(void **state)
 }
 
 /* As who knows no more of the features than their numbers. */
-static void recall_and_pass_on(contact_set *set)
+static void warm_start_and_pass_on(contact_set *set)
 {
     vbss_contact_warm_start(set);
     for (uint32_t m = 0; m < set->warm_start_count; m++) {
-        if (set->scratch_flags[m] == 0) {
+        if (!set->warm_start[m].has_constraint) {
             vbss_contact_warm_start_neighbour(set, m);
         }
     }
@@ -258,7 +261,7 @@ static void neighbour_inherits_warm_start(void **state)
             vbss_contact_clear(l.set);
             contact_constraint *row = add(&l, 8 + da, 18 + db);
             row->solution.status = CONTACT_SLIP; /* forgotten */
-            recall_and_pass_on(l.set);
+            warm_start_and_pass_on(l.set);
             bool near = da > 0 && db > 0; /* 9 .. 11; 8 is two away */
             assert_int_equal(row->solution.status, near ? CONTACT_STICK : CONTACT_OPEN);
             expect_near(near ? 0.1 : 0.0, row->previous_force.x, 1e-16);
@@ -277,14 +280,14 @@ static void warm_start_entry_is_used_once(void **state)
     vbss_contact_clear(l.set);
     contact_constraint *before = add(&l, 9, 20), *itself = add(&l, 10, 20),
                        *after = add(&l, 11, 20);
-    recall_and_pass_on(l.set); /* by its own row first, although a neighbour comes before */
+    warm_start_and_pass_on(l.set); /* by its own row first, although a neighbour comes before */
     assert_int_equal(before->solution.status, CONTACT_OPEN);
     assert_int_equal(itself->solution.status, CONTACT_STICK);
     assert_int_equal(after->solution.status, CONTACT_OPEN);
     vbss_contact_clear(l.set);
     before = add(&l, 9, 20);
     after = add(&l, 11, 20);
-    recall_and_pass_on(l.set); /* by one of two neighbours */
+    warm_start_and_pass_on(l.set); /* by one of two neighbours */
     assert_int_equal(before->solution.status + after->solution.status, CONTACT_STICK);
     /* Others are no neighbours: of another kind, another body, or round the end of the numbers. */
     vbss_contact_clear(l.set);
@@ -292,7 +295,7 @@ static void warm_start_entry_is_used_once(void **state)
     add(&l, 9, 20)->key.body_a = 2;
     add(&l, 9, 20)->key.body_b = 2;
     vbss_contact_sort(l.set);
-    recall_and_pass_on(l.set);
+    warm_start_and_pass_on(l.set);
     for (int i = 0; i < 3; i++) {
         assert_int_equal(l.set->constraints[i].solution.status, CONTACT_OPEN);
     }
@@ -386,6 +389,41 @@ static void warm_start_snapshot_rejects_invalid_data(void **state)
     list_end(&l);
 }
 
+/* Snapshots of all versions have 1 for a sleeve that slides forward, 0 for one that slides backward,
+ * and the ratio of a contact that slips, in one number. */
+static void sleeve_direction_is_saved_as_one_or_zero(void **state)
+{
+    (void)state;
+    list l, other;
+    uint8_t bytes[2048], old[2048];
+    list_begin(&l, 3);
+    list_begin(&other, 3);
+    for (uint32_t i = 0; i < 3; i++) {
+        contact_constraint *row = add(&l, i, i);
+        close_with(row, 1.0);
+        row->is_bilateral = row->is_sleeve = i < 2;
+        row->solution.status = CONTACT_SLIP;
+        row->solution.is_forward = i == 1;
+        row->solution.friction_ratio = i == 2 ? 0.25 : 0.0;
+    }
+    vbss_contact_store_warm_start(l.set);
+    size_t count = write(&l, bytes, sizeof bytes);
+    contact_warm_start_entry *m = l.set->warm_start;
+    m[1].is_forward = false; /* as they were written before the direction had a field */
+    m[1].friction_ratio = 1.0;
+    assert_int_equal(write(&l, old, sizeof old), count);
+    assert_memory_equal(old, bytes, count);
+    expect_ok(read(&other, bytes, count));
+    m = other.set->warm_start;
+    assert_true(!m[0].is_forward && m[1].is_forward && !m[2].is_forward);
+    expect_near(0.0, m[0].friction_ratio + m[1].friction_ratio, 0.0);
+    expect_near(0.25, m[2].friction_ratio, 0.0);
+    assert_int_equal(write(&other, old, sizeof old), count);
+    assert_memory_equal(old, bytes, count);
+    list_end(&other);
+    list_end(&l);
+}
+
 static vbss_result attempt(vbss_context *context, void *user)
 {
     contact_set *set;
@@ -415,6 +453,7 @@ int test_constraints(void)
         cmocka_unit_test(warm_start_entry_is_used_once),
         cmocka_unit_test(failed_attempt_is_discarded),
         cmocka_unit_test(warm_start_snapshot_rejects_invalid_data),
+        cmocka_unit_test(sleeve_direction_is_saved_as_one_or_zero),
         cmocka_unit_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

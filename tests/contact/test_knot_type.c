@@ -8,11 +8,11 @@
 
 #define PI 3.141592653589793
 
-enum { MOST_NODES = 800 };
+enum { MAX_NODES = 800 };
 
 typedef struct polyline {
     uint32_t count;
-    vec3 x[MOST_NODES];
+    vec3 x[MAX_NODES];
 } polyline;
 
 static void expect_type(int64_t determinant, int64_t v2, int64_t v3, const polyline *p)
@@ -145,13 +145,13 @@ static void distinct_knots_differ(void **state)
 
 static knot_kind draw_knot(harness_source *source, polyline *p, bool *mirrored)
 {
-    static double rest_lengths[MOST_NODES];
+    static double rest_lengths[MAX_NODES];
     knot_shape shape;
     knot_line line;
     knot_shape_init(&shape, (knot_kind)harness_draw_below(source, KNOT_KINDS));
     shape.mirrored = *mirrored = harness_draw_below(source, 2) != 0;
     shape.cylinder = harness_draw_below(source, 2) != 0;
-    expect_ok(knot_make(&shape, MOST_NODES, p->x, rest_lengths, &line));
+    expect_ok(knot_make(&shape, MAX_NODES, p->x, rest_lengths, &line));
     p->count = line.node_count;
     return shape.kind;
 }
@@ -190,7 +190,7 @@ static void refine(harness_source *source, polyline *p)
     for (uint32_t i = 0; i < p->count; i++) {
         bool split = i > 0 && harness_draw_below(source, 3) == 0;
         double t = harness_draw_real(source, 0.1, 0.9);
-        if (split && finer.count + p->count - i < MOST_NODES) {
+        if (split && finer.count + p->count - i < MAX_NODES) {
             finer.x[finer.count++] = vec3_lerp(p->x[i - 1], p->x[i], t);
         }
         finer.x[finer.count++] = p->x[i];
@@ -305,11 +305,11 @@ static void strand_passage_changes_type(void **state)
 {
     (void)state;
     static polyline p;
-    static double rest_lengths[MOST_NODES];
+    static double rest_lengths[MAX_NODES];
     knot_shape shape;
     knot_line line;
     knot_shape_init(&shape, KNOT_OVERHAND);
-    expect_ok(knot_make(&shape, MOST_NODES, p.x, rest_lengths, &line));
+    expect_ok(knot_make(&shape, MAX_NODES, p.x, rest_lengths, &line));
     p.count = line.node_count;
     uint32_t changed = 0;
     for (uint32_t i = 0; i < p.count; i++) {

@@ -153,7 +153,7 @@ static vec3 curvature(uint32_t i, double l)
     return vec3_scale(twice, 1.0 / (l * l));
 }
 
-static void is_calm(const knot_shape *shape)
+static void is_at_rest(const knot_shape *shape)
 {
     double l = 10e-6;
     knot_line line = make_evenly(*shape, l);
@@ -168,7 +168,7 @@ static void is_calm(const knot_shape *shape)
 static void curvature_is_small_and_continuous(void **state)
 {
     (void)state;
-    for_all(is_calm);
+    for_all(is_at_rest);
 }
 
 /* ---- ends */

@@ -5,7 +5,7 @@
 #include "oracle/oracle.h"
 #include "fixtures/knots.h"
 
-enum { MOST_NODES = 640 };
+enum { MAX_NODES = 640 };
 
 /* ---- two segments: a at rest along x, b moving */
 
@@ -227,16 +227,16 @@ static void rounding_proves_no_crossing(void **state)
 
 typedef struct moving_knot {
     knot_line line;
-    vec3 start[MOST_NODES], end[MOST_NODES];
+    vec3 start[MAX_NODES], end[MAX_NODES];
 } moving_knot;
 
 static void make_knot(moving_knot *m, knot_kind kind)
 {
-    static double rest_lengths[MOST_NODES];
+    static double rest_lengths[MAX_NODES];
     knot_shape shape;
     knot_shape_init(&shape, kind);
     shape.cylinder = true;
-    expect_ok(knot_make(&shape, MOST_NODES, m->start, rest_lengths, &m->line));
+    expect_ok(knot_make(&shape, MAX_NODES, m->start, rest_lengths, &m->line));
 }
 
 static passing_report report_of(const moving_knot *m)

@@ -25,8 +25,7 @@ static suture_curve_point place_of(const sliding *s)
 static void lay(const sliding *s, contact_constraint *row)
 {
     const suture_curve_point now = place_of(s);
-    row->start_arc_length = s->from;
-    vbss_hole_set_constraint(&s->hole, &s->config, &now, s->wall, 1e-3, row);
+    vbss_hole_set_constraint(&s->hole, &s->config, s->from, &now, s->wall, 1e-3, row);
     row->jacobian_block_count = 0;
     for (uint32_t i = 0; i < NODES; i++) {
         uint32_t k = i - now.first_node;
@@ -141,15 +140,15 @@ static double rate_at(const sliding *s)
 }
 
 /* It can be: the curve's way is a mean of its segments', none longer than what that has along the tangent, over this cosine. */
-static double most_rate(const sliding *s)
+static double max_rate(const sliding *s)
 {
     const suture_curve_point here = place_of(s);
-    double least = 1.0;
+    double smallest = 1.0;
     for (uint32_t i = here.first_node; i < here.first_node + 3 && i + 1 < NODES; i++) {
         vec3 back = vec3_unit_or(vec3_sub(s->x[i], s->x[i + 1]), vec3_zero());
-        least = fmin(least, vec3_dot(back, here.tangent));
+        smallest = fmin(smallest, vec3_dot(back, here.tangent));
     }
-    return 1.0 / least;
+    return 1.0 / smallest;
 }
 
 /* What the equations leave out, so that a row need not know more of its curve. They say that
@@ -184,20 +183,20 @@ static bool look_at_column(const sliding *s, const few_blocks *f, const contact_
     if (on.state != row->solution.status || back.state != row->solution.status) {
         return false; /* between two states there is no slope */
     }
-    const vec3 aims = vec3_scale(across(way, row->normal),
-                                 term->weight_derivative *
-                                     vec3_dot(vbss_contact_force(row, vec3_zero()), row->normal));
+    const vec3 targets = vec3_scale(
+        across(way, row->normal),
+        term->weight_derivative * vec3_dot(vbss_contact_force(row, vec3_zero()), row->normal));
     const double slid = 0.5 * (on.arc - back.arc) / step / rate;
     const double moved = term->weight * vec3_dot(row->normal, way);
     const double aside = vec3_norm(row->solution.tangential_force) / row->stiffness;
     const double order =
         fabs(term->weight_derivative) + vec3_norm(row->curvature) * fabs(term->weight);
-    assert_true(rate > 1.0 - 1e-7 && rate < most_rate(s) + 1e-7);
+    assert_true(rate > 1.0 - 1e-7 && rate < max_rate(s) + 1e-7);
     assert_true(fabs(slid - moved) <= 1.1 * aside * order + 1e-6);
     for (uint32_t p = 0; p < BLOCKS; p++) {
         vec3 slope = vec3_scale(vec3_sub(back.force[p], on.force[p]), 0.5 / step);
         vec3 own = vec3_add(added(f, p, q, way), left_out(row, p, moved, slid, rate));
-        own = vec3_add_scaled(own, row->jacobian[p].weight, aims);
+        own = vec3_add_scaled(own, row->jacobian[p].weight, targets);
         expect_near(0.0, vec3_distance(slope, own), 0.01);
     }
     return true;

@@ -32,10 +32,10 @@ static vbss_result hash_of(const performance *p, uint64_t *hash)
     return VBSS_OK;
 }
 
-static vbss_result perform(performance *p, uint32_t every, uint64_t *hashes, size_t most,
+static vbss_result perform(performance *p, uint32_t every, uint64_t *hashes, size_t limit,
                            size_t *count)
 {
-    for (uint32_t steps = 1; *count < most; steps++) {
+    for (uint32_t steps = 1; *count < limit; steps++) {
         TRY(surgeon_step(&p->surgeon, STEP));
         bool over = p->surgeon.stage >= SURGEON_DONE;
         if (over || steps % every == 0) {
@@ -49,7 +49,7 @@ static vbss_result perform(performance *p, uint32_t every, uint64_t *hashes, siz
     return VBSS_OK;
 }
 
-vbss_result performance_run(uint64_t seed, uint32_t every, uint64_t *hashes, size_t most,
+vbss_result performance_run(uint64_t seed, uint32_t every, uint64_t *hashes, size_t limit,
                             size_t *count)
 {
     static performance p;
@@ -57,7 +57,7 @@ vbss_result performance_run(uint64_t seed, uint32_t every, uint64_t *hashes, siz
     *count = 0;
     vbss_result result = begin(&p, seed);
     if (result == VBSS_OK) {
-        result = perform(&p, every, hashes, most, count);
+        result = perform(&p, every, hashes, limit, count);
     }
     stand_destroy(&p.surgeon.stitch.site.stand);
     return result;

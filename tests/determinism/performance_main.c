@@ -13,12 +13,13 @@ enum { EVERY = 1000, ROOM = 600 };
 int main(int argc, char **argv)
 {
     static uint64_t hashes[ROOM];
-    size_t count = 0, most = argc == 3 ? strtoul(argv[2], NULL, 10) : 0;
-    if (most == 0 || most > ROOM) {
+    size_t count = 0, largest = argc == 3 ? strtoul(argv[2], NULL, 10) : 0;
+    if (largest == 0 || largest > ROOM) {
         fprintf(stderr, "usage: %s SEED MOST (at most %d)\n", argv[0], ROOM);
         return 2;
     }
-    vbss_result result = performance_run(strtoul(argv[1], NULL, 10), EVERY, hashes, most, &count);
+    vbss_result result =
+        performance_run(strtoul(argv[1], NULL, 10), EVERY, hashes, largest, &count);
     for (size_t i = 0; i < count; i++) {
         printf("%zu %016" PRIx64 "\n", i, hashes[i]);
     }

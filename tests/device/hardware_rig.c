@@ -47,20 +47,30 @@ static void write_one(hardware_rig *r, int i)
 {
     const vbss_device_coupling *c = &r->couplings[i];
     if (c->stiffness > 0.0 || c->damping > 0.0) {
-        expect_ok(vbss_device_write_coupled(r->devices[i], r->now, &r->commands[i], c, NULL, 0));
+        expect_ok(vbss_device_write_coupled(r->devices[i], r->now, &r->commands[i], c,
+                                            &r->results[i], sizeof r->results[i]));
     } else {
-        expect_ok(vbss_device_write(r->devices[i], r->now, &r->commands[i], NULL, 0));
+        expect_ok(vbss_device_write(r->devices[i], r->now, &r->commands[i], &r->results[i],
+                                    sizeof r->results[i]));
     }
+}
+
+void hardware_rig_tick(hardware_rig *r)
+{
+    if (r->step >= r->next_round && r->step > 1) {
+        (void)r->daq->waited();
+        expect_ok(vbss_nidaqmx_pump(r->nidaqmx, (double)r->step / 1000.0));
+        const uint64_t waited = (uint64_t)ceil(1000.0 * r->daq->waited() - 1e-6);
+        r->next_round = r->step + (waited > 2 ? waited : 2);
+    }
+    r->hd->tick(1);
 }
 
 void hardware_rig_steps(hardware_rig *r, int count)
 {
     for (int k = 0; k < count; k++) {
         r->now = (double)++r->step / 1000.0;
-        if (r->step % 2 == 0) {
-            expect_ok(vbss_nidaqmx_pump(r->nidaqmx, r->now));
-        }
-        r->hd->tick(1);
+        hardware_rig_tick(r);
         for (int i = 0; i < r->device_count && !r->silent; i++) {
             vbss_device_input *in = &r->inputs[i];
             expect_ok(vbss_device_read(r->devices[i], r->now, in, sizeof *in));

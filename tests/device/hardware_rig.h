@@ -1,5 +1,6 @@
 /* Devices on arms and handles as real hardware gives them, with the stand-ins in place of the vendors' libraries. Time is
- * simulated: a step is 1 ms, in which the servo ticks once, and the lines have a round every 2 ms. */
+ * simulated: a step is 1 ms, in which the servo ticks once, and the lines have a round every 2 ms, or when the calls of the
+ * last one are over. */
 #ifndef VBSS_TESTS_DEVICE_HARDWARE_RIG_H
 #define VBSS_TESTS_DEVICE_HARDWARE_RIG_H
 
@@ -24,6 +25,8 @@ typedef struct hardware_rig {
     uint64_t step;
     double now;
     vbss_device_input inputs[2];
+    vbss_output_result results[2];
+    uint64_t next_round; /* step of the lines' next round */
     vbss_output_command commands[2];
     vbss_device_coupling couplings[2]; /* used where there is any stiffness or damping */
     bool silent;                       /* the host does not write */
@@ -33,6 +36,8 @@ typedef struct hardware_rig {
 void hardware_rig_begin(hardware_rig *r, bool threaded);
 /* The whole: arms, lines, devices. */
 void hardware_rig_open(hardware_rig *r, int devices);
+/* The hardware alone, in the present step. */
+void hardware_rig_tick(hardware_rig *r);
 void hardware_rig_steps(hardware_rig *r, int count);
 /* Newton that the motors of an arm put out now. */
 double hardware_rig_force(const hardware_rig *r, int arm);

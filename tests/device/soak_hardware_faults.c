@@ -31,7 +31,7 @@ static void cause(hardware_rig *r, kind k, int on)
 }
 
 /* Whether somebody who looks knows. */
-static bool is_told(const hardware_rig *r, kind k)
+static bool is_reported(const hardware_rig *r, kind k)
 {
     vbss_openhaptics_status arm;
     vbss_nidaqmx_status lines;
@@ -99,15 +99,16 @@ static void live(harness_soak *soak, vbss_random *random, uint64_t *counts, int 
     const bool with_arm = k != READ_TIMEOUT;
     int safe = become_safe(&r, with_arm && k != STALLED);
     *latest = safe > *latest ? safe : *latest;
-    bool told = is_told(&r, k);
+    bool reported = is_reported(&r, k);
     if (k == STALLED) {
         r.silent = true; /* what the host wrote last counts */
         cause(&r, k, 0);
         hardware_rig_steps(&r, 1);
     }
-    if (!pressed || !is_safe(&r, with_arm) || !told) {
+    if (!pressed || !is_safe(&r, with_arm) || !reported) {
         harness_soak_fail(soak, "fault %d: pressed %d, force %g, solenoid %d, told %d", (int)k,
-                          pressed, hardware_rig_force(&r, 0), hardware_rig_solenoid(&r, 0), told);
+                          pressed, hardware_rig_force(&r, 0), hardware_rig_solenoid(&r, 0),
+                          reported);
     }
     counts[k]++;
     cause(&r, k, 0);

@@ -36,15 +36,15 @@ static void falling_rate_is_followed(void **state)
 static void slow_device_has_longer_timeout(void **state)
 {
     (void)state;
-    for (int told = 0; told < 2; told++) {
+    for (int reported = 0; reported < 2; reported++) {
         device_rig r;
         begin(&r);
-        r.capabilities[0].update_rate = told == 1 ? 100.0 : 0.0;
+        r.capabilities[0].update_rate = reported == 1 ? 100.0 : 0.0;
         device_rig_open(&r, 1);
         device_rig_fault(&r, 0, VBSS_MOCK_RATE, 1000.0, 0.01);
         device_rig_steps(&r, 200);
-        assert_int_equal((r.events & VBSS_DEVICE_EVENT_STALE) != 0, told == 0);
-        assert_int_equal((r.flags & VBSS_OUTPUT_INPUT_STALE) != 0, told == 0);
+        assert_int_equal((r.events & VBSS_DEVICE_EVENT_STALE) != 0, reported == 0);
+        assert_int_equal((r.flags & VBSS_OUTPUT_INPUT_STALE) != 0, reported == 0);
         device_rig_fault(&r, 0, VBSS_MOCK_STALL, 1000.0, 0.0);
         device_rig_steps(&r, 32);
         assert_int_equal(r.input.status, VBSS_DEVICE_STALE); /* but not for ever */

@@ -185,12 +185,12 @@ static void never_more(harness_source *source, void *user)
         r.demand.has_fault = harness_draw_below(source, 20) == 0;
         r.demand.solenoid = harness_draw_below(source, 2) == 0;
         vec3 out = stage_rig_step(&r, step, wanted);
-        double most = 3.0;
+        double largest = 3.0;
         if (scale < 1e100) {
-            most = vbss_min(most, vec3_norm(wanted));
+            largest = vbss_min(largest, vec3_norm(wanted));
         }
         assert_true(vec3_is_finite(out) && vec3_is_finite(r.state.torque));
-        assert_true(vec3_norm(out) <= most * (1.0 + 1e-14));
+        assert_true(vec3_norm(out) <= largest * (1.0 + 1e-14));
         assert_true(vec3_norm(r.state.torque) <= 0.1 * (1.0 + 1e-14));
         double reach = 500.0 * vbss_min(step, 0.01);
         assert_true(vec3_norm(out) <= vec3_norm(before) + reach + 1e-12);

@@ -139,12 +139,6 @@ static void bad_calls_touch_no_adapter(void **state)
     device_rig_steps(&r, 20);
     expect_ok(vbss_mock_get_statistics(r.mocks[0], &before, sizeof before));
     uint64_t hash = device_rig_hash(&r);
-    const double times[] = {r.now - 1e-9, 2e9, harness_bad_numbers[0], harness_bad_numbers[1]};
-    for (int i = 0; i < 4; i++) {
-        vbss_result wanted = i < 2 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_NOT_FINITE;
-        expect_result(wanted, vbss_device_read(r.device, times[i], &r.input, sizeof r.input));
-        expect_result(wanted, vbss_device_write(r.device, times[i], &r.command, NULL, 0));
-    }
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_device_read(r.device, 1.0, NULL, sizeof r.input));
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_device_read(r.device, 1.0, &r.input, 207));
     expect_result(VBSS_ERROR_STRUCT_SIZE,
@@ -156,6 +150,66 @@ static void bad_calls_touch_no_adapter(void **state)
     expect_ok(vbss_mock_get_statistics(r.mocks[0], &after, sizeof after));
     assert_memory_equal(&before, &after, sizeof before);
     assert_true(device_rig_hash(&r) == hash);
+    device_rig_end(&r);
+}
+
+/* The last row of the mock: time, force, torque, solenoid, flags. */
+static const double *last_output(const device_rig *r)
+{
+    vbss_view view;
+    expect_ok(vbss_mock_get_view(r->mocks[0], VBSS_MOCK_VIEW_ROWS, &view, sizeof view));
+    assert_true(view.count > 0);
+    return (const double *)view.data + 9 * (view.count - 1);
+}
+
+/* With an adapter that keeps its last output for ever, as one does that knows no `expires`. */
+static void wrong_clock_switches_outputs_off(void **state)
+{
+    (void)state;
+    for (int call = 0; call < 3; call++) {
+        for (int i = 0; i < 4; i++) {
+            device_rig r;
+            vbss_device_coupling coupling;
+            device_rig_begin(&r);
+            device_rig_open(&r, 1);
+            r.command.force[0] = 0.8;
+            r.command.solenoid = 1;
+            device_rig_steps(&r, 20);
+            assert_true(fabs(last_output(&r)[1] - 0.8) < 1e-12);
+            expect_ok(vbss_device_coupling_init(&coupling, sizeof coupling));
+            const double times[] = {r.now - 50.0, 2e9, harness_bad_numbers[0],
+                                    harness_bad_numbers[1]};
+            vbss_result wanted = i < 2 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_NOT_FINITE;
+            expect_result(wanted,
+                          call == 0 ? vbss_device_read(r.device, times[i], &r.input, sizeof r.input)
+                          : call == 1 ? vbss_device_write(r.device, times[i], &r.command, NULL, 0)
+                                      : vbss_device_write_coupled(r.device, times[i], &r.command,
+                                                                  &coupling, NULL, 0));
+            assert_true(last_output(&r)[1] == 0.0 && last_output(&r)[7] == 0.0);
+            assert_int_equal(device_rig_output_statistics(&r).stops, 0);
+            device_rig_steps(&r, 5); /* the clock is right again */
+            assert_true(fabs(last_output(&r)[1] - 0.8) < 1e-12);
+            device_rig_end(&r);
+        }
+    }
+}
+
+static void jump_of_clock_switches_outputs_off_for_10_ms(void **state)
+{
+    (void)state;
+    device_rig r;
+    device_rig_begin(&r);
+    device_rig_open(&r, 1);
+    r.command.force[0] = 0.8;
+    device_rig_steps(&r, 20);
+    r.step += 50000;
+    device_rig_steps(&r, 1);
+    assert_true(last_output(&r)[1] == 0.0);
+    assert_true((r.result.flags & VBSS_OUTPUT_COMMAND_STALE) != 0);
+    device_rig_steps(&r, 9);
+    assert_true(last_output(&r)[1] == 0.0);
+    device_rig_steps(&r, 5);
+    assert_true(fabs(last_output(&r)[1] - 0.8) < 1e-12);
     device_rig_end(&r);
 }
 
@@ -178,6 +232,8 @@ int test_refusals(void)
         cmocka_unit_test(defaults_match_documentation),
         cmocka_unit_test(every_bad_number_is_rejected_by_name),
         cmocka_unit_test(bad_calls_touch_no_adapter),
+        cmocka_unit_test(wrong_clock_switches_outputs_off),
+        cmocka_unit_test(jump_of_clock_switches_outputs_off_for_10_ms),
         cmocka_unit_test(time_is_monotonic_after_read_only),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

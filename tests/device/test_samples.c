@@ -148,7 +148,7 @@ static void bad_sample_is_rejected_whole(void **state)
     const struct {
         uint32_t part;
         size_t at;
-        double most;
+        double largest;
     } fields[] = {
         {VBSS_DEVICE_HAS_POSITION, offsetof(vbss_device_sample, position) + 8, 1e3},
         {VBSS_DEVICE_HAS_VELOCITY, offsetof(vbss_device_sample, velocity) + 16, 1e3},
@@ -160,7 +160,7 @@ static void bad_sample_is_rejected_whole(void **state)
     device_rig r;
     begin(&r);
     for (size_t i = 0; i < sizeof fields / sizeof fields[0]; i++) {
-        const double bad[] = {1.001 * fields[i].most, harness_bad_numbers[0],
+        const double bad[] = {1.001 * fields[i].largest, harness_bad_numbers[0],
                               harness_bad_numbers[1], harness_bad_numbers[2]};
         for (int k = 0; k < 4; k++) {
             double x = r.input.position[0];
@@ -184,7 +184,7 @@ static void bad_sample_is_rejected_whole(void **state)
          i++) { /* up to there all is well */
         uint64_t accepted = device_rig_statistics(&r).accepted[0];
         sample.valid |= fields[i].part;
-        memcpy((unsigned char *)&sample + fields[i].at, &fields[i].most, sizeof(double));
+        memcpy((unsigned char *)&sample + fields[i].at, &fields[i].largest, sizeof(double));
         show(&r);
         assert_int_equal(device_rig_statistics(&r).accepted[0], accepted + 1);
     }
@@ -223,15 +223,15 @@ static void equal_time_is_same_sample(void **state)
 
 /* ---- what asks for somebody is in the log, once */
 
-static char told[8][128];
-static int told_count;
+static char reported[8][128];
+static int reported_count;
 
 static void keep(void *user, vbss_log_level level, const char *message)
 {
     (void)user;
-    if (told_count < 8 && level == VBSS_LOG_WARNING) {
-        memcpy(told[told_count], message, strlen(message) + 1);
-        told_count++;
+    if (reported_count < 8 && level == VBSS_LOG_WARNING) {
+        memcpy(reported[reported_count], message, strlen(message) + 1);
+        reported_count++;
     }
 }
 
@@ -244,7 +244,7 @@ static void each_change_warns_once(void **state)
     vbss_context_config config = harness_watched_config(&r.memory);
     config.log = keep;
     expect_ok(vbss_context_create(&config, &r.context));
-    told_count = 0;
+    reported_count = 0;
     device_rig_open(&r, 1);
     device_rig_steps(&r, 5);
     device_rig_fault(&r, 0, VBSS_MOCK_REFUSAL, 5.0, 0.0);
@@ -255,12 +255,12 @@ static void each_change_warns_once(void **state)
     device_rig_steps(&r, 10);
     device_rig_fault(&r, 0, VBSS_MOCK_LATE, 200.0, 0.15);
     device_rig_steps(&r, 105);
-    assert_int_equal(told_count, 5);
-    assert_string_equal(told[0], "mock refuses forces");
-    assert_string_equal(told[1], "mock asks for an emergency stop");
-    assert_string_equal(told[2], "mock is lost: unplugged by a fault of the mock");
-    assert_string_equal(told[3], "mock is back");
-    assert_string_equal(told[4], "mock counts time anew");
+    assert_int_equal(reported_count, 5);
+    assert_string_equal(reported[0], "mock refuses forces");
+    assert_string_equal(reported[1], "mock asks for an emergency stop");
+    assert_string_equal(reported[2], "mock is lost: unplugged by a fault of the mock");
+    assert_string_equal(reported[3], "mock is back");
+    assert_string_equal(reported[4], "mock counts time anew");
     device_rig_end(&r);
 }
 

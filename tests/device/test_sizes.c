@@ -22,13 +22,13 @@ static vbss_result read_nothing(void *user, double now, vbss_device_sample *samp
     return VBSS_OK;
 }
 
-static const vbss_device_adapter least = {.struct_size = sizeof least, .read = read_nothing};
+static const vbss_device_adapter smallest = {.struct_size = sizeof smallest, .read = read_nothing};
 
 /* The struct under test is the second adapter, whose missing function is all that is wrong with it. */
 static vbss_result use_adapter(vbss_context *context, const void *adapter)
 {
     vbss_device *device;
-    vbss_result result = vbss_device_create(context, &least, adapter, NULL, &device);
+    vbss_result result = vbss_device_create(context, &smallest, adapter, NULL, &device);
     VBSS_TRY(vbss_device_destroy(device));
     return result == VBSS_ERROR_NULL_ARGUMENT ? VBSS_OK : result;
 }
@@ -41,7 +41,7 @@ static vbss_result config_init(void *config, uint32_t struct_size)
 static vbss_result use_config(vbss_context *context, const void *config)
 {
     vbss_device *device;
-    VBSS_TRY(vbss_device_create(context, &least, NULL, config, &device));
+    VBSS_TRY(vbss_device_create(context, &smallest, NULL, config, &device));
     return vbss_device_destroy(device);
 }
 
@@ -53,7 +53,7 @@ static vbss_result calibration_init(void *calibration, uint32_t struct_size)
 static vbss_result use_calibration(vbss_context *context, const void *calibration)
 {
     vbss_device *device;
-    VBSS_TRY(vbss_device_create(context, &least, NULL, NULL, &device));
+    VBSS_TRY(vbss_device_create(context, &smallest, NULL, NULL, &device));
     vbss_result result = vbss_device_set_calibration(device, calibration);
     VBSS_TRY(vbss_device_destroy(device));
     return result;
@@ -101,7 +101,7 @@ static vbss_result use_sample(vbss_context *context, const void *sample)
 static vbss_result use_command(vbss_context *context, const void *command)
 {
     vbss_device *device;
-    VBSS_TRY(vbss_device_create(context, &least, NULL, NULL, &device));
+    VBSS_TRY(vbss_device_create(context, &smallest, NULL, NULL, &device));
     vbss_result result = vbss_device_write(device, 0.0, command, NULL, 0);
     VBSS_TRY(vbss_device_destroy(device));
     return result;
@@ -116,7 +116,7 @@ static void size_protocol(void **state)
 {
     (void)state;
     static const uint32_t sizes[][2] = {{8 + 9 * sizeof(void *), 0},
-                                        {64 + 2 * sizeof(void *), 0},
+                                        {72 + 2 * sizeof(void *), 0},
                                         {264, 0},
                                         {16 + 3 * sizeof(void *), 0},
                                         {128, 0},

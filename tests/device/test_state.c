@@ -19,14 +19,14 @@ static void restored_device_continues_bit_equal(void **state)
 /* Hashes see only what is saved. What hosts and hardware see must go on alike, too: nothing that matters is left
  * out. */
 enum { AFTER = 60 };
-typedef struct told {
+typedef struct reported {
     vbss_device_input inputs[AFTER];
     vbss_output_result results[AFTER];
     vbss_device_statistics in;
     vbss_output_statistics out;
-} told;
+} reported;
 
-static void live_on(vbss_device *device, told *t)
+static void live_on(vbss_device *device, reported *t)
 {
     memset(t, 0, sizeof *t);
     for (int i = 0; i < AFTER; i++) {
@@ -41,7 +41,7 @@ static bool are_same(const void *a, const void *b, size_t bytes)
     return memcmp(a, b, bytes) == 0; /* both cleared before they were filled */
 }
 
-static void expect_told(const told *wanted, const told *got, size_t moment)
+static void expect_reported(const reported *wanted, const reported *got, size_t moment)
 {
     for (int i = 0; i < AFTER; i++) {
         if (!are_same(&wanted->inputs[i], &got->inputs[i], sizeof got->inputs[i]) ||
@@ -65,7 +65,7 @@ static void steps(vbss_device *device, size_t count)
 
 static void restored_at(size_t moment)
 {
-    static told wanted, got;
+    static reported wanted, got;
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     device_run first, fresh, other;
@@ -78,13 +78,13 @@ static void restored_at(size_t moment)
     expect_ok(device_run_create(context, &fresh));
     expect_ok(vbss_device_restore(fresh.device, bytes, count));
     live_on(fresh.device, &got);
-    expect_told(&wanted, &got, moment);
+    expect_reported(&wanted, &got, moment);
     expect_ok(device_run_create(context, &other)); /* has lived otherwise, in another frame */
     expect_ok(vbss_device_set_calibration(other.device, NULL));
     steps(other.device, moment < 200 ? 350 : 100);
     expect_ok(vbss_device_restore(other.device, bytes, count));
     live_on(other.device, &got);
-    expect_told(&wanted, &got, moment);
+    expect_reported(&wanted, &got, moment);
     harness_context_end(context, &memory);
 }
 

@@ -100,7 +100,7 @@ void drain_rig_statics(drain_rig *r)
     r->config.tear_stress = 1e12;
 }
 
-void drain_rig_settle(drain_rig *r, double speed, uint32_t limit)
+void drain_rig_relax(drain_rig *r, double speed, uint32_t limit)
 {
     uint32_t steps = 0;
     do {
@@ -266,12 +266,4 @@ bool drain_rig_is_anchor(drain_rig *r, uint32_t node)
         }
     }
     return false;
-}
-
-void drain_rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
-                    int line)
-{
-    harness_near(wanted.x, got.x, tolerance, what, file, line);
-    harness_near(wanted.y, got.y, tolerance, what, file, line);
-    harness_near(wanted.z, got.z, tolerance, what, file, line);
 }

@@ -32,7 +32,7 @@ void drain_rig_run(drain_rig *r, double h, uint32_t steps);
 /* Each step is a Newton iteration to rest: big steps, nothing halved, tangent and forces until they agree. */
 void drain_rig_statics(drain_rig *r);
 /* Long steps until no node is faster than `speed`, at most `limit` steps; then the test fails. */
-void drain_rig_settle(drain_rig *r, double speed, uint32_t limit);
+void drain_rig_relax(drain_rig *r, double speed, uint32_t limit);
 
 uint32_t drain_rig_count(drain_rig *r, vbss_drain_field field);
 const vec3 *drain_rig_vectors(drain_rig *r, vbss_drain_field field);
@@ -58,11 +58,5 @@ enum { DRAIN_RIG_NODES = 1024 };
 double drain_rig_distance(drain_rig *r, const vec3 *positions);
 void drain_rig_copy(drain_rig *r, vec3 *positions);
 bool drain_rig_is_anchor(drain_rig *r, uint32_t node);
-
-/* Largest component of the difference is at most the tolerance. */
-#define expect_near_vec3(wanted, got, tolerance) \
-    drain_rig_near((wanted), (got), (tolerance), #got, __FILE__, __LINE__)
-void drain_rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
-                    int line);
 
 #endif

@@ -116,16 +116,16 @@ double mesh_rig_area(const drain_mesh *m)
     return sum;
 }
 
-double mesh_rig_least_angle(const drain_mesh *m)
+double mesh_rig_min_angle(const drain_mesh *m)
 {
-    double least = VBSS_PI;
+    double smallest = VBSS_PI;
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         for (int k = 0; k < 3; k++) {
             const uint32_t *n = m->triangles[t];
             vec3 u = vec3_sub(m->rest[n[(k + 1) % 3]], m->rest[n[k]]);
             vec3 v = vec3_sub(m->rest[n[(k + 2) % 3]], m->rest[n[k]]);
-            least = fmin(least, vbss_atan2(vec3_norm(vec3_cross(u, v)), vec3_dot(u, v)));
+            smallest = fmin(smallest, vbss_atan2(vec3_norm(vec3_cross(u, v)), vec3_dot(u, v)));
         }
     }
-    return least / RIG_DEGREE;
+    return smallest / RIG_DEGREE;
 }

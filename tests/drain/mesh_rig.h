@@ -29,7 +29,7 @@ uint32_t mesh_rig_mirrored(const drain_mesh *m, uint32_t node);
 vec3 mesh_rig_normal(const drain_mesh *m, uint32_t triangle);
 double mesh_rig_area(const drain_mesh *m);
 /* Degrees. */
-double mesh_rig_least_angle(const drain_mesh *m);
+double mesh_rig_min_angle(const drain_mesh *m);
 bool mesh_rig_is_tip(const drain_mesh *m, uint32_t node);
 
 #endif

@@ -137,11 +137,4 @@ static inline uint64_t paper_hash(paper_rig *r)
     return hash;
 }
 
-static inline void expect_vector(vec3 wanted, vec3 got, double tolerance)
-{
-    expect_near(wanted.x, got.x, tolerance);
-    expect_near(wanted.y, got.y, tolerance);
-    expect_near(wanted.z, got.z, tolerance);
-}
-
 #endif

@@ -46,6 +46,6 @@ double shell_rig_stiffest(shell_rig *r);
 double shell_rig_rounding(shell_rig *r);
 /* Moves to equilibrium under the loads; returns the steps it took, at most `most`. One step is the linear
  * answer if it starts at rest. */
-int shell_rig_solve(shell_rig *r, int most);
+int shell_rig_solve(shell_rig *r, int limit);
 
 #endif

@@ -28,13 +28,13 @@ void shell_rig_tangent(shell_rig *r)
 
 double shell_rig_stiffest(shell_rig *r)
 {
-    double most = 0.0;
+    double largest = 0.0;
     shell_rig_tangent(r);
     for (uint32_t i = 0; i < r->node_count; i++) {
         mat3 m = block_mat3(&r->diagonal[i]);
-        most = vbss_max(vbss_max(m.m[0][0], m.m[1][1]), vbss_max(m.m[2][2], most));
+        largest = vbss_max(vbss_max(m.m[0][0], m.m[1][1]), vbss_max(m.m[2][2], largest));
     }
-    return most;
+    return largest;
 }
 
 double shell_rig_rounding(shell_rig *r)
@@ -204,14 +204,14 @@ static void move(const skyline *s, shell_rig *r, const vec3 *from, double share)
 }
 
 /* Down the energy, with steps halved until they go down; ends when nothing more is gained. */
-int shell_rig_solve(shell_rig *r, int most)
+int shell_rig_solve(shell_rig *r, int limit)
 {
     skyline s;
     skyline_begin(&s, r);
     vec3 *from = malloc(r->node_count * sizeof *from);
     double energy = potential(r);
     int steps = 0;
-    for (bool gained = true; gained && steps < most;) {
+    for (bool gained = true; gained && steps < limit;) {
         memcpy(from, r->x, r->node_count * sizeof *from);
         shell_rig_tangent(r);
         memset(s.a, 0, s.start[s.n] * sizeof *s.a);

@@ -290,8 +290,8 @@ static void pull_violently(drain_rig *r, vbss_random *random, const vec3 *rest)
         }
         drain_rig_run(r, 1e-3, 1);
     }
-    double most = drain_rig_energies(r).total;
-    assert_true(most > 0.0 && most < 1.0);
+    double largest = drain_rig_energies(r).total;
+    assert_true(largest > 0.0 && largest < 1.0);
     drain_rig_detach(r, ids[0]);
     drain_rig_detach(r, ids[1]);
     drain_rig_run(r, 1e-3, vbss_random_below(random, 40));

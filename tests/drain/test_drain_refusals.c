@@ -254,12 +254,12 @@ static void bad_moves_are_rejected(void **state)
             unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_move(r.drain, id, target));
         }
     }
-    const uint32_t nobody[] = {0, 4, UINT32_MAX};
+    const uint32_t none[] = {0, 4, UINT32_MAX};
     for (int k = 0; k < 3; k++) {
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_move(r.drain, nobody[k], zero));
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_detach(r.drain, nobody[k]));
+        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_move(r.drain, none[k], zero));
+        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_detach(r.drain, none[k]));
         unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_drain_get_reaction(r.drain, nobody[k], force));
+                  vbss_drain_get_reaction(r.drain, none[k], force));
     }
     unchanged(&r, hash, VBSS_ERROR_NULL_ARGUMENT, vbss_drain_get_reaction(r.drain, 1, NULL));
     drain_rig_end(&r);

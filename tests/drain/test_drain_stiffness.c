@@ -22,7 +22,7 @@ static double gap_under(drain_rig *r, double force)
 {
     drain_rig_move(r, 1, vec3_make(0.0, 0.0, force));
     drain_rig_move(r, 2, vec3_make(0.0, 0.0, -force));
-    drain_rig_settle(r, 1e-9, 1000);
+    drain_rig_relax(r, 1e-9, 1000);
     return drain_rig_gap(r).signed_gap;
 }
 
@@ -39,7 +39,7 @@ static closing close_slit(vbss_drain_mesh mesh, uint32_t divisions, double thick
     drain_rig_make(&r);
     double apart = marks_apart(&r), gap = drain_rig_gap(&r).signed_gap;
     drain_rig_pull_marks(&r, little);
-    drain_rig_settle(&r, 1e-12, 500);
+    drain_rig_relax(&r, 1e-12, 500);
     c.marks = little / (apart - marks_apart(&r));
     c.gap = little / (gap - drain_rig_gap(&r).signed_gap);
     /* Where the gap is the wanted one, by secants from two pulls short of it. */
@@ -117,7 +117,7 @@ static double stiffness_of(double thickness, double modulus)
     drain_rig_make(&r);
     double apart = marks_apart(&r);
     drain_rig_pull_marks(&r, 1e-5);
-    drain_rig_settle(&r, 1e-12, 500);
+    drain_rig_relax(&r, 1e-12, 500);
     double stiffness = 1e-5 / (apart - marks_apart(&r));
     drain_rig_end(&r);
     return stiffness;

@@ -9,7 +9,7 @@ enum { ANCHORS = 33 };
 /* A drain at rest under a pull at a mark that nothing tears, and which anchor is loaded most, in Pa. */
 typedef struct loaded {
     vec3 x[DRAIN_RIG_NODES];
-    double most, next;
+    double largest, next;
     uint32_t worst;
 } loaded;
 
@@ -24,17 +24,17 @@ static void find_load(loaded *l)
     drain_rig_make(&r);
     assert_int_equal(drain_rig_count(&r, VBSS_DRAIN_ANCHORS), ANCHORS);
     drain_rig_force(&r, r.places.marks[0], load);
-    drain_rig_settle(&r, 1e-13, 500);
+    drain_rig_relax(&r, 1e-13, 500);
     drain_rig_copy(&r, l->x);
     drain_rig_areas(&r, areas);
     const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_ANCHOR_FORCES);
     const uint32_t *anchors = drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS);
-    l->most = l->next = 0.0;
+    l->largest = l->next = 0.0;
     for (uint32_t i = 0; i < ANCHORS; i++) {
         double stress = vec3_norm(forces[i]) / areas[anchors[i]];
-        if (stress > l->most) {
-            l->next = l->most;
-            l->most = stress;
+        if (stress > l->largest) {
+            l->next = l->largest;
+            l->largest = stress;
             l->worst = i;
         } else {
             l->next = fmax(l->next, stress);
@@ -60,13 +60,13 @@ static void anchor_tears_at_strength(void **state)
     static loaded l;
     drain_rig r;
     find_load(&l);
-    assert_true(l.next < 0.999 * l.most);
-    begin_at(&r, &l, l.most * (1.0 + 1e-6));
+    assert_true(l.next < 0.999 * l.largest);
+    begin_at(&r, &l, l.largest * (1.0 + 1e-6));
     drain_rig_run(&r, 1e-3, 100);
     assert_int_equal(drain_rig_statistics(&r).torn, 0);
     drain_rig_end(&r);
 
-    begin_at(&r, &l, l.most * (1.0 - 1e-6));
+    begin_at(&r, &l, l.largest * (1.0 - 1e-6));
     drain_rig_run(&r, 1e-3, 1);
     assert_int_equal(drain_rig_statistics(&r).torn, 1);
     const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_ANCHOR_FORCES);
@@ -83,7 +83,7 @@ static void one_anchor_tears_per_step(void **state)
     static loaded l;
     drain_rig r;
     find_load(&l);
-    begin_at(&r, &l, 0.01 * l.most);
+    begin_at(&r, &l, 0.01 * l.largest);
     for (uint32_t step = 1; step <= ANCHORS; step++) {
         drain_rig_run(&r, 1e-3, 1);
         assert_int_equal(drain_rig_statistics(&r).torn, step);
@@ -105,7 +105,7 @@ static void torn_node_stays_free(void **state)
     vbss_drain_attachment a;
     uint32_t id;
     find_load(&l);
-    begin_at(&r, &l, 0.999 * l.most);
+    begin_at(&r, &l, 0.999 * l.largest);
     uint32_t node = drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS)[l.worst];
     vec3 rest = drain_rig_position(&r, node);
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
@@ -129,7 +129,7 @@ static void torn_node_stays_free(void **state)
     /* Without the load the drain goes back to its shape, but nothing holds the node there. */
     uint32_t torn = drain_rig_statistics(&r).torn;
     drain_rig_detach(&r, 1);
-    drain_rig_settle(&r, 1e-12, 200);
+    drain_rig_relax(&r, 1e-12, 200);
     expect_near_vec3(rest, drain_rig_position(&r, node), 1e-9);
     assert_int_equal(drain_rig_statistics(&r).torn, torn);
     expect_ok(vbss_drain_attach(r.drain, &a, &id));

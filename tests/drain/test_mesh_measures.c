@@ -176,13 +176,13 @@ static void mesh_halves_are_mirror_images(void **state)
 
 static void any_mesh_is_well_shaped(harness_source *source, void *user)
 {
-    double *least = user;
+    double *smallest = user;
     mesh_rig rig;
     drain_mesh_options o = mesh_rig_draw(source, true);
     mesh_rig_begin(&rig, &o);
-    double angle = mesh_rig_least_angle(&rig.mesh);
+    double angle = mesh_rig_min_angle(&rig.mesh);
     assert_true(angle > (o.kind == DRAIN_MESH_UNIFORM ? 1.5 : 2.5));
-    *least = fmin(*least, angle);
+    *smallest = fmin(*smallest, angle);
     for (uint32_t t = 0; t < rig.mesh.triangle_count; t++) {
         vec3 p = rig.mesh.rest[rig.mesh.triangles[t][0]];
         p.x = 0.0;
@@ -198,16 +198,16 @@ static void any_mesh_is_well_shaped(harness_source *source, void *user)
 static void no_degenerate_or_folded_triangle(void **state)
 {
     (void)state;
-    double least = 180.0;
-    harness_property("shape", 1000, any_mesh_is_well_shaped, &least);
-    print_message("least angle of any mesh: %.2f degrees\n", least);
+    double smallest = 180.0;
+    harness_property("shape", 1000, any_mesh_is_well_shaped, &smallest);
+    print_message("least angle of any mesh: %.2f degrees\n", smallest);
     /* The usual drain has better ones. */
     const double usual[] = {13.0, 17.5, 10.5, 11.0};
     for (int kind = DRAIN_MESH_N; kind <= DRAIN_MESH_R; kind++) {
         mesh_rig rig;
         drain_mesh_options o = mesh_rig_options((drain_mesh_kind)kind);
         mesh_rig_begin(&rig, &o);
-        assert_true(mesh_rig_least_angle(&rig.mesh) > usual[kind]);
+        assert_true(mesh_rig_min_angle(&rig.mesh) > usual[kind]);
         mesh_rig_end(&rig);
     }
 }

@@ -129,7 +129,7 @@ static void any_numbers_are_refused_or_sound(harness_source *source, void *user)
     if (vbss_drain_mesh_plan(NULL, &o, &m) == VBSS_OK) {
         mesh_rig rig;
         mesh_rig_begin(&rig, &o);
-        assert_true(mesh_rig_least_angle(&rig.mesh) > 1.5);
+        assert_true(mesh_rig_min_angle(&rig.mesh) > 1.5);
         assert_int_equal(m.edge_count, rig.mesh.edge_count);
         mesh_rig_end(&rig);
         ++*planned;

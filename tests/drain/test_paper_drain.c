@@ -88,7 +88,7 @@ static void expect_others_at_rest(paper_rig *r, const uint32_t *pulled, uint32_t
             moves = moves || pulled[k] == i;
         }
         if (!moves) {
-            expect_vector(vec3_zero(), paper_moved(r, i), 1e-12);
+            expect_near_vec3(vec3_zero(), paper_moved(r, i), 1e-12);
         }
     }
 }
@@ -105,8 +105,8 @@ static void pulled_particle_moves_force_over_stiffness_alone(void **state)
     vec3 force = vec3_make(0.02, -0.05, 0.11);
     uint32_t id = paper_attach(&r, VBSS_DRAIN_ATTACHMENT_FORCE, node, force, 0.0);
     paper_run(&r, 1e-3, 400);
-    expect_vector(vec3_scale(force, 1.0 / 80.0), paper_moved(&r, node), 1e-12);
-    expect_vector(force, paper_reaction(&r, id), 0.0);
+    expect_near_vec3(vec3_scale(force, 1.0 / 80.0), paper_moved(&r, node), 1e-12);
+    expect_near_vec3(force, paper_reaction(&r, id), 0.0);
     expect_others_at_rest(&r, &node, 1);
     expect_near(0.5 * vec3_dot(force, force) / 80.0, paper_energies(&r).springs, 1e-12);
     paper_end(&r);
@@ -171,7 +171,7 @@ static void each_particle_hangs_on_its_spring(void **state)
     for (uint32_t i = 0; i < PAPER_NODES; i++) {
         vec3 rest = pose_apply(r.object->frame, r.object->mesh.rest[i]);
         vec3 sag = vec3_make(0.0, 0.0, -9.81 * r.object->mass[i] / 125.0);
-        expect_vector(vec3_add(rest, sag), paper_place(&r, i), 1e-12);
+        expect_near_vec3(vec3_add(rest, sag), paper_place(&r, i), 1e-12);
     }
     paper_end(&r);
 }
@@ -184,8 +184,8 @@ static void strain_is_of_surface(void **state)
     vbss_drain_config config = paper_config();
     paper_begin(&r, &config);
     for (uint32_t t = 0; t < r.object->mesh.triangle_count; t++) {
-        expect_vector(vec3_zero(), paper_vector(&r, VBSS_DRAIN_STRAINS, t), 1e-12);
-        expect_vector(vec3_zero(), paper_vector(&r, VBSS_DRAIN_CURVATURES, t), 1e-6);
+        expect_near_vec3(vec3_zero(), paper_vector(&r, VBSS_DRAIN_STRAINS, t), 1e-12);
+        expect_near_vec3(vec3_zero(), paper_vector(&r, VBSS_DRAIN_CURVATURES, t), 1e-6);
     }
     /* Everything 1 % longer along the axis, which is no side's direction: e11 + e22 is what all see. */
     vec3 x[PAPER_NODES];

@@ -4,20 +4,20 @@
 
 #include "drain/shell_sheet.h"
 
-enum { MOST = 3 * 20 };
+enum { MAX_COUNT = 3 * 20 };
 
 /* ---- dense, from the blocks */
 
 typedef struct dense {
     int n;
-    double a[MOST][MOST];
+    double a[MAX_COUNT][MAX_COUNT];
 } dense;
 
 static void set_dense(const shell_rig *r, dense *d)
 {
     memset(d, 0, sizeof *d);
     d->n = 3 * (int)r->node_count;
-    assert_true(d->n <= MOST);
+    assert_true(d->n <= MAX_COUNT);
     for (uint32_t p = 1; p <= r->pair_count + r->node_count; p++) {
         bool pair = p <= r->pair_count;
         uint32_t own = p - r->pair_count - 1;
@@ -50,7 +50,7 @@ static void check_column(shell_rig *r, const dense *d, int j, double tolerance)
 {
     const double h = 1e-4;
     static const double offsets[4] = {-2.0, -1.0, 1.0, 2.0}, weights[4] = {1.0, -8.0, 8.0, -1.0};
-    double slope[MOST] = {0.0}, home = *number(r, j);
+    double slope[MAX_COUNT] = {0.0}, home = *number(r, j);
     for (int k = 0; k < 4; k++) {
         *number(r, j) = home + offsets[k] * h;
         shell_rig_energy(r);

@@ -7,7 +7,7 @@
 
 #include "fuzz/fuzz.h"
 
-enum { SEALED = 1, SNAPSHOT = 2, DRAIN = 4, FOLLOWED = 8, MOST_STEPS = 12 };
+enum { SEALED = 1, SNAPSHOT = 2, DRAIN = 4, FOLLOWED = 8, MAX_STEPS = 12 };
 
 typedef struct table {
     vbss_context *context;
@@ -78,7 +78,7 @@ static void read_steps(vbss_replay *replay, uint64_t steps, const vbss_log_repor
 static void replay_some(vbss_replay *replay, uint64_t steps)
 {
     vbss_replay_report report;
-    for (int i = 0; i < MOST_STEPS; i++) {
+    for (int i = 0; i < MAX_STEPS; i++) {
         (void)vbss_replay_step(replay, &report, sizeof report);
         MUST(report.step <= steps);
         if (report.outcome != VBSS_REPLAY_STEPPED) {
@@ -146,7 +146,7 @@ static void try_log(const table *t, const uint8_t *bytes, size_t count)
     read_steps(replay, steps, &report);
     if (vbss_replay_begin(replay, t->scene) == VBSS_OK) {
         replay_some(replay, steps);
-        if (steps <= MOST_STEPS) {
+        if (steps <= MAX_STEPS) {
             if (t->session.struct_size != 0) {
                 follow(t, replay, steps);
             }

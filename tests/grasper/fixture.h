@@ -62,9 +62,4 @@ static inline vbss_result move_to(vbss_grasper *grasper, vec3 position, quat ori
     return vbss_grasper_move(grasper, p, q);
 }
 
-static inline void expect_near_vec3(vec3 wanted, vec3 got, double tolerance)
-{
-    expect_near(0.0, vec3_distance(wanted, got), tolerance);
-}
-
 #endif

@@ -20,7 +20,7 @@ static grasper_thread_slip follow(held *s)
     return yield(s);
 }
 
-static void it_settles(harness_source *source, void *user)
+static void it_comes_to_rest(harness_source *source, void *user)
 {
     (void)user;
     held s = just_taken(source);
@@ -51,15 +51,15 @@ static void it_settles(harness_source *source, void *user)
         expect_near_vec3(goal[i], s.grip.anchor[i], 1e-16);
         expect_same_bits(0.0, s.grip.anchor[i].x);
     }
-    const grasper_thread_clamp settled = s.grip;
+    const grasper_thread_clamp at_rest = s.grip;
     follow(&s);
-    assert_memory_equal(settled.anchor, s.grip.anchor, sizeof settled.anchor);
+    assert_memory_equal(at_rest.anchor, s.grip.anchor, sizeof at_rest.anchor);
 }
 
 static void grasped_thread_centres_in_jaws(void **state)
 {
     (void)state;
-    harness_property("it settles", 200, it_settles, NULL);
+    harness_property("it settles", 200, it_comes_to_rest, NULL);
 }
 
 static void long_step_centres_at_once(void **state)
@@ -77,7 +77,7 @@ static void long_step_centres_at_once(void **state)
     }
 }
 
-static void coincident_points_settle_along_thread(void **state)
+static void coincident_points_spread_along_thread(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(0.0, 0.6, 0.8));
@@ -217,7 +217,7 @@ int test_centring(void)
     const struct CMUnitTest tests[] = {
         harness_test(grasped_thread_centres_in_jaws),
         harness_test(long_step_centres_at_once),
-        harness_test(coincident_points_settle_along_thread),
+        harness_test(coincident_points_spread_along_thread),
         harness_test(grasp_near_end_uses_available_length),
         harness_test(short_end_carries_less_torque),
         harness_test(thread_slides_out_over_jaw_end),

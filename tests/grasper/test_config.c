@@ -1,25 +1,5 @@
-/* What a grasper can be made of: the size protocol, defaults, every bad number, memory that fails. */
+/* Configurations of graspers: defaults, presets, and numbers that are rejected. */
 #include "fixture.h"
-
-static vbss_result init(void *config, uint32_t struct_size)
-{
-    return vbss_grasper_config_init(config, struct_size);
-}
-
-static vbss_result create_and_destroy(vbss_context *context, const void *config)
-{
-    vbss_grasper *grasper = NULL;
-    vbss_result result = vbss_grasper_create(context, config, &grasper);
-    return result == VBSS_OK ? vbss_grasper_destroy(grasper) : result;
-}
-
-static void config_size_protocol(void **state)
-{
-    (void)state;
-    const uint32_t sizes[] = {288, 320, 0};
-    const harness_config config = {sizes, init, create_and_destroy};
-    harness_config_protocol(&config);
-}
 
 static void null_config_is_default(void **state)
 {
@@ -173,18 +153,6 @@ static void bad_choices_are_rejected(void **state)
     end(&f);
 }
 
-static vbss_result attempt(vbss_context *context, void *user)
-{
-    (void)user;
-    return create_and_destroy(context, NULL);
-}
-
-static void each_failed_allocation_is_reported(void **state)
-{
-    (void)state;
-    harness_fail_every_allocation(attempt, NULL);
-}
-
 static void presets_change_jaws_only(void **state)
 {
     (void)state;
@@ -211,9 +179,10 @@ static void presets_change_jaws_only(void **state)
 int test_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(config_size_protocol),     harness_test(null_config_is_default),
-        harness_test(bad_numbers_are_rejected), harness_test(bad_choices_are_rejected),
-        harness_test(presets_change_jaws_only), harness_test(each_failed_allocation_is_reported),
+        harness_test(null_config_is_default),
+        harness_test(bad_numbers_are_rejected),
+        harness_test(bad_choices_are_rejected),
+        harness_test(presets_change_jaws_only),
     };
     return cmocka_run_group_tests_name("grasper.config", tests, NULL, NULL);
 }

@@ -184,7 +184,7 @@ static void a_turn_beside_a_pull_meets_its_limit(harness_source *source, void *u
     held s = hold_along(random_along(source));
     s.pressure = harness_draw_real(source, 0.1, 1.0);
     double limit = vbss_grasper_friction_limit(&s.g, s.pressure),
-           most = limit * 2.0 * HALF_GRIP / 4.0;
+           largest = limit * 2.0 * HALF_GRIP / 4.0;
     for (int i = 0; i < GRASPER_THREAD_POINTS; i += 2) {
         s.grip.anchor[i] = vec3_add(s.grip.anchor[i], harness_draw_vec3(source, -3e-4, 3e-4));
     }
@@ -193,8 +193,8 @@ static void a_turn_beside_a_pull_meets_its_limit(harness_source *source, void *u
     bool pulled = along_faces_of(force_on_thread(&s)) > limit;
     yield(&s);
     double torque = fabs(torque_on_thread(&s));
-    assert_true(torque <= most * (1.0 + 1e-9));
-    *both += pulled && torque >= most * (1.0 - 1e-9);
+    assert_true(torque <= largest * (1.0 + 1e-9));
+    *both += pulled && torque >= largest * (1.0 - 1e-9);
 }
 
 static void combined_pull_and_torque_meet_both_limits(void **state)

@@ -151,10 +151,10 @@ static void handle_maps_squeezed_to_open(void **state)
     double last = -1.0;
     for (int i = 0; i <= 100; i++) {
         g.opening = 0.01 * i;
-        double told = vbss_grasper_commanded_angle(&g);
-        expect_near(-0.1 + 0.45 * g.opening, told, 1e-15);
-        assert_true(told > last);
-        last = told;
+        double reported = vbss_grasper_commanded_angle(&g);
+        expect_near(-0.1 + 0.45 * g.opening, reported, 1e-15);
+        assert_true(reported > last);
+        last = reported;
     }
 }
 

@@ -35,15 +35,15 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     g.driver.bend = g.config.driver_bend;
     g.driver.neck = g.config.driver_neck;
     double to_bend = g.driver.length + g.driver.neck;
-    pose told = pose_make(harness_draw_vec3(source, -0.3, 0.3), quat_identity()), target;
-    told.orientation = harness_draw_unit_quat(source);
-    vec3 way = vec3_sub(vec3_load(g.config.trocar), told.position);
+    pose reported = pose_make(harness_draw_vec3(source, -0.3, 0.3), quat_identity()), target;
+    reported.orientation = harness_draw_unit_quat(source);
+    vec3 way = vec3_sub(vec3_load(g.config.trocar), reported.position);
     double reach = fabs(to_bend * sin(g.driver.bend));
     if (vec3_norm(way) <= 1.01 * reach) {
         return;
     }
-    assert_true(vbss_grasper_apply_trocar(&g, told, &target));
-    expect_near_vec3(told.position, target.position, 0.0);
+    assert_true(vbss_grasper_apply_trocar(&g, reported, &target));
+    expect_near_vec3(reported.position, target.position, 0.0);
     expect_near(1.0, quat_dot(target.orientation, target.orientation), 1e-15);
     double off = off_the_shaft(&g, target, &up);
     *worst = vbss_max(*worst, off);
@@ -55,7 +55,7 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     /* the shaft lies toward the trocar, however the tool was told to lie */
     assert_true(up + g.driver.length * cos(g.driver.bend) > 0.0);
     vec3 turn = vbss_quat_to_rotation_vector(
-        quat_mul(target.orientation, quat_conjugate(told.orientation)));
+        quat_mul(target.orientation, quat_conjugate(reported.orientation)));
     expect_near(0.0, vec3_dot(turn, way) / vec3_norm(way), 1e-12);
     /* a tool that lies right is not turned, to rounding */
     pose again;
@@ -79,10 +79,10 @@ static void roll_matches_command(void **state)
     g.config.trocar[2] = 0.2;
     g.shears.length = 15e-3;
     for (int i = -15; i <= 15; i++) { /* about the shaft, which lies right */
-        pose told = pose_identity(), target;
-        told.orientation = vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, 0.2 * i));
-        assert_true(vbss_grasper_apply_trocar(&g, told, &target));
-        expect_near(0.0, angle_between(target.orientation, told.orientation), 1e-14);
+        pose reported = pose_identity(), target;
+        reported.orientation = vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, 0.2 * i));
+        assert_true(vbss_grasper_apply_trocar(&g, reported, &target));
+        expect_near(0.0, angle_between(target.orientation, reported.orientation), 1e-14);
     }
 }
 
@@ -98,16 +98,17 @@ static void inverted_tool_is_turned_over(void **state)
         g.driver.bend = 0.6 * bent;
         for (int k = -1; k < 18; k++) { /* nearer and nearer to opposite, then opposite */
             double tilt = k < 0 ? 0.0 : pow(10.0, -k);
-            pose right, told = pose_identity(), target;
-            assert_true(vbss_grasper_apply_trocar(&g, told, &right));
+            pose right, reported = pose_identity(), target;
+            assert_true(vbss_grasper_apply_trocar(&g, reported, &right));
             vec3 axis = vec3_unit_or(vec3_load(g.config.trocar), vec3_zero());
             vec3 over = vec3_scale(vec3_any_normal(axis), 3.141592653589793 - tilt);
-            told.orientation = quat_mul(vbss_quat_from_rotation_vector(over), right.orientation);
-            assert_true(vbss_grasper_apply_trocar(&g, told, &target));
+            reported.orientation =
+                quat_mul(vbss_quat_from_rotation_vector(over), right.orientation);
+            assert_true(vbss_grasper_apply_trocar(&g, reported, &target));
             expect_near(0.0, off_the_shaft(&g, target, &up), 1e-15);
             assert_true(up > 0.0);
             expect_near(3.141592653589793 - tilt,
-                        angle_between(target.orientation, told.orientation), 2e-8);
+                        angle_between(target.orientation, reported.orientation), 2e-8);
         }
     }
 }
@@ -146,18 +147,18 @@ static void straight_jaws_may_approach_but_not_enter_trocar(void **state)
     grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
     g.config.has_trocar = 1;
     g.driver.length = 13e-3;
-    pose target, told = pose_identity();
-    assert_false(vbss_grasper_apply_trocar(&g, told, &target));
-    told.position.x = 1e-320;
-    assert_false(vbss_grasper_apply_trocar(&g, told, &target));
-    told.position.x = 1e-13;
-    assert_false(vbss_grasper_apply_trocar(&g, told, &target));
-    told.position.x = 1e-9;
-    assert_true(vbss_grasper_apply_trocar(&g, told, &target));
+    pose target, reported = pose_identity();
+    assert_false(vbss_grasper_apply_trocar(&g, reported, &target));
+    reported.position.x = 1e-320;
+    assert_false(vbss_grasper_apply_trocar(&g, reported, &target));
+    reported.position.x = 1e-13;
+    assert_false(vbss_grasper_apply_trocar(&g, reported, &target));
+    reported.position.x = 1e-9;
+    assert_true(vbss_grasper_apply_trocar(&g, reported, &target));
     vec3 shaft = quat_rotate(target.orientation, vec3_make(0.0, 0.0, 1.0));
     expect_near_vec3(vec3_make(-1.0, 0.0, 0.0), shaft, 1e-15);
-    told.position.x = (double)NAN;
-    assert_false(vbss_grasper_apply_trocar(&g, told, &target));
+    reported.position.x = (double)NAN;
+    assert_false(vbss_grasper_apply_trocar(&g, reported, &target));
 }
 
 static void grasper_created_in_trocar_is_aligned(void **state)

@@ -25,7 +25,7 @@
 #define ASAN_UNPOISON_MEMORY_REGION(from, size) ((void)(from), (void)(size))
 #endif
 
-enum { LINE = 64, SHELVES = 1024, MOST_KEPT = 1 << 29 }; /* more than the delay */
+enum { LINE = 64, SHELVES = 1024, MAX_KEPT = 1 << 29 }; /* more than the delay */
 
 /* One that is kept, noted apart: it is not to be touched itself. */
 typedef struct kept {
@@ -109,7 +109,7 @@ void harness_block_give_back(void *block, size_t size)
     size_t shelf = shelf_of(size);
     lock();
     blocks.given += size;
-    bool keeps = note != NULL && blocks.size + size <= MOST_KEPT;
+    bool keeps = note != NULL && blocks.size + size <= MAX_KEPT;
     if (keeps) {
         *note = (kept){.block = block, .size = size, .given = blocks.given};
         kept **end = blocks.end[shelf] != NULL ? blocks.end[shelf] : &blocks.first[shelf];

@@ -157,20 +157,20 @@ static void divergences(const harness_body *body, const size_t *before, size_t c
 
 size_t harness_restored_divergence(const harness_body *body, size_t before, size_t after)
 {
-    size_t found[1][WAYS], least = after;
+    size_t found[1][WAYS], smallest = after;
     divergences(body, &before, 1, after, found);
     for (int way = 0; way < WAYS; way++) {
-        least = found[0][way] < least ? found[0][way] : least;
+        smallest = found[0][way] < smallest ? found[0][way] : smallest;
     }
-    return least;
+    return smallest;
 }
 
 void harness_save_restore_continue_at(const harness_body *body, const size_t *before, size_t count,
                                       size_t after)
 {
-    enum { MOST = 32 };
-    size_t found[MOST][WAYS];
-    assert_in_range(count, 1, MOST);
+    enum { MAX_COUNT = 32 };
+    size_t found[MAX_COUNT][WAYS];
+    assert_in_range(count, 1, MAX_COUNT);
     divergences(body, before, count, after, found);
     for (size_t i = 0; i < count; i++) {
         for (int way = 0; way < WAYS; way++) {

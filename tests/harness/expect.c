@@ -30,6 +30,17 @@ void harness_near(double wanted, double got, double tolerance, const char *what,
     }
 }
 
+void harness_near_vec3(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
+                       int line)
+{
+    if (!(vec3_distance(wanted, got) <= tolerance)) {
+        print_error(
+            "%s\n    is (%.17g, %.17g, %.17g) where (%.17g, %.17g, %.17g) +- %g is wanted\n", what,
+            got.x, got.y, got.z, wanted.x, wanted.y, wanted.z, tolerance);
+        _fail(file, line);
+    }
+}
+
 void harness_known_limit(double wanted, double today, double got, const char *what,
                          const char *file, int line)
 {

@@ -33,6 +33,11 @@ void harness_expect(vbss_result wanted, vbss_result got, const char *call, const
     harness_near((wanted), (got), (tolerance), #got, __FILE__, __LINE__)
 void harness_near(double wanted, double got, double tolerance, const char *what, const char *file,
                   int line);
+/* The distance of both is at most the tolerance. */
+#define expect_near_vec3(wanted, got, tolerance) \
+    harness_near_vec3((wanted), (got), (tolerance), #got, __FILE__, __LINE__)
+void harness_near_vec3(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
+                       int line);
 /* Equal to the bit. */
 #define expect_same_bits(wanted, got) harness_same_bits((wanted), (got), #got, __FILE__, __LINE__)
 void harness_same_bits(double wanted, double got, const char *what, const char *file, int line);

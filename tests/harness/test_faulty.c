@@ -12,9 +12,9 @@
 
 typedef enum fault {
     NO_FAULT,
-    FORGETS_GROWTH,  /* when saved */
-    SETTLES_UNSAVED, /* its growth changes at step 5, and is not saved */
-    EDIT_UNSAVED,    /* what a host set is not saved */
+    FORGETS_GROWTH, /* when saved */
+    DAMPS_UNSAVED,  /* its growth changes at step 5, and is not saved */
+    EDIT_UNSAVED,   /* what a host set is not saved */
     AGES,      /* beyond 60 steps in all it behaves otherwise, and restoring makes no younger */
     ALLOCATES, /* in every step */
     CHANGED_BY_READING, /* even when the reading fails */
@@ -38,7 +38,7 @@ static void faulty_serialise(vbss_stream *stream, void *object)
         f->age++;
     }
     vbss_stream_u64(stream, 1, &f->value, 1);
-    if (f->fault != FORGETS_GROWTH && f->fault != SETTLES_UNSAVED && f->fault != EDIT_UNSAVED) {
+    if (f->fault != FORGETS_GROWTH && f->fault != DAMPS_UNSAVED && f->fault != EDIT_UNSAVED) {
         vbss_stream_u64(stream, 2, &f->growth, 1);
     }
     if (f->fault == CHANGED_BY_READING) {
@@ -77,7 +77,7 @@ static vbss_result faulty_step(void *handle)
     faulty *f = slot->object;
     f->age++;
     f->value += f->growth;
-    if (f->fault == SETTLES_UNSAVED) {
+    if (f->fault == DAMPS_UNSAVED) {
         f->growth = f->age == 5 ? 7 : f->growth;
     } else if (f->fault == AGES && f->age > 60) {
         f->value++;
@@ -104,7 +104,7 @@ static harness_body faulty_body(faulty *user)
 static void unsaved_state_is_detected(void **state)
 {
     (void)state;
-    const fault unsaved[] = {FORGETS_GROWTH, SETTLES_UNSAVED, EDIT_UNSAVED, AGES};
+    const fault unsaved[] = {FORGETS_GROWTH, DAMPS_UNSAVED, EDIT_UNSAVED, AGES};
     for (int i = 0; i < 4; i++) {
         faulty f = {1, 1, 0, unsaved[i]};
         harness_body body = faulty_body(&f);
@@ -145,7 +145,7 @@ static void continue_with_a_field_that_only_the_last_step_needs(void **state)
 {
     (void)state;
     const size_t before[] = {1, 20};
-    faulty f = {1, 1, 0, SETTLES_UNSAVED};
+    faulty f = {1, 1, 0, DAMPS_UNSAVED};
     harness_body body = faulty_body(&f);
     harness_save_restore_continue_at(&body, before, 2, 2);
 }

@@ -16,12 +16,12 @@ static void *or_abort(void *block)
 knot_gauss_code *codes_make(void)
 {
     knot_gauss_code *code = or_abort(calloc(1, sizeof *code));
-    code->capacity = CODES_MOST;
-    code->crossing = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->crossing));
-    code->over = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->over));
-    code->position = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->position));
-    code->sign = or_abort(calloc(CODES_MOST, sizeof *code->sign));
-    code->scratch = or_abort(calloc(4 * (size_t)CODES_MOST, sizeof *code->scratch));
+    code->capacity = CODES_MAX;
+    code->crossing = or_abort(calloc(2 * (size_t)CODES_MAX, sizeof *code->crossing));
+    code->over = or_abort(calloc(2 * (size_t)CODES_MAX, sizeof *code->over));
+    code->position = or_abort(calloc(2 * (size_t)CODES_MAX, sizeof *code->position));
+    code->sign = or_abort(calloc(CODES_MAX, sizeof *code->sign));
+    code->scratch = or_abort(calloc(4 * (size_t)CODES_MAX, sizeof *code->scratch));
     return code;
 }
 
@@ -103,9 +103,9 @@ bool codes_braid(knot_gauss_code *code, const int *word, size_t letters)
 
 void codes_torus(knot_gauss_code *code, int p, int q)
 {
-    int word[CODES_MOST], count = 0;
+    int word[CODES_MAX], count = 0;
     for (int turn = 0; turn < abs(q); turn++) {
-        for (int i = 1; i < p && count < CODES_MOST; i++) {
+        for (int i = 1; i < p && count < CODES_MAX; i++) {
             word[count++] = q > 0 ? i : -i;
         }
     }

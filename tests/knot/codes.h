@@ -6,9 +6,9 @@
 
 #include "knot/knot.h"
 
-enum { CODES_MOST = 512, CODES_WORD = 12 }; /* crossings of a code, letters of a known braid */
+enum { CODES_MAX = 512, CODES_WORD = 12 }; /* crossings of a code, letters of a known braid */
 
-/* The unknot without a crossing, with room for CODES_MOST. */
+/* The unknot without a crossing, with room for CODES_MAX. */
 knot_gauss_code *codes_make(void);
 void codes_free(knot_gauss_code *code);
 void codes_set(knot_gauss_code *to, const knot_gauss_code *from);

@@ -154,7 +154,7 @@ static void take(derivation *d)
 
 void derive_move(derivation *d, vbss_random *random)
 {
-    enum { MOST = 1000 }; /* vertices */
+    enum { MAX_COUNT = 1000 }; /* vertices */
     swept_line *line = &d->line;
     double size = 0.02e-3 * vbss_exp(4.0 * vbss_random_uniform(random));
     uint32_t tries = 10 + vbss_random_below(random, 90), kind = vbss_random_below(random, 8);
@@ -167,7 +167,7 @@ void derive_move(derivation *d, vbss_random *random)
                 d->removed++;
                 v = before;
             }
-        } else if (kind == 1 && v != line->last && line->count < MOST) {
+        } else if (kind == 1 && v != line->last && line->count < MAX_COUNT) {
             d->split += swept_split(line, v);
         } else {
             jump(d, random, v, size);

@@ -119,6 +119,10 @@ void judge_count(judge_counts *counts, const judge_saying *s, const family_case 
     counts->uncertain += uncertain;
     counts->certified += judge_is_certified(s);
     counts->ordered += !uncertain && c->truth == FAMILY_THROWS && judge_is_ordered(s);
+    bool is_stack = c->truth == FAMILY_THROWS;
+    counts->stacks += is_stack;
+    counts->recognised += is_stack && fault == NULL && !uncertain;
+    counts->proved += is_stack && judge_is_certified(s);
     bool located = c->truth == FAMILY_THROWS && !uncertain;
     for (uint32_t i = 0; i < s->state.throw_count && located; i++) {
         located = has(&s->throws[i], VBSS_KNOT_THROW_LOCATED);
@@ -138,4 +142,7 @@ void judge_add_up(judge_counts *sum, const judge_counts *counts)
     sum->ordered += counts->ordered;
     sum->located += counts->located;
     sum->untrue += counts->untrue;
+    sum->stacks += counts->stacks;
+    sum->recognised += counts->recognised;
+    sum->proved += counts->proved;
 }

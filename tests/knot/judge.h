@@ -44,6 +44,8 @@ bool judge_is_ordered(const judge_saying *saying);
 /* Counts of many; `untrue` are sayings where there is no truth. */
 typedef struct judge_counts {
     uint64_t heard, wrong, uncertain, certified, ordered, located, untrue;
+    uint64_t stacks, recognised,
+        proved;      /* stacks of throws and unknots: all, named right, certified */
     char first[200]; /* what was wrong first */
 } judge_counts;
 /* `what` says what was shown. */

@@ -4,7 +4,7 @@
 
 judge odd_judge;
 static judge twin;
-vec3 odd_x[ODD_MOST];
+vec3 odd_x[ODD_MAX];
 judge_saying odd_said;
 
 void odd_begin(uint32_t points, uint32_t crossings)

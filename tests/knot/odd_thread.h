@@ -5,9 +5,9 @@
 #include "harness/harness.h"
 #include "knot/judge.h"
 
-enum { ODD_MOST = 8192 };
+enum { ODD_MAX = 8192 };
 
-extern vec3 odd_x[ODD_MOST];
+extern vec3 odd_x[ODD_MAX];
 extern judge odd_judge;
 extern judge_saying odd_said;
 

@@ -10,9 +10,9 @@ int reduction_make_rig(void **state)
     reduction_r = (reduction_rig){.polygon = {.x = reduction_r.x,
                                               .place = reduction_r.place,
                                               .is_fixed = reduction_r.stays,
-                                              .capacity = REDUCTION_MOST}};
+                                              .capacity = REDUCTION_MAX}};
     expect_ok(vbss_context_create(NULL, &reduction_r.context));
-    vbss_knot_reduction_arrays(&reduction_r.reduction, REDUCTION_MOST, reduction_r.arrays);
+    vbss_knot_reduction_arrays(&reduction_r.reduction, REDUCTION_MAX, reduction_r.arrays);
     expect_ok(vbss_allocate_arrays(reduction_r.context, reduction_r.arrays, KNOT_REDUCTION_ARRAYS,
                                    "a reduction"));
     return 0;

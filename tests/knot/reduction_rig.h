@@ -6,7 +6,7 @@
 
 #include "knot/knot.h"
 
-enum { REDUCTION_MOST = 1024 };
+enum { REDUCTION_MAX = 1024 };
 
 /* One for all tests: fixtures of groups. */
 typedef struct reduction_rig {
@@ -14,10 +14,10 @@ typedef struct reduction_rig {
     knot_reduction reduction;
     vbss_array arrays[KNOT_REDUCTION_ARRAYS];
     knot_polygon polygon; /* its arrays are x, place and stays */
-    vec3 x[REDUCTION_MOST];
-    double place[REDUCTION_MOST];
-    uint8_t stays[REDUCTION_MOST];
-    knot_edge obstacles[REDUCTION_MOST];
+    vec3 x[REDUCTION_MAX];
+    double place[REDUCTION_MAX];
+    uint8_t stays[REDUCTION_MAX];
+    knot_edge obstacles[REDUCTION_MAX];
     uint32_t obstacle_count;
 } reduction_rig;
 extern reduction_rig reduction_r;
@@ -36,9 +36,9 @@ void reduction_reduce(void);
 /* A polygon put aside. */
 typedef struct reduction_plain {
     uint32_t count;
-    vec3 x[REDUCTION_MOST];
-    double place[REDUCTION_MOST];
-    uint8_t stays[REDUCTION_MOST];
+    vec3 x[REDUCTION_MAX];
+    double place[REDUCTION_MAX];
+    uint8_t stays[REDUCTION_MAX];
 } reduction_plain;
 void reduction_take(reduction_plain *p);
 void reduction_put(const reduction_plain *p);

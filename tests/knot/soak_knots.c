@@ -7,8 +7,8 @@ enum { CASES = 40, CONFIGURATIONS = 25 };
 
 static uint32_t draw_segments(vbss_random *random, const family *f)
 {
-    uint32_t most = 400, least = f->least_segments > 50 ? f->least_segments : 50;
-    return least + vbss_random_below(random, most - least + 1);
+    uint32_t largest = 400, smallest = f->min_segments > 50 ? f->min_segments : 50;
+    return smallest + vbss_random_below(random, largest - smallest + 1);
 }
 
 static void run(harness_soak *out)
@@ -50,6 +50,9 @@ static void run(harness_soak *out)
     harness_soak_figure(out, "ordered", (double)all.ordered);
     harness_soak_figure(out, "located", (double)all.located);
     harness_soak_figure(out, "without_truth", (double)all.untrue);
+    harness_soak_figure(out, "stacks", (double)all.stacks);
+    harness_soak_figure(out, "recognised", (double)all.recognised);
+    harness_soak_figure(out, "stacks_certified", (double)all.proved);
 }
 
 int main(int argc, char **argv)

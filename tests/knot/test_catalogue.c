@@ -59,8 +59,9 @@ static void invariants_match_table(void **state)
 static void signatures_of_many_wraps(void **state)
 {
     (void)state;
-    const double theta = 2.0 * vbss_acos(KNOT_X_TRISTRAM_1000 / 1000.0);
+    const double theta = 2.0 * vbss_acos(KNOT_X_TRISTRAM_10000 / 10000.0);
     const double pi = 2.0 * vbss_acos(0.0);
+    expect_near(0.27, theta / pi, 1e-5); /* as the header of knots documents */
     for (int k = 1; k <= 511; k++) {
         knot_factors factors = sum_of(&k, 1);
         int roots = 0;
@@ -183,13 +184,26 @@ static void other_knots_are_rejected(void **state)
 {
     (void)state;
     static const knot_invariants others[] = {
-        {5, -1, 0, 0, 0, true},      /* figure eight */
-        {7, 2, 3, -2, 0, true},      /* 5_2 */
-        {9, 10, 30, -8, -2, true},   /* T(2, 9) */
-        {11, 15, 55, -10, -2, true}, /* T(2, 11) */
-        {1, -1, 0, 0, 0, true},      /* the unknot's determinant */
-        {1, 0, 0, 0, 0, false},        {0, 0, 0, 0, 0, true},   {2, 0, 0, 0, 0, true},
-        {INT64_MAX, 0, 0, 0, 0, true}, {-3, 1, 1, -2, 0, true},
+        {.determinant = 5, .v2 = -1, .known = true},                          /* figure eight */
+        {.determinant = 7, .v2 = 2, .v3 = 3, .signature = -2, .known = true}, /* 5_2 */
+        {.determinant = 9,
+         .v2 = 10,
+         .v3 = 30,
+         .signature = -8,
+         .signature_tristram = -2,
+         .known = true}, /* T(2, 9) */
+        {.determinant = 11,
+         .v2 = 15,
+         .v3 = 55,
+         .signature = -10,
+         .signature_tristram = -2,
+         .known = true},                             /* T(2, 11) */
+        {.determinant = 1, .v2 = -1, .known = true}, /* the unknot's determinant */
+        {.determinant = 1},
+        {.known = true},
+        {.determinant = 2, .known = true},
+        {.determinant = INT64_MAX, .known = true},
+        {.determinant = -3, .v2 = 1, .v3 = 1, .signature = -2, .known = true},
     };
     knot_factors got;
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {

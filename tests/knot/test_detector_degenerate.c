@@ -11,7 +11,7 @@
 static void line_is_unknot(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     const vec3 along[] = {vec3_make(1.0, 0.0, 0.0), vec3_make(0.0, 0.0, 1.0),
                           vec3_make(0.3, -0.7, 0.2)};
     for (int k = 0; k < 3; k++) {
@@ -32,7 +32,7 @@ static void line_is_unknot(void **state)
 static void folded_line_terminates(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     for (uint32_t k = 1; k < 40; k++) {
         for (uint32_t i = 0; i < 60; i++) {
             odd_x[i] = vec3_make(1e-3 * ((i * k * k) % 13), 0.0, 0.0);
@@ -47,7 +47,7 @@ static void folded_line_terminates(void **state)
 static void point_is_unknot(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     for (uint32_t count = 2; count < 200; count += 33) {
         for (uint32_t i = 0; i < count; i++) {
             odd_x[i] = vec3_make(0.1, -0.2, 0.3);
@@ -64,7 +64,7 @@ static void point_is_unknot(void **state)
 static void planar_threads_are_unknots(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     vbss_random random;
     vbss_random_seed(&random, 1, 1);
     uint32_t uncertain = 0, heard = 0;
@@ -109,7 +109,7 @@ static void self_touching_thread_is_uncertain(void **state)
     (void)state;
     static thread_line line;
     throw_stack stack;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     throw_stack_init(&stack);
     throw_stack_add(&stack, 1, 1);
     throw_stack_add(&stack, 1, -1);
@@ -133,7 +133,7 @@ static void self_touching_thread_is_uncertain(void **state)
 static void closed_threads_terminate(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     for (uint32_t k = 0; k < 20; k++) {
         uint32_t count = 40 + k;
         for (uint32_t i = 0; i < count; i++) {
@@ -188,7 +188,7 @@ static void any_input_gives_valid_result(void **state)
 {
     (void)state;
     uint32_t uncertain = 0;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     harness_property("any points", 1000, expect_sense, &uncertain);
     print_message("%u of 1000 uncertain\n", uncertain);
     odd_end();

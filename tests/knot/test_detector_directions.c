@@ -69,9 +69,9 @@ static void expect_invariants(eye *e, knot_gauss_code *code, knot_invariants wan
     knot_invariants v = {.known = true};
     v.determinant = vbss_knot_determinant(&e->algebra, code, &work);
     vbss_knot_vassiliev(code, &v.v2, &v.v3, &work);
-    assert_true(vbss_knot_signature(&e->algebra, code, KNOT_X_ORDINARY_1000, &v.signature, &work));
-    assert_true(
-        vbss_knot_signature(&e->algebra, code, KNOT_X_TRISTRAM_1000, &v.signature_tristram, &work));
+    assert_true(vbss_knot_signature(&e->algebra, code, KNOT_X_ORDINARY_10000, &v.signature, &work));
+    assert_true(vbss_knot_signature(&e->algebra, code, KNOT_X_TRISTRAM_10000, &v.signature_tristram,
+                                    &work));
     assert_true(vbss_knot_invariants_same(v, wanted));
 }
 

@@ -29,7 +29,7 @@ static void put_torus(uint32_t count, int p, int q, double size)
 static void symmetric_knots_are_identified(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     for (int q = -7; q <= 7; q += 2) {
         if (q * q == 1) {
             continue;
@@ -54,24 +54,24 @@ static void long_threads_are_identified(void **state)
     (void)state;
     static thread_line line;
     throw_stack stack;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     throw_stack_init(&stack);
     throw_stack_add(&stack, 2, 1);
     throw_stack_add(&stack, 1, -1);
     throw_stack_add(&stack, 1, 1);
     stack.segments = 2000;
     assert_true(throw_stack_make(&stack, &line));
-    for (uint32_t i = 0; i < ODD_MOST; i++) {
-        odd_x[i] = thread_line_at(&line, 2000.0 * i / (ODD_MOST - 1.0));
+    for (uint32_t i = 0; i < ODD_MAX; i++) {
+        odd_x[i] = thread_line_at(&line, 2000.0 * i / (ODD_MAX - 1.0));
     }
-    odd_hear(ODD_MOST, false);
+    odd_hear(ODD_MAX, false);
     assert_string_equal(odd_said.notation, "2=1=1");
     assert_true(odd_said.state.determinant == 45 && odd_said.state.v3 == 5);
     vbss_knot_input in = judge_input_of(&line);
     in.points = &odd_x[0].x;
-    in.point_count = ODD_MOST;
+    in.point_count = ODD_MAX;
     in.hole_count = 1;
-    in.hole_places[0] = line.tissue_place * (ODD_MOST - 1.0) / 2000.0;
+    in.hole_places[0] = line.tissue_place * (ODD_MAX - 1.0) / 2000.0;
     expect_ok(judge_hear(&odd_judge, &in, &odd_said));
     assert_string_equal(odd_said.notation, "2=1=1");
     assert_int_equal(odd_said.state.verdict, VBSS_KNOT_VERDICT_CERTIFIED);
@@ -81,7 +81,7 @@ static void long_threads_are_identified(void **state)
 static void too_many_crossings_are_reported(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 8);
+    odd_begin(ODD_MAX, 8);
     put_torus(200, 2, 5, 4e-3);
     odd_hear(202, false);
     assert_true(judge_is_uncertain(&odd_said) || odd_said.state.determinant == 5);
@@ -94,7 +94,7 @@ static void too_many_crossings_are_reported(void **state)
 static void scale_does_not_matter(void **state)
 {
     (void)state;
-    odd_begin(ODD_MOST, 256);
+    odd_begin(ODD_MAX, 256);
     double size = 1e-13;
     for (int i = 0; i < 15; i++) {
         size *= 10.0;

@@ -87,7 +87,7 @@ static void refuse_number(subject *s, double *at, double low, double high, const
     *at = kept;
 }
 
-static void bad_points_are_told(subject *s)
+static void bad_points_are_reported(subject *s)
 {
     vbss_knot_input *in = &s->r.input;
     const uint32_t wrong[] = {0, 1}, strides[] = {0, 8, 23, UINT32_MAX};
@@ -113,7 +113,7 @@ static void bad_points_are_told(subject *s)
     refuse_number(s, &s->r.points[in->point_count - 1][2], -1e3, 1e3, "points");
 }
 
-static void bad_tools_are_told(subject *s)
+static void bad_tools_are_reported(subject *s)
 {
     vbss_knot_input *in = &s->r.input;
     const uint32_t counts[] = {0, 1, 5, UINT32_MAX};
@@ -153,7 +153,7 @@ static void bad_tools_are_told(subject *s)
     }
 }
 
-static void bad_holes_and_flags_are_told(subject *s)
+static void bad_holes_and_flags_are_reported(subject *s)
 {
     vbss_knot_input *in = &s->r.input;
     const uint32_t two[] = {2, UINT32_MAX};
@@ -192,7 +192,7 @@ static void bad_holes_and_flags_are_told(subject *s)
     }
 }
 
-static void bad_structs_are_told(subject *s)
+static void bad_structs_are_reported(subject *s)
 {
     vbss_knot_input *in = &s->r.input;
     struct {
@@ -222,10 +222,10 @@ static void bad_inputs_are_rejected_and_change_nothing(void **state)
     for (moment when = NOTHING_SHOWN; when < MOMENTS; when++) {
         subject s;
         begin_subject(&s, when);
-        bad_points_are_told(&s);
-        bad_tools_are_told(&s);
-        bad_holes_and_flags_are_told(&s);
-        bad_structs_are_told(&s);
+        bad_points_are_reported(&s);
+        bad_tools_are_reported(&s);
+        bad_holes_and_flags_are_reported(&s);
+        bad_structs_are_reported(&s);
         detector_rig_judge(&s.r); /* and what is left is good */
         detector_rig_expect_notation(&s.r, "2=1");
         detector_rig_end(&s.r);

@@ -205,10 +205,10 @@ static void readings_start_at_intervals(void **state)
         detector_rig_add_tools(&r, 3);
         r.tools[0].held = VBSS_KNOT_HELD_NOTHING;
         assert_true(begun(&r, 1) == 0);
-        uint64_t last = 0, least = intervals[i] < 2 ? 2 : intervals[i];
+        uint64_t last = 0, smallest = intervals[i] < 2 ? 2 : intervals[i];
         for (int k = 2; k <= 100; k++) {
             uint64_t ended = begun(&r, 1);
-            bool wanted = k == 2 || (intervals[i] > 0 && (uint64_t)(k - 2) % least == 0);
+            bool wanted = k == 2 || (intervals[i] > 0 && (uint64_t)(k - 2) % smallest == 0);
             assert_true(ended == wanted);
             last = ended ? detector_rig_state(&r).reading_step : last;
             assert_true(last == detector_rig_state(&r).reading_step);

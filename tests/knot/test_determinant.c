@@ -9,7 +9,7 @@ static algebra_room *room;
 static int begin(void **state)
 {
     (void)state;
-    room = algebra_room_make(CODES_MOST);
+    room = algebra_room_make(CODES_MAX);
     return 0;
 }
 
@@ -124,7 +124,7 @@ static void large_determinant_does_not_overflow(void **state)
 
 /* ---- against the matrix of colourings, of up to 60 crossings, modulo another prime */
 
-enum { OTHER_PRIME = 998244353, MOST_ROWS = 64 };
+enum { OTHER_PRIME = 998244353, MAX_ROWS = 64 };
 
 static int64_t modulo(int64_t x)
 {
@@ -142,19 +142,19 @@ static int64_t inverse_of(int64_t x)
 }
 
 /* A column an arc from one entry under to the next. */
-static int fill_colourings(const knot_gauss_code *code, int64_t a[MOST_ROWS][MOST_ROWS])
+static int fill_colourings(const knot_gauss_code *code, int64_t a[MAX_ROWS][MAX_ROWS])
 {
-    int n = (int)code->n, arc = 0, over[MOST_ROWS] = {0}, arriving[MOST_ROWS] = {0};
+    int n = (int)code->n, arc = 0, over[MAX_ROWS] = {0}, finishing[MAX_ROWS] = {0};
     for (uint32_t e = 0; e < 2 * code->n; e++) {
-        int *arcs = code->over[e] != 0 ? over : arriving;
+        int *arcs = code->over[e] != 0 ? over : finishing;
         arcs[code->crossing[e]] = arc;
         arc += code->over[e] != 0 ? 0 : 1;
     }
-    memset(a, 0, sizeof(int64_t[MOST_ROWS][MOST_ROWS]));
+    memset(a, 0, sizeof(int64_t[MAX_ROWS][MAX_ROWS]));
     for (int c = 0; c < n; c++) {
         a[c][over[c] % n] += 2;
-        a[c][arriving[c]] -= 1;
-        a[c][(arriving[c] + 1) % n] -= 1;
+        a[c][finishing[c]] -= 1;
+        a[c][(finishing[c] + 1) % n] -= 1;
     }
     return n - 1;
 }
@@ -162,7 +162,7 @@ static int fill_colourings(const knot_gauss_code *code, int64_t a[MOST_ROWS][MOS
 /* Up to its sign, in [0, OTHER_PRIME). */
 static int64_t determinant_of_colourings(const knot_gauss_code *code)
 {
-    int64_t a[MOST_ROWS][MOST_ROWS], product = 1;
+    int64_t a[MAX_ROWS][MAX_ROWS], product = 1;
     int size = fill_colourings(code, a);
     for (int k = 0; k < size; k++) {
         int chosen = k;
@@ -198,8 +198,8 @@ static void expect_that_of_colourings(const knot_gauss_code *code)
 static void any_braid_has_that_of_colourings(harness_source *source, void *user)
 {
     knot_gauss_code *code = user;
-    int word[MOST_ROWS];
-    size_t letters = 3 + harness_draw_below(source, MOST_ROWS - 4);
+    int word[MAX_ROWS];
+    size_t letters = 3 + harness_draw_below(source, MAX_ROWS - 4);
     int strands = 2 + (int)harness_draw_below(source, 4);
     for (size_t i = 0; i < letters; i++) {
         int letter = 1 + (int)harness_draw_below(source, (uint32_t)strands - 1);

@@ -66,7 +66,7 @@ static void check_family(const family *f)
     static const uint32_t more[4] = {0, 60, 120, 240};
     uint32_t seeds = f->period < 24 ? 24 : f->period > 72 ? 72 : f->period, failures = 0;
     for (uint32_t i = 0; i < seeds; i++) {
-        if (f->make(f->period > 72 ? 5 * i : i, f->least_segments + more[i % 4], &made)) {
+        if (f->make(f->period > 72 ? 5 * i : i, f->min_segments + more[i % 4], &made)) {
             expect_truth(&made);
         } else {
             failures++;
@@ -108,7 +108,7 @@ static void families_have_segment_count_and_repeat(void **state)
 {
     (void)state;
     for (int i = 0; i < FAMILIES; i++) {
-        uint32_t segments = families[i].least_segments + 50;
+        uint32_t segments = families[i].min_segments + 50;
         assert_true(families[i].make(5, segments, &made));
         assert_true(families[i].make(5, segments, &again));
         assert_int_equal(made.line.count, again.line.count);

@@ -25,8 +25,8 @@ static knot_invariants invariants_of(const knot_gauss_code *code)
     v.determinant = vbss_knot_determinant(&room->algebra, code, &work);
     vbss_knot_vassiliev(code, &v.v2, &v.v3, &work);
     assert_true(
-        vbss_knot_signature(&room->algebra, code, KNOT_X_ORDINARY_1000, &v.signature, &work));
-    assert_true(vbss_knot_signature(&room->algebra, code, KNOT_X_TRISTRAM_1000,
+        vbss_knot_signature(&room->algebra, code, KNOT_X_ORDINARY_10000, &v.signature, &work));
+    assert_true(vbss_knot_signature(&room->algebra, code, KNOT_X_TRISTRAM_10000,
                                     &v.signature_tristram, &work));
     algebra_room_end(room);
     return v;

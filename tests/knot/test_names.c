@@ -9,7 +9,7 @@
 enum { IN_ORDER = VBSS_KNOT_THROW_ORDERED, STRAY = IN_ORDER | VBSS_KNOT_THROW_STRAY };
 
 /* Throws as wraps times handedness, ended by 0. */
-static knot_classification verdict_of(const int *throws, uint32_t flags)
+static knot_classification result_of(const int *throws, uint32_t flags)
 {
     knot_classification v = {.throw_count = 0};
     for (; throws[v.throw_count] != 0; v.throw_count++) {
@@ -96,13 +96,13 @@ static void names_faults_and_notations(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof in_order / sizeof *in_order; i++) {
         const row *r = &in_order[i];
-        check(verdict_of(r->throws, IN_ORDER), r->name, r->faults, r->notation);
+        check(result_of(r->throws, IN_ORDER), r->name, r->faults, r->notation);
     }
     for (size_t i = 0; i < sizeof not_in_order / sizeof *not_in_order; i++) {
         const row *r = &not_in_order[i];
-        check(verdict_of(r->throws, 0), r->name, r->faults, r->notation);
+        check(result_of(r->throws, 0), r->name, r->faults, r->notation);
     }
-    knot_classification one = verdict_of((const int[]){2, -1, 1, 0}, IN_ORDER);
+    knot_classification one = result_of((const int[]){2, -1, 1, 0}, IN_ORDER);
     one.throws[2].flags = 0; /* then neither is the order of the others */
     check(one, VBSS_KNOT_NAME_STACK, ORDER, "2+1+1");
 }
@@ -110,7 +110,7 @@ static void names_faults_and_notations(void **state)
 static void hitches_and_uncertain_readings(void **state)
 {
     (void)state;
-    knot_classification v = verdict_of((const int[]){2, -1, 1, 0}, IN_ORDER);
+    knot_classification v = result_of((const int[]){2, -1, 1, 0}, IN_ORDER);
     v.throws[1].flags |= VBSS_KNOT_THROW_HITCH;
     check(v, VBSS_KNOT_NAME_FLS, VBSS_KNOT_FAULT_HITCH, "2=1=1");
     v.reason = VBSS_KNOT_REASON_ENDS;
@@ -122,7 +122,7 @@ static void non_stack_is_other(void **state)
     (void)state;
     knot_classification v = {.other = true};
     check(v, VBSS_KNOT_NAME_OTHER, VBSS_KNOT_FAULT_TYPE, "?");
-    v = verdict_of((const int[]){2, 1, 0}, IN_ORDER);
+    v = result_of((const int[]){2, 1, 0}, IN_ORDER);
     v.other = true;
     v.throws[1].flags = STRAY;
     check(v, VBSS_KNOT_NAME_OTHER, VBSS_KNOT_FAULT_TYPE | VBSS_KNOT_FAULT_STRAY, "? (1)");
@@ -131,14 +131,14 @@ static void non_stack_is_other(void **state)
 static void knot_in_one_limb_is_ignored(void **state)
 {
     (void)state;
-    knot_classification v = verdict_of((const int[]){2, 1, -1, 1, 0}, IN_ORDER);
+    knot_classification v = result_of((const int[]){2, 1, -1, 1, 0}, IN_ORDER);
     v.throws[1].flags = STRAY;
     check(v, VBSS_KNOT_NAME_FLS, VBSS_KNOT_FAULT_STRAY, "2=1=1 (1)");
     v.throws[1].flags = VBSS_KNOT_THROW_STRAY; /* where it is makes no difference */
     check(v, VBSS_KNOT_NAME_FLS, VBSS_KNOT_FAULT_STRAY, "2=1=1 (1)");
     v.throws[0].flags = STRAY | VBSS_KNOT_THROW_HITCH;
     check(v, VBSS_KNOT_NAME_SQUARE, VBSS_KNOT_FAULT_STRAY | FEW | FIRST, "1=1 (2+1)");
-    v = verdict_of((const int[]){3, 0}, STRAY);
+    v = result_of((const int[]){3, 0}, STRAY);
     check(v, VBSS_KNOT_NAME_NONE, VBSS_KNOT_FAULT_STRAY | FEW, "(3)");
 }
 
@@ -146,13 +146,13 @@ static void long_notation_fits_or_is_marked(void **state)
 {
     (void)state;
     knot_classification v =
-        verdict_of((const int[]){99, -99, 99, -99, 99, -99, 99, -99, 0}, IN_ORDER);
+        result_of((const int[]){99, -99, 99, -99, 99, -99, 99, -99, 0}, IN_ORDER);
     check(v, VBSS_KNOT_NAME_STACK, MANY | FIRST | LATER, "99=99=99=99=99=99=99=99");
     v.throws[7].flags = STRAY;
     v.throws[6].flags = STRAY;
     check(v, VBSS_KNOT_NAME_STACK, MANY | FIRST | LATER | VBSS_KNOT_FAULT_STRAY,
           "99=99=99=99=99=99 (99+99)");
-    v = verdict_of((const int[]){123, -456, 123, -456, 123, -456, 123, -999, 0}, IN_ORDER);
+    v = result_of((const int[]){123, -456, 123, -456, 123, -456, 123, -999, 0}, IN_ORDER);
     check(v, VBSS_KNOT_NAME_STACK, MANY | FIRST | LATER, "123=456=123=456=123=456=123=999");
     v.throws[0].wraps = 1234;
     check(v, VBSS_KNOT_NAME_STACK, MANY | FIRST | LATER, "1234=456=123=456=123=456=123..");
@@ -179,7 +179,7 @@ static void only_one_type_is_faultless(void **state)
     uint32_t found = 0;
     for (int i = 0; i < 216; i++) {
         const int throws[4] = {hands[i / 36], hands[i / 6 % 6], hands[i % 6], 0};
-        knot_classification v = verdict_of(throws, IN_ORDER);
+        knot_classification v = result_of(throws, IN_ORDER);
         char text[KNOT_NOTATION];
         vbss_knot_notation_of(&v, text);
         bool fls = strcmp(text, "2=1=1") == 0;
@@ -205,7 +205,7 @@ typedef struct summary {
 
 static void take_in(summary *s, const int *throws)
 {
-    knot_classification v = verdict_of(throws, IN_ORDER);
+    knot_classification v = result_of(throws, IN_ORDER);
     char text[KNOT_NOTATION];
     vbss_knot_name name = vbss_knot_name_of(&v);
     vbss_knot_notation_of(&v, text);
@@ -231,7 +231,7 @@ static void check_all_orders(const int *throws, uint32_t count)
         }
         take_in(&s, permuted);
     }
-    knot_classification v = verdict_of(throws, 0);
+    knot_classification v = result_of(throws, 0);
     assert_int_equal(vbss_knot_name_of(&v), s.name);
     assert_int_equal(vbss_knot_faults_of(&v), s.faults | (s.alike ? 0 : ORDER));
     char text[KNOT_NOTATION];

@@ -338,8 +338,8 @@ static void directions_are_generic_and_spread(void **state)
             assert_true(i == 13 || vec3_dot(a, vec3_unit_or(b, up)) < vbss_cos(0.07));
         }
         for (uint32_t j = 0; j < k; j++) {
-            double least = k < 4 ? 0.9 : k < 12 ? 0.52 : 0.2;
-            assert_true(fabs(vec3_dot(a, vbss_knot_direction(j))) < vbss_cos(least));
+            double smallest = k < 4 ? 0.9 : k < 12 ? 0.52 : 0.2;
+            assert_true(fabs(vec3_dot(a, vbss_knot_direction(j))) < vbss_cos(smallest));
         }
     }
     expect_near(1.0, vec3_norm(vbss_knot_direction(UINT32_MAX)), 1e-15);

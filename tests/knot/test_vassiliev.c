@@ -80,7 +80,7 @@ static void stacked_throw_invariants_add(void **state)
 
 /* ---- v2: Alexander's polynomial near 1, by Fox's matrix with t = 1 + e, e^3 = 0, modulo a prime */
 
-enum { PRIME = 998244353, MOST_ROWS = 64 };
+enum { PRIME = 998244353, MAX_ROWS = 64 };
 
 typedef struct series {
     int64_t c[3];
@@ -117,19 +117,19 @@ static series inverse_of(series a)
 }
 
 /* A column an arc from one entry under to the next: (1 - t) over, and t and -1 for those that arrive and leave. */
-static int fill_fox(const knot_gauss_code *code, series a[MOST_ROWS][MOST_ROWS])
+static int fill_fox(const knot_gauss_code *code, series a[MAX_ROWS][MAX_ROWS])
 {
     const series zero = {{0, 0, 0}}, t = {{1, 1, 0}}, one = {{1, 0, 0}};
-    int n = (int)code->n, arc = 0, over[MOST_ROWS] = {0}, arriving[MOST_ROWS] = {0};
+    int n = (int)code->n, arc = 0, over[MAX_ROWS] = {0}, finishing[MAX_ROWS] = {0};
     for (uint32_t e = 0; e < 2 * code->n; e++) {
-        int *arcs = code->over[e] != 0 ? over : arriving;
+        int *arcs = code->over[e] != 0 ? over : finishing;
         arcs[code->crossing[e]] = arc;
         arc += code->over[e] != 0 ? 0 : 1;
     }
-    memset(a, 0, sizeof(series[MOST_ROWS][MOST_ROWS]));
+    memset(a, 0, sizeof(series[MAX_ROWS][MAX_ROWS]));
     for (int c = 0; c < n; c++) {
         bool right = code->sign[c] > 0;
-        series *in = &a[c][arriving[c]], *out = &a[c][(arriving[c] + 1) % n],
+        series *in = &a[c][finishing[c]], *out = &a[c][(finishing[c] + 1) % n],
                *top = &a[c][over[c] % n];
         *top = minus(*top, minus(t, one));
         *in = minus(*in, right ? one : minus(zero, t));
@@ -141,7 +141,7 @@ static int fill_fox(const knot_gauss_code *code, series a[MOST_ROWS][MOST_ROWS])
 /* The determinant is a power of t, and a sign, times 1 + v2 e^2. */
 static int64_t second_coefficient(const knot_gauss_code *code)
 {
-    series a[MOST_ROWS][MOST_ROWS], product = {{1, 0, 0}};
+    series a[MAX_ROWS][MAX_ROWS], product = {{1, 0, 0}};
     int size = fill_fox(code, a);
     for (int k = 0; k < size; k++) {
         int chosen = k;
@@ -171,10 +171,10 @@ static int64_t second_coefficient(const knot_gauss_code *code)
     return second > PRIME / 2 ? second - PRIME : second;
 }
 
-static bool draw_braid(harness_source *source, uint32_t most, knot_gauss_code *code)
+static bool draw_braid(harness_source *source, uint32_t limit, knot_gauss_code *code)
 {
-    int word[MOST_ROWS];
-    size_t letters = 3 + harness_draw_below(source, most - 2);
+    int word[MAX_ROWS];
+    size_t letters = 3 + harness_draw_below(source, limit - 2);
     int strands = 2 + (int)harness_draw_below(source, 4);
     for (size_t i = 0; i < letters; i++) {
         int letter = 1 + (int)harness_draw_below(source, (uint32_t)strands - 1);
@@ -204,7 +204,7 @@ static void v2_is_conway_coefficient(void **state)
 
 /* ---- both: derivatives of Jones' polynomial at 1, by Kauffman's sum over all states */
 
-enum { STATE_CROSSINGS = 12, MOST_POWER = 64 };
+enum { STATE_CROSSINGS = 12, MAX_POWER = 64 };
 
 static uint32_t root_of(const uint32_t *parents, uint32_t i)
 {
@@ -246,7 +246,7 @@ static int loops_of(const knot_gauss_code *code, uint32_t across)
 /* Coefficients of A^(4 i) times some power of A in the bracket, where t = A^-4: v2 and v3 from moments. */
 static void jones(const knot_gauss_code *code, int64_t *v2, int64_t *v3)
 {
-    int64_t sums[2 * MOST_POWER + 1] = {0}; /* of powers of A, MOST_POWER in the middle */
+    int64_t sums[2 * MAX_POWER + 1] = {0}; /* of powers of A, MAX_POWER in the middle */
     int n = (int)code->n, writhe = 0;
     for (int c = 0; c < n; c++) {
         writhe += code->sign[c];
@@ -259,13 +259,13 @@ static void jones(const knot_gauss_code *code, int64_t *v2, int64_t *v3)
         int64_t binomial = 1; /* (-A^2 - A^-2)^(loops - 1) */
         for (int loops = loops_of(code, across) - 1, i = 0; i <= loops; i++) {
             int64_t term = loops % 2 == 0 ? binomial : -binomial;
-            sums[MOST_POWER + power + 2 * loops - 4 * i] += term;
+            sums[MAX_POWER + power + 2 * loops - 4 * i] += term;
             binomial = binomial * (loops - i) / (i + 1);
         }
     }
     int64_t moments[4] = {0, 0, 0, 0}; /* of coefficients of t: 1, k, k (k - 1), k (k - 1)(k - 2) */
-    for (int i = 0; i <= 2 * MOST_POWER; i++) {
-        int64_t power = i - MOST_POWER - 3 * writhe, k = -power / 4;
+    for (int i = 0; i <= 2 * MAX_POWER; i++) {
+        int64_t power = i - MAX_POWER - 3 * writhe, k = -power / 4;
         int64_t coefficient = writhe % 2 == 0 ? sums[i] : -sums[i];
         assert_true(coefficient == 0 || power % 4 == 0);
         moments[0] += coefficient;

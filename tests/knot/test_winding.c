@@ -6,10 +6,10 @@
 #define PI 3.141592653589793
 #define LENGTH 0.03
 
-enum { MOST = 512 };
+enum { MAX_COUNT = 512 };
 
 typedef struct line {
-    vec3 points[MOST];
+    vec3 points[MAX_COUNT];
     uint32_t count;
 } line;
 

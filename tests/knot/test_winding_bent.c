@@ -54,7 +54,7 @@ static void follows(harness_source *source, void *user)
     enum { STEPS = 80 };
     knot_tool tool = bent_tool(source, 2 + harness_draw_below(source, 3), 1.2);
     double w = 0.5 * ((double)harness_draw_below(source, 13) - 6.0), base = 0.0;
-    double turns[MOST], heights[MOST];
+    double turns[MAX_COUNT], heights[MAX_COUNT];
     line all = {.count = 0}, l = {.count = 0};
     vec3 up = up_of(&tool, tool.point_count - 2), e1 = vec3_any_normal(up);
     for (uint32_t c = tool.point_count - 1; c-- > 0;) {
@@ -145,7 +145,7 @@ static void summed(harness_source *source, void *user)
 {
     (void)user;
     knot_tool tool = bent_tool(source, 2 + harness_draw_below(source, 3), 0.5);
-    line l = {.count = 2 + harness_draw_below(source, MOST - 2)};
+    line l = {.count = 2 + harness_draw_below(source, MAX_COUNT - 2)};
     double size = harness_draw_real(source, 1e-3, 0.02), sum = 0.0;
     for (uint32_t i = 0; i < l.count; i++) {
         vec3 near = tool.axis[harness_draw_below(source, tool.point_count)];

@@ -11,7 +11,7 @@ static knot_tool shaft(void)
 
 static void add(line *l, double x, double y, double z)
 {
-    assert_true(l->count < MOST);
+    assert_true(l->count < MAX_COUNT);
     l->points[l->count++] = vec3_make(x, y, z);
 }
 

@@ -7,10 +7,10 @@
 
 #define PI 3.141592653589793
 
-enum { MOST = 400 };
+enum { MAX_COUNT = 400 };
 
 typedef struct line {
-    vec3 points[MOST];
+    vec3 points[MAX_COUNT];
     uint32_t count;
 } line;
 

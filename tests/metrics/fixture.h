@@ -62,8 +62,8 @@ static inline vbss_metrics_event event_of(vbss_metrics_event_kind kind, uint32_t
     return e;
 }
 
-static inline void tell(const fixture *f, vbss_metrics_event_kind kind, uint32_t number,
-                        double time, double amount)
+static inline void report(const fixture *f, vbss_metrics_event_kind kind, uint32_t number,
+                          double time, double amount)
 {
     vbss_metrics_event e = event_of(kind, number, time);
     e.amount = amount;

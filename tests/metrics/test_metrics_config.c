@@ -16,7 +16,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void config_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[] = {176, 0};
+    const uint32_t sizes[] = {176, 192, 0};
     const harness_config config = {sizes, init, create_and_destroy};
     harness_config_protocol(&config);
 }
@@ -38,6 +38,8 @@ static void null_config_is_default(void **state)
     expect_same_bits(1.0, f.config.weight_tightness);
     expect_same_bits(2.0, f.config.pull_force);
     expect_same_bits(5e-3, f.config.idle_speed);
+    expect_same_bits(2.0, f.config.max_speed);
+    expect_same_bits(0.02, f.config.lost_share);
     assert_int_equal(f.config.throws_wanted, 3);
     end(&f);
 }
@@ -63,14 +65,14 @@ static void expect_config(const fixture *f, vbss_result wanted)
 static void out_of_range_numbers_are_rejected(void **state)
 {
     (void)state;
-    static const double most[] = {7200.0, 1.0, 1e9, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1e6,
-                                  1e6,    1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6};
+    static const double largest[] = {7200.0, 1.0, 1e9, 1e3, 1e3, 1.0, 1.0, 1.0, 1.0, 1e6, 1e6,
+                                     1e6,    1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1e6, 1.0};
     fixture f;
     begin(&f);
     const vbss_metrics_config plain = f.config;
     size_t first = offsetof(vbss_metrics_config, duration);
-    for (size_t i = 0; i < sizeof most / sizeof most[0]; i++) {
-        const double bad[] = {-1e-9, most[i] * 1.001};
+    for (size_t i = 0; i < sizeof largest / sizeof largest[0]; i++) {
+        const double bad[] = {-1e-9, largest[i] * 1.001};
         for (int k = 0; k < 5; k++) {
             double value = k < 2 ? bad[k] : harness_bad_numbers[k - 2];
             memcpy((char *)&f.config + first + i * sizeof value, &value, sizeof value);
@@ -78,7 +80,7 @@ static void out_of_range_numbers_are_rejected(void **state)
             f.config = plain;
         }
     }
-    assert_true(first + sizeof most == sizeof f.config);
+    assert_true(first + sizeof largest == sizeof f.config);
     end(&f);
 }
 
@@ -90,11 +92,11 @@ static void out_of_range_choices_are_rejected(void **state)
     const vbss_metrics_config plain = f.config;
     uint32_t *const words[] = {&f.config.throw_capacity, &f.config.phase_capacity,
                                &f.config.incident_capacity, &f.config.throws_wanted};
-    static const uint32_t most[] = {4096, 65536, 65536, 64};
+    static const uint32_t largest[] = {4096, 65536, 65536, 64};
     for (int i = 0; i < 4; i++) {
-        *words[i] = most[i];
+        *words[i] = largest[i];
         expect_config(&f, VBSS_OK);
-        *words[i] = most[i] + 1;
+        *words[i] = largest[i] + 1;
         expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
         *words[i] = 0;
         expect_config(&f, i < 3 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK);

@@ -7,7 +7,7 @@ static void deviation_is_geodesic_on_cylinder(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 1.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 1.0, 0.0);
     puncture(&f, 0, 2.0, 0.2, 0.0);     /* an arc of 6.5 mm x 0.2 */
     puncture(&f, 1, 3.0, -0.6, 5.2e-3); /* legs of 3.9 and 5.2 mm: 6.5 */
     const vbss_metrics_report r = report_of(&f);
@@ -72,17 +72,17 @@ static void time_runs_from_needle_to_second_cut(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_PHASE, 9, 2.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_PHASE, 9, 2.0, 0.0);
     expect_same_bits(0.0, report_of(&f).time);
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 5.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_TAIL, 1, 30.0, 17e-3);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 5.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TAIL, 1, 30.0, 17e-3);
     expect_same_bits(25.0, report_of(&f).time); /* still running */
     expect_near(17.0, report_of(&f).tail_mm[1], 1e-12);
-    tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 90.0, 4e-3);
+    report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 90.0, 4e-3);
     expect_near(4.0, report_of(&f).tail_mm[1], 1e-12);
     assert_false(report_of(&f).flags & VBSS_METRICS_STOPPED);
-    tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 93.5, 5e-3);
-    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 120.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 93.5, 5e-3);
+    report(&f, VBSS_METRICS_EVENT_DROP, 0, 120.0, 0.0);
     expect_same_bits(88.5, report_of(&f).time);
     assert_true(report_of(&f).flags & VBSS_METRICS_STOPPED);
     end(&f);
@@ -122,9 +122,9 @@ static void phases_partition_time(void **state)
     fixture f;
     begin_and_make(&f);
     for (uint32_t i = 0; i < 4; i++) {
-        tell(&f, VBSS_METRICS_EVENT_PHASE, i % 2, begins[i], 0.0);
+        report(&f, VBSS_METRICS_EVENT_PHASE, i % 2, begins[i], 0.0);
     }
-    tell(&f, VBSS_METRICS_EVENT_TRANSFER, 0, 12.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TRANSFER, 0, 12.0, 0.0);
     double sum = 0.0;
     for (uint32_t i = 0; i < 4; i++) {
         vbss_metrics_phase p;
@@ -146,12 +146,12 @@ static void incidents_are_counted(void **state)
     fixture f;
     begin_and_make(&f);
     for (int i = 0; i < 3; i++) {
-        tell(&f, VBSS_METRICS_EVENT_TRANSFER, 0, 1.0, 0.0);
+        report(&f, VBSS_METRICS_EVENT_TRANSFER, 0, 1.0, 0.0);
     }
-    tell(&f, VBSS_METRICS_EVENT_TRANSFER_MISSED, 0, 1.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 1.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_DROP, 5, 1.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_HOST, 5, 1.0, 2.0);
+    report(&f, VBSS_METRICS_EVENT_TRANSFER_MISSED, 0, 1.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_DROP, 0, 1.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_DROP, 5, 1.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_HOST, 5, 1.0, 2.0);
     const vbss_metrics_report r = report_of(&f);
     assert_int_equal(r.transfers, 3);
     assert_int_equal(r.transfers_missed, 1);

@@ -20,7 +20,7 @@ static void bear(const fixture *f, double rate)
         double t = i / rate;
         load(f, t, vec3_make(0.6 * t, -0.8 * t, 0.0), vec3_make(0.0, 0.0, -2.0));
         if (i == count / 4 || i == 3 * count / 4) {
-            tell(f, VBSS_METRICS_EVENT_PHASE, 1, t, 0.0);
+            report(f, VBSS_METRICS_EVENT_PHASE, 1, t, 0.0);
         }
     }
 }
@@ -50,7 +50,7 @@ static void phases_partition_integral(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_PHASE, 7, 0.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_PHASE, 7, 0.0, 0.0);
     bear(&f, 73.0);
     double sum = 0.0;
     for (int i = 0; i < 3; i++) {
@@ -83,10 +83,10 @@ static void only_task_phase_counts(void **state)
     for (int i = 0; i <= 400; i++) {
         double t = i / 100.0;
         if (i == 100) {
-            tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, t, 0.0);
+            report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, t, 0.0);
         } else if (i == 300) {
-            tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, t, 4e-3);
-            tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, t, 4e-3);
+            report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, t, 4e-3);
+            report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, t, 4e-3);
         }
         load(&f, t, vec3_make(i < 100 || i > 310 ? 50.0 : 1.0, 0.0, 0.0), vec3_zero());
     }

@@ -8,9 +8,9 @@ static void swing(const fixture *f, curve left, curve right)
         double t = i / 500.0;
         show(f, 3, t, left(t), right(t));
         if (i == 1000) { /* the phase that is looked at: 2 to 10 s */
-            tell(f, VBSS_METRICS_EVENT_PHASE, 1, t, 0.0);
+            report(f, VBSS_METRICS_EVENT_PHASE, 1, t, 0.0);
         } else if (i == 5000) {
-            tell(f, VBSS_METRICS_EVENT_PHASE, 2, t, 0.0);
+            report(f, VBSS_METRICS_EVENT_PHASE, 2, t, 0.0);
         }
     }
     expect_ok(vbss_metrics_finish(f->metrics));

@@ -12,7 +12,7 @@ static vec3 working(double time)
     return p;
 }
 
-static vbss_metrics_motion told_at(fixture *f, double rate, double jitter)
+static vbss_metrics_motion reported_at(fixture *f, double rate, double jitter)
 {
     begin_and_make(f);
     record(f, working, 0.0, 9.0, rate, jitter);
@@ -23,7 +23,8 @@ static vbss_metrics_motion told_at(fixture *f, double rate, double jitter)
 static void compare(double rate, double jitter, double part, double logarithms)
 {
     fixture fine, other;
-    const vbss_metrics_motion a = told_at(&fine, 1000.0, 0.0), b = told_at(&other, rate, jitter);
+    const vbss_metrics_motion a = reported_at(&fine, 1000.0, 0.0),
+                              b = reported_at(&other, rate, jitter);
     expect_near(a.time, b.time, 0.05); /* the last sample */
     expect_near(a.path_length, b.path_length, part * a.path_length);
     expect_near(a.peak_speed, b.peak_speed, part * a.peak_speed);

@@ -59,8 +59,8 @@ static void time_is_monotonic(void **state)
     const char *text;
     begin_and_make(&f);
     show(&f, 3, 1.0, vec3_zero(), vec3_zero());
-    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 1.0, 0.0); /* at the same time it may */
-    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 1.5, 0.0);
+    report(&f, VBSS_METRICS_EVENT_DROP, 0, 1.0, 0.0); /* at the same time it may */
+    report(&f, VBSS_METRICS_EVENT_DROP, 0, 1.5, 0.0);
     vbss_metrics_sample s = good_sample();
     s.time = 1.25; /* after the last sample, before the last event */
     expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
@@ -78,7 +78,7 @@ static void time_is_monotonic(void **state)
     expect_ok(vbss_metrics_finish(f.metrics));
     s.time = 2.0;
     expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
-    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 2.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_DROP, 0, 2.0, 0.0);
     end(&f);
 }
 
@@ -96,12 +96,12 @@ static void bad_events_change_nothing(void **state)
     begin_and_make(&f);
     const vbss_metrics_event good = event_of(VBSS_METRICS_EVENT_PUNCTURE, 0, 1.0);
     const size_t first = offsetof(vbss_metrics_event, time);
-    static const double most[13] = {1e9, 1e3, 1e3, 1e3, 1e6, 1e6, 1e6,
-                                    1e3, 1e3, 1e3, 3.2, 1e3, 1e6};
+    static const double largest[13] = {1e9, 1e3, 1e3, 1e3, 1e6, 1e6, 1e6,
+                                       1e3, 1e3, 1e3, 3.2, 1e3, 1e6};
     for (size_t i = 0; i < 13; i++) {
         for (int k = 0; k < 4; k++) {
             vbss_metrics_event e = good;
-            double value = k < 3 ? harness_bad_numbers[k] : 1.01 * most[i];
+            double value = k < 3 ? harness_bad_numbers[k] : 1.01 * largest[i];
             memcpy((char *)&e + first + i * sizeof value, &value, sizeof value);
             expect_event(&f, &e, k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE);
         }
@@ -133,12 +133,12 @@ static void bad_pulls_change_nothing(void **state)
     vbss_metrics_pull good;
     begin_and_make(&f);
     expect_ok(vbss_metrics_pull_init(&good, sizeof good));
-    static const double most[] = {1e9, 1.0, 1.0, 1e6, 1e6, 1e3};
+    static const double largest[] = {1e9, 1.0, 1.0, 1e6, 1e6, 1e3};
     uint64_t hash = hash_of(f.metrics);
     for (size_t i = 0; i < 6; i++) {
         for (int k = 0; k < 4; k++) {
             vbss_metrics_pull p = good;
-            double value = k < 3 ? harness_bad_numbers[k] : 1.01 * most[i];
+            double value = k < 3 ? harness_bad_numbers[k] : 1.01 * largest[i];
             memcpy((char *)&p + offsetof(vbss_metrics_pull, time) + i * sizeof value, &value,
                    sizeof value);
             expect_result(k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE,
@@ -174,7 +174,7 @@ static void unknown_tools_phases_and_fields_are_rejected(void **state)
     assert_int_equal(v.count, 0);
     assert_non_null(v.data);
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_metrics_get_motion(f.metrics, 0, -1, &m, 119));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_metrics_get_report(f.metrics, NULL, 192));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_metrics_get_report(f.metrics, NULL, 232));
     end(&f);
 }
 

@@ -4,7 +4,7 @@
 /* Done in 120 s from t = 10: 1.3 and 0.65 mm off, a gap of 0.5 mm, a knot that slips. */
 static void do_task(const fixture *f)
 {
-    tell(f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 10.0, 0.0);
+    report(f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 10.0, 0.0);
     puncture(f, 0, 20.0, 0.2, 0.0);
     puncture(f, 1, 30.0, 0.1, 0.0);
     tie(f, 0, 50.0, VBSS_METRICS_RELATION_FIRST);
@@ -16,8 +16,8 @@ static void do_task(const fixture *f)
     e.tool = VBSS_METRICS_RIGHT;
     e.force[1] = 2.5;
     expect_ok(vbss_metrics_add_event(f->metrics, &e));
-    tell(f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 120.0, 4e-3);
-    tell(f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 130.0, 4e-3);
+    report(f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 120.0, 4e-3);
+    report(f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 130.0, 4e-3);
     pull_at(f, 140.0, 2.0, 0.01, 3e-3, 1);
 }
 
@@ -71,15 +71,15 @@ static void flawless_expert_scores_512(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
     puncture(&f, 0, 10.0, 0.0, 0.0);
     puncture(&f, 1, 10.0, 0.0, 0.0);
     for (uint32_t i = 0; i < 3; i++) {
         tie(&f, i, 20.0, VBSS_METRICS_RELATION_SQUARE);
     }
-    tell(&f, VBSS_METRICS_EVENT_GAP, 0, 30.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 88.0, 4e-3);
-    tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 88.0, 4e-3);
+    report(&f, VBSS_METRICS_EVENT_GAP, 0, 30.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 88.0, 4e-3);
+    report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 88.0, 4e-3);
     assert_false(report_of(&f).flags & VBSS_METRICS_FINAL); /* the knot was not pulled */
     pull_at(&f, 90.0, 2.0, 0.01, 0.0, 1);
     pull_at(&f, 91.0, 2.0, 0.01, 0.0, 1);
@@ -120,10 +120,10 @@ static void every_fault_has_weight(void **state)
     tie(&f, 3, 150.0, VBSS_METRICS_RELATION_GRANNY);
     take_back(&f, VBSS_METRICS_EVENT_PUNCTURE, 1, 151.0);
     puncture(&f, 1, 152.0, 0.1, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_DROP, 1, 153.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_TRANSFER_MISSED, 1, 154.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_TRANSFER, 1, 155.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_HOST, 1, 156.0, 8.0);
+    report(&f, VBSS_METRICS_EVENT_DROP, 1, 153.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TRANSFER_MISSED, 1, 154.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TRANSFER, 1, 155.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_HOST, 1, 156.0, 8.0);
     expect_near(before + 1.0 + 20.0 + 3.0 + 7.0 + 11.0 + 4.0, report_of(&f).penalties, 1e-9);
     expect_sums(&f);
     end(&f);
@@ -134,7 +134,7 @@ static void zero_weight_faults_are_reported(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
     tie(&f, 1, 1.0, VBSS_METRICS_RELATION_GRANNY);
     assert_int_equal(report_of(&f).penalty_count, 1);
     assert_int_equal(penalty_of(&f, 0).kind, VBSS_METRICS_PENALTY_GRANNY);
@@ -161,10 +161,10 @@ static void timeout_is_at_limit(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 10.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_PHASE, 0, 609.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 10.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_PHASE, 0, 609.0, 0.0);
     expect_same_bits(1.0, report_of(&f).score);
-    tell(&f, VBSS_METRICS_EVENT_PHASE, 0, 610.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_PHASE, 0, 610.0, 0.0);
     expect_zero(&f, VBSS_METRICS_PENALTY_TIMEOUT, VBSS_METRICS_TIMEOUT);
     expect_same_bits(610.0, penalty_of(&f, 0).time);
     end(&f);
@@ -177,12 +177,12 @@ static void torn_drain_or_thread_scores_zero_until_undone(void **state)
     begin_and_make(&f);
     do_task(&f);
     double score = report_of(&f).score;
-    tell(&f, VBSS_METRICS_EVENT_AVULSED, 0, 200.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_AVULSED, 0, 200.0, 0.0);
     expect_zero(&f, VBSS_METRICS_PENALTY_AVULSED, VBSS_METRICS_AVULSED);
     expect_near(score, penalty_of(&f, 4).amount, 1e-9);
     take_back(&f, VBSS_METRICS_EVENT_AVULSED, 0, 201.0);
     expect_same_bits(score, report_of(&f).score);
-    tell(&f, VBSS_METRICS_EVENT_BROKEN, 0, 202.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_BROKEN, 0, 202.0, 0.0);
     expect_zero(&f, VBSS_METRICS_PENALTY_BROKEN, VBSS_METRICS_BROKEN);
     end(&f);
 }
@@ -192,8 +192,8 @@ static void abandoned_trial_has_no_score(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 20.0, 4e-3);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 20.0, 4e-3);
     expect_same_bits(580.0, report_of(&f).score);
     expect_ok(vbss_metrics_finish(f.metrics));
     expect_zero(&f, VBSS_METRICS_PENALTY_INCOMPLETE, VBSS_METRICS_FINISHED);

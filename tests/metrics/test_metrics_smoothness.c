@@ -28,9 +28,9 @@ static vbss_metrics_motion measured(fixture *f, curve at, double from, double to
 {
     make(f);
     record(f, at, 0.0, from, 1000.0, 0.0);
-    tell(f, VBSS_METRICS_EVENT_PHASE, 1, from, 0.0);
+    report(f, VBSS_METRICS_EVENT_PHASE, 1, from, 0.0);
     record(f, at, from + 1e-3, to - 1e-3, 1000.0, 0.0);
-    tell(f, VBSS_METRICS_EVENT_PHASE, 2, to, 0.0);
+    report(f, VBSS_METRICS_EVENT_PHASE, 2, to, 0.0);
     record(f, at, to, last, 1000.0, 0.0);
     expect_ok(vbss_metrics_finish(f->metrics));
     return motion_of(f, VBSS_METRICS_LEFT, 0);

@@ -3,7 +3,7 @@
 
 #define STRAIN_AT_2N (2.0 / 427.0)
 
-static void expect_verdicts(const fixture *f, int32_t ours, int32_t paper)
+static void expect_results(const fixture *f, int32_t ours, int32_t paper)
 {
     const vbss_metrics_report r = report_of(f);
     assert_int_equal(r.tightness_ours, ours);
@@ -25,7 +25,7 @@ static void unpulled_knot_is_unknown(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_UNKNOWN);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_UNKNOWN);
     end(&f);
 }
 
@@ -35,7 +35,7 @@ static void tight_knot_is_tight_by_both_methods(void **state)
     fixture f;
     begin_and_make(&f);
     pull_for(&f, 2.01, 1.1, 2e-4);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_TIGHT, VBSS_METRICS_TIGHTNESS_TIGHT);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_TIGHT, VBSS_METRICS_TIGHTNESS_TIGHT);
     assert_true(report_of(&f).pull_held >= 1.0);
     expect_near(2.01 / 427.0, report_of(&f).pull_strain, 1e-15);
     end(&f);
@@ -48,7 +48,7 @@ static void force_bearing_slip_is_found_by_ours_only(void **state)
     fixture f;
     begin_and_make(&f);
     pull_for(&f, 2.01, 1.1, 2e-3);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_SLIPS, VBSS_METRICS_TIGHTNESS_TIGHT);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_SLIPS, VBSS_METRICS_TIGHTNESS_TIGHT);
     expect_near(2.2, report_of(&f).drawn_in_mm, 1e-9);
     end(&f);
 }
@@ -60,7 +60,7 @@ static void early_slip_is_found_by_both_methods(void **state)
     fixture f;
     begin_and_make(&f);
     pull_for(&f, 0.5, 1.0, 5e-3);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_SLIPS, VBSS_METRICS_TIGHTNESS_SLIPS);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_SLIPS, VBSS_METRICS_TIGHTNESS_SLIPS);
     end(&f);
 }
 
@@ -71,9 +71,9 @@ static void untied_knot_is_found_by_both_methods(void **state)
     begin_and_make(&f);
     pull_for(&f, 0.5, 1.0, 5e-3);
     pull_at(&f, 102.0, 0.0, 0.0, 8e-3, 0);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNTIED, VBSS_METRICS_TIGHTNESS_UNTIED);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNTIED, VBSS_METRICS_TIGHTNESS_UNTIED);
     pull_at(&f, 103.0, 3.0, 0.1, 8e-3, 1); /* what is lost stays lost in this test */
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNTIED, VBSS_METRICS_TIGHTNESS_UNTIED);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNTIED, VBSS_METRICS_TIGHTNESS_UNTIED);
     end(&f);
 }
 
@@ -83,13 +83,13 @@ static void short_or_interrupted_pull_is_inconclusive(void **state)
     fixture f;
     begin_and_make(&f);
     pull_for(&f, 2.01, 0.9, 0.0);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_TIGHT);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_TIGHT);
     pull_at(&f, 102.0, 1.7, 0.0, 0.0, 1);
     pull_at(&f, 102.1, 2.0, 0.0, 0.0, 1);
     pull_at(&f, 103.0, 1.9, 0.0, 0.0, 1); /* a little less is borne with */
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_TIGHT);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_TIGHT);
     pull_at(&f, 103.2, 1.9, 0.0, 0.0, 1);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_TIGHT, VBSS_METRICS_TIGHTNESS_TIGHT);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_TIGHT, VBSS_METRICS_TIGHTNESS_TIGHT);
     end(&f);
 }
 
@@ -106,7 +106,7 @@ static void both_sides_must_pull(void **state)
         p.strain[1] = 5.0 * STRAIN_AT_2N;
         expect_ok(vbss_metrics_add_pull(f.metrics, &p));
     }
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_SLIPS);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_SLIPS);
     end(&f);
 }
 
@@ -134,13 +134,13 @@ static void new_test_clears_last(void **state)
     fixture f;
     begin_and_make(&f);
     pull_at(&f, 1.0, 0.0, 0.0, 0.0, 0);
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNTIED, VBSS_METRICS_TIGHTNESS_UNTIED);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNTIED, VBSS_METRICS_TIGHTNESS_UNTIED);
     vbss_metrics_pull p;
     expect_ok(vbss_metrics_pull_init(&p, sizeof p));
     p.time = 2.0;
     p.begins = 1;
     expect_ok(vbss_metrics_add_pull(f.metrics, &p));
-    expect_verdicts(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_SLIPS);
+    expect_results(&f, VBSS_METRICS_TIGHTNESS_UNKNOWN, VBSS_METRICS_TIGHTNESS_SLIPS);
     end(&f);
 }
 

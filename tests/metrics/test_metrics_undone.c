@@ -45,9 +45,9 @@ static void rejected_cut_keeps_clock_running(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    tell(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
-    tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 10.0, 4e-3);
-    tell(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 12.0, 4e-3);
+    report(&f, VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 10.0, 4e-3);
+    report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 12.0, 4e-3);
     take_back(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 20.0);
     assert_false(report_of(&f).flags & VBSS_METRICS_STOPPED);
     expect_same_bits(20.0, report_of(&f).time);
@@ -72,7 +72,7 @@ static void undoing_everything_leaves_nothing(void **state)
     begin_and_make(&f);
     vbss_metrics_report none = report_of(&f);
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        tell(&f, kinds[i], 1, 1.0, 1.0);
+        report(&f, kinds[i], 1, 1.0, 1.0);
         vbss_metrics_report r = report_of(&f);
         assert_memory_not_equal(&r, &none, sizeof r);
         take_back(&f, kinds[i], 1, 1.0);
@@ -90,7 +90,7 @@ static void missing_fact_cannot_be_undone(void **state)
     begin_and_make(&f);
     puncture(&f, 0, 1.0, 0.1, 0.0);
     tie(&f, 0, 1.0, VBSS_METRICS_RELATION_FIRST);
-    tell(&f, VBSS_METRICS_EVENT_DROP, 4, 1.0, 0.0);
+    report(&f, VBSS_METRICS_EVENT_DROP, 4, 1.0, 0.0);
     uint64_t hash = hash_of(f.metrics);
     for (int kind = VBSS_METRICS_EVENT_NEEDLE_APPEARS; kind <= VBSS_METRICS_EVENT_BROKEN; kind++) {
         vbss_metrics_event e = event_of(kind, 1, 2.0); /* phases never can */

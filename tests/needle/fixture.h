@@ -75,9 +75,4 @@ static inline void set_orientation(fixture *f, quat q)
     memcpy(f->config.orientation, parts, sizeof parts);
 }
 
-static inline void expect_near_vec3(vec3 wanted, vec3 got, double tolerance)
-{
-    expect_near(0.0, vec3_distance(wanted, got), tolerance);
-}
-
 #endif

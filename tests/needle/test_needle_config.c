@@ -1,27 +1,7 @@
-/* What a needle can be made of: the size protocol, defaults, known needles, every bad number, memory that fails. */
+/* Configurations of needles: defaults, presets, and numbers that are rejected. */
 #include "base/check.h"
 #include "base/error.h"
 #include "fixture.h"
-
-static vbss_result init(void *config, uint32_t struct_size)
-{
-    return vbss_needle_config_init(config, struct_size);
-}
-
-static vbss_result create_and_destroy(vbss_context *context, const void *config)
-{
-    vbss_needle *needle = NULL;
-    vbss_result result = vbss_needle_create(context, config, &needle);
-    return result == VBSS_OK ? vbss_needle_destroy(needle) : result;
-}
-
-static void config_size_protocol(void **state)
-{
-    (void)state;
-    const uint32_t sizes[] = {192, 0};
-    const harness_config config = {sizes, init, create_and_destroy};
-    harness_config_protocol(&config);
-}
 
 static void null_config_is_default(void **state)
 {
@@ -220,38 +200,12 @@ static void bad_choices_are_rejected(void **state)
     end(&f);
 }
 
-/* ---- memory */
-
-static vbss_result attempt(vbss_context *context, void *user)
-{
-    uint8_t bytes[1024];
-    uint64_t written;
-    vbss_needle *needle = NULL;
-    (void)user;
-    VBSS_TRY(vbss_needle_create(context, NULL, &needle));
-    vbss_result result = vbss_needle_step(needle, 1e-3);
-    result = result == VBSS_OK ? vbss_needle_save(needle, bytes, sizeof bytes, &written) : result;
-    result = result == VBSS_OK ? vbss_needle_restore(needle, bytes, written) : result;
-    VBSS_TRY(vbss_needle_destroy(needle));
-    return result;
-}
-
-static void each_failed_allocation_is_reported(void **state)
-{
-    (void)state;
-    harness_fail_every_allocation(attempt, NULL);
-}
-
 int test_needle_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(config_size_protocol),
-        harness_test(null_config_is_default),
-        harness_test(presets_change_shape_only),
-        harness_test(bad_numbers_are_rejected),
-        harness_test(bad_orientations_are_rejected),
+        harness_test(null_config_is_default),   harness_test(presets_change_shape_only),
+        harness_test(bad_numbers_are_rejected), harness_test(bad_orientations_are_rejected),
         harness_test(bad_choices_are_rejected),
-        harness_test(each_failed_allocation_is_reported),
     };
     return cmocka_run_group_tests_name("needle.needle_config", tests, NULL, NULL);
 }

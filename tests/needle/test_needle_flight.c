@@ -59,13 +59,13 @@ static const vec3 tumbling = {30.0, 0.03, 0.03};
 typedef struct drift {
     double momentum, energy, early_energy; /* the largest change of all steps, relative */
     double straight;                       /* farthest of the centre of mass from its line, m */
-    double least_alignment; /* of the middle axis with the angular momentum, its cosine */
+    double min_alignment; /* of the middle axis with the angular momentum, its cosine */
 } drift;
 
 static drift fly(double h, uint32_t early, uint32_t all)
 {
     fixture f;
-    drift d = {.least_alignment = 1.0};
+    drift d = {.min_alignment = 1.0};
     vbss_needle *needle = begin_turning(&f, tumbling);
     vec3 spin = angular_momentum(needle), x = centre(needle), v = inside(needle)->body.now.v;
     double e = energy(needle);
@@ -80,7 +80,7 @@ static drift fly(double h, uint32_t early, uint32_t all)
         d.energy = fmax(d.energy, change);
         d.early_energy = i <= early ? d.energy : d.early_energy;
         d.straight = fmax(d.straight, vec3_distance(wanted, centre(needle)));
-        d.least_alignment = fmin(d.least_alignment, vec3_dot(axis, spin) / vec3_norm(spin));
+        d.min_alignment = fmin(d.min_alignment, vec3_dot(axis, spin) / vec3_norm(spin));
     }
     end(&f);
     return d;
@@ -92,7 +92,7 @@ static void tumbling_conserves_angular_momentum_and_energy(void **state)
     const drift d = fly(1e-3, 10000, 100000);
     expect_near(0.0, d.momentum, 1e-12);
     expect_near(0.0, d.straight, 1e-12);
-    assert_true(d.least_alignment < -0.99); /* it has turned over */
+    assert_true(d.min_alignment < -0.99); /* it has turned over */
     expect_near(0.0, d.energy, 2e-5);
     expect_near(d.early_energy, d.energy, 1e-3 * d.energy); /* swings, but does not drift */
     const drift fine = fly(5e-4, 1000, 10000);

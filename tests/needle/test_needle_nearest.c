@@ -87,10 +87,10 @@ static void nothing_of_the_line_is_nearer(harness_source *source, void *user)
     double off = harness_draw_real(source, -1e-3, 1e-3);
     double up = harness_draw_real(source, -1e-3, 1e-3);
     vec3 point = beside(n, at, off, up);
-    double least = vec3_distance(point, vbss_needle_point(n, vbss_needle_nearest_arc(n, point)));
+    double smallest = vec3_distance(point, vbss_needle_point(n, vbss_needle_nearest_arc(n, point)));
     for (int i = 0; i <= PLACES; i++) {
         double place = -far + (length + 2.0 * far) * i / PLACES;
-        assert_true(vec3_distance(point, vbss_needle_point(n, place)) > least - 1e-12);
+        assert_true(vec3_distance(point, vbss_needle_point(n, place)) > smallest - 1e-12);
     }
 }
 

@@ -3,12 +3,12 @@
 #include "fixture.h"
 #include "harness/float_modes.h"
 
-typedef struct told {
+typedef struct reported {
     vbss_needle *needle;
     double p[3], q[4], v[3], w[3];
-} told;
+} reported;
 
-static void set_and_expect(const told *t, vbss_result wanted)
+static void set_and_expect(const reported *t, vbss_result wanted)
 {
     uint64_t hash = hash_of(t->needle), generation = inside(t->needle)->generation;
     expect_result(wanted, vbss_needle_set_state(t->needle, t->p, t->q, t->v, t->w));
@@ -21,13 +21,14 @@ static void bad_states_change_nothing(void **state)
     (void)state;
     fixture f;
     begin(&f);
-    told good = {make(&f), {1.0, 2.0, 3.0}, {1.0, 1.0, 1.0, 1.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}};
+    reported good = {
+        make(&f), {1.0, 2.0, 3.0}, {1.0, 1.0, 1.0, 1.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}};
     set_and_expect(&good, VBSS_OK);
     good.p[0] = 0.5;
     for (int c = 0; c < 13; c++) {
-        static const double most[] = {1e3, 1e100, 1e5, 1e6};
+        static const double largest[] = {1e3, 1e100, 1e5, 1e6};
         int which = c < 3 ? 0 : c < 7 ? 1 : c < 10 ? 2 : 3;
-        told t = good;
+        reported t = good;
         double *number = c < 3    ? &t.p[c]
                          : c < 7  ? &t.q[c - 3]
                          : c < 10 ? &t.v[c - 7]
@@ -36,12 +37,12 @@ static void bad_states_change_nothing(void **state)
             *number = harness_bad_numbers[k];
             set_and_expect(&t, VBSS_ERROR_NOT_FINITE);
         }
-        *number = -1.001 * most[which];
+        *number = -1.001 * largest[which];
         set_and_expect(&t, VBSS_ERROR_OUT_OF_RANGE);
-        *number = -most[which];
+        *number = -largest[which];
         set_and_expect(&t, VBSS_OK);
     }
-    told t = good;
+    reported t = good;
     memset(t.q, 0, sizeof t.q);
     set_and_expect(&t, VBSS_ERROR_OUT_OF_RANGE);
     expect_result(VBSS_ERROR_NULL_ARGUMENT,

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CROSSINGS = 1024, MOST_LEFT = 256, PROJECTIONS = 8, CLOSING_POINTS = 3 };
+enum { MAX_CROSSINGS = 1024, MAX_LEFT = 256, PROJECTIONS = 8, CLOSING_POINTS = 3 };
 
 /* A passage of the curve through a crossing. */
 typedef struct pass {
@@ -21,13 +21,13 @@ typedef struct pass {
 
 typedef struct diagram {
     int count;
-    pass passes[2 * MOST_CROSSINGS];
+    pass passes[2 * MAX_CROSSINGS];
 } diagram;
 
 typedef struct work {
     diagram found, diagram;
-    int map[4 * MOST_CROSSINGS];
-    uint32_t matrix[MOST_LEFT][MOST_LEFT];
+    int map[4 * MAX_CROSSINGS];
+    uint32_t matrix[MAX_LEFT][MAX_LEFT];
     vec3 points[]; /* closed curve, and the same turned */
 } work;
 
@@ -140,7 +140,7 @@ static bool find_crossings(const vec3 *x, size_t count, diagram *d)
             }
             pass both[2];
             meeting how = meet(x + i, x + j, both);
-            if (how == DEGENERATE || d->count == 2 * MOST_CROSSINGS) {
+            if (how == DEGENERATE || d->count == 2 * MAX_CROSSINGS) {
                 return false;
             }
             if (how == CROSSING) {
@@ -290,7 +290,7 @@ static void add_to(uint32_t *entry, uint32_t value)
 }
 
 /* A row a crossing, in the order of passes under; a column an arc between passes under. */
-static int fill_matrix(const diagram *d, int *arcs, uint32_t (*a)[MOST_LEFT])
+static int fill_matrix(const diagram *d, int *arcs, uint32_t (*a)[MAX_LEFT])
 {
     int size = d->count / 2, arc = 0, row = 0;
     for (int i = 0; i < d->count; i++) {
@@ -310,7 +310,7 @@ static int fill_matrix(const diagram *d, int *arcs, uint32_t (*a)[MOST_LEFT])
     return size - 1;
 }
 
-static int64_t determinant(uint32_t (*a)[MOST_LEFT], int size)
+static int64_t determinant(uint32_t (*a)[MAX_LEFT], int size)
 {
     uint32_t product = 1;
     for (int k = 0; k < size; k++) {
@@ -429,7 +429,7 @@ static bool degree_3(const arrow *arrows, int count, int64_t *v3)
 
 static bool from_projection(work *w, size_t count, uint64_t direction, knot_type *type)
 {
-    arrow arrows[MOST_LEFT];
+    arrow arrows[MAX_LEFT];
     vec3 *turned = w->points + count;
     turn(w->points, count, direction, turned);
     if (!find_crossings(turned, count, &w->found)) {
@@ -444,7 +444,7 @@ static bool from_projection(work *w, size_t count, uint64_t direction, knot_type
     if (w->diagram.count == 0) {
         return true;
     }
-    if (w->diagram.count > 2 * MOST_LEFT) {
+    if (w->diagram.count > 2 * MAX_LEFT) {
         return false;
     }
     type->determinant = determinant(w->matrix, fill_matrix(&w->diagram, w->map, w->matrix));

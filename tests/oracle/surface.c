@@ -160,16 +160,16 @@ uint64_t passing_surfaces(const passing_surface *surfaces, size_t surface_count,
                           const passing_chain *chains, size_t chain_count,
                           passing_surface_report *report)
 {
-    size_t most = 0;
+    size_t largest = 0;
     for (size_t c = 0; c < chain_count; c++) {
-        most += 2 * chains[c].nodes;
+        largest += 2 * chains[c].nodes;
     }
     for (size_t k = 0; k < surface_count; k++) {
-        most += surfaces[k].nodes + surfaces[k].side_count + surfaces[k].triangle_count;
+        largest += surfaces[k].nodes + surfaces[k].side_count + surfaces[k].triangle_count;
     }
     *report = (passing_surface_report){0};
-    all_pieces all = {malloc((most + 1) * sizeof *all.pieces),
-                      malloc((most + 1) * sizeof *all.order), 0};
+    all_pieces all = {malloc((largest + 1) * sizeof *all.pieces),
+                      malloc((largest + 1) * sizeof *all.order), 0};
     if (all.pieces == NULL || all.order == NULL) {
         report->passed = UINT64_MAX; /* nothing is proven */
     } else {

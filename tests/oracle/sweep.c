@@ -7,7 +7,7 @@
 /* Time is halved this often before exact arithmetic is asked. */
 enum { HALVINGS = 6 };
 /* Of two features, both states. */
-enum { MOST_ENDS = 6 };
+enum { MAX_ENDS = 6 };
 
 /* ---- boxes */
 
@@ -124,9 +124,9 @@ static void at_time(const sweep *s, double t, vec3 *corners)
     }
 }
 
-static bool apart_from_to(const sweep *a, const sweep *b, double from, double to, double most)
+static bool apart_from_to(const sweep *a, const sweep *b, double from, double to, double limit)
 {
-    vec3 ends_a[MOST_ENDS], ends_b[MOST_ENDS], middle_a[3], middle_b[3];
+    vec3 ends_a[MAX_ENDS], ends_b[MAX_ENDS], middle_a[3], middle_b[3];
     at_time(a, from, ends_a);
     at_time(a, to, ends_a + a->corners);
     at_time(b, from, ends_b);
@@ -141,15 +141,15 @@ static bool apart_from_to(const sweep *a, const sweep *b, double from, double to
     for (uint32_t i = 0; i < 2 * b->corners; i++) {
         furthest = vbss_max(furthest, vec3_dot(n, ends_b[i]));
     }
-    return nearest - furthest > ROUNDING * most * (fabs(n.x) + fabs(n.y) + fabs(n.z)) + TINY;
+    return nearest - furthest > ROUNDING * limit * (fabs(n.x) + fabs(n.y) + fabs(n.z)) + TINY;
 }
 
 /* Step by step through time: as long as can be proven, halving what cannot. */
 static bool proven_apart(const sweep *a, const sweep *b)
 {
-    double most = vbss_max(reach(a), reach(b)), time = 0.0, step = 1.0;
+    double largest = vbss_max(reach(a), reach(b)), time = 0.0, step = 1.0;
     while (time < 1.0) {
-        if (apart_from_to(a, b, time, time + step, most)) {
+        if (apart_from_to(a, b, time, time + step, largest)) {
             time += step;
             step = vbss_min(2.0 * step, 1.0 - time);
         } else if (step > 1.0 / (1 << HALVINGS)) {

@@ -43,14 +43,14 @@ bool canvas_is_background(const canvas *c, int column, int row)
 /* Light on a thing takes away from all of its colours alike; a shine, or dark, adds grey. */
 static void hue(uint32_t colour, double *of)
 {
-    double least = 1.0;
+    double smallest = 1.0;
     for (int i = 0; i < 3; i++) {
         double code = (double)(colour >> 8 * i & 255) / 255.0;
         of[i] = code * code;
-        least = fmin(least, of[i]);
+        smallest = fmin(smallest, of[i]);
     }
     for (int i = 0; i < 3; i++) {
-        of[i] -= least;
+        of[i] -= smallest;
     }
 }
 

@@ -126,7 +126,7 @@ static void thin_thread_is_visible(void **state)
     (void)state;
     static canvas c;
     const double widths[3] = {5e-3, 20e-3, 1.0};
-    const int least[3] = {10, 2, 2}, most[3] = {14, 5, 4};
+    const int smallest[3] = {10, 2, 2}, largest[3] = {14, 5, 4};
     for (int i = 0; i < 3; i++) {
         painter *p = canvas_painter();
         const painter_camera camera = {{0.0, 0.0, 1.0}, {0.0}, {0.0, 1.0, 0.0}, widths[i], 0.0};
@@ -136,7 +136,7 @@ static void thin_thread_is_visible(void **state)
                                thread_radius, PAINTER_VIOLET));
         canvas_paint(p, &c);
         int run = widest_column_run(&c, CANVAS / 2);
-        assert_in_range(run, least[i], most[i]);
+        assert_in_range(run, smallest[i], largest[i]);
         assert_true(canvas_brightness(&c, CANVAS / 2, CANVAS / 2) < 550);
     }
 }

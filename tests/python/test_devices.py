@@ -115,6 +115,14 @@ def test_calls_from_inside_a_callback(context):
     assert seen == [1]
 
 
+def test_jaws_wait_for_the_handle(context):
+    mock = vb.Mock(context)
+    device = vb.Device(mock, jaw_takeover=1)
+    opening = device.read(0.001).jaw
+    device.hold_jaw(1.0 - opening)
+    assert device.read(0.002).jaw == pytest.approx(1.0 - opening)
+
+
 def test_a_mock_stands_for_hardware(context):
     mock = vb.Mock(context, measure=lambda t: {"position": (t, 0, 0), "jaw": 1.0}, row_capacity=16,
                    capabilities={"outputs": 7, "signals": 0x1ff, "max_force": 3.0})

@@ -56,6 +56,30 @@ def test_throws_and_phases_are_kept(context):
     assert [(phase.number, phase.begin, phase.end) for phase in metrics.phases] == [(3, 10.0, 110.0), (4, 110.0, 130.0)]
 
 
+def test_outlier_is_counted_and_adds_no_path(context):
+    plain, faulty = vb.Metrics(context), vb.Metrics(context)
+    for i in range(180):
+        place = (0.05 * math.cos(i / 30), 0.05 * math.sin(i / 30), 0.0)
+        plain.add_sample(i / 60, place)
+        faulty.add_sample(i / 60, (place[0], place[1], 0.2) if i == 90 else place)
+    plain.finish(), faulty.finish()
+    assert faulty.report.outliers == (1, 0) and faulty.report.jumps == (0, 0) and plain.report.outliers == (0, 0)
+    assert faulty.motion("left").path_length == pytest.approx(plain.motion("left").path_length, rel=1e-4)
+
+
+def test_lost_time_is_told(context):
+    metrics = vb.Metrics(context, lost_share=0.1)
+    metrics.add_sample(0.0)
+    metrics.add_event("needle_appears", 0.0)
+    metrics.add_sample(10.0, time_lost=0.9)
+    assert not metrics.report.flags & vb.MetricsBits.TIME_LOST and "lost" not in repr(metrics)
+    metrics.add_sample(20.0, time_lost=5.0)
+    report = metrics.report
+    assert report.flags & vb.MetricsBits.TIME_LOST and "5 s of it lost" in repr(metrics)
+    assert (report.time, report.time_lost, report.time_simulated) == (20.0, 5.0, 15.0)
+    assert metrics.penalties[0].kind is vb.MetricsPenaltyKind.TIME_LOST and metrics.penalties[0].amount == 0.0
+
+
 def test_motion_is_measured(context):
     metrics = vb.Metrics(context)
     move(metrics)

@@ -111,6 +111,20 @@ def test_needle_and_drain_are_bodies(context):
     assert "2 bodies" in repr(scene)
 
 
+def test_bodies_that_hold_each_other_back_are_listed(context):
+    scene = vb.Scene(context, mode="offline")
+    sticks = [scene.add_rigid([vb.Capsule((-0.01, 0, 0), (0.01, 0, 0), 1e-3)], kind="driven", position=(0, y, 0))
+              for y in (0.0, 5e-3)]
+    scene.step()
+    assert scene.blockers == []
+    scene.move_rigid(sticks[1], (0, -5e-3, 0))
+    scene.step()
+    (blocker,) = scene.blockers
+    assert {blocker.body_a, blocker.body_b} == set(sticks)
+    assert blocker.cause is vb.BlockerCause.COLLISION and 0.0 < blocker.lost_time < 1e-3
+    assert vb.EventKind.BLOCKED in [event.kind for event in scene.events]
+
+
 def test_a_heavy_needle_goes_through_a_wall(context):
     scene = vb.Scene(context, mode="offline")
     scene.add(vb.Drain(context, puncture_force=0.5))

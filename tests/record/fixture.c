@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/little_endian.h"
 #include "record/step_codec.h"
+#include "fixtures/scene_build.h"
 
 enum { NODES = 31 };
 
@@ -20,14 +21,12 @@ static vbss_result add_capsule(stage *s, const stage_options *options, vbss_rigi
                                vec3 at, double half_length, uint32_t *body)
 {
     vbss_rigid_config config;
-    vbss_capsule capsule = {{0.0, 0.0, -half_length}, {0.0, 0.0, half_length}, 2e-3};
+    const vbss_capsule capsule = {{0.0, 0.0, -half_length}, {0.0, 0.0, half_length}, 2e-3};
     VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
     config.kind = options->method == VBSS_METHOD_PAPER ? VBSS_RIGID_DRIVEN : kind;
-    config.capsules = &capsule;
-    config.capsule_count = 1;
     config.friction = options->tool_friction;
     vec3_store(config.position, at);
-    return vbss_scene_add_rigid(s->scene, &config, body);
+    return scene_build_capsule(s->scene, &config, capsule, body);
 }
 
 static vbss_result make_thread(stage *s, const stage_options *options)
@@ -152,7 +151,7 @@ static void unpin(stage *s, vbss_record *record)
 }
 
 /* In a round of 40 steps everything that can be told is. */
-void stage_tell(stage *s, vbss_record *record)
+void stage_report(stage *s, vbss_record *record)
 {
     double t = 1e-3 * s->step;
     const double turned[4] = {1.0, 0.0, 0.2 * vbss_sin(40.0 * t), 0.0};
@@ -184,7 +183,7 @@ void stage_tell(stage *s, vbss_record *record)
 
 void stage_step(stage *s, vbss_record *record)
 {
-    stage_tell(s, record);
+    stage_report(s, record);
     expect_ok(record != NULL ? vbss_record_step(record, 1e-3) : vbss_scene_step(s->scene, 1e-3));
     s->step++;
 }

@@ -34,7 +34,7 @@ vbss_result stage_leave(stage *s);
 void stage_end(stage *s);
 /* What the host tells before the next step, to the record or, without one, to the scene itself; and the
  * step. */
-void stage_tell(stage *s, vbss_record *record);
+void stage_report(stage *s, vbss_record *record);
 void stage_step(stage *s, vbss_record *record);
 uint64_t stage_hash(stage *s);
 /* A scene of nothing, made quickly. */

@@ -12,7 +12,7 @@
 #include "fuzz/fuzz.h"
 #include "harness/harness.h"
 
-enum { MOST_STEPS = 4000, MORE_STEPS = 20, NANO = 1000 * 1000 };
+enum { MAX_STEPS = 4000, MORE_STEPS = 20, NANO = 1000 * 1000 };
 
 typedef struct cut {
     harness_soak *soak;
@@ -91,7 +91,7 @@ static bool record_file(cut *c, int file)
     config.snapshot_interval = 1 + vbss_random_below(&c->random, 200);
     config.hash_interval = 1 + vbss_random_below(&c->random, 3);
     return open_scene(c) && (vbss_record_create(c->scene, &config, &record) == VBSS_OK) &&
-           record_on(c, record, file, 0, MOST_STEPS);
+           record_on(c, record, file, 0, MAX_STEPS);
 }
 
 static bool kill_a_recorder(cut *c)

@@ -12,7 +12,7 @@ enum { ROOM = 1 << 16, INPUTS = 40 };
 
 /* ---- numbers */
 
-static void expect_numbers_back(const double *numbers, uint32_t count, size_t most_bytes)
+static void expect_numbers_back(const double *numbers, uint32_t count, size_t max_bytes)
 {
     static uint8_t bytes[ROOM];
     log_predictor written = {.order_count = 0}, read = {.order_count = 0};
@@ -22,7 +22,7 @@ static void expect_numbers_back(const double *numbers, uint32_t count, size_t mo
         vbss_log_update_predictor(&written, numbers[i]);
     }
     assert_false(out.overrun);
-    assert_true(log_bits_bytes(&out) <= most_bytes);
+    assert_true(log_bits_bytes(&out) <= max_bytes);
     log_bits in = {.in = bytes, .count = log_bits_bytes(&out)};
     for (uint32_t i = 0; i < count; i++) {
         double x = vbss_log_get_number(&in, &read);
@@ -162,12 +162,12 @@ static void code_steps(harness_source *source, void *user)
     book_begin(&b);
     for (uint32_t i = 0; i < 12; i++) {
         draw_step(source, &b.step);
-        const size_t most = vbss_log_max_coded_bytes(&b.step, b.step.event_count);
+        const size_t largest = vbss_log_max_coded_bytes(&b.step, b.step.event_count);
         if (harness_draw_below(source, 5) == 0) {
             vbss_log_reset_coder(b.writer);
         }
         const size_t count = vbss_log_encode(b.writer, &b.step, bytes, sizeof bytes);
-        assert_true(count > 0 && count <= most);
+        assert_true(count > 0 && count <= largest);
         /* What is refused is not remembered: the step can be read afterwards. */
         if (count > 1) {
             const size_t cut = harness_draw_below(source, (uint32_t)count);
@@ -242,10 +242,10 @@ static void any_bits_decode_or_are_rejected(void **state)
 
 static void pack_and_unpack(harness_source *source, void *user)
 {
-    enum { MOST = 3000 };
+    enum { MAX_COUNT = 3000 };
     static uint32_t table[LOG_HASH_TABLE_SIZE];
-    uint8_t raw[MOST], packed[2 * MOST], back[MOST];
-    const uint32_t count = harness_draw_below(source, MOST),
+    uint8_t raw[MAX_COUNT], packed[2 * MAX_COUNT], back[MAX_COUNT];
+    const uint32_t count = harness_draw_below(source, MAX_COUNT),
                    kinds = 1 + harness_draw_below(source, 4);
     (void)user;
     for (uint32_t i = 0; i < count; i++) { /* of few different bytes, so that much repeats */

@@ -149,9 +149,9 @@ static void invalid_content_with_valid_checksum_is_reported(void **state)
     assert_int_equal(report.result, VBSS_ERROR_CORRUPT);
     assert_int_equal(report.good_bytes, 0);
     memcpy(log.bytes, d.good.bytes, log.count);
-    uint8_t *most = damage_config_word(&log, 9); /* events of a step */
-    assert_int_equal(load_little_endian(most, 4), 256);
-    store_little_endian(most, 65537, 4);
+    uint8_t *largest = damage_config_word(&log, 9); /* events of a step */
+    assert_int_equal(load_little_endian(largest, 4), 256);
+    store_little_endian(largest, 65537, 4);
     log_seal(&log);
     report = check(&d, &log);
     assert_int_equal(report.result, VBSS_ERROR_CORRUPT);

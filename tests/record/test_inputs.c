@@ -66,7 +66,7 @@ static void inputs_of_failed_step_belong_to_next(void **state)
     (void)state;
     recorder r;
     recorder_begin(&r, NULL);
-    stage_tell(&r.s, r.record);
+    stage_report(&r.s, r.record);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(r.record, -1.0));
     expect_ok(vbss_record_step(r.record, 1e-3));
     expect_ok(vbss_record_step(r.record, 0.5e-3)); /* and steps may differ in length */
@@ -146,7 +146,7 @@ static void full_log_is_reported_before_step(void **state)
     uint32_t full = 0;
     recorder_begin(&r, &config);
     for (uint32_t i = 0; i < 800; i++) {
-        stage_tell(&r.s, r.record);
+        stage_report(&r.s, r.record);
         uint64_t hash = stage_hash(&r.s);
         vbss_result result = vbss_record_step(r.record, 1e-3);
         if (result != VBSS_OK) {
@@ -205,7 +205,7 @@ static void bytes_are_taken_once(void **state)
     r.log = log_copy(&first);
     expect_ok(vbss_record_take(r.record, &bytes, &count));
     assert_true(count == 0 && bytes != NULL);
-    stage_tell(&r.s, r.record);
+    stage_report(&r.s, r.record);
     expect_ok(vbss_record_take(r.record, &bytes, &count));
     assert_int_equal(count, 0); /* inputs come with their step */
     expect_ok(vbss_record_step(r.record, 1e-3));

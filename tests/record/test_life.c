@@ -52,7 +52,7 @@ static vbss_result write_out(vbss_replay *replay, int which, void *out, uint32_t
 static void output_struct_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[5] = {48, 48, 192, 48, 72};
+    const uint32_t sizes[5] = {48, 48, 192, 48, 80};
     stage s;
     stage_begin(&s, NULL);
     log_bytes log = log_of(&s, NULL, 3);
@@ -64,8 +64,9 @@ static void output_struct_size_protocol(void **state)
         uint32_t filled;
         expect_result(VBSS_ERROR_NULL_ARGUMENT, write_out(replay, which, NULL, sizes[which]));
         for (uint32_t size = 4; size < sizes[which]; size++) {
-            if (which == 2 &&
-                (size == 160 || size == 168 || size == 176)) { /* of hosts that are older */
+            bool is_older =
+                which == 2 ? size == 160 || size == 168 || size == 176 : which == 4 && size == 72;
+            if (is_older) {
                 continue;
             }
             expect_result(VBSS_ERROR_STRUCT_SIZE, write_out(replay, which, out, size));
@@ -92,15 +93,18 @@ static void log_output_struct_size_protocol(void **state)
     stage s;
     stage_begin(&s, NULL);
     log_bytes log = log_of(&s, NULL, 3);
-    for (uint32_t size = 4; size < 232; size++) {
+    for (uint32_t size = 4; size < 240; size++) {
+        if (size == 232) { /* of older hosts */
+            continue;
+        }
         expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_log_check(s.context, log.bytes, log.count,
                                                              (vbss_log_report *)out, size));
     }
     memset(out, 0xff, sizeof out);
-    expect_ok(vbss_log_check(s.context, log.bytes, log.count, (vbss_log_report *)out, 240));
-    assert_int_equal(out[0], 232);
-    assert_int_equal(out[239], 0);
-    assert_int_equal(out[240], 0xff);
+    expect_ok(vbss_log_check(s.context, log.bytes, log.count, (vbss_log_report *)out, 248));
+    assert_int_equal(out[0], 240);
+    assert_int_equal(out[247], 0);
+    assert_int_equal(out[248], 0xff);
     stage_end(&s);
     log_free(&log);
 }

@@ -25,7 +25,9 @@ def check_figures(folder):
     assert report(TOOL, log, path, 0) == ""
     page = Page(path)
     text, cards = page.text(), page.cards()
-    assert "1500 steps, 1.50 s simulated" in text
+    assert "1500 steps, 1.50 s on the session clock, 1.50 s of it simulated" in text
+    assert "Simulated time was lost." not in text
+    near(page.number("implausible samples left out, left"), 0, 0, "outliers")
     # A reach of least jerk over 50 mm in 1 s: its path, and 15/8 of its mean speed at most.
     near(page.number("path, left"), 0.050, 5e-4, "path")
     near(page.number("path, right"), 0.0, 5e-4, "path")
@@ -43,6 +45,24 @@ def check_figures(folder):
     left = [e for e in page.elements("dd") if "body 2 of the scene" in "".join(e.itertext())]
     assert len(left) == 1 and "to the left" in "".join(left[0].itertext())
     return log
+
+
+def check_lost(folder):
+    """Limits of work that no step can keep: the page has the loss that the steps reported."""
+    log, path = folder / "lost.vbss", folder / "lost.html"
+    done = subprocess.run([WRITER, log, "of a test", "lossy"], check=True, capture_output=True, text=True)
+    lost = float(done.stdout)
+    assert 0.1 < lost < 1.5, done.stdout
+    report(TOOL, log, path, 0)
+    page = Page(path)
+    text, cards = page.text(), page.cards()
+    assert f"1.50 s on the session clock, {1.5 - lost:.2f} s of it simulated" in text
+    assert f"Of 1.50 s on the session clock {lost:.2f} s (" in text
+    assert f"on the session clock, {1.5 - lost:.2f} s of it simulated" in cards["Time"][1], cards
+    assert "lost time included" in text and "Simulated time was lost." in text
+    near(float(page.rows("simulated time was lost, which the clock of the score includes")[0][0]), lost, 0.006,
+         "the reason beside the score")
+    assert f"Simulated time lost in steps cut short or paused: {1e3 * lost:.2f} ms." in text
 
 
 def check_hostile(folder):
@@ -99,6 +119,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         whole = check_figures(folder)
+        check_lost(folder)
         check_hostile(folder)
         check_broken(folder, whole)
 

@@ -1,7 +1,10 @@
 /* Writes a short log whose figures are known beforehand: the left tool goes 50 mm in 1 s as reaches of least jerk do, the
  * right one rests, a thread that nobody touches is cut twice.
  *
- *     write_session FILE NOTE [hostile]: with the build text of the library changed into markup, and checksums that are right */
+ *     write_session FILE NOTE [hostile | lossy]
+ *
+ * hostile: with the build text of the library changed into markup, and checksums that are right.
+ * lossy: without cuts, and with limits of work that steps exceed. Prints the simulated time lost, s. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +19,8 @@
         }                             \
     } while (0)
 
+/* Operations in a step and in a call of a lossy scene. */
+enum { LOSSY_WORK = 400, LOSSY_SLOT = 400 };
 enum { STEPS = 1500, FIRST_CUT = 1000, SECOND_CUT = 1200, ROOM = 1 << 22 };
 
 static uint8_t log_bytes[ROOM];
@@ -63,7 +68,13 @@ static double reach(double t)
     return s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
 }
 
-static vbss_result run(vbss_record *record, uint32_t thread, const uint32_t tools[2])
+static double lost_time(vbss_scene *scene)
+{
+    vbss_scene_statistics s;
+    return vbss_scene_get_statistics(scene, &s, sizeof s) == VBSS_OK ? s.time_paused : -1.0;
+}
+
+static vbss_result run(vbss_record *record, uint32_t thread, const uint32_t tools[2], int is_lossy)
 {
     uint32_t piece;
     for (int i = 1; i <= STEPS; i++) {
@@ -71,7 +82,7 @@ static vbss_result run(vbss_record *record, uint32_t thread, const uint32_t tool
         const double right[3] = {0.05, 0.0, 0.05};
         TRY(vbss_record_move_grasper(record, tools[0], left, NULL));
         TRY(vbss_record_move_grasper(record, tools[1], right, NULL));
-        if (i == FIRST_CUT || i == SECOND_CUT) {
+        if (!is_lossy && (i == FIRST_CUT || i == SECOND_CUT)) {
             TRY(vbss_record_cut_thread(record, thread, i == FIRST_CUT ? 0.02 : 0.01, &piece));
         }
         TRY(vbss_record_step(record, 1e-3));
@@ -81,7 +92,7 @@ static vbss_result run(vbss_record *record, uint32_t thread, const uint32_t tool
     return take(record);
 }
 
-static vbss_result write(vbss_context *context, const char *note)
+static vbss_result write(vbss_context *context, const char *note, int is_lossy)
 {
     vbss_scene_config config;
     vbss_record_config how;
@@ -89,6 +100,8 @@ static vbss_result write(vbss_context *context, const char *note)
     vbss_record *record;
     uint32_t tools[2], thread;
     TRY(vbss_scene_config_init(&config, sizeof config));
+    config.work_limit = is_lossy ? LOSSY_WORK : config.work_limit;
+    config.slot_limit = is_lossy ? LOSSY_SLOT : config.slot_limit;
     TRY(vbss_scene_create(context, &config, &scene));
     TRY(add_tool(context, scene, 0.05,
                  &tools[1])); /* which is left is for the report to find out */
@@ -98,7 +111,11 @@ static vbss_result write(vbss_context *context, const char *note)
     how.note = note;
     how.note_bytes = (uint32_t)strlen(note);
     TRY(vbss_record_create(scene, &how, &record));
-    return run(record, thread, tools);
+    TRY(run(record, thread, tools, is_lossy));
+    if (is_lossy) {
+        printf("%.17g\n", lost_time(scene));
+    }
+    return VBSS_OK;
 }
 
 /* In the head, which comes first. */
@@ -121,11 +138,12 @@ int main(int argc, char **argv)
 {
     vbss_context *context;
     int hostile = argc == 4 && strcmp(argv[3], "hostile") == 0;
-    if ((argc != 3 && !hostile) || vbss_context_create(NULL, &context) != VBSS_OK) {
-        fprintf(stderr, "write_session FILE NOTE [hostile]\n");
+    int lossy = argc == 4 && strcmp(argv[3], "lossy") == 0;
+    if ((argc != 3 && !hostile && !lossy) || vbss_context_create(NULL, &context) != VBSS_OK) {
+        fprintf(stderr, "write_session FILE NOTE [hostile | lossy]\n");
         return 2;
     }
-    vbss_result result = write(context, argv[2]);
+    vbss_result result = write(context, argv[2], lossy);
     if (result != VBSS_OK || (hostile && !put_markup())) {
         fprintf(stderr, "%s\n", vbss_result_name(result));
         return 1;

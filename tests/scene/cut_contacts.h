@@ -80,7 +80,7 @@ static inline bool cut_became(const remembered *x, const remembered *y, bool rou
     vec3 rubbing = round ? vec3_neg(n->tangential_force) : n->tangential_force;
     return m->key.kind == n->key.kind && m->status == n->status &&
            m->normal_force == n->normal_force && m->friction_ratio == n->friction_ratio &&
-           vec3_distance(m->tangential_force, rubbing) == 0.0 &&
+           m->is_forward == n->is_forward && vec3_distance(m->tangential_force, rubbing) == 0.0 &&
            cut_within(x->axes[0], y->axes[round]) && cut_within(x->axes[1], y->axes[!round]) &&
            (m->key.body_b == 0 ||
             fabs(cut_apart(x->axes[0], x->axes[1]) - cut_apart(y->axes[0], y->axes[1])) < 1e-9);

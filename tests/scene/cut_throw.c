@@ -2,7 +2,7 @@
 
 #include "base/elementary.h"
 
-enum { SHUTTING = 150, MOST_SHUTTING = 400 }; /* steps that blades take; what waits shuts later */
+enum { SHUTTING = 150, MAX_SHUTTING = 400 }; /* steps that blades take; what waits shuts later */
 
 /* Hands pull on what they hold, whatever piece that is by now. */
 static void follow(contact_scene *c, const scene_object *s)
@@ -97,7 +97,7 @@ cut_outcome cut_throw(const cut_case *t, double share)
     }
     expect_ok(vbss_grasper_set_opening(tool, 0.0));
     vbss_grasper_state shut = {.jaw_angle = 1.0};
-    for (int i = 0; i < SHUTTING || (shut.jaw_angle > 0.0 && i < MOST_SHUTTING); i++) {
+    for (int i = 0; i < SHUTTING || (shut.jaw_angle > 0.0 && i < MAX_SHUTTING); i++) {
         expect_ok(contact_scene_step(&c, 1e-3));
         expect_ok(vbss_grasper_get_state(tool, &shut, sizeof shut));
         cuts += cuts_of_step(&c);
@@ -122,7 +122,7 @@ cut_outcome cut_throw(const cut_case *t, double share)
 
 static void expect_cut(const cut_outcome *found, const cut_case *bars)
 {
-    assert_true(found->cuts >= bars->least_cuts);
+    assert_true(found->cuts >= bars->min_cuts);
     assert_true(found->clamped <= bars->clamped);
     assert_true(found->fastest < 30.0); /* what 5 N let go of would reach */
 }

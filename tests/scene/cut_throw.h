@@ -8,7 +8,7 @@
 typedef struct cut_case {
     knot_kind kind;
     bool limited; /* as scenes are by default; else with all the work it takes */
-    double length, least_cuts, clamped, paused; /* m; at most the last two, steps and s */
+    double length, min_cuts, clamped, paused; /* m; at most the last two, steps and s */
 } cut_case;
 
 typedef struct cut_outcome {

@@ -2,9 +2,10 @@
 
 #include "base/rotation.h"
 #include "scene/folded.h"
+#include "fixtures/scene_build.h"
 
 /* Below this no gain is looked at, J: of the drain's energy when the slit is closed a thousandth. */
-#define LEAST_GAIN 1e-6
+#define MIN_GAIN 1e-6
 
 /* ---- life */
 
@@ -21,8 +22,7 @@ void drain_case_begin(drain_case *c)
 void drain_case_make(drain_case *c)
 {
     small_create(&c->s);
-    expect_ok(vbss_drain_create(c->s.context, &c->config, &c->drain));
-    expect_ok(vbss_scene_add_drain(c->s.scene, c->drain, &c->body));
+    expect_ok(scene_build_drain(c->s.context, c->s.scene, &c->config, &c->drain, &c->body));
     expect_ok(vbss_drain_get_places(c->drain, &c->places, sizeof c->places));
     small_watch_begin(&c->s, &c->watch);
     drain_case_reckon(c);
@@ -235,13 +235,13 @@ static void book(drain_case *c)
 
 /* ---- steps */
 
-void drain_case_aim(drain_case *c, uint32_t tool, vec3 to)
+void drain_case_target(drain_case *c, uint32_t tool, vec3 to)
 {
     c->tools[tool].to = to;
     small_move(&c->s, c->tools[tool].id, to);
 }
 
-void drain_case_aim_pin(drain_case *c, uint32_t pin, vec3 to)
+void drain_case_target_pin(drain_case *c, uint32_t pin, vec3 to)
 {
     double p[3];
     c->pins[pin].to = to;
@@ -271,14 +271,14 @@ void drain_case_way(drain_case *c, uint32_t tool, vec3 to, uint32_t steps)
 {
     vec3 from = c->tools[tool].to;
     for (uint32_t i = 1; i <= steps; i++) {
-        drain_case_aim(c, tool, vec3_lerp(from, to, (double)i / steps));
+        drain_case_target(c, tool, vec3_lerp(from, to, (double)i / steps));
         drain_case_step(c);
     }
 }
 
 /* ---- what it was like */
 
-void drain_case_tell(const drain_case *c, const char *name)
+void drain_case_report(const drain_case *c, const char *name)
 {
     vbss_scene_statistics s = small_statistics(&c->s);
     vbss_drain_statistics d = drain_case_statistics(c);
@@ -303,7 +303,7 @@ void drain_case_tell(const drain_case *c, const char *name)
 void drain_case_expect_kept(const drain_case *c, double share)
 {
     small_watch_expect_nothing(&c->watch);
-    assert_true(c->excess <= share * c->most_work + LEAST_GAIN);
+    assert_true(c->excess <= share * c->most_work + MIN_GAIN);
 }
 
 void drain_case_expect_rest(const drain_case *c, double distance)
@@ -315,7 +315,7 @@ void drain_case_expect_rest(const drain_case *c, double distance)
 
 void drain_case_finish(drain_case *c, const char *name, double share)
 {
-    drain_case_tell(c, name);
+    drain_case_report(c, name);
     drain_case_expect_kept(c, share);
     drain_case_end(c);
 }

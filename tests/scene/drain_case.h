@@ -48,8 +48,8 @@ void drain_case_thread(drain_case *c, vec3 begin, vec3 end, uint32_t segments);
 /* Steps in which a tool goes to a place, evenly. */
 void drain_case_way(drain_case *c, uint32_t tool, vec3 to, uint32_t steps);
 /* The next step's. */
-void drain_case_aim(drain_case *c, uint32_t tool, vec3 to);
-void drain_case_aim_pin(drain_case *c, uint32_t pin, vec3 to);
+void drain_case_target(drain_case *c, uint32_t tool, vec3 to);
+void drain_case_target_pin(drain_case *c, uint32_t pin, vec3 to);
 /* One step, and what every step must keep: all is finite, triangles are counted as inverted that are. */
 void drain_case_step(drain_case *c);
 void drain_case_wait(drain_case *c, uint32_t steps);
@@ -68,7 +68,7 @@ double drain_case_fastest(const drain_case *c);
 double drain_case_energy(const drain_case *c);
 
 /* One line of what it was like. */
-void drain_case_tell(const drain_case *c, const char *name);
+void drain_case_report(const drain_case *c, const char *name);
 /* Nothing passed; and no more energy than was put in, but for that share of it. */
 void drain_case_expect_kept(const drain_case *c, double share);
 /* Lips apart, nothing moves, no node is that far from where it was made. */

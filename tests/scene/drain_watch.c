@@ -32,7 +32,7 @@ static void find_arcs(const drain_mesh *m, uint32_t source, double *arcs)
 static void find_near(drain_watch_near *w, const drain_object *d)
 {
     const drain_mesh *m = &d->mesh;
-    double arcs[DRAIN_WATCH_NODES], least = NEAR * d->config.thickness;
+    double arcs[DRAIN_WATCH_NODES], smallest = NEAR * d->config.thickness;
     memset(w, 0, sizeof *w);
     w->drain = d;
     for (uint32_t i = 0; i < m->edge_count; i++) {
@@ -41,7 +41,7 @@ static void find_near(drain_watch_near *w, const drain_object *d)
     for (uint32_t i = 0; i < m->node_count; i++) {
         find_arcs(m, i, arcs);
         for (uint32_t k = 0; k < m->node_count; k++) {
-            bool near = i == k || arcs[k] < least * (1.0 + ROUNDING);
+            bool near = i == k || arcs[k] < smallest * (1.0 + ROUNDING);
             w->near[i][k / 64] |= (uint64_t)near << k % 64;
         }
     }

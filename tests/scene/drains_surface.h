@@ -6,15 +6,15 @@
 #include "collision/closest.h"
 #include "scene/small.h"
 
-enum { MOST_SIDES = 1024 };
+enum { MAX_SIDES = 1024 };
 typedef struct surface {
     uint32_t body;
     double radius; /* half the wall */
     uint32_t node_count, triangle_count, side_count;
     const vec3 *x;
     const uint32_t *triangles; /* three nodes each */
-    uint32_t sides[MOST_SIDES][2];
-    uint32_t faces[MOST_SIDES]; /* triangles that a side has; of a lip one */
+    uint32_t sides[MAX_SIDES][2];
+    uint32_t faces[MAX_SIDES]; /* triangles that a side has; of a lip one */
 } surface;
 
 static inline bool before(const uint32_t *a, const uint32_t *b)
@@ -33,7 +33,7 @@ static inline void add_side(surface *f, uint32_t p, uint32_t q)
         f->faces[at - 1]++;
         return;
     }
-    assert_true(f->side_count < MOST_SIDES);
+    assert_true(f->side_count < MAX_SIDES);
     memmove(f->sides[at + 1], f->sides[at], (f->side_count - at) * sizeof *f->sides);
     memmove(&f->faces[at + 1], &f->faces[at], (f->side_count - at) * sizeof *f->faces);
     memcpy(f->sides[at], side, sizeof side);

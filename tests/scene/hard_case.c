@@ -103,63 +103,63 @@ static double overlap(const vec3 *a, const vec3 *b, double touching)
 /* Beyond half a turn of a tube that is bent as far as it goes. */
 static double overlap_with_itself(const strand *s)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t i = 0; i < s->segments; i++) {
         double arc = 0.0;
         for (uint32_t k = i + 2; k < s->segments; k++) {
             arc += s->rest[k - 1];
             if (arc > 1.6 * 2.0 * s->radius) {
-                most = vbss_max(overlap(s->x + i, s->x + k, 2.0 * s->radius), most);
+                largest = vbss_max(overlap(s->x + i, s->x + k, 2.0 * s->radius), largest);
             }
         }
     }
-    return most;
+    return largest;
 }
 
 static double overlap_of(const strand *a, const strand *b)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t i = 0; i < a->segments; i++) {
         for (uint32_t k = 0; k < b->segments; k++) {
-            most = vbss_max(overlap(a->x + i, b->x + k, a->radius + b->radius), most);
+            largest = vbss_max(overlap(a->x + i, b->x + k, a->radius + b->radius), largest);
         }
     }
-    return most;
+    return largest;
 }
 
 static double overlap_with_body(const scene_object *s, const scene_body *b, const strand *thread)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t k = 0; b->kind == SCENE_BODY_RIGID && k < b->rigid.capsule_count; k++) {
         vec3 axis[2];
         const scene_capsule *capsule = &s->capsules[b->rigid.first_capsule + k];
         vbss_scene_transform_capsule(capsule, b->rigid.body.now.pose, axis);
         strand tool = {axis, NULL, capsule->radius, 1};
-        most = vbss_max(overlap_of(thread, &tool), most);
+        largest = vbss_max(overlap_of(thread, &tool), largest);
     }
-    return most;
+    return largest;
 }
 
 static double deepest(const hard_case *c)
 {
     const scene_object *s = c->watch.scene;
     strand strands[CONTACT_SCENE_THREADS];
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t t = 0; t < c->scene.thread_count; t++) {
         vbss_thread *thread = c->scene.threads[t];
         strands[t] = (strand){.x = values_of(thread, VBSS_THREAD_POSITIONS),
                               .rest = values_of(thread, VBSS_THREAD_REST_LENGTHS),
                               .radius = c->scene.options.thread.radius,
                               .segments = c->scene.nodes[t] - 1};
-        most = vbss_max(overlap_with_itself(&strands[t]), most);
+        largest = vbss_max(overlap_with_itself(&strands[t]), largest);
         for (uint32_t k = 0; k < s->body_count; k++) {
-            most = vbss_max(overlap_with_body(s, &s->bodies[k], &strands[t]), most);
+            largest = vbss_max(overlap_with_body(s, &s->bodies[k], &strands[t]), largest);
         }
     }
     if (c->scene.thread_count == 2) {
-        most = vbss_max(overlap_of(&strands[0], &strands[1]), most);
+        largest = vbss_max(overlap_of(&strands[0], &strands[1]), largest);
     }
-    return most;
+    return largest;
 }
 
 /* ---- running */
@@ -201,9 +201,9 @@ void hard_run(hard_case *c, uint32_t steps)
     }
 }
 
-bool hard_pull(hard_case *c, uint32_t most)
+bool hard_pull(hard_case *c, uint32_t limit)
 {
-    for (uint32_t i = 0; i < most; i++) {
+    for (uint32_t i = 0; i < limit; i++) {
         hard_run(c, 1);
         if (contact_scene_pull_felt(&c->scene) > 0.95 * c->scene.options.pull.force) {
             return true;
@@ -218,7 +218,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-void hard_tell(hard_case *c)
+void hard_report(hard_case *c)
 {
     vbss_scene_statistics s = hard_statistics(c);
     uint32_t count = c->steps < HARD_CASE_STEPS ? c->steps : HARD_CASE_STEPS;
@@ -294,7 +294,7 @@ void hard_expect_same_knot(const hard_case *c)
 /* Polygons without friction may go to and fro between two states: neither is more than the other by much. */
 enum { FIRST_STEPS = 4 };
 
-void hard_expect_calm(hard_case *c, uint32_t steps)
+void hard_expect_at_rest(hard_case *c, uint32_t steps)
 {
     double first = hard_energy(c);
     uint64_t clamped = hard_statistics(c).clamped;

@@ -29,9 +29,9 @@ typedef struct hard_case {
 void hard_begin(hard_case *c, const char *name, const contact_scene_options *options, double h);
 void hard_run(hard_case *c, uint32_t steps);
 /* Until all hands feel what they shall; false: not within so many steps. */
-bool hard_pull(hard_case *c, uint32_t most);
+bool hard_pull(hard_case *c, uint32_t limit);
 /* One line of what it was like. */
-void hard_tell(hard_case *c);
+void hard_report(hard_case *c);
 void hard_end(hard_case *c);
 
 /* What every case must keep: nothing passed, all is finite, shape kept and overlap bounded except where counted. */
@@ -39,7 +39,7 @@ void hard_expect_kept(hard_case *c);
 /* The first thread's knot is the one it had. */
 void hard_expect_same_knot(const hard_case *c);
 /* Nobody moves any more: energy does not grow, nothing is clamped. */
-void hard_expect_calm(hard_case *c, uint32_t steps);
+void hard_expect_at_rest(hard_case *c, uint32_t steps);
 
 vbss_scene_statistics hard_statistics(const hard_case *c);
 knot_type hard_knot(const hard_case *c, uint32_t thread);

@@ -32,12 +32,12 @@ static inline vbss_thread_statistics mesh_statistics(vbss_thread *thread)
 /* Ratio of the most unlike neighbours. */
 static inline double mesh_ratio(const thread_object *t)
 {
-    double most = 1.0;
+    double largest = 1.0;
     for (uint32_t i = 0; i + 2 < t->node_count; i++) {
         double ratio = t->rest[i + 1] / t->rest[i];
-        most = fmax(most, fmax(ratio, 1.0 / ratio));
+        largest = fmax(largest, fmax(ratio, 1.0 / ratio));
     }
-    return most;
+    return largest;
 }
 
 /* A thread as it was. */
@@ -75,11 +75,11 @@ static inline uint32_t mesh_join(const mesh_line *a, const mesh_line *b, vec3 *s
 {
     uint32_t i = 0, k = 0, count = 0;
     while (i < a->count && k < b->count) {
-        double p = a->arc[i], q = b->arc[k], least = fmin(p, q);
+        double p = a->arc[i], q = b->arc[k], smallest = fmin(p, q);
         bool same = fabs(p - q) < 1e-9;
         assert_true(count < 2 * MESH_NODES);
-        start[count] = same || p < q ? a->x[i] : mesh_at(a, least);
-        end[count] = same || q < p ? b->x[k] : mesh_at(b, least);
+        start[count] = same || p < q ? a->x[i] : mesh_at(a, smallest);
+        end[count] = same || q < p ? b->x[k] : mesh_at(b, smallest);
         i += same || p < q;
         k += same || q < p;
         count++;

@@ -282,7 +282,7 @@ bool needle_case_drive(needle_case *c, double way, double speed, vbss_event_kind
     return false;
 }
 
-void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t most_clamped)
+void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t max_clamped)
 {
     vbss_scene_statistics s = small_statistics(&c->d.s);
     vbss_drain_statistics d = drain_case_statistics(&c->d);
@@ -296,5 +296,5 @@ void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t mo
                   c->counts[VBSS_EVENT_WITHDRAWN], c->counts[VBSS_EVENT_PASSED],
                   c->counts[VBSS_EVENT_HOLE_LOST], d.inverted, 1e6 * s.penetration, c->away);
     assert_int_equal(c->away, 0);
-    assert_true(s.clamped <= most_clamped);
+    assert_true(s.clamped <= max_clamped);
 }

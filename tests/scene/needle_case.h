@@ -5,7 +5,7 @@
 
 #include "scene/drain_case.h"
 
-enum { NEEDLE_CASE_HOLES = 16, NEEDLE_CASE_EVENTS = VBSS_EVENT_UNTHREADED + 1 };
+enum { NEEDLE_CASE_HOLES = 16, NEEDLE_CASE_EVENTS = VBSS_EVENT_UNBLOCKED + 1 };
 
 typedef struct needle_case {
     drain_case d; /* change it and the needle's configuration before what they make */
@@ -60,6 +60,6 @@ uint32_t needle_case_holes(const needle_case *c, vbss_hole holes[NEEDLE_CASE_HOL
 /* Kinetic, of the needle; and of all the drain. */
 double needle_case_energy(const needle_case *c);
 /* No crossing away from holes, all finite; at most so many clamped steps. Prints counters. */
-void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t most_clamped);
+void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t max_clamped);
 
 #endif

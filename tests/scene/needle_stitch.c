@@ -34,9 +34,9 @@ void needle_stitch_wait(needle_stitch *n, uint32_t count)
 void needle_stitch_turn(needle_stitch *n, double way, double speed, vbss_event_kind until,
                         uint32_t count)
 {
-    uint32_t most = (uint32_t)ceil(fabs(way) / (speed * n->c.d.h));
-    for (uint32_t i = 0; i < most && (until == 0 || n->c.counts[until] < count); i++) {
-        needle_case_turn(&n->c, way / most);
+    uint32_t largest = (uint32_t)ceil(fabs(way) / (speed * n->c.d.h));
+    for (uint32_t i = 0; i < largest && (until == 0 || n->c.counts[until] < count); i++) {
+        needle_case_turn(&n->c, way / largest);
         needle_stitch_wait(n, 1);
     }
 }
@@ -90,7 +90,7 @@ void needle_stitch_finish(needle_stitch *n, const char *name)
     needle_stitch_finish_clamped(n, name, 0);
 }
 
-void needle_stitch_finish_clamped(needle_stitch *n, const char *name, uint32_t most_clamped)
+void needle_stitch_finish_clamped(needle_stitch *n, const char *name, uint32_t max_clamped)
 {
     vbss_scene_statistics s = small_statistics(&n->c.d.s);
     print_message("%s: from hole %.2f, from suture %.2f; %llu away, %llu missed; %llu paused, %llu "
@@ -100,6 +100,6 @@ void needle_stitch_finish_clamped(needle_stitch *n, const char *name, uint32_t m
                   (unsigned long long)s.clamped, s.stretch_error);
     assert_int_equal(n->watch.away, 0);
     assert_int_equal(n->watch.missed, 0);
-    needle_case_expect_kept(&n->c, name, most_clamped);
+    needle_case_expect_kept(&n->c, name, max_clamped);
     needle_case_end(&n->c);
 }

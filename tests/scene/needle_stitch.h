@@ -32,6 +32,6 @@ void needle_stitch_expect_in(const needle_stitch *n, uint32_t holes, uint32_t th
 /* Tells; nothing has crossed the wall but in holes; ends. */
 void needle_stitch_finish(needle_stitch *n, const char *name);
 /* The same, where so many steps may be cut short. */
-void needle_stitch_finish_clamped(needle_stitch *n, const char *name, uint32_t most_clamped);
+void needle_stitch_finish_clamped(needle_stitch *n, const char *name, uint32_t max_clamped);
 
 #endif

@@ -60,13 +60,13 @@ static double distance(box b, vec3 p)
 /* What it bears across, at the begin or the end of the part. */
 static double force_across(const scene_object *s, uint32_t hole)
 {
-    double most = vec3_norm(s->holes[hole].transverse_force);
+    double largest = vec3_norm(s->holes[hole].transverse_force);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *row = &s->contacts->constraints[i];
         bool own = row->key.kind == VBSS_CONTACT_HOLE && row->key.feature_a == hole;
-        most = own ? fmax(most, vec3_norm(row->solution.tangential_force)) : most;
+        largest = own ? fmax(largest, vec3_norm(row->solution.tangential_force)) : largest;
     }
-    return most;
+    return largest;
 }
 
 static void find_holes(const scene_object *s, const needle_case *c, wall *w)

@@ -1,5 +1,6 @@
 #include "scene/needles_rig.h"
 #include "scene/world/world.h"
+#include "fixtures/scene_build.h"
 
 void needles_begin(needles_rig *r)
 {
@@ -21,8 +22,8 @@ void needles_end(needles_rig *r)
 
 void needles_add(needles_rig *r)
 {
-    expect_ok(vbss_needle_create(r->tools.s.context, &r->config, &r->needle));
-    expect_ok(vbss_scene_add_needle(r->tools.s.scene, r->needle, &r->body));
+    expect_ok(
+        scene_build_needle(r->tools.s.context, r->tools.s.scene, &r->config, &r->needle, &r->body));
 }
 
 void needles_add_across(needles_rig *r, double arc, vec3 there)

@@ -29,9 +29,8 @@ static inline vbss_drain_config paper_drain(void)
 static inline stage_drain add_drain(stage *s, const vbss_drain_config *c)
 {
     stage_drain d = {NULL, NULL, 0};
-    expect_ok(vbss_drain_create(s->context, c, &d.drain));
+    expect_ok(scene_build_drain(s->context, s->scene, c, &d.drain, &d.body));
     expect_ok(vbss_drain_open(d.drain, &d.object));
-    expect_ok(vbss_scene_add_drain(s->scene, d.drain, &d.body));
     return d;
 }
 
@@ -48,13 +47,9 @@ static inline uint32_t add_tool(stage *s, vec3 tip, vec3 axis, double radius)
 {
     uint32_t body = 0;
     vbss_rigid_config c;
-    vbss_capsule capsule = {.radius = radius};
     expect_ok(vbss_rigid_config_init(&c, sizeof c));
-    vec3_store(capsule.end, axis);
     vec3_store(c.position, tip);
-    c.capsules = &capsule;
-    c.capsule_count = 1;
-    expect_ok(vbss_scene_add_rigid(s->scene, &c, &body));
+    expect_ok(scene_build_capsule(s->scene, &c, scene_build_rod(vec3_zero(), axis, radius), &body));
     return body;
 }
 
@@ -109,11 +104,11 @@ static inline vec3 moved(const stage_drain *d, uint32_t node)
 /* How far the farthest particle is from its rest position, but for one; DRAIN_NODES: none is left out. */
 static inline double farthest(const stage_drain *d, uint32_t but)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t i = 0; i < DRAIN_NODES; i++) {
-        most = i == but ? most : vbss_max(vec3_norm(moved(d, i)), most);
+        largest = i == but ? largest : vbss_max(vec3_norm(moved(d, i)), largest);
     }
-    return most;
+    return largest;
 }
 
 static inline vbss_drain_gap gap_of(const stage_drain *d)
@@ -128,13 +123,13 @@ static inline double clearance(stage *s, const stage_drain *d)
 {
     uint32_t n;
     const vec3 *x = places(s->threads[0], &n);
-    double least = 1.0;
+    double smallest = 1.0;
     for (uint32_t e = 0; e < d->object->mesh.edge_count; e++) {
         const uint32_t *nodes = d->object->mesh.edges[e].nodes;
         const vec3 side[2] = {d->object->x[nodes[0]], d->object->x[nodes[1]]};
-        least = vbss_min(vec3_norm(between(x, n, side, 2)), least);
+        smallest = vbss_min(vec3_norm(between(x, n, side, 2)), smallest);
     }
-    return least;
+    return smallest;
 }
 
 #endif

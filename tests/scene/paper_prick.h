@@ -135,13 +135,13 @@ static inline vbss_hole hole_of(const prick *p, uint32_t index)
     return hole;
 }
 
-static inline double moved_most(const prick *p)
+static inline double moved_max(const prick *p)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t i = 0; i < p->drain->mesh.node_count; i++) {
-        most = vbss_max(most, vec3_distance(p->drain->x[i], p->drain->baseline->rest[i]));
+        largest = vbss_max(largest, vec3_distance(p->drain->x[i], p->drain->baseline->rest[i]));
     }
-    return most;
+    return largest;
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "harness/harness.h"
 #include "scene/api/api.h"
 #include "scene/world/world.h"
+#include "fixtures/scene_build.h"
 
 #define FRAME (1.0 / 150.0) /* of the paper, s */
 #define RADIUS 0.125e-3
@@ -56,8 +57,7 @@ static inline vbss_thread_config paper_thread(uint32_t segments)
 
 static inline void add(stage *s, int which, const vbss_thread_config *c)
 {
-    expect_ok(vbss_thread_create(s->context, c, &s->threads[which]));
-    expect_ok(vbss_scene_add_thread(s->scene, s->threads[which], &s->bodies[which]));
+    expect_ok(scene_build_thread(s->context, s->scene, c, &s->threads[which], &s->bodies[which]));
 }
 
 static inline uint32_t add_capsule(vbss_scene *scene, vbss_rigid_kind kind, vec3 begin, vec3 end,
@@ -65,19 +65,14 @@ static inline uint32_t add_capsule(vbss_scene *scene, vbss_rigid_kind kind, vec3
 {
     uint32_t body = 0;
     vbss_rigid_config c;
-    vbss_capsule capsule = {.radius = r};
     expect_ok(vbss_rigid_config_init(&c, sizeof c));
-    vec3_store(capsule.begin, begin);
-    vec3_store(capsule.end, end);
     c.kind = kind;
-    c.capsules = &capsule;
-    c.capsule_count = 1;
-    expect_ok(vbss_scene_add_rigid(scene, &c, &body));
+    expect_ok(scene_build_capsule(scene, &c, scene_build_rod(begin, end, r), &body));
     return body;
 }
 
 /* Along x, its middle over the origin. */
-static inline void lay_over(stage *s, double y)
+static inline void place_over(stage *s, double y)
 {
     vbss_thread_config c = paper_thread(SEGMENTS);
     const double start[3] = {-0.075, y, 0.0};
@@ -121,32 +116,6 @@ static inline uint64_t hash_of(vbss_scene *scene)
     uint64_t hash;
     expect_ok(vbss_scene_get_hash(scene, &hash));
     return hash;
-}
-
-/* 100 steps of a body that is a scene, and the same again in a context with another history; contacts of all of them
- * together. */
-static inline void expect_runs_alike(const harness_body *body, uint64_t least_contacts)
-{
-    uint64_t hashes[2], contacts = 0;
-    for (int k = 0; k < 2; k++) {
-        stage s;
-        begin(&s);
-        void *handle, *other;
-        if (k == 1) {
-            expect_ok(body->create(s.context, body->user, &other));
-            expect_ok(body->step(other));
-        }
-        expect_ok(body->create(s.context, body->user, &handle));
-        for (int i = 0; i < 100; i++) {
-            expect_ok(body->step(handle));
-            s.scene = handle;
-            contacts += statistics_of(&s).contacts;
-        }
-        hashes[k] = hash_of(handle);
-        end(&s);
-    }
-    assert_int_equal(hashes[0], hashes[1]);
-    assert_true(contacts > least_contacts);
 }
 
 /* From the nearest point of segments p to that of segments q. */

@@ -1,38 +1,30 @@
-/* What the tests of shears share: a small scene with tools whose shafts stand up along z and whose jaws open along x,
- * so that blades cut in the plane of their tip's y. Every call that fails, fails the test. */
+/* What the tests of shears share: tools_rig with counts of cuts. Blades cut in the plane of their tip's y. */
 #ifndef VBSS_TESTS_SCENE_SHEARS_RIG_H
 #define VBSS_TESTS_SCENE_SHEARS_RIG_H
 
 #include "base/elementary.h"
 #include "scene/cut_rig.h"
-
-enum { SHEARS_TOOLS = 4 };
+#include "scene/tools_rig.h"
+#include "fixtures/scene_build.h"
 
 /* How far below a thread the tips of tools are that have it between their jaws, m. */
 #define SHEARS_BELOW 5e-3
 #define SHEARS_SEGMENT 0.5e-3
 
 typedef struct shears_rig {
-    small s;
-    vbss_grasper_config config; /* change it before what it makes */
-    vbss_grasper *tools[SHEARS_TOOLS];
-    uint32_t bodies[SHEARS_TOOLS], count;
-    vbss_thread *thread;
-    uint32_t body;
+    tools_rig tools;
     /* Of all steps. */
     uint32_t cuts, failed_cuts, steps;
     uint32_t first[4], last[4]; /* events */
 } shears_rig;
 
-/* No scene yet: change s.config and s.thread, then small_create. */
+/* No scene yet: change tools.s.config and tools.s.thread, then small_create. */
 static inline void shears_begin(shears_rig *r, vbss_method method)
 {
     memset(r, 0, sizeof *r);
-    small_begin(&r->s);
-    expect_ok(vbss_grasper_config_init(&r->config, sizeof r->config));
-    r->s.config.method = r->s.thread.method = r->config.method = method;
-    r->s.config.capsule_capacity = 32;
-    r->s.thread.cut_capacity = 3;
+    tools_begin(&r->tools);
+    r->tools.s.config.method = r->tools.s.thread.method = r->tools.config.method = method;
+    r->tools.s.thread.cut_capacity = 3;
 }
 
 /* Method PAPER with a soft thread: it takes a third of the explicit steps that the default takes. */
@@ -40,14 +32,14 @@ static inline void shears_begin_scene(shears_rig *r, vbss_method method)
 {
     shears_begin(r, method);
     if (method == VBSS_METHOD_PAPER) {
-        r->s.thread.bending_stiffness *= 0.1;
+        r->tools.s.thread.bending_stiffness *= 0.1;
     }
-    small_create(&r->s);
+    small_create(&r->tools.s);
 }
 
 static inline void shears_end(shears_rig *r)
 {
-    small_end(&r->s);
+    tools_end(&r->tools);
 }
 
 /* ---- what is in it */
@@ -55,10 +47,10 @@ static inline void shears_end(shears_rig *r)
 /* Along y, from -15 mm to 15 mm; its ends are held, or nothing of it. */
 static inline void shears_line(shears_rig *r, bool held)
 {
-    r->body = small_thread(&r->s, vec3_make(0.0, -0.015, 0.0), vec3_make(0.0, 0.015, 0.0), 60,
-                           &r->thread);
+    r->tools.body = small_thread(&r->tools.s, vec3_make(0.0, -0.015, 0.0),
+                                 vec3_make(0.0, 0.015, 0.0), 60, &r->tools.thread);
     if (held) {
-        small_pin_ends(&r->s, r->body, 61);
+        small_pin_ends(&r->tools.s, r->tools.body, 61);
     }
 }
 
@@ -70,48 +62,29 @@ static inline void shears_laid(shears_rig *r, const vec3 *nodes, uint32_t count)
     for (uint32_t i = 0; i + 1 < count; i++) {
         rest[i] = vec3_distance(nodes[i], nodes[i + 1]);
     }
-    r->s.thread.segment_count = count - 1;
-    r->s.thread.bending = VBSS_BENDING_LOCAL; /* whose segments are chords */
-    r->s.thread.bending_stiffness = 0.0;
-    r->s.thread.rest_lengths = rest;
-    r->s.thread.positions = &nodes->x;
-    expect_ok(vbss_thread_create(r->s.context, &r->s.thread, &r->thread));
-    expect_ok(vbss_scene_add_thread(r->s.scene, r->thread, &r->body));
-    r->s.thread.positions = r->s.thread.rest_lengths = NULL;
+    r->tools.s.thread.segment_count = count - 1;
+    r->tools.s.thread.bending = VBSS_BENDING_LOCAL; /* whose segments are chords */
+    r->tools.s.thread.bending_stiffness = 0.0;
+    r->tools.s.thread.rest_lengths = rest;
+    r->tools.s.thread.positions = &nodes->x;
+    expect_ok(scene_build_thread(r->tools.s.context, r->tools.s.scene, &r->tools.s.thread,
+                                 &r->tools.thread, &r->tools.body));
+    r->tools.s.thread.positions = r->tools.s.thread.rest_lengths = NULL;
 }
 
 /* With open jaws that have a thread at y between them, turned about the shaft. */
 static inline uint32_t shears_tool(shears_rig *r, vbss_grasper_kind kind, double y, double roll)
 {
-    const double tip[3] = {0.0, y, -SHEARS_BELOW};
-    const double turned[4] = {vbss_cos(0.5 * roll), 0.0, 0.0, vbss_sin(0.5 * roll)};
-    uint32_t tool = r->count++;
-    assert_true(tool < SHEARS_TOOLS);
-    r->config.kind = kind;
-    expect_ok(vbss_grasper_create(r->s.context, &r->config, &r->tools[tool]));
-    expect_ok(vbss_grasper_move(r->tools[tool], tip, turned));
-    expect_ok(vbss_grasper_set_opening(r->tools[tool], 1.0));
-    expect_ok(vbss_scene_add_grasper(r->s.scene, r->tools[tool], &r->bodies[tool]));
-    return tool;
+    const quat turn = quat_make(vbss_cos(0.5 * roll), 0.0, 0.0, vbss_sin(0.5 * roll));
+    r->tools.config.kind = kind;
+    return tools_add_turned(&r->tools, vec3_make(0.0, y, -SHEARS_BELOW), turn);
 }
 
 /* ---- what hands do */
 
-static inline void shears_move(shears_rig *r, uint32_t tool, vec3 tip)
-{
-    double position[3];
-    vec3_store(position, tip);
-    expect_ok(vbss_grasper_move(r->tools[tool], position, NULL));
-}
-
-static inline void shears_open(shears_rig *r, uint32_t tool, double opening)
-{
-    expect_ok(vbss_grasper_set_opening(r->tools[tool], opening));
-}
-
 static inline void shears_note(shears_rig *r)
 {
-    vbss_view view = small_view(&r->s, VBSS_SCENE_VIEW_EVENTS);
+    vbss_view view = small_view(&r->tools.s, VBSS_SCENE_VIEW_EVENTS);
     r->steps++;
     for (uint64_t i = 0; i < view.count; i++) {
         uint32_t words[4];
@@ -130,7 +103,7 @@ static inline void shears_note(shears_rig *r)
 static inline void shears_steps(shears_rig *r, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        expect_ok(vbss_scene_step(r->s.scene, 1e-3));
+        expect_ok(vbss_scene_step(r->tools.s.scene, 1e-3));
         shears_note(r);
     }
 }
@@ -139,7 +112,7 @@ static inline void shears_steps(shears_rig *r, uint32_t count)
 static inline bool shears_cut(shears_rig *r, uint32_t tool)
 {
     uint32_t before = r->cuts;
-    shears_open(r, tool, 0.0);
+    tools_open(&r->tools, tool, 0.0);
     for (uint32_t i = 0; r->cuts == before && i < 100; i++) {
         shears_steps(r, 1);
     }
@@ -147,20 +120,6 @@ static inline bool shears_cut(shears_rig *r, uint32_t tool)
 }
 
 /* ---- looks */
-
-static inline vbss_grasper_state shears_state(const shears_rig *r, uint32_t tool)
-{
-    vbss_grasper_state state;
-    expect_ok(vbss_grasper_get_state(r->tools[tool], &state, sizeof state));
-    return state;
-}
-
-static inline vbss_grasp shears_grasp(const shears_rig *r, uint32_t tool, uint32_t index)
-{
-    vbss_grasp grasp;
-    expect_ok(vbss_scene_get_grasp(r->s.scene, r->bodies[tool], index, &grasp, sizeof grasp));
-    return grasp;
-}
 
 /* Of all threads, J. */
 static inline double shears_kinetic(const small *s)
@@ -179,13 +138,13 @@ static inline double shears_kinetic(const small *s)
 /* The blades have closed, and nothing went wrong on the way. */
 static inline void shears_expect_shut(const shears_rig *r, uint32_t tool)
 {
-    vbss_scene_statistics statistics = small_statistics(&r->s);
-    expect_near(0.0, shears_state(r, tool).jaw_angle, 0.0);
+    vbss_scene_statistics statistics = small_statistics(&r->tools.s);
+    expect_near(0.0, tools_state(&r->tools, tool).jaw_angle, 0.0);
     assert_int_equal(statistics.clamped, 0);
-    if (r->config.method == VBSS_METHOD_OURS) {
+    if (r->tools.config.method == VBSS_METHOD_OURS) {
         assert_int_equal(statistics.loose_stretch, 0);
     }
-    cut_expect_sound(small_object(&r->s));
+    cut_expect_sound(small_object(&r->tools.s));
 }
 
 #endif

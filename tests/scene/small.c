@@ -1,4 +1,5 @@
 #include "scene/small.h"
+#include "fixtures/scene_build.h"
 
 #include <stdlib.h>
 
@@ -37,43 +38,27 @@ void small_end(small *s)
 
 uint32_t small_thread(small *s, vec3 begin, vec3 end, uint32_t segments, vbss_thread **thread)
 {
-    vbss_thread *made;
     uint32_t body = 0;
     s->thread.segment_count = segments;
     s->thread.length = vec3_distance(begin, end);
     vec3_store(s->thread.start, begin);
     vec3_store(s->thread.direction, vec3_sub(end, begin));
-    expect_ok(vbss_thread_create(s->context, &s->thread, &made));
-    expect_ok(vbss_scene_add_thread(s->scene, made, &body));
-    if (thread != NULL) {
-        *thread = made;
-    }
+    expect_ok(scene_build_thread(s->context, s->scene, &s->thread, thread, &body));
     return body;
 }
 
 uint32_t small_drain(small *s, vbss_drain **drain)
 {
-    vbss_drain *made;
     uint32_t body = 0;
-    expect_ok(vbss_drain_create(s->context, &s->drain, &made));
-    expect_ok(vbss_scene_add_drain(s->scene, made, &body));
-    if (drain != NULL) {
-        *drain = made;
-    }
+    expect_ok(scene_build_drain(s->context, s->scene, &s->drain, drain, &body));
     return body;
 }
 
 uint32_t small_capsule(small *s, vbss_rigid_kind kind, vec3 begin, vec3 end, double radius)
 {
-    vbss_capsule capsule = {.radius = radius};
     uint32_t body = 0;
-    vec3_store(capsule.begin, begin);
-    vec3_store(capsule.end, end);
     s->rigid.kind = kind;
-    s->rigid.capsules = &capsule;
-    s->rigid.capsule_count = 1;
-    expect_ok(vbss_scene_add_rigid(s->scene, &s->rigid, &body));
-    s->rigid.capsules = NULL;
+    expect_ok(scene_build_capsule(s->scene, &s->rigid, scene_build_rod(begin, end, radius), &body));
     return body;
 }
 

@@ -2,7 +2,7 @@
 
 #include "oracle/passing.h"
 
-enum { MOST_CHAINS = 40 };
+enum { MAX_CHAINS = 40 };
 
 static void look_below(small_watch *w, const scene_object *s, vec3 x)
 {
@@ -16,7 +16,7 @@ static void look_below(small_watch *w, const scene_object *s, vec3 x)
 static void watch(void *watcher, const scene_object *s)
 {
     small_watch *w = watcher;
-    passing_chain chains[MOST_CHAINS];
+    passing_chain chains[MAX_CHAINS];
     size_t count = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
@@ -38,7 +38,7 @@ static void watch(void *watcher, const scene_object *s)
         for (uint32_t k = 0; b->kind == SCENE_BODY_DRAIN && k < d->mesh.node_count; k++) {
             look_below(w, s, d->trial[k]);
         }
-        assert_true(count < MOST_CHAINS);
+        assert_true(count < MAX_CHAINS);
     }
     w->parts++;
     w->passed += passing_count(chains, count, NULL);

@@ -5,7 +5,7 @@
 
 #include "scene/small_watch.h"
 
-enum { LIVES = 5, STEPS = 1000, MOST_TOOLS = 2 };
+enum { LIVES = 5, STEPS = 1000, MAX_TOOLS = 2 };
 
 typedef struct poker {
     uint32_t body;
@@ -38,7 +38,7 @@ typedef struct life {
     small_watch watch;
     vbss_drain *drain;
     vbss_thread *thread; /* or NULL */
-    poker tools[MOST_TOOLS];
+    poker tools[MAX_TOOLS];
     uint32_t tool_count;
     double h;
 } life;
@@ -63,7 +63,7 @@ static vec3 draw_half(soak *s)
 
 static void add_tools(soak *s, life *l)
 {
-    l->tool_count = 1 + vbss_random_below(&s->random, MOST_TOOLS);
+    l->tool_count = 1 + vbss_random_below(&s->random, MAX_TOOLS);
     for (uint32_t i = 0; i < l->tool_count; i++) {
         vec3 half = draw_half(s);
         vec3 at = vec3_make(draw(s, -10e-3, 10e-3), 30e-3 + 45e-3 * i, 0.0); /* above all else */

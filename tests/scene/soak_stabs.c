@@ -15,7 +15,15 @@
 /* No needle gets farther from the drain in a poke, m. */
 #define FAR 0.2
 
-enum { LIVES = 25, POKES = 40, LEAST_STEPS = 4, MORE_STEPS = 8, LONG = 30, SETTLING = 8, PINS = 6 };
+enum {
+    LIVES = 25,
+    POKES = 40,
+    MIN_STEPS = 4,
+    MORE_STEPS = 8,
+    LONG = 30,
+    RELAX_STEPS = 8,
+    PINS = 6
+};
 
 typedef enum motion { ALONG, STRAIGHT, ASLANT_WAY, ANY_WAY, SPIN, MOTIONS } motion;
 
@@ -103,7 +111,7 @@ static void hold_drain(soak *s)
     }
     for (uint32_t i = 0; i < c.d.pin_count && pulled; i++) {
         vec3 way = vec3_scale(vbss_random_direction(&s->random), draw(s, 0.0, 1.5e-3));
-        drain_case_aim_pin(&c.d, i, vec3_add(c.d.pins[i].at, way));
+        drain_case_target_pin(&c.d, i, vec3_add(c.d.pins[i].at, way));
     }
 }
 
@@ -116,7 +124,7 @@ static void begin(soak *s)
     hold_drain(s);
     needle_case_put(&c, vec3_make(0.0, 0.0, 0.1), vec3_make(0.0, 1.0, 0.0),
                     vec3_make(0.0, 0.0, 1.0));
-    needle_case_wait(&c, SETTLING);
+    needle_case_wait(&c, RELAX_STEPS);
     needle_case_take_out(&c);
     begin_of_life = small_save(&c.d.s);
 }
@@ -140,7 +148,7 @@ static poke draw_poke(soak *s)
               .speed = draw_log(s, SLOWEST, FASTEST),
               .way = vbss_random_direction(&s->random),
               .held = chance(s, 0.8),
-              .on = LEAST_STEPS + vbss_random_below(&s->random, chance(s, 0.1) ? LONG : MORE_STEPS),
+              .on = MIN_STEPS + vbss_random_below(&s->random, chance(s, 0.1) ? LONG : MORE_STEPS),
               .back = chance(s, 0.4) ? vbss_random_below(&s->random, MORE_STEPS) : 0};
     while (which > often[p.how]) {
         p.how++;
@@ -148,7 +156,7 @@ static poke draw_poke(soak *s)
     return p;
 }
 
-static void aim(poke *p, const stab_place *place)
+static void target_at(poke *p, const stab_place *place)
 {
     if (p->how == STRAIGHT) {
         p->way = place->way;
@@ -225,19 +233,19 @@ static bool fine(soak *s, const poke *p, uint32_t holes)
     return false;
 }
 
-static bool step(soak *s, const poke *p, bool *touched, uint32_t *most_holes)
+static bool step(soak *s, const poke *p, bool *touched, uint32_t *max_holes)
 {
     vbss_hole holes[NEEDLE_CASE_HOLES];
     needle_case_step(&c);
     vbss_rigid_state state = small_rigid(&c.d.s, c.body);
     uint32_t count = needle_case_holes(&c, holes);
     *touched = *touched || vec3_norm(vec3_load(state.contact_force)) > 0.0;
-    *most_holes = count > *most_holes ? count : *most_holes;
+    *max_holes = count > *max_holes ? count : *max_holes;
     s->steps++;
     return fine(s, p, count);
 }
 
-static void add_up(soak *s, const vbss_scene_statistics *before, bool touched, uint32_t most_holes)
+static void add_up(soak *s, const vbss_scene_statistics *before, bool touched, uint32_t max_holes)
 {
     vbss_scene_statistics t = small_statistics(&c.d.s);
     uint32_t in = c.counts[VBSS_EVENT_PUNCTURE];
@@ -248,7 +256,7 @@ static void add_up(soak *s, const vbss_scene_statistics *before, bool touched, u
     s->passed += c.counts[VBSS_EVENT_PASSED];
     s->lost += c.counts[VBSS_EVENT_HOLE_LOST];
     s->pierced += in > 0;
-    s->through += most_holes > 1;
+    s->through += max_holes > 1;
     s->glanced += in == 0 && touched;
     s->missed += in == 0 && !touched;
     s->deepest = fmax(s->deepest, t.penetration);
@@ -257,7 +265,7 @@ static void add_up(soak *s, const vbss_scene_statistics *before, bool touched, u
 static void stab(soak *s)
 {
     bool good = true, touched = false;
-    uint32_t most_holes = 0;
+    uint32_t max_holes = 0;
     if (chance(s, 0.2) && s->sound) {
         s->chained++;
     } else {
@@ -265,7 +273,7 @@ static void stab(soak *s)
     }
     poke p = draw_poke(s);
     stab_place place = stab_places_draw(&c, 0.3 * p.on * p.speed * c.d.h, &s->random);
-    aim(&p, &place);
+    target_at(&p, &place);
     put(s, &p, &place);
     s->pokes++;
     s->inside += place.inside;
@@ -274,9 +282,9 @@ static void stab(soak *s)
     vbss_scene_statistics before = small_statistics(&c.d.s);
     for (uint32_t i = 0; i < p.on + p.back && good; i++) {
         act(&p, (i < p.on ? 1.0 : -1.0) * p.speed * c.d.h);
-        good = step(s, &p, &touched, &most_holes);
+        good = step(s, &p, &touched, &max_holes);
     }
-    add_up(s, &before, touched, most_holes);
+    add_up(s, &before, touched, max_holes);
     s->sound = good;
     watch.passed = c.away = 0; /* it is told; what follows is another poke */
     needle_case_take_out(&c);

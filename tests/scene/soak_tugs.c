@@ -5,7 +5,7 @@
 
 enum { LIVES = 5, STEPS = 1000 };
 /* Jaws would have lost it, N. */
-#define MOST_PULL 8.0
+#define MAX_PULL 8.0
 /* Hands turn back from there, m. */
 #define FAR 45e-3
 /* And out of the tube and from near it, from its axis, m: a hand is no point. */
@@ -107,7 +107,7 @@ static void act(soak *s, int hand)
     if (d->steps-- == 0) {
         choose(s, hand);
     }
-    if (own->thread != NULL && vec3_norm(own->force) > MOST_PULL) {
+    if (own->thread != NULL && vec3_norm(own->force) > MAX_PULL) {
         stitch_case_drop(&c, hand);
         s->lost_grips++;
     }
@@ -118,7 +118,7 @@ static void act(soak *s, int hand)
                    : near
                        ? vec3_unit_or(vec3_add_scaled(vec3_make(0.0, 3e-3, 0.0), 1.0, off), d->way)
                        : d->way;
-        stitch_case_aim(&c, hand, vec3_add_scaled(own->at, d->speed * c.h, way));
+        stitch_case_target(&c, hand, vec3_add_scaled(own->at, d->speed * c.h, way));
     }
 }
 
@@ -128,7 +128,7 @@ static bool fine(soak *s)
     double fastest = stitch_case_fastest(&c);
     s->fastest = fmax(s->fastest, fastest);
     if (c.watch.away > 0 || c.watch.missed > 0 || c.watch.holes != left || !(fastest < 1e3) ||
-        !(c.shown < JUMP) || !(c.most_given < GIVEN)) {
+        !(c.shown < JUMP) || !(c.max_given < GIVEN)) {
         harness_soak_fail(
             s->out,
             "step %llu (%u of its life, %u crossings): %llu crossings away from holes, %llu holes "
@@ -136,7 +136,7 @@ static bool fine(soak *s)
             "in the next; holes gave %g J",
             (unsigned long long)s->steps, c.steps, c.options.crossings,
             (unsigned long long)c.watch.away, (unsigned long long)c.watch.missed, c.watch.holes,
-            left, fastest, c.shown, c.jump, c.most_given);
+            left, fastest, c.shown, c.jump, c.max_given);
         return false;
     }
     return true;
@@ -154,7 +154,7 @@ static void add_up(soak *s)
     s->stretch = fmax(s->stretch, t.stretch_error);
     s->jump = fmax(s->jump, c.jump);
     s->shown = fmax(s->shown, c.shown);
-    s->given = fmax(s->given, c.most_given);
+    s->given = fmax(s->given, c.max_given);
     s->farthest = fmax(s->farthest, c.watch.farthest);
     s->loosest = fmax(s->loosest, c.watch.loosest);
 }

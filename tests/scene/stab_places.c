@@ -75,19 +75,19 @@ static on_wall draw_on_wall(const drain_mesh *m, vbss_random *random, stab_kind 
 
 static double distance(const vec3 axis[2], const vec3 corner[3])
 {
-    double least = HUGE_VAL, weights[3], s, u;
+    double smallest = HUGE_VAL, weights[3], s, u;
     vec3 along = vec3_sub(axis[1], axis[0]);
     for (int k = 0; k < 2; k++) {
         const vec3 from[3] = {vec3_sub(corner[0], axis[k]), vec3_sub(corner[1], axis[k]),
                               vec3_sub(corner[2], axis[k])};
-        least = fmin(least, vec3_norm(closest_on_triangle(from, weights)));
+        smallest = fmin(smallest, vec3_norm(closest_on_triangle(from, weights)));
     }
     for (int k = 0; k < 3; k++) {
         vec3 side = vec3_sub(corner[(k + 1) % 3], corner[k]);
         vec3 between = vec3_sub(corner[k], axis[0]);
-        least = fmin(least, vec3_norm(closest_between_edges(along, side, between, &s, &u)));
+        smallest = fmin(smallest, vec3_norm(closest_between_edges(along, side, between, &s, &u)));
     }
-    return needle_case_crosses(axis, corner, &along) ? 0.0 : least;
+    return needle_case_crosses(axis, corner, &along) ? 0.0 : smallest;
 }
 
 static bool is_clear(const drain_object *d, const needle_object *n, pose at, double clear)

@@ -5,7 +5,7 @@
 #include "thread/thread.h"
 
 /* Below this no gain is looked at, J. */
-#define LEAST_GAIN 1e-6
+#define MIN_GAIN 1e-6
 /* Bodies of a test. */
 enum { BODIES = 24 };
 
@@ -86,7 +86,7 @@ void stitch_case_end(stitch_case *c)
 
 /* ---- hands */
 
-void stitch_case_aim(stitch_case *c, int hand, vec3 to)
+void stitch_case_target(stitch_case *c, int hand, vec3 to)
 {
     double target[3];
     vec3_store(target, to);
@@ -96,7 +96,7 @@ void stitch_case_aim(stitch_case *c, int hand, vec3 to)
 
 void stitch_case_shift(stitch_case *c, int hand, vec3 way)
 {
-    stitch_case_aim(c, hand, vec3_add(c->hands[hand].to, way));
+    stitch_case_target(c, hand, vec3_add(c->hands[hand].to, way));
 }
 
 void stitch_case_drop(stitch_case *c, int hand)
@@ -252,7 +252,7 @@ static uint32_t body_of(const stitch_case *c, const vbss_thread *thread)
 }
 
 /* Of implicit steps the force at the end counts, which is rather more than less. */
-static double work_of_hands(stitch_case *c, double *most)
+static double work_of_hands(stitch_case *c, double *largest)
 {
     double work = 0.0;
     for (int k = 0; k < 2; k++) {
@@ -266,7 +266,7 @@ static double work_of_hands(stitch_case *c, double *most)
         vec3 way = vec3_sub(now, hand->at);
         double beside = work_at(c, body_of(c, hand->thread), r.node, way);
         work += vec3_dot(force, way) + beside;
-        *most += fmax(vec3_norm(force), vec3_norm(hand->force)) * vec3_norm(way) + beside;
+        *largest += fmax(vec3_norm(force), vec3_norm(hand->force)) * vec3_norm(way) + beside;
         hand->force = force;
         hand->at = now;
     }
@@ -284,17 +284,17 @@ static bool was_whole(stitch_case *c)
 
 static void book(stitch_case *c)
 {
-    double most = 0.0, energy = stitch_case_energy(c), *beyond = c->beyond;
-    c->work += work_of_hands(c, &most);
+    double largest = 0.0, energy = stitch_case_energy(c), *beyond = c->beyond;
+    c->work += work_of_hands(c, &largest);
     c->most_work = fmax(c->most_work, fabs(c->work));
     assert_true(isfinite(energy));
     for (int k = 3; k > 0; k--) {
-        beyond[k] = beyond[k - 1] + most;
+        beyond[k] = beyond[k - 1] + largest;
     }
     beyond[0] = energy;
     c->booked = was_whole(c) ? c->booked + 1 : 0;
     c->given += c->booked > 0 ? c->giving : 0.0;
-    c->most_given = fmax(c->most_given, c->given);
+    c->max_given = fmax(c->max_given, c->given);
     c->giving = 0.0;
     if (c->booked > 0) {
         c->excess = fmax(c->excess, energy - c->first - c->work);
@@ -367,6 +367,6 @@ void stitch_case_finish(stitch_case *c, const char *name, double share)
     assert_int_equal(c->watch.away, 0);
     assert_int_equal(c->watch.missed, 0);
     assert_true(s.stretch_error <= c->options.scene.stretch_tolerance || s.loose_stretch > 0);
-    assert_true(c->excess <= share * c->most_work + LEAST_GAIN);
+    assert_true(c->excess <= share * c->most_work + MIN_GAIN);
     stitch_case_end(c);
 }

@@ -6,7 +6,7 @@
 #include "scene/stitch_watch.h"
 #include "fixtures/stitch_scenes.h"
 
-enum { STITCH_CASE_EVENTS = VBSS_EVENT_UNTHREADED + 1 };
+enum { STITCH_CASE_EVENTS = VBSS_EVENT_UNBLOCKED + 1 };
 
 typedef struct stitch_case_hand {
     vbss_thread *thread; /* NULL: it holds nothing */
@@ -33,7 +33,7 @@ typedef struct stitch_case {
     double jump, shown;
     /* The law of a hole takes out what a polygon's corners do to tensions (docs/stitch.md, "Capstan"), and pushes where they hold
      * back. What it has given in all, less what it took; the most of that; and in the step that is made. */
-    double given, most_given, giving;
+    double given, max_given, giving;
     double beyond
         [4]; /* energies after the last steps, newest first, and what hands could have put in since */
     uint32_t booked; /* whole steps one after the other */
@@ -46,7 +46,7 @@ void stitch_case_end(stitch_case *c); /* asserts that all memory came back */
 /* All of it, with so many crossings above the slit. */
 void stitch_case_open(stitch_case *c, uint32_t crossings);
 
-void stitch_case_aim(stitch_case *c, int hand, vec3 to);
+void stitch_case_target(stitch_case *c, int hand, vec3 to);
 void stitch_case_shift(stitch_case *c, int hand, vec3 way);
 void stitch_case_drop(stitch_case *c, int hand);
 /* A node of a thread, where it is; false: it is held already. */

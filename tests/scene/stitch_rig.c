@@ -44,11 +44,11 @@ void stitch_rig_draw(stitch_rig *r, int hand, double way)
     expect_ok(stitch_scene_move(&r->s, hand, to));
 }
 
-void stitch_rig_pull(stitch_rig *r, int steps, double speed, double most)
+void stitch_rig_pull(stitch_rig *r, int steps, double speed, double limit)
 {
     for (int i = 0; i < steps; i++) {
         for (int k = 0; k < 2; k++) {
-            if (stitch_scene_pull(&r->s, k) < most) {
+            if (stitch_scene_pull(&r->s, k) < limit) {
                 stitch_rig_draw(r, k, speed * r->h);
             }
         }

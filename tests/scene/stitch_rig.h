@@ -27,7 +27,7 @@ void stitch_rig_wait(stitch_rig *r, int steps);
 vec3 stitch_rig_outward(const stitch_rig *r, int hand);
 void stitch_rig_draw(stitch_rig *r, int hand, double way);
 /* Both hands draw at a speed in so many steps, each while it pulls with less than that. */
-void stitch_rig_pull(stitch_rig *r, int steps, double speed, double most);
+void stitch_rig_pull(stitch_rig *r, int steps, double speed, double limit);
 /* Instead of the left hand a force outward, on 1 g. */
 void stitch_rig_load_tail(stitch_rig *r, double force);
 /* The walls cannot give way where the holes are. */

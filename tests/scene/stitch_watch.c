@@ -85,14 +85,14 @@ static void judge(seen *s, const uint32_t node[3], const double weights[3])
 
 static double distance_to(const vec3 *x, uint32_t count, vec3 point)
 {
-    double least = HUGE_VAL;
+    double smallest = HUGE_VAL;
     for (uint32_t i = 0; i + 1 < count; i++) {
         vec3 along = vec3_sub(x[i + 1], x[i]), to = vec3_sub(point, x[i]);
         double share = vec3_dot(to, along) / vec3_norm_squared(along);
         vec3 off = vec3_add_scaled(to, -fmin(fmax(share, 0.0), 1.0), along);
-        least = fmin(least, vec3_norm(off));
+        smallest = fmin(smallest, vec3_norm(off));
     }
-    return least;
+    return smallest;
 }
 
 static void look_at(seen *s, const thread_object *t)

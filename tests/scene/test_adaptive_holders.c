@@ -34,7 +34,7 @@ static void finish(scene_object *s, const scene_body *b)
     vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
     vbss_scene_sort_warm_start(s);
     vbss_scene_number_nodes(s);
-    s->pattern_hash = 0;
+    s->step.pattern_hash = 0;
 }
 
 static void split_segment_contacts_move_to_halves(void **state)
@@ -48,10 +48,10 @@ static void split_segment_contacts_move_to_halves(void **state)
     scene_object *s = mesh_scene(scene.scene);
     scene_body *b = vbss_scene_body(s, scene.thread_bodies[0]);
     thread_object *t = b->thread.thread;
-    uint32_t seen = s->contact_count;
+    uint32_t seen = s->report.contact_count;
     assert_true(s->contacts->warm_start_count > 10 && seen > 10);
     static uint32_t features[1024][5];
-    memcpy(features, s->contact_features, seen * sizeof *features);
+    memcpy(features, s->report.contact_features, seen * sizeof *features);
     cut_remember(s, &before);
     for (uint32_t k = t->node_count - 5; k > 4; k--) {
         const mesh_change change = {k, false, 0.0};
@@ -63,13 +63,14 @@ static void split_segment_contacts_move_to_halves(void **state)
     cut_expect_sound(s);
     /* And the views: each names the half that it is nearest to. */
     for (uint32_t i = 0; i < seen; i++) {
-        const uint32_t *f = s->contact_features[i];
+        const uint32_t *f = s->report.contact_features[i];
         for (int side = 2; side <= 4; side += 2) {
             uint32_t whole = features[i][side], half = f[side];
             assert_true(half == 2 * (whole - 5) + 5 || half == 2 * (whole - 5) + 6);
             const vec3 *x = t->now.x + half;
             vec3 e = vec3_sub(x[1], x[0]);
-            double at = vec3_dot(vec3_sub(s->contact_points[i], x[0]), e) / vec3_norm_squared(e);
+            double at =
+                vec3_dot(vec3_sub(s->report.contact_points[i], x[0]), e) / vec3_norm_squared(e);
             assert_true(at > -1.0 && at < 2.0);
         }
     }

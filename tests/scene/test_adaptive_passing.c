@@ -29,9 +29,9 @@ static uint64_t met_in_change(const mesh_line *last, const thread_object *t)
 }
 
 /* Least distance of segments that are further along the thread than it may touch itself. */
-static double least_distance(const mesh_line *l, double apart)
+static double min_distance(const mesh_line *l, double apart)
 {
-    double least = 1.0;
+    double smallest = 1.0;
     for (uint32_t a = 0; a + 1 < l->count; a++) {
         for (uint32_t b = a + 2; b + 1 < l->count; b++) {
             const vec3 *x = l->x + a, *y = l->x + b;
@@ -40,18 +40,18 @@ static double least_distance(const mesh_line *l, double apart)
                 fabs(x[0].x - y[0].x) + fabs(x[0].y - y[0].y) + fabs(x[0].z - y[0].z) < 6e-3) {
                 vec3 way = closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]),
                                                  vec3_sub(y[0], x[0]), &at[0], &at[1]);
-                least = fmin(least, vec3_norm(way));
+                smallest = fmin(smallest, vec3_norm(way));
             }
         }
     }
-    return least;
+    return smallest;
 }
 
 /* What did not touch does not, and what did comes no nearer. */
 static void expect_kept_apart(const thread_object *t)
 {
     double touching = 2.0 * t->config.radius, apart = 4.0 * t->config.radius;
-    double now = least_distance(&after, apart), then = least_distance(&before, apart);
+    double now = min_distance(&after, apart), then = min_distance(&before, apart);
     assert_true(now >= fmin(then, touching) - 1e-9);
 }
 
@@ -90,7 +90,7 @@ static uint32_t change_at_random(scene_object *s, scene_body *b, vbss_random *ra
     vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
     vbss_scene_sort_warm_start(s);
     vbss_scene_number_nodes(s);
-    s->pattern_hash = 0;
+    s->step.pattern_hash = 0;
     return made;
 }
 
@@ -132,11 +132,11 @@ static void pull(const pulled *p)
             arcs[k] = vbss_thread_arc_length(t, k);
         }
         uint64_t made = t->statistics.refined + t->statistics.coarsened,
-                 parts = s->statistics.parts;
+                 parts = s->report.statistics.parts;
         before.count = nodes;
         memcpy(before.x, t->now.x, nodes * sizeof(vec3));
         expect_ok(contact_scene_step(&scene, 1e-3));
-        if (s->statistics.parts > parts) { /* the watch has seen where the last one ended */
+        if (s->report.statistics.parts > parts) { /* the watch has seen where the last one ended */
             memcpy(before.x, w.last, nodes * sizeof(vec3));
         }
         memcpy(before.arc, arcs, nodes * sizeof *arcs);

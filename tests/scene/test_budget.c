@@ -79,19 +79,19 @@ static void step_stays_near_budget(void **state)
     (void)state;
     limited *l = begin(0, VBSS_MODE_REAL_TIME, LIMIT);
     uint32_t beyond = 0, tried = 0;
-    uint64_t most = 0;
+    uint64_t largest = 0;
     step(l); /* the first is finished */
     for (int i = 1; i < STEPS; i++) {
         vbss_scene_statistics now = step(l);
         uint64_t work = now.operations - l->before.operations;
         beyond += work > 3 * (uint64_t)LIMIT;
         tried += now.attempts - l->before.attempts > ATTEMPTS;
-        most = work > most ? work : most;
+        largest = work > largest ? work : largest;
     }
     vbss_scene_statistics s = statistics(l);
     assert_true(s.paused > 0 && s.paused < STEPS);
     assert_true(s.time_paused > 0.0 && s.time_paused <= STEP * (double)s.paused);
-    assert_true(most <= s.most_operations);
+    assert_true(largest <= s.most_operations);
     assert_in_range(beyond, 0, STEPS / 50);
     assert_in_range(tried, 0, STEPS / 50);
     end(l);

@@ -8,7 +8,7 @@
 
 #include "scene/rig.h"
 
-enum { MOST_NODES = 400 };
+enum { MAX_NODES = 400 };
 
 static const double pi = 0x1.921fb54442d18p1;
 static const double radius = 2.5e-3, thread_radius = 0.125e-3, bending_stiffness = 1e-8;
@@ -63,9 +63,9 @@ static void begin(capstan *c)
     double length = load_way + c->way + pull_way;
     uint32_t segments = (uint32_t)ceil(length / (c->fineness * radius));
     c->segment = length / segments;
-    vec3 x[MOST_NODES];
-    double rest[MOST_NODES];
-    assert_true(segments < MOST_NODES);
+    vec3 x[MAX_NODES];
+    double rest[MAX_NODES];
+    assert_true(segments < MAX_NODES);
     wind(c, segments, slope, x, rest);
 
     vbss_scene_config scene = scene_rig_config();
@@ -102,7 +102,7 @@ static double ratio(capstan *c)
 }
 
 typedef struct ratios {
-    double mean, least, most; /* of log(T2 / T1) */
+    double mean, smallest, largest; /* of log(T2 / T1) */
 } ratios;
 
 /* Over so many lengths of a segment, as ripples have that period. */
@@ -117,8 +117,8 @@ static ratios pull(capstan *c, double segments)
         scene_rig_run(&c->rig, h, 1);
         double now = ratio(c);
         r.mean += now / steps;
-        r.least = fmin(r.least, now);
-        r.most = fmax(r.most, now);
+        r.smallest = fmin(r.smallest, now);
+        r.largest = fmax(r.largest, now);
     }
     return r;
 }
@@ -216,7 +216,7 @@ static void friction_reverses_with_pull(void **state)
     scene_rig_end(&c.rig);
     expect_near(1.0, forth.mean / (0.3 * pi), 0.01);
     expect_near(-1.0, back.mean / (0.3 * pi), 0.01);
-    assert_true(back.most < -0.28 * pi); /* never to and fro */
+    assert_true(back.largest < -0.28 * pi); /* never to and fro */
 }
 
 /* Of the largest ratio that friction could hold: 99 % is held, without creep. */

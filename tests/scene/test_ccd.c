@@ -24,14 +24,14 @@ static void guarded_steps(small *s, uint32_t count, double h)
         vbss_scene_statistics before = small_statistics(s);
         small_steps(s, 1, h);
         uint64_t attempts = small_statistics(s).attempts - before.attempts;
-        uint32_t least = s->config.attempt_limit;
+        uint32_t smallest = s->config.attempt_limit;
         if (s->config.mode == VBSS_MODE_OFFLINE) {
             continue;
         }
         if (s->config.work_limit == 0) { /* and one each for the parts that are left */
-            assert_true(attempts <= least + (1u << s->config.halving_limit));
+            assert_true(attempts <= smallest + (1u << s->config.halving_limit));
         } else if (before.steps > 0) { /* and what finishes the smallest part */
-            assert_true(attempts <= least + 2);
+            assert_true(attempts <= smallest + 2);
         }
     }
 }

@@ -54,13 +54,13 @@ static vec3 wall_beside(const stage *g, vec3 node)
 {
     const vec3 hole = vbss_hole_point(g->hole, g->drain, g->drain->x);
     vec3 best = vec3_zero();
-    double least = HUGE_VAL;
+    double smallest = HUGE_VAL;
     for (uint32_t i = 0; i < g->drain->mesh.triangle_count; i++) {
         const double middle[3] = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
         vec3 there = vbss_drain_point(g->drain, g->drain->x, i, middle);
         double far = vec3_distance(there, node);
-        if (vec3_distance(there, hole) > AWAY && far < least) {
-            least = far;
+        if (vec3_distance(there, hole) > AWAY && far < smallest) {
+            smallest = far;
             best = there;
         }
     }
@@ -77,7 +77,7 @@ static void thread_near_hole_is_not_pushed_through_wall(void **state)
         vec3 way = vec3_sub(wall, from);
         g.thread->trial[k] = vec3_add_scaled(wall, BEYOND / vec3_norm(way), way);
         assert_int_equal(vbss_scene_run_ccd(g.s), SCENE_SUBSTEP_CCD_HIT);
-        assert_true(g.s->time_of_impact > 0.0 && g.s->time_of_impact < 1.0);
+        assert_true(g.s->step.time_of_impact > 0.0 && g.s->step.time_of_impact < 1.0);
         stitch_case_end(&c);
     }
 }

@@ -16,9 +16,10 @@ static double between(vbss_random *r, double low, double high)
     return low + (high - low) * vbss_random_uniform(r);
 }
 
-static vec3 random_way(vbss_random *r, double most)
+static vec3 random_way(vbss_random *r, double limit)
 {
-    double x = between(r, -most, most), y = between(r, -most, most), z = between(r, -most, most);
+    double x = between(r, -limit, limit), y = between(r, -limit, limit),
+           z = between(r, -limit, limit);
     return vec3_make(x, y, z);
 }
 
@@ -33,7 +34,7 @@ static void ask(scene_object *s, tally *t, double *earliest)
     uint64_t searches = s->collision->searches;
     scene_substep_outcome verdict = vbss_scene_run_ccd(s);
     assert_true(verdict == SCENE_SUBSTEP_ACCEPTED || verdict == SCENE_SUBSTEP_CCD_HIT);
-    *earliest = s->time_of_impact;
+    *earliest = s->step.time_of_impact;
     t->searched += s->collision->searches > searches;
     t->listed += s->collision->searches == searches;
     t->hits += verdict == SCENE_SUBSTEP_CCD_HIT;
@@ -68,7 +69,7 @@ static void ask_both_ways(vbss_random *r, tally *t)
         object->trial[i] = vec3_add(object->trial[i], random_way(r, other));
     }
     ask(s, t, &listed);
-    s->expected_displacements[0].x = (double)NAN; /* nothing is expected of that */
+    s->step.expected_displacements[0].x = (double)NAN; /* nothing is expected of that */
     tally second = {0, 0, 0};
     ask(s, &second, &searched);
     assert_int_equal(second.searched, 1);

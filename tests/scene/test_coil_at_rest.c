@@ -3,7 +3,7 @@
 
 #include "scene/rig.h"
 
-enum { SEGMENTS = 150, MOST_NODES = 301, CAPACITY = 8192 };
+enum { SEGMENTS = 150, MAX_NODES = 301, CAPACITY = 8192 };
 
 static const double pi = 0x1.921fb54442d18p1;
 static const double length = 0.15, gravity = 9.81, h = 1e-3;
@@ -18,8 +18,8 @@ typedef struct heap {
 
 static void begin(heap *d)
 {
-    vec3 x[MOST_NODES];
-    double rest[MOST_NODES], turn = hypot(2.0 * pi * d->coil, d->pitch);
+    vec3 x[MAX_NODES];
+    double rest[MAX_NODES], turn = hypot(2.0 * pi * d->coil, d->pitch);
     for (uint32_t i = 0; i <= d->segments; i++) {
         double turns = length * i / d->segments / turn;
         x[i] = vec3_make(d->coil * cos(2.0 * pi * turns), d->height + d->pitch * turns,
@@ -50,7 +50,7 @@ static double fastest_in(heap *d, uint32_t steps)
 
 static void check_rest(heap *d, uint32_t falling)
 {
-    vec3 before[MOST_NODES], after[MOST_NODES];
+    vec3 before[MAX_NODES], after[MAX_NODES];
     begin(d);
     (void)fastest_in(d, falling);
     double energy = rig_energies(&d->rig.thread).kinetic;

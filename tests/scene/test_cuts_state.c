@@ -1,106 +1,7 @@
-/* Scenes that were cut: saved, hashed, restored where it was cut and where it was not; handles of pieces. */
+/* Snapshots of scenes that were cut: handles of pieces, cuts that are undone, whose a snapshot is. */
 #include <stdlib.h>
 
-#include "base/error.h"
 #include "scene/cut_rig.h"
-
-enum { CUTS_AT = 12, LATER_CUT = 25 };
-
-/* ---- a thread on two tools that is cut as time goes on */
-
-static vbss_result add_tool(vbss_scene *scene, double x)
-{
-    const vbss_capsule capsule = {{x, 0.0, -5e-3}, {x, 0.0, 5e-3}, 1e-3};
-    vbss_rigid_config config;
-    uint32_t body;
-    VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
-    config.kind = x > 0.02 ? VBSS_RIGID_FREE : VBSS_RIGID_DRIVEN;
-    config.capsules = &capsule;
-    config.capsule_count = 1;
-    return vbss_scene_add_rigid(scene, &config, &body);
-}
-
-static vbss_result create(vbss_context *context, void *user, void **handle)
-{
-    const vbss_method *method = user;
-    vbss_scene_config config;
-    vbss_thread_config thread;
-    vbss_thread *line;
-    vbss_scene *scene;
-    uint32_t body, pin;
-    VBSS_TRY(vbss_scene_config_init(&config, sizeof config));
-    VBSS_TRY(vbss_thread_config_init(&thread, sizeof thread));
-    config.method = thread.method = *method;
-    config.node_capacity = 60;
-    thread.cut_capacity = 3;
-    thread.segment_count = 30;
-    thread.length = 0.03;
-    thread.start[1] = 1.13e-3;
-    VBSS_TRY(vbss_scene_create(context, &config, &scene));
-    VBSS_TRY(vbss_thread_create(context, &thread, &line));
-    VBSS_TRY(vbss_scene_add_thread(scene, line, &body));
-    VBSS_TRY(add_tool(scene, 0.008));
-    VBSS_TRY(add_tool(scene, 0.022));
-    VBSS_TRY(vbss_scene_pin_thread(scene, body, 0, 0, NULL, &pin));
-    VBSS_TRY(vbss_scene_pin_thread(scene, body, 29, 3, NULL, &pin));
-    *handle = scene;
-    return VBSS_OK;
-}
-
-static vbss_result step(void *handle)
-{
-    vbss_scene_statistics statistics;
-    uint32_t piece;
-    VBSS_TRY(vbss_scene_get_statistics(handle, &statistics, sizeof statistics));
-    if (statistics.steps == CUTS_AT) {
-        VBSS_TRY(vbss_scene_cut_thread(handle, 1, 0.0152, &piece));
-        VBSS_TRY(vbss_scene_cut_thread(handle, 1, 0.004, &piece));
-    } else if (statistics.steps == LATER_CUT) {
-        VBSS_TRY(vbss_scene_cut_thread(handle, 4, 0.0072, &piece));
-    }
-    return vbss_scene_step(handle, 1e-3);
-}
-
-static vbss_result destroy(void *handle)
-{
-    return vbss_scene_destroy(handle);
-}
-
-static vbss_method methods[] = {VBSS_METHOD_OURS, VBSS_METHOD_PAPER};
-
-static harness_body body_of(int method)
-{
-    harness_body body = {"scene that is cut", &vbss_scene_kind, create, NULL, step, destroy,
-                         &methods[method]};
-    return body;
-}
-
-/* Restored into scenes that were not cut, were cut elsewhere, and were cut more often. */
-static void restored_scene_continues_bit_equal_across_cuts(void **state)
-{
-    (void)state;
-    const size_t moments[] = {5, 12, 13, 14, 20, 25, 26, 27, 40};
-    for (int method = 0; method < 2; method++) {
-        harness_body body = body_of(method);
-        harness_save_restore_continue_at(&body, moments, 9, 30);
-    }
-}
-
-static void cuts_and_steps_do_not_allocate(void **state)
-{
-    (void)state;
-    for (int method = 0; method < 2; method++) {
-        harness_body body = body_of(method);
-        assert_int_equal(harness_step_allocations(&body, 40), 0);
-    }
-}
-
-static void bad_piece_snapshots_are_rejected(void **state)
-{
-    (void)state;
-    harness_body body = body_of(0);
-    harness_refuses_bad_snapshots(&body, 14);
-}
 
 /* ---- handles and views of pieces */
 
@@ -262,9 +163,6 @@ static void impossible_pieces_are_rejected(void **state)
 int test_cuts_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(restored_scene_continues_bit_equal_across_cuts),
-        cmocka_unit_test(cuts_and_steps_do_not_allocate),
-        cmocka_unit_test(bad_piece_snapshots_are_rejected),
         cmocka_unit_test(piece_lives_as_long_as_its_cut),
         cmocka_unit_test(undone_cut_repeats_bit_equal),
         cmocka_unit_test(snapshot_of_other_cuts_is_rejected),

@@ -59,19 +59,19 @@ static void substep_stays_near_budget(void **state)
 {
     (void)state;
     const uint32_t limits[] = {50000, 100000, 150000, 250000};
-    const uint64_t least_part = 200000; /* for which there is no limit */
+    const uint64_t min_part = 200000; /* for which there is no limit */
     for (int k = 0; k < 4; k++) {
         limited l;
-        uint64_t most = 0;
+        uint64_t largest = 0;
         (void)begin(&l, VBSS_MODE_REAL_TIME, limits[k]);
         step(&l); /* the first is finished */
         for (int i = 1; i < 5 * STEPS; i++) {
             vbss_scene_statistics now = step(&l);
             uint64_t work = now.operations - l.before.operations;
-            most = work > most ? work : most;
+            largest = work > largest ? work : largest;
         }
         assert_true(small_statistics(&l.s).paused > 100);
-        assert_in_range(most, 1, 250000 + least_part);
+        assert_in_range(largest, 1, 250000 + min_part);
         small_end(&l.s);
     }
 }
@@ -143,14 +143,14 @@ static void held_node_follows_evenly_after_pause(void **state)
 /* Of the glue's strength, what the wall does to the anchor that bears most. */
 static double largest_load(drain_object *d)
 {
-    double most = 0.0;
+    double largest = 0.0;
     vbss_drain_compute_internal_forces(d, d->x);
     for (uint32_t k = 0; k < d->mesh.anchor_count; k++) {
         double load =
             vec3_norm(vbss_drain_anchor_force(d, k, d->internal_forces)) / d->anchor_strength[k];
-        most = vbss_max(load, most);
+        largest = vbss_max(load, largest);
     }
-    return most;
+    return largest;
 }
 
 /* Parts are cut short where the rod would pass: what attempts that were thrown away would have done to the drain tears no

@@ -14,7 +14,7 @@ static void begin(void)
 
 static void end(const char *name)
 {
-    drain_case_tell(&c, name);
+    drain_case_report(&c, name);
     small_watch_expect_nothing(&c.watch);
     drain_case_end(&c);
 }
@@ -99,7 +99,7 @@ static vec3 force_of_pin(vec3 to)
     uint32_t pin = drain_case_pin(&c, c.places.marks[0]);
     vec3 at = c.pins[pin].at;
     for (int i = 1; i <= 300; i++) {
-        drain_case_aim_pin(&c, pin, vec3_lerp(at, to, i / 300.0));
+        drain_case_target_pin(&c, pin, vec3_lerp(at, to, i / 300.0));
         drain_case_step(&c);
     }
     drain_case_wait(&c, 1000);
@@ -169,21 +169,21 @@ static void sliding_tool_drags_wall(void **state)
     uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(-4e-3, 0.0, 9.5e-3),
                                    vec3_make(0.0, 4e-3, 0.0), 1.5e-3);
     drain_case_way(&c, rod, vec3_make(-4e-3, 0.0, 7.0e-3), 200);
-    double most = 0.0, least = HUGE_VAL;
+    double largest = 0.0, smallest = HUGE_VAL;
     for (int i = 1; i <= 800; i++) { /* 10 mm/s */
-        drain_case_aim(&c, rod, vec3_make(-4e-3 + 1e-5 * i, 0.0, 7.0e-3));
+        drain_case_target(&c, rod, vec3_make(-4e-3 + 1e-5 * i, 0.0, 7.0e-3));
         drain_case_step(&c);
         vec3 across;
         double along = sum_contacts(&across);
         if (i > 200) {
-            most = fmax(most, fabs(across.x) / along);
-            least = fmin(least, fabs(across.x) / along);
+            largest = fmax(largest, fabs(across.x) / along);
+            smallest = fmin(smallest, fabs(across.x) / along);
         }
     }
-    print_message("drags with %.4f to %.4f of %.4f N\n", least, most,
+    print_message("drags with %.4f to %.4f of %.4f N\n", smallest, largest,
                   drain_case_contact_force(&c, rod).z);
-    expect_near(0.2, most, 0.01);
-    expect_near(0.2, least, 0.01);
+    expect_near(0.2, largest, 0.01);
+    expect_near(0.2, smallest, 0.01);
     end("drag");
 }
 

@@ -90,15 +90,15 @@ static void two_rods_open_slit(void **state)
                      : i <= 1100 ? (1100 - i) / 300.0
                                  : 0.0;
         for (int k = 0; k < 2; k++) {
-            drain_case_aim(&c, hooks[k],
-                           vec3_make(1.2e-3 * k - 0.6e-3, 20e-3 - 9e-3 * down,
-                                     (k == 0 ? -1.0 : 1.0) * 5.2e-3 * way));
+            drain_case_target(&c, hooks[k],
+                              vec3_make(1.2e-3 * k - 0.6e-3, 20e-3 - 9e-3 * down,
+                                        (k == 0 ? -1.0 : 1.0) * 5.2e-3 * way));
         }
         drain_case_step(&c);
         if (i == 800) {
             expect_ok(vbss_drain_get_gap(c.drain, &gap, sizeof gap));
             assert_true(gap.gap > 10e-3 && gap.gap < 13e-3);
-            drain_case_tell(&c, "hooked");
+            drain_case_report(&c, "hooked");
         }
     }
     drain_case_wait(&c, 300);
@@ -123,26 +123,26 @@ static void pins_open_slit_and_cross_lips(void **state)
     while (gap.gap < 10e-3) {
         way += step;
         assert_true(way < 15e-3);
-        drain_case_aim_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - way));
-        drain_case_aim_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + way));
+        drain_case_target_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - way));
+        drain_case_target_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + way));
         drain_case_step(&c);
         expect_ok(vbss_drain_get_gap(c.drain, &gap, sizeof gap));
     }
     drain_case_wait(&c, 200);
-    drain_case_tell(&c, "opened");
+    drain_case_report(&c, "opened");
     while (way > -(vec3_distance(at[0], at[1]) + 2e-3) / 2.0) { /* 2 mm beyond each other */
         way -= step;
-        drain_case_aim_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - way));
-        drain_case_aim_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + way));
+        drain_case_target_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - way));
+        drain_case_target_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + way));
         drain_case_step(&c);
     }
     drain_case_wait(&c, 200);
-    drain_case_tell(&c, "crossed");
+    drain_case_report(&c, "crossed");
     for (int k = 0; k < 2; k++) {
         drain_case_unpin(&c, pins[k]);
     }
     drain_case_wait(&c, 1000);
-    drain_case_tell(&c, "let go");
+    drain_case_report(&c, "let go");
     small_watch_expect_nothing(&c.watch);
     assert_true(drain_case_fastest(&c) < 1e-3);
     drain_case_finish(&c, "crossed", 0.05);
@@ -180,7 +180,7 @@ static void overlying_thread_is_pulled_down(void **state)
     drain_case_thread(&c, vec3_make(1e-3, TOP + 0.3e-3, -40e-3),
                       vec3_make(1e-3, TOP + 0.3e-3, 40e-3), 80);
     pull_thread(80, vec3_make(0.0, -1.0, 0.0), 1.0, 800);
-    drain_case_tell(&c, "a thread over it");
+    drain_case_report(&c, "a thread over it");
     small_watch_expect_nothing(&c.watch);
     drain_case_end(&c);
 }
@@ -194,7 +194,7 @@ static void thread_through_lumen_is_pulled_up(void **state)
     drain_case_make(&c);
     drain_case_thread(&c, vec3_make(-40e-3, 0.0, 0.3e-3), vec3_make(40e-3, 0.0, 0.3e-3), 80);
     pull_thread(80, vec3_make(0.0, 1.0, 0.0), 0.5, 800);
-    drain_case_tell(&c, "a thread through it");
+    drain_case_report(&c, "a thread through it");
     small_watch_expect_nothing(&c.watch);
     drain_case_end(&c);
 }

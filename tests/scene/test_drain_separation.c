@@ -53,10 +53,10 @@ static void draw_lips(scene_drain *b, const collision_shape *shape, harness_sour
 /* From there, some of it goes on a little; a search then knows what is still apart. */
 static void go_on(drain_object *d, harness_source *source)
 {
-    double most = harness_draw_real(source, 0.0, 1e-3);
+    double largest = harness_draw_real(source, 0.0, 1e-3);
     uint32_t first = harness_draw_below(source, d->mesh.node_count);
     for (uint32_t i = first; i < d->mesh.node_count; i++) {
-        d->x[i] = vec3_add(d->x[i], harness_draw_vec3(source, -most, most));
+        d->x[i] = vec3_add(d->x[i], harness_draw_vec3(source, -largest, largest));
     }
 }
 
@@ -71,24 +71,32 @@ static uint32_t count_known(const scene_object *s)
     return known;
 }
 
-static contact_constraint *copy_rows(const scene_object *s)
+typedef struct row_copy {
+    contact_constraint row;
+    scene_contact_geometry geometry;
+} row_copy;
+
+static row_copy *copy_rows(const scene_object *s)
 {
-    contact_constraint *copy = malloc((s->contacts->count + 1) * sizeof *copy);
+    row_copy *copy = malloc((s->contacts->count + 1) * sizeof *copy);
     assert_non_null(copy);
-    memcpy(copy, s->contacts->constraints, s->contacts->count * sizeof *copy);
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_constraint *row = &s->contacts->constraints[i];
+        copy[i] = (row_copy){*row, *scene_geometry_of(s, row)};
+    }
     return copy;
 }
 
-static void expect_same_rows(const scene_object *s, const contact_constraint *rows, uint32_t count)
+static void expect_same_rows(const scene_object *s, const row_copy *rows, uint32_t count)
 {
     assert_int_equal(count, s->contacts->count);
     for (uint32_t i = 0; i < count; i++) {
-        const contact_constraint *row = &s->contacts->constraints[i];
-        assert_memory_equal(&rows[i].key, &row->key, sizeof row->key);
-        assert_memory_equal(rows[i].barycentric, row->barycentric, sizeof row->barycentric);
-        assert_true(rows[i].start_gap == row->start_gap &&
-                    rows[i].lip_thickness == row->lip_thickness);
-        assert_memory_equal(&rows[i].normal, &row->normal, sizeof row->normal);
+        const contact_constraint *row = &s->contacts->constraints[i], *before = &rows[i].row;
+        const scene_contact_geometry *g = scene_geometry_of(s, row), *old = &rows[i].geometry;
+        assert_memory_equal(&before->key, &row->key, sizeof row->key);
+        assert_memory_equal(old->barycentric, g->barycentric, sizeof g->barycentric);
+        assert_true(old->start_gap == g->start_gap && old->lip_thickness == g->lip_thickness);
+        assert_memory_equal(&before->normal, &row->normal, sizeof row->normal);
     }
 }
 
@@ -114,7 +122,7 @@ static void with_and_without_what_is_known(harness_source *source, void *user)
         go_on(d, source);
         assert_true(vbss_scene_create_contacts(o, &part));
         uint32_t count = o->contacts->count;
-        contact_constraint *rows = copy_rows(o);
+        row_copy *rows = copy_rows(o);
         c->known += count_known(o);
         c->near += count;
         o->collision->separation_count = 0; /* nothing is known any more */

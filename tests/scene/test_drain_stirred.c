@@ -25,10 +25,10 @@ static void stir(const char *name, double thickness)
     drain_case_way(&c, rod, vec3_make(0.0, 0.0, 0.0), 350);
     for (int i = 0; i < 1500; i++) {
         double turn = 2.0 * VBSS_PI * i / 500.0, far = 6e-3 * vbss_min(i / 200.0, 1.0);
-        drain_case_aim(&c, rod, vec3_make(0.0, far * vbss_cos(turn), far * vbss_sin(turn)));
+        drain_case_target(&c, rod, vec3_make(0.0, far * vbss_cos(turn), far * vbss_sin(turn)));
         drain_case_step(&c);
     }
-    drain_case_tell(&c, name);
+    drain_case_report(&c, name);
     drain_case_way(&c, rod, vec3_make(0.0, 0.0, 0.0), 200);
     drain_case_way(&c, rod, vec3_make(45e-3, 0.0, 0.0), 300);
     drain_case_wait(&c, 500);
@@ -87,11 +87,11 @@ static void driven_rod_stops_at_bottom(void **state)
     drain_case_way(&c, rod, vec3_make(0.0, -25e-3, 0.0), 740); /* 50 mm/s, through top and bottom */
     assert_true(drain_case_at(&c, rod).y > -6.5e-3);
     assert_true(small_statistics(&c.s).clamped > 0);
-    drain_case_tell(&c, "driven");
+    drain_case_report(&c, "driven");
     small_watch_expect_nothing(&c.watch);
     drain_case_way(&c, rod, vec3_make(0.0, TOP + 20e-3, 0.0), 900);
     drain_case_wait(&c, 1000);
-    drain_case_tell(&c, "driven, and away");
+    drain_case_report(&c, "driven, and away");
     small_watch_expect_nothing(&c.watch);
     drain_case_expect_rest(&c, 0.1e-3);
     drain_case_end(&c);
@@ -108,11 +108,11 @@ static void two_rods_squeeze_wall(void **state)
         drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.0, 10e-3), half, 1.25e-3);
     for (int i = 0; i < 500; i++) {
         double way = 5e-3 * vbss_min(i / 300.0, 1.0); /* 3.25 mm would be touching: 1 N each */
-        drain_case_aim(&c, in, vec3_make(0.0, 0.0, 3e-3 + 0.5 * way));
-        drain_case_aim(&c, out, vec3_make(0.0, 0.0, 10e-3 - way));
+        drain_case_target(&c, in, vec3_make(0.0, 0.0, 3e-3 + 0.5 * way));
+        drain_case_target(&c, out, vec3_make(0.0, 0.0, 10e-3 - way));
         drain_case_step(&c);
     }
-    drain_case_tell(&c, "squeezed");
+    drain_case_report(&c, "squeezed");
     vec3 force = drain_case_contact_force(&c, in), other = drain_case_contact_force(&c, out);
     assert_true(force.z < -1.0 && other.z > 1.0);
     drain_case_way(&c, in, vec3_make(0.0, 0.0, 0.0), 200);

@@ -3,16 +3,6 @@
 
 #include "scene/drains_rig.h"
 
-/* Cut, flipped and foreign bytes: told, and the scene is as it was. */
-static void bad_snapshots_are_rejected(void **state)
-{
-    (void)state;
-    drain_hands hands;
-    expect_ok(drain_hands_init(&hands));
-    harness_body body = drains_as_body(&hands);
-    harness_refuses_bad_snapshots(&body, 70);
-}
-
 /* A drain with attachments of each kind, a tool and a thread on it. */
 static vbss_drain *begin_life(small *s, drain_hands *hands)
 {
@@ -124,7 +114,6 @@ static void absurd_states_end_finite_or_are_reported(void **state)
 int test_drains_damage(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_snapshots_are_rejected),
         cmocka_unit_test(accepted_damaged_states_can_be_stepped),
         cmocka_unit_test(absurd_states_end_finite_or_are_reported),
     };

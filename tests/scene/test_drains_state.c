@@ -1,49 +1,7 @@
-/* Saving, restoring and hashing of scenes with a drain. */
+/* Scenes with a drain: views after a restore, whose a snapshot is, and the hash. */
 #include <stdlib.h>
 
 #include "scene/drains_rig.h"
-
-/* The thread lies on it from some 20 steps on, the tool touches at 8, is deep at 130, stirs, is up at 300. */
-static void restored_scene_continues_bit_equal(void **state)
-{
-    (void)state;
-    const size_t moments[] = {1, 12, 60, 150, 205, 320};
-    drain_hands hands;
-    expect_ok(drain_hands_init(&hands));
-    harness_body body = drains_as_body(&hands);
-    harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 30);
-}
-
-/* With drains of other meshes, walls and glue; anchors tear while the tool is at work. */
-static void restored_other_drains_continue_bit_equal(void **state)
-{
-    (void)state;
-    for (int k = 0; k < 3; k++) {
-        drain_hands hands;
-        expect_ok(drain_hands_init(&hands));
-        hands.drain_config.mesh = k == 0 ? VBSS_DRAIN_MESH_159 : VBSS_DRAIN_MESH_137;
-        hands.drain_config.tear_stress = k == 1 ? 2e3 : 5e4;
-        hands.drain_config.gravity[1] = k == 1 ? -9.81 : 0.0;
-        hands.config.mode = k == 2 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
-        harness_body body = drains_as_body(&hands);
-        harness_save_restore_continue(&body, 100, 25);
-    }
-}
-
-/* What has to wait is half done, or not begun, while a hand holds the drain. */
-static void restored_suspended_scene_continues_bit_equal(void **state)
-{
-    (void)state;
-    vbss_scene_config config;
-    expect_ok(vbss_scene_config_init(&config, sizeof config));
-    config.work_limit = 50000; /* for one look or two */
-    size_t moments[11];
-    for (size_t i = 0; i < 11; i++) {
-        moments[i] = LEAP_AT - 1 + i;
-    }
-    harness_body body = leap_as_body(&config);
-    harness_save_restore_continue_at(&body, moments, 11, 12);
-}
 
 /* ---- what hosts see */
 
@@ -177,9 +135,6 @@ static void hash_covers_drain(void **state)
 int test_drains_state(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(restored_scene_continues_bit_equal),
-        cmocka_unit_test(restored_other_drains_continue_bit_equal),
-        cmocka_unit_test(restored_suspended_scene_continues_bit_equal),
         cmocka_unit_test(views_are_restored),
         cmocka_unit_test(snapshot_of_other_drain_is_rejected),
         cmocka_unit_test(hash_covers_drain),

@@ -51,6 +51,20 @@ static void slide_in_hole(scene_object *s, double more)
     s->contacts->current[i].force = vec3_add_scaled(law, more, row->normal);
 }
 
+/* A hand does twice the work in a step of twice the length. */
+static void energy_tolerance_grows_with_step(void **state)
+{
+    (void)state;
+    scene_object *s = begin(0);
+    const scene_substep half = {.step_length = 2e-3, .end_fraction = 0.5, .h = 1e-3};
+    slide_in_hole(s, 0.3); /* 30 uJ */
+    assert_false(vbss_scene_passes_energy_check(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &half));
+    slide_in_hole(s, 0.6); /* 60 uJ */
+    assert_false(vbss_scene_passes_energy_check(s, &half));
+    stitch_case_end(&c);
+}
+
 static void hole_dissipation_above_friction_law_is_counted(void **state)
 {
     (void)state;
@@ -65,7 +79,7 @@ static void hole_dissipation_above_friction_law_is_counted(void **state)
 }
 
 /* The wall about it is moved by that way of the force on it; the law has nothing against that. */
-static bool believes_a_hole(scene_object *s, double force, double way)
+static bool accepts_a_hole(scene_object *s, double force, double way)
 {
     drain_object *d;
     const uint32_t i = row_in_hole(s);
@@ -86,10 +100,10 @@ static void hole_energy_balance(void **state)
 {
     (void)state;
     scene_object *s = begin(0);
-    assert_true(believes_a_hole(s, 0.8, 0.0));
-    assert_false(believes_a_hole(s, 0.8, 10e-6 / 0.8));
-    assert_true(believes_a_hole(s, 0.8, 2e-6 / 0.8));
-    assert_false(believes_a_hole(s, 1.2, 0.0));
+    assert_true(accepts_a_hole(s, 0.8, 0.0));
+    assert_false(accepts_a_hole(s, 0.8, 10e-6 / 0.8));
+    assert_true(accepts_a_hole(s, 0.8, 2e-6 / 0.8));
+    assert_false(accepts_a_hole(s, 1.2, 0.0));
     stitch_case_end(&c);
 }
 
@@ -182,14 +196,14 @@ static void hopeless_energy_error_is_abandoned_at_once(void **state)
 {
     (void)state;
     scene_object *s = begin(0);
-    const scene_substep least = {
+    const scene_substep smallest = {
         .step_length = 1e-3, .end_fraction = 1.0, .h = 1e-3, .is_min_size = true};
     slide_in_hole(s, 0.5); /* 50 uJ */
     assert_false(vbss_scene_passes_energy_check(s, &part));
     assert_true(vbss_scene_may_pass_energy_check(s, &part));
     slide_in_hole(s, 0.7); /* 70 uJ */
     assert_false(vbss_scene_may_pass_energy_check(s, &part));
-    assert_true(vbss_scene_may_pass_energy_check(s, &least));
+    assert_true(vbss_scene_may_pass_energy_check(s, &smallest));
     s->contacts->is_stopped_early = false;
     assert_true(vbss_scene_may_pass_energy_check(s, &part));
     stitch_case_end(&c);
@@ -241,6 +255,7 @@ int test_energy_check(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hole_dissipation_above_friction_law_is_counted),
+        cmocka_unit_test(energy_tolerance_grows_with_step),
         cmocka_unit_test(hole_energy_balance),
         cmocka_unit_test(energy_losses_do_not_offset_gains),
         cmocka_unit_test(thread_energy_gain_needs_external_work),

@@ -3,7 +3,8 @@
 #include "scene/contacts/contacts.h"
 #include "scene/stitch_case.h"
 
-/* What a part lets off at most: 20 mm/s. */
+/* What a part lets off at most of a wall of this thickness: 20 mm/s. */
+#define WALL 1e-3
 #define OPENED 20e-6
 
 static stitch_case c;
@@ -20,7 +21,8 @@ static uint32_t body_of_kind(const scene_object *s, scene_body_kind kind)
 }
 
 /* One row of that depth, m, of which is remembered that it bore so much, N; recalled. */
-static const contact_constraint *recall(scene_object *s, uint32_t of, double depth, double bore)
+static const contact_constraint *recall_wall(scene_object *s, uint32_t of, double thickness,
+                                             double depth, double bore)
 {
     contact_set *set = s->contacts;
     const uint32_t drain = body_of_kind(s, SCENE_BODY_DRAIN);
@@ -29,17 +31,24 @@ static const contact_constraint *recall(scene_object *s, uint32_t of, double dep
     contact_constraint *row = vbss_contact_add(set, &key);
     assert_non_null(row);
     row->stiffness = 2e5;
-    row->start_gap = row->gap = -depth;
-    row->overlap_allowance = 0.0;
+    row->thickness = thickness;
+    scene_contact_geometry *geometry = scene_geometry_of(s, row);
+    geometry->start_gap = row->gap = -depth;
+    geometry->overlap_allowance = 0.0;
     if (bore > 0.0) {
         set->warm_start[set->warm_start_count++] =
             (contact_warm_start_entry){.key = key, .status = CONTACT_STICK, .normal_force = bore};
     }
     vbss_scene_warm_start_contacts(s, &part);
     expect_near(depth, vbss_contact_max_penetration(set), 1e-18); /* what it is nobody hides */
-    expect_near(row->fold_allowance, row->overlap_allowance, 0.0);
-    expect_near(row->gap, row->start_gap, 0.0);
+    expect_near(row->fold_allowance, geometry->overlap_allowance, 0.0);
+    expect_near(row->gap, geometry->start_gap, 0.0);
     return row;
+}
+
+static const contact_constraint *recall(scene_object *s, uint32_t of, double depth, double bore)
+{
+    return recall_wall(s, of, WALL, depth, bore);
 }
 
 static void fold_offset_is_released_slowly(void **state)
@@ -53,6 +62,7 @@ static void fold_offset_is_released_slowly(void **state)
                    thread = body_of_kind(s, SCENE_BODY_THREAD);
     expect_near(-OPENED, recall(s, drain, 100e-6, 0.0)->gap, 1e-12);
     expect_near(-OPENED, recall(s, drain, 100e-6, 3.0)->gap, 1e-12); /* 15 um: no more for that */
+    expect_near(-0.5 * OPENED, recall_wall(s, drain, 0.5 * WALL, 100e-6, 0.0)->gap, 1e-12);
     expect_near(-50e-6, recall(s, drain, 100e-6, 10.0)->gap, 1e-12);
     expect_near(-100e-6, recall(s, drain, 100e-6, 20.0)->gap, 0.0);
     expect_near(-100e-6, recall(s, drain, 100e-6, 30.0)->gap, 0.0);

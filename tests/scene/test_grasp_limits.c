@@ -6,7 +6,7 @@
 static const vec3 home = {0.0, 0.0, -2e-3};
 
 typedef struct pull {
-    double speed, most, mean; /* m/s; N, of the force of the jaws while it slid */
+    double speed, largest, mean; /* m/s; N, of the force of the jaws while it slid */
     double slid, limit;
 } pull;
 
@@ -31,7 +31,7 @@ static pull pulled_through(double pressure, double friction, double speed)
         if (2 * i > steps) {
             double tension = vec3_norm(vec3_load(grasp.force));
             expect_near(tension, small_tension(r.thread, 5), 0.01 * tension);
-            p.most = vbss_max(p.most, tension);
+            p.largest = vbss_max(p.largest, tension);
             p.mean += tension;
             count++;
         }
@@ -65,7 +65,7 @@ static void grip_force_lags_by_one_step(void **state)
         pull p = pulled_through(1.0, 0.5, speeds[i]);
         double lag = 1e-3 * speeds[i] * 3000.0;
         assert_true(p.mean >= p.limit);
-        assert_true(p.most <= p.limit + 1.01 * lag);
+        assert_true(p.largest <= p.limit + 1.01 * lag);
         expect_near(p.limit + lag, p.mean, 0.1 * lag + 1e-3);
     }
 }
@@ -83,8 +83,8 @@ static void grip_limit_grows_with_pressure(void **state)
     double held = tools_state(&r, 0).jaw_angle, last = 1e9;
     for (int i = 0; i <= 20; i++) {
         double opening = 0.01 * i;
-        double told = opening * c->driver_opening - (1.0 - opening) * c->closing_angle;
-        double share = vbss_min((held - told) / c->closing_angle, 1.0);
+        double reported = opening * c->driver_opening - (1.0 - opening) * c->closing_angle;
+        double share = vbss_min((held - reported) / c->closing_angle, 1.0);
         tools_open(&r, 0, opening);
         tools_steps(&r, 1);
         expect_near(c->closing_force * share, tools_state(&r, 0).pressure, 1e-9);
@@ -150,7 +150,7 @@ static void grasped_thread_turns_at_torque_limit(void **state)
     tools_thread(&r, TOOLS_BOTH, 0.0);
     tools_add(&r, home);
     tools_close(&r, 0);
-    double limit = 0.25 * r.config.grip_length * tools_grasp(&r, 0, 0).limit, most = 0.0;
+    double limit = 0.25 * r.config.grip_length * tools_grasp(&r, 0, 0).limit, largest = 0.0;
     for (uint32_t i = 1; i <= 900; i++) {
         double half = 0.5 * 1e-3 * i,
                tip[3] = {0.0, 2e-3 * vbss_sin(2.0 * half), -2e-3 * vbss_cos(2.0 * half)};
@@ -161,12 +161,13 @@ static void grasped_thread_turns_at_torque_limit(void **state)
         vec3 arm = vec3_neg(vec3_load(tool.position));
         vec3 force = vec3_load(tool.hand_force);
         double torque = vec3_load(tool.hand_torque).x - vec3_cross(arm, force).x;
-        most = i > 100 ? vbss_max(most, fabs(torque)) : 0.0; /* the tool has come up to speed */
+        largest =
+            i > 100 ? vbss_max(largest, fabs(torque)) : 0.0; /* the tool has come up to speed */
         if (i > 800) {
             expect_near(limit, fabs(torque), 0.03 * limit);
         }
     }
-    assert_true(most < 1.05 * limit);
+    assert_true(largest < 1.05 * limit);
     assert_int_equal(tools_state(&r, 0).grasp_count, 1);
     tools_end(&r);
 }

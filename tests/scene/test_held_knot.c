@@ -78,7 +78,7 @@ static void rods_feel_loop_load(void **state)
     held_begin(&t, KNOT_SQUARE, 1.0, 0.3, 0);
     expect_ok(held_knot_tie(&t.knot));
     double friction = sqrt(t.options.tied.cylinder_friction * t.options.tied.scene.thread_friction);
-    double most = 1.0 + vbss_exp(3.14159265 * friction);
+    double largest = 1.0 + vbss_exp(3.14159265 * friction);
     while (goes_on) {
         expect_ok(held_knot_grow(&t.knot, &goes_on));
         assert_true(t.knot.holds >= t.knot.tension);
@@ -87,7 +87,7 @@ static void rods_feel_loop_load(void **state)
             expect_ok(vbss_scene_get_rigid(t.knot.tied.scene, t.knot.rods[k], &rod, sizeof rod));
             double felt = fabs(vec3_dot(vec3_load(rod.contact_force), t.knot.way));
             assert_true(felt > 0.95 * 2.0 * t.knot.tension);
-            assert_true(felt < 1.02 * most * t.knot.tension);
+            assert_true(felt < 1.02 * largest * t.knot.tension);
         }
     }
     assert_true(compared > 20);

@@ -105,6 +105,11 @@ static void shift_wall(const swaged *w, vec3 *x, vec3 to)
     }
 }
 
+static uint32_t span_of(const swaged *w)
+{
+    return scene_geometry_of(w->scene, &w->row)->span;
+}
+
 static void lay(const swaged *w, const lie *at, contact_constraint *row)
 {
     w->needle->trial = at->needle;
@@ -153,7 +158,7 @@ static double draw_arc(harness_source *source, const swaged *w)
 static void begin_part(swaged *w)
 {
     const bool behind = w->arc >= swage_of(w);
-    w->scene->substep_length = 1e-3;
+    w->scene->step.substep_length = w->scene->cursor.substep.step_length = 1e-3;
     w->hole->needle = behind ? 0 : w->needle_body;
     w->hole->thread = behind ? w->thread_body : 0;
     w->hole->arc = w->arc - (behind ? swage_of(w) : 0.0);
@@ -173,9 +178,9 @@ static suture_curve_point draw_row(harness_source *source, swaged *w)
     w->at.wall = near_arc(w, &w->at, w->arc);
     begin_part(w);
     const double on = w->arc + harness_draw_real(source, -0.5e-3, 0.5e-3);
-    w->at.wall = place_near(w, &w->at, w->row.span, near_arc(w, &w->at, on)).position;
+    w->at.wall = place_near(w, &w->at, span_of(w), near_arc(w, &w->at, on)).position;
     lay(w, &w->at, &w->row);
-    const suture_curve_point place = place_near(w, &w->at, w->row.span, w->at.wall);
+    const suture_curve_point place = place_near(w, &w->at, span_of(w), w->at.wall);
     expect_near(0.0, vec3_distance(place.position, w->at.wall), 1e-12);
     expect_near(0.0, vec3_distance(place.tangent, w->row.normal), 1e-12);
     return place;
@@ -267,7 +272,7 @@ typedef enum kind { ALONE, BEFORE_SWAGE, OVER_SWAGE, BEHIND_SWAGE, FAR, KINDS } 
 
 static kind kind_of(const swaged *w, const suture_curve_point *place)
 {
-    return w->row.span == SUTURE_ON_NEEDLE   ? ALONE
+    return span_of(w) == SUTURE_ON_NEEDLE    ? ALONE
            : place->span == SUTURE_ON_NEEDLE ? BEFORE_SWAGE
            : place->span == 0                ? OVER_SWAGE
            : place->span == 1                ? BEHIND_SWAGE
@@ -279,10 +284,9 @@ static bool turn_at(const swaged *w, const suture_curve_point *place, part *slop
 {
     const double step = 1e-7;
     const vec3 way = vec3_scale(place->tangent, step); /* toward the tip */
-    const suture_curve_point on =
-        place_near(w, &w->at, w->row.span, vec3_sub(place->position, way));
+    const suture_curve_point on = place_near(w, &w->at, span_of(w), vec3_sub(place->position, way));
     const suture_curve_point back =
-        place_near(w, &w->at, w->row.span, vec3_add(place->position, way));
+        place_near(w, &w->at, span_of(w), vec3_add(place->position, way));
     const part of_on = part_at(w, &w->at, &on), of_back = part_at(w, &w->at, &back);
     *slopes = difference(&of_on, &of_back, 0.5 / step);
     *turn = vec3_scale(vec3_sub(on.tangent, back.tangent), 0.5 / step);
@@ -313,10 +317,10 @@ static void any_row_has_the_slopes_of_its_parts(harness_source *source, void *us
     }
 }
 
-static void expect_all_seen(const int seen[KINDS], int least)
+static void expect_all_seen(const int seen[KINDS], int smallest)
 {
     for (int k = 0; k < KINDS; k++) {
-        assert_true(seen[k] >= least);
+        assert_true(seen[k] >= smallest);
     }
 }
 
@@ -384,8 +388,8 @@ static bool look_at_motion(const swaged *w, const suture_curve_point *place, con
     vec3 turn;
     const part p = part_said(w, &w->row, &slopes);
     if (!turn_at(w, place, &found, &turn) ||
-        place_near(w, &ahead, w->row.span, ahead.wall).span != place->span ||
-        place_near(w, &behind, w->row.span, behind.wall).span != place->span) {
+        place_near(w, &ahead, span_of(w), ahead.wall).span != place->span ||
+        place_near(w, &behind, span_of(w), behind.wall).span != place->span) {
         return false;
     }
     lay(w, &ahead, &on);

@@ -24,7 +24,7 @@ static void ten_knots_on_one_thread(void **state)
     hard_begin(&c, "ten knots on one thread", &o, 1e-3);
     assert_true(hard_pull(&c, 1500));
     hard_run(&c, 200);
-    hard_tell(&c);
+    hard_report(&c);
     hard_expect_kept(&c);
     assert_int_equal(c.type.determinant, 59049); /* 3^10 */
     hard_expect_same_knot(&c);
@@ -48,7 +48,7 @@ static void surgeons_knot_holds_10_newtons_for_a_minute(void **state)
     double end = vec3_distance(hard_nodes(&c, 0)[0], hard_nodes(&c, 0)[last]);
     print_message("creep in 60 s: %.3g um\n", 1e6 * (end - begin));
     assert_true(fabs(end - begin) < o.thread.radius);
-    hard_tell(&c);
+    hard_report(&c);
     hard_expect_kept(&c);
     hard_expect_same_knot(&c);
     hard_end(&c);
@@ -72,7 +72,7 @@ static void all_combinations_hold_2_newtons(void **state)
         hard_begin(&c, name, &o, 1e-3);
         assert_true(hard_pull(&c, 4000));
         hard_run(&c, 1000);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
         hard_end(&c);
@@ -96,7 +96,7 @@ static void coarse_meshes_keep_knots(void **state)
         hard_begin(&c, name, &o, 1e-3);
         assert_true(hard_pull(&c, 4000));
         hard_run(&c, 500);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
         hard_end(&c);
@@ -112,7 +112,7 @@ static void knots_of_all_kinds_hold_pull(void **state)
         hard_begin(&c, knot_names[kind], &o, 1e-3);
         assert_true(hard_pull(&c, 2000));
         hard_run(&c, 500);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
         hard_end(&c);

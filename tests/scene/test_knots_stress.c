@@ -28,8 +28,8 @@ static void expect_holds(const char *name, const contact_scene_options *o, doubl
     hard_begin(&c, name, o, h);
     assert_true(hard_pull(&c, (uint32_t)(1.0 / h)));
     hard_run(&c, (uint32_t)(0.3 / h));
-    hard_expect_calm(&c, 100);
-    hard_tell(&c);
+    hard_expect_at_rest(&c, 100);
+    hard_report(&c);
     hard_expect_kept(&c);
     hard_expect_same_knot(&c);
     hard_end(&c);
@@ -70,8 +70,8 @@ static void tight_knot_survives_20_newton_step(void **state)
         c.scene.hands[k].pull = (contact_pull){5.0, 0.1, 0.0};
     }
     hard_run(&c, 200);
-    hard_expect_calm(&c, 100);
-    hard_tell(&c);
+    hard_expect_at_rest(&c, 100);
+    hard_report(&c);
     hard_expect_kept(&c);
     hard_expect_same_knot(&c);
     hard_end(&c);
@@ -92,8 +92,8 @@ static void teleported_hand(void **state)
         expect_ok(vbss_thread_move(hand->thread, hand->id, target, NULL));
         expect_ok(vbss_scene_step(c.scene.scene, c.h));
         hard_run(&c, 300); /* the hands pull again */
-        hard_expect_calm(&c, 100);
-        hard_tell(&c);
+        hard_expect_at_rest(&c, 100);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
         hard_end(&c);
@@ -127,7 +127,7 @@ static void dead_load_on_knot(void **state)
             expect_ok(vbss_scene_step(c.scene.scene, c.h));
             assert_true(hard_fastest(&c) < 10.0);
         }
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
         hard_end(&c);
@@ -148,7 +148,7 @@ static void zero_and_high_friction(void **state)
         hard_begin(&c, "friction 0", &o, 1e-3);
         assert_true(hard_pull(&c, 1000));
         hard_run(&c, 300);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
         hard_end(&c);
@@ -238,7 +238,7 @@ static void spring_hands_pull_at_suspended_scene(void **state)
             hard_run(&c, 1);
             fastest = fmax(fastest, hard_fastest(&c));
         }
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         assert_true(hard_statistics(&c).deferred > 500);
         assert_true(fastest < 60.0); /* 33 m/s; 84 by the last reaction */
@@ -258,16 +258,16 @@ static void two_interlocked_threads(void **state)
         hard_begin(&c, "two bights interlocked", &o, 1e-3);
         assert_true(hard_pull(&c, 1000));
         hard_run(&c, 300);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         /* They still hold each other: the end of each bight is beyond that of the other. */
-        double most = -1.0, least = 1.0;
+        double largest = -1.0, smallest = 1.0;
         for (uint32_t i = 0; i < c.scene.nodes[0]; i++) {
-            most = fmax(most, hard_nodes(&c, 0)[i].x);
-            least = fmin(least, hard_nodes(&c, 1)[i].x);
+            largest = fmax(largest, hard_nodes(&c, 0)[i].x);
+            smallest = fmin(smallest, hard_nodes(&c, 1)[i].x);
         }
-        assert_true(most > least);
-        hard_expect_calm(&c, 100);
+        assert_true(largest > smallest);
+        hard_expect_at_rest(&c, 100);
         hard_end(&c);
     }
 }
@@ -282,7 +282,7 @@ static void parallel_threads(void **state)
         o.aside = vec3_make(0.0, apart[k], 0.0);
         hard_begin(&c, "parallel threads", &o, 1e-3);
         hard_run(&c, 300);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_end(&c);
     }
@@ -299,7 +299,7 @@ static void knot_opens_only_without_friction(void **state)
         hard_begin(&c, friction ? "pulled open, friction 0.3" : "pulled open, friction 0", &o,
                    1e-3);
         hard_run(&c, friction ? 400 : 900);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         if (friction) {
             hard_expect_same_knot(&c);

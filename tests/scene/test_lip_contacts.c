@@ -41,18 +41,19 @@ static bool has_node(const scene_object *s, const scene_body *b, const contact_c
 }
 
 /* Of what has that node. */
-static double least_gap(const scene_object *s, const scene_body *b, uint32_t node)
+static double min_gap(const scene_object *s, const scene_body *b, uint32_t node)
 {
-    double least = FAR;
+    double smallest = FAR;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *row = &s->contacts->constraints[i];
+        const double gap = scene_geometry_of(s, row)->start_gap;
         if (row->key.body_a == b->number && row->key.body_b == b->number &&
-            row->key.kind != VBSS_CONTACT_DRAIN_FLOOR && row->start_gap < least &&
+            row->key.kind != VBSS_CONTACT_DRAIN_FLOOR && gap < smallest &&
             (has_node(s, b, row, false, node) || has_node(s, b, row, true, node))) {
-            least = row->start_gap;
+            smallest = gap;
         }
     }
-    return least;
+    return smallest;
 }
 
 static const scene_substep part = {.step_length = 1e-3, .h = 1e-3, .end_fraction = 1.0};
@@ -75,22 +76,22 @@ static void slide(double slope, double height)
 {
     drain_object *d;
     scene_object *o = begin(FAR, &d);
-    double before = 0.0, deepest = FAR, most = 0.0;
+    double before = 0.0, deepest = FAR, largest = 0.0;
     for (uint32_t k = 0; k < (uint32_t)(SLIDE / STEP); k++) {
         for (uint32_t i = 0; i < d->mesh.node_count; i++) {
             d->x[i] = pose_apply(d->frame, place(d->mesh.rest[i], slope, height, STEP * k));
             d->v[i] = vec3_zero();
         }
         assert_true(vbss_scene_create_contacts(o, &part));
-        double gap = least_gap(o, &o->bodies[0], d->mesh.slit_middle[DRAIN_RIGHT]);
-        most = k > 0 ? fmax(fabs(gap - before), most) : 0.0;
+        double gap = min_gap(o, &o->bodies[0], d->mesh.slit_middle[DRAIN_RIGHT]);
+        largest = k > 0 ? fmax(fabs(gap - before), largest) : 0.0;
         deepest = fmin(gap, deepest);
         before = gap;
     }
     print_message("slope %.2f, %.2f mm above: %.0f um deep, a leap of %.1f um\n", slope,
-                  1e3 * height, -1e6 * deepest, 1e6 * most);
+                  1e3 * height, -1e6 * deepest, 1e6 * largest);
     assert_true(deepest < -90e-6);
-    assert_true(most <= LEAP);
+    assert_true(largest <= LEAP);
     small_end(&s);
 }
 
@@ -128,13 +129,13 @@ static void lip_moving_past_lip_end_has_contact(void **state)
         over += STEP;
         bring_near(d, over, vec3_zero());
         assert_true(vbss_scene_create_contacts(o, &part));
-    } while (least_gap(o, &o->bodies[0], lip) > 0.1e-3);
+    } while (min_gap(o, &o->bodies[0], lip) > 0.1e-3);
     o->config.contact_margin = 30e-6;
     assert_true(vbss_scene_create_contacts(o, &part));
-    assert_true(least_gap(o, &o->bodies[0], lip) == FAR);
+    assert_true(min_gap(o, &o->bodies[0], lip) == FAR);
     bring_near(d, over, vec3_make(0.0, 0.3, 0.0));
     assert_true(vbss_scene_create_contacts(o, &part));
-    expect_near(0.1e-3, least_gap(o, &o->bodies[0], lip), STEP);
+    expect_near(0.1e-3, min_gap(o, &o->bodies[0], lip), STEP);
     small_end(&s);
 }
 

@@ -203,15 +203,8 @@ static void second_hand(needles_rig *r)
     double half = 0.5 * atan2(way.y, way.x) - 0.78539816339744831;
     quat roll = quat_make(cos(half), 0.0, 0.0, sin(half));
     quat turn = quat_mul(roll, quat_make(back[0], back[1], back[2], back[3]));
-    const double told[4] = {turn.w, turn.x, turn.y, turn.z};
-    double tip[3];
-    vec3_store(tip, vec3_add(at, vec3_make(0.0, 0.0, 2e-3)));
-    uint32_t tool = r->tools.count++;
-    expect_ok(vbss_grasper_create(r->tools.s.context, &r->tools.config, &r->tools.tools[tool]));
-    expect_ok(vbss_grasper_move(r->tools.tools[tool], tip, told));
-    expect_ok(
-        vbss_scene_add_grasper(r->tools.s.scene, r->tools.tools[tool], &r->tools.bodies[tool]));
-    tools_close(&r->tools, tool);
+    vec3 tip = vec3_add(at, vec3_make(0.0, 0.0, 2e-3));
+    tools_close(&r->tools, tools_add_turned(&r->tools, tip, turn));
 }
 
 static void two_tools_share_load(void **state)

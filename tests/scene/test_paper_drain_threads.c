@@ -5,7 +5,7 @@
 #define TOUCHING (HALF_WALL + RADIUS)
 
 /* Across the drain, 60 mm, at that height, 2 mm from mid-length. */
-static hands lay_across(stage *s, double height, uint32_t segments)
+static hands place_across(stage *s, double height, uint32_t segments)
 {
     vbss_thread_config c = paper_thread(segments);
     const double start[3] = {2e-3, height, -0.03}, way[3] = {0.0, 0.0, 1.0};
@@ -23,9 +23,9 @@ static void overlying_thread_is_carried_without_motion(void **state)
 {
     (void)state;
     stage s;
-    double most = 0.0;
+    double largest = 0.0;
     stage_drain d = begin_with_drain(&s);
-    hands h = lay_across(&s, 7.3e-3, 30);
+    hands h = place_across(&s, 7.3e-3, 30);
     for (int i = 1; i <= 2000; i++) {
         for (int k = 0; k < 2; k++) {
             double to[3], way = i < 1500 ? i / 1500.0 : 1.0;
@@ -33,9 +33,9 @@ static void overlying_thread_is_carried_without_motion(void **state)
             expect_ok(vbss_thread_move(s.threads[0], h.ids[k], to, NULL));
         }
         expect_ok(vbss_scene_step(s.scene, 2e-4)); /* longer ones stretch it until it bursts */
-        most = i % 10 == 0 ? vbss_max(TOUCHING - clearance(&s, &d), most) : most;
+        largest = i % 10 == 0 ? vbss_max(TOUCHING - clearance(&s, &d), largest) : largest;
     }
-    expect_near(0.0, most, 1e-5);
+    expect_near(0.0, largest, 1e-5);
     expect_near(TOUCHING, clearance(&s, &d), 1e-5);
     expect_near(0.0, farthest(&d, DRAIN_NODES), 0.0);
     vbss_view v = look(&s, VBSS_SCENE_VIEW_CONTACTS);
@@ -55,16 +55,16 @@ static void free_thread_slides_off(void **state)
     stage s;
     uint32_t n;
     stage_drain d = begin_with_drain(&s);
-    hands h = lay_across(&s, 7.3e-3, 30);
+    hands h = place_across(&s, 7.3e-3, 30);
     for (int k = 0; k < 2; k++) {
         expect_ok(vbss_thread_detach(s.threads[0], h.ids[k]));
     }
-    double most = 0.0;
+    double largest = 0.0;
     for (int i = 0; i < 500; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
-        most = vbss_max(TOUCHING - clearance(&s, &d), most);
+        largest = vbss_max(TOUCHING - clearance(&s, &d), largest);
     }
-    assert_true(most < 1e-4);
+    assert_true(largest < 1e-4);
     const vec3 *x = places(s.threads[0], &n);
     for (uint32_t i = 0; i < n; i++) {
         assert_true(x[i].y < -RING_RADIUS);
@@ -79,7 +79,7 @@ static void held_segment_moves_drain(void **state)
     (void)state;
     stage s;
     stage_drain d = begin_with_drain(&s);
-    hands h = lay_across(&s, 7.3e-3, 1);
+    hands h = place_across(&s, 7.3e-3, 1);
     for (int i = 1; i <= 200; i++) {
         for (int k = 0; k < 2; k++) {
             double to[3];

@@ -168,17 +168,17 @@ static void axial_tool_passage_within_step_is_missed(void **state)
         stage_drain d = begin_with_drain(&s);
         vec3 outside = over_side(1e-3, 0.1e-3), inside = vec3_make(0, 0, -4e-3);
         uint32_t tool = add_tool(&s, outside, vec3_make(0, 0, 4e-3), 1e-3);
-        double most = 0.0;
+        double largest = 0.0;
         for (int i = 1, n = k == 0 ? 1 : 100; i <= n; i++) {
             go(&s, tool, vec3_lerp(outside, inside, (double)i / n));
-            most = vbss_max(farthest(&d, DRAIN_NODES), most);
+            largest = vbss_max(farthest(&d, DRAIN_NODES), largest);
         }
         if (k == 0) { /* at 12 m/s */
-            expect_near(0.0, most, 0.0);
+            expect_near(0.0, largest, 0.0);
             assert_int_equal(0, statistics_of(&s).contacts);
             assert_true(statistics_of(&s).guard_pairs > 0);
         } else {
-            assert_true(most > 2e-3);
+            assert_true(largest > 2e-3);
         }
         end(&s);
     }

@@ -107,14 +107,14 @@ static double between_hands(const throw *t)
 static void find_crossing(const throw *t, uint32_t nodes[2])
 {
     const vec3 *x = places(t);
-    double least = 1.0;
+    double smallest = 1.0;
     for (uint32_t i = 0; i + 1 < t->nodes; i++) {
         for (uint32_t k = i + 3; k + 1 < t->nodes; k++) {
             double s, u;
             vec3 apart = closest_between_edges(vec3_sub(x[i + 1], x[i]), vec3_sub(x[k + 1], x[k]),
                                                vec3_sub(x[k], x[i]), &s, &u);
-            if (vec3_norm(apart) < least) {
-                least = vec3_norm(apart);
+            if (vec3_norm(apart) < smallest) {
+                smallest = vec3_norm(apart);
                 nodes[0] = s < 0.5 ? i : i + 1;
                 nodes[1] = u < 0.5 ? k : k + 1;
             }

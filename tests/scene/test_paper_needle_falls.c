@@ -20,14 +20,14 @@ static void begin(needles_rig *r, int32_t floor)
 static double height(const needles_rig *r)
 {
     vbss_view view;
-    double least = DBL_MAX;
+    double smallest = DBL_MAX;
     expect_ok(vbss_needle_get_view(r->needle, VBSS_NEEDLE_VIEW_POINTS, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         double at[3];
         memcpy(at, (const char *)view.data + i * view.stride_bytes, sizeof at);
-        least = vbss_min(least, at[2]);
+        smallest = vbss_min(smallest, at[2]);
     }
-    return least - r->config.wire_radius;
+    return smallest - r->config.wire_radius;
 }
 
 static double speed(const needles_rig *r)

@@ -262,7 +262,7 @@ static void solenoid_follows_grasp(void **state)
         needles_rig r;
         vbss_output_config c;
         vbss_output *output;
-        vbss_output_statistics told;
+        vbss_output_statistics reported;
         begin(&r);
         if (with == 1) {
             needles_add_across(&r, MIDDLE, vec3_zero());
@@ -282,8 +282,8 @@ static void solenoid_follows_grasp(void **state)
                 assert_int_equal(result.solenoid, with == 1 ? script[k].wanted : 0);
             }
         }
-        expect_ok(vbss_output_get_statistics(output, &told, sizeof told));
-        assert_int_equal(told.pulses, with == 1 ? 2 : 0);
+        expect_ok(vbss_output_get_statistics(output, &reported, sizeof reported));
+        assert_int_equal(reported.pulses, with == 1 ? 2 : 0);
         expect_ok(vbss_output_destroy(output));
         needles_end(&r);
     }

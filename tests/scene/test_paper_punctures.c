@@ -77,7 +77,7 @@ static void withdrawn_needle_leaves_and_reenters(void **state)
     for (int i = 0; i < 200; i++) {
         go(&p, START);
     }
-    assert_true(moved_most(&p) < 1e-6);
+    assert_true(moved_max(&p) < 1e-6);
     needles_end(&p.r);
 }
 

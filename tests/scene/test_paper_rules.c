@@ -93,7 +93,7 @@ static void thickness_keeps_features_beyond_radii(void **state)
     make(&s);
     vec3 axis[2] = {vec3_make(0, 0, -0.02), vec3_make(0, 0, 0.02)};
     add_capsule(s.scene, VBSS_RIGID_DRIVEN, axis[0], axis[1], 2.5e-3);
-    lay_over(&s, 0.003);
+    place_over(&s, 0.003);
     for (int i = 0; i < 300; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
     }
@@ -104,7 +104,7 @@ static void thickness_keeps_features_beyond_radii(void **state)
 
 /* ---- what is told */
 
-static void lay_segment(stage *s)
+static void place_segment(stage *s)
 {
     vbss_thread_config c = paper_thread(1);
     c.length = 0.005;
@@ -131,7 +131,7 @@ static void segment_driven_through_tool_reports_depth(void **state)
     s.config.paper_pass_limit = 1;
     make(&s);
     const double radius[2] = {1e-3, 3e-3}, to[2] = {-0.2e-3, 1.5e-3};
-    lay_segment(&s);
+    place_segment(&s);
     add_jaw(&s, radius[0], -2e-3, to[0]);
     add_jaw(&s, radius[1], 4e-3, to[1]);
     expect_ok(vbss_scene_step(s.scene, 1e-3));
@@ -163,7 +163,7 @@ static void segment_pushed_into_tool_reports_depth(void **state)
     begin(&s);
     s.config.paper_pass_limit = 1;
     make(&s);
-    lay_segment(&s);
+    place_segment(&s);
     add_jaw(&s, 1e-3, -2e-3, -2e-3);
     add_jaw(&s, 3e-3, 4e-3, 1.5e-3);
     expect_ok(vbss_scene_step(s.scene, 1e-3));
@@ -186,7 +186,7 @@ static void contacts_are_in_feature_order(void **state)
         add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(x, 0, -0.01), vec3_make(x, 0, 0.01),
                     5e-3);
     }
-    lay_over(&s, 5.2e-3);
+    place_over(&s, 5.2e-3);
     for (int i = 0; i < 200; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
         vbss_view v = look(&s, VBSS_SCENE_VIEW_CONTACTS);

@@ -31,13 +31,13 @@ static void move_hands(stage *s, int which, hands *h, vec3 way)
 }
 
 /* The second is above the first, and touches or does not. */
-static void expect_above(stage *s, double least)
+static void expect_above(stage *s, double smallest)
 {
     uint32_t n, m;
     const vec3 *below = places(s->threads[0], &n), *above = places(s->threads[1], &m);
     vec3 up = between(below, n, above, m);
     assert_true(up.y > 0.0);
-    assert_true(vec3_norm(up) >= least);
+    assert_true(vec3_norm(up) >= smallest);
 }
 
 static double middle_z(stage *s)
@@ -129,7 +129,7 @@ static void tool_carries_and_lifts_thread(void **state)
         make(&s);
         vec3 axis[2] = {vec3_make(0, 0, -0.02), vec3_make(0, 0, 0.02)};
         uint32_t tool = add_capsule(s.scene, kinds[k], axis[0], axis[1], 2.5e-3);
-        lay_over(&s, 0.003);
+        place_over(&s, 0.003);
         double touching = 2.5e-3 + RADIUS, weight = 9.81 * 6.4e-5 * 0.15, mean = 0.0;
         for (int i = 0; i < 600; i++) {
             expect_ok(vbss_scene_step(s.scene, 1e-3));
@@ -164,7 +164,7 @@ static void thread_falls_and_rests_on_floor(void **state)
     s.config.floor = 1;
     s.config.floor_height = 0.002;
     make(&s);
-    lay_over(&s, 0.005);
+    place_over(&s, 0.005);
     int touches = 0, parts = 0;
     for (int i = 0; i < 400; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));

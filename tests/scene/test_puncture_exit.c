@@ -192,8 +192,8 @@ static void hole_is_in_one_wall(void **state)
 }
 
 /* A side along the capsule's axis, a millimetre beside it, so that its shares are the same. */
-static void lay_side_along(scene_object *s, const scene_body *needle, uint32_t capsule,
-                           uint32_t side)
+static void place_side_along(scene_object *s, const scene_body *needle, uint32_t capsule,
+                             uint32_t side)
 {
     drain_object *d = vbss_scene_body(s, c.d.body)->drain.drain;
     const scene_body *drain = vbss_scene_body(s, c.d.body);
@@ -236,7 +236,7 @@ static void needle_collides_before_and_behind_hole(void **state)
     const needle_object *n = needle->rigid.needle;
     const double first = vbss_needle_vertex_arc(n, 1), second = vbss_needle_vertex_arc(n, 2);
     scene_axis_interval piece = {.started = false};
-    lay_side_along(s, needle, 1, 0);
+    place_side_along(s, needle, 1, 0);
     s->holes[0].arc = first + 1e-3;
     expect_piece(s, 1, first, first + 0.5e-3, &piece);
     expect_piece(s, 1, first + 1.5e-3, second, &piece);
@@ -250,7 +250,7 @@ static void needle_collides_before_and_behind_hole(void **state)
     /* On its way in, the tip alone is at the mouth. */
     s->holes[1] = (suture_hole){0};
     s->holes[0].arc = s->holes[0].entry_arc = -2e-3;
-    lay_side_along(s, needle, 0, 0);
+    place_side_along(s, needle, 0, 0);
     piece = (scene_axis_interval){.started = false};
     expect_piece(s, 0, n->config.wire_radius, first, &piece);
     needle_case_end(&c);

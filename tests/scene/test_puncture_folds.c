@@ -16,7 +16,7 @@ typedef struct fold {
     vec3 at[2];
 } fold;
 
-static void lay_side(const drain_object *d, const drain_edge *side, int k, fold *f)
+static void place_side(const drain_object *d, const drain_edge *side, int k, fold *f)
 {
     const uint32_t *node = d->mesh.triangles[side->triangles[k]];
     f->sides[k].triangle = side->triangles[k];
@@ -36,8 +36,8 @@ static fold find_fold(const drain_object *d)
         if (side->triangles[1] == DRAIN_NONE) {
             continue;
         }
-        lay_side(d, side, 0, &f);
-        lay_side(d, side, 1, &f);
+        place_side(d, side, 0, &f);
+        place_side(d, side, 1, &f);
         vec3 fold_at = vec3_lerp(d->x[side->nodes[0]], d->x[side->nodes[1]], 0.5);
         vec3 chord_at = vec3_lerp(f.at[0], f.at[1], 0.5);
         if (fold_at.y > 0.0 && vec3_distance(fold_at, chord_at) > 0.1e-3) {
@@ -49,7 +49,7 @@ static fold find_fold(const drain_object *d)
 }
 
 /* The axis of the first capsule goes through both, the tip is behind the first. */
-static void lay_needle(const fold *f)
+static void place_needle(const fold *f)
 {
     scene_rigid *r = &vbss_scene_body(small_object(&c.d.s), c.body)->rigid;
     const vec3 tip = vbss_needle_point(r->needle, 0.0);
@@ -70,7 +70,7 @@ static suture_hole *begin(double entry, fold *f)
     drain_object *d;
     expect_ok(vbss_drain_open(c.d.drain, &d));
     *f = find_fold(d);
-    lay_needle(f);
+    place_needle(f);
     scene_object *s = small_object(&c.d.s);
     s->holes[0] = f->sides[0];
     s->holes[0].id = ++s->last_hole_id;

@@ -140,8 +140,8 @@ static void each_wall_has_its_peak(void **state)
     assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_PASSED], 0);
     assert_int_equal(c.crossings, 2);
     /* PMID 29920136: 0.852 to 2.915 N over both walls of a Penrose drain. */
-    double most = fmax(first, second);
-    assert_true(most > 0.852 && most < 2.915);
+    double largest = fmax(first, second);
+    assert_true(largest > 0.852 && largest < 2.915);
     needle_case_expect_kept(&c, "two walls", 0);
     needle_case_end(&c);
 }

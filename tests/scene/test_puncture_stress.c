@@ -7,13 +7,13 @@ static needle_case c;
 
 /* All energy stays below this, J: the drain holds some mJ when it is pressed flat, the hand's spring 40 mJ when it is 2 mm
  * ahead. */
-#define MOST_ENERGY 60e-3
+#define MAX_ENERGY 60e-3
 
 static void watch(uint32_t steps)
 {
     for (uint32_t i = 0; i < steps; i++) {
         needle_case_step(&c);
-        assert_true(needle_case_energy(&c) < MOST_ENERGY);
+        assert_true(needle_case_energy(&c) < MAX_ENERGY);
         uint32_t in = c.counts[VBSS_EVENT_PUNCTURE];
         uint32_t out = c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_PASSED];
         vbss_hole holes[NEEDLE_CASE_HOLES];
@@ -62,7 +62,7 @@ static void stab_pierces_both_walls(void **state)
 static double to_free_edge(vec3 rest)
 {
     drain_object *d;
-    double least = HUGE_VAL;
+    double smallest = HUGE_VAL;
     expect_ok(vbss_drain_open(c.d.drain, &d));
     for (uint32_t i = 0; i < d->mesh.edge_count; i++) {
         const drain_edge *side = &d->mesh.edges[i];
@@ -70,14 +70,14 @@ static double to_free_edge(vec3 rest)
         double share = vec3_dot(vec3_sub(rest, a), along) / vec3_norm_squared(along);
         vec3 nearest = vec3_add_scaled(a, fmin(fmax(share, 0.0), 1.0), along);
         if (side->triangles[1] == DRAIN_NONE) {
-            least = fmin(least, vec3_distance(rest, nearest));
+            smallest = fmin(smallest, vec3_distance(rest, nearest));
         }
     }
-    return least;
+    return smallest;
 }
 
 /* Pushed straight at a place of the wall, in and out. */
-static void aim_at(const char *name, vec3 place, bool held)
+static void target_at(const char *name, vec3 place, bool held)
 {
     vbss_hole holes[NEEDLE_CASE_HOLES];
     vec3 out = vec3_unit_or(vec3_make(0.0, place.y, place.z), vec3_zero());
@@ -132,7 +132,7 @@ static void any_target_holds_or_is_pierced_once(void **state)
                                vec3_add_scaled(m->rest[lip], 0.5e-3, inward),
                                m->rest[tip],
                                m->rest[end_node]};
-        aim_at(names[k], places[k], k < 3);
+        target_at(names[k], places[k], k < 3);
     }
 }
 

@@ -1,76 +1,10 @@
-/* Where the memory of scenes goes: failing allocations, steps without any, capacities that are met. */
+/* Memory and capacities of scenes: bodies without memory, steps without capacity, scenes and bodies that come and go. */
 #include <stdlib.h>
 
 #include "scene/small.h"
-#include "fixtures/scene_body.h"
+#include "fixtures/scene_build.h"
 
 static const vbss_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
-
-typedef struct plan {
-    vbss_scene_config scene;
-    vbss_thread_config thread;
-    vbss_rigid_config rigid;
-} plan;
-
-static vbss_result fill(vbss_scene *scene, vbss_thread *thread, const plan *p)
-{
-    uint32_t line, body, pin;
-    VBSS_TRY(vbss_scene_add_thread(scene, thread, &line));
-    VBSS_TRY(vbss_scene_add_rigid(scene, &p->rigid, &body));
-    VBSS_TRY(vbss_scene_pin_thread(scene, line, 0, body, NULL, &pin));
-    VBSS_TRY(vbss_scene_step(scene, 1e-3));
-    uint64_t need = 0, count = 0;
-    (void)vbss_scene_save(scene, NULL, 0, &need);
-    uint8_t *bytes = malloc(need);
-    vbss_result result = vbss_scene_save(scene, bytes, need, &count);
-    if (result == VBSS_OK) {
-        result = vbss_scene_restore(scene, bytes, count);
-    }
-    free(bytes);
-    VBSS_TRY(result);
-    VBSS_TRY(vbss_scene_remove(scene, body));
-    return vbss_scene_remove(scene, line);
-}
-
-static vbss_result attempt(vbss_context *context, void *user)
-{
-    const plan *p = user;
-    vbss_scene *scene;
-    vbss_thread *thread = NULL;
-    uint64_t hash;
-    VBSS_TRY(vbss_scene_create(context, &p->scene, &scene));
-    vbss_result result = vbss_thread_create(context, &p->thread, &thread);
-    if (result == VBSS_OK) {
-        result = fill(scene, thread, p);
-    }
-    VBSS_TRY(vbss_scene_get_hash(scene, &hash)); /* whatever failed, it is a scene */
-    VBSS_TRY(vbss_scene_destroy(scene));
-    VBSS_TRY(vbss_thread_destroy(thread));
-    return result;
-}
-
-static void each_failed_allocation_is_reported_without_leak(void **state)
-{
-    (void)state;
-    plan p;
-    expect_ok(vbss_scene_config_init(&p.scene, sizeof p.scene));
-    expect_ok(vbss_thread_config_init(&p.thread, sizeof p.thread));
-    expect_ok(vbss_rigid_config_init(&p.rigid, sizeof p.rigid));
-    p.scene.node_capacity = 20;
-    p.scene.contact_capacity = p.scene.candidate_capacity = 16;
-    p.scene.event_capacity = 4;
-    p.thread.segment_count = 6;
-    p.rigid.capsules = &ball;
-    p.rigid.capsule_count = 1;
-    p.rigid.kind = VBSS_RIGID_FREE;
-    harness_fail_every_allocation(attempt, &p);
-    p.scene.floor = 1;
-    p.rigid.kind = VBSS_RIGID_DRIVEN;
-    harness_fail_every_allocation(attempt, &p);
-    p.scene.floor = 0;
-    p.scene.method = p.thread.method = VBSS_METHOD_PAPER;
-    harness_fail_every_allocation(attempt, &p);
-}
 
 /* What fails leaves the scene as it was, and what comes afterwards finds all its room. */
 static void body_without_memory_is_not_added(void **state)
@@ -107,16 +41,6 @@ static void body_without_memory_is_not_added(void **state)
         }
         small_steps(&s, 3, 1e-3);
         small_end(&s);
-    }
-}
-
-static void steps_do_not_allocate(void **state)
-{
-    (void)state;
-    scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
-    for (int k = 0; k < 2; k++) {
-        harness_body body = scene_as_body(&kinds[k]);
-        assert_int_equal(harness_step_allocations(&body, 60), 0);
     }
 }
 
@@ -219,14 +143,67 @@ static void step_failing_midway_changes_nothing(void **state)
     assert_true(in_the_middle > 0);
 }
 
+static void scene_churn_does_not_grow_memory(void **state)
+{
+    (void)state;
+    small s;
+    uint64_t blocks = 0;
+    vbss_thread *thread;
+    small_begin(&s);
+    expect_ok(vbss_thread_create(s.context, &s.thread, &thread));
+    for (int i = 0; i < 12; i++) {
+        uint32_t body;
+        small_create(&s);
+        expect_ok(vbss_scene_add_thread(s.scene, thread, &body));
+        small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_zero(), 1e-3);
+        expect_ok(vbss_scene_destroy(s.scene));
+        blocks = i == 0 ? s.memory.blocks : blocks;
+        assert_int_equal(s.memory.blocks, blocks);
+    }
+    small_end(&s);
+}
+
+/* Numbers are never used again, places are. */
+static void removed_bodies_free_capacity(void **state)
+{
+    (void)state;
+    small s;
+    small_begin(&s);
+    s.config.rigid_capacity = 2;
+    s.config.capsule_capacity = 2;
+    s.config.thread_capacity = 1;
+    s.config.node_capacity = 6;
+    small_create(&s);
+    uint32_t last = 0;
+    for (int i = 0; i < 50; i++) {
+        vbss_thread *thread;
+        uint32_t refused;
+        vec3 high = vec3_make(0.0, 0.01, 0.0);
+        uint32_t a = small_capsule(&s, VBSS_RIGID_FREE, high, high, 1e-3);
+        uint32_t t = small_thread(&s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), 5, &thread);
+        uint32_t b = small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_scale(high, 2.0), high, 1e-3);
+        assert_true(last < a && a < t && t < b);
+        last = b;
+        expect_result(VBSS_ERROR_CAPACITY, scene_build_capsule(s.scene, &s.rigid, ball, &refused));
+        small_steps(&s, 1, 1e-3);
+        expect_ok(vbss_scene_remove(s.scene, i % 2 == 0 ? a : b));
+        expect_ok(vbss_scene_remove(s.scene, t));
+        small_steps(&s, 1, 1e-3);
+        expect_ok(vbss_scene_remove(s.scene, i % 2 == 0 ? b : a));
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(s.scene, a));
+        expect_ok(vbss_thread_destroy(thread));
+    }
+    small_end(&s);
+}
+
 int test_scene_memory(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
         cmocka_unit_test(body_without_memory_is_not_added),
-        cmocka_unit_test(steps_do_not_allocate),
         cmocka_unit_test(step_without_capacity_changes_nothing),
         cmocka_unit_test(step_failing_midway_changes_nothing),
+        cmocka_unit_test(scene_churn_does_not_grow_memory),
+        cmocka_unit_test(removed_bodies_free_capacity),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

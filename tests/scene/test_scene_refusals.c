@@ -245,6 +245,29 @@ static void bad_rigid_bodies_are_rejected(void **state)
     small_end(&t.s);
 }
 
+static const vbss_capsule point = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
+
+static void default_scene(void **state)
+{
+    (void)state;
+    small s;
+    uint32_t body = 77;
+    small_begin(&s);
+    expect_ok(vbss_scene_create(s.context, NULL, &s.scene));
+    small_steps(&s, 3, 1e-3); /* of nothing */
+    assert_int_equal(small_statistics(&s).steps, 3);
+    expect_near(3e-3, small_statistics(&s).time, 1e-18);
+    s.rigid.capsules = &point;
+    s.rigid.capsule_count = 1;
+    for (uint32_t i = 1; i <= 4; i++) {
+        expect_ok(vbss_scene_add_rigid(s.scene, &s.rigid, &body));
+        assert_int_equal(body, i);
+    }
+    expect_result(VBSS_ERROR_CAPACITY, vbss_scene_add_rigid(s.scene, &s.rigid, &body));
+    assert_int_equal(body, 4);
+    small_end(&s);
+}
+
 int test_scene_refusals(void)
 {
     const struct CMUnitTest tests[] = {
@@ -252,6 +275,7 @@ int test_scene_refusals(void)
         cmocka_unit_test(bad_scene_choices_are_rejected),
         cmocka_unit_test(maximum_node_count_is_accepted),
         cmocka_unit_test(bad_rigid_bodies_are_rejected),
+        cmocka_unit_test(default_scene),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -161,6 +161,35 @@ static void bad_steps_views_and_buffers_are_rejected(void **state)
     small_end(&t.s);
 }
 
+/* A drain is neither a thread nor a tool. */
+static void calls_about_other_bodies_are_rejected(void **state)
+{
+    (void)state;
+    small s;
+    vbss_rigid_state rigid;
+    vbss_thread *thread = NULL;
+    vbss_grasp grasp;
+    uint32_t pin = 77;
+    const double zero[3] = {0.0, 0.0, 0.0};
+    small_begin_scene(&s);
+    uint32_t drain = small_drain(&s, NULL);
+    uint32_t line = small_thread(&s, vec3_make(0.0, 0.1, 0.0), vec3_make(0.01, 0.1, 0.0), 5, NULL);
+    uint64_t hash = small_hash(&s);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_get_rigid(s.scene, drain, &rigid, sizeof rigid));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(s.scene, drain, zero, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_thread(s.scene, drain, &thread));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(s.scene, drain, 5e-3, &pin));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(s.scene, drain, 0, 0, NULL, &pin));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_pin_thread(s.scene, line, 0, drain, NULL, &pin));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_get_grasp(s.scene, drain, 0, &grasp, sizeof grasp));
+    assert_int_equal(pin, 77);
+    assert_true(small_hash(&s) == hash);
+    small_end(&s);
+}
+
 int test_scene_refused_calls(void)
 {
     const struct CMUnitTest tests[] = {
@@ -169,6 +198,7 @@ int test_scene_refused_calls(void)
         cmocka_unit_test(bad_pins_are_rejected),
         cmocka_unit_test(pin_needs_attachment_capacity),
         cmocka_unit_test(bad_steps_views_and_buffers_are_rejected),
+        cmocka_unit_test(calls_about_other_bodies_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,9 +32,10 @@ static void driven_body_is_at_target(void **state)
         const double q[4] = {7.0 * vbss_cos(turn), 0.0, 7.0 * vbss_sin(turn), 0.0};
         const double h = i % 2 == 0 ? 1e-3 : 2e-3;
         expect_ok(vbss_scene_move_rigid(s.scene, body, p, q));
-        vbss_rigid_state told = small_rigid(&s, body);
-        expect_near(0.0, vec3_distance(vec3_load(p), vec3_load(told.target_position)), 1e-16);
-        assert_memory_equal(told.position, before.position, sizeof told.position); /* not yet */
+        vbss_rigid_state reported = small_rigid(&s, body);
+        expect_near(0.0, vec3_distance(vec3_load(p), vec3_load(reported.target_position)), 1e-16);
+        assert_memory_equal(reported.position, before.position,
+                            sizeof reported.position); /* not yet */
         small_steps(&s, 1, h);
         vbss_rigid_state now = small_rigid(&s, body);
         expect_near(0.0, vec3_distance(vec3_load(p), vec3_load(now.position)), 1e-16);

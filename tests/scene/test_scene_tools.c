@@ -5,11 +5,6 @@
 static const vec3 half = {0.0, 0.0, 5e-3};
 static const vec3 along = {5e-3, 0.0, 0.0};
 
-static void expect_vector(vec3 wanted, vec3 got, double tolerance)
-{
-    expect_near(0.0, vec3_distance(wanted, got), tolerance);
-}
-
 /* Two hands press their tools together by 1 mm: as much on the one as on the other, and as their springs say. */
 static void pressed_tools_push_back_equally(void **state)
 {
@@ -25,7 +20,7 @@ static void pressed_tools_push_back_equally(void **state)
         small_steps(&s, 1, 1e-3);
         vbss_rigid_state on_a = small_rigid(&s, a), on_b = small_rigid(&s, b);
         vec3 sum = vec3_add(vec3_load(on_a.contact_force), vec3_load(on_b.contact_force));
-        expect_vector(vec3_zero(), sum, 1e-12);
+        expect_near_vec3(vec3_zero(), sum, 1e-12);
         /* By symmetry the point where they touch is the origin: so are the torques about it. */
         expect_near(on_a.position[1], -on_b.position[1], 1e-9);
     }
@@ -116,7 +111,7 @@ static void tool_on_floor_sticks_then_slides(void **state)
     assert_true(stuck.x < 5e-6);
     expect_near(-0.2, small_rigid(&s, tool).contact_force[0], 0.02);
     small_steps(&s, 1000, 1e-3);
-    expect_vector(stuck, small_position(&s, tool), 1e-12);
+    expect_near_vec3(stuck, small_position(&s, tool), 1e-12);
     for (int i = 1; i <= 200; i++) {
         small_move(&s, tool, vec3_make(1e-4 + 1e-5 * i, 0.0, 0.0));
         small_steps(&s, 1, 1e-3);

@@ -7,20 +7,20 @@
 
 static void expect_cut_at(const shears_rig *r, double arc, double tolerance)
 {
-    const scene_object *o = small_object(&r->s);
+    const scene_object *o = small_object(&r->tools.s);
     assert_int_equal(r->cuts, 1);
-    assert_int_equal(r->first[1], r->body);
+    assert_int_equal(r->first[1], r->tools.body);
     expect_near(arc, 1e-6 * r->first[3], tolerance + TOLERANCE);
-    expect_near(arc, cut_length(cut_thread(o, r->body)), tolerance + TOLERANCE);
+    expect_near(arc, cut_length(cut_thread(o, r->tools.body)), tolerance + TOLERANCE);
 }
 
 /* How far from the plane of the blades the thread's new end is. */
 static double off_the_plane(const shears_rig *r)
 {
-    vbss_grasper_state tool = shears_state(r, 0); /* the thread has pushed it, too */
+    vbss_grasper_state tool = tools_state(&r->tools, 0); /* the thread has pushed it, too */
     const double *q = tool.orientation;
     pose at = pose_make(vec3_load(tool.position), quat_make(q[0], q[1], q[2], q[3]));
-    return pose_apply_inverse(at, small_node(r->thread, cut_nodes(r->thread) - 1)).y;
+    return pose_apply_inverse(at, small_node(r->tools.thread, cut_nodes(r->tools.thread) - 1)).y;
 }
 
 /* ---- where it lies */
@@ -37,7 +37,7 @@ static void thread_is_cut_in_place(void **state)
             for (int turned = 0; turned < (short_end ? 1 : 3); turned++) {
                 shears_rig r;
                 shears_begin(&r, method); /* turned blades shake a soft thread too much */
-                small_create(&r.s);
+                small_create(&r.tools.s);
                 shears_line(&r, true);
                 shears_tool(&r, VBSS_GRASPER_SHEARS, places[k], 0.5 * turned);
                 assert_true(shears_cut(&r, 0));
@@ -68,7 +68,7 @@ static void slanting_thread_is_cut_in_blade_plane(void **state)
             }
             shears_begin_scene(&r, method);
             shears_laid(&r, nodes, 41);
-            small_pin_ends(&r.s, r.body, 41);
+            small_pin_ends(&r.tools.s, r.tools.body, 41);
             shears_tool(&r, VBSS_GRASPER_SHEARS, plane, 0.0);
             assert_true(shears_cut(&r, 0));
             expect_cut_at(&r, (plane + 5e-3) * sqrt(1.0 + 0.25 * rise * rise), 0.02e-3);
@@ -87,7 +87,7 @@ static void off_centre_thread_is_dragged_and_cut(void **state)
         shears_begin_scene(&r, VBSS_METHOD_OURS);
         shears_line(&r, true);
         shears_tool(&r, VBSS_GRASPER_SHEARS, 3.21e-3, 0.0);
-        shears_move(&r, 0, vec3_load(tip));
+        tools_move(&r.tools, 0, vec3_load(tip));
         shears_steps(&r, 100);
         assert_true(shears_cut(&r, 0));
         /* Stretched to two sides of a triangle, which it slides along, but not by much. */
@@ -111,8 +111,8 @@ static void cut_at_node_splits_node(void **state)
             shears_line(&r, true);
             shears_tool(&r, VBSS_GRASPER_SHEARS, 4.0 * SHEARS_SEGMENT + beside[k], 0.0);
             assert_true(shears_cut(&r, 0));
-            expect_ok(vbss_scene_get_thread(r.s.scene, r.first[2], &piece));
-            assert_int_equal(cut_nodes(r.thread), k < 3 ? 35 : 36);
+            expect_ok(vbss_scene_get_thread(r.tools.s.scene, r.first[2], &piece));
+            assert_int_equal(cut_nodes(r.tools.thread), k < 3 ? 35 : 36);
             assert_int_equal(cut_nodes(piece), 27);
             expect_near(2e-3 + beside[k], small_node(piece, 0).y, 6e-6);
             shears_steps(&r, 100);
@@ -132,18 +132,18 @@ static void blades_close_on_nothing(void **state)
         shears_begin_scene(&r, method);
         shears_line(&r, true);
         shears_tool(&r, VBSS_GRASPER_SHEARS, 17e-3, 0.0); /* beyond the thread's end */
-        double angle = r.config.shears_opening, most = 1e-3 * r.config.jaw_speed;
-        uint64_t nodes = cut_nodes(r.thread);
-        shears_open(&r, 0, 0.0);
+        double angle = r.tools.config.shears_opening, largest = 1e-3 * r.tools.config.jaw_speed;
+        uint64_t nodes = cut_nodes(r.tools.thread);
+        tools_open(&r.tools, 0, 0.0);
         for (int i = 0; i < 60; i++) {
             shears_steps(&r, 1);
-            angle = vbss_max(angle - most, 0.0);
-            expect_near(angle, shears_state(&r, 0).jaw_angle, 1e-14);
-            assert_int_equal(small_view(&r.s, VBSS_SCENE_VIEW_EVENTS).count, 0);
+            angle = vbss_max(angle - largest, 0.0);
+            expect_near(angle, tools_state(&r.tools, 0).jaw_angle, 1e-14);
+            assert_int_equal(small_view(&r.tools.s, VBSS_SCENE_VIEW_EVENTS).count, 0);
         }
-        assert_int_equal(cut_nodes(r.thread), nodes);
-        expect_near(0.0, vec3_norm(vec3_load(shears_state(&r, 0).hand_force)), 1e-9);
-        expect_near(0.0, shears_state(&r, 0).pressure, 0.0);
+        assert_int_equal(cut_nodes(r.tools.thread), nodes);
+        expect_near(0.0, vec3_norm(vec3_load(tools_state(&r.tools, 0).hand_force)), 1e-9);
+        expect_near(0.0, tools_state(&r.tools, 0).pressure, 0.0);
         shears_expect_shut(&r, 0);
         shears_end(&r);
     }
@@ -160,7 +160,7 @@ static void cut_at_end_does_nothing_and_blades_close(void **state)
                 double off = 0.04e-3 * k; /* of the blades, from the end outward */
                 shears_begin_scene(&r, method);
                 shears_line(&r, false);
-                double thick = 2.0 * r.s.thread.radius;
+                double thick = 2.0 * r.tools.s.thread.radius;
                 shears_tool(&r, VBSS_GRASPER_SHEARS, side * (0.015 + off), 0.0);
                 assert_int_equal(shears_cut(&r, 0), off < -thick);
                 shears_steps(&r, 100);
@@ -181,11 +181,11 @@ static void only_closing_cuts(void **state)
     shears_begin_scene(&r, VBSS_METHOD_OURS);
     shears_line(&r, true);
     shears_tool(&r, VBSS_GRASPER_SHEARS, 0.3e-3, 0.0);
-    shears_open(&r, 0, 0.4);
+    tools_open(&r.tools, 0, 0.4);
     shears_steps(&r, 100);
     for (int i = 1; i <= 100; i++) {
-        shears_move(&r, 0, vec3_make(0.0, 0.3e-3 + 4e-5 * i, -SHEARS_BELOW));
-        shears_open(&r, 0, 0.4 + 6e-3 * i);
+        tools_move(&r.tools, 0, vec3_make(0.0, 0.3e-3 + 4e-5 * i, -SHEARS_BELOW));
+        tools_open(&r.tools, 0, 0.4 + 6e-3 * i);
         shears_steps(&r, 1);
     }
     assert_int_equal(r.cuts + r.failed_cuts, 0);
@@ -224,13 +224,13 @@ static void two_strands_are_cut_in_one_step(void **state)
             there_and_back(nodes, apart[k]);
             shears_begin_scene(&r, method);
             shears_laid(&r, nodes, 81);
-            const scene_object *o = small_object(&r.s);
-            double length = cut_length(cut_thread(o, r.body));
+            const scene_object *o = small_object(&r.tools.s);
+            double length = cut_length(cut_thread(o, r.tools.body));
             shears_tool(&r, VBSS_GRASPER_SHEARS, -2.23e-3, 0.0);
             assert_true(shears_cut(&r, 0));
             assert_int_equal(r.cuts, 2);
-            uint32_t far = r.bodies[0] + 1, middle = r.bodies[0] + 2;
-            const uint32_t wanted[2][3] = {{r.body, far}, {r.body, middle}};
+            uint32_t far = r.tools.bodies[0] + 1, middle = r.tools.bodies[0] + 2;
+            const uint32_t wanted[2][3] = {{r.tools.body, far}, {r.tools.body, middle}};
             for (int i = 0; i < 3; i++) {
                 assert_int_equal((i < 2 ? wanted[0][i] : VBSS_EVENT_CUT),
                                  r.first[i < 2 ? i + 1 : 0]);
@@ -240,11 +240,11 @@ static void two_strands_are_cut_in_one_step(void **state)
             double first = -2.23e-3 + 0.01;
             expect_near(length - first, 1e-6 * r.first[3], 0.02e-3);
             expect_near(first, 1e-6 * r.last[3], 0.02e-3);
-            expect_near(first, cut_length(cut_thread(o, r.body)), 0.02e-3);
+            expect_near(first, cut_length(cut_thread(o, r.tools.body)), 0.02e-3);
             expect_near(first, cut_length(cut_thread(o, far)), 0.02e-3);
             expect_near(length - 2.0 * first, cut_length(cut_thread(o, middle)), 0.04e-3);
             expect_near(length,
-                        cut_length(cut_thread(o, r.body)) + cut_length(cut_thread(o, far)) +
+                        cut_length(cut_thread(o, r.tools.body)) + cut_length(cut_thread(o, far)) +
                             cut_length(cut_thread(o, middle)),
                         1e-12);
             shears_steps(&r, 100);
@@ -259,7 +259,7 @@ static void two_strands_are_cut_in_one_step(void **state)
 
 static uint32_t exchanges(const shears_rig *r, vbss_event_kind kind, uint32_t event[4])
 {
-    return small_events(&r->s, kind, event);
+    return small_events(&r->tools.s, kind, event);
 }
 
 /* A driver holds, lets go, leaves the work volume, comes back as shears and cuts. */
@@ -270,49 +270,49 @@ static void driver_exchanged_for_shears_cuts(void **state)
         shears_rig r;
         uint32_t event[4];
         shears_begin(&r, method);
-        r.config.exchange_distance = 0.06;
-        r.config.shears_opening = 0.3;
-        r.s.config.contact_capacity = 1024;
-        small_create(&r.s);
+        r.tools.config.exchange_distance = 0.06;
+        r.tools.config.shears_opening = 0.3;
+        r.tools.s.config.contact_capacity = 1024;
+        small_create(&r.tools.s);
         shears_line(&r, true);
         shears_tool(&r, VBSS_GRASPER_NEEDLE_DRIVER, 3.3e-3, 0.0);
         if (method == VBSS_METHOD_PAPER) { /* which takes what is near the tip */
-            shears_move(&r, 0, vec3_make(0.0, 3.3e-3, 0.8e-3));
+            tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, 0.8e-3));
         }
         shears_steps(&r, 50);
-        shears_open(&r, 0, 0.0);
+        tools_open(&r.tools, 0, 0.0);
         shears_steps(&r, 100);
-        assert_int_equal(shears_state(&r, 0).grasp_count, 1);
-        expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
+        assert_int_equal(tools_state(&r.tools, 0).grasp_count, 1);
+        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_SHEARS));
         shears_steps(&r, 1); /* it holds something, and is within */
         assert_int_equal(exchanges(&r, VBSS_EVENT_NOT_EXCHANGED, event), 1);
-        assert_true(event[1] == r.bodies[0] && event[3] == VBSS_GRASPER_SHEARS);
+        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_SHEARS);
         shears_steps(&r, 10); /* what was refused is forgotten */
         assert_int_equal(exchanges(&r, VBSS_EVENT_NOT_EXCHANGED, event), 0);
-        assert_int_equal(shears_state(&r, 0).kind, VBSS_GRASPER_NEEDLE_DRIVER);
-        shears_open(&r, 0, 1.0);
+        assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_NEEDLE_DRIVER);
+        tools_open(&r.tools, 0, 1.0);
         shears_steps(&r, 100);
-        expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
+        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_SHEARS));
         shears_steps(&r, 1); /* with empty jaws, but still within */
         assert_int_equal(exchanges(&r, VBSS_EVENT_NOT_EXCHANGED, event), 1);
         for (int i = 1; i <= 200; i++) {
-            shears_move(&r, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));
+            tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));
             shears_steps(&r, 1);
         }
         shears_steps(&r, 50);
-        expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
+        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_SHEARS));
         shears_steps(&r, 1);
         assert_int_equal(exchanges(&r, VBSS_EVENT_EXCHANGED, event), 1);
-        assert_true(event[1] == r.bodies[0] && event[3] == VBSS_GRASPER_SHEARS);
-        assert_int_equal(shears_state(&r, 0).kind, VBSS_GRASPER_SHEARS);
+        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_SHEARS);
+        assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_SHEARS);
         for (int i = 200; i >= 0; i--) {
-            shears_move(&r, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));
+            tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));
             shears_steps(&r, 1);
         }
         shears_steps(&r, 50);
         assert_true(shears_cut(&r, 0));
         expect_cut_at(&r, 18.3e-3, 0.1e-3);
-        assert_int_equal(shears_state(&r, 0).grasp_count, 0);
+        assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
         shears_steps(&r, 100);
         shears_expect_shut(&r, 0);
         shears_end(&r);

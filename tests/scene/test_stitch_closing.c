@@ -9,7 +9,7 @@ static stitch_rig c;
 /* Instead of the default's limit of work, which `work` 0 leaves. */
 #define NO_LIMIT UINT32_MAX
 
-static void tie(double most, uint32_t work)
+static void tie(double limit, uint32_t work)
 {
     stitch_rig_begin(&c);
     c.o.scene.work_limit = work > 0 ? work : c.o.scene.work_limit;
@@ -17,7 +17,7 @@ static void tie(double most, uint32_t work)
     stitch_rig_make(&c);
     stitch_rig_wait(&c, 100);
     assert_true(stitch_rig_gap(&c).gap >= 2e-3);
-    stitch_rig_pull(&c, 700, 0.03, most);
+    stitch_rig_pull(&c, 700, 0.03, limit);
 }
 
 static void pulled_limbs_close_slit_and_throw_holds_it(void **state)
@@ -164,7 +164,7 @@ static double gap_at(const loading *on, double pull)
 }
 
 typedef struct lag {
-    double mean, most; /* by how much less the gap is on the way back */
+    double mean, largest; /* by how much less the gap is on the way back */
 } lag;
 
 static lag lag_of(double friction, uint32_t work)
@@ -180,7 +180,7 @@ static lag lag_of(double friction, uint32_t work)
         if (back.pull[i] >= on.pull[0]) {
             double less = gap_at(&on, back.pull[i]) - back.gap[i];
             l.mean += less;
-            l.most = fmax(l.most, fabs(less));
+            l.largest = fmax(l.largest, fabs(less));
             count++;
         }
     }
@@ -195,12 +195,12 @@ static void gap_decreases_with_tension_and_hysteresis_is_friction(void **state)
     lag exact = lag_of(0.0, NO_LIMIT), none = lag_of(0.0, 0), rubs = lag_of(0.3, 0);
     print_message("less gap on the way back, without friction nor limit of work %.3f mm (at most "
                   "%.3f), with the limit %.3f (%.3f), with friction %.3f (%.3f)\n",
-                  1e3 * exact.mean, 1e3 * exact.most, 1e3 * none.mean, 1e3 * none.most,
-                  1e3 * rubs.mean, 1e3 * rubs.most);
-    assert_true(exact.most < 0.05e-3);
+                  1e3 * exact.mean, 1e3 * exact.largest, 1e3 * none.mean, 1e3 * none.largest,
+                  1e3 * rubs.mean, 1e3 * rubs.largest);
+    assert_true(exact.largest < 0.05e-3);
     assert_true(fabs(none.mean) < 0.03e-3);
-    assert_true(none.most < 0.05e-3);
-    assert_true(rubs.most > 4.0 * none.most);
+    assert_true(none.largest < 0.05e-3);
+    assert_true(rubs.largest > 4.0 * none.largest);
     assert_true(rubs.mean > 4.0 * fabs(none.mean));
 }
 

@@ -91,6 +91,31 @@ static void impossible_hole_is_rejected_and_changes_nothing(void **state)
     stitch_case_end(&c);
 }
 
+/* A second hole at the place of the first would double its friction. */
+static void hole_at_the_place_of_a_hole_is_refused(void **state)
+{
+    (void)state;
+    stitch_case_begin(&c);
+    c.options.scene.hole_capacity = 8;
+    stitch_case_make(&c);
+    uint32_t count = 0;
+    vbss_hole hole;
+    while (vbss_scene_get_hole(c.s.scene, count, &hole, sizeof hole) == VBSS_OK) {
+        count++;
+    }
+    assert_true(count > 0);
+    for (uint32_t i = 0; i < count; i++) {
+        expect_ok(vbss_scene_get_hole(c.s.scene, i, &hole, sizeof hole));
+        const double shift = 1e-4;
+        for (int k = -1; k <= 1; k++) {
+            expect_refused(VBSS_ERROR_OUT_OF_RANGE,
+                           (asked){hole.thread, hole.arc_length + k * shift, hole.drain,
+                                   hole.triangle, hole.weights});
+        }
+    }
+    stitch_case_end(&c);
+}
+
 static void hole_count_is_limited_by_capacity(void **state)
 {
     (void)state;
@@ -244,6 +269,7 @@ int test_stitch_rules(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impossible_hole_is_rejected_and_changes_nothing),
+        cmocka_unit_test(hole_at_the_place_of_a_hole_is_refused),
         cmocka_unit_test(hole_count_is_limited_by_capacity),
         cmocka_unit_test(removed_thread_removes_holes),
         cmocka_unit_test(removed_drain_removes_holes),

@@ -7,7 +7,7 @@
 #include "scene/world/world.h"
 #include "fixtures/throw_scenes.h"
 
-enum { MOST_STEPS = 20000 };
+enum { MAX_STEPS = 20000 };
 
 static vbss_context *begin(harness_memory *memory, bool twice, throw_scene *scene)
 {
@@ -46,16 +46,16 @@ static int compare(const void *a, const void *b)
 
 /* ---- a whole throw */
 
-static void expect_slides_off(bool twice, uint32_t most_solves)
+static void expect_slides_off(bool twice, uint32_t max_solves)
 {
-    static uint64_t solves[MOST_STEPS];
+    static uint64_t solves[MAX_STEPS];
     harness_memory memory;
     throw_scene scene;
     vbss_context *context = begin(&memory, twice, &scene);
     uint32_t steps = 0, at_first = 0, at_last = 0;
     vbss_scene_statistics s = statistics(&scene);
     for (; scene.phase != THROW_DONE; steps++) {
-        assert_true(steps < MOST_STEPS);
+        assert_true(steps < MAX_STEPS);
         uint64_t before = s.state_solves;
         expect_ok(throw_scene_step(&scene));
         s = statistics(&scene);
@@ -72,7 +72,7 @@ static void expect_slides_off(bool twice, uint32_t most_solves)
     /* Nothing was cut short; hardly anything was tried again. */
     assert_int_equal(s.clamped, 0);
     assert_true((s.attempts - s.steps) * 100 <= s.steps);
-    assert_true(solves[steps - steps / 100 - 1] <= most_solves);
+    assert_true(solves[steps - steps / 100 - 1] <= max_solves);
     assert_true(s.penetration <= 0.1 * 2.0 * scene.options.thread.radius);
     assert_true(s.stretch_error <= 1e-3);
     expect_ok(vbss_scene_destroy(scene.scene));

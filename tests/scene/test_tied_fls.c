@@ -67,7 +67,7 @@ static void first_throw_stays_closed(void **state)
         bool laid = tied_knot_stage(&t.knot) > 0;
         assert_true(!laid || loop_radius(&t) < t.options.knot.cylinder_radius + 1e-3);
         expect_ok(tied_knot_step(&t.knot, TIED_STEP));
-        assert_true(t.knot.steps < TIED_MOST_STEPS);
+        assert_true(t.knot.steps < TIED_MAX_STEPS);
     }
     tied_end(&t);
 }

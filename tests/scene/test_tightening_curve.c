@@ -12,7 +12,7 @@
 #include "scene/rig.h"
 #include "fixtures/knots.h"
 
-enum { MOST_NODES = 1024 };
+enum { MAX_NODES = 1024 };
 
 static const double pi = 0x1.921fb54442d18p1;
 static const double stiffness = 1e-8, h = 1e-3;
@@ -148,14 +148,14 @@ static vec3 point_at(const braid *b, double s)
 }
 
 /* A little shorter than theory says; fine where strands touch or will. */
-static uint32_t lay(const rod *k, vec3 *x, double *rest)
+static uint32_t place(const rod *k, vec3 *x, double *rest)
 {
     const double loop_radius = 9.5e-3, fine = k->radius < 10e-6 ? 0.12e-3 : 0.2e-3, coarse = 1e-3;
     braid b = {.turns = k->turns, .gap = 1.5 * k->radius, .loop = loop_radius, .tail = 0.03};
     b.length = 11.7 * (k->turns - 0.4) * sqrt(k->radius * loop_radius);
     double length = whole_length(&b), s = 0.0;
     uint32_t n = 0;
-    while (s < length && n + 1 < MOST_NODES) {
+    while (s < length && n + 1 < MAX_NODES) {
         x[n++] = point_at(&b, s);
         s += fmin(s, length - s) > b.tail - 2e-3 ? fine : coarse;
     }
@@ -169,10 +169,10 @@ static uint32_t lay(const rod *k, vec3 *x, double *rest)
 
 static void begin(scene_rig *r, const rod *k)
 {
-    vec3 x[MOST_NODES];
-    double rest[MOST_NODES];
+    vec3 x[MAX_NODES];
+    double rest[MAX_NODES];
     vbss_scene_config scene = scene_rig_config();
-    vbss_thread_config thread = rig_config(1.0, lay(k, x, rest) - 1);
+    vbss_thread_config thread = rig_config(1.0, place(k, x, rest) - 1);
     scene.thread_friction = k->friction;
     scene.contact_stiffness = 5e3;
     scene.contact_margin = fmin(30e-6, 2.0 * k->radius);
@@ -244,13 +244,13 @@ static void more_turns_follow_jawed(void **state)
     (void)state;
     const struct {
         int turns;
-        double friction, least, most;
+        double friction, smallest, largest;
     } bands[] = {{2, 0.3, 0.9, 1.1}, {2, 0.1, 0.8, 1.0}, {3, 0.3, 1.0, 1.33}, {4, 0.3, 1.0, 1.33}};
     for (int i = 0; i < 4; i++) {
         const rod k = {bands[i].turns, 25e-6, bands[i].friction};
         scene_pull_means m = pull(&k);
         double ratio = m.force / force_by_jawed(&k, m.shortening);
-        assert_true(ratio > bands[i].least && ratio < bands[i].most);
+        assert_true(ratio > bands[i].smallest && ratio < bands[i].largest);
     }
 }
 

@@ -80,7 +80,7 @@ static void expect_same_state(const pulled *one, const pulled *other)
 }
 
 /* Hands are drawn to and fro, and what one host tells by the number of the step, the other does by the steps that it sees begun. */
-static void tell(pulled *p, uint64_t step)
+static void report(pulled *p, uint64_t step)
 {
     for (uint32_t i = 0; i < p->scene.hand_count; i++) {
         const contact_hand *hand = &p->scene.hands[i];
@@ -109,21 +109,21 @@ static void divided_steps_are_bit_equal(void **state)
         }
         scene_object *s = object_of(divided.scene.scene);
         s->config.slot_limit = slots[k];
-        uint64_t told = 0, calls = 0;
+        uint64_t reported = 0, calls = 0;
         while (finished(&divided) < PULLED + COMPARED) {
             const uint64_t before = finished(&divided),
                            begun = before + s->cursor.is_suspended - PULLED;
             s->cursor.steps_behind =
                 0; /* a call begins one step at most, of which is known what it was told */
-            if (told == begun) {
-                tell(&divided, told++);
+            if (reported == begun) {
+                report(&divided, reported++);
             }
             expect_ok(vbss_scene_step(divided.scene.scene, STEP));
             calls++;
             assert_in_range(finished(&divided), before,
                             before + 2); /* and the next, that is light */
             for (uint64_t i = before; i < finished(&divided); i++) {
-                tell(&whole, i - PULLED);
+                report(&whole, i - PULLED);
                 expect_ok(vbss_scene_step(whole.scene.scene, STEP));
             }
             if (finished(&divided) > before &&
@@ -143,7 +143,7 @@ static void divided_steps_are_bit_equal(void **state)
 /* Of all work, also of the step that waits. */
 static uint64_t work_of(const scene_object *s)
 {
-    return s->statistics.operations + (s->cursor.is_suspended ? s->cursor.operations : 0);
+    return s->report.statistics.operations + (s->cursor.is_suspended ? s->cursor.operations : 0);
 }
 
 static void call_stays_within_budget(void **state)
@@ -153,30 +153,31 @@ static void call_stays_within_budget(void **state)
     for (int k = 0; k < 4; k++) {
         pulled p;
         uint32_t whole = 0, calls = 0;
-        uint64_t most = 0, beside = 0;
+        uint64_t largest = 0, beside = 0;
         begin(&p, slots[k]);
         expect_ok(contact_scene_step(&p.scene, STEP)); /* the first is made at once */
         scene_object *s = object_of(p.scene.scene);
         for (int i = 0; i < 800; i++) {
-            const uint64_t before = work_of(s), refused = s->statistics.rejected_guard;
+            const uint64_t before = work_of(s), refused = s->report.statistics.rejected_guard;
             expect_ok(contact_scene_step(&p.scene, STEP));
             assert_in_range(s->cursor.steps_behind + s->cursor.is_suspended, 0, 2);
-            assert_int_equal(s->statistics.behind, s->cursor.steps_behind + s->cursor.is_suspended);
+            assert_int_equal(s->report.statistics.behind,
+                             s->cursor.steps_behind + s->cursor.is_suspended);
             assert_false(
                 s->cursor.is_suspended &&
                 s->cursor.substep.uses_trial_motion); /* no saved state could tell its ways */
-            if (s->statistics.rejected_guard >
+            if (s->report.statistics.rejected_guard >
                 refused) { /* what follows one that the guard refused is not divided */
                 whole++;
                 continue;
             }
             const uint64_t work = work_of(s) - before;
-            most = work > most ? work : most;
+            largest = work > largest ? work : largest;
             beside = vbss_scene_attempt_cost(s);
             calls++;
         }
         /* An attempt that begins is prepared, whatever room there is; and what is about to wait has been prepared. */
-        assert_in_range(most, slots[k] / 2, slots[k] + 2 * beside);
+        assert_in_range(largest, slots[k] / 2, slots[k] + 2 * beside);
         assert_true(whole > 0 && whole < calls / 20);
         vbss_scene_statistics c = statistics_of(p.scene.scene);
         assert_true(c.deferred > 30);
@@ -495,12 +496,12 @@ static void commands_during_suspension_apply_to_next_step(void **state)
     scene_object *o = small_object(&s);
     assert_true(o->cursor.is_suspended);
     const pose goes = o->bodies[1].rigid.body.target_end;
-    const double told[3] = {4e-3, 2.1e-3, 1e-4};
-    expect_ok(vbss_scene_move_rigid(s.scene, rod, told, NULL));
+    const double reported[3] = {4e-3, 2.1e-3, 1e-4};
+    expect_ok(vbss_scene_move_rigid(s.scene, rod, reported, NULL));
     assert_memory_equal(&goes, &o->bodies[1].rigid.body.target_end, sizeof goes);
     vbss_rigid_state seen = small_rigid(&s, rod);
     for (int k = 0; k < 3; k++) {
-        expect_near(told[k], seen.target_position[k], 1e-12);
+        expect_near(reported[k], seen.target_position[k], 1e-12);
     }
     small_state kept = small_save(&s); /* a saved state knows it */
     for (int way = 0; way < 2; way++) {
@@ -509,7 +510,7 @@ static void commands_during_suspension_apply_to_next_step(void **state)
         }
         vbss_rigid_state there = small_rigid(&s, rod);
         for (int k = 0; k < 3; k++) {
-            expect_near(told[k], there.position[k], 1e-12);
+            expect_near(reported[k], there.position[k], 1e-12);
         }
         expect_ok(vbss_scene_restore(s.scene, kept.bytes, kept.count));
         assert_memory_equal(&goes, &o->bodies[1].rigid.body.target_end, sizeof goes);

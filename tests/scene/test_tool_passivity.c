@@ -4,7 +4,7 @@
 #include "scene/tools_rig.h"
 #include "fixtures/hand_path.h"
 
-enum { ROUND = 1000, PATHS = 8, MOST_DELAY = 2 };
+enum { ROUND = 1000, PATHS = 8, MAX_DELAY = 2 };
 
 /* ---- what the tool meets */
 
@@ -47,8 +47,8 @@ static vec3 along(const hand_path *path, int step)
 }
 
 typedef struct gains {
-    double gained[MOST_DELAY + 1]; /* J, by a force that comes so many steps late */
-    double largest;                /* N */
+    double gained[MAX_DELAY + 1]; /* J, by a force that comes so many steps late */
+    double largest;               /* N */
 } gains;
 
 /* Twice round: the second begins and ends in the same state. */
@@ -56,7 +56,7 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
 {
     tools_rig r;
     vec3 home = begin(&r, what, stiffness, damping);
-    vec3 late[MOST_DELAY + 1] = {{0.0, 0.0, 0.0}};
+    vec3 late[MAX_DELAY + 1] = {{0.0, 0.0, 0.0}};
     gains g = {{0.0}, 0.0};
     for (int i = 0; i < 2 * ROUND; i++) {
         vec3 x = along(p, i), way = vec3_sub(along(p, i + 1), x);
@@ -65,7 +65,7 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
         memmove(late + 1, late, sizeof late - sizeof late[0]);
         late[0] = tools_hand_force(&r, 0);
         g.largest = vbss_max(g.largest, vec3_norm(late[0]));
-        for (int d = 0; i >= ROUND && d <= MOST_DELAY; d++) {
+        for (int d = 0; i >= ROUND && d <= MAX_DELAY; d++) {
             g.gained[d] += vec3_dot(late[d], way);
         }
     }
@@ -73,7 +73,7 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
     return g;
 }
 
-static gains most_gained(meeting what, double stiffness, double damping)
+static gains max_gained(meeting what, double stiffness, double damping)
 {
     gains most = {{-1.0, -1.0, -1.0}, 0.0};
     vbss_random random;
@@ -81,7 +81,7 @@ static gains most_gained(meeting what, double stiffness, double damping)
     for (int i = 0; i < PATHS; i++) {
         hand_path p = hand_path_draw(&random, 1e-3 + 4e-3 * i / PATHS);
         gains g = gained(what, stiffness, damping, &p);
-        for (int d = 0; d <= MOST_DELAY; d++) {
+        for (int d = 0; d <= MAX_DELAY; d++) {
             most.gained[d] = vbss_max(most.gained[d], g.gained[d]);
         }
         most.largest = vbss_max(most.largest, g.largest);
@@ -94,10 +94,10 @@ static void closed_paths_gain_no_energy_at_400_n_per_m(void **state)
 {
     (void)state;
     for (int what = NOTHING; what < MEETINGS; what++) {
-        gains most = most_gained((meeting)what, 400.0, 5.0);
+        gains most = max_gained((meeting)what, 400.0, 5.0);
         assert_true(what == NOTHING ||
                     most.largest > (what == SLIDING ? 0.4 : 1.0)); /* it was felt */
-        for (int d = 0; d <= MOST_DELAY; d++) {
+        for (int d = 0; d <= MAX_DELAY; d++) {
             assert_true(most.gained[d] < 1e-3);
             assert_true(most.gained[d] <= 1e-6); /* and none it is */
         }
@@ -108,7 +108,7 @@ static void closed_paths_gain_no_energy_at_400_n_per_m(void **state)
 static void undamped_coupling_gains_energy(void **state)
 {
     (void)state;
-    gains most = most_gained(THREAD, 2000.0, 1.0);
+    gains most = max_gained(THREAD, 2000.0, 1.0);
     assert_true(most.gained[2] > 1e-3);
     assert_true(most.gained[2] > most.gained[1]);
 }
@@ -121,7 +121,7 @@ static double swing(meeting what, double stiffness, double damping, int delay, d
     tools_rig r;
     vec3 home = begin(&r, what, stiffness, damping);
     vec3 in = what == WALL_BELOW ? vec3_make(0.0, 0.0, -1.0) : vec3_make(-1.0, 0.0, 0.0);
-    double x = 0.0, v = 0.05, late[MOST_DELAY + 1] = {0.0}, low = 1.0, high = -1.0;
+    double x = 0.0, v = 0.05, late[MAX_DELAY + 1] = {0.0}, low = 1.0, high = -1.0;
     const double pressed = 1.0, fine = 5e-5;
     for (int i = 0; i < 3000 && fabs(x) < 0.1; i++) {
         tools_move(&r, 0, vec3_add_scaled(home, x, in));
@@ -143,7 +143,7 @@ static void hand_comes_to_rest_at_wall(void **state)
 {
     (void)state;
     for (int what = WALL_BELOW; what <= WALL_BESIDE; what++) {
-        for (int delay = 1; delay <= MOST_DELAY; delay++) {
+        for (int delay = 1; delay <= MAX_DELAY; delay++) {
             assert_true(swing((meeting)what, 400.0, 5.0, delay, 0.1) < 1e-5);
             assert_true(swing((meeting)what, 400.0, 5.0, delay, 0.2) < 1e-5);
             assert_true(swing((meeting)what, 1000.0, 5.0, delay, 0.2) < 1e-3);

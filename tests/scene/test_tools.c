@@ -27,15 +27,15 @@ static void jaws_follow_handle_at_limited_speed(void **state)
     tools_rig r;
     tools_begin_scene(&r);
     tools_add(&r, vec3_zero());
-    double most = 1e-3 * r.config.jaw_speed, angle = r.config.driver_opening;
+    double largest = 1e-3 * r.config.jaw_speed, angle = r.config.driver_opening;
     const double openings[] = {0.0, 0.7, 1.0, 0.5, 0.0};
     for (int k = 0; k < 5; k++) {
         double closing = r.config.closing_angle;
-        double told = openings[k] * r.config.driver_opening - (1.0 - openings[k]) * closing;
+        double reported = openings[k] * r.config.driver_opening - (1.0 - openings[k]) * closing;
         tools_open(&r, 0, openings[k]);
         for (int i = 0; i < 60; i++) {
-            double to = vbss_max(told, 0.0);
-            angle = angle < to ? vbss_min(angle + most, to) : vbss_max(angle - most, to);
+            double to = vbss_max(reported, 0.0);
+            angle = angle < to ? vbss_min(angle + largest, to) : vbss_max(angle - largest, to);
             tools_steps(&r, 1);
             expect_near(angle, tools_state(&r, 0).jaw_angle, 1e-15);
             /* Both turn about the pivot; their inner faces meet where the angle is none. */

@@ -49,13 +49,13 @@ static void tight_knot_survives_strike_at_1_m_per_second(void **state)
             hard_begin(&c, names[tool], &o, 1e-3);
             assert_true(hard_pull(&c, 190));
             hard_run(&c, 206 - c.steps);
-            double before = contact_scene_pull_felt(&c.scene), most = before;
+            double before = contact_scene_pull_felt(&c.scene), largest = before;
             for (int i = 0; i < 150; i++) {
                 hard_run(&c, 1);
-                most = fmax(most, contact_scene_pull_felt(&c.scene));
+                largest = fmax(largest, contact_scene_pull_felt(&c.scene));
             }
-            assert_true(most > 1.2 * before); /* it was hit */
-            hard_tell(&c);
+            assert_true(largest > 1.2 * before); /* it was hit */
+            hard_report(&c);
             hard_expect_kept(&c);
             hard_expect_same_knot(&c);
             expect_finite_tools();
@@ -74,7 +74,7 @@ static void knot_between_rigid_hands_survives_strike(void **state)
     o.begin = 200;
     hard_begin(&c, "struck between rigid hands", &o, 1e-3);
     hard_run(&c, 400);
-    hard_tell(&c);
+    hard_report(&c);
     hard_expect_kept(&c);
     hard_expect_same_knot(&c);
     hard_end(&c);
@@ -91,7 +91,7 @@ static void turns_slide_off_withdrawn_tool(void **state)
         o.begin = 100;
         hard_begin(&c, "two and a half turns slide off", &o, 1e-3);
         hard_run(&c, 900);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         /* The tool has gone out of all turns, which are no knot. */
         double nearest = 1.0;
@@ -119,11 +119,11 @@ static void thread_falls_on_tools_and_floor(void **state)
         hard_begin(&c, "dropped on tools and floor", &o, 1e-3);
         double begin = hard_energy(&c);
         hard_run(&c, 600);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         assert_true(hard_energy(&c) < begin);
         assert_true(hard_fastest(&c) < 0.05);
-        hard_expect_calm(&c, 100);
+        hard_expect_at_rest(&c, 100);
         hard_end(&c);
     }
 }
@@ -146,7 +146,7 @@ static void fast_rotating_tool_stops_at_thread(void **state)
             expect_ok(vbss_scene_move_rigid(c.scene.scene, c.scene.tools[0], home, turn));
             hard_run(&c, 1);
         }
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
         hard_end(&c);
@@ -179,7 +179,7 @@ static void heavy_needle_falls_with_thread(void **state)
         vbss_scene_pin_thread(c.scene.scene, c.scene.thread_bodies[0], last, body, point, &pin));
     expect_ok(vbss_scene_pin_thread(c.scene.scene, c.scene.thread_bodies[0], 0, 0, NULL, &pin));
     hard_run(&c, 1000);
-    hard_tell(&c);
+    hard_report(&c);
     hard_expect_kept(&c);
     vbss_rigid_state s;
     expect_ok(vbss_scene_get_rigid(c.scene.scene, body, &s, sizeof s));
@@ -198,7 +198,7 @@ static void tools_press_on_tools_and_floor(void **state)
         o.tool_friction = friction[k];
         hard_begin(&c, "tools on tools and the floor", &o, 1e-3);
         hard_run(&c, 1000);
-        hard_tell(&c);
+        hard_report(&c);
         hard_expect_kept(&c);
         expect_finite_tools();
         /* What was pressed is free again, and lies or rolls on the floor. */
@@ -225,7 +225,7 @@ static void driven_tool_stops_at_floor(void **state)
         assert_true(tool_of(0).position[1] > 0.0);
     }
     expect_near(0.02, tool_of(0).position[1], 1e-3);
-    hard_tell(&c);
+    hard_report(&c);
     hard_expect_kept(&c);
     hard_end(&c);
 }

@@ -28,8 +28,8 @@ static double share_lost(const small *s)
     return lost;
 }
 
-/* All goes the same share of its way: a stick that meets a wall, one that meets nothing, a free one, a line. */
-static void truncation_scales_all_bodies_equally(void **state)
+/* Two sticks that are driven into each other stop before they meet. Bodies of other islands go on. */
+static void only_the_island_that_collides_is_truncated(void **state)
 {
     (void)state;
     small s;
@@ -54,20 +54,46 @@ static void truncation_scales_all_bodies_equally(void **state)
     double share = 1.0 - share_lost(&s);
     assert_true(share > 0.3 && share < 0.42); /* 5 of 12 mm, of that nine tenths */
     expect_near(6e-3 - 12e-3 * share, small_position(&s, meets).y, 1e-6);
-    expect_near(8e-3 * share, small_position(&s, other).y, 1e-6);
-    expect_near(1e-3 * share, small_position(&s, free).z, 1e-7);
-    expect_near(2e-3 * share, small_node(thread, 5).y, 1e-7);
-    /* And is slow afterwards. */
-    expect_near(0.1 * share, small_rigid(&s, free).velocity[2], 1e-4);
+    expect_near(8e-3, small_position(&s, other).y, 1e-16);
+    expect_near(1e-3, small_position(&s, free).z, 1e-7);
+    expect_near(1.0, small_rigid(&s, free).velocity[2], 1e-6);
+    expect_near(2e-3, small_node(thread, 5).y, 1e-7);
     vbss_view velocities;
     expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VELOCITIES, &velocities, sizeof velocities));
-    expect_near(0.2 * share, ((const double *)velocities.data)[16], 1e-4);
-    /* Time is not cut; tools come after. */
+    expect_near(2.0, ((const double *)velocities.data)[16], 1e-4);
+    /* The next step is a whole one. */
     expect_near(1e-3, small_statistics(&s).time, 0.0);
     small_move(&s, meets, vec3_make(0.0, 6e-3, 0.0));
     small_steps(&s, 1, 1e-3);
-    expect_near(8e-3, small_position(&s, other).y, 1e-16);
+    expect_near(6e-3, small_position(&s, meets).y, 1e-16);
     assert_int_equal(small_statistics(&s).clamped, 1);
+    small_end(&s);
+}
+
+/* A thread that a stick drags along belongs to its island: both stop at the same fraction. */
+static void an_island_is_truncated_as_a_whole(void **state)
+{
+    (void)state;
+    small s;
+    vbss_thread *thread;
+    begin_hasty(&s);
+    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t meets = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 6e-3, 0.0),
+                                 vec3_make(5e-3, 0.0, 0.0), 1e-3);
+    vec3 end = vec3_make(5e-3, 6e-3, 0.0);
+    uint32_t line = small_thread(&s, end, vec3_add(end, vec3_make(0.01, 0.0, 0.0)), 10, &thread);
+    small_pin(&s, line, 0, meets);
+    double v[33] = {0.0};
+    for (int i = 0; i < 11; i++) {
+        v[3 * i + 1] = -12.0;
+    }
+    expect_ok(vbss_thread_set_state(thread, NULL, v, 11));
+    small_move(&s, meets, vec3_make(0.0, -6e-3, 0.0));
+    small_steps(&s, 1, 1e-3);
+    assert_int_equal(small_statistics(&s).clamped, 1);
+    double share = 1.0 - share_lost(&s);
+    expect_near(6e-3 - 12e-3 * share, small_position(&s, meets).y, 1e-6);
+    expect_near(6e-3 - 12e-3 * share, small_node(thread, 10).y, 1e-5);
     small_end(&s);
 }
 
@@ -280,7 +306,8 @@ static void hand_feels_truncated_tool_motion(void **state)
 int test_truncation(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truncation_scales_all_bodies_equally),
+        cmocka_unit_test(only_the_island_that_collides_is_truncated),
+        cmocka_unit_test(an_island_is_truncated_as_a_whole),
         cmocka_unit_test(pins_lag_with_their_bodies),
         cmocka_unit_test(offline_mode_retries_before_truncation),
         harness_test(any_host_motion_ends_finite_without_passage),

@@ -58,16 +58,11 @@ static void begin(wall_rig *r)
     r->turn[1] = turn.x;
     r->turn[2] = turn.y;
     r->turn[3] = turn.z;
-    uint32_t tool = r->tools.count++;
-    double from[3];
-    vec3_store(from, vec3_add_scaled(r->tip, -12e-3, r->ahead));
-    expect_ok(vbss_grasper_create(r->tools.s.context, &r->tools.config, &r->tools.tools[tool]));
-    expect_ok(vbss_grasper_move(r->tools.tools[tool], from, r->turn));
-    expect_ok(
-        vbss_scene_add_grasper(r->tools.s.scene, r->tools.tools[tool], &r->tools.bodies[tool]));
+    vec3 from = vec3_add_scaled(r->tip, -12e-3, r->ahead);
+    (void)tools_add_turned(&r->tools, from, turn);
     tools_open(&r->tools, 0, OPENING);
     tools_steps(&r->tools, 100);
-    tools_way(&r->tools, 0, vec3_load(from), r->tip, 200);
+    tools_way(&r->tools, 0, from, r->tip, 200);
 }
 
 static void pinch(wall_rig *r)

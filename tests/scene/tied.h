@@ -11,7 +11,7 @@
 #define TIED_LOAD 2.0 /* N, of all hands */
 
 /* A knot that has just been tightened gives way a little more before it rests. */
-enum { TIED_MOST_STEPS = 4000, TIED_SETTLING_STEPS = 150, TIED_HELD_STEPS = 150 };
+enum { TIED_MAX_STEPS = 4000, TIED_DAMPING_STEPS = 150, TIED_HELD_STEPS = 150 };
 
 typedef struct tied {
     harness_memory memory;
@@ -54,10 +54,10 @@ static inline bool tied_type_kept(const tied *t)
 }
 
 /* Least distance of strands, not nearer along the thread than touching ones can be, m. */
-static inline double tied_least_distance(const tied *t)
+static inline double tied_min_distance(const tied *t)
 {
     const vec3 *x = tied_nodes(t);
-    double least = 1.0, apart = 3.2 * t->options.thread.radius;
+    double smallest = 1.0, apart = 3.2 * t->options.thread.radius;
     for (uint32_t a = 0; a + 1 < t->knot.node_count; a++) {
         double arc = 0.0;
         for (uint32_t b = a + 2; b + 1 < t->knot.node_count; b++) {
@@ -66,11 +66,11 @@ static inline double tied_least_distance(const tied *t)
             if (arc >= apart) {
                 vec3 way = closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
                                                  vec3_sub(x[b], x[a]), &s, &u);
-                least = vbss_min(vec3_norm(way), least);
+                smallest = vbss_min(vec3_norm(way), smallest);
             }
         }
     }
-    return least;
+    return smallest;
 }
 
 /* Line that is in the knot and round the cylinder, m. */
@@ -113,7 +113,7 @@ static inline void tied_tie(tied *t)
     uint32_t stage = 0;
     while (!tied_knot_done(&t->knot)) {
         expect_ok(tied_knot_step(&t->knot, TIED_STEP));
-        assert_true(t->knot.steps < TIED_MOST_STEPS);
+        assert_true(t->knot.steps < TIED_MAX_STEPS);
         if (tied_knot_stage(&t->knot) != stage) {
             stage = tied_knot_stage(&t->knot);
             assert_true(tied_type_kept(t));
@@ -126,7 +126,7 @@ static inline void tied_expect_tight(tied *t, double extent, double taken_up)
 {
     vbss_scene_statistics s;
     double deepest = t->options.scene.penetration_tolerance * 2.0 * t->options.thread.radius;
-    for (int i = 0; i < TIED_SETTLING_STEPS; i++) {
+    for (int i = 0; i < TIED_DAMPING_STEPS; i++) {
         expect_ok(tied_knot_step(&t->knot, TIED_STEP));
     }
     double before = tied_taken_up(t);
@@ -136,7 +136,7 @@ static inline void tied_expect_tight(tied *t, double extent, double taken_up)
     }
     expect_near(before, tied_taken_up(t), 1e-5);
     assert_true(tied_type_kept(t));
-    assert_true(tied_least_distance(t) >= 2.0 * t->options.thread.radius - deepest);
+    assert_true(tied_min_distance(t) >= 2.0 * t->options.thread.radius - deepest);
     expect_ok(vbss_scene_get_statistics(t->knot.scene, &s, sizeof s));
     assert_int_equal(0, s.clamped);
     assert_int_equal(0, s.loose_stretch);

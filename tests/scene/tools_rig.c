@@ -1,4 +1,5 @@
 #include "scene/tools_rig.h"
+#include "fixtures/scene_build.h"
 
 void tools_begin(tools_rig *r)
 {
@@ -21,15 +22,20 @@ void tools_end(tools_rig *r)
 
 /* ---- what is in it */
 
+uint32_t tools_add_turned(tools_rig *r, vec3 tip, quat turn)
+{
+    const scene_build_hand hand = {tip, turn, 1.0};
+    uint32_t tool = r->count++;
+    assert_true(tool < TOOLS_MAX);
+    r->config.method = r->s.config.method;
+    expect_ok(scene_build_grasper(r->s.context, r->s.scene, &r->config, &hand, &r->tools[tool],
+                                  &r->bodies[tool]));
+    return tool;
+}
+
 uint32_t tools_add(tools_rig *r, vec3 tip)
 {
-    uint32_t tool = r->count++;
-    assert_true(tool < TOOLS_MOST);
-    r->config.method = r->s.config.method;
-    expect_ok(vbss_grasper_create(r->s.context, &r->config, &r->tools[tool]));
-    tools_move(r, tool, tip);
-    expect_ok(vbss_scene_add_grasper(r->s.scene, r->tools[tool], &r->bodies[tool]));
-    return tool;
+    return tools_add_turned(r, tip, quat_identity());
 }
 
 void tools_thread(tools_rig *r, tools_ends ends, double aside)

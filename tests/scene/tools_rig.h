@@ -5,13 +5,13 @@
 
 #include "scene/small.h"
 
-enum { TOOLS_MOST = 4, TOOLS_SEGMENTS = 60, TOOLS_NODES = TOOLS_SEGMENTS + 1 };
+enum { TOOLS_MAX = 4, TOOLS_SEGMENTS = 60, TOOLS_NODES = TOOLS_SEGMENTS + 1 };
 
 typedef struct tools_rig {
     small s;
     vbss_grasper_config config; /* change it before what it makes */
-    vbss_grasper *tools[TOOLS_MOST];
-    uint32_t bodies[TOOLS_MOST], count;
+    vbss_grasper *tools[TOOLS_MAX];
+    uint32_t bodies[TOOLS_MAX], count;
     vbss_thread *thread;
     uint32_t body, pins[2];
 } tools_rig;
@@ -24,6 +24,7 @@ void tools_begin_scene(tools_rig *r); /* and one with the defaults */
 void tools_end(tools_rig *r);         /* asserts that all memory came back */
 /* A tool that is still where the hand is: first with open jaws, its tip there, the shaft up. */
 uint32_t tools_add(tools_rig *r, vec3 tip);
+uint32_t tools_add_turned(tools_rig *r, vec3 tip, quat turn);
 /* Along y, from -15 mm to 15 mm, `aside` from the middle of jaws at the origin. */
 void tools_thread(tools_rig *r, tools_ends ends, double aside);
 

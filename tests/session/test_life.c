@@ -48,6 +48,7 @@ static void config_size_protocol(void **state)
     (void)state;
     static const uint32_t sizes[] = {
         offsetof(vbss_session_config, gap_measure), /* before the slit's lips */
+        offsetof(vbss_session_config, lost_share),  /* before lost time */
         sizeof(vbss_session_config), 0};
     const harness_config config = {sizes, init_config, create_and_destroy};
     harness_config_protocol(&config);
@@ -92,7 +93,8 @@ static void bad_numbers_are_rejected(void **state)
     vbss_session_config c = r.scene.config;
     double *const numbers[] = {&c.time_limit,   &c.dwell,       &c.throw_dwell,   &c.tail_low,
                                &c.tail_high,    &c.tail_margin, &c.tail_reach,    &c.seat_gap,
-                               &c.seat_release, &c.seat_force,  &c.avulsed_share, &c.break_force};
+                               &c.seat_release, &c.seat_force,  &c.avulsed_share, &c.break_force,
+                               &c.lost_share};
     uint32_t *const words[] = {&c.event_capacity, &c.knot_interval, &c.hash_interval};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         double good = *numbers[i];

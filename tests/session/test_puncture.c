@@ -18,7 +18,7 @@ static void needle_passes_in_out_and_back(void **state)
     const uint32_t steps =
         (uint32_t)((PUNCTURE_SCENE_ON + PUNCTURE_SCENE_BACK) / (SPEED * RIG_STEP));
     for (uint32_t i = 0; i < steps; i++) {
-        expect_ok(puncture_scene_aim(r.scene.scene, SPEED, RIG_STEP));
+        expect_ok(puncture_scene_target(r.scene.scene, SPEED, RIG_STEP));
         expect_ok(vbss_session_step(r.session, 0.0, RIG_STEP));
     }
     rig_expect(&r, VBSS_SESSION_EVENT_APPEARED, 0, 0);

@@ -220,10 +220,37 @@ static void capsized_knot_is_a_fault_until_mended(void **state)
     rig_to_throw(&r, 0, RIG_RIGHT);
     for (uint32_t undone = 0; undone < 2; undone++) {
         r.look.knot.faults = undone ? 0 : VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_FEW;
+        rig_run(&r, 1.9);
+        rig_expect_quiet(&r);
         rig_run(&r, 0.3);
         rig_expect(&r, VBSS_SESSION_EVENT_FAULT, VBSS_KNOT_FAULT_HITCH, undone);
         rig_expect_quiet(&r);
     }
+    rig_end(&r);
+}
+
+/* Its measure flickers while a throw is drawn tight; another fault does not wait for it. */
+static void flickering_half_hitch_is_reported_once(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin(&r);
+    rig_to_tail(&r);
+    rig_to_throw(&r, 0, RIG_RIGHT);
+    for (uint32_t i = 0; i < 40; i++) {
+        uint32_t others = VBSS_KNOT_FAULT_FEW | (i < 20 ? 0 : VBSS_KNOT_FAULT_STRAY);
+        r.look.knot.faults = others | (i % 2 == 0 ? VBSS_KNOT_FAULT_HITCH : 0);
+        rig_run(&r, i < 20 && i % 4 == 0 ? 0.7 : 0.06);
+        if (i == 21) {
+            rig_expect(&r, VBSS_SESSION_EVENT_FAULT, VBSS_KNOT_FAULT_STRAY, 0);
+        }
+        rig_expect_quiet(&r);
+    }
+    r.look.knot.faults = VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_STRAY | VBSS_KNOT_FAULT_FEW;
+    rig_run(&r, 30.0);
+    rig_expect(&r, VBSS_SESSION_EVENT_FAULT, VBSS_KNOT_FAULT_HITCH, 0);
+    rig_expect_quiet(&r);
+    assert_int_equal(rig_status(&r).faults, VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_STRAY);
     rig_end(&r);
 }
 
@@ -257,6 +284,7 @@ int test_reversals(void)
         cmocka_unit_test(returned_needle_has_not_changed_hands),
         cmocka_unit_test(missed_transfer_is_reported_without_blocking),
         cmocka_unit_test(capsized_knot_is_a_fault_until_mended),
+        cmocka_unit_test(flickering_half_hitch_is_reported_once),
         cmocka_unit_test(refined_throw_is_reported_again_and_stays_seated),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,7 +1,7 @@
 /* A session goes to a step of its log from the states that are in it, to the same bits, and goes on live from there. */
 #include "followed.h"
 
-static void session_snapshots_take_at_most_a_third_of_log(void **state)
+static void session_snapshots_take_below_a_third_of_log(void **state)
 {
     (void)state;
     static trial_log was;
@@ -201,7 +201,7 @@ static void log_without_snapshots_is_reported(void **state)
 int test_seek(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(session_snapshots_take_at_most_a_third_of_log),
+        cmocka_unit_test(session_snapshots_take_below_a_third_of_log),
         cmocka_unit_test(seek_to_any_step_is_bit_equal),
         cmocka_unit_test(seek_replays_only_from_last_snapshot),
         cmocka_unit_test(seek_is_silent_but_events_are_readable),

@@ -15,7 +15,7 @@ typedef struct tied {
 
 /* Where edges pass each other steps wait, in one run a hundred more than in the next: both hands pull later then. */
 #define ENOUGH 1.9 /* N */
-enum { MOST_STEPS = 3 * STITCH_TIE_STEPS };
+enum { MAX_STEPS = 3 * STITCH_TIE_STEPS };
 
 static bool pulls_enough(const tied *t)
 {
@@ -34,7 +34,7 @@ static vbss_session_status run(tied *t, uint32_t crossings)
     expect_ok(vbss_session_create(t->scene.scene, &t->scene.config, &t->session));
     bool seated = false;
     for (uint32_t i = 0;
-         i < STITCH_TIE_STEPS || (crossings == 1 && i < MOST_STEPS && !pulls_enough(t)); i++) {
+         i < STITCH_TIE_STEPS || (crossings == 1 && i < MAX_STEPS && !pulls_enough(t)); i++) {
         expect_ok(session_scene_tie(&t->scene, t->session, NULL));
         expect_ok(vbss_session_get_status(t->session, &status, sizeof status));
         if (!seated && status.seated > 0) {
@@ -66,7 +66,7 @@ static uint32_t count(const tied *t, vbss_session_event_kind kind, vbss_session_
 #define BESIDE 5e-3
 
 /* Hand 1 has the limb before the first hole, hand 0 the one beyond the second. */
-static void expect_tension(const tied *t, int hand, double told)
+static void expect_tension(const tied *t, int hand, double reported)
 {
     const stitch_scene *stitch = &t->scene.stitch;
     scene_object *scene;
@@ -77,17 +77,17 @@ static void expect_tension(const tied *t, int hand, double told)
     assert_true(first.arc_length < second.arc_length);
     const double pull = stitch_scene_pull(stitch, hand);
     assert_true(pull > ENOUGH && pull < 2.3);
-    double most = 0.0, arc = 0.0;
+    double largest = 0.0, arc = 0.0;
     for (uint32_t i = 0; i + 1 < thread->node_count; i++) {
         double end = arc + thread->rest[i], tension = thread->now.tension[i];
         double out = hand == 1 ? first.arc_length - end : arc - second.arc_length;
-        most = out > 0.0 ? fmax(most, tension) : most;
+        largest = out > 0.0 ? fmax(largest, tension) : largest;
         if (out > BESIDE) {
             expect_near(pull, tension, 0.01);
         }
         arc = end;
     }
-    expect_near(most, told, 0.0);
+    expect_near(largest, reported, 0.0);
 }
 
 static void stitch_without_throw_is_incomplete(void **state)

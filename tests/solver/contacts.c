@@ -33,10 +33,10 @@ void contacts_draw(twin *t, harness_source *source, uint32_t count)
 
 enum { ARCS = 4 };
 
-void contacts_draw_knot(twin *t, harness_source *source, uint32_t most_separators)
+void contacts_draw_knot(twin *t, harness_source *source, uint32_t max_separators)
 {
     uint32_t arcs = 2 + harness_draw_below(source, ARCS - 1), first[ARCS];
-    uint32_t each = 4 + harness_draw_below(source, most_separators / arcs - 3);
+    uint32_t each = 4 + harness_draw_below(source, max_separators / arcs - 3);
     bool apart = harness_draw_below(source, 2) == 0;
     t->reach = 1 + harness_draw_below(source, 3);
     t->blocks = t->chains = 0;

@@ -9,7 +9,7 @@
 void contacts_draw(twin *t, harness_source *source, uint32_t count);
 /* Arcs of separators with runs between, in one chain or in one each, and contacts of two neighbours in one
  * arc with two neighbours in another: with numbers, ready to be registered. */
-void contacts_draw_knot(twin *t, harness_source *source, uint32_t most_separators);
+void contacts_draw_knot(twin *t, harness_source *source, uint32_t max_separators);
 /* Between take and solve. */
 void contacts_add(twin *t, harness_source *source);
 

@@ -8,13 +8,13 @@ static twin subject;
 
 typedef struct variety {
     twin_roles roles;
-    uint32_t most;
+    uint32_t largest;
 } variety;
 
 static void of_a_kind(harness_source *source, void *user)
 {
     const variety *k = user;
-    twin_draw_chains(&subject, source, k->most);
+    twin_draw_chains(&subject, source, k->largest);
     twin_draw_roles(&subject, source, k->roles);
     twin_draw_numbers(&subject, source);
     twin_begin(&subject);
@@ -122,14 +122,14 @@ static void draw_thread(twin *t, harness_source *source, const thread *made, vec
 static double soft_defect(const twin *t, const vec3 *tangents)
 {
     static double r[3 * TWIN_BLOCKS];
-    double most = 0.0;
+    double largest = 0.0;
     plain_defect(&t->plain, t->x, r);
     for (uint32_t b = 1; b < SEGMENTS; b++) {
         vec3 across =
             vec3_unit_or(vec3_cross(tangents[b - 1], tangents[b]), vec3_any_normal(tangents[b]));
-        most = fmax(most, fabs(vec3_dot(across, vec3_load(&r[(size_t)3 * b]))));
+        largest = fmax(largest, fabs(vec3_dot(across, vec3_load(&r[(size_t)3 * b]))));
     }
-    return most;
+    return largest;
 }
 
 /* Loads are of size one. What is lost is rounding of the stretch, as in any elimination in doubles:

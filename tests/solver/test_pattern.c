@@ -187,10 +187,10 @@ static void other_roles(harness_source *source, void *user)
                                        TWIN_SEPARATORS, TWIN_ALL_GIVEN, TWIN_MIXED};
     static twin fresh;
     twin *t = &subject;
-    const uint32_t most = 40;
-    twin_begin_with(t, most, 3 + most / 2, most);
+    const uint32_t largest = 40;
+    twin_begin_with(t, largest, 3 + largest / 2, largest);
     for (uint32_t i = 0; i < 6; i++) {
-        twin_draw_chains(t, source, most);
+        twin_draw_chains(t, source, largest);
         twin_draw_roles(t, source, kinds[i]);
         twin_draw_numbers(t, source);
         expect_ok(twin_register(t));

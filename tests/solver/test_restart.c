@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "solver/twin.h"
 
-enum { MOST = 40, ONCE = 120 };
+enum { MAX_COUNT = 40, ONCE = 120 };
 
 /* Large: not on the stack. The same bodies in both: one begins again, of the other only the newest pattern is
  * known. */
@@ -21,7 +21,7 @@ typedef struct pairs {
 /* Lines, and chains that keep their order and couple any two of their blocks. */
 static void draw_bodies(twin *t, harness_source *source, twin_roles kind)
 {
-    twin_draw_chains(t, source, MOST);
+    twin_draw_chains(t, source, MAX_COUNT);
     twin_draw_roles(t, source, kind);
     twin_draw_numbers(t, source);
     for (uint32_t chain = 0; chain < t->chains; chain++) {
@@ -184,7 +184,7 @@ static uint32_t refused, accepted;
 static void make_system(twin *t, uint32_t room)
 {
     t->context = harness_context(&t->memory);
-    expect_ok(vbss_system_create(t->context, MOST, MOST, MOST, room, &t->system));
+    expect_ok(vbss_system_create(t->context, MAX_COUNT, MAX_COUNT, MAX_COUNT, room, &t->system));
 }
 
 static void compare_with_scratch(twin *t, const pairs *p, uint64_t seed)
@@ -213,7 +213,7 @@ static void rounds_of_a_kind(harness_source *source, void *user)
     const twin_roles *kind = user;
     static pairs p;
     twin *t = &subject;
-    uint32_t all = MOST * (MOST - 1) / 2;
+    uint32_t all = MAX_COUNT * (MAX_COUNT - 1) / 2;
     make_system(t, harness_draw_below(source, 2) == 0 ? harness_draw_below(source, 80) : all);
     for (uint32_t bodies = 0; bodies < 2;
          bodies++) { /* the second ones know nothing of the first */

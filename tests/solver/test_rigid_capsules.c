@@ -102,13 +102,14 @@ static void slender_shaft_axis_is_found(void **state)
     vbss_rigid_capsule plain = {{0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}, 0.0025, 7800.0};
     vbss_rigid_mass m = mass_of(&shaft, 1), wanted = mass_of(&plain, 1);
     const double moments[3] = {m.inertia.x, m.inertia.y, m.inertia.z};
-    int least = moments[0] < moments[1] ? 0 : 1;
-    least = moments[2] < moments[least] ? 2 : least;
-    vec3 axis = quat_rotate(m.frame.orientation, vec3_make(least == 0, least == 1, least == 2));
+    int smallest = moments[0] < moments[1] ? 0 : 1;
+    smallest = moments[2] < moments[smallest] ? 2 : smallest;
+    vec3 axis =
+        quat_rotate(m.frame.orientation, vec3_make(smallest == 0, smallest == 1, smallest == 2));
     expect_near(1.0, fabs(vec3_dot(axis, way)), 1e-15);
-    expect_near(wanted.inertia.x, moments[least], 1e-12 * wanted.inertia.x);
-    expect_near(wanted.inertia.y, moments[(least + 1) % 3], 1e-14 * wanted.inertia.y);
-    expect_near(wanted.inertia.y, moments[(least + 2) % 3], 1e-14 * wanted.inertia.y);
+    expect_near(wanted.inertia.x, moments[smallest], 1e-12 * wanted.inertia.x);
+    expect_near(wanted.inertia.y, moments[(smallest + 1) % 3], 1e-14 * wanted.inertia.y);
+    expect_near(wanted.inertia.y, moments[(smallest + 2) % 3], 1e-14 * wanted.inertia.y);
 }
 
 /* ---- any, against slices: discs of thickness ds whose own moments are those of a disc */

@@ -147,16 +147,16 @@ static void oblique_oscillation_converges_at_first_order(void **state)
 static void jerk_about(harness_source *source, const vbss_rigid_coupling *coupling)
 {
     rig.body.coupling = *coupling;
-    double most = 0.0;
+    double largest = 0.0;
     for (int i = 0; i < 300; i++) {
         pose end = rig.body.target_end;
         if (i < 200) {
             end = rigid_draw_pose(source, 0.01);
         }
         rigid_rig_step(&rig, end);
-        most = fmax(most, vec3_norm(lag()));
+        largest = fmax(largest, vec3_norm(lag()));
     }
-    assert_true(most < 0.1);
+    assert_true(largest < 0.1);
     assert_true(vec3_is_finite(rig.body.now.v) && vec3_is_finite(rig.body.now.w));
 }
 

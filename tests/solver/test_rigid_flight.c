@@ -61,13 +61,13 @@ static void angular_momentum_is_conserved(void **state)
     for (size_t i = 0; i < sizeof spins / sizeof spins[0]; i++) {
         begin_flying(spins[i]);
         vec3 before = vbss_rigid_angular_momentum(&rig.body, &rig.body.now);
-        double most = 0.0;
+        double largest = 0.0;
         for (uint32_t k = 0; k < 10000; k++) {
             rigid_rig_steps(&rig, 1);
             vec3 after = vbss_rigid_angular_momentum(&rig.body, &rig.body.now);
-            most = fmax(most, vec3_distance(before, after) / vec3_norm(before));
+            largest = fmax(largest, vec3_distance(before, after) / vec3_norm(before));
         }
-        expect_near(0.0, most, 1e-13);
+        expect_near(0.0, largest, 1e-13);
         expect_near(0.0, vec3_norm(rig.body.now.pose.position), 0.0);
         rigid_rig_end(&rig);
     }

@@ -25,10 +25,10 @@ static void add_to_coupling(vbss_system *system, uint32_t coupling, const block 
 
 /* ---- drawing */
 
-void twin_draw_chains(twin *t, harness_source *source, uint32_t most)
+void twin_draw_chains(twin *t, harness_source *source, uint32_t limit)
 {
     /* Small ones often: there the special cases are. */
-    uint32_t bound = harness_draw_below(source, 2) == 0 && most > 12 ? 12 : most;
+    uint32_t bound = harness_draw_below(source, 2) == 0 && limit > 12 ? 12 : limit;
     t->blocks = 1 + harness_draw_below(source, bound);
     t->reach = 1 + harness_draw_below(source, 3);
     uint32_t chains = 1 + harness_draw_below(source, 4), begin = 0;

@@ -43,7 +43,7 @@ typedef struct twin {
 } twin;
 
 /* 1 .. most blocks in 1 .. 4 chains, reach 1 .. 3. */
-void twin_draw_chains(twin *t, harness_source *source, uint32_t most);
+void twin_draw_chains(twin *t, harness_source *source, uint32_t limit);
 void twin_draw_roles(twin *t, harness_source *source, twin_roles kind);
 /* Couplings within the reach (a few left out), and symmetric positive definite numbers. */
 void twin_draw_numbers(twin *t, harness_source *source);

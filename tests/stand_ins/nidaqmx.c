@@ -5,7 +5,9 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
+#include "stand_ins/nidaqmx_base.h"
 #include "stand_ins/referee.h"
 #include "stand_ins/stand_ins.h"
 
@@ -28,6 +30,7 @@ enum {
 
 typedef struct task {
     bool alive, started;
+    uint64_t number; /* counts the tasks so far */
     int inputs[STAND_IN_INPUTS], input_count;
     int lines[STAND_IN_LINES], line_count;
 } task;
@@ -40,7 +43,12 @@ static struct {
     double volts[STAND_IN_INPUTS];
     bool driven[STAND_IN_LINES];
     int levels[STAND_IN_LINES];
-    uint64_t reads, writes;
+    uint64_t reads, writes, tasks_created;
+    int32_t codes[2];       /* of reads, of writes */
+    int code_counts[2];     /* how often more; -1: until the task is another */
+    uint64_t code_tasks[2]; /* the newest task when the code was set */
+    double call_time, waited;
+    bool sleeps;
     bool forbidding;
     pthread_t forbidden;
     int32_t last_error;
@@ -94,6 +102,7 @@ int32_t STAND_IN_CALL DAQmxCreateTask(const char *name, task_handle *handle)
         if (!world.tasks[i].alive) {
             memset(&world.tasks[i], 0, sizeof world.tasks[i]);
             world.tasks[i].alive = true;
+            world.tasks[i].number = ++world.tasks_created;
             *handle = &world.tasks[i];
             return leave(0);
         }
@@ -186,7 +195,7 @@ int32_t STAND_IN_CALL DAQmxCreateAIVoltageChan(task_handle handle, const char *p
             refuse("DAQmxCreateAIVoltageChan", "wiring, range or unit", INVALID_ATTRIBUTE));
     }
     int input = number_after(physical, "Dev1/ai", STAND_IN_INPUTS);
-    if (input < 0 || world.faults[STAND_IN_REMOVED]) {
+    if (input < 0 || world.faults[STAND_IN_REMOVED] || world.faults[STAND_IN_UNKNOWN]) {
         return leave(input < 0 ? unknown(physical) : INVALID_DEVICE);
     }
     t->inputs[t->input_count++] = input;
@@ -212,6 +221,14 @@ int32_t STAND_IN_CALL DAQmxCreateDOChan(task_handle handle, const char *lines, c
             *next++ = '\0';
         }
         name += strspn(name, " ");
+#ifdef STAND_IN_BASE /* the whole port */
+        if (strcmp(name, "Dev1/port0") == 0) {
+            for (int line = 0; line < STAND_IN_LINES; line++) {
+                t->lines[t->line_count++] = line;
+            }
+            continue;
+        }
+#endif
         int line = number_after(name, "Dev1/port0/line", STAND_IN_LINES);
         if (line < 0) {
             return leave(unknown(name));
@@ -237,6 +254,32 @@ static int32_t begin_call(const char *call, task *t, double timeout)
     return world.faults[STAND_IN_REMOVED] ? REMOVED : 0;
 }
 
+/* The code that was asked for, while there is one. */
+static int32_t asked_code(const task *t, int is_write)
+{
+    int *count = &world.code_counts[is_write];
+    if (*count == 0 || (*count < 0 && t->number > world.code_tasks[is_write])) {
+        return 0;
+    }
+    *count -= *count > 0;
+    return world.codes[is_write];
+}
+
+/* Lets a call take its time. False: it was longer than its timeout. */
+static bool take_time(double timeout)
+{
+    enter();
+    const double takes = fmin(world.call_time, timeout);
+    const bool in_time = world.call_time <= timeout, sleeps = world.sleeps;
+    world.waited += takes;
+    leave(0);
+    if (sleeps && takes > 0.0) {
+        const struct timespec pause = {.tv_nsec = (long)(takes * 1e9)};
+        nanosleep(&pause, NULL);
+    }
+    return in_time;
+}
+
 /* 11 bits over 20 V, single-ended. */
 static double quantised(double volts)
 {
@@ -252,9 +295,11 @@ int32_t STAND_IN_CALL DAQmxReadAnalogF64(task_handle handle, int32_t samples, do
                                          uint32_t fill, double *values, uint32_t room,
                                          int32_t *read, const uint32_t *reserved)
 {
+    const bool in_time = take_time(timeout);
     enter();
     task *t = task_of(handle);
     int32_t code = begin_call("DAQmxReadAnalogF64", t, timeout);
+    code = code == 0 ? asked_code(t, 0) : code;
     if (code != 0) {
         return leave(code);
     }
@@ -266,7 +311,7 @@ int32_t STAND_IN_CALL DAQmxReadAnalogF64(task_handle handle, int32_t samples, do
         refuse("DAQmxReadAnalogF64", "the task was not started", 0);
     }
     *read = 0;
-    if (world.faults[STAND_IN_READ_TIMEOUT]) {
+    if (world.faults[STAND_IN_READ_TIMEOUT] || !in_time) {
         return leave(NO_SAMPLE);
     }
     for (int i = 0; i < t->input_count; i++) {
@@ -275,6 +320,16 @@ int32_t STAND_IN_CALL DAQmxReadAnalogF64(task_handle handle, int32_t samples, do
     *read = 1;
     world.reads++;
     return leave(world.faults[STAND_IN_WARNING] ? A_WARNING : 0);
+}
+
+/* One byte for each line, or one bit of a port for NI-DAQmx Base. */
+static int level_of(const uint8_t *bytes, int i)
+{
+#ifdef STAND_IN_BASE
+    return bytes[0] >> i & 1;
+#else
+    return bytes[i];
+#endif
 }
 
 STAND_IN_API int32_t STAND_IN_CALL DAQmxWriteDigitalLines(task_handle handle, int32_t samples,
@@ -287,9 +342,11 @@ int32_t STAND_IN_CALL DAQmxWriteDigitalLines(task_handle handle, int32_t samples
                                              const uint8_t *bytes, int32_t *written,
                                              const uint32_t *reserved)
 {
+    const bool in_time = take_time(timeout);
     enter();
     task *t = task_of(handle);
     int32_t code = begin_call("DAQmxWriteDigitalLines", t, timeout);
+    code = code == 0 ? asked_code(t, 1) : code;
     if (code != 0) {
         return leave(code);
     }
@@ -302,16 +359,16 @@ int32_t STAND_IN_CALL DAQmxWriteDigitalLines(task_handle handle, int32_t samples
     }
     *written = 0;
     for (int i = 0; i < t->line_count; i++) {
-        if (bytes[i] > 1) {
+        if (level_of(bytes, i) > 1) {
             return leave(refuse("DAQmxWriteDigitalLines", "neither 0 nor 1", INVALID_LINES));
         }
     }
-    if (world.faults[STAND_IN_WRITE_TIMEOUT] || world.faults[STAND_IN_RESERVED]) {
+    if (world.faults[STAND_IN_WRITE_TIMEOUT] || !in_time || world.faults[STAND_IN_RESERVED]) {
         return leave(world.faults[STAND_IN_RESERVED] ? RESERVED : TIMEOUT);
     }
     for (int i = 0; i < t->line_count; i++) {
         world.driven[t->lines[i]] = true;
-        world.levels[t->lines[i]] = bytes[i];
+        world.levels[t->lines[i]] = level_of(bytes, i);
     }
     *written = 1;
     world.writes++;
@@ -329,11 +386,13 @@ int32_t STAND_IN_CALL DAQmxGetExtendedErrorInfo(char *text, uint32_t bytes)
     return 0;
 }
 
+#ifndef STAND_IN_BASE /* which has no list of devices */
 STAND_IN_API int32_t STAND_IN_CALL DAQmxGetSysDevNames(char *text, uint32_t bytes);
 int32_t STAND_IN_CALL DAQmxGetSysDevNames(char *text, uint32_t bytes)
 {
-    snprintf(text, bytes, "Dev1, Dev2");
-    return 0;
+    enter();
+    snprintf(text, bytes, "%s", world.faults[STAND_IN_UNKNOWN] ? "" : "Dev1, Dev2");
+    return leave(0);
 }
 
 STAND_IN_API int32_t STAND_IN_CALL DAQmxGetDevProductType(const char *device, char *text,
@@ -347,6 +406,7 @@ int32_t STAND_IN_CALL DAQmxGetDevProductType(const char *device, char *text, uin
     snprintf(text, bytes, "%s", strcmp(device, "Dev1") == 0 ? "USB-6008" : "USB-6009");
     return leave(0);
 }
+#endif
 
 /* ---- behind the scenes */
 
@@ -359,6 +419,9 @@ static void reset(void)
     memset(world.volts, 0, sizeof world.volts);
     memset(world.driven, 0, sizeof world.driven);
     memset(world.levels, 0, sizeof world.levels);
+    memset(world.code_counts, 0, sizeof world.code_counts);
+    world.call_time = world.waited = 0.0;
+    world.sleeps = false;
     world.reads = world.writes = 0;
     world.forbidding = false;
     leave(0);
@@ -379,6 +442,32 @@ static void set_volts(int input, double volts)
     enter();
     world.volts[input] = volts;
     leave(0);
+}
+
+static void set_code(int is_write, int32_t code, int count)
+{
+    enter();
+    world.codes[is_write] = code;
+    world.code_counts[is_write] = count;
+    world.code_tasks[is_write] = world.tasks_created;
+    leave(0);
+}
+
+static void set_call_time(double seconds, int sleeps)
+{
+    enter();
+    world.call_time = seconds;
+    world.sleeps = sleeps != 0;
+    leave(0);
+}
+
+static double waited(void)
+{
+    enter();
+    const double seconds = world.waited;
+    world.waited = 0.0;
+    leave(0);
+    return seconds;
 }
 
 static int level(int line)
@@ -429,7 +518,8 @@ static int illegal(const char **first)
 
 const stand_in_daq_table *stand_in_daq(void)
 {
-    static const stand_in_daq_table table = {reset, set_fault, set_volts,          level,
-                                             reads, writes,    forbid_this_thread, illegal};
+    static const stand_in_daq_table table = {
+        reset, set_fault, set_volts, set_code,           set_call_time, waited,
+        level, reads,     writes,    forbid_this_thread, illegal};
     return &table;
 }

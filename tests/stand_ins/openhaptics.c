@@ -6,6 +6,8 @@
 #include "device/platform.h"
 #include "stand_ins/openhaptics_world.h"
 
+#define JITTER 1e-10 /* mm */
+
 static const char *const names[STAND_IN_ARMS] = {"Left", "Device2"};
 
 /* ---- the current device */
@@ -33,24 +35,27 @@ static arm *framed(const char *call)
 STAND_IN_API uint32_t STAND_IN_CALL hdInitDevice(const char *name);
 uint32_t STAND_IN_CALL hdInitDevice(const char *name)
 {
-    uint32_t found = NOBODY;
+    uint32_t found = NO_DEVICE;
     enter();
     for (uint32_t i = 0; i < STAND_IN_ARMS; i++) {
         if (strcmp(name != NULL ? name : names[0], names[i]) == 0) {
             found = i;
         }
     }
+    if (world.arms[0].faults[STAND_IN_NO_DEFAULT]) {
+        found = name == NULL ? NO_DEVICE : strcmp(name, "Default PHANToM") == 0 ? 0 : found;
+    }
     if (world.running) {
         refuse("hdInitDevice", "the scheduler runs already", INVALID_OPERATION);
     }
-    if (found == NOBODY) {
-        push(BAD_HANDLE, NOBODY);
+    if (found == NO_DEVICE) {
+        push(BAD_HANDLE, NO_DEVICE);
     } else if (world.arms[found].is_open) {
         refuse("hdInitDevice", "twice", ALREADY_INITIATED);
-        found = NOBODY;
+        found = NO_DEVICE;
     } else if (world.arms[found].faults[STAND_IN_UNPLUGGED]) {
-        push(COMM_ERROR, NOBODY);
-        found = NOBODY;
+        push(COMM_ERROR, NO_DEVICE);
+        found = NO_DEVICE;
     } else {
         world.arms[found].is_open = true;
         world.current = found;
@@ -170,7 +175,7 @@ void STAND_IN_CALL hdEndFrame(uint32_t device)
 STAND_IN_API hd_error STAND_IN_CALL hdGetError(void);
 hd_error STAND_IN_CALL hdGetError(void)
 {
-    hd_error error = {0, 0, NOBODY};
+    hd_error error = {0, 0, NO_DEVICE};
     enter();
     if (world.error_count > 0) {
         error = world.errors[--world.error_count];
@@ -219,6 +224,12 @@ static void transform_of(const arm *a, double m[16])
         m[4 * i + j] = 2.0 * (v[i] * v[j] + w * v[k]);
         m[4 * i + k] = 2.0 * (v[i] * v[k] - w * v[j]);
         m[12 + i] = 1e3 * a->now.position[i];
+    }
+    /* the last bits of a sensor that is held by a hand never rest */
+    m[12] += (world.tick & 1u) != 0 ? JITTER : -JITTER;
+    if (a->faults[STAND_IN_CONSTANT]) {
+        const double constant[3] = {0.0, 35.0, -110.0};
+        memcpy(m + 12, constant, sizeof constant);
     }
     if (a->faults[STAND_IN_NAN_POSE]) {
         m[13] = nan("");
@@ -336,7 +347,7 @@ void STAND_IN_CALL hdSetSchedulerRate(unsigned long rate)
 {
     enter();
     if (rate != 500 && rate != 1000 && rate != 2000) {
-        push(INVALID_VALUE, NOBODY);
+        push(INVALID_VALUE, NO_DEVICE);
     } else {
         world.rate = rate;
     }
@@ -370,7 +381,7 @@ void STAND_IN_CALL hdStartScheduler(void)
     if (world.running || world.callback == NULL) {
         refuse("hdStartScheduler", "it runs, or has nothing to do", INVALID_OPERATION);
     } else if (world.arms[0].faults[STAND_IN_NO_LICENCE]) {
-        push(INVALID_LICENCE, NOBODY);
+        push(INVALID_LICENCE, NO_DEVICE);
     } else {
         world.running = true;
         world.running = !world.threaded || pthread_create(&world.servo, NULL, serve, NULL) == 0;

@@ -21,7 +21,7 @@ hd_world world = {.lock = PTHREAD_MUTEX_INITIALIZER,
                   .arms = {ARM(1), ARM(2)},
                   .threaded = true,
                   .rate = 1000,
-                  .current = NOBODY};
+                  .current = NO_DEVICE};
 
 /* ---- errors and the referee */
 
@@ -210,7 +210,7 @@ static void reset(int threaded)
     world.threaded = threaded != 0;
     world.rate = 1000;
     world.tick = 0;
-    world.current = NOBODY;
+    world.current = NO_DEVICE;
     leave();
 }
 

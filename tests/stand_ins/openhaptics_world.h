@@ -15,7 +15,7 @@ typedef struct hd_error {
 } hd_error;
 typedef uint32_t(STAND_IN_CALL *hd_callback)(void *user);
 
-#define NOBODY 0xFFFFFFFFu
+#define NO_DEVICE 0xFFFFFFFFu
 enum { ERRORS = 32 };
 enum {
     INVALID_ENUM = 0x0100,

@@ -28,6 +28,8 @@ typedef enum stand_in_hd_fault {
     STAND_IN_UNCALIBRATED, /* needs the inkwell */
     STAND_IN_STALLED,      /* the servo does not tick, for all arms */
     STAND_IN_NO_LICENCE,   /* the scheduler does not start */
+    STAND_IN_CONSTANT,     /* the same pose to the bit, though the arm counts as calibrated */
+    STAND_IN_NO_DEFAULT,   /* there is no default device, but one called "Default PHANToM" */
     STAND_IN_HD_FAULTS
 } stand_in_hd_fault;
 
@@ -66,7 +68,7 @@ typedef struct stand_in_hd_table {
 
 STAND_IN_API const stand_in_hd_table *stand_in_hd(void);
 
-/* ---- lines: device "Dev1", a USB-6008 */
+/* ---- lines: device "Dev1", a USB-6008; built a second time with the names of NI-DAQmx Base */
 
 enum { STAND_IN_INPUTS = 8, STAND_IN_LINES = 8 };
 
@@ -76,6 +78,7 @@ typedef enum stand_in_daq_fault {
     STAND_IN_REMOVED, /* all calls fail, and nobody drives the lines */
     STAND_IN_RESERVED,
     STAND_IN_WARNING, /* reads succeed with a warning */
+    STAND_IN_UNKNOWN, /* the driver knows no device */
     STAND_IN_DAQ_FAULTS
 } stand_in_daq_fault;
 
@@ -83,6 +86,12 @@ typedef struct stand_in_daq_table {
     void (*reset)(void);
     void (*set_fault)(stand_in_daq_fault fault, int on);
     void (*set_volts)(int input, double volts);
+    /* The next `count` reads, or writes, end with `code`; -1: all of them until their task is created again. */
+    void (*set_code)(int is_write, int32_t code, int count);
+    /* Each read and write takes so long, s, and times out if it may not. `sleeps`: in real time. */
+    void (*set_call_time)(double seconds, int sleeps);
+    /* Simulated time that calls have taken since it was asked last, s. */
+    double (*waited)(void);
     /* 0, or 1 also where nobody drives the line. */
     int (*level)(int line);
     uint64_t (*reads)(void);

@@ -7,17 +7,17 @@
 #include "harness/harness.h"
 #include "suture/suture.h"
 
-enum { LAID_MOST = 64 };
+enum { LAID_MAX = 64 };
 
 typedef struct laid {
-    vec3 x[LAID_MOST];
-    double rest[LAID_MOST];
+    vec3 x[LAID_MAX];
+    double rest[LAID_MAX];
     thread_object thread;
     suture_curve line;
 } laid;
 
 /* Of that many nodes, all that is left is where they are. */
-static inline void lay_nodes(laid *l, uint32_t count)
+static inline void place_nodes(laid *l, uint32_t count)
 {
     *l = (laid){.thread = {.node_count = count}};
     l->thread.rest = l->rest;
@@ -26,20 +26,20 @@ static inline void lay_nodes(laid *l, uint32_t count)
 }
 
 /* On from a place by a segment, unstretched. */
-static inline void lay_on(laid *l, uint32_t node, double length, vec3 way)
+static inline void place_on(laid *l, uint32_t node, double length, vec3 way)
 {
     l->rest[node - 1] = length;
     l->x[node] = vec3_add_scaled(l->x[node - 1], length, way);
 }
 
 /* Segments of 0.7 to 1.3 mm that turn by some degrees each; of a begin and a way that are given. */
-static inline void lay_any(harness_source *source, laid *l, uint32_t count, vec3 begin, vec3 way)
+static inline void place_any(harness_source *source, laid *l, uint32_t count, vec3 begin, vec3 way)
 {
-    lay_nodes(l, count);
+    place_nodes(l, count);
     l->x[0] = begin;
     for (uint32_t i = 1; i < count; i++) {
         double length = harness_draw_real(source, 0.7e-3, 1.3e-3);
-        lay_on(l, i, length, way);
+        place_on(l, i, length, way);
         way = vec3_unit_or(vec3_add(way, harness_draw_vec3(source, -0.3, 0.3)), way);
     }
 }

@@ -77,7 +77,7 @@ static inline bool is_anchored(const fixture *f, uint32_t t)
 /* From a point at rest to the nearest free side. */
 static inline double to_free_side(const fixture *f, vec3 point)
 {
-    double least = HUGE_VAL;
+    double smallest = HUGE_VAL;
     for (uint32_t i = 0; i < f->d->mesh.edge_count; i++) {
         const drain_edge *side = &f->d->mesh.edges[i];
         vec3 a = f->d->x[side->nodes[0]], b = f->d->x[side->nodes[1]];
@@ -85,10 +85,10 @@ static inline double to_free_side(const fixture *f, vec3 point)
         double share = vec3_dot(vec3_sub(point, a), along) / vec3_norm_squared(along);
         vec3 nearest = vec3_add_scaled(a, fmin(fmax(share, 0.0), 1.0), along);
         if (side->triangles[1] == DRAIN_NONE) {
-            least = fmin(least, vec3_distance(point, nearest));
+            smallest = fmin(smallest, vec3_distance(point, nearest));
         }
     }
-    return least;
+    return smallest;
 }
 
 #endif

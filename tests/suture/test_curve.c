@@ -7,7 +7,7 @@ static void draw(harness_source *source, laid *l, uint32_t count)
 {
     vec3 begin = harness_draw_vec3(source, -0.1, 0.1);
     vec3 way = harness_draw_vec3(source, -1.0, 1.0);
-    lay_any(source, l, count, begin, vec3_unit_or(way, vec3_make(1.0, 0.0, 0.0)));
+    place_any(source, l, count, begin, vec3_unit_or(way, vec3_make(1.0, 0.0, 0.0)));
 }
 
 static void draw_any_count(harness_source *source, laid *l)
@@ -83,10 +83,10 @@ static void straight_thread_is_measured_exactly(void **state)
     const vec3 way = vec3_make(0.48, -0.6, 0.64), aside = vec3_make(0.8, 0.0, -0.6);
     for (int which = 0; which < 2; which++) {
         laid l;
-        lay_nodes(&l, 7);
+        place_nodes(&l, 7);
         l.x[0] = vec3_make(0.01, 0.02, 0.03);
         for (uint32_t i = 1; i < 7; i++) {
-            lay_on(&l, i, rest[which][i - 1], way);
+            place_on(&l, i, rest[which][i - 1], way);
         }
         for (int i = -40; i <= 110; i++) {
             double arc = 1e-4 * i;
@@ -124,16 +124,16 @@ static void any_nearest_place_is_one(harness_source *source, void *user)
     expect_near(0.0, vec3_distance(place.position, point_by_weights(&l, &place)), 1e-15);
     expect_near(1.0, sum_of_weights(&l, &place), 1e-12);
     expect_near(1.0, vec3_norm(place.tangent), 1e-12);
-    double least = HUGE_VAL, off = vec3_distance(place.position, to);
+    double smallest = HUGE_VAL, off = vec3_distance(place.position, to);
     uint32_t low = place.span > 0 ? place.span - 1 : 0;
     uint32_t high = place.span + 2 < NODES ? place.span + 1 : NODES - 2;
     for (uint32_t k = low; k <= high; k++) {
         for (int i = 0; i <= 200; i++) {
-            least = fmin(least, vec3_distance(by_hand(&l, k, i / 200.0).point, to));
+            smallest = fmin(smallest, vec3_distance(by_hand(&l, k, i / 200.0).point, to));
         }
     }
-    assert_true(off <= least + 1e-12);
-    *inside += off > least - 1e-6; /* not beyond an end */
+    assert_true(off <= smallest + 1e-12);
+    *inside += off > smallest - 1e-6; /* not beyond an end */
 }
 
 static void nearest_point_is_perpendicular_and_minimal(void **state)
@@ -149,9 +149,9 @@ static void search_ends_at_expected_point(void **state)
 {
     (void)state;
     laid l;
-    lay_nodes(&l, NODES);
+    place_nodes(&l, NODES);
     for (uint32_t i = 1; i < NODES; i++) {
-        lay_on(&l, i, 1e-3, vec3_make(1.0, 0.0, 0.0));
+        place_on(&l, i, 1e-3, vec3_make(1.0, 0.0, 0.0));
     }
     for (int i = -7; i <= 87; i++) { /* no joint is met */
         double arc = 1e-4 * i + 0.3e-4;

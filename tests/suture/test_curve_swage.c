@@ -13,7 +13,7 @@ static void draw(harness_source *source, const fixture *f, laid *l)
     vec3 begin = pose_apply(at, vbss_needle_point(f->n, swage));
     vec3 way = vec3_neg(quat_rotate(at.orientation, vbss_needle_direction(f->n, swage)));
     way = vec3_unit_or(vec3_add(way, harness_draw_vec3(source, -0.3, 0.3)), way);
-    lay_any(source, l, NODES, begin, way);
+    place_any(source, l, NODES, begin, way);
     l->line.needle = f->n;
     l->line.needle_pose = at;
     l->line.swage_arc = swage;
@@ -180,13 +180,13 @@ static void any_nearest_place_is_one(harness_source *source, void *user)
     vec3 to = vec3_add(by.point, harness_draw_vec3(source, -0.3e-3, 0.3e-3));
     double from = l.line.swage_arc + harness_draw_real(source, -1e-3, 2e-3);
     const suture_curve_point place = vbss_suture_nearest_point(&l.line, from, to);
-    double least = HUGE_VAL;
+    double smallest = HUGE_VAL;
     expect_near(0.0, vec3_dot(place.tangent, vec3_sub(place.position, to)), 1e-12);
     for (int i = 0; i <= 200; i++) {
-        least = fmin(least, vec3_distance(swage_by_hand(&l, i / 200.0).point, to));
-        least = fmin(least, vec3_distance(by_hand(&l, 1, i / 200.0).point, to));
+        smallest = fmin(smallest, vec3_distance(swage_by_hand(&l, i / 200.0).point, to));
+        smallest = fmin(smallest, vec3_distance(by_hand(&l, 1, i / 200.0).point, to));
     }
-    assert_true(vec3_distance(place.position, to) <= least + 1e-12);
+    assert_true(vec3_distance(place.position, to) <= smallest + 1e-12);
 }
 
 static void nearest_point_is_perpendicular_and_minimal(void **state)

@@ -8,13 +8,13 @@ enum { NODES = 41, CORNER = 20 };
 static const double fine = 0.05e-3;
 
 /* Two straight limbs, fine, that meet at a node under the angle theta; the tip is along -x. */
-static void lay_bend(laid *l, double theta)
+static void place_bend(laid *l, double theta)
 {
     double sine, cosine;
     vbss_sincos(theta, &sine, &cosine);
-    lay_nodes(l, NODES);
+    place_nodes(l, NODES);
     for (uint32_t i = 1; i < NODES; i++) {
-        lay_on(l, i, fine, i <= CORNER ? vec3_make(1.0, 0.0, 0.0) : vec3_make(cosine, sine, 0.0));
+        place_on(l, i, fine, i <= CORNER ? vec3_make(1.0, 0.0, 0.0) : vec3_make(cosine, sine, 0.0));
     }
 }
 
@@ -38,7 +38,7 @@ static void symmetric_bend_grip_is_capstan(void **state)
         for (int m = 1; m <= 6; m++) {
             double theta = 0.1 * i, mu = 0.15 * m, grip[2], sine, cosine;
             laid l;
-            lay_bend(&l, theta);
+            place_bend(&l, theta);
             const suture_curve_point place = middle_of_bend(&l);
             vbss_suture_capstan_friction(&l.line, &place, mu, grip);
             vbss_sincos(0.5 * theta, &sine, &cosine);
@@ -60,7 +60,7 @@ static void straight_grip_is_friction_coefficient(void **state)
     for (int i = 0; i < 5; i++) {
         double grip[2];
         laid l;
-        lay_bend(&l, angles[i]);
+        place_bend(&l, angles[i]);
         for (int node = 0; node < NODES; node++) { /* ends too */
             const suture_curve_point place =
                 vbss_suture_nearest_point(&l.line, node * fine, l.x[node]);
@@ -83,7 +83,7 @@ static void grip_depends_on_direction_beside_middle(void **state)
     (void)state;
     const double theta = 1.2, mu = 0.4;
     laid l;
-    lay_bend(&l, theta);
+    place_bend(&l, theta);
     for (int i = -19; i <= 19; i++) {
         const double along = 0.1 * i;
         const uint32_t span = (uint32_t)(CORNER + (int)floor(along));
@@ -110,9 +110,9 @@ static void grip_depends_on_direction_beside_middle(void **state)
 static void grip_is_continuous_across_spans(void **state)
 {
     (void)state;
-    double last[2] = {0.0, 0.0}, most = 0.0;
+    double last[2] = {0.0, 0.0}, largest = 0.0;
     laid l;
-    lay_bend(&l, 1.5);
+    place_bend(&l, 1.5);
     for (int i = -400; i <= 400; i++) {
         const double along = 0.01 * i;
         const hand_place at =
@@ -121,12 +121,12 @@ static void grip_is_continuous_across_spans(void **state)
         double grip[2];
         vbss_suture_capstan_friction(&l.line, &place, 0.07, grip);
         for (int k = 0; k < 2; k++) {
-            most = i > -400 ? fmax(most, fabs(grip[k] - last[k])) : most;
+            largest = i > -400 ? fmax(largest, fabs(grip[k] - last[k])) : largest;
             last[k] = grip[k];
         }
     }
-    print_message("over a hundredth of a segment it goes on by %g at most\n", most);
-    assert_true(most > 0.005 && most < 0.02);
+    print_message("over a hundredth of a segment it goes on by %g at most\n", largest);
+    assert_true(largest > 0.005 && largest < 0.02);
 }
 
 /* The bend is that of what is beyond the nodes which the place moves: from the segment two before its own to that two after. */
@@ -135,8 +135,8 @@ static void only_nearby_bend_counts(void **state)
     (void)state;
     double straight[2], bent[2];
     laid l, plain;
-    lay_bend(&l, 1.5);
-    lay_bend(&plain, 0.0);
+    place_bend(&l, 1.5);
+    place_bend(&plain, 0.0);
     for (uint32_t k = CORNER - 6; k <= CORNER + 6; k++) {
         const hand_place at = by_hand(&l, k, 0.5), even = by_hand(&plain, k, 0.5);
         const suture_curve_point place = vbss_suture_nearest_point(&l.line, at.arc, at.point);
@@ -161,12 +161,12 @@ static void grip_behind_swage_is_of_needle(void **state)
     const double swage = vbss_needle_length(f.n);
     const vec3 out = vec3_neg(vbss_needle_direction(f.n, swage));
     const vec3 way = vec3_unit_or(vec3_add(out, vec3_any_normal(out)), out);
-    lay_nodes(&l, 8);
+    place_nodes(&l, 8);
     l.line.needle = f.n;
     l.line.swage_arc = swage;
     l.x[0] = vbss_needle_point(f.n, swage);
     for (uint32_t i = 1; i < 8; i++) {
-        lay_on(&l, i, 1e-3, way);
+        place_on(&l, i, 1e-3, way);
     }
     for (uint32_t k = 0; k < 6; k++) {
         const hand_place at = by_hand(&l, k, 0.7);

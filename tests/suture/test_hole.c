@@ -148,7 +148,7 @@ static void bend_at_swage_grips_as_needle(void **state)
     fixture f;
     tail t;
     begin(&f);
-    double most = 0.0;
+    double largest = 0.0;
     for (int askew = 1; askew <= 5; askew++) {
         double sine, cosine;
         begin_tail(&t, f.n);
@@ -178,11 +178,11 @@ static void bend_at_swage_grips_as_needle(void **state)
             for (int side = 0; side < 2; side++) {
                 double wanted = c.hole_friction + share * (grip[side] - c.hole_friction);
                 expect_near(wanted, b.friction[side], 1e-12);
-                most = fmax(most, fabs(grip[side] - b.friction[side]));
+                largest = fmax(largest, fabs(grip[side] - b.friction[side]));
             }
         }
     }
-    assert_true(most > 1.0); /* what a rope would grip with there */
+    assert_true(largest > 1.0); /* what a rope would grip with there */
     end(&f);
 }
 
@@ -194,14 +194,18 @@ static void hole_constraint_is_stiff_across_and_frictional_along(void **state)
     const suture_hole hole = some_hole();
     const suture_curve_point now = some_place();
     const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5); /* across */
-    contact_constraint row = {
-        .is_bilateral = true, .is_sleeve = true, .yield_force = 1e3, .gap = 5.0, .friction = 5.0};
-    row.start_arc_length = now.arc - 1e-6; /* the tip has gone on by 1 um */
-    vbss_hole_set_constraint(&hole, &f.d->config, &now, vec3_sub(now.position, off), 2e-3, &row);
+    contact_constraint row = {.is_bilateral = true,
+                              .is_sleeve = true,
+                              .yield_force = 1e3,
+                              .gap = 5.0,
+                              .friction = 5.0}; /* the coefficient is for contacts only */
+    const double from = now.arc - 1e-6;         /* the tip has gone on by 1 um */
+    vbss_hole_set_constraint(&hole, &f.d->config, from, &now, vec3_sub(now.position, off), 2e-3,
+                             &row);
     double k = f.d->config.hole_stiffness;
     expect_near(0.0, vec3_distance(row.normal, now.tangent), 0.0);
     expect_near(0.0, vec3_distance(row.curvature, now.curvature), 0.0);
-    expect_near(0.0, row.gap + row.friction, 0.0);
+    expect_near(0.0, row.gap, 0.0);
     expect_near(k, row.stiffness, 0.0);
     expect_near(f.d->config.hole_damping / 2e-3, row.viscous_stiffness, 1e-9);
     const vec3 force = vbss_contact_force(&row, vec3_zero());
@@ -227,14 +231,14 @@ static void solution_is_stored_unclipped(void **state)
                                   .is_sleeve = true,
                                   .yield_force = 0.1,
                                   .yield_friction = {0.2, 0.5}};
-        row.start_arc_length = now.arc - sign * 1e-3;
-        vbss_hole_set_constraint(&hole, &f.d->config, &now, vec3_sub(now.position, off), 1e-3,
-                                 &row);
+        vbss_hole_set_constraint(&hole, &f.d->config, now.arc - sign * 1e-3, &now,
+                                 vec3_sub(now.position, off), 1e-3, &row);
         vbss_hole_store_forces(&hole, &row);
-        double k = row.stiffness, most = 0.1 + (sign > 0 ? 0.2 : 0.5) * k * vec3_norm(off);
+        double k = row.stiffness, largest = 0.1 + (sign > 0 ? 0.2 : 0.5) * k * vec3_norm(off);
         double trial = fabs(-0.75 - sign * k * 1e-3);
-        double wanted = most + row.viscous_stiffness * (trial - most) / (k + row.viscous_stiffness);
-        assert_true(wanted > most + 0.01);
+        double wanted =
+            largest + row.viscous_stiffness * (trial - largest) / (k + row.viscous_stiffness);
+        assert_true(wanted > largest + 0.01);
         expect_near(-sign * wanted, hole.friction_force, 1e-9);
         expect_near(0.0, vec3_distance(hole.transverse_force, vec3_scale(off, -k)), 1e-9);
     }

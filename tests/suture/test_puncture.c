@@ -192,10 +192,10 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     suture_hole hole;
     vec3 lean = harness_draw_vec3(source, -0.3, 0.3);
     tip.direction = vec3_unit_or(vec3_add(tip.direction, lean), vec3_zero());
-    double most = f->d->config.puncture_force;
+    double largest = f->d->config.puncture_force;
     vec3 aside = harness_draw_vec3(source, -0.5, 0.5);
     aside = vec3_add_scaled(aside, -vec3_dot(aside, tip.direction), tip.direction);
-    tip.force = vec3_add_scaled(aside, -most, tip.direction);
+    tip.force = vec3_add_scaled(aside, -largest, tip.direction);
     if (!vbss_suture_make_hole(f->d, &tip, REACH, WIRE, &hole)) {
         return;
     }
@@ -204,8 +204,8 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     const vec3 point = vbss_hole_point(&hole, f->d, f->d->x);
     const suture_curve_point now = vbss_suture_nearest_point(&line, hole.arc, point);
     const hole_yield_limit bound = vbss_hole_yield_limit(&hole, &f->d->config, &line, &now);
-    contact_constraint row = {.is_bilateral = true, .is_sleeve = true, .start_arc_length = now.arc};
-    vbss_hole_set_constraint(&hole, &f->d->config, &now, point, 1e-3, &row);
+    contact_constraint row = {.is_bilateral = true, .is_sleeve = true};
+    vbss_hole_set_constraint(&hole, &f->d->config, now.arc, &now, point, 1e-3, &row);
     row.yield_force = bound.force;
     vec3 force = vbss_contact_force(&row, vec3_zero());
     expect_near(0.0, vec3_distance(force, tip.force), 1e-9);

@@ -150,13 +150,6 @@ static inline vbss_thread_reaction reaction_of(vbss_thread *thread, uint32_t id)
     return r;
 }
 
-static inline void expect_vector(vec3 wanted, vec3 got, double tolerance)
-{
-    expect_near(wanted.x, got.x, tolerance);
-    expect_near(wanted.y, got.y, tolerance);
-    expect_near(wanted.z, got.z, tolerance);
-}
-
 /* Whether all that a thread shows is finite; through its views, as a host sees it. */
 static inline bool all_finite(vbss_thread *thread)
 {

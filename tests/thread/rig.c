@@ -108,7 +108,7 @@ void rig_run(rig *r, double h, uint32_t steps)
     }
 }
 
-uint32_t rig_settle(rig *r, double h, double speed, uint32_t limit)
+uint32_t rig_relax(rig *r, double h, double speed, uint32_t limit)
 {
     /* Still at a turning point is not still: twice in a row. */
     uint32_t still = 0, steps = 0;
@@ -271,11 +271,4 @@ vbss_thread_statistics rig_statistics(rig *r)
     vbss_thread_statistics statistics;
     expect_ok(vbss_thread_get_statistics(r->thread, &statistics, sizeof statistics));
     return statistics;
-}
-
-void rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file, int line)
-{
-    harness_near(wanted.x, got.x, tolerance, what, file, line);
-    harness_near(wanted.y, got.y, tolerance, what, file, line);
-    harness_near(wanted.z, got.z, tolerance, what, file, line);
 }

@@ -34,7 +34,7 @@ void rig_move(rig *r, uint32_t id, vec3 target); /* directions stay */
 void rig_run(rig *r, double h, uint32_t steps);
 /* Steps until no node is faster than `speed` (m/s), at most `limit` steps; then the test fails.
  * Give the thread drag. Returns the steps made. */
-uint32_t rig_settle(rig *r, double h, double speed, uint32_t limit);
+uint32_t rig_relax(rig *r, double h, double speed, uint32_t limit);
 
 vec3 rig_position(rig *r, uint32_t node);
 vec3 rig_velocity(rig *r, uint32_t node);
@@ -63,11 +63,5 @@ vec3 rig_reaction_torque(rig *r, uint32_t id);
 vbss_thread_energies rig_energies(rig *r);
 vbss_thread_momentum rig_momentum(rig *r);
 vbss_thread_statistics rig_statistics(rig *r);
-
-/* Largest component of the difference is at most the tolerance. */
-#define expect_near_vec3(wanted, got, tolerance) \
-    rig_near((wanted), (got), (tolerance), #got, __FILE__, __LINE__)
-void rig_near(vec3 wanted, vec3 got, double tolerance, const char *what, const char *file,
-              int line);
 
 #endif

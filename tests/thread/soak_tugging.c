@@ -10,7 +10,7 @@ enum {
     PLACES = 6,
     CUTS = 2,
     LIFE = 2000,
-    MOST_SEGMENTS = 60
+    MAX_SEGMENTS = 60
 }; /* LIFE: steps before a thread is made anew */
 
 typedef struct tug {
@@ -54,7 +54,7 @@ static void begin_life(tug *t)
     must(t, vbss_thread_config_init(&config, sizeof config), "init");
     uint32_t kind = vbss_random_below(&t->random, 4);
     t->segments = config.segment_count =
-        2 + vbss_random_below(&t->random, kind == 1 ? MOST_SEGMENTS - 1 : 11);
+        2 + vbss_random_below(&t->random, kind == 1 ? MAX_SEGMENTS - 1 : 11);
     config.bending = (vbss_bending)vbss_random_below(&t->random, 2);
     config.length = draw(t, 0.02, 0.15);
     config.attachment_capacity = PLACES;

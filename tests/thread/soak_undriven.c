@@ -6,14 +6,14 @@
 #include "base/elementary.h"
 #include "harness/harness.h"
 
-enum { SCENES = 20, STEPS = 1000, START = 5, MOST_NODES = 111 };
+enum { SCENES = 20, STEPS = 1000, START = 5, MAX_NODES = 111 };
 
 /* At most this share of the energy after the start-up may come back after it was lost. */
-#define MOST_GAIN 0.5
+#define MAX_GAIN 0.5
 
 typedef struct scene {
     vbss_thread_config config;
-    double h, x[3 * MOST_NODES], v[3 * MOST_NODES];
+    double h, x[3 * MAX_NODES], v[3 * MAX_NODES];
     uint32_t held[2], holders; /* nodes; the first one clamped if `clamped` */
     bool clamped;
 } scene;
@@ -107,15 +107,15 @@ static double gain_of(vbss_context *context, scene *s, double spectral_radius)
     for (uint32_t k = 0; k < s->holders; k++) {
         well = well && hold(thread, s, k);
     }
-    double least = 0.0, began = 0.0, gain = 0.0;
+    double smallest = 0.0, began = 0.0, gain = 0.0;
     for (int i = 1; well && i <= STEPS; i++) {
         well = vbss_thread_step(thread, s->h) == VBSS_OK;
         double now = energy_of(thread);
         if (i == START) {
-            least = began = now;
+            smallest = began = now;
         } else if (i > START) {
-            gain = fmax(gain, now - least);
-            least = fmin(least, now);
+            gain = fmax(gain, now - smallest);
+            smallest = fmin(smallest, now);
         }
     }
     (void)vbss_thread_destroy(thread);
@@ -137,7 +137,7 @@ static void run(harness_soak *soak)
         draw_scene(&random, &s);
         double wanted = s.config.spectral_radius;
         double gain = gain_of(context, &s, wanted), half = gain_of(context, &s, 0.5);
-        if (!(gain >= 0.0 && half >= 0.0 && gain <= MOST_GAIN)) {
+        if (!(gain >= 0.0 && half >= 0.0 && gain <= MAX_GAIN)) {
             harness_soak_fail(soak, "scene %d: gains %g of its energy, %g at 0.5", k, gain, half);
         }
         by_default = fmax(by_default, gain);

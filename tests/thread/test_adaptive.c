@@ -42,7 +42,7 @@ static vec3 unit_x(void)
 }
 
 /* Held at both ends, the far one brought near: bends in one plane. Settled if it has drag. */
-static void bend(rig *r, const vbss_thread_config *config, double near, uint32_t settle)
+static void bend(rig *r, const vbss_thread_config *config, double near, uint32_t relax_steps)
 {
     rig_begin(r, config);
     (void)rig_clamp_here(r, 0, unit_x());
@@ -52,7 +52,7 @@ static void bend(rig *r, const vbss_thread_config *config, double near, uint32_t
         rig_move(r, id, vec3_make(far.x + (near - far.x) * i / 300.0, 0.0, 0.0));
         rig_run(r, 1e-3, 1);
     }
-    rig_run(r, 1e-3, settle);
+    rig_run(r, 1e-3, relax_steps);
 }
 
 /* ---- kept exactly */

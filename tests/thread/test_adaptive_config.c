@@ -114,75 +114,6 @@ static void zero_capacity_is_four_times_segments(void **state)
     end(&f);
 }
 
-/* ---- a body of the house: a thread that swings, is cut and changes its mesh */
-
-static vbss_result create(vbss_context *context, void *user, void **handle)
-{
-    vbss_thread_config c;
-    vbss_thread_attachment a;
-    vbss_thread *thread;
-    uint32_t id;
-    VBSS_TRY(vbss_thread_config_init(&c, sizeof c));
-    VBSS_TRY(vbss_thread_attachment_init(&a, sizeof a));
-    c.mesh = VBSS_MESH_ADAPTIVE;
-    c.bending = *(const vbss_bending *)user;
-    c.segment_count = 40;
-    c.length = 0.08;
-    c.node_capacity = 90;
-    c.refine_angle = 0.06;
-    c.coarsen_angle = 0.03;
-    c.coarsest_length = 4e-3;
-    a.kind = VBSS_ATTACHMENT_CLAMP;
-    VBSS_TRY(vbss_thread_create(context, &c, &thread));
-    VBSS_TRY(vbss_thread_attach(thread, &a, &id));
-    *handle = thread;
-    return VBSS_OK;
-}
-
-static vbss_result step(void *handle)
-{
-    return vbss_thread_step(handle, 1e-3);
-}
-
-static vbss_result destroy(void *handle)
-{
-    return vbss_thread_destroy(handle);
-}
-
-static vbss_bending bendings[] = {VBSS_BENDING_SPLINE, VBSS_BENDING_LOCAL};
-
-static harness_body body_of(int bending)
-{
-    harness_body body = {"thread that adapts", &vbss_thread_kind, create, NULL, step, destroy,
-                         &bendings[bending]};
-    return body;
-}
-
-static void restored_thread_adapts_bit_equal(void **state)
-{
-    (void)state;
-    for (int bending = 0; bending < 2; bending++) {
-        harness_body body = body_of(bending);
-        harness_save_restore_continue(&body, 0, 40);
-        harness_save_restore_continue(&body, 25, 60);
-        harness_save_restore_continue(&body, 90, 30);
-    }
-}
-
-static void adapting_steps_do_not_allocate(void **state)
-{
-    (void)state;
-    harness_body body = body_of(0);
-    assert_int_equal(harness_step_allocations(&body, 150), 0);
-}
-
-static void bad_adapted_snapshots_are_rejected(void **state)
-{
-    (void)state;
-    harness_body body = body_of(0);
-    harness_refuses_bad_snapshots(&body, 40);
-}
-
 /* States of one kind of mesh are none of the other. */
 static void snapshot_of_other_mesh_is_rejected(void **state)
 {
@@ -244,9 +175,6 @@ int test_adaptive_config(void)
         cmocka_unit_test(bad_mesh_numbers_are_rejected),
         cmocka_unit_test(bad_mesh_choices_are_rejected),
         cmocka_unit_test(zero_capacity_is_four_times_segments),
-        cmocka_unit_test(restored_thread_adapts_bit_equal),
-        cmocka_unit_test(adapting_steps_do_not_allocate),
-        cmocka_unit_test(bad_adapted_snapshots_are_rejected),
         cmocka_unit_test(snapshot_of_other_mesh_is_rejected),
         cmocka_unit_test(each_part_of_cut_thread_adapts),
     };

@@ -86,10 +86,10 @@ static void held_node_reaches_target_after_step(void **state)
     vbss_thread *thread = make(&f);
     vec3 to = vec3_make(0.001, 0.002, -0.003);
     uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, to);
-    expect_vector(vec3_zero(), place_of(thread, 0), 0.0); /* nothing moves outside a step */
+    expect_near_vec3(vec3_zero(), place_of(thread, 0), 0.0); /* nothing moves outside a step */
     for (int i = 1; i <= 20; i++) {
         expect_ok(vbss_thread_step(thread, i % 3 == 0 ? 1e-3 : 3e-4));
-        expect_vector(to, place_of(thread, 0), 0.0);
+        expect_near_vec3(to, place_of(thread, 0), 0.0);
         to = vec3_add(to, vec3_make(1e-3, i % 2 == 0 ? 1e-3 : -1e-3, 0.0));
         move(thread, pin, vec3_zero()); /* the last word counts */
         move(thread, pin, to);
@@ -100,9 +100,9 @@ static void held_node_reaches_target_after_step(void **state)
         x[3 * (size_t)i] = 0.1 + i * 0.15 / 12;
     }
     expect_ok(vbss_thread_set_state(thread, x, NULL, 13));
-    expect_vector(vec3_make(0.1, 0.0, 0.0), place_of(thread, 0), 0.0);
+    expect_near_vec3(vec3_make(0.1, 0.0, 0.0), place_of(thread, 0), 0.0);
     expect_ok(vbss_thread_step(thread, 1e-3));
-    expect_vector(to, place_of(thread, 0), 0.0);
+    expect_near_vec3(to, place_of(thread, 0), 0.0);
     end(&f);
 }
 
@@ -141,7 +141,7 @@ static void node_released_from_resting_hand_stays(void **state)
     expect_ok(vbss_thread_detach(thread, pin));
     vec3 before = place_of(thread, 0);
     steps(thread, 1, 1e-3);
-    expect_vector(before, place_of(thread, 0), 1e-3);
+    expect_near_vec3(before, place_of(thread, 0), 1e-3);
     end(&f);
 }
 
@@ -162,8 +162,8 @@ static void expect_balance(fixture *f, vbss_thread *thread, const uint32_t *ids,
         torque = vec3_add(torque, vec3_load(r.torque));
     }
     double scale = mass * 9.81;
-    expect_vector(vec3_zero(), force, 1e-6 * scale);
-    expect_vector(vec3_zero(), torque, 1e-6 * scale * f->config.length);
+    expect_near_vec3(vec3_zero(), force, 1e-6 * scale);
+    expect_near_vec3(vec3_zero(), torque, 1e-6 * scale * f->config.length);
 }
 
 static void reactions_balance_weight(void **state)
@@ -191,7 +191,7 @@ static void reactions_balance_weight(void **state)
         a.force[2] = 2e-5;
         ids[2] = attach(thread, &a);
         r = reaction_of(thread, ids[0]);
-        expect_vector(vec3_zero(), vec3_load(r.force), 0.0);
+        expect_near_vec3(vec3_zero(), vec3_load(r.force), 0.0);
         steps(thread, 8000, 1e-3);
         expect_balance(&f, thread, ids, 3);
         end(&f);
@@ -233,16 +233,17 @@ static void force_changes_momentum_at_its_rate(void **state)
         vec3 last = force;
         force = vec3_scale(vec3_make(1e-5, -2e-5, 3e-5), 1.0 + i % 3);
         move(thread, pull, force);
-        expect_vector(last, vec3_load(reaction_of(thread, pull).force), 1e-12 * vec3_norm(last));
+        expect_near_vec3(last, vec3_load(reaction_of(thread, pull).force), 1e-12 * vec3_norm(last));
         expect_ok(vbss_thread_step(thread, h));
-        expect_vector(force, vec3_load(reaction_of(thread, pull).force), 1e-12 * vec3_norm(force));
+        expect_near_vec3(force, vec3_load(reaction_of(thread, pull).force),
+                         1e-12 * vec3_norm(force));
         sum = vec3_add_scaled(sum, h, force);
     }
-    expect_vector(sum, vec3_load(momentum_of(thread).linear), 3e-3 * vec3_norm(sum));
+    expect_near_vec3(sum, vec3_load(momentum_of(thread).linear), 3e-3 * vec3_norm(sum));
     expect_ok(vbss_thread_detach(thread, pull));
     vec3 kept = vec3_load(momentum_of(thread).linear);
     steps(thread, 20, 1e-3);
-    expect_vector(kept, vec3_load(momentum_of(thread).linear), 1e-9 * vec3_norm(kept));
+    expect_near_vec3(kept, vec3_load(momentum_of(thread).linear), 1e-9 * vec3_norm(kept));
     end(&f);
 }
 

@@ -3,7 +3,7 @@
 
 #include "thread/rig.h"
 
-enum { MOST_NODES = 65 };
+enum { MAX_NODES = 65 };
 
 static const double pi = 0x1.921fb54442d18p1;
 static const double length = 0.03, bending_stiffness = 1e-8, weight = 6.4e-5 * 9.81; /* N/m */
@@ -28,7 +28,7 @@ static double largest_aside(rig *r)
 
 static void deflect(rig *r, column kind, double shortening)
 {
-    vec3 x[MOST_NODES];
+    vec3 x[MAX_NODES];
     rig_read(r, VBSS_THREAD_POSITIONS, x);
     for (uint32_t i = 0; i < r->nodes; i++) {
         double s = (double)i / (r->nodes - 1);
@@ -125,7 +125,7 @@ static vec3 tip_of_standing(double standing)
     uint32_t push = rig_force(&r, 20, vec3_make(0.0, 1e-6, 0.0));
     rig_run(&r, 0.01, 10);
     rig_move(&r, push, vec3_zero());
-    rig_settle(&r, 0.01, 1e-7, 1500);
+    rig_relax(&r, 0.01, 1e-7, 1500);
     vec3 tip = rig_tip(&r);
     rig_end(&r);
     return tip;
@@ -172,7 +172,7 @@ static void buckled_shape_is_euler_elastica(void **state)
         c.spectral_radius = 0.0;
         rig r;
         rig_begin(&r, &c);
-        vec3 x[MOST_NODES];
+        vec3 x[MAX_NODES];
         for (uint32_t i = 0; i <= 32; i++) {
             double s = i / 32.0;
             x[i] = vec3_make(distance * s, length * k / first * sin(pi * s), 0.0);
@@ -180,7 +180,7 @@ static void buckled_shape_is_euler_elastica(void **state)
         rig_place(&r, x, NULL);
         rig_pin_here(&r, 0);
         uint32_t pin = rig_pin_here(&r, 32);
-        rig_settle(&r, 0.01, 1e-11, 300);
+        rig_relax(&r, 0.01, 1e-11, 300);
         vec3 push = rig_reaction_force(&r, pin);
         double load = 4.0 * first * first * bending_stiffness / (length * length);
         vec3 middle = rig_position(&r, 16);

@@ -57,7 +57,7 @@ static vbss_thread_config heavy_thread(double parameter, uint32_t segments, vbss
     return c;
 }
 
-static tip settled(vbss_thread_config c, double load)
+static tip relaxed(vbss_thread_config c, double load)
 {
     double mass = c.linear_density * c.length;
     /* Drag that damps the slowest motion critically, and steps that follow it. */
@@ -69,7 +69,7 @@ static tip settled(vbss_thread_config c, double load)
     rig_begin(&r, &c);
     uint32_t clamp = rig_clamp(&r, 0, vec3_zero(), vec3_make(1.0, 0.0, 0.0));
     rig_force(&r, r.nodes - 1, vec3_make(0.0, -load, 0.0));
-    rig_settle(&r, fmin(0.5 / rate, 0.1), 1e-11 * rate * c.length, 200);
+    rig_relax(&r, fmin(0.5 / rate, 0.1), 1e-11 * rate * c.length, 200);
     vec3 a = rig_position(&r, r.nodes - 3), b = rig_position(&r, r.nodes - 2), end = rig_tip(&r);
     double last = atan2(b.y - end.y, end.x - b.x), before = atan2(a.y - b.y, b.x - a.x);
     /* Beyond the last chord's middle the angle changes as a square, or a cube, of what is left. */
@@ -87,7 +87,7 @@ static double tip_error(const elastica *e, tip t)
 static double error_of(vbss_thread_config c, double load)
 {
     elastica e = elastica_solve(&c, load);
-    return tip_error(&e, settled(c, load));
+    return tip_error(&e, relaxed(c, load));
 }
 
 /* ---- tests */
@@ -124,7 +124,7 @@ static void heavy_cantilever_matches_elastica(void **state)
         vbss_bending bending = i % 2 == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
         vbss_thread_config c = heavy_thread(heavy[row].parameter, 60, bending);
         elastica e = elastica_solve(&c, 0.0);
-        tip t = settled(c, 0.0);
+        tip t = relaxed(c, 0.0);
         bool spline = bending == VBSS_BENDING_SPLINE;
         expect_near(0.0, tip_error(&e, t), spline ? heavy[row].spline : heavy[row].local);
         expect_near(e.angle, t.angle, heavy[row].angle);
@@ -141,7 +141,7 @@ static void tip_load_matches_elastica(void **state)
         c.gravity[1] = 0.0;
         double load = loaded[i].parameter * c.bending_stiffness / pow(c.length, 2);
         elastica e = elastica_solve(&c, load);
-        tip t = settled(c, load);
+        tip t = relaxed(c, load);
         expect_near(0.0, tip_error(&e, t), loaded[i].tip);
         expect_near(e.angle, t.angle, loaded[i].turned);
         expect_near(1.0, t.moment / e.moment, loaded[i].torque);
@@ -182,7 +182,7 @@ static void paper_thread_sag(void **state)
     (void)state;
     const double bounds[2] = {1.0e-5, 4e-7};
     for (int fine = 0; fine < 2; fine++) {
-        tip t = settled(rig_config(0.15, fine ? 120 : 30), 0.0);
+        tip t = relaxed(rig_config(0.15, fine ? 120 : 30), 0.0);
         expect_near(0.0, hypot(t.x - hanging_tip.x, t.drop + hanging_tip.y), bounds[fine]);
     }
 }
@@ -193,7 +193,7 @@ static void clamp_at_either_end_is_equivalent(void **state)
     for (int i = 0; i < 2; i++) {
         vbss_thread_config c = rig_config(0.15, 20);
         c.bending = i == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
-        tip forward = settled(c, 0.0);
+        tip forward = relaxed(c, 0.0);
         c.start[0] = 0.15;
         c.direction[0] = -1.0;
         c.drag = 20.0;
@@ -201,7 +201,7 @@ static void clamp_at_either_end_is_equivalent(void **state)
         rig r;
         rig_begin(&r, &c);
         uint32_t clamp = rig_clamp(&r, 20, vec3_zero(), vec3_make(-1.0, 0.0, 0.0));
-        rig_settle(&r, 0.05, 1e-11, 200);
+        rig_relax(&r, 0.05, 1e-11, 200);
         expect_near_vec3(vec3_make(forward.x, -forward.drop, 0.0), rig_position(&r, 0), 1e-10);
         expect_near(1.0, rig_reaction_torque(&r, clamp).z / forward.moment, 1e-8);
         rig_end(&r);
@@ -211,7 +211,7 @@ static void clamp_at_either_end_is_equivalent(void **state)
 /* ---- unequal rest lengths */
 
 typedef uint32_t (*division)(uint32_t refinement, double *rest_lengths);
-enum { MOST = 400 };
+enum { MAX_COUNT = 400 };
 
 /* Fine at the clamp, 1 to 8. */
 static uint32_t graded(uint32_t refinement, double *rest_lengths)
@@ -219,7 +219,7 @@ static uint32_t graded(uint32_t refinement, double *rest_lengths)
     uint32_t count = 0;
     double finest = 1e-3 / refinement;
     expect_ok(vbss_thread_grade(0.15, 0.0, finest, 8.0 * finest, pow(1.2, 1.0 / refinement),
-                                rest_lengths, MOST, &count));
+                                rest_lengths, MAX_COUNT, &count));
     return count;
 }
 
@@ -248,7 +248,7 @@ static uint32_t alternating(uint32_t refinement, double *rest_lengths)
 /* Error with the division four times as fine, and the order from there. */
 static double unequal_error(division divide, vbss_bending bending, double *order)
 {
-    double error[2], rest_lengths[MOST];
+    double error[2], rest_lengths[MAX_COUNT];
     for (uint32_t fine = 0; fine < 2; fine++) {
         uint32_t count = divide(fine ? 4 : 1, rest_lengths);
         vbss_thread_config c = heavy_thread(5.0, count, bending);

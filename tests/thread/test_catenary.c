@@ -3,7 +3,7 @@
 
 #include "thread/rig.h"
 
-enum { MOST_NODES = 161 };
+enum { MAX_NODES = 161 };
 
 /* 0.15 m between two pins 0.1 m apart: parameter and sag. */
 static const double span = 0.1, length = 0.15, a = 0.030823647, sag = 0.050263326;
@@ -28,7 +28,7 @@ static void hang(rig *r, uint32_t segments, vbss_bending bending, uint32_t pins[
     c.bending_stiffness = 0.0;
     c.drag = 30.0;
     c.spectral_radius = 0.0;
-    vec3 x[MOST_NODES];
+    vec3 x[MAX_NODES];
     double across = span / segments, down = sqrt(length * length - span * span) / segments;
     for (uint32_t i = 0; i <= segments; i++) {
         uint32_t below = i < segments - i ? i : segments - i;
@@ -38,7 +38,7 @@ static void hang(rig *r, uint32_t segments, vbss_bending bending, uint32_t pins[
     rig_place(r, x, NULL);
     pins[0] = rig_pin_here(r, 0);
     pins[1] = rig_pin_here(r, segments);
-    rig_settle(r, 0.05, 1e-10, 100);
+    rig_relax(r, 0.05, 1e-10, 100);
 }
 
 static errors hang_and_compare(uint32_t segments, vbss_bending bending)
@@ -105,7 +105,7 @@ static void hanging_thread_tension_is_weight_below(void **state)
     rig_begin(&r, &c);
     uint32_t pin = rig_pin_here(&r, 0);
     rig_mass(&r, 12, 0.5);
-    rig_settle(&r, 0.05, 1e-12, 200);
+    rig_relax(&r, 0.05, 1e-12, 200);
     double segment = c.linear_density * length / 12.0 * 7.0; /* weight of one */
     for (uint32_t i = 0; i < 12; i++) {
         double below = 0.5 * 7.0 + segment * (11.5 - i);

@@ -6,7 +6,7 @@
 #include "thread/rig.h"
 #include "thread/thread.h"
 
-enum { SEGMENTS = 8, NODES = SEGMENTS + 1, MOST_NODES = 16 };
+enum { SEGMENTS = 8, NODES = SEGMENTS + 1, MAX_NODES = 16 };
 
 /* ---- the damping alone */
 
@@ -43,9 +43,9 @@ typedef struct section {
 static void damping_keeps_momentum(harness_source *source, void *user)
 {
     const section *s = user;
-    double thickness = s->thickness, mass[MOST_NODES];
-    vec3 x[MOST_NODES], v[MOST_NODES];
-    uint32_t n = 2 + harness_draw_below(source, MOST_NODES - 1);
+    double thickness = s->thickness, mass[MAX_NODES];
+    vec3 x[MAX_NODES], v[MAX_NODES];
+    uint32_t n = 2 + harness_draw_below(source, MAX_NODES - 1);
     vec3 from = harness_draw_vec3(source, -1.0, 1.0), way = harness_draw_vec3(source, -1.0, 1.0);
     way = vec3_unit_or(way, vec3_make(1.0, 0.0, 0.0));
     for (uint32_t i = 0; i < n; i++) {
@@ -279,7 +279,7 @@ static void hanging_resting_thread_stays(void **state)
         config.drag = 8.0; /* finds the equilibrium; what is tested has none */
         rig_begin(&r, &config);
         k == 0 ? rig_pin_here(&r, 0) : rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
-        rig_settle(&r, 2e-3, 1e-12, 10000);
+        rig_relax(&r, 2e-3, 1e-12, 10000);
         rig_read(&r, VBSS_THREAD_POSITIONS, x);
         rig_end(&r);
         config.drag = 0.0;

@@ -12,9 +12,9 @@ typedef struct change {
 static const change bounds[] = {{1e-14, 1e-14, 0.0}, {1e-14, 1e-14, 0.26},  {0.11, 0.045, 0.09},
                                 {0.05, 0.02, 0.04},  {0.035, 0.011, 0.023}, {0.027, 0.007, 0.015}};
 
-static void expect_changed(vec3 before, vec3 after, double most)
+static void expect_changed(vec3 before, vec3 after, double limit)
 {
-    expect_near(0.0, vec3_distance(before, after) / vec3_norm(before), most);
+    expect_near(0.0, vec3_distance(before, after) / vec3_norm(before), limit);
 }
 
 /* The positions of both parts, for what must not move. */
@@ -28,13 +28,13 @@ static void expect_parts(fixture *f, vbss_thread *a, vbss_thread *b, vbss_thread
     expect_near(s, rest_length_of(a), 1e-12);
     expect_near(f->config.length - s, rest_length_of(b), 1e-12);
     expect_near(f->config.linear_density * s, m.mass, 1e-12 * mass);
-    const change *most =
+    const change *largest =
         &bounds[f->config.method == VBSS_METHOD_PAPER ? 0 : f->config.segment_count];
     vec3 centre = vec3_add(vec3_scale(vec3_load(m.centre), m.mass / mass),
                            vec3_scale(vec3_load(n.centre), n.mass / mass));
-    expect_changed(vec3_load(before.linear), linear, most->linear);
+    expect_changed(vec3_load(before.linear), linear, largest->linear);
     expect_near(0.0, vec3_distance(vec3_load(before.centre), centre) / f->config.length,
-                most->centre);
+                largest->centre);
     vec3 angular = vec3_add(vec3_load(m.angular), vec3_load(n.angular));
     /* A new node has the speed of the chord but not what its halves turn with. */
     expect_changed(vec3_load(before.angular), angular, bounds[f->config.segment_count].angular);
@@ -195,20 +195,20 @@ static void both_parts_have_correct_forces(void **state)
         double parts = energies_of(thread).total + energies_of(piece).total;
         assert_true(fabs(parts - whole) <= 1e-3 * moving);
         vbss_thread_momentum before = momentum_of(piece), near_part = momentum_of(thread);
-        expect_vector(linear, vec3_add(vec3_load(before.linear), vec3_load(near_part.linear)),
-                      1e-4 * vec3_norm(linear));
+        expect_near_vec3(linear, vec3_add(vec3_load(before.linear), vec3_load(near_part.linear)),
+                         1e-4 * vec3_norm(linear));
         steps(thread, 40, 1e-3);
         steps(piece, 40, 1e-3);
         vbss_thread_momentum after = momentum_of(piece);
         vec3 impulse = vec3_make(0.0, -9.81 * 0.04 * before.mass, 0.0);
         linear = vec3_add(vec3_load(before.linear), impulse);
-        expect_vector(linear, vec3_load(after.linear), 1e-9 * before.mass);
+        expect_near_vec3(linear, vec3_load(after.linear), 1e-9 * before.mass);
         /* The centre falls by a parabola; each step of backward Euler is wrong by g h^2 / 2. */
         vec3 centre =
             vec3_add_scaled(vec3_load(before.centre), 0.04 / before.mass, vec3_load(before.linear));
         centre.y -= 0.5 * 9.81 * 0.04 * 0.04;
-        expect_vector(centre, vec3_load(after.centre), 2e-5);
-        expect_vector(vec3_zero(), place_of(thread, 0), 0.0);
+        expect_near_vec3(centre, vec3_load(after.centre), 2e-5);
+        expect_near_vec3(vec3_zero(), place_of(thread, 0), 0.0);
         assert_true(reaction_of(thread, pin).force[1] > 0.0);
         expect_near(0.160, statistics_of(thread).time, 1e-12);
         expect_near(0.160, statistics_of(piece).time, 1e-12);
@@ -243,7 +243,7 @@ static void snapshot_before_cut_is_restored(void **state)
     assert_true(hash_of(piece) == far_part);
     assert_int_equal(reaction_of(thread, far_pin).node, 12);
     steps(thread, 5, 1e-3);
-    expect_vector(vec3_make(0.14, 0.0, 0.0), place_of(thread, 12), 0.0);
+    expect_near_vec3(vec3_make(0.14, 0.0, 0.0), place_of(thread, 12), 0.0);
     /* Forward, and into each other; each then does what the saved one did. */
     expect_ok(vbss_thread_restore(thread, parts, part));
     assert_true(hash_of(thread) == cut);
@@ -299,6 +299,31 @@ static void piece_takes_clamp_like_thread(void **state)
     }
 }
 
+/* A thread that is larger in all its lengths is cut at the same fractions of its segments. */
+static void place_of_cut_does_not_depend_on_scale(void **state)
+{
+    (void)state;
+    const double fractions[] = {0.005, 0.012, 0.11, 0.5, 0.89, 0.988, 0.995};
+    const double lengths[] = {1e-6, 5e-6, 1e-3}; /* the shortest part is 1e-7 m, or a hundredth */
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 7; i++) {
+            thread_cut cut[2];
+            for (int large = 0; large < 2; large++) {
+                const double scale = large ? 1024.0 : 1.0, l = scale * lengths[k];
+                double rest[3] = {l, l, l};
+                thread_object t = {.node_count = 4, .rest = rest};
+                t.config.radius = scale * 0.125e-3;
+                assert_true(vbss_thread_locate_cut(&t, (1.0 + fractions[i]) * l, &cut[large]));
+            }
+            const double least = vbss_max(0.01, 1e-7 / lengths[k]);
+            const double nearest = vbss_min(fractions[i], 1.0 - fractions[i]);
+            assert_int_equal(cut[0].fraction == 1.0, nearest < least);
+            assert_int_equal(cut[0].segment, cut[1].segment);
+            expect_near(cut[0].fraction, cut[1].fraction, 0.0);
+        }
+    }
+}
+
 int test_cutting(void)
 {
     const struct CMUnitTest tests[] = {
@@ -309,6 +334,7 @@ int test_cutting(void)
         cmocka_unit_test(both_parts_have_correct_forces),
         cmocka_unit_test(snapshot_before_cut_is_restored),
         cmocka_unit_test(piece_takes_clamp_like_thread),
+        cmocka_unit_test(place_of_cut_does_not_depend_on_scale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

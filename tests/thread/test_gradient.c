@@ -5,19 +5,19 @@
 #include "base/rotation.h"
 #include "thread/rig.h"
 
-enum { MOST_NODES = 16, MOST_ATTACHMENTS = 5 * MOST_NODES };
+enum { MAX_NODES = 16, MAX_ATTACHMENTS = 5 * MAX_NODES };
 
 typedef struct scene {
     rig r;
-    double rest_lengths[MOST_NODES];
-    vec3 x[MOST_NODES], v[MOST_NODES];
-    vec3 held_by[MOST_NODES]; /* sum of what attachments but masses do */
-    vec3 moving[MOST_NODES];  /* from the reactions of masses */
+    double rest_lengths[MAX_NODES];
+    vec3 x[MAX_NODES], v[MAX_NODES];
+    vec3 held_by[MAX_NODES]; /* sum of what attachments but masses do */
+    vec3 moving[MAX_NODES];  /* from the reactions of masses */
     double drag;
-    uint32_t mass_ids[MOST_NODES];
-    uint32_t clamp_ids[MOST_NODES]; /* 0: none */
-    vec3 directions[MOST_NODES];
-    uint32_t others[MOST_ATTACHMENTS], other_count;
+    uint32_t mass_ids[MAX_NODES];
+    uint32_t clamp_ids[MAX_NODES]; /* 0: none */
+    vec3 directions[MAX_NODES];
+    uint32_t others[MAX_ATTACHMENTS], other_count;
 } scene;
 
 static const double mass = 1e-3; /* on every node: its reaction tells the acceleration */
@@ -79,12 +79,12 @@ static void draw_attachments(harness_source *source, scene *s)
 
 static void draw_scene(harness_source *source, scene *s, double rest_curvature)
 {
-    uint32_t nodes = 2 + harness_draw_below(source, MOST_NODES - 1);
+    uint32_t nodes = 2 + harness_draw_below(source, MAX_NODES - 1);
     draw_shape(source, s, nodes);
     vbss_thread_config c = rig_config(1.0, nodes - 1);
     c.rest_lengths = s->rest_lengths;
     c.bending = harness_draw_below(source, 3) == 0 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
-    c.attachment_capacity = MOST_ATTACHMENTS;
+    c.attachment_capacity = MAX_ATTACHMENTS;
     c.axial_stiffness = 5.0;
     c.bending_stiffness = 1e-5;
     c.rest_curvature = rest_curvature;
@@ -211,7 +211,7 @@ static void forces_are_slopes(harness_source *source, void *user)
     scene s;
     draw_scene(source, &s, *rest_curvature);
     rig_run(&s.r, 1e-3, 1 + harness_draw_below(source, 3));
-    vec3 torques[MOST_NODES] = {{0.0, 0.0, 0.0}};
+    vec3 torques[MAX_NODES] = {{0.0, 0.0, 0.0}};
     read_torques(&s, torques);
     note_what_acts(&s);
     bool curved = *rest_curvature > 0.0;
@@ -238,7 +238,7 @@ static void force_is_negative_energy_gradient_with_rest_curvature(void **state)
 static void single_clamp_gradient(void **state)
 {
     (void)state;
-    for (uint32_t nodes = 2; nodes <= MOST_NODES; nodes++) {
+    for (uint32_t nodes = 2; nodes <= MAX_NODES; nodes++) {
         for (uint32_t node = 0; node < nodes; node++) {
             vbss_thread_config c = rig_config(0.01 * (nodes - 1), nodes - 1);
             c.gravity[1] = 0.0;

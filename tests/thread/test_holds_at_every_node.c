@@ -112,7 +112,7 @@ static void every_node_takes_spring_pin_or_clamp(void **state)
                 steps(thread, 10, 1e-3);
                 for (uint32_t i = 0; i <= segments; i++) {
                     if (kind != VBSS_ATTACHMENT_MASS && kind != VBSS_ATTACHMENT_FORCE) {
-                        expect_vector(on_circle(10.0, 1e-3 * i), place_of(thread, i), 1e-5);
+                        expect_near_vec3(on_circle(10.0, 1e-3 * i), place_of(thread, i), 1e-5);
                     }
                     (void)reaction_of(thread, i + 1);
                 }
@@ -180,7 +180,7 @@ static void attachment_order_does_not_matter(void **state)
         end(&f);
     }
     for (uint32_t i = 0; i < 25; i++) {
-        expect_vector(found[0][i], found[1][i], 1e-12);
+        expect_near_vec3(found[0][i], found[1][i], 1e-12);
     }
 }
 

@@ -98,7 +98,7 @@ static void rest_curvature_minimises_energy(void **state)
 
 /* ---- the cantilever */
 
-static double settled_error(uint32_t segments, double stiffness)
+static double static_error(uint32_t segments, double stiffness)
 {
     rig r;
     vbss_thread_config config = paper(segments);
@@ -115,14 +115,14 @@ static double settled_error(uint32_t segments, double stiffness)
 static void cantilever_converges_to_elastica_at_second_order(void **state)
 {
     (void)state;
-    double coarse = settled_error(15, 0.0), medium = settled_error(30, 0.0);
-    double fine = settled_error(60, 0.0);
+    double coarse = static_error(15, 0.0), medium = static_error(30, 0.0);
+    double fine = static_error(60, 0.0);
     expect_near(0.848e-3, coarse, 0.01e-3);
     expect_near(0.258e-3, medium, 0.005e-3);
     expect_near(0.080e-3, fine, 0.003e-3);
     assert_true(coarse / medium > 3.0 && medium / fine > 3.0);
     /* The springs only start the projection. */
-    expect_near(medium, settled_error(30, 0.01), 1e-9);
+    expect_near(medium, static_error(30, 0.01), 1e-9);
 }
 
 static vec3 released_tip(uint32_t segments, uint32_t substeps)

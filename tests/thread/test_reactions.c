@@ -39,7 +39,7 @@ static void clamp_carries_weight_and_moment(void **state)
         rig_begin(&r, &c);
         uint32_t clamp = rig_clamp_here(&r, 0, directions[i / 2]);
         rig_mass(&r, 12, 1e-6);
-        rig_settle(&r, 0.05, 1e-12, 300);
+        rig_relax(&r, 0.05, 1e-12, 300);
         double weight = gravity * (density * length + 1e-6);
         expect_near_vec3(vec3_make(0.0, weight, 0.0), rig_reaction_force(&r, clamp), 1e-12);
         vec3 needed = vec3_scale(moment_of_weight(&r, rig_position(&r, 0)), -1.0);
@@ -67,7 +67,7 @@ static void attachment_forces_balance(void **state)
             rig_pin(&r, 18, vec3_make(0.13, 0.0, -0.01)),
         };
         rig_mass(&r, 3, 2e-6);
-        rig_settle(&r, 0.02, 1e-12, 600);
+        rig_relax(&r, 0.02, 1e-12, 600);
         vec3 force = vec3_zero(), torque = moment_of_weight(&r, vec3_zero());
         for (size_t k = 0; k < sizeof ids / sizeof ids[0]; k++) {
             vbss_thread_reaction a;
@@ -95,14 +95,14 @@ static void spring_extension_is_hanging_weight(void **state)
     rig_begin(&r, &c);
     uint32_t spring = rig_spring(&r, 0, end, stiffness, 0.0);
     double weight = density * length * gravity;
-    rig_settle(&r, 0.02, 1e-9, 1500);
+    rig_relax(&r, 0.02, 1e-9, 1500);
     expect_near_vec3(vec3_make(0.0, weight, 0.0), rig_reaction_force(&r, spring), 1e-10);
     vec3 hangs = vec3_sub(end, vec3_make(0.0, weight / stiffness, 0.0));
     expect_near_vec3(hangs, rig_position(&r, 0), 1e-7);
     /* Its other end moves, and at rest the thread has moved as far. */
     vec3 further = vec3_make(-0.02, 0.03, 0.0);
     rig_move(&r, spring, further);
-    rig_settle(&r, 0.02, 1e-9, 1500);
+    rig_relax(&r, 0.02, 1e-9, 1500);
     expect_near_vec3(vec3_sub(further, vec3_sub(end, hangs)), rig_position(&r, 0), 1e-7);
     rig_end(&r);
 }
@@ -141,7 +141,7 @@ static void forces_and_masses_report_themselves(void **state)
     uint32_t pin = rig_pin_here(&r, 0);
     uint32_t force = rig_force(&r, 12, pull), heavy = rig_mass(&r, 6, 3e-5);
     assert_true(vec3_norm(rig_reaction_force(&r, force)) == 0.0); /* before the first step */
-    rig_settle(&r, 0.02, 1e-12, 600);
+    rig_relax(&r, 0.02, 1e-12, 600);
     expect_near_vec3(pull, rig_reaction_force(&r, force), 0.0);
     expect_near_vec3(vec3_make(0.0, -3e-5 * gravity, 0.0), rig_reaction_force(&r, heavy), 1e-12);
     expect_near_vec3(vec3_zero(), rig_reaction_torque(&r, pin), 0.0);
@@ -172,12 +172,12 @@ static void held_node_carries_applied_load(void **state)
     rig r;
     rig_begin(&r, &c);
     uint32_t clamp = rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
-    rig_settle(&r, 0.02, 1e-12, 600);
+    rig_relax(&r, 0.02, 1e-12, 600);
     vec3 before = rig_reaction_force(&r, clamp), tip = rig_tip(&r);
     rig_force(&r, 0, vec3_make(3.0, -2.0, 1.0));
     rig_spring(&r, 0, vec3_make(0.0, 0.1, 0.0), 10.0, 0.0);
     rig_mass(&r, 0, 0.5);
-    rig_settle(&r, 0.02, 1e-12, 600);
+    rig_relax(&r, 0.02, 1e-12, 600);
     vec3 others = vec3_make(3.0, -2.0 + 1.0 - 0.5 * gravity, 1.0);
     expect_near_vec3(vec3_sub(before, others), rig_reaction_force(&r, clamp), 1e-9);
     expect_near_vec3(tip, rig_tip(&r), 1e-10);
@@ -193,7 +193,7 @@ static void twenty_newtons_are_held(void **state)
         rig_begin(&r, &c);
         uint32_t clamp = rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
         rig_force(&r, 30, vec3_make(20.0, 0.0, 0.0));
-        rig_settle(&r, 0.01, 1e-9, 600);
+        rig_relax(&r, 0.01, 1e-9, 600);
         expect_near_vec3(vec3_make(-20.0, density * length * gravity, 0.0),
                          rig_reaction_force(&r, clamp), 1e-7);
         /* SPLINE takes some of the stretch of 5 % at the clamp for curvature. */
@@ -221,7 +221,7 @@ static void separated_clamps_feel_stretch(void **state)
     rig_run(&r, 1e-3, 2);
     rig_move(&r, far, vec3_make(length * (1.0 + 20.0 / c.axial_stiffness), 0.0, 0.0));
     rig_run(&r, 1e-3, 50);
-    rig_settle(&r, 0.01, 1e-9, 600);
+    rig_relax(&r, 0.01, 1e-9, 600);
     vec3 pull = rig_reaction_force(&r, far);
     expect_near(20.0, pull.x, 0.03);
     expect_near_vec3(vec3_scale(pull, -1.0), rig_reaction_force(&r, near), 1e-8);

@@ -31,7 +31,7 @@ static void wind_up(rig *r, uint32_t clamp, double length, double angle)
         expect_ok(vbss_thread_move(r->thread, clamp, to, direction));
         rig_run(r, 0.01, 1);
     }
-    rig_settle(r, 0.02, 1e-9, 200);
+    rig_relax(r, 0.02, 1e-9, 200);
 }
 
 /* A quarter of a turn to a whole one: no force, EI times the curvature at either end. */
@@ -78,7 +78,7 @@ static void opposed_clamps_make_arc(void **state)
 }
 
 /* The position a quarter along, the same after half a turn about the middle. */
-static vec3 settled_s(uint32_t segments, vbss_bending bending)
+static vec3 damped_s(uint32_t segments, vbss_bending bending)
 {
     const double length = 0.06;
     const vec3 end = {0.9 * length, 0.42 * length, 0.0};
@@ -92,7 +92,7 @@ static vec3 settled_s(uint32_t segments, vbss_bending bending)
         rig_move(&r, far, vec3_lerp(start, end, k / 40.0));
         rig_run(&r, 0.01, 1);
     }
-    rig_settle(&r, 0.02, 1e-9, 400);
+    rig_relax(&r, 0.02, 1e-9, 400);
     for (uint32_t i = 0; i <= segments; i++) {
         vec3 opposite = vec3_sub(end, rig_position(&r, segments - i));
         expect_near_vec3(opposite, rig_position(&r, i), 1e-10);
@@ -110,9 +110,9 @@ static vec3 settled_s(uint32_t segments, vbss_bending bending)
 static void parallel_clamps_make_symmetric_s(void **state)
 {
     (void)state;
-    vec3 exact = settled_s(96, VBSS_BENDING_SPLINE);
-    expect_near(0.0, vec3_distance(exact, settled_s(24, VBSS_BENDING_SPLINE)), 7e-5);
-    expect_near(0.0, vec3_distance(exact, settled_s(24, VBSS_BENDING_LOCAL)), 1e-3);
+    vec3 exact = damped_s(96, VBSS_BENDING_SPLINE);
+    expect_near(0.0, vec3_distance(exact, damped_s(24, VBSS_BENDING_SPLINE)), 7e-5);
+    expect_near(0.0, vec3_distance(exact, damped_s(24, VBSS_BENDING_LOCAL)), 1e-3);
 }
 
 /* All nodes on a circle, clamped at the ends, 1 to 8 segments: what the shortest stretches know. */
@@ -194,7 +194,7 @@ static void short_stretch_is_as_stiff_as_beam(void **state)
         rig_clamp_here(&r, low, vec3_make(1.0, 0.0, 0.0));
         rig_clamp_here(&r, low + apart, vec3_make(1.0, 0.0, 0.0));
         rig_force(&r, at, vec3_make(0.0, force, 0.0));
-        rig_settle(&r, 0.01, 1e-13, 400);
+        rig_relax(&r, 0.01, 1e-13, 400);
         double before = segment * (at - low), behind = segment * (low + apart - at);
         double sag =
             force * pow(before * behind / (before + behind), 3) / (3.0 * bending_stiffness);
@@ -220,7 +220,7 @@ static void inner_clamp_holds_two_cantilevers(void **state)
         rig r;
         rig_begin(&r, &c);
         uint32_t clamp = rig_clamp_here(&r, 20, vec3_make(1.0, 0.0, 0.0));
-        rig_settle(&r, 0.03, 1e-9, 300);
+        rig_relax(&r, 0.03, 1e-9, 300);
         elastica a = elastica_solve(&right, 0.0), b = elastica_solve(&left, 0.0);
         vec3 tip = rig_tip(&r), other = rig_position(&r, 0);
         expect_near(0.0, hypot(tip.x - 0.04 - a.x, tip.y + a.drop) / 0.08, bound);
@@ -265,7 +265,7 @@ static void curved_rest_shape_becomes_circle(void **state)
         /* Slowly, lest it swing through straight. */
         rig_run(&r, 1e-3, 20);
         rig_run(&r, 0.01, 50);
-        rig_settle(&r, 0.1, 1e-7, 400);
+        rig_relax(&r, 0.1, 1e-7, 400);
         vec3 a = rig_position(&r, 0), b = rig_position(&r, 20), end = rig_tip(&r);
         double sides = vec3_distance(a, b) * vec3_distance(b, end) * vec3_distance(a, end);
         double area = vec3_norm(vec3_cross(vec3_sub(b, a), vec3_sub(end, a)));

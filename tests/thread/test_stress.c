@@ -23,7 +23,7 @@ static void run(vbss_thread *thread, uint32_t count, double h)
 
 /* Says what was measured, and asserts what every case has to keep: `most` linearisations in a step,
  * twice what was measured. */
-static void expect_kept(const char *name, vbss_thread *thread, uint32_t most)
+static void expect_kept(const char *name, vbss_thread *thread, uint32_t limit)
 {
     vbss_thread_statistics s = statistics_of(thread);
     print_message("%s: stretch error %.2g, forced %llu, rejected %llu, substeps %llu, steps %llu, "
@@ -34,12 +34,12 @@ static void expect_kept(const char *name, vbss_thread *thread, uint32_t most)
     assert_true(all_finite(thread));
     assert_true(s.stretch_error <= 5e-6);
     assert_int_equal(s.forced, 0);
-    assert_in_range(worst, 1, most);
+    assert_in_range(worst, 1, limit);
 }
 
 /* Nothing moves what holds the thread: there is never much more energy than at first, and not more at
  * last. Not less in each step: high frequencies are damped, not balanced. */
-static void expect_calm(vbss_thread *thread, uint32_t count, double h)
+static void expect_at_rest(vbss_thread *thread, uint32_t count, double h)
 {
     vbss_thread_energies e = energies_of(thread);
     double moving = e.kinetic + e.stretching + e.bending;
@@ -77,14 +77,14 @@ static void both_ends_clamped_and_pulled(void **state)
             run(thread, 10, 1e-3);
             move(thread, far_end, vec3_make(stretched, 0.0, 0.0));
             run(thread, 1, 1e-3);
-            expect_calm(thread, 200, 1e-3);
+            expect_at_rest(thread, 200, 1e-3);
             for (uint32_t i = 0; i < segments; i++) {
                 expect_near(20.0, number_at(thread, VBSS_THREAD_TENSIONS, i), 0.2);
             }
             expect_near(20.0, reaction_of(thread, far_end).force[0], 0.05);
             move(thread, far_end, vec3_make(0.15, 0.0, 0.0)); /* and let go as fast */
             run(thread, 1, 1e-3);
-            expect_calm(thread, 100, 1e-3);
+            expect_at_rest(thread, 100, 1e-3);
             expect_kept("pulled to 20 N and back", thread, 110);
             end(&f);
         }
@@ -107,7 +107,7 @@ static void teleported_end(void **state)
                 run(thread, 200, 1e-3);
                 move(thread, hand, ways[way]);
                 run(thread, 1, 1e-3);
-                expect_calm(thread, 200, 1e-3);
+                expect_at_rest(thread, 200, 1e-3);
                 expect_kept("teleported by 20 mm", thread, 420);
                 end(&f);
             }
@@ -128,7 +128,7 @@ static void stiff_and_fine_thread(void **state)
             f.config.axial_stiffness = stiff == 0 ? 427.0 : 4000.0;
             vbss_thread *thread = make(&f);
             hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
-            expect_calm(thread, 200, 1e-3);
+            expect_at_rest(thread, 200, 1e-3);
             expect_kept(stiff == 0 ? "N = 240, EA = 427 N" : "N = 240, EA = 4000 N", thread, 6);
             end(&f);
         }
@@ -145,7 +145,7 @@ static void heavy_end(void **state)
         a.mass = 1000.0 * 6.4e-5 * 0.15 / 60;
         attach(thread, &a);
         hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
-        expect_calm(thread, 1000, 1e-3);
+        expect_at_rest(thread, 1000, 1e-3);
         expect_kept("a mass of 1000 segments", thread, 10);
         end(&f);
     }
@@ -203,7 +203,7 @@ static void any_start_comes_to_rest(void **state)
             vbss_thread *thread = make(&f);
             hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
             run(thread, 3, 1e-3); /* half a joule to 30 J go off at once */
-            expect_calm(thread, 300, 1e-3);
+            expect_at_rest(thread, 300, 1e-3);
             vbss_thread_statistics s = statistics_of(thread);
             print_message(
                 "%s: forced %llu of %llu substeps, error %.2g, at last %.2g; at most %u a step\n",
@@ -246,7 +246,7 @@ static void tug(uint32_t segments, vbss_bending bending, double h, uint32_t coun
     char name[64];
     (void)snprintf(name, sizeof name, "tugged, N %u, h %g", segments, h);
     expect_kept(name, thread, 360);
-    expect_calm(thread, 100, h);
+    expect_at_rest(thread, 100, h);
     end(&f);
 }
 

@@ -1,59 +1,10 @@
-/* Where the memory of threads and their pieces goes, and the rest of what calls refuse. */
+/* Memory of threads and their pieces, and the calls on a thread in motion that are rejected. */
 #include <stdlib.h>
 
 #include "base/error.h"
 #include "subject.h"
 
 /* ---- memory */
-
-static vbss_result live(vbss_context *context, vbss_thread_config *config)
-{
-    vbss_thread *thread, *piece = NULL;
-    VBSS_TRY(vbss_thread_create(context, config, &thread));
-    vbss_result result = VBSS_OK;
-    if (config->cut_capacity > 0) {
-        result = vbss_thread_cut(thread, 0.4 * config->length, &piece);
-    }
-    uint64_t count = 0, need = 0;
-    (void)vbss_thread_save(thread, NULL, 0, &need);
-    uint8_t *bytes = malloc(need);
-    if (result == VBSS_OK) {
-        result = vbss_thread_save(thread, bytes, need, &count);
-    }
-    if (result == VBSS_OK) {
-        result = vbss_thread_restore(thread, bytes, count);
-    }
-    if (result == VBSS_OK) {
-        result = vbss_thread_step(thread, 1e-3);
-    }
-    free(bytes);
-    /* The parent ends first: its piece still owns the rest of the reserve. */
-    VBSS_TRY(vbss_thread_destroy(thread));
-    VBSS_TRY(vbss_thread_destroy(piece));
-    return result;
-}
-
-static vbss_result attempt(vbss_context *context, void *user)
-{
-    return live(context, user);
-}
-
-static void each_failed_allocation_is_reported_without_leak(void **state)
-{
-    (void)state;
-    vbss_thread_config config;
-    expect_ok(vbss_thread_config_init(&config, sizeof config));
-    config.segment_count = 5;
-    for (uint32_t cuts = 0; cuts <= 2; cuts++) {
-        for (uint32_t places = 0; places <= 3; places += 3) {
-            config.cut_capacity = cuts;
-            config.attachment_capacity = places;
-            harness_fail_every_allocation(attempt, &config);
-        }
-    }
-    config.bending = VBSS_BENDING_LOCAL;
-    harness_fail_every_allocation(attempt, &config);
-}
 
 /* Four parts of one thread; each order in which they end gives all memory back. */
 static void memory_is_returned_in_any_order(void **state)
@@ -105,25 +56,6 @@ static void context_end_destroys_live_pieces(void **state)
     }
 }
 
-/* What memory there is after the first thread is what there is after the last. */
-static void thread_churn_does_not_grow_memory(void **state)
-{
-    (void)state;
-    fixture f;
-    begin(&f);
-    f.config.cut_capacity = 1;
-    uint64_t blocks = 0;
-    for (int i = 0; i < 20; i++) {
-        vbss_thread *piece, *thread = make(&f);
-        expect_ok(vbss_thread_cut(thread, 0.07, &piece));
-        expect_ok(vbss_thread_destroy(thread));
-        expect_ok(vbss_thread_destroy(piece));
-        blocks = i == 0 ? f.memory.blocks : blocks;
-        assert_int_equal(f.memory.blocks, blocks);
-    }
-    end(&f);
-}
-
 /* ---- what is left to refuse, on a thread that has lived */
 
 static void bad_moves_are_rejected(void **state)
@@ -146,16 +78,16 @@ static void bad_moves_are_rejected(void **state)
         }
     }
     const double zero[3] = {0.0, 0.0, 0.0};
-    const uint32_t nobody[] = {0, 5, UINT32_MAX};
+    const uint32_t none[] = {0, 5, UINT32_MAX};
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, s.clamp, zero, zero));
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, s.mass, zero, NULL));
     unchanged(&s, VBSS_ERROR_NULL_ARGUMENT, vbss_thread_move(s.thread, s.pin, NULL, zero));
     for (int i = 0; i < 3; i++) {
         vbss_thread_reaction r;
-        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, nobody[i], zero, NULL));
-        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(s.thread, nobody[i]));
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, none[i], zero, NULL));
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(s.thread, none[i]));
         unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_thread_get_reaction(s.thread, nobody[i], &r, sizeof r));
+                  vbss_thread_get_reaction(s.thread, none[i], &r, sizeof r));
     }
     end_subject(&s);
 }
@@ -210,10 +142,8 @@ static void bad_steps_states_and_cuts_are_rejected(void **state)
 int test_thread_memory(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_failed_allocation_is_reported_without_leak),
         cmocka_unit_test(memory_is_returned_in_any_order),
         cmocka_unit_test(context_end_destroys_live_pieces),
-        cmocka_unit_test(thread_churn_does_not_grow_memory),
         cmocka_unit_test(bad_moves_are_rejected),
         cmocka_unit_test(bad_steps_states_and_cuts_are_rejected),
     };

@@ -235,6 +235,36 @@ static void bad_attachments_are_rejected(void **state)
     end_subject(&s);
 }
 
+static void presets_match_documentation(void **state)
+{
+    (void)state;
+    const struct {
+        vbss_thread_preset preset;
+        double radius, linear_density, axial_stiffness, bending_stiffness;
+    } wanted[] = {
+        {VBSS_PRESET_SILK_2_0, 0.16e-3, 1.05e-4, 700.0, 2.7e-8},
+        {VBSS_PRESET_PAPER_THREAD, 0.125e-3, 6.4e-5, 427.0, 1e-8},
+    };
+    vbss_thread_config config, kept;
+    expect_ok(vbss_thread_config_init(&config, sizeof config));
+    kept = config;
+    for (int k = 0; k < 2; k++) {
+        expect_ok(vbss_thread_config_preset(&config, wanted[k].preset));
+        expect_same_bits(wanted[k].radius, config.radius);
+        expect_same_bits(wanted[k].linear_density, config.linear_density);
+        expect_same_bits(wanted[k].axial_stiffness, config.axial_stiffness);
+        expect_same_bits(wanted[k].bending_stiffness, config.bending_stiffness);
+    }
+    /* The last of them is the default, and nothing else was touched. */
+    assert_memory_equal(&config, &kept, sizeof config);
+    const vbss_thread_preset none[] = {-1, 2, INT32_MAX, INT32_MIN};
+    for (int k = 0; k < 4; k++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_config_preset(&config, none[k]));
+        assert_memory_equal(&config, &kept, sizeof config);
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_thread_config_preset(NULL, VBSS_PRESET_SILK_2_0));
+}
+
 int test_thread_refusals(void)
 {
     const struct CMUnitTest tests[] = {
@@ -242,6 +272,7 @@ int test_thread_refusals(void)
         cmocka_unit_test(bad_config_choices_are_rejected),
         cmocka_unit_test(bad_array_entries_are_rejected),
         cmocka_unit_test(bad_attachments_are_rejected),
+        cmocka_unit_test(presets_match_documentation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

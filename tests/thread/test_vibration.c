@@ -5,7 +5,7 @@
 #include "thread/rig.h"
 
 static const double pi = 0x1.921fb54442d18p1, gravity = 9.81, density = 6.4e-5;
-enum { PERIOD = 100, SAMPLES = 4 * PERIOD + 1, MOST_NODES = 65 };
+enum { PERIOD = 100, SAMPLES = 4 * PERIOD + 1, MAX_NODES = 65 };
 
 /* ---- a frequency from samples */
 
@@ -63,7 +63,7 @@ static mode beam_mode(double number)
 /* Down from the origin, displaced along z by the mode, every segment as long as its tension asks. */
 static void place_mode(rig *r, const mode *m, uint32_t n)
 {
-    vec3 x[MOST_NODES];
+    vec3 x[MAX_NODES];
     double l = m->length / n, amplitude = 1e-5 * m->length;
     x[0] = vec3_make(0.0, 0.0, amplitude * m->shape(m->number, 0.0));
     for (uint32_t i = 1; i <= n; i++) {
@@ -79,7 +79,7 @@ static void place_mode(rig *r, const mode *m, uint32_t n)
 static double frequency_error(const mode *m, vbss_bending bending, uint32_t n)
 {
     rig r;
-    vec3 x[MOST_NODES];
+    vec3 x[MAX_NODES];
     double samples[SAMPLES], h = 2.0 * pi / m->w / PERIOD;
     vbss_thread_config config = exact_config(m->length, n);
     config.bending = bending;

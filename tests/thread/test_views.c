@@ -205,11 +205,12 @@ static void circle_curvature(void **state)
         }
         f.config.positions = x;
         vbss_thread *thread = make(&f);
-        expect_vector(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 0), 0.0);
-        expect_vector(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 24), 0.0);
+        expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 0), 0.0);
+        expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 24), 0.0);
         for (uint32_t i = 1; i < 24; i++) {
             vec3 to_centre = vec3_scale(place_of(thread, i), -1.0 / (radius * radius));
-            expect_vector(to_centre, vector_at(thread, VBSS_THREAD_CURVATURES, i), 0.02 / radius);
+            expect_near_vec3(to_centre, vector_at(thread, VBSS_THREAD_CURVATURES, i),
+                             0.02 / radius);
         }
         for (uint32_t i = 1; i + 2 < 24; i++) { /* chords, or arcs: both known */
             double chord = 2.0 * radius * vbss_sin(0.05), arc = 0.1 * radius;
@@ -223,8 +224,8 @@ static void circle_curvature(void **state)
             vec3_store(a.position, place_of(thread, node));
             vec3_store(a.direction, vec3_make(normal.z, 0.0, -normal.x));
             attach(thread, &a);
-            expect_vector(vec3_scale(normal, -1.0 / radius),
-                          vector_at(thread, VBSS_THREAD_CURVATURES, node), 0.04 / radius);
+            expect_near_vec3(vec3_scale(normal, -1.0 / radius),
+                             vector_at(thread, VBSS_THREAD_CURVATURES, node), 0.04 / radius);
         }
         double energy = 0.5 * 1e-8 / (radius * radius) * 0.048;
         expect_near(energy, energies_of(thread).bending, 0.01 * energy);
@@ -285,17 +286,17 @@ static void rigid_motion_has_its_momentum_once(int way)
     vbss_thread_momentum m = momentum_of(thread);
     double mass = 1e-3 * 0.15, own = mass * 0.15 * 0.15 / 12.0 * 2.0;
     expect_near(mass, m.mass, 1e-15);
-    expect_vector(vec3_make(0.075, 1.0, 0.0), vec3_load(m.centre), 1e-14);
-    expect_vector(vec3_scale(drift, mass), vec3_load(m.linear), 1e-16);
+    expect_near_vec3(vec3_make(0.075, 1.0, 0.0), vec3_load(m.centre), 1e-14);
+    expect_near_vec3(vec3_scale(drift, mass), vec3_load(m.linear), 1e-16);
     vec3 angular = vec3_cross(vec3_load(m.centre), vec3_load(m.linear));
     angular.z += own;
     /* Method PAPER puts half a segment at either end of it: 2 / 12^2 too much. */
     angular.z += way == 2 ? own * 2.0 / 144.0 : 0.0;
-    expect_vector(angular, vec3_load(m.angular), (way == 2 ? 1e-12 : 1e-2) * own);
+    expect_near_vec3(angular, vec3_load(m.angular), (way == 2 ? 1e-12 : 1e-2) * own);
     for (int i = 0; i < 50; i++) {
         steps(thread, 1, 1e-3);
         vbss_thread_momentum now = momentum_of(thread);
-        expect_vector(vec3_load(m.linear), vec3_load(now.linear), 1e-10 * mass);
+        expect_near_vec3(vec3_load(m.linear), vec3_load(now.linear), 1e-10 * mass);
     }
     end(&f);
 }

@@ -5,7 +5,7 @@
 #include "thread/rig.h"
 
 static const double pi = 0x1.921fb54442d18p1, gravity = 9.81, density = 6.4e-5, stiffness = 427.0;
-enum { MOST_NODES = 121 };
+enum { MAX_NODES = 121 };
 
 static vbss_thread_config wave_config(uint32_t segments)
 {
@@ -60,7 +60,7 @@ static void tension_wave_travels_at_sound_speed(void **state)
 static void pluck(vbss_bending bending, uint32_t n, double bounds[2])
 {
     rig r;
-    vec3 x[MOST_NODES], later[MOST_NODES];
+    vec3 x[MAX_NODES], later[MAX_NODES];
     vbss_thread_config config = wave_config(n);
     config.bending = bending;
     config.bending_stiffness = 0.0;
@@ -110,7 +110,7 @@ static void plucked_bump_reflects_inverted(void **state)
 static void drive_chain(uint32_t n, double *tip_error, double *force_error)
 {
     rig r;
-    vec3 x[MOST_NODES], v[MOST_NODES];
+    vec3 x[MAX_NODES], v[MAX_NODES];
     double h = 0.5e-3, drive = 2.0 * pi * 2.5, amplitude = 1e-6, l = 0.15 / n;
     double at_end = 2.0 * drive * sqrt(0.15 / gravity),
            share = amplitude / reference_bessel(0, at_end);

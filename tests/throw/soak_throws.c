@@ -13,7 +13,7 @@ enum { HANDS = 20, KINDS = 3, RETRIES = 2 };
 static const struct kind {
     const char *name, *notation;
     trial_kind kind;
-    uint32_t least;
+    uint32_t smallest;
     int handedness; /* of the last throw */
 } kinds[KINDS] = {
     {"double", "2", TRIAL_DOUBLE, 18, -1},
@@ -34,7 +34,7 @@ static void run(harness_soak *soak)
     double highest = -1.0;
     uint64_t clamped = 0;
     for (uint64_t i = 1; i <= HANDS; i++) {
-        trial_options o = {.kind = k->kind, .most = LONGEST};
+        trial_options o = {.kind = k->kind, .time_limit = LONGEST};
         trial_outcome out;
         o.seed = soak->seed / KINDS * HANDS + i;
         vbss_result result = trial_run(&o, &out);
@@ -48,7 +48,7 @@ static void run(harness_soak *soak)
             clamped += out.clamped;
         }
     }
-    if (right < k->least) {
+    if (right < k->smallest) {
         harness_soak_fail(soak, "%s: %u of %d", k->name, (unsigned)right, HANDS);
     }
     harness_soak_figure(soak, "right", right);

@@ -125,16 +125,16 @@ static void devices_deliver_requested_tremor(void **state)
 static void default_skill_is_expert(void **state)
 {
     (void)state;
-    static rest nobody, expert, novice, again;
-    begin(&nobody, NULL, 1);
+    static rest none, expert, novice, again;
+    begin(&none, NULL, 1);
     begin(&expert, skill_named("expert"), 1);
     begin(&novice, skill_named("novice"), 1);
     begin(&again, skill_named("novice"), 1);
-    assert_int_equal(nobody.hash, expert.hash);
-    assert_int_not_equal(nobody.hash, novice.hash);
+    assert_int_equal(none.hash, expert.hash);
+    assert_int_not_equal(none.hash, novice.hash);
     assert_int_equal(novice.hash, again.hash);
     assert_null(skill_named("surgeon"));
-    end(&nobody);
+    end(&none);
     end(&expert);
     end(&novice);
     end(&again);
@@ -147,7 +147,7 @@ static void low_skill_is_slower_less_accurate_and_hesitates(void **state)
         const hand_skill *better = skill_named(names[i - 1]), *worse = skill_named(names[i]);
         assert_true(worse->speed < better->speed);
         assert_true(worse->tremor > better->tremor);
-        assert_true(worse->aim > better->aim);
+        assert_true(worse->target_at > better->target_at);
         assert_true(worse->hesitation > better->hesitation);
     }
 }

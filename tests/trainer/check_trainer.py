@@ -98,6 +98,28 @@ def faults(b, _):
                           f"{name}@3.15+0.2"), name, word)
 
 
+def constant(b, _):
+    """An arm that gives the same pose for ever is reported, gets no force, and is not calibrated."""
+    b.calibrate()
+    before = pathlib.Path(b.file).read_text()
+    text = b.rehearse(FAULTY, "--scene", "table", "--seconds", "3.4", "--fault", "constant@1.5")
+    assert "the arm gives a constant pose" in text and "ended with faults, outputs off" in text, text
+    text = b.rehearse(FAULTY, "--calibrate", "--fault", "constant@0")
+    assert "again: the arm gives a constant pose" in text and "nothing was written" in text, text
+    assert pathlib.Path(b.file).read_text() == before
+
+
+def clocks(b, _):
+    """The clock steps back: the run ends with its outputs off. It jumps: outputs are off for a moment."""
+    b.calibrate()
+    for words in ([*b.arms, *b.lines, "--simulated", "--calibration", b.file], ["--mock", "--simulated"]):
+        text = b.run(FAULTY, *words, "--scene", "table", "--seconds", "3.4", "--fault", "clock_back@3.15")
+        expect_safe(text, "clock_back", "the clock stepped back")
+        text = b.run((GOOD, FAULTY), *words, "--scene", "table", "--seconds", "3.4", "--fault", "clock_ahead@3.15")
+        found = re.search(r"fault clock_ahead: safe after (\d+) ms", text)
+        assert found and int(found[1]) <= 10, text
+
+
 def random_faults(b, _):
     """Any fault at any moment of the scene, on one arm or two: safe within 10 ms, told, no illegal call."""
     b.calibrate()
@@ -238,7 +260,7 @@ def interrupted(b, _):
 
 def main():
     subject, trainer, arms, lines, folder, *log = sys.argv[1:]
-    subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, random_faults, refused, replayed, real_time, interrupted,
+    subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, constant, clocks, random_faults, refused, replayed, real_time, interrupted,
                                         surgeon, surgeon_ties, surgeon_faults)}
     subjects[subject](Bench(trainer, arms, lines, folder), log[0] if log else None)
 

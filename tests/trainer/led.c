@@ -49,15 +49,15 @@ static vbss_result calibrate(calibration *c)
 /* What is tied may come undone again. */
 static uint32_t count_throws(vbss_session *session, const vbss_session_status *status)
 {
-    uint32_t most = 0;
+    uint32_t largest = 0;
     for (uint64_t i = status->first_event; i < status->event_count; i++) {
         vbss_session_event e;
         if (vbss_session_get_event(session, i, &e, sizeof e) == VBSS_OK &&
-            e.kind == VBSS_SESSION_EVENT_THROW && e.undone == 0 && e.number >= most) {
-            most = e.number + 1;
+            e.kind == VBSS_SESSION_EVENT_THROW && e.undone == 0 && e.number >= largest) {
+            largest = e.number + 1;
         }
     }
-    return most;
+    return largest;
 }
 
 static uint32_t count_shears(const stage *s)

@@ -32,7 +32,7 @@ static void judge(harness_soak *soak, const led *o)
     }
 }
 
-static void tell(harness_soak *soak, const led o[RUNS])
+static void report(harness_soak *soak, const led o[RUNS])
 {
     const figures *f = &o[0].now;
     uint64_t late = 0;
@@ -44,8 +44,7 @@ static void tell(harness_soak *soak, const led o[RUNS])
     harness_soak_figure(soak, "late_in_both", (double)late);
     harness_soak_figure(soak, "mean_us", 1e6 * f->total_work / (double)f->slots);
     harness_soak_figure(soak, "pulses", (double)(f->pulses[LEFT] + f->pulses[RIGHT]));
-    harness_soak_figure(soak, "most_N",
-                        fmax(f->hands[LEFT].most_force, f->hands[RIGHT].most_force));
+    harness_soak_figure(soak, "most_N", fmax(f->hands[LEFT].max_force, f->hands[RIGHT].max_force));
     harness_soak_figure(soak, "phase", o[0].status.phase);
     harness_soak_figure(soak, "tied", o[0].tied);
     harness_soak_figure(soak, "transfers", o[0].status.transfers);
@@ -79,7 +78,7 @@ static void run(harness_soak *soak)
     if (!is_same(&found[0].status, &found[1].status)) {
         harness_soak_fail(soak, "it came to something else the second time");
     }
-    tell(soak, found);
+    report(soak, found);
     (void)remove(path);
 }
 

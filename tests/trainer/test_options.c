@@ -4,16 +4,16 @@
 #include "harness/harness.h"
 #include "trainer/options.h"
 
-enum { MOST_WORDS = 12 };
+enum { MAX_WORDS = 12 };
 
 static bool read_words(const char *line, options *o)
 {
     static char text[512];
-    char *words[MOST_WORDS] = {"trainer"}, why[256];
+    char *words[MAX_WORDS] = {"trainer"}, why[256];
     int count = 1;
     snprintf(text, sizeof text, "%s", line);
     for (char *word = strtok(text, " "); word != NULL; word = strtok(NULL, " ")) {
-        assert_true(count < MOST_WORDS);
+        assert_true(count < MAX_WORDS);
         words[count++] = word;
     }
     return options_read(count, words, o, why, sizeof why);

@@ -43,12 +43,12 @@ static void events_above_capacity_are_counted(void **state)
 {
     (void)state;
     figures f = {.slots = 0};
-    for (int i = 0; i < MOST_EVENTS + 3; i++) {
+    for (int i = 0; i < MAX_EVENTS + 3; i++) {
         figures_note(&f, i % 2 == 0, "%d", i);
     }
-    assert_int_equal(f.event_count, MOST_EVENTS);
+    assert_int_equal(f.event_count, MAX_EVENTS);
     assert_int_equal(f.events_lost, 3);
-    assert_int_equal(f.faults, (MOST_EVENTS + 4) / 2);
+    assert_int_equal(f.faults, (MAX_EVENTS + 4) / 2);
     assert_string_equal(f.events[5].text, "5");
 }
 

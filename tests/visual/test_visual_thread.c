@@ -292,18 +292,18 @@ static void vertices_carry_arc_length(void **state)
     inside(thread)->now.tension[7] = 3.0;
     expect_ok(vbss_visual_add_thread(f.visual, thread, NULL));
     const drawn d = draw(&f);
-    double least = 1.0, most = -1.0, pulled = 0.0;
+    double smallest = 1.0, largest = -1.0, pulled = 0.0;
     for (uint32_t i = 0; i < d.vertex_count; i++) {
         vec3 m = material_of(&d, i);
-        least = vbss_min(least, m.x);
-        most = vbss_max(most, m.x);
+        smallest = vbss_min(smallest, m.x);
+        largest = vbss_max(largest, m.x);
         expect_near(m.x, (double)d.vertices[i].texture[1], 1e-9);
         assert_true(sqrt(m.y * m.y + m.z * m.z) < 1.2501e-4);
         assert_true(d.vertices[i].texture[0] >= 0.0F && d.vertices[i].texture[0] <= 1.0F);
         pulled = vbss_max(pulled, (double)d.vertices[i].value);
     }
-    expect_near(-1.25e-4, least, 1e-9);
-    expect_near(length + 1.25e-4, most, 1e-8);
+    expect_near(-1.25e-4, smallest, 1e-9);
+    expect_near(length + 1.25e-4, largest, 1e-8);
     expect_near(1.5, pulled, 1e-6); /* at nodes the mean of both sides */
     end(&f);
 }

@@ -126,13 +126,13 @@ static void grasper_is_drawn_at_its_capsules(void **state)
 /* Vertices of one jaw's flat side, by its normal in the tool's frame. */
 static double farthest_opening(const drawn *d, pose at)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t i = 0; i < d->vertex_count; i++) {
         if ((double)d->vertices[i].value > 1.5) {
-            most = vbss_max(most, fabs(pose_apply_inverse(at, position_of(d, i)).x));
+            largest = vbss_max(largest, fabs(pose_apply_inverse(at, position_of(d, i)).x));
         }
     }
-    return most;
+    return largest;
 }
 
 static void jaws_open_and_close(void **state)

@@ -184,6 +184,10 @@ class Device(Configured, Saved):
         """Holds or lets go the clutch."""
         self._call(lib.vbss_device_clutch, int(held))
 
+    def hold_jaw(self, opening: float) -> None:
+        """Holds the opening that reads report until the handle has passed it."""
+        self._call(lib.vbss_device_hold_jaw, float(opening))
+
     def recentre(self, position: Optional[Sequence[float]] = None,
                  orientation: Optional[Sequence[float]] = None) -> None:
         """Shifts and turns the pose so that the last sample stands for a given one."""

@@ -54,9 +54,11 @@ class Metrics(Configured, Viewed, Saved):
 
     def add_sample(self, time: float, left: Optional[Sequence[float]] = None,
                    right: Optional[Sequence[float]] = None, *, left_force: Optional[Sequence[float]] = None,
-                   right_force: Optional[Sequence[float]] = None, step: int = 0) -> None:
-        """Where the tips are, m, and what the tools bear, N; None is not known."""
-        sample = initialised(vbss_metrics_sample, lib.vbss_metrics_sample_init, {"time": time, "step": step}, "a sample")
+                   right_force: Optional[Sequence[float]] = None, step: int = 0, time_lost: float = 0.0) -> None:
+        """Where the tips are, m, and what the tools bear, N; None is not known. time_lost: simulated time that was lost
+        since the clock began, s, a part of time."""
+        sample = initialised(vbss_metrics_sample, lib.vbss_metrics_sample_init,
+                             {"time": time, "step": step, "time_lost": time_lost}, "a sample")
         for bit, row, values, name in ((MetricsHasBits.LEFT, sample.position[0], left, "left"),
                                        (MetricsHasBits.RIGHT, sample.position[1], right, "right"),
                                        (MetricsHasBits.LEFT_FORCE, sample.force[0], left_force, "left_force"),
@@ -138,4 +140,5 @@ class Metrics(Configured, Viewed, Saved):
     def _describe(self) -> str:
         report = self.report
         final = "final" if report.flags & MetricsBits.FINAL else "so far"
-        return f"score {report.score:.6g} {final}, {report.throw_count} throws, t = {report.time:.6g} s"
+        lost = f", {report.time_lost:.3g} s of it lost" if report.flags & MetricsBits.TIME_LOST else ""
+        return f"score {report.score:.6g} {final}, {report.throw_count} throws, t = {report.time:.6g} s{lost}"

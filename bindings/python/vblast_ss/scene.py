@@ -2,12 +2,13 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Iterable, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union
 
 from ._api.base import Method
-from ._api.scene import (ContactKind, EventKind, Grasp, Hole, Overlap, OverlapPolicy, RigidKind, RigidState, SceneField,
-                         SceneMode, SceneStatistics, vbss_capsule, vbss_grasp, vbss_hole, vbss_overlap, vbss_rigid_config, vbss_rigid_state,
-                         vbss_scene, vbss_scene_config, vbss_scene_statistics)
+from ._api.scene import (Blocker, BlockerCause, ContactKind, EventKind, Grasp, Hole, Overlap, OverlapPolicy, RigidKind,
+                         RigidState, SceneField, SceneMode, SceneStatistics, vbss_blocker, vbss_capsule, vbss_grasp, vbss_hole,
+                         vbss_overlap, vbss_rigid_config, vbss_rigid_state, vbss_scene, vbss_scene_config,
+                         vbss_scene_statistics)
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
@@ -20,7 +21,7 @@ from .needle import Needle
 from .thread import Thread
 from .views import Array
 
-__all__ = ["Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method", "Overlap",
+__all__ = ["Blocker", "BlockerCause", "Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method", "Overlap",
            "OverlapPolicy", "RigidKind", "RigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
 
 Body = Union[Thread, Drain, Needle, Grasper]
@@ -191,12 +192,25 @@ class Scene(Configured, Viewed, Saved):
     @property
     def holes(self) -> list[Hole]:
         """All of them."""
-        found: list[Hole] = []
+        return self._read_all(self.hole)
+
+    def blocker(self, number: int) -> Blocker:
+        """One of the pairs of bodies that hold back others."""
+        return self._read("get_blocker", Blocker, vbss_blocker, index(number))
+
+    @property
+    def blockers(self) -> list[Blocker]:
+        """All of them."""
+        return self._read_all(self.blocker)
+
+    def _read_all(self, read: Callable[[int], Any]) -> list[Any]:
+        """Reads by number until there is no further one."""
+        found: list[Any] = []
         with self._context._lock:
             self._context._quiet = True  # where they end is told by a failure
             try:
                 while True:
-                    found.append(self.hole(len(found)))
+                    found.append(read(len(found)))
             except OutOfRangeError:
                 return found
             finally:

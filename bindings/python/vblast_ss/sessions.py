@@ -85,7 +85,8 @@ class Session(Configured, Saved):
 
     @property
     def status(self) -> SessionStatus:
-        """How far the task is."""
+        """How far the task is. time is on the session clock, which runs with the hands: time_lost of it was left out,
+        time_simulated was simulated; is_lossy: more than lost_share of it is lost."""
         return self._read("get_status", SessionStatus, vbss_session_status)
 
     def event(self, number: int) -> SessionEvent:
@@ -101,4 +102,5 @@ class Session(Configured, Saved):
     def _describe(self) -> str:
         status = self.status
         phase = status.phase.name if isinstance(status.phase, SessionPhase) else status.phase
-        return f"{phase} after {status.time:g} s, {status.throws} throws"
+        lost = f", {status.time_lost:.3g} s of it lost" if status.is_lossy else ""
+        return f"{phase} after {status.time:g} s{lost}, {status.throws} throws"

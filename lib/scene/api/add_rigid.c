@@ -85,10 +85,10 @@ static vbss_result distribute_mass(const scene_object *s, const vbss_rigid_confi
 {
     for (uint32_t i = 0; i < c->capsule_count; i++) {
         const vbss_capsule *from = &c->capsules[i];
-        s->mass_capsules[i] = (vbss_rigid_capsule){vec3_load(from->begin), vec3_load(from->end),
-                                                   from->radius, 1000.0};
+        s->scratch.mass_capsules[i] = (vbss_rigid_capsule){
+            vec3_load(from->begin), vec3_load(from->end), from->radius, 1000.0};
     }
-    if (!vbss_rigid_mass_of_capsules(s->mass_capsules, c->capsule_count, mass)) {
+    if (!vbss_rigid_mass_of_capsules(s->scratch.mass_capsules, c->capsule_count, mass)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the capsules have no mass");
     }
     mass->inertia = vec3_scale(mass->inertia, c->mass / mass->mass);
@@ -166,5 +166,6 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     init_rigid(&b->rigid, &own, &mass, orientation);
     add_capsules(s, b, &own);
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
+    vbss_scene_list_overlaps_of(s, b);
     return VBSS_OK;
 }

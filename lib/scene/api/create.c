@@ -43,7 +43,7 @@ static const vbss_scene_config defaults = {
     .slot_limit = 210000,
     .drain_capacity = 1,
     .hole_capacity = 16,
-    .speed_limit = 20.0, /* a hand is slower than 5 m/s */
+    .speed_limit = SCENE_DEFAULT_SPEED_LIMIT,
 };
 static const uint32_t config_sizes[] = {160, 168, 176, 192, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
@@ -103,40 +103,46 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 25 };
+enum { ARRAY_COUNT = 29 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
     size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
     size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
     size_t contacts = s->config.contact_capacity;
+    size_t constraints = s->config.method == VBSS_METHOD_OURS ? contacts : 0;
     const vbss_array all[] = {
         {&s->bodies, s->body_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},
         {&s->pins, s->config.pin_capacity, sizeof *s->pins},
         {&s->thread_grasps, s->config.grasp_capacity, sizeof *s->thread_grasps},
-        {&s->checkpoint_thread_grasps, s->config.grasp_capacity,
-         sizeof *s->checkpoint_thread_grasps},
+        {&s->checkpoint.thread_grasps, s->config.grasp_capacity,
+         sizeof *s->checkpoint.thread_grasps},
         {&s->holes, s->config.hole_capacity, sizeof *s->holes},
-        {&s->checkpoint_holes, s->config.hole_capacity, sizeof *s->checkpoint_holes},
-        {&s->previous_holes, s->config.hole_capacity, sizeof *s->previous_holes},
-        {&s->is_separator, nodes, sizeof *s->is_separator},
-        {&s->expected_displacements, nodes + 2 * capsules, sizeof *s->expected_displacements},
-        {&s->vertices, 2 * vertices, sizeof *s->vertices},
-        {&s->welds, s->config.pin_capacity, sizeof *s->welds},
-        {&s->ccd_batch, 1, sizeof *s->ccd_batch},
-        {&s->mass_capsules, capsules, sizeof *s->mass_capsules},
-        {&s->touching_pairs, contacts, sizeof *s->touching_pairs},
-        {&s->previous_touching_pairs, contacts, sizeof *s->previous_touching_pairs},
-        {&s->events, s->config.event_capacity, sizeof *s->events},
-        {&s->contact_features, contacts, sizeof *s->contact_features},
-        {&s->contact_points, contacts, sizeof *s->contact_points},
-        {&s->contact_normals, contacts, sizeof *s->contact_normals},
-        {&s->contact_forces, contacts, sizeof *s->contact_forces},
-        {&s->contact_gaps, contacts, sizeof *s->contact_gaps},
+        {&s->checkpoint.holes, s->config.hole_capacity, sizeof *s->checkpoint.holes},
+        {&s->step.previous_holes, s->config.hole_capacity, sizeof *s->step.previous_holes},
+        {&s->step.is_separator, nodes, sizeof *s->step.is_separator},
+        {&s->step.expected_displacements, nodes + 2 * capsules,
+         sizeof *s->step.expected_displacements},
+        {&s->step.contact_geometries, constraints, sizeof *s->step.contact_geometries},
+        {&s->scratch.vertices, 2 * vertices, sizeof *s->scratch.vertices},
+        {&s->step.welds, s->config.pin_capacity, sizeof *s->step.welds},
+        {&s->scratch.ccd_batch, 1, sizeof *s->scratch.ccd_batch},
+        {&s->scratch.mass_capsules, capsules, sizeof *s->scratch.mass_capsules},
+        {&s->report.touching_pairs, contacts, sizeof *s->report.touching_pairs},
+        {&s->report.previous_touching_pairs, contacts, sizeof *s->report.previous_touching_pairs},
+        {&s->report.events, s->config.event_capacity, sizeof *s->report.events},
+        {&s->report.contact_features, contacts, sizeof *s->report.contact_features},
+        {&s->report.contact_points, contacts, sizeof *s->report.contact_points},
+        {&s->report.contact_normals, contacts, sizeof *s->report.contact_normals},
+        {&s->report.contact_forces, contacts, sizeof *s->report.contact_forces},
+        {&s->report.contact_gaps, contacts, sizeof *s->report.contact_gaps},
         {&s->body_of_shape, SCENE_MAX_SHAPES, sizeof *s->body_of_shape},
         {&s->body_of_number, SCENE_MAX_SHAPES, sizeof *s->body_of_number},
-        {&s->near_features, vertices, sizeof *s->near_features},
+        {&s->scratch.near_features, vertices, sizeof *s->scratch.near_features},
+        {&s->scratch.keeps_entry, contacts, sizeof *s->scratch.keeps_entry},
+        {&s->scratch.is_duplicate, constraints, sizeof *s->scratch.is_duplicate},
+        {&s->scratch.sides_beyond_cut, constraints, sizeof *s->scratch.sides_beyond_cut},
     };
     _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
     memcpy(arrays, all, sizeof all);
@@ -217,7 +223,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     s->method = own.method == VBSS_METHOD_PAPER ? &vbss_baseline_scene : &vbss_scene_implicit;
     s->context = context;
     s->config = own;
-    s->next_initial_size = 1.0;
+    s->cursor.group_count = 1;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
     s->node_capacity = own.node_capacity;
     s->body_capacity = own.thread_capacity + own.rigid_capacity + own.drain_capacity;

@@ -2,6 +2,7 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "scene/api/api.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tuning.h"
@@ -59,11 +60,37 @@ static vbss_result init_hole(const scene_object *s, suture_hole *hole, const sce
     double max_offset = suture_radius(suture) + 0.5 * d->config.thickness;
     if (!(offset <= max_offset)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "the hole is %g m from what shall be in it: at most %g", offset,
-                         max_offset);
+                         "the hole is %s m from what shall be in it: at most %s",
+                         VBSS_NUMBER(offset), VBSS_NUMBER(max_offset));
     }
     hole->is_outward = vbss_suture_is_outward(d, hole->triangle, curve_point.tangent);
     vbss_scene_move_hole_to(hole, &p, curve_point.arc);
+    return VBSS_OK;
+}
+
+/* Refuses a hole at the place of another of the same suture: their frictions would add up. They are
+ * at one place if they are less than the suture's diameter apart, in the wall and along the suture. */
+static vbss_result check_place(const scene_object *s, const suture_hole *made,
+                               const scene_body *suture)
+{
+    const scene_hole_context p = vbss_scene_get_hole_context(s, made);
+    const drain_object *d = p.drain->drain;
+    const double diameter = 2.0 * suture_radius(suture);
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *other = &s->holes[i];
+        if (other->id == 0 || other->drain != made->drain) {
+            continue;
+        }
+        const scene_hole_context q = vbss_scene_get_hole_context(s, other);
+        bool is_same_suture = (p.thread != NULL && p.thread == q.thread) ||
+                              (p.needle != NULL && p.needle == q.needle);
+        if (is_same_suture && fabs(q.arc - p.arc) < diameter &&
+            vec3_distance(vbss_hole_point(other, d, d->x), vbss_hole_point(made, d, d->x)) <
+                diameter) {
+            return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                             "hole %u of this suture is at the same place", other->id);
+        }
+    }
     return VBSS_OK;
 }
 
@@ -98,10 +125,11 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     made.thread = suture->kind == SCENE_BODY_THREAD ? body : 0;
     memcpy(made.barycentric, weights, sizeof made.barycentric);
     VBSS_TRY(init_hole(s, &made, suture));
+    VBSS_TRY(check_place(s, &made, suture));
     made.max_arc = vbss_max(made.max_arc, d->drain.drain->config.tip_length); /* the hole is open */
     *hole = made;
     s->last_hole_id = made.id;
-    s->generation++;
+    s->report.generation++;
     if (id != NULL) {
         *id = made.id;
     }

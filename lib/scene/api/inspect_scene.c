@@ -16,10 +16,10 @@ static scene_info describe_scene(const scene_object *s)
     return (scene_info){.context = s->context,
                         .config = &s->config,
                         .floor_normal = s->floor_normal,
-                        .steps = s->statistics.steps,
+                        .steps = s->report.statistics.steps,
                         .entry_count = s->body_count,
-                        .event_count = s->event_count,
-                        .events = s->events};
+                        .event_count = s->report.event_count,
+                        .events = s->report.events};
 }
 
 vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info)
@@ -43,7 +43,7 @@ vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info)
 scene_edit_counts vbss_scene_inspect_edits(const vbss_scene *scene)
 {
     const scene_object *s = object_of(scene);
-    scene_edit_counts edits = {.scene = s->generation};
+    scene_edit_counts edits = {.scene = s->report.generation};
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_THREAD) {
@@ -138,8 +138,8 @@ scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entr
 {
     const scene_object *s = object_of(scene);
     const scene_thread_grasp *g = &s->thread_grasps[entry];
-    const scene_body *thread = g->id != 0 ? vbss_scene_body(s, g->thread) : NULL;
-    if (thread == NULL || g->is_released) {
+    const scene_body *thread = scene_holds_strand(g) ? vbss_scene_body(s, g->thread) : NULL;
+    if (thread == NULL) {
         return (scene_grasp_info){.tool = 0};
     }
     const thread_object *t = thread->thread.thread;

@@ -1,4 +1,5 @@
-/* The deepest overlap of a body with the others and the floor. Bodies are compared segment by
+/* The deepest overlap of a body with the others and the floor, for the host; driven bodies that
+ * overlap each other are in world/driven_overlaps.c. Bodies are compared segment by
  * segment; boxes keep that short. */
 #include "base/api_call.h"
 #include "base/check.h"

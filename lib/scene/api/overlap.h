@@ -16,7 +16,7 @@ typedef struct scene_outline {
     const scene_rigid *rigid;          /* in the scene: needles and graspers too */
     pose at;                           /* frame of `grasper` or `capsules` in the world */
     uint32_t number;                   /* body number; 0 before it is added */
-    bool is_prescribed; /* moved by the host alone; two of them never hold each other back */
+    bool is_prescribed; /* moved by the host alone: see world/driven_overlaps.c for two of them */
 } scene_outline;
 
 typedef struct scene_segment {

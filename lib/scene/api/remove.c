@@ -58,8 +58,9 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
         remove_capsules(s, &b->rigid);
     }
     b->kind = SCENE_BODY_NONE;
+    vbss_scene_drop_ended_overlaps(s);
     vbss_scene_number_nodes(s);
-    s->pattern_hash = 0;
-    s->generation++;
+    s->step.pattern_hash = 0;
+    s->report.generation++;
     return VBSS_OK;
 }

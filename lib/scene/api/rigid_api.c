@@ -51,7 +51,7 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
         target.orientation = previous.orientation;
     }
     vbss_scene_set_rigid_target(s, r, target);
-    s->generation++;
+    s->report.generation++;
     return VBSS_OK;
 }
 

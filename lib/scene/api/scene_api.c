@@ -15,7 +15,7 @@ vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *
     VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
-    vbss_scene_statistics own = s->statistics;
+    vbss_scene_statistics own = s->report.statistics;
     own.struct_size = sizeof own;
     return vbss_struct_write(s->context, &statistics_layout, &own, statistics, struct_size);
 }
@@ -28,9 +28,9 @@ vbss_result vbss_scene_step(vbss_scene *scene, double h)
     VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
     const vbss_result result = s->method->step_scene(s, h);
     VBSS_TRY(result);
-    s->generation++;
-    s->statistics.steps++;
-    s->statistics.time += h;
+    s->report.generation++;
+    s->report.statistics.steps++;
+    s->report.statistics.time += h;
     return VBSS_OK;
 }
 

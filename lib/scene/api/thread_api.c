@@ -2,6 +2,7 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "scene/api/api.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
@@ -46,7 +47,7 @@ vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc
         return vbss_fail(s->context, result, "all cuts of body %u are made", thread);
     }
     if (result != VBSS_OK) {
-        return vbss_fail(s->context, result, "a cut at %g m is at an end", arc_length);
+        return vbss_fail(s->context, result, "a cut at %s m is at an end", VBSS_NUMBER(arc_length));
     }
     *piece = new_piece->number;
     return VBSS_OK;

@@ -20,7 +20,8 @@ static double find_safe_fraction(scene_object *s, scene_substep_outcome outcome)
     double stretch = 0.0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         const thread_object *t = s->bodies[i].thread.thread;
-        if (s->bodies[i].kind == SCENE_BODY_THREAD && !vbss_thread_max_tension_decreased(t)) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD &&
+            !vbss_thread_max_tension_decreased(t)) {
             stretch = vbss_max_or_nan(vbss_thread_strain_beyond_tension(t), stretch);
         }
     }
@@ -32,7 +33,7 @@ static double find_safe_fraction(scene_object *s, scene_substep_outcome outcome)
     if (ccd_outcome != SCENE_SUBSTEP_ACCEPTED && ccd_outcome != SCENE_SUBSTEP_CCD_HIT) {
         return 0.0; /* not all of the motion was tested */
     }
-    return s->time_of_impact < 1.0 ? SCENE_SAFE_FRACTION * s->time_of_impact : 1.0;
+    return s->step.time_of_impact < 1.0 ? SCENE_SAFE_FRACTION * s->step.time_of_impact : 1.0;
 }
 
 /* ---- truncation of the trial state */
@@ -121,11 +122,11 @@ static void truncate_drain(scene_drain *b, double fraction)
 static void truncate_bodies(scene_object *s, double fraction)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             truncate_thread(s->bodies[i].thread.thread, fraction);
-        } else if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+        } else if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_RIGID) {
             truncate_rigid(s, &s->bodies[i].rigid, fraction);
-        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             truncate_drain(&s->bodies[i].drain, fraction);
         }
     }
@@ -189,19 +190,19 @@ double vbss_scene_truncate_substep(scene_object *s, scene_substep_outcome outcom
     vbss_scene_notify_substep(s);
     rebuild_contacts(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             commit_truncated_thread(s->bodies[i].thread.thread, substep->h);
-        } else if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+        } else if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_RIGID) {
             scene_rigid *r = &s->bodies[i].rigid;
             commit_truncated_rigid(r, substep->h);
             r->coupling_wrench = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
-        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             commit_truncated_drain(s->bodies[i].drain.drain, substep->h);
         }
     }
     vbss_scene_commit_capsules(s);
     vbss_scene_advance_holes(s);
-    s->statistics.parts++;
-    s->statistics.clamped++;
+    s->report.statistics.parts++;
+    s->report.statistics.clamped++;
     return fraction;
 }

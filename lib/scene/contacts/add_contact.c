@@ -8,8 +8,8 @@
 static bool is_feature_prescribed(const scene_object *s, const scene_body *b, uint32_t kind,
                                   bool is_b, uint32_t feature)
 {
-    if (b == NULL || b->kind == SCENE_BODY_RIGID) {
-        return b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN;
+    if (b == NULL || b->is_frozen || b->kind == SCENE_BODY_RIGID) {
+        return scene_is_prescribed(b);
     }
     if (b->kind == SCENE_BODY_DRAIN) {
         uint32_t nodes[3], count = vbss_scene_drain_feature_nodes(s, b, kind, is_b, feature, nodes);
@@ -85,7 +85,7 @@ static bool compute_geometry(const scene_object *s, contact_constraint *constrai
     bool is_directional = kind == VBSS_CONTACT_SEGMENTS || (scene_is_surface_contact(kind) &&
                                                             !has_swinging_lip(m, &constraint->key));
     if (near && is_directional) {
-        near = constraint->start_gap <
+        near = scene_geometry_of(s, constraint)->start_gap <
                largest_approach(m, constraint->normal) + SCENE_LATERAL_RATIO * reach + margin;
     }
     return near;
@@ -97,21 +97,22 @@ static bool compute_geometry(const scene_object *s, contact_constraint *constrai
 static bool compute_geometry_beside_holes(const scene_object *s, contact_constraint *constraint,
                                           const scene_contact_pair *m)
 {
-    const double reach = SCENE_EXCLUSION_ARC_RATIO * constraint->contact_distance;
+    scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
+    const double reach = SCENE_EXCLUSION_ARC_RATIO * geometry->contact_distance;
     scene_axis_interval interval = {.started = false}, nearest = interval;
     double min_gap = (double)INFINITY;
     while (vbss_scene_next_axis_interval(s, m->a, constraint->key.feature_a, m->b,
                                          constraint->key.feature_b, reach, &interval)) {
-        memcpy(constraint->axis_interval, interval.bounds, sizeof interval.bounds);
-        if (compute_geometry(s, constraint, m) && constraint->start_gap < min_gap) {
-            min_gap = constraint->start_gap;
+        memcpy(geometry->axis_interval, interval.bounds, sizeof interval.bounds);
+        if (compute_geometry(s, constraint, m) && geometry->start_gap < min_gap) {
+            min_gap = geometry->start_gap;
             nearest = interval;
         }
     }
     if (!nearest.started) {
         return false;
     }
-    memcpy(constraint->axis_interval, nearest.bounds, sizeof nearest.bounds);
+    memcpy(geometry->axis_interval, nearest.bounds, sizeof nearest.bounds);
     return compute_geometry(s, constraint, m);
 }
 
@@ -125,20 +126,25 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
 {
     if (is_feature_prescribed(s, m->a, key->kind, false, key->feature_a) &&
         is_feature_prescribed(s, m->b, key->kind, true, key->feature_b)) {
-        /* CCD does not test the floor. */
-        s->has_unlisted_pairs = s->has_unlisted_pairs || m->b != NULL;
+        /* CCD tests neither the floor, nor features at rest, nor overlaps that the host made. */
+        s->step.has_unlisted_pairs =
+            s->step.has_unlisted_pairs || (m->b != NULL && largest_relative_motion(m) > 0.0 &&
+                                           !vbss_scene_is_overlap(s, m->a, m->b));
         return true;
     }
     contact_constraint *constraint = vbss_contact_add(s->contacts, key);
     if (constraint == NULL) {
         return false;
     }
+    scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
+    geometry->axis_interval[0][0] = geometry->axis_interval[1][0] = 0.0;
+    geometry->axis_interval[0][1] = geometry->axis_interval[1][1] = 1.0;
     bool near = compute_geometry(s, constraint, m);
     /* The line through a lip is never farther than its middle, so this is a lower bound of
      * the separation. */
     if (m->candidate != NULL) {
         vbss_collision_store_separation(s->collision, m->candidate,
-                                        constraint->start_gap + constraint->contact_distance);
+                                        geometry->start_gap + geometry->contact_distance);
     }
     double scale = near && scene_is_surface_contact(key->kind)
                        ? vbss_scene_contact_scale_of(s, constraint)
@@ -146,8 +152,8 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
     if (scale == 0.0 && is_needle_at_drain(constraint, m)) {
         scale = compute_geometry_beside_holes(s, constraint, m) ? 1.0 : 0.0;
     }
-    constraint->overlap_allowance = (1.0 - scale) * constraint->contact_distance;
-    constraint->start_gap += constraint->overlap_allowance;
+    geometry->overlap_allowance = (1.0 - scale) * geometry->contact_distance;
+    geometry->start_gap += geometry->overlap_allowance;
     if (!near || scale == 0.0) {
         s->contacts->count--;
     }

@@ -2,16 +2,15 @@
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
-void vbss_scene_set_spring_geometry(contact_constraint *constraint, const scene_rigid *tool,
-                                    vec3 current, vec3 target)
+void vbss_scene_set_spring_geometry(const scene_object *s, contact_constraint *constraint,
+                                    const scene_rigid *tool, vec3 current, vec3 target)
 {
     pose jaws = vbss_scene_jaw_frame(tool, tool->trial);
     constraint->normal = quat_rotate(jaws.orientation, vec3_make(1.0, 0.0, 0.0));
     constraint->relative_displacement = vec3_sub(current, target);
     constraint->gap = vec3_dot(constraint->normal, constraint->relative_displacement);
-    constraint->point = target;
+    scene_geometry_of(s, constraint)->point = target;
     constraint->jacobian_block_count = 0;
-    constraint->friction = 1.0; /* nonzero: the spring acts in the tangent plane, too */
     constraint->previous_force = constraint->solution.tangential_force = vec3_zero();
     constraint->solution.status = CONTACT_STICK;
 }
@@ -21,7 +20,6 @@ contact_constraint *vbss_scene_add_bilateral_constraint(scene_object *s, const c
     contact_constraint *constraint = vbss_contact_add(s->contacts, key);
     if (constraint != NULL) {
         constraint->is_bilateral = true;
-        constraint->thickness = 1.0; /* nonzero: a divisor of the overlap tolerance */
     }
     return constraint;
 }

@@ -8,8 +8,8 @@
 static vbss_result sweep_shape(scene_object *s, const scene_body *b)
 {
     uint32_t count = 0;
-    const vec3 *displacements = s->expected_displacements;
-    vec3 *start = s->vertices;
+    const vec3 *displacements = s->step.expected_displacements;
+    vec3 *start = s->scratch.vertices;
     if (b->kind == SCENE_BODY_THREAD) {
         const thread_object *t = b->thread.thread;
         count = t->node_count;
@@ -40,10 +40,10 @@ static vbss_result sweep_shape(scene_object *s, const scene_body *b)
 vbss_result vbss_scene_run_broad_phase(scene_object *s)
 {
     VBSS_TRY(vbss_collision_find_candidates(scene_collision(s)));
-    s->edge_pair_count = s->collision->candidate_count;
-    while (s->edge_pair_count > 0 &&
-           s->collision->candidates[s->edge_pair_count - 1].kind != VBSS_PAIR_EDGE_EDGE) {
-        s->edge_pair_count--;
+    s->step.edge_pair_count = s->collision->candidate_count;
+    while (s->step.edge_pair_count > 0 &&
+           s->collision->candidates[s->step.edge_pair_count - 1].kind != VBSS_PAIR_EDGE_EDGE) {
+        s->step.edge_pair_count--;
     }
     return VBSS_OK;
 }

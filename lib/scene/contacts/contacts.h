@@ -125,8 +125,8 @@ void vbss_scene_add_jacobian_block(contact_constraint *constraint, uint32_t b, d
 /* Sets the geometry of a spring from the current point of a grasped body to its target in the jaws
  * of `tool`, both at the trial state. Clears the Jacobian; the caller adds stiffness and Jacobian
  * blocks. The normal is the closing axis of the jaws. */
-void vbss_scene_set_spring_geometry(contact_constraint *constraint, const scene_rigid *tool,
-                                    vec3 current, vec3 target);
+void vbss_scene_set_spring_geometry(const scene_object *s, contact_constraint *constraint,
+                                    const scene_rigid *tool, vec3 current, vec3 target);
 
 /* Adds a bilateral constraint with zero geometry. NULL: the contact set is full. */
 contact_constraint *vbss_scene_add_bilateral_constraint(scene_object *s, const contact_key *key);

@@ -12,13 +12,13 @@
 
 static const vec3 *node_displacements(const scene_object *s, const scene_body *b, uint32_t node)
 {
-    return s->expected_displacements + b->thread.first_node + node;
+    return s->step.expected_displacements + b->thread.first_node + node;
 }
 
 static const vec3 *capsule_displacements(const scene_object *s, const scene_body *b,
                                          uint32_t capsule)
 {
-    return s->expected_displacements + s->config.node_capacity +
+    return s->step.expected_displacements + s->config.node_capacity +
            2 * (size_t)(b->rigid.first_capsule + capsule);
 }
 
@@ -34,7 +34,7 @@ static bool is_fine(const thread_object *t, uint32_t segment, double radius)
 static bool is_listed(const scene_object *s, const collision_candidate *like, uint32_t a)
 {
     const collision_object *c = s->collision;
-    uint32_t low = 0, high = s->edge_pair_count;
+    uint32_t low = 0, high = s->step.edge_pair_count;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
         const collision_candidate *q = &c->candidates[middle];
@@ -46,7 +46,7 @@ static bool is_listed(const scene_object *s, const collision_candidate *like, ui
         high = before ? high : middle;
     }
     const collision_candidate *q = &c->candidates[low];
-    return low < s->edge_pair_count && q->shape_a == like->shape_a && q->a == a &&
+    return low < s->step.edge_pair_count && q->shape_a == like->shape_a && q->a == a &&
            q->shape_b == like->shape_b && q->b == like->b;
 }
 
@@ -212,7 +212,7 @@ bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep)
         return false;
     }
     vbss_contact_clear(set);
-    s->has_unlisted_pairs = false;
+    s->step.has_unlisted_pairs = false;
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
         if (!add_pair_contacts(s, &s->collision->candidates[i])) {
             return false;

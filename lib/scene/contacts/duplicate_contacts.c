@@ -5,19 +5,23 @@
 
 /* ---- segments of threads: of two that share a node, the contact of the next stays */
 
-static bool is_repeated_by_next_segment(const contact_set *set,
-                                        const contact_constraint *constraint)
+static bool is_repeated_by_next_segment(const scene_object *s, const contact_constraint *constraint)
 {
+    const contact_set *set = s->contacts;
+    const double *barycentric = scene_geometry_of(s, constraint)->barycentric;
     contact_key key = constraint->key;
-    double at[2] = {constraint->barycentric[0], constraint->barycentric[1]};
+    double at[2] = {barycentric[0], barycentric[1]};
     bool a = at[0] == 1.0, b = key.kind == VBSS_CONTACT_SEGMENTS && at[1] == 1.0;
     key.feature_a += a;
     key.feature_b += b;
     at[0] = a ? 0.0 : at[0];
     at[1] = b ? 0.0 : at[1];
     uint32_t other = a || b ? vbss_contact_find(set, &key) : UINT32_MAX;
-    return other != UINT32_MAX && fabs(set->constraints[other].barycentric[0] - at[0]) < 1e-9 &&
-           fabs(set->constraints[other].barycentric[1] - at[1]) < 1e-9;
+    if (other == UINT32_MAX) {
+        return false;
+    }
+    const double *found = scene_geometry_of(s, &set->constraints[other])->barycentric;
+    return fabs(found[0] - at[0]) < 1e-9 && fabs(found[1] - at[1]) < 1e-9;
 }
 
 /* ---- edges of drains: more than two may share a node; the contact of the last stays */
@@ -38,42 +42,46 @@ static uint32_t contact_point_id(const scene_object *s, uint32_t number, uint32_
     return 2 * feature + 1; /* also at a capsule's end, which no other capsule shares */
 }
 
-static void set_contact_points(const scene_object *s, contact_constraint *constraint)
+static void set_contact_points(const scene_object *s, const contact_constraint *constraint)
 {
     const contact_key *key = &constraint->key;
-    constraint->dedup_points[0] =
-        contact_point_id(s, key->body_a, key->feature_a, constraint->barycentric[0]);
-    constraint->dedup_points[1] =
-        contact_point_id(s, key->body_b, key->feature_b, constraint->barycentric[1]);
-    if (key->body_a == key->body_b && constraint->dedup_points[0] > constraint->dedup_points[1]) {
-        uint32_t first = constraint->dedup_points[0];
-        constraint->dedup_points[0] = constraint->dedup_points[1];
-        constraint->dedup_points[1] = first;
+    scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
+    geometry->dedup_points[0] =
+        contact_point_id(s, key->body_a, key->feature_a, geometry->barycentric[0]);
+    geometry->dedup_points[1] =
+        contact_point_id(s, key->body_b, key->feature_b, geometry->barycentric[1]);
+    if (key->body_a == key->body_b && geometry->dedup_points[0] > geometry->dedup_points[1]) {
+        uint32_t first = geometry->dedup_points[0];
+        geometry->dedup_points[0] = geometry->dedup_points[1];
+        geometry->dedup_points[1] = first;
     }
 }
 
-static bool has_same_points(const contact_constraint *a, const contact_constraint *b)
+static bool has_same_points(const scene_object *s, const contact_constraint *a,
+                            const contact_constraint *b)
 {
-    return a->dedup_points[0] == b->dedup_points[0] && a->dedup_points[1] == b->dedup_points[1] &&
-           a->key.kind == b->key.kind && a->key.body_a == b->key.body_a &&
-           a->key.body_b == b->key.body_b;
+    const uint32_t *p = scene_geometry_of(s, a)->dedup_points;
+    const uint32_t *q = scene_geometry_of(s, b)->dedup_points;
+    return p[0] == q[0] && p[1] == q[1] && a->key.kind == b->key.kind &&
+           a->key.body_a == b->key.body_a && a->key.body_b == b->key.body_b;
 }
 
 /* Rows by their points. */
 enum { BUCKETS = 256 };
-static uint32_t bucket_of(const contact_constraint *constraint)
+static uint32_t bucket_of(const scene_contact_geometry *geometry)
 {
-    return (constraint->dedup_points[0] * 31u + constraint->dedup_points[1]) % BUCKETS;
+    return (geometry->dedup_points[0] * 31u + geometry->dedup_points[1]) % BUCKETS;
 }
 
-static bool is_duplicate(contact_set *set, uint32_t last[BUCKETS], uint32_t i)
+static bool is_duplicate(const scene_object *s, uint32_t last[BUCKETS], uint32_t i)
 {
-    contact_constraint *constraint = &set->constraints[i];
-    uint32_t *bucket = &last[bucket_of(constraint)], k = *bucket;
-    while (k != UINT32_MAX && !has_same_points(constraint, &set->constraints[k])) {
-        k = set->constraints[k].dedup_next;
+    const contact_constraint *constraints = s->contacts->constraints;
+    scene_contact_geometry *geometry = scene_geometry_of(s, &constraints[i]);
+    uint32_t *bucket = &last[bucket_of(geometry)], k = *bucket;
+    while (k != UINT32_MAX && !has_same_points(s, &constraints[i], &constraints[k])) {
+        k = scene_geometry_of(s, &constraints[k])->dedup_next;
     }
-    constraint->dedup_next = *bucket;
+    geometry->dedup_next = *bucket;
     *bucket = k == UINT32_MAX ? i : *bucket;
     return k != UINT32_MAX;
 }
@@ -86,18 +94,18 @@ void vbss_scene_remove_duplicate_contacts(scene_object *s)
         last[i] = UINT32_MAX;
     }
     for (uint32_t i = set->count; i > 0; i--) {
-        contact_constraint *constraint = &set->constraints[i - 1];
+        const contact_constraint *constraint = &set->constraints[i - 1];
         uint32_t kind = constraint->key.kind;
-        set->scratch_flags[i - 1] = 0;
+        s->scratch.is_duplicate[i - 1] = false;
         if (kind == VBSS_CONTACT_SIDES) {
             set_contact_points(s, constraint);
-            set->scratch_flags[i - 1] = is_duplicate(set, last, i - 1);
+            s->scratch.is_duplicate[i - 1] = is_duplicate(s, last, i - 1);
         } else if (scene_is_segment_contact(kind)) {
-            set->scratch_flags[i - 1] = is_repeated_by_next_segment(set, constraint);
+            s->scratch.is_duplicate[i - 1] = is_repeated_by_next_segment(s, constraint);
         }
     }
     for (uint32_t i = 0; i < set->count; i++) {
-        if (set->scratch_flags[i] == 0) {
+        if (!s->scratch.is_duplicate[i]) {
             if (count < i) {
                 set->constraints[count] = set->constraints[i];
             }

@@ -7,7 +7,7 @@ bool vbss_scene_add_hole_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        if (hole->id == 0) {
+        if (!vbss_scene_is_hole_active(s, hole)) {
             continue;
         }
         const contact_key key = {VBSS_CONTACT_HOLE, hole->needle != 0 ? hole->needle : hole->thread,
@@ -94,10 +94,10 @@ static void add_thread_jacobian(const scene_object *s, contact_constraint *const
 
 /* The span from which the hole may slide to either side in this substep. It is chosen once, as the
  * sparsity pattern is fixed. */
-static uint32_t choose_span(const scene_hole_context *p, double arc)
+static uint32_t choose_span(const scene_hole_context *p, double arc, double step_length)
 {
-    bool far =
-        p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - SCENE_NEAR_SWAGE);
+    double reach = SCENE_MAX_SLIDING_SPEED * step_length;
+    bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - reach);
     return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
 }
 
@@ -106,24 +106,28 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
     const suture_hole *hole = &s->holes[constraint->key.feature_a];
     const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
     const drain_object *d = p.drain->drain;
+    scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     const vec3 point = vbss_hole_point(hole, d, d->trial);
     if (constraint->jacobian_block_count == 0) {
         const suture_curve_point before = vbss_scene_hole_curve_point(&p, hole);
-        constraint->start_arc_length = before.arc;
-        constraint->span = choose_span(&p, vbss_suture_nearest_point(&p.trial, p.arc, point).arc);
+        geometry->start_arc_length = before.arc;
+        geometry->span = choose_span(&p, vbss_suture_nearest_point(&p.trial, p.arc, point).arc,
+                                     s->cursor.substep.step_length);
         constraint->solution.status = CONTACT_STICK;
         const hole_yield_limit bound = vbss_hole_yield_limit(hole, &d->config, &p.now, &before);
         constraint->yield_force = bound.force;
         constraint->yield_friction[0] = bound.friction[0];
         constraint->yield_friction[1] = bound.friction[1];
     }
-    uint32_t span = constraint->span;
+    uint32_t span = geometry->span;
     suture_curve line = p.trial;
     line.thread = span == SUTURE_ON_NEEDLE ? NULL : line.thread;
     const suture_curve_point now =
         span == SUTURE_ON_NEEDLE ? vbss_suture_nearest_point(&line, p.arc, point)
                                  : vbss_suture_nearest_point_around_span(&line, span, p.arc, point);
-    vbss_hole_set_constraint(hole, &d->config, &now, point, s->substep_length, constraint);
+    geometry->point = point;
+    vbss_hole_set_constraint(hole, &d->config, geometry->start_arc_length, &now, point,
+                             s->step.substep_length, constraint);
     constraint->jacobian_block_count = 0;
     if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
         add_needle_jacobian(constraint, &p, &now);

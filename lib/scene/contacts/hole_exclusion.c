@@ -225,13 +225,13 @@ bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *need
 static scene_wall_point wall_point_of(const scene_object *s, const scene_body *drain,
                                       const contact_constraint *constraint)
 {
-    const double weights[3] = {1.0 - constraint->barycentric[0] - constraint->barycentric[1],
-                               constraint->barycentric[0], constraint->barycentric[1]};
+    const double *at = scene_geometry_of(s, constraint)->barycentric;
+    const double weights[3] = {1.0 - at[0] - at[1], at[0], at[1]};
     if (constraint->key.kind == VBSS_CONTACT_POINT_FACE) {
         return vbss_scene_wall_point(drain, constraint->key.feature_b, weights);
     }
     const uint32_t *edge = s->collision->shapes[drain->shape]->edges[constraint->key.feature_b];
-    return vbss_scene_wall_point_on_edge(drain, edge, constraint->barycentric[1]);
+    return vbss_scene_wall_point_on_edge(drain, edge, at[1]);
 }
 
 double vbss_scene_contact_scale_of(const scene_object *s, const contact_constraint *constraint)
@@ -241,9 +241,10 @@ double vbss_scene_contact_scale_of(const scene_object *s, const contact_constrai
     if (a->kind == SCENE_BODY_DRAIN || b == NULL || b->kind != SCENE_BODY_DRAIN) {
         return 1.0;
     }
+    const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     const scene_wall_point wall_point = wall_point_of(s, b, constraint);
     return vbss_scene_contact_scale_at(s, a, constraint->key.kind == VBSS_CONTACT_POINT_FACE,
-                                       constraint->key.feature_a, constraint->barycentric[0], b,
+                                       constraint->key.feature_a, geometry->barycentric[0], b,
                                        &wall_point,
-                                       SCENE_EXCLUSION_ARC_RATIO * constraint->contact_distance);
+                                       SCENE_EXCLUSION_ARC_RATIO * geometry->contact_distance);
 }

@@ -7,7 +7,7 @@ static void set_thread_displacements(scene_object *s, const scene_thread *b,
                                      const scene_substep *substep)
 {
     const thread_object *t = b->thread;
-    vec3 *displacements = s->expected_displacements + b->first_node;
+    vec3 *displacements = s->step.expected_displacements + b->first_node;
     for (uint32_t i = 0; i < t->node_count; i++) {
         displacements[i] = substep->uses_trial_motion ? vec3_sub(t->trial[i], t->now.x[i])
                                                       : vec3_scale(t->now.v[i], substep->h);
@@ -34,7 +34,8 @@ static void set_capsule_displacements(scene_object *s, const scene_rigid *r,
     }
     for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
-        vec3 *displacements = s->expected_displacements + s->config.node_capacity + 2 * (size_t)i;
+        vec3 *displacements =
+            s->step.expected_displacements + s->config.node_capacity + 2 * (size_t)i;
         vbss_scene_transform_capsule(c, r->body.now.pose, c->now);
         for (int k = 0; k < 2; k++) {
             vec3 target = substep->uses_trial_motion
@@ -66,10 +67,40 @@ static void set_drain_displacements(scene_drain *b, const scene_substep *substep
     b->max_displacement = sqrt(max_squared);
 }
 
+/* A frozen body stays where it is, its jaws as well. */
+static void set_no_displacements(scene_object *s, scene_body *b)
+{
+    vec3 *displacements = s->step.expected_displacements;
+    uint32_t count = 0;
+    if (b->kind == SCENE_BODY_THREAD) {
+        displacements += b->thread.first_node;
+        count = b->thread.thread->node_count;
+    } else if (b->kind == SCENE_BODY_DRAIN) {
+        displacements = b->drain.expected_displacements;
+        count = b->drain.drain->mesh.node_count;
+        b->drain.max_displacement = 0.0;
+    } else if (b->kind == SCENE_BODY_RIGID) {
+        const scene_rigid *r = &b->rigid;
+        displacements += s->config.node_capacity + 2 * (size_t)r->first_capsule;
+        count = 2 * r->capsule_count;
+        for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
+            scene_capsule *c = &s->capsules[i];
+            c->local_trial[0] = c->local[0];
+            c->local_trial[1] = c->local[1];
+            vbss_scene_transform_capsule(c, r->body.now.pose, c->now);
+        }
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        displacements[i] = vec3_zero();
+    }
+}
+
 void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (s->bodies[i].is_frozen) {
+            set_no_displacements(s, &s->bodies[i]);
+        } else if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             set_thread_displacements(s, &s->bodies[i].thread, substep);
         } else if (s->bodies[i].kind == SCENE_BODY_RIGID) {
             set_capsule_displacements(s, &s->bodies[i].rigid, substep);

@@ -104,12 +104,12 @@ static void add_displacement(const scene_object *s, const side *d, vec3 vertices
 {
     vec3 displacement[3];
     if (d->capsule == NULL) {
-        get_thread_vertices(d, s->expected_displacements + d->body->thread.first_node,
+        get_thread_vertices(d, s->step.expected_displacements + d->body->thread.first_node,
                             displacement);
     } else {
         size_t number = (size_t)(d->capsule - s->capsules);
-        get_capsule_vertices(d, s->expected_displacements + s->config.node_capacity + 2 * number,
-                             displacement);
+        get_capsule_vertices(
+            d, s->step.expected_displacements + s->config.node_capacity + 2 * number, displacement);
     }
     vertices[0] = vec3_add(vertices[0], displacement[0]);
     vertices[1] = vec3_add(vertices[1], displacement[1]); /* unused for a point */
@@ -186,11 +186,10 @@ static bool ends_at_lip(const side *d, double at)
 }
 
 /* Whether the contact of a lip has the same point. */
-static bool is_covered_by_lips(const side *d, const side *e, const contact_constraint *constraint)
+static bool is_covered_by_lips(const side *d, const side *e, const scene_contact_geometry *geometry)
 {
     return d->body->kind == SCENE_BODY_DRAIN && e->body->kind == SCENE_BODY_DRAIN &&
-           (ends_at_lip(d, constraint->barycentric[0]) ||
-            ends_at_lip(e, constraint->barycentric[1]));
+           (ends_at_lip(d, geometry->barycentric[0]) || ends_at_lip(e, geometry->barycentric[1]));
 }
 
 static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
@@ -225,29 +224,29 @@ static vec3 lip_separation(const scene_object *s, const side *d, const side *e, 
 }
 
 /* Whether only an interval of the axis is tested, beside a hole. */
-static bool is_clipped(const contact_constraint *constraint)
+static bool is_clipped(const scene_contact_geometry *geometry)
 {
-    return constraint->axis_interval[0][0] > 0.0 || constraint->axis_interval[0][1] < 1.0;
+    return geometry->axis_interval[0][0] > 0.0 || geometry->axis_interval[0][1] < 1.0;
 }
 
 /* Separation of two features, from b to a, between their axes, middle surfaces, or lines of lips.
  * `at`: places of the closest points. `lip_thickness`: as for two lips, else 0. */
-static inline vec3 separation_of(const scene_object *s, const contact_constraint *constraint,
+static inline vec3 separation_of(const scene_object *s, const scene_contact_geometry *geometry,
                                  const side *d, const side *e, moment when, double at[2],
                                  double *lip_thickness)
 {
     vec3 one[3], other[3];
     get_vertices(s, d, when, one);
     get_vertices(s, e, when, other);
-    bool clipped = is_clipped(constraint);
+    bool clipped = is_clipped(geometry);
     if (clipped) {
-        scene_clip_axis(one, constraint->axis_interval[0]);
-        scene_clip_axis(other, constraint->axis_interval[1]);
+        scene_clip_axis(one, geometry->axis_interval[0]);
+        scene_clip_axis(other, geometry->axis_interval[1]);
     }
     vec3 separation_vector = closest_separation(d, e, one, other, at);
     for (int k = 0; clipped && k < 2; k++) {
-        at[k] = constraint->axis_interval[k][0] +
-                at[k] * (constraint->axis_interval[k][1] - constraint->axis_interval[k][0]);
+        at[k] = geometry->axis_interval[k][0] +
+                at[k] * (geometry->axis_interval[k][1] - geometry->axis_interval[k][0]);
     }
     *lip_thickness = 0.0;
     return is_flat(d, e) || is_flat(e, d)
@@ -256,18 +255,18 @@ static inline vec3 separation_of(const scene_object *s, const contact_constraint
 }
 
 /* Barycentric weights of a side's vertices in the contact point. */
-static inline void compute_weights(const side *d, const contact_constraint *constraint, int which,
+static inline void compute_weights(const side *d, const scene_contact_geometry *geometry, int which,
                                    double weights[3])
 {
     weights[0] = 1.0;
     weights[1] = weights[2] = 0.0;
     if (d->vertex_count == 2) {
-        weights[0] = 1.0 - constraint->barycentric[which];
-        weights[1] = constraint->barycentric[which];
+        weights[0] = 1.0 - geometry->barycentric[which];
+        weights[1] = geometry->barycentric[which];
     } else if (d->vertex_count == 3) {
-        weights[0] = 1.0 - constraint->barycentric[0] - constraint->barycentric[1];
-        weights[1] = constraint->barycentric[0];
-        weights[2] = constraint->barycentric[1];
+        weights[0] = 1.0 - geometry->barycentric[0] - geometry->barycentric[1];
+        weights[1] = geometry->barycentric[0];
+        weights[2] = geometry->barycentric[1];
     }
 }
 
@@ -369,16 +368,17 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
 static vec3 update_side(const scene_object *s, contact_constraint *constraint, const side *d,
                         int which, vec3 out, double sign)
 {
+    const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     vec3 vertices[3], start_vertices[3], start_point;
     double weights[3];
     vertices[2] = start_vertices[2] = vec3_zero(); /* only a triangle has a third vertex */
-    compute_weights(d, constraint, which, weights);
+    compute_weights(d, geometry, which, weights);
     get_vertices(s, d, AT_TRIAL, vertices);
     vec3 centre = point_of(d, vertices, weights), point = vec3_add(centre, out);
     add_jacobian(s, constraint, d, weights, point, sign);
     if (d->capsule != NULL) {
         start_point =
-            point_at_start(d, d->vertex_count > 1 ? constraint->barycentric[which] : 0.0, point);
+            point_at_start(d, d->vertex_count > 1 ? geometry->barycentric[which] : 0.0, point);
         constraint->relative_displacement =
             vec3_add_scaled(constraint->relative_displacement, sign, vec3_sub(point, start_point));
     } else {
@@ -393,6 +393,7 @@ static vec3 update_side(const scene_object *s, contact_constraint *constraint, c
 static void update_geometry(const scene_object *s, contact_constraint *constraint, const side *d,
                             const side *e)
 {
+    scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     const vec3 n = constraint->normal;
     constraint->jacobian_block_count = 0;
     constraint->relative_displacement = vec3_zero();
@@ -402,9 +403,9 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
     } else {
         vec3 centre_b = update_side(s, constraint, e, 1, vec3_scale(n, e->radius), -1.0);
         constraint->gap = vec3_dot(n, vec3_sub(centre_a, centre_b)) - contact_distance_of(d, e) -
-                          constraint->lip_thickness + constraint->overlap_allowance;
+                          geometry->lip_thickness + geometry->overlap_allowance;
     }
-    constraint->point = vec3_add_scaled(vec3_add(centre_a, out), -0.5 * constraint->gap, n);
+    geometry->point = vec3_add_scaled(vec3_add(centre_a, out), -0.5 * constraint->gap, n);
 }
 
 /* Whether a contact keeps the normal of the start of the substep. Normals of segments jump, or turn
@@ -419,10 +420,10 @@ static bool keeps_start_normal(const contact_constraint *constraint)
 }
 
 /* Whether the closest point is inside the triangle, not on one of its edges. */
-static bool is_inside_face(const contact_constraint *constraint)
+static bool is_inside_face(const scene_contact_geometry *geometry)
 {
-    return constraint->barycentric[0] > 0.0 && constraint->barycentric[1] > 0.0 &&
-           constraint->barycentric[0] + constraint->barycentric[1] < 1.0;
+    return geometry->barycentric[0] > 0.0 && geometry->barycentric[1] > 0.0 &&
+           geometry->barycentric[0] + geometry->barycentric[1] < 1.0;
 }
 
 /* Normal of features that intersect: any direction across both will do. */
@@ -439,30 +440,31 @@ static vec3 fallback_normal(const scene_object *s, const side *d, const side *e)
 bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *constraint,
                                  const scene_body *a, const scene_body *b, double reach)
 {
+    scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     const side d = side_of(s, constraint, a, 0);
     if (b == NULL) {
         vec3 one[3];
         get_vertices(s, &d, AT_START, one);
         constraint->normal = s->floor_normal;
-        constraint->barycentric[0] = constraint->barycentric[1] = 0.0;
+        geometry->barycentric[0] = geometry->barycentric[1] = 0.0;
         constraint->thickness = 2.0 * d.radius;
-        constraint->contact_distance = d.radius;
-        constraint->start_gap =
+        geometry->contact_distance = d.radius;
+        geometry->start_gap =
             vec3_dot(constraint->normal, one[0]) - s->config.floor_height - d.radius;
-        return constraint->start_gap < reach;
+        return geometry->start_gap < reach;
     }
     const side e = side_of(s, constraint, b, 1);
-    vec3 separation_vector = separation_of(s, constraint, &d, &e, AT_START, constraint->barycentric,
-                                           &constraint->lip_thickness);
+    vec3 separation_vector = separation_of(s, geometry, &d, &e, AT_START, geometry->barycentric,
+                                           &geometry->lip_thickness);
     double distance = vec3_norm(separation_vector), contact_distance = contact_distance_of(&d, &e);
     constraint->thickness = 2.0 * vbss_min(d.radius, e.radius); /* lips too, as they are soft */
-    constraint->contact_distance = contact_distance;
-    constraint->start_gap = distance - contact_distance;
-    if (!(constraint->start_gap < reach) || (e.vertex_count == 3 && !is_inside_face(constraint)) ||
-        is_covered_by_lips(&d, &e, constraint)) {
+    geometry->contact_distance = contact_distance;
+    geometry->start_gap = distance - contact_distance;
+    if (!(geometry->start_gap < reach) || (e.vertex_count == 3 && !is_inside_face(geometry)) ||
+        is_covered_by_lips(&d, &e, geometry)) {
         return false;
     }
-    constraint->normal = distance > SCENE_MIN_DISTANCE
+    constraint->normal = distance > SCENE_MIN_DISTANCE_RATIO * contact_distance
                              ? vec3_scale(separation_vector, 1.0 / distance)
                              : fallback_normal(s, &d, &e);
     if (keeps_start_normal(constraint)) {
@@ -471,14 +473,14 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
     /* The force acts at the end of the substep. The normal of the start would lean back and brake
      * by v h / R. */
     double at[2], lip_thickness;
-    vec3 predicted = separation_of(s, constraint, &d, &e, AT_PREDICTED, at, &lip_thickness);
+    vec3 predicted = separation_of(s, geometry, &d, &e, AT_PREDICTED, at, &lip_thickness);
     double predicted_distance = vec3_norm(predicted);
     if (predicted_distance > SCENE_MIN_PREDICTED_RATIO * contact_distance &&
         vec3_dot(predicted, constraint->normal) > SCENE_MIN_NORMAL_COSINE * predicted_distance) {
         constraint->normal = vec3_scale(predicted, 1.0 / predicted_distance);
-        constraint->barycentric[0] = at[0];
-        constraint->barycentric[1] = at[1];
-        constraint->lip_thickness = lip_thickness;
+        geometry->barycentric[0] = at[0];
+        geometry->barycentric[1] = at[1];
+        geometry->lip_thickness = lip_thickness;
     }
     return true;
 }
@@ -493,10 +495,10 @@ typedef enum geometry_update {
 static void refresh_normal(const scene_object *s, contact_constraint *constraint, const side *d,
                            const side *e)
 {
-    constraint->normal =
-        vec3_unit_or(separation_of(s, constraint, d, e, AT_TRIAL, constraint->barycentric,
-                                   &constraint->lip_thickness),
-                     constraint->normal);
+    scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
+    constraint->normal = vec3_unit_or(
+        separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness),
+        constraint->normal);
     constraint->previous_force =
         vbss_contact_rotate_to_tangent_plane(constraint->previous_force, constraint->normal);
     constraint->solution.slip_direction =
@@ -508,9 +510,10 @@ static void refresh_normal(const scene_object *s, contact_constraint *constraint
 static void measure_gap(const scene_object *s, contact_constraint *constraint, const side *d,
                         const side *e)
 {
+    const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     double at[2], lip_thickness;
-    constraint->gap = vec3_norm(separation_of(s, constraint, d, e, AT_TRIAL, at, &lip_thickness)) -
-                      contact_distance_of(d, e) + constraint->overlap_allowance;
+    constraint->gap = vec3_norm(separation_of(s, geometry, d, e, AT_TRIAL, at, &lip_thickness)) -
+                      contact_distance_of(d, e) + geometry->overlap_allowance;
 }
 
 /* `e` is NULL for the floor, whose normal is constant. */
@@ -546,7 +549,9 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
             constraint->stiffness = s->config.contact_stiffness;
             constraint->augmentation = augmentation_of(a, b, h);
             constraint->elastic_slip_limit =
-                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR ? SCENE_FLOOR_ELASTIC_SLIP : 0.0;
+                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR
+                    ? SCENE_FLOOR_ELASTIC_SLIP_RATIO * constraint->thickness
+                    : 0.0;
         }
         const side d = side_of(s, constraint, a, 0);
         if (b == NULL) {
@@ -561,7 +566,7 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
 /* The first solve evaluates gaps along the normals of the start of the substep. */
 void vbss_scene_init_contacts(scene_object *s, const scene_substep *substep)
 {
-    s->substep_length = substep->h;
+    s->step.substep_length = substep->h;
     update_contacts(s, INIT_CONTACT, substep->h);
 }
 

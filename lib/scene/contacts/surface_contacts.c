@@ -21,10 +21,10 @@ static const vec3 *feature_displacements(const scene_object *s, const scene_body
     }
     *count = is_edge ? 2 : 1;
     if (b->kind == SCENE_BODY_THREAD) {
-        return s->expected_displacements + b->thread.first_node + feature;
+        return s->step.expected_displacements + b->thread.first_node + feature;
     }
-    const vec3 *first =
-        s->expected_displacements + s->config.node_capacity + 2 * (size_t)b->rigid.first_capsule;
+    const vec3 *first = s->step.expected_displacements + s->config.node_capacity +
+                        2 * (size_t)b->rigid.first_capsule;
     /* The two ends of a capsule are adjacent. */
     return first + (is_edge ? 2 * (size_t)feature : feature);
 }

@@ -40,6 +40,7 @@ static bool are_adjacent(const scene_object *s, const scene_body *a, const conta
 static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *key)
 {
     const contact_set *set = s->contacts;
+    double min_gap = (double)INFINITY;
     const scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
     uint32_t best = UINT32_MAX;
     for (uint32_t i = 0; a != NULL && b != NULL && i < set->count; i++) {
@@ -47,10 +48,11 @@ static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *
         if (scene_is_surface_contact(constraint->key.kind) &&
             constraint->solution.status == CONTACT_OPEN && constraint->key.body_a == key->body_a &&
             constraint->key.body_b == key->body_b &&
-            (best == UINT32_MAX || constraint->start_gap < set->constraints[best].start_gap) &&
+            scene_geometry_of(s, constraint)->start_gap < min_gap &&
             are_adjacent(s, a, key, &constraint->key) &&
             have_common_node(s, b, key, &constraint->key, true)) {
             best = i;
+            min_gap = scene_geometry_of(s, constraint)->start_gap;
         }
     }
     return best;
@@ -63,17 +65,18 @@ static void absorb_fold_overlap(scene_object *s, double h)
 {
     for (uint32_t i = 0; s->config.mode == VBSS_MODE_OFFLINE && i < s->contacts->count; i++) {
         contact_constraint *constraint = &s->contacts->constraints[i];
+        scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
         bool is_fold = scene_is_surface_contact(constraint->key.kind) &&
                        constraint->key.body_a == constraint->key.body_b;
         double force_overlap = constraint->solution.status == CONTACT_OPEN
                                    ? 0.0
                                    : constraint->solution.normal_force / constraint->stiffness;
-        double excess =
-            -constraint->start_gap - vbss_max(force_overlap, SCENE_FOLD_OPENING_SPEED * h);
+        double opening = SCENE_FOLD_OPENING_RATE * constraint->thickness * h;
+        double excess = -geometry->start_gap - vbss_max(force_overlap, opening);
         if (is_fold && excess > 0.0) {
             constraint->fold_allowance = excess;
-            constraint->overlap_allowance += excess;
-            constraint->start_gap += excess;
+            geometry->overlap_allowance += excess;
+            geometry->start_gap += excess;
             constraint->gap += excess;
         }
     }
@@ -85,7 +88,7 @@ void vbss_scene_warm_start_contacts(scene_object *s, const scene_substep *subste
     vbss_contact_warm_start(set);
     for (uint32_t m = 0; m < set->warm_start_count; m++) {
         const contact_key *key = &set->warm_start[m].key;
-        if (set->scratch_flags[m] != 0) {
+        if (set->warm_start[m].has_constraint) {
             continue;
         }
         if (!scene_is_surface_contact(key->kind)) {

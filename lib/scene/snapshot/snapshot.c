@@ -2,6 +2,7 @@
  * what it reads. */
 #include "base/stream.h"
 #include "scene/snapshot/snapshot.h"
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/topology/topology.h"
 #include "scene/world/method.h"
@@ -179,7 +180,7 @@ static void visit_needle(vbss_stream *stream, scene_object *s, const scene_body 
     s->method->serialise_needle(stream, s, b);
 }
 
-static void visit_told(vbss_stream *stream, scene_rigid *r)
+static void visit_pending_target(vbss_stream *stream, scene_rigid *r)
 {
     uint32_t has_pending_target = r->has_pending_target;
     if (stream->version >= 6) {
@@ -227,7 +228,7 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
         visit_needle(stream, s, b);
     }
     vbss_rigid_serialise(stream, 30, &r->body);
-    visit_told(stream, r);
+    visit_pending_target(stream, r);
     vbss_stream_f64(stream, 50, &r->force.x, 3);
     vbss_stream_f64(stream, 51, &r->torque.x, 3);
     vbss_stream_f64(stream, 52, &r->coupling_wrench.force.x, 3);
@@ -359,10 +360,22 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
     }
 }
 
+/* The format has no flag for an uncuttable strand: it is a released one that was never held, and so
+ * has no anchors. */
+static bool was_held(const scene_thread_grasp *g)
+{
+    double sum = 0.0;
+    for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
+        sum += vec3_norm_squared(g->grip.anchor[k]);
+    }
+    return sum != 0.0;
+}
+
 static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g, uint32_t *pin)
 {
-    uint32_t words[] = {g->thread,      g->tool, g->segment,        g->is_sliding,
-                        g->is_released, *pin,    g->needs_reopening};
+    uint32_t excluded = g->is_released || g->is_uncuttable;
+    uint32_t words[] = {g->thread, g->tool, g->segment,        g->is_sliding,
+                        excluded,  *pin,    g->needs_reopening};
     double *numbers[] = {&g->segment_offset, &g->angle, &g->point_spacing,
                          &g->grip.age,       &g->slid,  &g->limit};
     vbss_stream_u32(stream, 121, words, sizeof words / sizeof words[0]);
@@ -380,7 +393,10 @@ static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g, uint3
     g->tool = words[1];
     g->segment = words[2];
     g->is_sliding = words[3] != 0;
-    g->is_released = words[4] != 0;
+    if (stream->mode == VBSS_STREAM_READ) {
+        g->is_uncuttable = words[4] != 0 && !was_held(g);
+        g->is_released = words[4] != 0 && !g->is_uncuttable;
+    }
     *pin = words[5];
     g->needs_reopening = words[6] != 0;
 }
@@ -394,7 +410,7 @@ static bool is_valid_thread_grasp(const scene_object *s, const scene_thread_gras
     }
     const thread_object *thread = t->thread.thread;
     /* the grasp holds a node by a pin */
-    bool is_of_node = s->method->grasps_when_closed && !g->is_released;
+    bool is_of_node = s->method->grasps_when_closed && scene_holds_strand(g);
     bool is_valid = g->segment + (is_of_node ? 0 : 1) < thread->node_count &&
                     isfinite(g->segment_offset) && fabs(g->segment_offset) <= 1e3 &&
                     isfinite(g->angle) && isfinite(g->slid) && isfinite(g->limit) &&
@@ -486,18 +502,52 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
     }
 }
 
-/* Size of the first substep of the next step. Before version 3 a step was never left incomplete. */
-static void visit_next_initial_size(vbss_stream *stream, scene_object *s)
+/* Stands in the snapshot in place of a size if bodies begin with different sizes, which follow.
+ * Unit: 1. Origin: chosen: no size is negative. Test: scene.islands. */
+#define SIZE_PER_BODY (-1.0)
+
+/* Whether all bodies begin the next step with substeps of one size, a fraction of a step. */
+static bool have_bodies_one_size(const scene_object *s, double *size)
 {
-    if (stream->version >= 3) {
-        vbss_stream_f64(stream, 86, &s->next_initial_size, 1);
-    } else {
-        s->next_initial_size = 1.0;
+    const scene_body *first = NULL;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        first = first == NULL && b->kind != SCENE_BODY_NONE ? b : first;
+        if (b->kind != SCENE_BODY_NONE && b->next_halvings != first->next_halvings) {
+            return false;
+        }
     }
-    if (stream->mode == VBSS_STREAM_READ && !stream->trusted &&
-        !vbss_scene_is_substep_size(s, s->next_initial_size)) {
+    *size = first == NULL ? 1.0 : vbss_scene_substep_size(first->next_halvings);
+    return true;
+}
+
+/* Sizes with which the next step begins. Before version 3 a step was never left incomplete. */
+static void visit_next_sizes(vbss_stream *stream, scene_object *s)
+{
+    double size = SIZE_PER_BODY;
+    (void)have_bodies_one_size(s, &size);
+    if (stream->version >= 3) {
+        vbss_stream_f64(stream, 86, &size, 1);
+    } else {
+        size = 1.0;
+    }
+    const bool reads = stream->mode == VBSS_STREAM_READ, is_per_body = size == SIZE_PER_BODY;
+    if (reads && !is_per_body && !vbss_scene_is_substep_size(s, size)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such part of a step");
-        s->next_initial_size = 1.0;
+        size = 1.0;
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (is_per_body && b->kind != SCENE_BODY_NONE) {
+            vbss_stream_u32(stream, 89, &b->next_halvings, 1);
+        } else if (reads) {
+            b->next_halvings = b->kind != SCENE_BODY_NONE ? vbss_scene_halvings_of(size) : 0;
+        }
+        if (reads && (b->next_halvings > SCENE_MAX_HALVINGS ||
+                      !vbss_scene_is_substep_size(s, vbss_scene_substep_size(b->next_halvings)))) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such part of a step");
+            b->next_halvings = 0;
+        }
     }
 }
 
@@ -536,15 +586,16 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     if (s->contacts != NULL) {
         vbss_contact_serialise(stream, 90, s->contacts);
     }
-    vbss_stream_count(stream, 110, &s->touching_pair_count, s->config.contact_capacity);
-    vbss_stream_u32(stream, 111, &s->touching_pairs->body_a, 2 * (size_t)s->touching_pair_count);
-    visit_statistics(stream, &s->statistics);
-    visit_next_initial_size(stream, s);
+    vbss_stream_count(stream, 110, &s->report.touching_pair_count, s->config.contact_capacity);
+    vbss_stream_u32(stream, 111, &s->report.touching_pairs->body_a,
+                    2 * (size_t)s->report.touching_pair_count);
+    visit_statistics(stream, &s->report.statistics);
+    visit_next_sizes(stream, s);
     vbss_scene_visit_cursor(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
         set_welded_flags(s);
-        s->pattern_hash = 0;
-        s->contact_count = s->event_count = 0;
-        s->generation++;
+        s->step.pattern_hash = 0;
+        s->report.event_count = 0;
+        s->report.generation++;
     }
 }

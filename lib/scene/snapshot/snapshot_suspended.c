@@ -4,8 +4,12 @@
  * the attempt is replayed up to the check at which it was suspended. */
 #include "base/stream.h"
 #include "scene/snapshot/snapshot.h"
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/world/world.h"
+
+/* Parts of the state that follow the cursor, as bits of its first word. */
+enum { IS_SUSPENDED = 1, HAS_GROUPS = 2, HAS_OVERLAPS = 4, HAS_BLOCKERS = 8, HAS_LIMIT = 16 };
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
 {
@@ -51,6 +55,62 @@ static void visit_targets(vbss_stream *stream, scene_object *s)
     }
 }
 
+static bool is_valid_group(const scene_object *s, const scene_waiting_group *g)
+{
+    return g->substep.start_fraction >= 0.0 && vbss_scene_is_substep_size(s, g->size) &&
+           g->substep.start_fraction + g->size <= 1.0;
+}
+
+/* Visits the contacts in the views. The groups that wait still have those of the step before. */
+static void visit_contact_views(vbss_stream *stream, scene_report *r, uint32_t capacity)
+{
+    vbss_stream_count(stream, 176, &r->contact_count, capacity);
+    const size_t count = stream->result == VBSS_OK ? r->contact_count : 0;
+    vbss_stream_u32(stream, 177, r->contact_features[0], 5 * count);
+    vbss_stream_f64(stream, 178, &r->contact_points->x, 3 * count);
+    vbss_stream_f64(stream, 178, &r->contact_normals->x, 3 * count);
+    vbss_stream_f64(stream, 178, &r->contact_forces->x, 3 * count);
+    vbss_stream_f64(stream, 178, r->contact_gaps, count);
+}
+
+/* Visits the groups of a step that is divided among some. */
+static void visit_groups(vbss_stream *stream, scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    const bool reads = stream->mode == VBSS_STREAM_READ;
+    bool is_valid = true;
+    vbss_stream_u32(stream, 170, &cursor->group, 1);
+    vbss_stream_u32(stream, 170, &cursor->group_count, 1);
+    vbss_stream_f64(stream, 173, &cursor->paused_fraction, 1);
+    is_valid = cursor->paused_fraction >= 0.0 && cursor->paused_fraction <= 1.0;
+    if (reads && (cursor->group_count > SCENE_MAX_GROUPS || cursor->group >= cursor->group_count)) {
+        is_valid = false;
+        cursor->group = 0;
+        cursor->group_count = 1;
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        vbss_stream_u32(stream, 171, &b->group, 1);
+        is_valid = is_valid && b->group < cursor->group_count;
+        b->is_frozen = b->group != cursor->group;
+    }
+    for (uint32_t i = cursor->group + 1; i < cursor->group_count; i++) {
+        scene_waiting_group *g = &cursor->waiting[i];
+        uint32_t words[] = {g->attempts, g->is_behind_targets};
+        vbss_stream_u32(stream, 172, words, 2);
+        vbss_stream_f64(stream, 173, &g->substep.start_fraction, 1);
+        vbss_stream_f64(stream, 173, &g->size, 1);
+        g->attempts = words[0];
+        g->is_behind_targets = words[1] != 0;
+        g->substep.step_length = cursor->substep.step_length;
+        is_valid = is_valid && words[1] <= 1 && is_valid_group(s, g);
+    }
+    if (reads && !is_valid) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such group of bodies");
+    }
+    visit_contact_views(stream, &s->report, s->config.contact_capacity);
+}
+
 /* Visits the cursor of a suspended step, and how far its attempt had progressed for the replay. */
 static void visit_suspended_step(vbss_stream *stream, scene_object *s)
 {
@@ -60,8 +120,8 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
                         cursor->checks_passed,
                         cursor->substep.has_fixed_normals,
                         cursor->substep.has_search_budget,
-                        s->is_behind_targets,
-                        s->cut_count};
+                        cursor->is_behind_targets,
+                        s->step.cut_count};
     double *numbers[] = {&cursor->substep.step_length, &cursor->substep.start_fraction,
                          &cursor->initial_size, &cursor->size};
     uint64_t *operations[] = {&cursor->operations_at_attempt, &cursor->operations};
@@ -81,10 +141,10 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
     cursor->checks_passed = words[2];
     cursor->substep.has_fixed_normals = words[3] != 0;
     cursor->substep.has_search_budget = words[4] != 0;
-    s->is_behind_targets = words[5] != 0;
-    s->cut_count = words[6];
-    for (uint32_t i = 0; i < s->cut_count; i++) {
-        scene_cut *cut = &s->cuts[i];
+    cursor->is_behind_targets = words[5] != 0;
+    s->step.cut_count = words[6];
+    for (uint32_t i = 0; i < s->step.cut_count; i++) {
+        scene_cut *cut = &s->step.cuts[i];
         vbss_stream_u32(stream, 154, &cut->thread, 1);
         vbss_stream_f64(stream, 155, &cut->arc_length, 1);
         const scene_body *b = vbss_scene_body(s, cut->thread);
@@ -94,8 +154,8 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
         }
     }
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        vbss_stream_u32(stream, 158, &s->previous_holes[i].id, 1);
-        vbss_stream_u32(stream, 158, &s->previous_holes[i].needle, 1);
+        vbss_stream_u32(stream, 158, &s->step.previous_holes[i].id, 1);
+        vbss_stream_u32(stream, 158, &s->step.previous_holes[i].needle, 1);
     }
     visit_targets(stream, s);
     if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !is_valid_cursor(s, cursor)) {
@@ -103,33 +163,119 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
     }
 }
 
+/* Without one, states have the same bytes as in older libraries, whose logs have their hashes. */
+static bool has_own_speed_limit(const scene_object *s)
+{
+    return s->config.speed_limit != SCENE_DEFAULT_SPEED_LIMIT && s->config.speed_limit != 0.0;
+}
+
+static uint32_t parts_of(const scene_object *s)
+{
+    const scene_step_cursor *cursor = &s->cursor;
+    bool has_groups = cursor->is_suspended && cursor->group_count > 1;
+    return (cursor->is_suspended ? IS_SUSPENDED : 0) | (has_groups ? HAS_GROUPS : 0) |
+           (s->overlap_count > 0 ? HAS_OVERLAPS : 0) |
+           (s->report.blocker_count > 0 ? HAS_BLOCKERS : 0) |
+           (has_own_speed_limit(s) ? HAS_LIMIT : 0);
+}
+
+static bool is_valid_state(const scene_object *s, const uint32_t words[3])
+{
+    const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
+    bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
+    return parts < 2 * HAS_LIMIT && ((parts & HAS_GROUPS) == 0 || is_suspended) &&
+           words[1] + is_suspended <= 2 && words[1] <= 2 &&
+           (is_implicit || (is_suspended == 0 && words[1] == 0));
+}
+
+static void put_in_one_group(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        s->bodies[i].group = 0;
+        s->bodies[i].is_frozen = false;
+    }
+}
+
+/* Visits the driven bodies that overlap (world/driven_overlaps.c). */
+static void visit_overlaps(vbss_stream *stream, scene_object *s, bool has_overlaps)
+{
+    s->overlap_count = has_overlaps ? s->overlap_count : 0;
+    if (has_overlaps) {
+        vbss_stream_count(stream, 174, &s->overlap_count, SCENE_MAX_OVERLAPS);
+        vbss_stream_u32(stream, 175, &s->overlaps->body_a, 2 * (size_t)s->overlap_count);
+    }
+}
+
+/* Visits the bodies that are held back (world/blockers.c). */
+static void visit_blockers(vbss_stream *stream, scene_report *r, bool has_blockers)
+{
+    r->blocker_count = has_blockers ? r->blocker_count : 0;
+    if (!has_blockers) {
+        return;
+    }
+    vbss_stream_count(stream, 179, &r->blocker_count, SCENE_MAX_BLOCKERS);
+    for (uint32_t i = 0; stream->result == VBSS_OK && i < r->blocker_count; i++) {
+        scene_blocker *b = &r->blockers[i];
+        uint32_t words[] = {b->bodies.body_a, b->bodies.body_b, (uint32_t)b->cause};
+        double *numbers[] = {&b->since, &b->last, &b->lost_time, &b->depth};
+        vbss_stream_u32(stream, 180, words, sizeof words / sizeof words[0]);
+        for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+            vbss_stream_f64(stream, 181, numbers[k], 1);
+        }
+        if (words[2] > VBSS_BLOCKER_CONVERGENCE) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such cause");
+            words[2] = VBSS_BLOCKER_WORK;
+        }
+        b->bodies = (scene_touching_pair){words[0], words[1]};
+        b->cause = (vbss_blocker_cause)words[2];
+    }
+}
+
+/* Visits the speed limit. A snapshot without one is of the default limit, or of no limit as in older
+ * libraries. */
+static void visit_speed_limit(vbss_stream *stream, const scene_object *s, bool has_limit)
+{
+    if (has_limit) {
+        vbss_stream_expect_f64(stream, 182, s->config.speed_limit);
+    } else if (has_own_speed_limit(s)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another speed limit");
+    }
+}
+
 void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
     const bool reads = stream->mode == VBSS_STREAM_READ;
-    uint32_t words[] = {cursor->is_suspended, cursor->steps_behind, cursor->unsliced_steps_left};
+    uint32_t words[] = {parts_of(s), cursor->steps_behind, cursor->unsliced_steps_left};
     if (stream->version >= 6) {
         vbss_stream_u32(stream, 150, words, sizeof words / sizeof words[0]);
     } else {
         words[0] = words[1] = words[2] = 0;
     }
-    /* the baseline method never suspends a step */
-    bool is_allowed = !reads || s->contacts != NULL || (words[0] == 0 && words[1] == 0);
-    if (!is_allowed || words[0] > 1 || words[1] > 2 || words[1] + words[0] > 2) {
+    if (reads && !is_valid_state(s, words)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");
         words[0] = words[1] = 0;
     }
     if (reads) {
-        *cursor = (scene_step_cursor){.is_suspended = words[0] != 0,
+        *cursor = (scene_step_cursor){.is_suspended = (words[0] & IS_SUSPENDED) != 0,
+                                      .group_count = 1,
                                       .steps_behind = words[1],
                                       .unsliced_steps_left = words[2]};
+        put_in_one_group(s);
+        s->report.contact_count = 0;
     }
     if (cursor->is_suspended) {
         visit_suspended_step(stream, s);
     }
+    if ((words[0] & HAS_GROUPS) != 0) {
+        visit_groups(stream, s);
+    }
+    visit_overlaps(stream, s, (words[0] & HAS_OVERLAPS) != 0);
+    visit_blockers(stream, &s->report, (words[0] & HAS_BLOCKERS) != 0);
+    visit_speed_limit(stream, s, (words[0] & HAS_LIMIT) != 0);
     if (reads) {
         vbss_scene_set_substep_limits(s);
-        s->has_pending_events = false;
+        s->report.has_pending_events = false;
         cursor->edit_count = vbss_scene_count_edits(s);
     }
 }

@@ -1,6 +1,7 @@
 /* Commit: the trial state of a substep becomes the state. */
 #include "scene/solve/solve.h"
 #include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
 #include "thread/tuning.h"
 
 static void commit_thread(scene_thread *b, double h)
@@ -28,6 +29,22 @@ void vbss_scene_commit_capsules(scene_object *s)
     }
 }
 
+/* Entries between bodies that take no part in the substep stay. */
+static void store_warm_start(scene_object *s)
+{
+    contact_set *set = s->contacts;
+    if (s->cursor.group_count == 1) {
+        vbss_contact_store_warm_start(set);
+        return;
+    }
+    for (uint32_t i = 0; i < set->warm_start_count; i++) {
+        const contact_key *key = &set->warm_start[i].key;
+        s->scratch.keeps_entry[i] = !scene_is_active(vbss_scene_body(s, key->body_a)) &&
+                                    !scene_is_active(vbss_scene_body(s, key->body_b));
+    }
+    vbss_contact_store_warm_start_beside(set, s->scratch.keeps_entry);
+}
+
 void vbss_scene_commit(scene_object *s, const scene_substep *substep)
 {
     const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
@@ -35,9 +52,9 @@ void vbss_scene_commit(scene_object *s, const scene_substep *substep)
     vbss_scene_notify_substep(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             commit_thread(&b->thread, substep->h);
-        } else if (b->kind == SCENE_BODY_RIGID) {
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             scene_rigid *r = &b->rigid;
             if (r->kind == VBSS_RIGID_DRIVEN) {
                 r->body.now = r->predicted;
@@ -45,22 +62,29 @@ void vbss_scene_commit(scene_object *s, const scene_substep *substep)
                 vbss_rigid_commit(&r->body, &p, &r->predicted, &r->trial);
                 r->coupling_wrench = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
             }
-        } else if (b->kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {
             vbss_drain_commit(b->drain.drain, substep->h);
         }
     }
     vbss_scene_commit_capsules(s);
     vbss_scene_commit_holes(s);
     vbss_scene_advance_holes(s);
-    vbss_contact_store_warm_start(s->contacts);
-    s->statistics.parts++;
+    store_warm_start(s);
+    s->report.statistics.parts++;
+}
+
+void vbss_scene_request_damping_of(scene_body *b)
+{
+    if (b->kind == SCENE_BODY_THREAD) {
+        b->thread.thread->damped_steps_left = THREAD_DAMPED_STEPS + 1;
+    }
 }
 
 void vbss_scene_request_damping(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
-            s->bodies[i].thread.thread->damped_steps_left = THREAD_DAMPED_STEPS + 1;
+        if (!s->bodies[i].is_frozen) {
+            vbss_scene_request_damping_of(&s->bodies[i]);
         }
     }
 }

@@ -112,8 +112,9 @@ static double work_beyond_law(const scene_object *s, const contact_constraint *c
     }
     double normal_displacement = vec3_dot(constraint->normal, displacement),
            normal_work = normal_displacement * vec3_dot(force, constraint->normal);
-    double released_energy = stored_energy(constraint, constraint->start_gap) -
-                             stored_energy(constraint, constraint->gap);
+    double released_energy =
+        stored_energy(constraint, scene_geometry_of(s, constraint)->start_gap) -
+        stored_energy(constraint, constraint->gap);
     vec3 tangential_displacement =
         vec3_add_scaled(displacement, -normal_displacement, constraint->normal);
     double friction_work = vec3_dot(force, tangential_displacement),
@@ -165,7 +166,7 @@ static double max_work_of_welds(const scene_object *s)
  * at once. */
 static bool needs_energy_check(const scene_object *s, const scene_substep *substep)
 {
-    bool has_time = s->step_budget == 0 && !substep->is_min_size;
+    bool has_time = s->step.budget == 0 && !substep->is_min_size;
     return vbss_scene_has_body_kind(s, SCENE_BODY_THREAD) &&
            (s->contacts->is_stopped_early ||
             (has_time && vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)));
@@ -176,10 +177,10 @@ static energy_gains compute_energy_gains(const scene_object *s, const scene_subs
     const contact_set *set = s->contacts;
     energy_gains g = {.threads = -max_work_of_welds(s)};
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
             g.threads += vbss_thread_energy_change(t, substep->h) - max_work_of_attachments(t);
-        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             g.drains += vbss_drain_energy_change(s->bodies[i].drain.drain, substep->h);
         }
     }
@@ -205,9 +206,9 @@ bool vbss_scene_passes_energy_check(const scene_object *s, const scene_substep *
         return true;
     }
     const energy_gains g = compute_energy_gains(s, substep);
-    return are_within_tolerance(&g, vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
-                                        ? SCENE_ENERGY_WITH_WALLS
-                                        : SCENE_ENERGY_WITHOUT_WALLS);
+    double power = vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN) ? SCENE_POWER_WITH_WALLS
+                                                                 : SCENE_POWER_WITHOUT_WALLS;
+    return are_within_tolerance(&g, power * substep->step_length);
 }
 
 bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep *substep)
@@ -218,5 +219,6 @@ bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep
         return true;
     }
     const energy_gains g = compute_energy_gains(s, substep);
-    return are_within_tolerance(&g, SCENE_HOPELESS_ENERGY_RATIO * SCENE_ENERGY_WITH_WALLS);
+    return are_within_tolerance(&g, SCENE_HOPELESS_ENERGY_RATIO *
+                                        (SCENE_POWER_WITH_WALLS * substep->step_length));
 }

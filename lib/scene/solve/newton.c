@@ -24,7 +24,7 @@ typedef enum assembly_scope {
 static void clear_system(scene_object *s, bool reuses_drain_matrix)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             vbss_system_reuse_factor(s->system, s->bodies[i].drain.first_block,
                                      reuses_drain_matrix);
         }
@@ -42,16 +42,16 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.substep,
                            system, b->thread.first_block);
-        } else if (b->kind == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
                                 &b->rigid.blocks);
-        } else if (b->kind == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
+        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
             vbss_drain_assemble_rhs(b->drain.drain, &b->drain.substep, system,
                                     b->drain.first_block);
-        } else if (b->kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {
             vbss_drain_assemble(b->drain.drain, &b->drain.substep, system, b->drain.first_block);
         }
     }
@@ -64,7 +64,7 @@ static bool drop_compression_stiffness(scene_object *s)
     bool has_dropped = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_thread *b = &s->bodies[i].thread;
-        if (s->bodies[i].kind == SCENE_BODY_THREAD && b->substep.min_tension < 0.0) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD && b->substep.min_tension < 0.0) {
             b->substep.min_tension = 0.0;
             b->thread->statistics.softened++;
             has_dropped = true;
@@ -77,7 +77,7 @@ static uint32_t cost(const scene_object *s, uint32_t triangle_cost)
 {
     uint32_t sum = SCENE_NODE_COST * s->node_count + SCENE_CONSTRAINT_COST * s->contacts->count;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             sum += triangle_cost * s->bodies[i].drain.drain->mesh.triangle_count;
         }
     }
@@ -95,19 +95,19 @@ static uint64_t find_search_budget(const scene_object *s)
 {
     uint64_t next_linearisation_cost =
         (uint64_t)vbss_scene_linearisation_cost(s) * SCENE_RESERVE_HALVES / 2;
-    return s->step_budget == 0                        ? 0
-           : next_linearisation_cost < s->step_budget ? s->step_budget - next_linearisation_cost
+    return s->step.budget == 0                        ? 0
+           : next_linearisation_cost < s->step.budget ? s->step.budget - next_linearisation_cost
                                                       : 1;
 }
 
 /* Finds the active set of the condensed system, then the increments of all blocks. */
 static scene_substep_outcome solve_active_set(scene_object *s)
 {
-    scene_newton_state *newton = &s->newton;
+    scene_newton_state *newton = &s->step.newton;
     const contact_active_set_options search = {
         .system = s->system,
-        .welds = s->welds,
-        .weld_count = s->weld_count,
+        .welds = s->step.welds,
+        .weld_count = s->step.weld_count,
         .max_solves = s->config.state_limit,
         .relative_force_tolerance = SCENE_FORCE_TOLERANCE_RATIO,
         .absolute_force_tolerance = SCENE_FORCE_TOLERANCE,
@@ -116,7 +116,7 @@ static scene_substep_outcome solve_active_set(scene_object *s)
         .loose_force_tolerance = SCENE_LOOSE_FORCE_TOLERANCE,
         .loose_overlap_tolerance = SCENE_LOOSE_OVERLAP_TOLERANCE,
         .operation_limit = newton->search_budget,
-        .starts_from_current = newton->starts_from_current && s->step_budget > 0,
+        .starts_from_current = newton->starts_from_current && s->step.budget > 0,
         .is_resumed = newton->is_suspended};
     contact_outcome outcome = vbss_contact_solve_active_set(s->contacts, &search);
     newton->is_suspended = outcome == CONTACT_SUSPENDED;
@@ -126,9 +126,9 @@ static scene_substep_outcome solve_active_set(scene_object *s)
     if (outcome == CONTACT_SINGULAR) {
         return SCENE_SUBSTEP_SINGULAR;
     }
-    for (uint32_t i = 0; i < s->weld_count; i++) {
-        s->system->solution[s->welds[i].node] =
-            vbss_contact_weld_increment(&s->welds[i], s->system);
+    for (uint32_t i = 0; i < s->step.weld_count; i++) {
+        s->system->solution[s->step.welds[i].node] =
+            vbss_contact_weld_increment(&s->step.welds[i], s->system);
     }
     vbss_system_back_substitute(s->system);
     return outcome == CONTACT_NOT_CONVERGED ? SCENE_SUBSTEP_NO_ACTIVE_SET : SCENE_SUBSTEP_ACCEPTED;
@@ -138,7 +138,7 @@ static scene_substep_outcome solve_active_set(scene_object *s)
  * before, as they have moved little since; only their right-hand sides are new. */
 static scene_substep_outcome linearise(scene_object *s, const scene_substep *substep)
 {
-    scene_newton_state *newton = &s->newton;
+    scene_newton_state *newton = &s->step.newton;
     assembly_scope scope =
         newton->over_budget_linearisations > 0 ? ASSEMBLE_ALL_BUT_DRAIN_MATRIX : ASSEMBLE_ALL;
     newton->search_budget = find_search_budget(s);
@@ -148,7 +148,7 @@ static scene_substep_outcome linearise(scene_object *s, const scene_substep *sub
                                                                             : SCENE_TRIANGLE_COST));
     assemble(s, substep, scope);
     vbss_scene_set_weld_arms(s);
-    s->statistics.linearisations++;
+    s->report.statistics.linearisations++;
     while (!vbss_system_condense(s->system)) {
         if (!drop_compression_stiffness(s)) {
             return SCENE_SUBSTEP_SINGULAR;
@@ -176,8 +176,9 @@ static void set_welded_nodes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id != 0 && p->attachment == 0) {
-            thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
+        const scene_body *thread = vbss_scene_body(s, p->thread);
+        if (p->id != 0 && p->attachment == 0 && !thread->is_frozen) {
+            thread_object *t = thread->thread.thread;
             const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
             t->trial[p->node] = pose_apply(r->trial, p->point);
         }
@@ -186,24 +187,24 @@ static void set_welded_nodes(scene_object *s)
 
 static void advance_trial(scene_object *s)
 {
-    scene_newton_state *newton = &s->newton;
+    scene_newton_state *newton = &s->step.newton;
     newton->is_finite = newton->is_converged = true;
     newton->stretch = 0.0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             b->thread.residual_displacement = vbss_thread_apply_increment(
                 b->thread.thread, &b->thread.substep, s->system->solution + b->thread.first_block);
-        } else if (b->kind == SCENE_BODY_RIGID) {
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             advance_rigid(s, &b->rigid);
-        } else if (b->kind == SCENE_BODY_DRAIN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {
             vbss_drain_apply_increment(b->drain.drain, s->system, b->drain.first_block);
         }
     }
     set_welded_nodes(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind != SCENE_BODY_THREAD) {
+        if (scene_active_kind(b) != SCENE_BODY_THREAD) {
             continue;
         }
         thread_object *t = b->thread.thread;
@@ -234,7 +235,7 @@ static drain_moves measure_drain_moves(scene_object *s)
     drain_moves m = {true, false, false};
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             const vbss_drain_config *c = &b->drain->config;
             b->max_increment = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
             b->drain->statistics.linearisations++;
@@ -252,7 +253,7 @@ static bool has_needle_turned_far(const scene_object *s)
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         const scene_body *b = hole->id != 0 ? vbss_scene_body(s, hole->needle) : NULL;
-        if (b != NULL &&
+        if (b != NULL && !b->is_frozen &&
             vec3_norm(s->system->solution[b->rigid.blocks.first + 1]) > SCENE_MAX_NEEDLE_ROTATION) {
             return true;
         }
@@ -265,7 +266,7 @@ static void count_forced(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             b->drain->statistics.forced +=
                 b->max_increment > DRAIN_MAX_MOVE_RATIO * b->drain->config.move_limit;
         }
@@ -279,13 +280,13 @@ static bool is_correction_acceptable(scene_object *s)
     bool all = true;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             const scene_thread *a = &s->bodies[i].thread;
             double missed =
                 vbss_thread_linearisation_error(a->thread, s->system->solution + a->first_block);
             all = all && missed <= s->config.stretch_tolerance;
         }
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             double correction = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
             bool small = correction < DRAIN_MAX_CORRECTION_RATIO * b->max_increment ||
                          correction <= b->drain->config.position_tolerance;
@@ -302,7 +303,7 @@ static bool has_drain_moved_far(const scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN &&
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN &&
             b->max_increment > b->drain->config.move_limit) {
             return true;
         }
@@ -314,8 +315,8 @@ static bool has_drain_moved_far(const scene_object *s)
  * last linearisation. */
 static void begin_correction(scene_object *s, const scene_substep *substep)
 {
-    s->newton.search_budget = find_search_budget(s);
-    s->newton.starts_from_current = s->newton.has_correction = true;
+    s->step.newton.search_budget = find_search_budget(s);
+    s->step.newton.starts_from_current = s->step.newton.has_correction = true;
     vbss_scene_charge_budget(s, cost(s, SCENE_CORRECTION_COST));
     vbss_contact_save_solution(s->contacts);
     assemble(s, substep, ASSEMBLE_RHS);
@@ -332,7 +333,7 @@ static scene_substep_outcome end_correction(scene_object *s, scene_substep_outco
     }
     advance_trial(s);
     vbss_scene_refresh_contacts(s);
-    return s->newton.is_finite ? SCENE_SUBSTEP_ACCEPTED : SCENE_SUBSTEP_SINGULAR;
+    return s->step.newton.is_finite ? SCENE_SUBSTEP_ACCEPTED : SCENE_SUBSTEP_SINGULAR;
 }
 
 /* ---- convergence */
@@ -342,9 +343,9 @@ static scene_substep_outcome end_correction(scene_object *s, scene_substep_outco
 static bool is_diverging(const scene_object *s, const scene_substep *substep,
                          double previous_stretch)
 {
-    double stretch = s->newton.stretch;
+    double stretch = s->step.newton.stretch;
     bool is_last_search =
-        s->step_budget > 0 && s->contacts->counters.operations >= find_search_budget(s);
+        s->step.budget > 0 && s->contacts->counters.operations >= find_search_budget(s);
     return is_last_search && !substep->is_min_size && stretch > SCENE_DIVERGING_STRETCH &&
            stretch > SCENE_CONVERGING_RATIO * previous_stretch;
 }
@@ -354,7 +355,7 @@ static bool is_diverging(const scene_object *s, const scene_substep *substep,
 static scene_substep_outcome apply_increments(scene_object *s, const scene_substep *substep,
                                               bool *needs_correction)
 {
-    scene_newton_state *newton = &s->newton;
+    scene_newton_state *newton = &s->step.newton;
     drain_moves moves = measure_drain_moves(s);
     double previous_stretch = newton->stretch;
     bool has_needle_turned = has_needle_turned_far(s);
@@ -382,7 +383,7 @@ static scene_substep_outcome apply_increments(scene_object *s, const scene_subst
 /* Runs one linearisation with its searches, or the rest of one that was suspended. */
 static scene_substep_outcome run_newton_iteration(scene_object *s, const scene_substep *substep)
 {
-    scene_newton_state *newton = &s->newton;
+    scene_newton_state *newton = &s->step.newton;
     scene_substep_outcome outcome;
     if (newton->phase == SCENE_NEWTON_LINEARISE) {
         if (vbss_contact_must_suspend(s->contacts, vbss_scene_linearisation_cost(s))) {
@@ -435,12 +436,21 @@ static void reset_newton(scene_newton_state *newton)
     newton->stretch = (double)INFINITY;
 }
 
+/* Whether another iteration follows, or the rest of one that was suspended. The state may have
+ * converged already when its correction is suspended. */
+static bool needs_iteration(const scene_object *s)
+{
+    const scene_newton_state *newton = &s->step.newton;
+    bool has_time = newton->linearisations < s->config.linearisation_limit &&
+                    newton->over_budget_linearisations < SCENE_OVER_BUDGET_LINEARISATIONS;
+    return newton->phase != SCENE_NEWTON_LINEARISE || (has_time && !newton->is_converged);
+}
+
 /* Iterates until threads have their lengths, then checks the energy. */
 static scene_substep_outcome run_newton(scene_object *s, const scene_substep *substep)
 {
-    scene_newton_state *newton = &s->newton;
-    while (newton->linearisations < s->config.linearisation_limit && !newton->is_converged &&
-           newton->over_budget_linearisations < SCENE_OVER_BUDGET_LINEARISATIONS) {
+    scene_newton_state *newton = &s->step.newton;
+    while (needs_iteration(s)) {
         scene_substep_outcome outcome = run_newton_iteration(s, substep);
         if (outcome != SCENE_SUBSTEP_ACCEPTED) {
             return outcome;
@@ -458,11 +468,11 @@ static scene_substep_outcome run_newton(scene_object *s, const scene_substep *su
 static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
                                                             const scene_substep *substep)
 {
-    scene_newton_state *newton = &s->newton;
+    scene_newton_state *newton = &s->step.newton;
     for (;;) {
         scene_substep_outcome outcome = run_newton(s, substep);
         if (outcome != SCENE_SUBSTEP_ACCEPTED) {
-            s->has_updated_normals =
+            s->step.has_updated_normals =
                 outcome != SCENE_SUBSTEP_SUSPENDED && newton->normal_updates > 0;
             return outcome;
         }
@@ -477,7 +487,7 @@ static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
             newton->linearisations >= s->config.linearisation_limit) {
             /* The next substep counts as recovering and removes the penetration that slip
              * has left. */
-            s->has_updated_normals = !substep->has_fixed_normals;
+            s->step.has_updated_normals = !substep->has_fixed_normals;
             return was_penetration_allowed && substep->has_fixed_normals
                        ? SCENE_SUBSTEP_ACCEPTED
                        : SCENE_SUBSTEP_PENETRATION;
@@ -490,22 +500,23 @@ static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
 
 scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *substep)
 {
-    s->newton.linearisations = s->newton.normal_updates = 0;
-    s->has_updated_normals = false;
+    s->step.newton.linearisations = s->step.newton.normal_updates = 0;
+    s->step.has_updated_normals = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD &&
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD &&
             s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
             vbss_thread_update_rest_curvature_forces(s->bodies[i].thread.thread);
         }
     }
-    reset_newton(&s->newton);
+    reset_newton(&s->step.newton);
     return run_newton_with_normal_updates(s, substep);
 }
 
 scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) { /* views use these strains, too */
+        if (scene_active_kind(&s->bodies[i]) ==
+            SCENE_BODY_THREAD) { /* views use these strains, too */
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_compute_strains(t, t->trial, t->strains);
         }

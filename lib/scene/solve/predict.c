@@ -58,11 +58,32 @@ static void predict_rigid(scene_object *s, scene_rigid *r, const scene_substep *
     }
 }
 
+/* The trial state of a frozen body is where it is. */
+static void hold_body(scene_object *s, scene_body *b)
+{
+    if (b->kind == SCENE_BODY_THREAD) {
+        thread_object *t = b->thread.thread;
+        vbss_thread_reset_trial(t);
+        vbss_thread_compute_strains(t, t->trial, t->strains);
+    } else if (b->kind == SCENE_BODY_RIGID) {
+        scene_rigid *r = &b->rigid;
+        r->predicted = r->body.now;
+        r->trial = r->body.now.pose;
+        for (uint32_t c = 0; c < r->capsule_count; c++) {
+            vbss_scene_transform_trial_capsule(&s->capsules[r->first_capsule + c], r->trial);
+        }
+    } else if (b->kind == SCENE_BODY_DRAIN) {
+        vbss_drain_reset_trial(b->drain.drain);
+    }
+}
+
 void vbss_scene_predict(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (b->is_frozen) {
+            hold_body(s, b);
+        } else if (b->kind == SCENE_BODY_THREAD) {
             predict_thread(&b->thread, substep);
         } else if (b->kind == SCENE_BODY_RIGID) {
             predict_rigid(s, &b->rigid, substep);

@@ -70,7 +70,11 @@ void vbss_scene_commit(scene_object *s, const scene_substep *substep);
 /* Makes the trial positions of capsules in their bodies the current ones. */
 void vbss_scene_commit_capsules(scene_object *s);
 
-/* Integrates all threads by backward Euler for a few steps, after a substep had to be halved. */
+/* Integrates a body, if it is a thread, by backward Euler for a few steps, after a substep had to
+ * be halved. */
+void vbss_scene_request_damping_of(scene_body *b);
+
+/* The same for all bodies that take part in the present substep. */
 void vbss_scene_request_damping(scene_object *s);
 
 #endif

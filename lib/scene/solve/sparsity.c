@@ -13,7 +13,7 @@ enum { NODE_INTERIOR, NODE_SEPARATOR };
 
 static void add_separator(scene_object *s, const scene_body *b, uint32_t node)
 {
-    s->is_separator[b->thread.first_node + node] = NODE_SEPARATOR;
+    s->step.is_separator[b->thread.first_node + node] = NODE_SEPARATOR;
 }
 
 static void add_separator_range(scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
@@ -89,11 +89,17 @@ static void add_bilateral_separators(scene_object *s, const contact_constraint *
     }
 }
 
+/* Whether a pin is a weld of bodies that are not frozen. */
+static bool is_active_weld(const scene_object *s, const scene_pin *p)
+{
+    return p->id != 0 && p->attachment == 0 && !vbss_scene_body(s, p->thread)->is_frozen;
+}
+
 static void add_weld_separators(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id != 0 && p->attachment == 0) {
+        if (is_active_weld(s, p)) {
             const scene_body *b = vbss_scene_body(s, p->thread);
             uint32_t reach = vbss_thread_bandwidth(b->thread.thread);
             add_separator_range(s, b, p->node > reach ? p->node - reach : 0, p->node + reach);
@@ -143,14 +149,14 @@ static void add_hole_separators(const scene_object *s, const contact_constraint 
         uint32_t node = constraint->jacobian[k].block - p.thread->thread.first_block;
         if (constraint->jacobian[k].block >= p.thread->thread.first_block &&
             node < p.now.thread->node_count) {
-            s->is_separator[p.thread->thread.first_node + node] = 1;
+            s->step.is_separator[p.thread->thread.first_node + node] = 1;
         }
     }
 }
 
 static void choose_separators(scene_object *s)
 {
-    memset(s->is_separator, NODE_INTERIOR, s->node_count);
+    memset(s->step.is_separator, NODE_INTERIOR, s->node_count);
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             scene_drain *b = &s->bodies[i].drain;
@@ -175,7 +181,7 @@ static void choose_separators(scene_object *s)
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
-            widen_separators(t, s->is_separator + s->bodies[i].thread.first_node);
+            widen_separators(t, s->step.is_separator + s->bodies[i].thread.first_node);
         }
     }
 }
@@ -187,7 +193,7 @@ static void choose_separators(scene_object *s)
 static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
 {
     uint32_t count = w->neighbour_count;
-    for (const contact_weld *earlier = s->welds; earlier < w; earlier++) {
+    for (const contact_weld *earlier = s->step.welds; earlier < w; earlier++) {
         for (uint32_t k = 0; k < count; k++) {
             if (w->neighbours[k] == earlier->node) {
                 w->neighbours[w->neighbour_count++] = earlier->translation;
@@ -199,16 +205,16 @@ static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
 
 static void list_welds(scene_object *s)
 {
-    s->weld_count = 0;
+    s->step.weld_count = 0;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id == 0 || p->attachment != 0) {
+        if (!is_active_weld(s, p)) {
             continue;
         }
         const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
         uint32_t first = t->thread.first_block, n = t->thread.thread->node_count;
         uint32_t reach = vbss_thread_bandwidth(t->thread.thread);
-        contact_weld *w = &s->welds[s->weld_count++];
+        contact_weld *w = &s->step.welds[s->step.weld_count++];
         *w = (contact_weld){.node = first + p->node,
                             .translation = b->rigid.blocks.first,
                             .rotation = b->rigid.blocks.first + 1};
@@ -229,9 +235,9 @@ void vbss_scene_set_weld_arms(scene_object *s)
     uint32_t w = 0;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id != 0 && p->attachment == 0) {
+        if (is_active_weld(s, p)) {
             const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
-            s->welds[w++].arm = quat_rotate(r->trial.orientation, p->point);
+            s->step.welds[w++].arm = quat_rotate(r->trial.orientation, p->point);
         }
     }
 }
@@ -288,7 +294,7 @@ static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
  * attachments, pins. */
 static uint64_t hash_bodies(const scene_object *s)
 {
-    uint64_t hash = mix_flags(s->node_count, s->is_separator, s->node_count);
+    uint64_t hash = mix_flags(s->node_count, s->step.is_separator, s->node_count);
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         hash = mix_two(mix_two(hash, p->id, p->thread), p->node, p->body);
@@ -296,7 +302,7 @@ static uint64_t hash_bodies(const scene_object *s)
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        hash = mix_two(hash, (uint32_t)b->kind, b->number);
+        hash = mix_two(hash, (uint32_t)scene_active_kind(b), b->number);
         if (b->kind == SCENE_BODY_THREAD) {
             hash = mix_attachments(hash, b->thread.thread);
         } else if (b->kind == SCENE_BODY_DRAIN) {
@@ -318,13 +324,45 @@ static uint64_t hash_pattern(const scene_object *s, uint64_t body_hash)
     return hash | 1u;
 }
 
+static uint32_t *first_block_of(scene_body *b)
+{
+    return b->kind == SCENE_BODY_THREAD  ? &b->thread.first_block
+           : b->kind == SCENE_BODY_RIGID ? &b->rigid.blocks.first
+                                         : &b->drain.first_block;
+}
+
+static uint32_t count_blocks(const scene_body *b)
+{
+    return b->kind == SCENE_BODY_THREAD  ? b->thread.thread->node_count
+           : b->kind == SCENE_BODY_RIGID ? 2
+           : b->kind == SCENE_BODY_DRAIN ? b->drain.drain->mesh.node_count
+                                         : 0;
+}
+
+/* A frozen body has blocks, as constraints name them, but no equations. */
+static vbss_result register_frozen_body(scene_object *s, scene_body *b)
+{
+    const uint32_t count = count_blocks(b);
+    if (count == 0) {
+        return VBSS_OK;
+    }
+    uint32_t *first = first_block_of(b);
+    VBSS_TRY(vbss_system_add_chain(s->system, count, first));
+    for (uint32_t i = 0; i < count; i++) {
+        vbss_system_set_role(s->system, *first + i, VBSS_ROLE_PRESCRIBED);
+    }
+    return VBSS_OK;
+}
+
 static vbss_result register_bodies(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (b->is_frozen) {
+            VBSS_TRY(register_frozen_body(s, b));
+        } else if (b->kind == SCENE_BODY_THREAD) {
             VBSS_TRY(vbss_thread_add_to_system(b->thread.thread, s->system,
-                                               s->is_separator + b->thread.first_node,
+                                               s->step.is_separator + b->thread.first_node,
                                                &b->thread.first_block));
         } else if (b->kind == SCENE_BODY_RIGID) {
             vbss_role role =
@@ -343,15 +381,9 @@ void vbss_scene_number_blocks(scene_object *s)
     uint32_t first = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
-            b->thread.first_block = first;
-            first += b->thread.thread->node_count;
-        } else if (b->kind == SCENE_BODY_RIGID) {
-            b->rigid.blocks.first = first;
-            first += 2;
-        } else if (b->kind == SCENE_BODY_DRAIN) {
-            b->drain.first_block = first;
-            first += b->drain.drain->mesh.node_count;
+        if (b->kind != SCENE_BODY_NONE) {
+            *first_block_of(b) = first;
+            first += count_blocks(b);
         }
     }
 }
@@ -374,26 +406,26 @@ vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
 {
     choose_separators(s);
     uint64_t body_hash = hash_bodies(s), pattern_hash = hash_pattern(s, body_hash);
-    if (pattern_hash == s->pattern_hash) {
+    if (pattern_hash == s->step.pattern_hash) {
         vbss_contact_assign_schur_offsets(s->contacts);
         return VBSS_OK;
     }
-    bool same_bodies = s->pattern_hash != 0 && body_hash == s->body_pattern_hash;
-    s->pattern_hash = 0;
-    s->body_pattern_hash = body_hash;
-    s->statistics.patterns++;
+    bool same_bodies = s->step.pattern_hash != 0 && body_hash == s->step.body_pattern_hash;
+    s->step.pattern_hash = 0;
+    s->step.body_pattern_hash = body_hash;
+    s->report.statistics.patterns++;
     VBSS_TRY(begin_pattern(s, same_bodies));
-    for (uint32_t i = 0; i < s->weld_count; i++) {
-        VBSS_TRY(vbss_contact_register_weld(&s->welds[i], s->system));
+    for (uint32_t i = 0; i < s->step.weld_count; i++) {
+        VBSS_TRY(vbss_contact_register_weld(&s->step.welds[i], s->system));
     }
     VBSS_TRY(vbss_contact_register(s->contacts, s->system));
     VBSS_TRY(vbss_system_analyse(s->system));
     vbss_contact_find_schur_indices(s->contacts, s->system);
     for (uint32_t i = 0; !same_bodies && i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             vbss_drain_set_assembly_map(s->bodies[i].drain.drain, s->system);
         }
     }
-    s->pattern_hash = pattern_hash;
+    s->step.pattern_hash = pattern_hash;
     return VBSS_OK;
 }

@@ -32,6 +32,6 @@ vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added)
     VBSS_TRY(vbss_system_create_with_capacity(s->context, &capacity, &new_system));
     vbss_system_destroy(s->context, s->system);
     s->system = new_system;
-    s->pattern_hash = 0;
+    s->step.pattern_hash = 0;
     return VBSS_OK;
 }

@@ -4,31 +4,39 @@
 #include "scene/ccd/ccd.h"
 #include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 
 static void set_allowed_penetrations(scene_object *s)
 {
-    s->is_recovering = false;
+    s->step.is_recovering = false;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_constraint *constraint = &s->contacts->constraints[i];
+        if (constraint->is_bilateral) {
+            continue;
+        }
+        double start_gap = scene_geometry_of(s, constraint)->start_gap;
         double allowed_penetration = s->config.penetration_tolerance * constraint->thickness;
-        constraint->allowed_penetration =
-            vbss_max(allowed_penetration,
-                     SCENE_ALLOWED_DEEPENING * allowed_penetration - constraint->start_gap);
-        s->is_recovering = s->is_recovering ||
-                           constraint->fold_allowance - constraint->start_gap > allowed_penetration;
+        constraint->allowed_penetration = vbss_max(
+            allowed_penetration, SCENE_ALLOWED_DEEPENING * allowed_penetration - start_gap);
+        s->step.is_recovering =
+            s->step.is_recovering || constraint->fold_allowance - start_gap > allowed_penetration;
     }
 }
 
 static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep *substep)
 {
-    s->statistics.attempts++;
-    s->has_accepted_contacts = false;
+    s->report.statistics.attempts++;
+    s->step.has_accepted_contacts = false;
     /* Motion bounds, broad phase, narrow phase. */
     if (!vbss_scene_create_contacts(s, substep)) {
         return SCENE_SUBSTEP_OUT_OF_CAPACITY;
+    }
+    if (vbss_scene_split_slow_islands(s)) {
+        s->report.statistics.attempts--;
+        return SCENE_SUBSTEP_REGROUPED;
     }
     vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));
     vbss_scene_predict(s, substep);
@@ -57,7 +65,7 @@ scene_substep_outcome vbss_scene_run_attempt(scene_object *s)
 
 void vbss_scene_count_rejection(scene_object *s, scene_substep_outcome outcome)
 {
-    vbss_scene_statistics *c = &s->statistics;
+    vbss_scene_statistics *c = &s->report.statistics;
     c->rejected_states += outcome == SCENE_SUBSTEP_NO_ACTIVE_SET;
     c->rejected_stretch += outcome == SCENE_SUBSTEP_NOT_CONVERGED;
     c->rejected_depth += outcome == SCENE_SUBSTEP_PENETRATION;

@@ -9,27 +9,30 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
+        b->checkpoint = (struct scene_body_checkpoint){b->next_halvings, b->group};
         if (b->kind == SCENE_BODY_THREAD) {
             thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_thread_update_derived(t));
             vbss_thread_copy_state(t, &t->saved, &t->now);
-            b->thread.checkpoint_statistics = t->statistics;
-            b->thread.checkpoint_needs_start_substep = t->is_acceleration_unknown;
-            b->thread.checkpoint_damped_steps_left = t->damped_steps_left;
-            b->thread.checkpoint_previous_h = t->previous_h;
+            b->thread.checkpoint.statistics = t->statistics;
+            b->thread.checkpoint.needs_start_substep = t->is_acceleration_unknown;
+            b->thread.checkpoint.damped_steps_left = t->damped_steps_left;
+            b->thread.checkpoint.previous_h = t->previous_h;
         } else if (b->kind == SCENE_BODY_RIGID) {
-            b->rigid.checkpoint_motion = b->rigid.body.now;
-            b->rigid.checkpoint_coupling_wrench = b->rigid.coupling_wrench;
+            b->rigid.checkpoint.motion = b->rigid.body.now;
+            b->rigid.checkpoint.coupling_wrench = b->rigid.coupling_wrench;
         } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_checkpoint_drain(&b->drain);
         }
     }
     vbss_scene_checkpoint_tools(s);
-    s->checkpoint_statistics = s->statistics;
-    s->checkpoint_next_initial_size = s->next_initial_size;
-    s->checkpoint_event_count = s->event_count;
-    s->checkpoint_lost_events = s->lost_events;
-    s->checkpoint_cursor = s->cursor;
+    s->checkpoint.statistics = s->report.statistics;
+    s->checkpoint.event_count = s->report.event_count;
+    s->checkpoint.lost_events = s->report.lost_events;
+    s->checkpoint.cursor = s->cursor;
+    s->checkpoint.blocker_count = s->report.blocker_count;
+    memcpy(s->checkpoint.blockers, s->report.blockers,
+           s->report.blocker_count * sizeof *s->report.blockers);
     vbss_contact_checkpoint(s->contacts);
     return VBSS_OK;
 }
@@ -39,40 +42,45 @@ void vbss_scene_rollback_statistics(scene_object *s)
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_THREAD) {
-            b->thread.thread->statistics = b->thread.checkpoint_statistics;
+            b->thread.thread->statistics = b->thread.checkpoint.statistics;
         } else if (b->kind == SCENE_BODY_DRAIN) {
-            b->drain.drain->statistics = b->drain.checkpoint_statistics;
+            b->drain.drain->statistics = b->drain.checkpoint.statistics;
         }
     }
-    s->statistics = s->checkpoint_statistics;
+    s->report.statistics = s->checkpoint.statistics;
 }
 
 void vbss_scene_rollback(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
+        b->next_halvings = b->checkpoint.next_halvings;
+        b->group = b->checkpoint.group;
+        b->is_frozen = b->group != s->checkpoint.cursor.group;
         if (b->kind == SCENE_BODY_THREAD) {
             thread_object *t = b->thread.thread;
             vbss_thread_copy_state(t, &t->now, &t->saved);
-            t->is_acceleration_unknown = b->thread.checkpoint_needs_start_substep;
-            t->damped_steps_left = b->thread.checkpoint_damped_steps_left;
-            t->previous_h = b->thread.checkpoint_previous_h;
+            t->is_acceleration_unknown = b->thread.checkpoint.needs_start_substep;
+            t->damped_steps_left = b->thread.checkpoint.damped_steps_left;
+            t->previous_h = b->thread.checkpoint.previous_h;
         } else if (b->kind == SCENE_BODY_RIGID) {
-            b->rigid.body.now = b->rigid.checkpoint_motion;
-            b->rigid.coupling_wrench = b->rigid.checkpoint_coupling_wrench;
+            b->rigid.body.now = b->rigid.checkpoint.motion;
+            b->rigid.coupling_wrench = b->rigid.checkpoint.coupling_wrench;
         } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_rollback_drain(&b->drain);
         }
     }
     vbss_scene_rollback_tools(s);
     vbss_scene_rollback_statistics(s);
-    s->next_initial_size = s->checkpoint_next_initial_size;
-    s->cursor = s->checkpoint_cursor;
+    s->cursor = s->checkpoint.cursor;
+    s->report.blocker_count = s->checkpoint.blocker_count;
+    memcpy(s->report.blockers, s->checkpoint.blockers,
+           s->checkpoint.blocker_count * sizeof *s->report.blockers);
     s->cursor.is_attempt_in_memory = false;
     vbss_contact_rollback(s->contacts);
-    s->event_count = s->checkpoint_event_count;
-    s->lost_events = s->checkpoint_lost_events;
-    s->generation++;
+    s->report.event_count = s->checkpoint.event_count;
+    s->report.lost_events = s->checkpoint.lost_events;
+    s->report.generation++;
 }
 
 void vbss_scene_checkpoint_drain(scene_drain *b)
@@ -82,7 +90,7 @@ void vbss_scene_checkpoint_drain(scene_drain *b)
     memcpy(d->saved_x, d->x, bytes);
     memcpy(d->saved_v, d->v, bytes);
     memcpy(d->v_substep_start, d->v, bytes); /* in case all of its substeps are rejected */
-    b->checkpoint_statistics = d->statistics;
+    b->checkpoint.statistics = d->statistics;
 }
 
 void vbss_scene_rollback_drain(scene_drain *b)
@@ -91,70 +99,70 @@ void vbss_scene_rollback_drain(scene_drain *b)
     size_t bytes = d->mesh.node_count * sizeof *d->x;
     memcpy(d->x, d->saved_x, bytes);
     memcpy(d->v, d->saved_v, bytes);
-    d->statistics = b->checkpoint_statistics;
+    d->statistics = b->checkpoint.statistics;
 }
 
 void vbss_scene_checkpoint_tools(scene_object *s)
 {
     for (uint32_t i = 0; i < s->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
-        c->checkpoint_local[0] = c->local[0];
-        c->checkpoint_local[1] = c->local[1];
+        c->checkpoint.local[0] = c->local[0];
+        c->checkpoint.local[1] = c->local[1];
         /* A truncated step leaves it elsewhere than `local`. */
-        c->checkpoint_local_end[0] = c->local_end[0];
-        c->checkpoint_local_end[1] = c->local_end[1];
-        c->checkpoint_radius = c->radius;
+        c->checkpoint.local_end[0] = c->local_end[0];
+        c->checkpoint.local_end[1] = c->local_end[1];
+        c->checkpoint.radius = c->radius;
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind == SCENE_BODY_RIGID) {
-            r->checkpoint_end = r->body.target_end;
-            r->checkpoint_has_pending_target = r->has_pending_target;
+            r->checkpoint.target_end = r->body.target_end;
+            r->checkpoint.has_pending_target = r->has_pending_target;
         }
         if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
             const grasper_object *g = r->grasper;
-            r->checkpoint_needle_grasp = r->needle_grasp;
-            r->checkpoint_wall_grasp = r->wall_grasp;
-            r->checkpoint_jaws = (struct scene_checkpoint_jaws){g->kind, g->commanded_kind,
+            r->checkpoint.needle_grasp = r->needle_grasp;
+            r->checkpoint.wall_grasp = r->wall_grasp;
+            r->checkpoint.jaws = (struct scene_checkpoint_jaws){g->kind, g->commanded_kind,
                                                                 g->jaw_angle, g->jaw_force};
         }
     }
-    memcpy(s->checkpoint_thread_grasps, s->thread_grasps,
+    memcpy(s->checkpoint.thread_grasps, s->thread_grasps,
            s->config.grasp_capacity * sizeof *s->thread_grasps);
-    s->checkpoint_last_grasp_id = s->last_grasp_id;
-    memcpy(s->checkpoint_holes, s->holes, s->config.hole_capacity * sizeof *s->holes);
-    s->checkpoint_last_hole_id = s->last_hole_id;
+    s->checkpoint.last_grasp_id = s->last_grasp_id;
+    memcpy(s->checkpoint.holes, s->holes, s->config.hole_capacity * sizeof *s->holes);
+    s->checkpoint.last_hole_id = s->last_hole_id;
 }
 
 void vbss_scene_rollback_tools(scene_object *s)
 {
     for (uint32_t i = 0; i < s->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
-        c->local[0] = c->checkpoint_local[0];
-        c->local[1] = c->checkpoint_local[1];
-        c->local_end[0] = c->checkpoint_local_end[0];
-        c->local_end[1] = c->checkpoint_local_end[1];
-        c->radius = c->checkpoint_radius;
+        c->local[0] = c->checkpoint.local[0];
+        c->local[1] = c->checkpoint.local[1];
+        c->local_end[0] = c->checkpoint.local_end[0];
+        c->local_end[1] = c->checkpoint.local_end[1];
+        c->radius = c->checkpoint.radius;
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind == SCENE_BODY_RIGID) {
-            r->body.target_end = r->checkpoint_end;
-            r->has_pending_target = r->checkpoint_has_pending_target;
+            r->body.target_end = r->checkpoint.target_end;
+            r->has_pending_target = r->checkpoint.has_pending_target;
         }
         if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
             grasper_object *g = r->grasper;
-            r->needle_grasp = r->checkpoint_needle_grasp;
-            r->wall_grasp = r->checkpoint_wall_grasp;
-            g->kind = r->checkpoint_jaws.kind;
-            g->commanded_kind = r->checkpoint_jaws.target_kind;
-            g->jaw_angle = r->checkpoint_jaws.angle;
-            g->jaw_force = r->checkpoint_jaws.pressure;
+            r->needle_grasp = r->checkpoint.needle_grasp;
+            r->wall_grasp = r->checkpoint.wall_grasp;
+            g->kind = r->checkpoint.jaws.kind;
+            g->commanded_kind = r->checkpoint.jaws.target_kind;
+            g->jaw_angle = r->checkpoint.jaws.angle;
+            g->jaw_force = r->checkpoint.jaws.pressure;
         }
     }
-    memcpy(s->thread_grasps, s->checkpoint_thread_grasps,
+    memcpy(s->thread_grasps, s->checkpoint.thread_grasps,
            s->config.grasp_capacity * sizeof *s->thread_grasps);
-    s->last_grasp_id = s->checkpoint_last_grasp_id;
-    memcpy(s->holes, s->checkpoint_holes, s->config.hole_capacity * sizeof *s->holes);
-    s->last_hole_id = s->checkpoint_last_hole_id;
+    s->last_grasp_id = s->checkpoint.last_grasp_id;
+    memcpy(s->holes, s->checkpoint.holes, s->config.hole_capacity * sizeof *s->holes);
+    s->last_hole_id = s->checkpoint.last_hole_id;
 }

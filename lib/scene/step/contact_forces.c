@@ -3,6 +3,8 @@
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
+#include <string.h>
+
 void vbss_scene_add_force(scene_body *b, vec3 point, vec3 force)
 {
     if (b != NULL && b->kind == SCENE_BODY_RIGID) {
@@ -15,17 +17,17 @@ void vbss_scene_add_force(scene_body *b, vec3 point, vec3 force)
 
 void vbss_scene_publish_contact(scene_object *s, const scene_contact_record *contact)
 {
-    uint32_t i = s->contact_count++;
+    uint32_t i = s->report.contact_count++;
     const contact_key *key = &contact->key;
     const uint32_t features[5] = {key->kind, key->body_a, key->feature_a, key->body_b,
                                   key->feature_b};
     for (int k = 0; k < 5; k++) {
-        s->contact_features[i][k] = features[k];
+        s->report.contact_features[i][k] = features[k];
     }
-    s->contact_points[i] = contact->point;
-    s->contact_normals[i] = contact->normal;
-    s->contact_forces[i] = contact->force;
-    s->contact_gaps[i] = contact->gap;
+    s->report.contact_points[i] = contact->point;
+    s->report.contact_normals[i] = contact->normal;
+    s->report.contact_forces[i] = contact->force;
+    s->report.contact_gaps[i] = contact->gap;
 }
 
 /* The rigid body that a block belongs to: by its translation block, or by a pin that holds
@@ -74,15 +76,16 @@ void vbss_scene_publish_constraints(scene_object *s)
         if (!vbss_scene_find_contact_force(s->contacts, i, &force)) {
             continue;
         }
+        const vec3 point = scene_geometry_of(s, constraint)->point;
         const double gap = constraint->gap - constraint->fold_allowance;
-        const scene_contact_record contact = {constraint->key, constraint->normal, force,
-                                              constraint->point, gap};
+        const scene_contact_record contact = {constraint->key, constraint->normal, force, point,
+                                              gap};
         vbss_scene_publish_contact(s, &contact);
         for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
             const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
             if (!jacobian_block->is_rotation) {
-                vbss_scene_add_force(rigid_body_of_block(s, jacobian_block->block),
-                                     constraint->point, vec3_scale(force, jacobian_block->weight));
+                vbss_scene_add_force(rigid_body_of_block(s, jacobian_block->block), point,
+                                     vec3_scale(force, jacobian_block->weight));
             }
         }
     }
@@ -94,7 +97,8 @@ static void add_pin_forces(scene_object *s)
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         scene_body *b = vbss_scene_body(s, p->body);
-        if (b == NULL || !vbss_scene_pin_holds(s, p)) {
+        if (b == NULL || !vbss_scene_pin_holds(s, p) ||
+            !scene_is_active(vbss_scene_body(s, p->thread))) {
             continue;
         }
         const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
@@ -103,15 +107,37 @@ static void add_pin_forces(scene_object *s)
     }
 }
 
+/* Removes the contacts of bodies that took part in the last substep from the views. New ones
+ * follow. */
+static void remove_renewed_contacts(scene_object *s)
+{
+    scene_report *r = &s->report;
+    uint32_t count = 0;
+    for (uint32_t i = 0; s->cursor.group_count > 1 && i < r->contact_count; i++) {
+        const uint32_t *features = r->contact_features[i];
+        const scene_body *a = vbss_scene_body(s, features[1]), *b = vbss_scene_body(s, features[3]);
+        if (a == NULL || scene_is_active(a) || scene_is_active(b)) {
+            continue;
+        }
+        memmove(r->contact_features[count], features, sizeof r->contact_features[count]);
+        r->contact_points[count] = r->contact_points[i];
+        r->contact_normals[count] = r->contact_normals[i];
+        r->contact_forces[count] = r->contact_forces[i];
+        r->contact_gaps[count] = r->contact_gaps[i];
+        count++;
+    }
+    r->contact_count = count;
+}
+
 void vbss_scene_collect_forces(scene_object *s)
 {
-    s->contact_count = 0;
+    remove_renewed_contacts(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_RIGID) {
             s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
         }
     }
     s->method->publish_contacts(s);
     add_pin_forces(s);
-    s->statistics.contacts = s->contact_count;
+    s->report.statistics.contacts = s->report.contact_count;
 }

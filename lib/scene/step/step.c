@@ -1,5 +1,6 @@
 /* Begin and end of a step: targets and tools before the first substep; forces, events, holes,
  * tools, cuts and meshes after the last. */
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
@@ -10,7 +11,7 @@
 
 static void record_operations(scene_object *s)
 {
-    vbss_scene_statistics *c = &s->statistics;
+    vbss_scene_statistics *c = &s->report.statistics;
     uint64_t operations = s->contacts->counters.operations;
     c->operations += operations;
     c->most_operations = operations > c->most_operations ? operations : c->most_operations;
@@ -20,10 +21,7 @@ void vbss_scene_begin_step(scene_object *s, double h)
 {
     scene_step_cursor *cursor = &s->cursor;
     cursor->substep = (scene_substep){.step_length = h};
-    cursor->initial_size = cursor->size = s->next_initial_size;
     vbss_scene_set_substep_limits(s);
-    cursor->attempts = 0;
-    s->next_initial_size = 1.0;
     vbss_scene_record_holes_before_step(s);
     vbss_scene_apply_rigid_targets(s);
     vbss_scene_limit_rigid_targets(s, h);
@@ -36,7 +34,8 @@ void vbss_scene_begin_step(scene_object *s, double h)
         }
     }
     vbss_scene_apply_tool_targets(s, h);
-    s->is_behind_targets = false;
+    vbss_scene_drop_ended_overlaps(s);
+    vbss_scene_begin_first_group(s);
     s->contacts->counters.operations = 0;
 }
 
@@ -44,7 +43,10 @@ static void finish_motion(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_THREAD) {
+        if (!b->is_frozen && !s->cursor.is_paused) {
+            b->next_halvings = 0;
+        }
+        if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             thread_object *t = b->thread.thread;
             vbss_thread_finish_step(t, h);
             t->damped_steps_left -= t->damped_steps_left > 0;
@@ -52,16 +54,17 @@ static void finish_motion(scene_object *s, double h)
                 b->thread.has_contacts
                     ? 0
                     : b->thread.contact_free_steps + (b->thread.contact_free_steps < 16);
-            for (uint32_t k = 0; s->is_behind_targets && k < t->config.attachment_capacity; k++) {
+            for (uint32_t k = 0; s->cursor.is_behind_targets && k < t->config.attachment_capacity;
+                 k++) {
                 thread_attachment *a = &t->attachments[k];
                 if (a->id != 0 && vbss_thread_prescribes_motion(a->kind)) {
                     /* The node lags behind; the next step starts from here. */
                     a->position = t->now.x[a->node];
                 }
             }
-        } else if (b->kind == SCENE_BODY_RIGID) {
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             scene_rigid *r = &b->rigid;
-            r->body.target_start = r->kind == VBSS_RIGID_DRIVEN && s->is_behind_targets
+            r->body.target_start = r->kind == VBSS_RIGID_DRIVEN && s->cursor.is_behind_targets
                                        ? r->body.now.pose
                                        : r->body.target_end;
         }
@@ -114,18 +117,27 @@ static void finish_drains(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             accumulate_contact_forces(s, b);
-            if (s->is_behind_targets) { /* the last forces are those of a rejected attempt */
+            if (s->cursor.is_behind_targets) { /* the last forces are those of a rejected attempt */
                 vbss_drain_compute_internal_forces(b->drain, b->drain->x);
             }
             vbss_drain_finish_substeps(b->drain, b->substep.h);
-            if (s->is_behind_targets) {
+            if (s->cursor.is_behind_targets) {
                 restart_pins_here(b->drain);
             }
             vbss_drain_finish_step(b->drain, h);
         }
     }
+}
+
+void vbss_scene_finish_group(scene_object *s)
+{
+    const double h = s->cursor.substep.step_length;
+    finish_motion(s, h);
+    finish_drains(s, h);
+    vbss_scene_collect_forces(s);
+    vbss_scene_update_holes(s);
 }
 
 void vbss_scene_finish_step(scene_object *s)
@@ -137,12 +149,14 @@ void vbss_scene_finish_step(scene_object *s)
     vbss_scene_update_touching_pairs(s);
     vbss_scene_collect_forces(s);
     vbss_scene_update_holes(s);
+    vbss_scene_release_groups(s);
     update_tools(s, h);
     vbss_scene_adapt_meshes(s);
     vbss_scene_close_holes_of_short_threads(s);
+    vbss_scene_end_blockers(s);
     record_operations(s);
-    s->statistics.rows = s->contacts->count;
-    s->statistics.state_solves = s->contacts->counters.solves;
-    s->statistics.loose_states = s->contacts->counters.inexact;
-    s->statistics.separators = s->system->unknown_count - s->system->interior_count;
+    s->report.statistics.rows = s->contacts->count;
+    s->report.statistics.state_solves = s->contacts->counters.solves;
+    s->report.statistics.loose_states = s->contacts->counters.inexact;
+    s->report.statistics.separators = s->system->unknown_count - s->system->interior_count;
 }

@@ -96,6 +96,9 @@ void vbss_scene_publish_constraints(scene_object *s);
 /* Finishes a step of a drain in the baseline method; `h`: length of the step, s. */
 void vbss_scene_begin_step(scene_object *s, double h);
 
+/* What follows the last substep of a group while others wait: motion, forces, holes. */
+void vbss_scene_finish_group(scene_object *s);
+
 /* What follows the last substep: forces, events, holes, tools, cuts, meshes, counters. */
 void vbss_scene_finish_step(scene_object *s);
 

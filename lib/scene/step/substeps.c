@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "scene/ccd/ccd.h"
 #include "scene/solve/solve.h"
+#include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
@@ -37,7 +38,7 @@ static void set_step_budget(scene_object *s, const scene_substep *substep, bool 
     uint64_t operations_before = substep->has_search_budget ? s->contacts->counters.operations : 0;
     bool is_limited =
         vbss_scene_has_step_budget(s) && (substep->has_search_budget || !is_hard_min_size);
-    s->step_budget = is_limited ? operations_before + s->config.work_limit : 0;
+    s->step.budget = is_limited ? operations_before + s->config.work_limit : 0;
 }
 
 /* ---- substeps */
@@ -52,12 +53,12 @@ static void record_errors(scene_object *s)
         }
     }
     depth = vbss_contact_max_penetration(s->contacts);
-    s->statistics.last_stretch_error = stretch;
-    s->statistics.stretch_error = vbss_max(stretch, s->statistics.stretch_error);
-    s->statistics.last_penetration = depth;
-    s->statistics.penetration = vbss_max(depth, s->statistics.penetration);
-    s->statistics.loose_stretch += stretch > s->config.stretch_tolerance;
-    s->statistics.last_residual = s->contacts->residual;
+    s->report.statistics.last_stretch_error = stretch;
+    s->report.statistics.stretch_error = vbss_max(stretch, s->report.statistics.stretch_error);
+    s->report.statistics.last_penetration = depth;
+    s->report.statistics.penetration = vbss_max(depth, s->report.statistics.penetration);
+    s->report.statistics.loose_stretch += stretch > s->config.stretch_tolerance;
+    s->report.statistics.last_residual = s->contacts->residual;
 }
 
 /* Whether attempts or operations of the step are used up. */
@@ -71,7 +72,7 @@ static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cu
 }
 
 /* Whether the substep is attempted again: with the displacements that are known now, with a search
- * budget, with fixed normals, or at half the size. */
+ * budget, with fixed normals, without the island that failed, or at half the size. */
 static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome)
 {
     bool has_attempt_limit = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
@@ -88,14 +89,18 @@ static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_subs
         return true;
     }
     /* Half the size does not help where penetration is deep already. */
-    if (s->has_updated_normals && !cursor->substep.has_fixed_normals &&
-        (is_min_size || is_over_limit || s->is_recovering)) {
+    if (s->step.has_updated_normals && !cursor->substep.has_fixed_normals &&
+        (is_min_size || is_over_limit || s->step.is_recovering)) {
         cursor->substep.has_fixed_normals = true;
         return true;
     }
     cursor->substep.uses_trial_motion = cursor->substep.has_fixed_normals =
         cursor->substep.has_search_budget = false;
-    if (!is_min_size && !is_over_limit) {
+    bool can_halve = !is_min_size && !is_over_limit;
+    if (vbss_scene_split_failed_island(s, outcome, can_halve ? 0.5 * cursor->size : cursor->size)) {
+        return true;
+    }
+    if (can_halve) {
         vbss_scene_request_damping(s);
         cursor->size *= 0.5;
         return true;
@@ -116,22 +121,51 @@ static void update_coupling_wrenches(scene_object *s, const scene_substep *subst
     const vbss_rigid_substep p = {substep->step_length, substep->start_fraction, 1.0};
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_RIGID) {
             r->coupling_wrench = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
         }
     }
 }
 
-/* Leaves out the rest of the step. Bodies stay where they are; the next step begins with substeps
- * of `size`, a fraction of a step. */
-static void pause_step(scene_object *s, const scene_step_cursor *cursor, double size)
+static vbss_blocker_cause cause_of(scene_substep_outcome outcome)
+{
+    switch (outcome) {
+    case SCENE_SUBSTEP_CCD_HIT:
+        return VBSS_BLOCKER_COLLISION;
+    case SCENE_SUBSTEP_PENETRATION:
+        return VBSS_BLOCKER_PENETRATION;
+    case SCENE_SUBSTEP_NO_ACTIVE_SET:
+        return VBSS_BLOCKER_CONTACT;
+    case SCENE_SUBSTEP_NOT_CONVERGED:
+    case SCENE_SUBSTEP_SINGULAR:
+        return VBSS_BLOCKER_CONVERGENCE;
+    default:
+        return VBSS_BLOCKER_WORK;
+    }
+}
+
+/* If several groups leave out a part of the step, the largest part counts. */
+static void record_pause(scene_object *s, scene_step_cursor *cursor, double fraction)
+{
+    vbss_scene_statistics *c = &s->report.statistics;
+    double more = fraction - cursor->paused_fraction;
+    c->paused += cursor->paused_fraction == 0.0;
+    c->time_paused += more > 0.0 ? more * cursor->substep.step_length : 0.0;
+    cursor->paused_fraction = vbss_max(fraction, cursor->paused_fraction);
+}
+
+/* Leaves out the rest of the step for the present group. Its bodies stay where they are. The next
+ * step of those that failed begins with substeps of `size`, a fraction of a step. */
+static void pause_step(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome,
+                       double size)
 {
     double fraction_left = 1.0 - cursor->substep.start_fraction;
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
-    s->statistics.paused++;
-    s->statistics.time_paused += fraction_left * cursor->substep.step_length;
-    s->next_initial_size = size;
-    s->is_behind_targets = true;
+    record_pause(s, cursor, fraction_left);
+    vbss_scene_record_blocker(s, cause_of(outcome), vbss_scene_find_blamed_pair(s, outcome),
+                              fraction_left * cursor->substep.step_length);
+    vbss_scene_set_next_size(s, outcome, size);
+    cursor->is_paused = cursor->is_behind_targets = true;
     update_coupling_wrenches(s, &cursor->substep);
 }
 
@@ -151,12 +185,15 @@ static bool can_defer_to_next_step(const scene_object *s, const scene_step_curso
 static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
                              scene_substep_outcome outcome)
 {
+    const scene_touching_pair blamed = vbss_scene_find_blamed_pair(s, outcome);
     double lost_fraction = 1.0 - vbss_scene_truncate_substep(s, outcome, &cursor->substep);
     double lost_of_step =
         lost_fraction * (cursor->substep.end_fraction - cursor->substep.start_fraction);
+    vbss_scene_record_blocker(s, cause_of(outcome), blamed,
+                              lost_of_step * cursor->substep.step_length);
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
     vbss_scene_request_damping(s);
-    s->is_behind_targets = true;
+    cursor->is_behind_targets = true;
 }
 
 /* Moves the cursor to the next substep, and doubles its size where a larger one may begin. */
@@ -212,7 +249,9 @@ static void replay_attempt(scene_object *s)
     *call_budget = (contact_call_budget){.operation_limit = call_budget->operation_limit,
                                          .is_replay = true,
                                          .replay_checks = cursor->checks_passed};
-    (void)vbss_scene_run_attempt(s);
+    while (vbss_scene_run_attempt(s) == SCENE_SUBSTEP_REGROUPED) {
+        set_substep_end(s);
+    }
     call_budget->is_replay = call_budget->has_progress = false;
     s->contacts->counters = counters;
     vbss_scene_rollback_statistics(s);
@@ -221,9 +260,9 @@ static void replay_attempt(scene_object *s)
 static void accept_substep(scene_object *s)
 {
     vbss_scene_commit(s, &s->cursor.substep);
-    s->statistics.recovering += s->is_recovering;
-    s->is_behind_targets = false;
-    s->has_accepted_contacts = true;
+    s->report.statistics.recovering += s->step.is_recovering;
+    s->cursor.is_behind_targets = false;
+    s->step.has_accepted_contacts = true;
 }
 
 /* Whether the rest of the step is suspended because the budget of the call has no room for
@@ -237,14 +276,12 @@ static bool must_suspend(const scene_object *s)
            operations > call_budget->operation_limit;
 }
 
-vbss_result vbss_scene_run_substeps(scene_object *s)
+/* Runs the substeps of the present group to the end of the step, or until the step is suspended. */
+static vbss_result run_group(scene_object *s, bool *is_complete)
 {
     scene_step_cursor *cursor = &s->cursor;
     scene_substep *substep = &cursor->substep;
-    if (cursor->is_attempt_suspended && !cursor->is_attempt_in_memory) {
-        replay_attempt(s);
-    }
-    cursor->is_suspended = true;
+    *is_complete = false;
     while (substep->start_fraction < 1.0) {
         if (must_suspend(s)) {
             return VBSS_OK;
@@ -252,6 +289,9 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
         scene_substep_outcome outcome = run_or_resume_attempt(s);
         if (outcome == SCENE_SUBSTEP_SUSPENDED) {
             return VBSS_OK;
+        }
+        if (outcome == SCENE_SUBSTEP_REGROUPED) {
+            continue;
         }
         cursor->attempts++;
         if (outcome == SCENE_SUBSTEP_ACCEPTED) {
@@ -262,7 +302,7 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
             if (can_defer_to_next_step(s, cursor, &next_size) && is_deferrable(outcome)) {
                 vbss_scene_request_damping(s);
                 vbss_scene_reject_substep(s);
-                pause_step(s, cursor, next_size);
+                pause_step(s, cursor, outcome, next_size);
                 break;
             }
             if (prepare_retry(s, cursor, outcome)) {
@@ -279,15 +319,40 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
         }
         advance_cursor(s, cursor);
         if (substep->start_fraction < 1.0 && is_step_exhausted(s, cursor)) {
-            pause_step(s, cursor, vbss_min(2.0 * cursor->size, 1.0)); /* this size was accepted */
+            /* this size was accepted */
+            pause_step(s, cursor, SCENE_SUBSTEP_ACCEPTED, vbss_min(2.0 * cursor->size, 1.0));
             break;
         }
+    }
+    *is_complete = true;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_run_substeps(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    if (cursor->is_attempt_suspended && !cursor->is_attempt_in_memory) {
+        replay_attempt(s);
+    }
+    cursor->is_suspended = true;
+    for (;;) {
+        bool is_complete;
+        VBSS_TRY(run_group(s, &is_complete));
+        if (!is_complete) {
+            return VBSS_OK;
+        }
+        if (cursor->group + 1 == cursor->group_count) {
+            break;
+        }
+        vbss_scene_finish_group(s);
+        (void)vbss_scene_begin_next_group(s);
     }
     cursor->is_suspended = false;
     return VBSS_OK;
 }
 
-void vbss_scene_abandon_step(scene_object *s)
+/* Abandons the substeps that the present group has left. */
+static void abandon_group(scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
     /* Suspended between two substeps: contacts of the next are created. A restored snapshot has
@@ -301,7 +366,18 @@ void vbss_scene_abandon_step(scene_object *s)
     }
     vbss_scene_request_damping(s);
     vbss_scene_reject_substep(s);
-    pause_step(s, cursor, cursor->size);
+    pause_step(s, cursor, SCENE_SUBSTEP_SUSPENDED, cursor->size);
+}
+
+void vbss_scene_abandon_step(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    abandon_group(s);
+    while (cursor->group + 1 < cursor->group_count) {
+        vbss_scene_finish_group(s);
+        (void)vbss_scene_begin_next_group(s);
+        abandon_group(s);
+    }
     cursor->is_suspended = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
 }
 

@@ -59,7 +59,7 @@ vbss_result vbss_scene_abandon_suspended_step(scene_object *s)
     vbss_scene_abandon_step(s);
     vbss_scene_finish_step(s);
     swap_targets(s);
-    s->has_pending_events = true;
+    s->report.has_pending_events = true;
     s->cursor.unsliced_steps_left = SCENE_UNSLICED_STEPS;
     return VBSS_OK;
 }
@@ -129,7 +129,7 @@ static vbss_result run_slice_or_rollback(scene_object *s, double h, bool is_slic
 static void drop_overdue_steps(scene_object *s, double h)
 {
     scene_step_cursor *cursor = &s->cursor;
-    vbss_scene_statistics *c = &s->statistics;
+    vbss_scene_statistics *c = &s->report.statistics;
     c->deferred += cursor->is_suspended || cursor->steps_behind > 0;
     while (cursor->steps_behind > 0 &&
            cursor->steps_behind + cursor->is_suspended > SCENE_MAX_STEPS_BEHIND) {
@@ -137,6 +137,7 @@ static void drop_overdue_steps(scene_object *s, double h)
         vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, 65536);
         c->paused++;
         c->time_paused += h;
+        vbss_scene_record_blocker(s, VBSS_BLOCKER_WORK, (scene_touching_pair){0, 0}, h);
     }
     c->behind = cursor->steps_behind + cursor->is_suspended;
 }
@@ -144,7 +145,7 @@ static void drop_overdue_steps(scene_object *s, double h)
 vbss_result vbss_scene_implicit_step(scene_object *s, double h)
 {
     scene_step_cursor *cursor = &s->cursor;
-    if (!s->has_pending_events) {
+    if (!s->report.has_pending_events) {
         vbss_scene_clear_events(s);
     }
     if (cursor->is_suspended && vbss_scene_count_edits(s) != cursor->edit_count) {
@@ -170,6 +171,6 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
     }
     drop_overdue_steps(s, h);
     cursor->edit_count = vbss_scene_count_edits(s);
-    s->has_pending_events = false;
+    s->report.has_pending_events = false;
     return VBSS_OK;
 }

@@ -104,7 +104,7 @@ void vbss_scene_find_fold_punctures(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        bool enters = hole->id != 0 && hole->needle != 0 && hole->arc >= 0.0 &&
+        bool enters = vbss_scene_is_hole_active(s, hole) && hole->needle != 0 && hole->arc >= 0.0 &&
                       hole->arc < -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc;
         if (enters) {
             add_punctures_beside(s, hole);

@@ -36,6 +36,11 @@ const scene_body *vbss_scene_swaged_needle(const scene_object *s, const scene_bo
     return NULL;
 }
 
+bool vbss_scene_is_hole_active(const scene_object *s, const suture_hole *hole)
+{
+    return hole->id != 0 && !vbss_scene_body(s, hole->drain)->is_frozen;
+}
+
 scene_hole_context vbss_scene_get_hole_context(const scene_object *s, const suture_hole *hole)
 {
     scene_hole_context p = {.drain = &vbss_scene_body(s, hole->drain)->drain, .arc = hole->arc};
@@ -99,7 +104,7 @@ void vbss_scene_move_hole_to(suture_hole *hole, const scene_hole_context *p, dou
 void vbss_scene_advance_holes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        if (s->holes[i].id != 0) {
+        if (vbss_scene_is_hole_active(s, &s->holes[i])) {
             const scene_hole_context p = vbss_scene_get_hole_context(s, &s->holes[i]);
             vbss_scene_move_hole_to(&s->holes[i], &p,
                                     vbss_scene_hole_curve_point(&p, &s->holes[i]).arc);

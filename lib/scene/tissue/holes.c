@@ -11,7 +11,7 @@ static void emit_hole_event(scene_object *s, vbss_event_kind kind, const suture_
 void vbss_scene_record_holes_before_step(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        s->previous_holes[i] = (scene_previous_hole){s->holes[i].id, s->holes[i].needle};
+        s->step.previous_holes[i] = (scene_previous_hole){s->holes[i].id, s->holes[i].needle};
     }
 }
 
@@ -88,12 +88,12 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         suture_hole *hole = &s->holes[i];
-        if (hole->id == 0) {
+        if (!vbss_scene_is_hole_active(s, hole)) {
             continue;
         }
         const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
         vbss_event_kind out = exit_event(&p, hole);
-        emit_swage_event(s, &s->previous_holes[i], hole);
+        emit_swage_event(s, &s->step.previous_holes[i], hole);
         bool stays = relocates && out == VBSS_EVENT_WITHDRAWN && relocate_hole(s, &p, hole);
         if (out != 0 && !stays) {
             emit_hole_event(s, out, hole);

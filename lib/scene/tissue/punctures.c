@@ -3,13 +3,14 @@
 #include "scene/world/world.h"
 
 /* Arc length of a contact on a needle, from its tip, m. */
-static double contact_arc(const scene_body *needle, const contact_constraint *constraint)
+static double contact_arc(const scene_object *s, const scene_body *needle,
+                          const contact_constraint *constraint)
 {
     bool point = constraint->key.kind == VBSS_CONTACT_POINT_FACE;
     return point ? vbss_scene_suture_arc_length(needle, constraint->key.feature_a / 2,
                                                 constraint->key.feature_a % 2)
                  : vbss_scene_suture_arc_length(needle, constraint->key.feature_a,
-                                                constraint->barycentric[0]);
+                                                scene_geometry_of(s, constraint)->barycentric[0]);
 }
 
 /* Finds the load of a drain on the tip of a needle. Returns false if they are not in contact. */
@@ -27,7 +28,7 @@ static bool find_tip_load(const scene_object *s, const scene_body *needle, const
         if (constraint->key.body_a == needle->number && constraint->key.body_b == drain->number &&
             constraint->key.kind != VBSS_CONTACT_HOLE &&
             constraint->solution.status != CONTACT_OPEN &&
-            vbss_scene_is_at_tip(needle, contact_arc(needle, constraint))) {
+            vbss_scene_is_at_tip(needle, contact_arc(s, needle, constraint))) {
             normal = vec3_add_scaled(normal, constraint->solution.normal_force, constraint->normal);
             tip->force = vec3_add(tip->force, constraint->solution.tangential_force);
         }
@@ -76,13 +77,13 @@ void vbss_scene_update_holes(scene_object *s)
     vbss_scene_find_fold_punctures(s);
     /* Forces of a rejected attempt, or of an active-set search that was stopped early, are not
      * the load on the wall. */
-    bool forces_known = s->has_accepted_contacts && !s->contacts->is_stopped_early;
+    bool forces_known = s->step.has_accepted_contacts && !s->contacts->is_stopped_early;
     for (uint32_t i = 0; forces_known && i < s->body_count; i++) {
         const scene_body *needle = &s->bodies[i];
-        for (uint32_t k = 0;
-             needle->kind == SCENE_BODY_RIGID && needle->rigid.needle != NULL && k < s->body_count;
+        for (uint32_t k = 0; scene_active_kind(needle) == SCENE_BODY_RIGID &&
+                             needle->rigid.needle != NULL && k < s->body_count;
              k++) {
-            if (s->bodies[k].kind == SCENE_BODY_DRAIN) {
+            if (scene_active_kind(&s->bodies[k]) == SCENE_BODY_DRAIN) {
                 puncture_wall(s, needle, &s->bodies[k]);
             }
         }

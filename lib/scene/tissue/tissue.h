@@ -31,6 +31,9 @@ const scene_body *vbss_scene_swaged_thread(const scene_object *s, const scene_bo
 /* Returns the needle to whose end the first node of a thread is swaged, or NULL. */
 const scene_body *vbss_scene_swaged_needle(const scene_object *s, const scene_body *thread);
 
+/* Whether a hole takes part in the present substep: it exists, and its drain is not frozen. */
+bool vbss_scene_is_hole_active(const scene_object *s, const suture_hole *hole);
+
 /* Returns the drain of a hole and the suture in it. */
 scene_hole_context vbss_scene_get_hole_context(const scene_object *s, const suture_hole *hole);
 

@@ -15,7 +15,7 @@ scene_thread_grasp *vbss_scene_find_free_grasp(const scene_object *s)
 
 bool vbss_scene_is_active_grasp(const scene_object *s, uint32_t tool, const scene_thread_grasp *g)
 {
-    return g->id != 0 && g->tool == tool && !g->is_released && s->method->holds_thread(s, g);
+    return scene_holds_strand(g) && g->tool == tool && s->method->holds_thread(s, g);
 }
 
 uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool)

@@ -127,7 +127,8 @@ void vbss_scene_grasp_strand(scene_object *s, const scene_body *tool, const scen
     /* grasped again before the jaws were clear */
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *old = &s->thread_grasps[i];
-        if (old->is_released && old->thread == found->thread->number && old->tool == tool->number) {
+        if (!scene_holds_strand(old) && old->thread == found->thread->number &&
+            old->tool == tool->number) {
             *old = (scene_thread_grasp){0};
         }
     }
@@ -207,7 +208,7 @@ void vbss_scene_release_thread_grasps(scene_object *s, const scene_body *tool)
             continue;
         }
         g->needs_reopening = false;
-        if (!g->is_released) {
+        if (scene_holds_strand(g)) {
             vbss_scene_emit_grasp_event(s, VBSS_EVENT_RELEASE, g);
             g->is_released = true;
             g->force = vec3_zero();
@@ -294,7 +295,7 @@ void vbss_scene_remove_clear_thread_grasps(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && g->is_released && is_strand_clear(s, g, 1.0)) {
+        if (g->id != 0 && !scene_holds_strand(g) && is_strand_clear(s, g, 1.0)) {
             *g = (scene_thread_grasp){0};
         }
     }
@@ -305,7 +306,7 @@ void vbss_scene_update_thread_grasps(scene_object *s, double h)
     vbss_scene_remove_clear_thread_grasps(s);
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && !g->is_released) {
+        if (scene_holds_strand(g)) {
             update_thread_grasp(s, g, h);
         }
     }

@@ -1,6 +1,7 @@
 /* Closing of jaws: objects between them stop them and are then grasped or cut. */
 #include "scene/tools/tools.h"
 #include "scene/tuning.h"
+#include "scene/world/world.h"
 
 /* Smallest angle to which the jaws can close around the objects that they grasp, rad. */
 static double held_angle(const scene_object *s, const scene_body *tool)
@@ -11,7 +12,7 @@ static double held_angle(const scene_object *s, const scene_body *tool)
     angle = vbss_scene_has_wall_grasp(s, tool->number) ? vbss_max(wall_grasp->angle, angle) : angle;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && g->tool == tool->number && !g->is_released) {
+        if (scene_holds_strand(g) && g->tool == tool->number) {
             angle = vbss_max(g->angle, angle);
         }
     }

@@ -27,8 +27,9 @@ static bool has_cuts_left(const scene_object *s, const thread_piece_pool *family
         left +=
             b->is_reserved && b->kind == SCENE_BODY_NONE && b->thread.thread->piece_pool == family;
     }
-    for (uint32_t i = 0; i < s->cut_count; i++) {
-        scheduled += vbss_scene_body(s, s->cuts[i].thread)->thread.thread->piece_pool == family;
+    for (uint32_t i = 0; i < s->step.cut_count; i++) {
+        scheduled +=
+            vbss_scene_body(s, s->step.cuts[i].thread)->thread.thread->piece_pool == family;
     }
     return left > scheduled;
 }
@@ -50,7 +51,7 @@ bool vbss_scene_exclude_uncuttable(scene_object *s, uint32_t tool, const scene_s
                               .segment_offset = at->fraction * t->rest[at->segment],
                               .angle = angle,
                               .point_spacing = t->config.radius,
-                              .is_released = true,
+                              .is_uncuttable = true,
                               .needs_reopening = true};
     if (!at_end) {
         vbss_scene_emit_cut_event(s, at->thread, NULL, arc);
@@ -60,16 +61,16 @@ bool vbss_scene_exclude_uncuttable(scene_object *s, uint32_t tool, const scene_s
 
 void vbss_scene_schedule_cut(scene_object *s, const scene_strand *at)
 {
-    if (s->cut_count == SCENE_MAX_CUTS) {
+    if (s->step.cut_count == SCENE_MAX_CUTS) {
         return; /* a strand that is still between the blades is cut in the next step */
     }
     double arc = strand_arc(at);
     /* in descending order of arc length, so that a cut does not change the arc lengths of later
      * ones */
-    uint32_t to = s->cut_count++;
-    while (to > 0 && s->cuts[to - 1].arc_length < arc) {
-        s->cuts[to] = s->cuts[to - 1];
+    uint32_t to = s->step.cut_count++;
+    while (to > 0 && s->step.cuts[to - 1].arc_length < arc) {
+        s->step.cuts[to] = s->step.cuts[to - 1];
         to--;
     }
-    s->cuts[to] = (scene_cut){at->thread->number, arc};
+    s->step.cuts[to] = (scene_cut){at->thread->number, arc};
 }

@@ -59,7 +59,7 @@ static void apply_target(scene_object *s, scene_body *b, double h)
 
 void vbss_scene_apply_tool_targets(scene_object *s, double h)
 {
-    s->cut_count = 0;
+    s->step.cut_count = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL) {

@@ -86,7 +86,7 @@ static void record_sides(scene_object *s, const renumbering *r)
 {
     contact_set *set = s->contacts;
     for (uint32_t i = 0; set != NULL && i < set->warm_start_count; i++) {
-        set->scratch_flags[i] = sides_beyond(s, r, &set->warm_start[i].key);
+        s->scratch.sides_beyond_cut[i] = sides_beyond(s, r, &set->warm_start[i].key);
     }
 }
 
@@ -100,9 +100,11 @@ static void renumber_warm_start(scene_object *s, const renumbering *r)
         if (!node && !scene_is_segment_contact(k->kind)) {
             continue;
         }
-        renumber_side(r, node, (set->scratch_flags[i] & 1u) != 0, &k->body_a, &k->feature_a);
+        renumber_side(r, node, (s->scratch.sides_beyond_cut[i] & 1u) != 0, &k->body_a,
+                      &k->feature_a);
         if (k->kind == VBSS_CONTACT_SEGMENTS) {
-            renumber_side(r, false, (set->scratch_flags[i] & 2u) != 0, &k->body_b, &k->feature_b);
+            renumber_side(r, false, (s->scratch.sides_beyond_cut[i] & 2u) != 0, &k->body_b,
+                          &k->feature_b);
         }
         order_sides(s, m);
     }
@@ -203,20 +205,20 @@ vbss_result vbss_scene_apply_cut(scene_object *s, scene_body *thread, double arc
     request_damping(b);
     vbss_scene_emit_cut_event(s, thread, b, arc_length);
     vbss_scene_close_holes_of_short_threads(s);
-    s->pattern_hash = 0;
-    s->generation++;
+    s->step.pattern_hash = 0;
+    s->report.generation++;
     *piece = b;
     return VBSS_OK;
 }
 
 void vbss_scene_make_cuts(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->cut_count; i++) {
-        scene_body *thread = vbss_scene_body(s, s->cuts[i].thread), *piece;
+    for (uint32_t i = 0; i < s->step.cut_count; i++) {
+        scene_body *thread = vbss_scene_body(s, s->step.cuts[i].thread), *piece;
         /* another cut may have made it an end */
-        if (!vbss_scene_is_at_thread_end(thread->thread.thread, s->cuts[i].arc_length)) {
-            (void)vbss_scene_apply_cut(s, thread, s->cuts[i].arc_length, &piece);
+        if (!vbss_scene_is_at_thread_end(thread->thread.thread, s->step.cuts[i].arc_length)) {
+            (void)vbss_scene_apply_cut(s, thread, s->step.cuts[i].arc_length, &piece);
         }
     }
-    s->cut_count = 0;
+    s->step.cut_count = 0;
 }

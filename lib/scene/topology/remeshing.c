@@ -136,7 +136,8 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
         }
         collision_shape *shape = c->shapes[b->shape];
         vbss_collision_shape_refit_edges(shape);
-        uint32_t *near = b->kind == SCENE_BODY_DRAIN ? b->drain.near_features : s->near_features;
+        uint32_t *near =
+            b->kind == SCENE_BODY_DRAIN ? b->drain.near_features : s->scratch.near_features;
         uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
                                         &shape->edge_bvh, &box, near);
         for (uint32_t k = 0; k < count; k++) {
@@ -350,8 +351,8 @@ static void make_changes(scene_object *s, const plan *p)
     vbss_collision_resize_chain(s->collision, p->body->shape, t->node_count, t->rest);
     vbss_scene_sort_warm_start(s);
     vbss_scene_number_nodes(s);
-    s->pattern_hash = 0;
-    s->generation++;
+    s->step.pattern_hash = 0;
+    s->report.generation++;
 }
 
 /* Updates the boxes of shapes that the last substep has not moved, as those after a cut. Returns

@@ -143,17 +143,17 @@ static uint32_t renumber_view(const renumbering *r, bool node, uint32_t feature,
 
 static void renumber_views(scene_object *s, const renumbering *r)
 {
-    for (uint32_t i = 0; i < s->contact_count; i++) {
-        uint32_t *f = s->contact_features[i];
+    for (uint32_t i = 0; i < s->report.contact_count; i++) {
+        uint32_t *f = s->report.contact_features[i];
         bool node = scene_is_node_contact(f[0]);
         if (!node && !scene_is_segment_contact(f[0])) {
             continue;
         }
         if (f[1] == r->body->number) {
-            f[2] = renumber_view(r, node, f[2], s->contact_points[i]);
+            f[2] = renumber_view(r, node, f[2], s->report.contact_points[i]);
         }
         if (f[0] == VBSS_CONTACT_SEGMENTS && f[3] == r->body->number) {
-            f[4] = renumber_view(r, false, f[4], s->contact_points[i]);
+            f[4] = renumber_view(r, false, f[4], s->report.contact_points[i]);
         }
     }
 }

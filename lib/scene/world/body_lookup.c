@@ -70,13 +70,15 @@ void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind ki
     uint32_t body_index = (uint32_t)(b - s->bodies);
     b->kind = kind;
     b->shape = shape;
+    b->next_halvings = b->group = 0;
+    b->is_frozen = false;
     *number = ++s->last_body_number;
     vbss_scene_set_body_number(s, b, *number);
     s->body_of_shape[shape] = body_index;
     s->body_count = body_index == s->body_count ? body_index + 1 : s->body_count;
     s->method->add_body(s, b);
-    s->pattern_hash = 0;
-    s->generation++;
+    s->step.pattern_hash = 0;
+    s->report.generation++;
 }
 
 void vbss_scene_number_nodes(scene_object *s)

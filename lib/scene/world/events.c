@@ -3,17 +3,17 @@
 
 void vbss_scene_clear_events(scene_object *s)
 {
-    s->event_count = s->lost_events = 0;
+    s->report.event_count = s->report.lost_events = 0;
 }
 
 void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uint32_t b,
                           uint32_t number)
 {
-    if (s->event_count == s->config.event_capacity) {
-        s->lost_events++;
+    if (s->report.event_count == s->config.event_capacity) {
+        s->report.lost_events++;
         return;
     }
-    uint32_t *event = s->events[s->event_count++];
+    uint32_t *event = s->report.events[s->report.event_count++];
     event[0] = (uint32_t)kind;
     event[1] = a;
     event[2] = b;
@@ -22,11 +22,11 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
 
 void vbss_scene_write_lost_event(scene_object *s)
 {
-    if (s->lost_events > 0 && s->config.event_capacity > 0) { /* replaces the last event */
-        uint32_t *last = s->events[s->config.event_capacity - 1];
+    if (s->report.lost_events > 0 && s->config.event_capacity > 0) { /* replaces the last event */
+        uint32_t *last = s->report.events[s->config.event_capacity - 1];
         last[0] = VBSS_EVENT_LOST;
         last[1] = last[2] = 0;
-        last[3] = s->lost_events + 1;
+        last[3] = s->report.lost_events + 1;
     }
 }
 

@@ -108,7 +108,7 @@ vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node,
                            .point = at};
     *p = own;
     *pin = own.id;
-    s->generation++;
+    s->report.generation++;
     return VBSS_OK;
 }
 
@@ -129,7 +129,7 @@ bool vbss_scene_unpin_node(scene_object *s, uint32_t pin)
     for (uint32_t i = 0; pin != 0 && i < s->config.pin_capacity; i++) {
         if (s->pins[i].id == pin) {
             remove_pin(s, &s->pins[i]);
-            s->generation++;
+            s->report.generation++;
             return true;
         }
     }

@@ -30,6 +30,10 @@
 enum { SCENE_MAX_SHAPES = 4096, SCENE_MAX_THREADS = 64 };
 /* Strands between two jaws that are told apart; cuts of a step. */
 enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
+/* Pairs of driven bodies that overlap since they were added. Chosen. */
+enum { SCENE_MAX_OVERLAPS = 256 };
+/* Default of speed_limit, m/s. Chosen: a hand is slower than 5 m/s. */
+#define SCENE_DEFAULT_SPEED_LIMIT 20.0
 #define SCENE_NO_FACE UINT32_MAX
 
 /* ---- bodies */
@@ -61,11 +65,13 @@ typedef struct scene_thread {
     /* Persistent; used by pieces only. */
     uint32_t cut_from;      /* number of the body it was cut from; 0 once the ends are apart */
     bool has_split_segment; /* the cut divided a segment, of which both bodies keep a part */
-    /* Checkpoint. */
-    vbss_thread_statistics checkpoint_statistics;
-    double checkpoint_previous_h; /* length of the last substep, s; 0: there was none */
-    uint32_t checkpoint_damped_steps_left;
-    bool checkpoint_needs_start_substep; /* the accelerations were unknown */
+    /* Checkpoint; the thread has a copy of its own motion. */
+    struct scene_thread_checkpoint {
+        vbss_thread_statistics statistics;
+        double previous_h; /* length of the last substep, s; 0: there was none */
+        uint32_t damped_steps_left;
+        bool needs_start_substep; /* the accelerations were unknown */
+    } checkpoint;
 } scene_thread;
 
 /* A drain as a body of a scene. */
@@ -88,8 +94,10 @@ typedef struct scene_drain {
     /* Substep. */
     drain_substep substep;
     double max_increment; /* largest displacement of a node in the last linearisation, m */
-    /* Checkpoint. */
-    vbss_drain_statistics checkpoint_statistics;
+    /* Checkpoint; the drain has a copy of its own motion. */
+    struct scene_drain_checkpoint {
+        vbss_drain_statistics statistics;
+    } checkpoint;
 } scene_drain;
 
 /* The needle that a grasper grasps. In the baseline method its jaws have closed on the needle;
@@ -148,23 +156,27 @@ typedef struct scene_rigid {
     /* Report; snapshots save it. */
     vec3 force, torque; /* sum of contacts and pins, about the centre of mass, N and N m */
     vbss_rigid_wrench coupling_wrench; /* by the virtual coupling in the last substep */
-    /* Checkpoint. */
-    vbss_rigid_motion checkpoint_motion;
-    vbss_rigid_wrench checkpoint_coupling_wrench;
     /* Persistent. */
     vbss_slot *slot;       /* slot of the handle of a grasper or needle; NULL for other bodies */
     needle_object *needle; /* NULL unless the body is a needle */
-    /* Persistent; baseline method only, for needles. */
-    /* Persistent; for graspers only. Checkpoint where the name says so. */
+    /* Persistent; for graspers only. */
     grasper_object *grasper; /* NULL unless the body is a grasper */
-    scene_needle_grasp needle_grasp, checkpoint_needle_grasp;
-    scene_wall_grasp wall_grasp, checkpoint_wall_grasp;
-    pose checkpoint_end; /* target pose at the end of the step: body.target_end */
-    bool checkpoint_has_pending_target;
-    struct scene_checkpoint_jaws {
-        vbss_grasper_kind kind, target_kind;
-        double angle, pressure; /* jaw angle, rad; jaw force, N */
-    } checkpoint_jaws;
+    scene_needle_grasp needle_grasp;
+    scene_wall_grasp wall_grasp;
+    /* Checkpoint. */
+    struct scene_rigid_checkpoint {
+        vbss_rigid_motion motion;
+        vbss_rigid_wrench coupling_wrench;
+        pose target_end; /* target pose at the end of the step: body.target_end */
+        bool has_pending_target;
+        /* For graspers only. */
+        scene_needle_grasp needle_grasp;
+        scene_wall_grasp wall_grasp;
+        struct scene_checkpoint_jaws {
+            vbss_grasper_kind kind, target_kind;
+            double angle, pressure; /* jaw angle, rad; jaw force, N */
+        } jaws;
+    } checkpoint;
 } scene_rigid;
 
 /* An entry in the table of bodies. `kind` says which of its last three members is in use. */
@@ -175,6 +187,16 @@ typedef struct scene_body {
     uint32_t shape;  /* shape in the collision object */
     /* Substep. */
     double max_displacement; /* largest displacement of a vertex that the CCD tests, m */
+    /* Persistent: the body's next step begins with a substep that is halved so often. */
+    uint32_t next_halvings;
+    /* Step: its group. The body is frozen while another group takes its substeps (step/groups.c). */
+    uint32_t group;
+    bool is_frozen;
+    /* Checkpoint. */
+    struct scene_body_checkpoint {
+        uint32_t next_halvings, group;
+    } checkpoint;
+    uint32_t island; /* scratch of step/islands.c: link to a body of the same island */
     /* Persistent. The entry is for a piece of a thread. Until the cut its kind is SCENE_BODY_NONE,
      * but it has a shape and a spare thread. */
     bool is_reserved;
@@ -188,12 +210,15 @@ typedef struct scene_body {
 /* A capsule of a rigid body. Ends of its axis: [0] and [1]; all `local` fields are in the
  * principal frame of the body, m. Jaws move in that frame; all other capsules are at rest in it. */
 typedef struct scene_capsule {
-    vec3 local[2];                                     /* persistent: now */
-    vec3 local_end[2];                                 /* step: at the end of the step */
-    vec3 local_trial[2];                               /* substep: at the end of the substep */
-    vec3 checkpoint_local[2], checkpoint_local_end[2]; /* checkpoint */
-    double radius, checkpoint_radius;                  /* persistent and checkpoint, m */
+    vec3 local[2];         /* persistent: now */
+    vec3 local_end[2];     /* step: at the end of the step */
+    vec3 local_trial[2];   /* substep: at the end of the substep */
+    double radius;         /* persistent, m */
     vec3 now[2], trial[2]; /* substep: in the world, at its start and in the trial state, m */
+    struct scene_capsule_checkpoint {
+        vec3 local[2], local_end[2];
+        double radius;
+    } checkpoint;
 } scene_capsule;
 
 /* A node of a thread that is fixed to a body or to the world. Persistent. */
@@ -204,8 +229,8 @@ typedef struct scene_pin {
     vec3 point;                  /* position of the node in the principal frame of the body, m */
 } scene_pin;
 
-/* A strand of thread between the jaws of a grasper. Persistent. Shears record a strand that they
- * cannot cut as one that was torn out, so that it does not touch their blades. */
+/* A strand of thread between the jaws of a grasper: it is held, or excluded from contact with the
+ * jaws until it is clear of them. Persistent. */
 typedef struct scene_thread_grasp {
     uint32_t id;           /* 0: unused entry */
     uint32_t thread, tool; /* body numbers */
@@ -216,10 +241,13 @@ typedef struct scene_thread_grasp {
     grasper_thread_clamp grip;
     /* Total slip since the thread was grasped, m; limit of the jaws' friction force, N. */
     double slid, limit;
-    vec3 force;           /* last step: on the thread, N */
-    bool is_sliding;      /* the thread slid in the last step */
-    bool is_released;     /* the jaws have released the thread but still overlap it */
-    bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
+    vec3 force;         /* last step: on the thread, N */
+    bool is_sliding;    /* the thread slid in the last step */
+    bool is_released;   /* the jaws have released the thread but still overlap it */
+    bool is_uncuttable; /* shears cannot cut the strand, and close through it; never held */
+    /* Torn out or uncuttable: the jaws take the strand no more before the handle opens or they are
+     * clear. */
+    bool needs_reopening;
 } scene_thread_grasp;
 
 /* A point of a thread between jaws. Scratch. */
@@ -254,6 +282,27 @@ typedef struct scene_contact_record {
     double gap;  /* between the surfaces, m; negative where they overlap */
 } scene_contact_record;
 
+/* Geometry of a contact constraint: what the contact law does not need. Substep. */
+typedef struct scene_contact_geometry {
+    /* Contact point on both features: fractions of two lines; of a point and a triangle, weights
+     * of its second and third corner. */
+    double barycentric[2];
+    /* Lines: interval of each axis on which contact is possible, as fractions of it. */
+    double axis_interval[2][2];
+    vec3 point;              /* midway between the surfaces, m */
+    double contact_distance; /* distance of the axes or centres at contact, m */
+    double lip_thickness;    /* contact of two lips: thickness of the wall along the normal, m */
+    double
+        overlap_allowance; /* overlap that is allowed without a force, at a hole or in a fold, m */
+    double start_gap;      /* at the start of the substep, allowance included, m */
+    /* Hole: arc length at the start of the substep, m; span of the thread along which it may
+     * slide. */
+    double start_arc_length;
+    uint32_t span;
+    /* Scratch of duplicate_contacts.c: identities of both contact points; list of a bucket. */
+    uint32_t dedup_points[2], dedup_next;
+} scene_contact_geometry;
+
 /* ---- substeps */
 
 /* Result of an attempt at a substep. */
@@ -265,7 +314,8 @@ typedef enum scene_substep_outcome {
     SCENE_SUBSTEP_CCD_HIT,       /* two features would pass through each other, or come too near */
     SCENE_SUBSTEP_SINGULAR,      /* a pivot was too small, or a number is not finite */
     SCENE_SUBSTEP_OUT_OF_CAPACITY, /* too many candidates or contacts: the step fails */
-    SCENE_SUBSTEP_SUSPENDED        /* the budget of the call is exhausted; the next call resumes */
+    SCENE_SUBSTEP_SUSPENDED,       /* the budget of the call is exhausted; the next call resumes */
+    SCENE_SUBSTEP_REGROUPED /* the group or its substep has changed: the attempt begins again */
 } scene_substep_outcome;
 
 /* The present substep, and how the next attempt at it differs from the first. Substep. */
@@ -297,6 +347,17 @@ typedef struct scene_newton_state {
     double stretch;               /* largest stretch error of the trial state, relative */
 } scene_newton_state;
 
+/* Groups of bodies in a step; halvings of a substep, which the halving limit keeps far below.
+ * Chosen. */
+enum { SCENE_MAX_GROUPS = 8, SCENE_MAX_HALVINGS = 64 };
+/* Where a group begins that split off from another (step/groups.c). */
+typedef struct scene_waiting_group {
+    scene_substep substep;
+    double size;
+    uint32_t attempts;
+    bool is_behind_targets;
+} scene_waiting_group;
+
 /* Position within a step. If a step exceeds the budget of a call of vbss_scene_step, the call
  * suspends it and the next call resumes it (step/time_slice.c). Persistent: snapshots save it. */
 typedef struct scene_step_cursor {
@@ -305,8 +366,14 @@ typedef struct scene_step_cursor {
      * and the smallest for a scene with drains whose operation budget is exhausted. They are
      * powers of two, so that substeps add up to exactly 1. */
     double initial_size, size, min_size, hard_min_size;
-    uint32_t attempts;              /* in this step */
-    bool is_suspended;              /* the step has begun and is not complete */
+    uint32_t attempts; /* in this step */
+    /* Groups of bodies that take their substeps one after the other: the present one, and all. */
+    uint32_t group, group_count;
+    scene_waiting_group waiting[SCENE_MAX_GROUPS]; /* per group that has not begun */
+    bool is_behind_targets; /* driven bodies of the group lag behind, after a truncated substep */
+    bool is_paused;         /* the group left out the rest of the step */
+    double paused_fraction; /* largest part of the step that a group has left out */
+    bool is_suspended;      /* the step has begun and is not complete */
     bool is_attempt_suspended;      /* its attempt was suspended and is not complete */
     bool is_attempt_in_memory;      /* memory holds that attempt; otherwise a replay restores it */
     uint32_t checks_passed;         /* suspension checks that the attempt has passed */
@@ -320,6 +387,94 @@ typedef struct scene_step_cursor {
 
 /* ---- the scene */
 
+/* What a step needs until it ends. Lifetime: substep, unless the comment says step. */
+typedef struct scene_step_context {
+    /* Step: id and needle of each hole when the step began; config.hole_capacity entries. */
+    scene_previous_hole *previous_holes;
+    scene_cut cuts[SCENE_MAX_CUTS]; /* step: in descending order of arc length */
+    uint32_t cut_count;             /* step */
+    uint64_t budget;                /* operations of the step at which work stops; 0: no limit */
+    double substep_length;          /* s */
+    uint8_t *is_separator; /* per node of all threads: nonzero if its block is a separator */
+    /* Displacements that the broad phase allows for, m: per node, node_capacity entries, then
+     * two per capsule for its ends. */
+    vec3 *expected_displacements;
+    /* Geometry of contact constraints: config.contact_capacity entries; none in the baseline
+     * method. */
+    scene_contact_geometry *contact_geometries;
+    uint32_t edge_pair_count; /* candidates of two edges, which come first */
+    contact_weld *welds;      /* kept until the sparsity pattern of the bodies changes */
+    uint32_t weld_count;
+    /* Hash of the system's sparsity pattern, 0 if there is none, and hash of the part that bodies
+     * determine. Both last until the pattern is rebuilt. */
+    uint64_t pattern_hash, body_pattern_hash;
+    scene_newton_state newton;
+    bool is_recovering;         /* the substep began with more penetration than is allowed */
+    bool has_updated_normals;   /* the attempt failed after an update of contact normals */
+    bool has_accepted_contacts; /* step: `contacts` are those of the last accepted substep */
+    bool can_skip_slow_pairs;   /* the CCD may skip pairs that move by little */
+    /* Some near pairs have no contact constraint, as both features have prescribed motion. */
+    bool has_unlisted_pairs;
+    double time_of_impact; /* fraction of the substep until the first CCD hit; 1: there is no hit */
+    scene_touching_pair first_impact; /* the bodies of that hit */
+} scene_step_context;
+
+/* Buffers that are meaningless outside the function that fills them. */
+typedef struct scene_scratch {
+    vec3 *vertices;                    /* start and end positions of the vertices of one body, m */
+    uint32_t *near_features;           /* of topology/remeshing.c: features near a probe */
+    collision_block *ccd_batch;        /* queries of the CCD */
+    vbss_rigid_capsule *mass_capsules; /* for the inertia of a new body */
+    uint8_t *keeps_entry;              /* per warm-start entry: whether it stays */
+    bool *is_duplicate; /* of contacts/duplicate_contacts.c: per constraint; such are removed */
+    /* Of topology/cuts.c: per warm-start entry, the sides that are beyond the cut; bit 0 is side a,
+     * bit 1 side b. */
+    uint8_t *sides_beyond_cut;
+} scene_scratch;
+
+/* Bodies that are held back (world/blockers.c). Capacity, chosen. */
+enum { SCENE_MAX_BLOCKERS = 16 };
+typedef struct scene_blocker {
+    scene_touching_pair bodies; /* 0: unknown, or the floor */
+    vbss_blocker_cause cause;
+    double since, last; /* simulated time at which they were held back first and last, s */
+    double lost_time;   /* s */
+    double depth;       /* deepest overlap, m */
+} scene_blocker;
+
+/* Copies of the scene's own state from before the step. Those of bodies are in the bodies. */
+typedef struct scene_checkpoint {
+    scene_thread_grasp *thread_grasps;
+    suture_hole *holes;
+    uint32_t last_grasp_id, last_hole_id;
+    scene_step_cursor cursor;
+    uint32_t event_count, lost_events;
+    scene_blocker blockers[SCENE_MAX_BLOCKERS];
+    uint32_t blocker_count;
+    vbss_scene_statistics statistics;
+} scene_checkpoint;
+
+/* Results of the last step, for hosts. Snapshots save the statistics, the touching pairs and the blockers. */
+typedef struct scene_report {
+    vbss_scene_statistics statistics;
+    uint64_t generation; /* grows with every change that views show */
+    /* In ascending order. The next step compares its own pairs with the first list. */
+    scene_touching_pair *touching_pairs, *previous_touching_pairs;
+    uint32_t touching_pair_count;
+    uint32_t (*events)[4]; /* vbss_event_kind, two bodies, a number that depends on the kind */
+    uint32_t event_count, lost_events;          /* in the list; beyond config.event_capacity */
+    scene_blocker blockers[SCENE_MAX_BLOCKERS]; /* snapshots save them */
+    uint32_t blocker_count;
+    bool has_pending_events; /* events were emitted after the last call; the next keeps them */
+    /* The contact views: contact_count entries, in the order of the features. */
+    uint32_t contact_count;
+    uint32_t (*contact_features)[5]; /* vbss_contact_kind, body a, feature a, body b, feature b */
+    /* Points between the surfaces, m; unit, from b to a; on a by b, N. */
+    vec3 *contact_points, *contact_normals, *contact_forces;
+    double *contact_gaps; /* m; negative where surfaces overlap */
+} scene_report;
+
+/* The scene: persistent state, then one member for each other lifetime. */
 typedef struct scene_object scene_object;
 typedef struct scene_method scene_method;
 struct scene_object {
@@ -329,90 +484,41 @@ struct scene_object {
     vbss_scene_config config;
     vec3 floor_normal; /* unit */
 
-    /* ---- contents. Persistent; checkpoint where the name says so */
-
     scene_body *bodies;
     scene_capsule *capsules; /* those of one rigid body are contiguous */
     scene_pin *pins;         /* config.pin_capacity entries */
     /* config.grasp_capacity grasps and config.hole_capacity holes; unused entries have id 0. */
-    scene_thread_grasp *thread_grasps, *checkpoint_thread_grasps;
-    suture_hole *holes, *checkpoint_holes;
-    scene_previous_hole *previous_holes; /* step: id and needle of each hole when the step began */
-    uint32_t body_count, body_capacity;  /* entries used so far, free ones included; all */
-    uint32_t node_count, node_capacity;  /* nodes of all threads */
+    scene_thread_grasp *thread_grasps;
+    suture_hole *holes;
+    /* Driven bodies that overlap since they were added (world/driven_overlaps.c). */
+    scene_touching_pair overlaps[SCENE_MAX_OVERLAPS];
+    uint32_t overlap_count;
+    uint32_t body_count, body_capacity; /* entries used so far, free ones included; all */
+    uint32_t node_count, node_capacity; /* nodes of all threads */
     uint32_t capsule_count;
     /* The last of each number and id that the scene has assigned; 0: none yet. */
     uint32_t last_body_number, last_pin_id, last_grasp_id, last_hole_id;
-    uint32_t checkpoint_last_grasp_id, checkpoint_last_hole_id;
-    scene_cut cuts[SCENE_MAX_CUTS]; /* step: in descending order of arc length */
-    uint32_t cut_count;             /* step */
-    uint32_t contact_count;         /* report: entries of the contact views */
 
-    /* ---- solver. Substep, unless the comment names another lifetime */
-
-    collision_object *collision; /* persistent shapes; candidates of the substep */
-    vbss_slot collision_slot;    /* persistent: private handle of the collision object */
-    uint32_t *body_of_shape;     /* persistent: index in `bodies` for each shape */
-    uint32_t *body_of_number;    /* persistent: index in `bodies` for each body number, from 1 on */
-    /* Contact constraints of the substep, and the persistent warm start; the linear system. Both
-     * are NULL in the baseline method. */
+    collision_object *collision; /* shapes; its candidates are those of the substep */
+    vbss_slot collision_slot;    /* private handle of the collision object */
+    uint32_t *body_of_shape;     /* index in `bodies` for each shape */
+    uint32_t *body_of_number;    /* index in `bodies` for each body number, from 1 on */
+    /* Warm start, and contact constraints of the substep; the linear system. Both are NULL in
+     * the baseline method. */
     contact_set *contacts;
     vbss_system *system;
-    /* Hash of the system's sparsity pattern, 0 if there is none, and hash of the part that bodies
-     * determine. Both last until the pattern is rebuilt. */
-    uint64_t pattern_hash;
-    uint64_t body_pattern_hash;
-    uint8_t *is_separator; /* per node of all threads: nonzero if its block is a separator */
-    /* Displacements that the broad phase allows for, m: per node, node_capacity entries, then
-     * two per capsule for its ends. */
-    vec3 *expected_displacements;
-    vec3 *vertices;          /* scratch: start and end positions of the vertices of one body, m */
-    uint32_t *near_features; /* scratch of remeshing.c: features near a probe */
-    contact_weld *welds;     /* kept until the sparsity pattern of the bodies changes */
-    uint32_t weld_count;
-    uint32_t edge_pair_count;          /* candidates of two edges, which come first */
-    collision_block *ccd_batch;        /* scratch: queries of the CCD */
-    vbss_rigid_capsule *mass_capsules; /* scratch: for the inertia of a new body */
-    bool is_recovering;                /* the substep began with more penetration than is allowed */
-    double substep_length;             /* s */
-    /* Persistent: size of the first substep of the next step, a power of two, as a fraction. */
-    double next_initial_size, checkpoint_next_initial_size;
-    uint64_t step_budget; /* operations of the step at which work stops; 0: no limit */
-    /* Persistent. */
-    scene_step_cursor cursor, checkpoint_cursor;
-    bool has_pending_events; /* events were emitted after the last call; the next keeps them */
-    /* Substep. */
-    scene_newton_state newton;
-    bool has_updated_normals;   /* the attempt failed after an update of contact normals */
-    bool has_accepted_contacts; /* step: `contacts` are those of the last accepted substep */
-    bool is_behind_targets;     /* step: driven bodies lag behind, after a truncated substep */
-    bool can_skip_slow_pairs;   /* the CCD may skip pairs that move by little */
-    /* Some near pairs have no contact constraint, as both features have prescribed motion. */
-    bool has_unlisted_pairs;
-    double time_of_impact; /* fraction of the substep until the first CCD hit; 1: there is no hit */
 
-    /* Persistent. Tests set this hook; it is called after an accepted substep is solved and
-     * before it is committed, so that start and trial states are both available. NULL: none. */
+    scene_step_cursor cursor;
+
+    scene_step_context step;
+    scene_scratch scratch;
+    scene_checkpoint checkpoint;
+    scene_report report;
+
+    /* Tests set this hook. It is called after an accepted substep is solved and before it is
+     * committed, so that start and trial states are both available. NULL: none. */
     void (*on_substep)(void *data, const struct scene_object *scene);
     void *on_substep_data;
-
-    /* ---- report of the last step; checkpoint where the name says so */
-
-    /* In ascending order. The first list is persistent: the next step compares its own pairs
-     * with it. */
-    scene_touching_pair *touching_pairs, *previous_touching_pairs;
-    uint32_t touching_pair_count;
-    uint32_t (*events)[4]; /* vbss_event_kind, two bodies, a number that depends on the kind */
-    /* Events in the list; events beyond config.event_capacity. */
-    uint32_t event_count, lost_events, checkpoint_event_count, checkpoint_lost_events;
-    uint64_t generation; /* grows with every change that views show */
-    vbss_scene_statistics statistics, checkpoint_statistics; /* persistent */
-
-    /* The contact views: contact_count entries, in the order of the features. */
-    uint32_t (*contact_features)[5]; /* vbss_contact_kind, body a, feature a, body b, feature b */
-    /* Points between the surfaces, m; unit, from b to a; on a by b, N. */
-    vec3 *contact_points, *contact_normals, *contact_forces;
-    double *contact_gaps; /* m; negative where surfaces overlap */
 };
 
 #endif

@@ -15,12 +15,12 @@ void vbss_scene_charge_budget(scene_object *s, uint32_t operations)
 
 bool vbss_scene_is_over_budget(const scene_object *s)
 {
-    return s->step_budget > 0 && s->contacts->counters.operations >= s->step_budget;
+    return s->step.budget > 0 && s->contacts->counters.operations >= s->step.budget;
 }
 
 /* The first step has no budget, because bodies may overlap as the host has placed them. */
 bool vbss_scene_has_step_budget(const scene_object *s)
 {
     return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0 &&
-           s->statistics.steps > 0;
+           s->report.statistics.steps > 0;
 }

@@ -36,6 +36,39 @@ static inline bool scene_is_segment_contact(uint32_t kind)
            kind == VBSS_CONTACT_SIDES;
 }
 
+/* The kind of a body that takes part in the present substep; SCENE_BODY_NONE if it is frozen. */
+static inline scene_body_kind scene_active_kind(const scene_body *b)
+{
+    return b->is_frozen ? SCENE_BODY_NONE : b->kind;
+}
+
+/* Whether a body takes part in the present substep. The floor (NULL) does not. */
+static inline bool scene_is_active(const scene_body *b)
+{
+    return b != NULL && !b->is_frozen;
+}
+
+/* Whether the motion of a body in this substep is known: it is frozen, driven, or the world. */
+static inline bool scene_is_prescribed(const scene_body *b)
+{
+    return b == NULL || b->is_frozen ||
+           (b->kind == SCENE_BODY_RIGID && b->rigid.kind == VBSS_RIGID_DRIVEN);
+}
+
+/* Whether an entry of the list of thread grasps holds its strand. Other entries are unused, or
+ * exclude a strand from contact with the jaws. */
+static inline bool scene_holds_strand(const scene_thread_grasp *g)
+{
+    return g->id != 0 && !g->is_released && !g->is_uncuttable;
+}
+
+/* The geometry of one of the scene's contact constraints. */
+static inline scene_contact_geometry *scene_geometry_of(const scene_object *s,
+                                                        const contact_constraint *constraint)
+{
+    return &s->step.contact_geometries[constraint->geometry];
+}
+
 /* The handle of the scene's collision object, for functions of the public interface. */
 static inline vbss_collision *scene_collision(scene_object *s)
 {
@@ -196,6 +229,28 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
 
 /* If events were lost, replaces the last event by VBSS_EVENT_LOST with their number. */
 void vbss_scene_write_lost_event(scene_object *s);
+
+/* ---- driven_overlaps.c */
+
+/* Lists the driven bodies that a new driven body overlaps. At most SCENE_MAX_OVERLAPS are listed;
+ * others hold each other back. */
+void vbss_scene_list_overlaps_of(scene_object *s, const scene_body *b);
+
+/* Removes pairs that have come apart, or that no longer exist, from the list. */
+void vbss_scene_drop_ended_overlaps(scene_object *s);
+
+/* Whether two bodies are a pair of the list. */
+bool vbss_scene_is_overlap(const scene_object *s, const scene_body *a, const scene_body *b);
+
+/* ---- blockers.c */
+
+/* Records that two bodies (numbers; 0: unknown, or the floor) hold back their island for `lost_time`,
+ * s. The first record of a pair emits an event and logs a warning. */
+void vbss_scene_record_blocker(scene_object *s, vbss_blocker_cause cause,
+                               scene_touching_pair bodies, double lost_time);
+
+/* Ends blockers whose bodies have moved freely for a while; emits an event for each. */
+void vbss_scene_end_blockers(scene_object *s);
 
 /* ---- work_budget.c */
 

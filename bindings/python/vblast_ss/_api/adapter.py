@@ -49,6 +49,9 @@ class DeviceFlagBits(IntFlag):
     """Emergency stop: latches as vbss_device_stop does."""
     FAULT = 4
     """It refuses forces for now: all outputs are off while this is set."""
+    SLOW = 8
+    """It is too slow to put outputs off within vbss_output_result::expires. `explain` says how
+    slow."""
 
 
 class DeviceTool(IntEnum):

@@ -12,12 +12,13 @@ from .base import vbss_context, vbss_view
 class CollisionMethod(IntEnum):
     """The constants of vbss_collision_method."""
     CONSERVATIVE = 0
-    """Directional conservative advancement, the default: never misses. For D = 0 exact both ways."""
+    """Directional conservative advancement, the default: never misses. For D = 0, hits and misses
+    are exact."""
     CUBIC = 1
-    """The usual one: roots of the coplanarity cubic, an inside test at each, the distance at the
-    end. May miss."""
+    """The usual method: roots of the coplanarity cubic, an inside test at each root, and the
+    distance at the end. May miss."""
     PAPER = 2
-    """As in VBLaST-SS (Qi et al. 2017, algorithm 1): distance at the end, then a sign test and a
+    """Algorithm 1 of VBLaST-SS (Qi et al. 2017): distance at the end, then a sign test and a
     linear time of impact. Often misses."""
 
 
@@ -35,14 +36,15 @@ class Decision(IntEnum):
     """Miss: planes that separate the features by more than D at all times. Hit: at `time` the
     distance is at most D plus the tolerance."""
     EXACT = 1
-    """D = 0: true of the given numbers, without any tolerance."""
+    """D = 0: true for the given numbers, without any tolerance."""
     UNDECIDED = 2
-    """Neither could be shown; told as a hit. D > 0: pass_limit was reached, or no direction was
-    exact enough, which takes a D below some 1e-8 of the size. D = 0: the bits of the
-    coordinates spread over more binary places than there is memory for: some 250 in a call
-    without an object; with one, any doubles have fitted so far."""
+    """Neither could be shown, so the answer is a hit. D > 0: the test reached pass_limit, or no
+    direction was exact enough, which takes a D below about 1e-8 of the size. D = 0: the bits of
+    the coordinates spread over more binary places than there is memory for. A call without an
+    object has memory for about 250 places; with an object, all doubles tried so far have
+    fitted."""
     CLAIMED = 3
-    """Of CUBIC and PAPER, which prove nothing."""
+    """CUBIC and PAPER: not proved."""
 
 
 class CollisionField(IntEnum):
@@ -53,7 +55,7 @@ class CollisionField(IntEnum):
     IMPACTS = 1
     """uint32_t: index of the candidate, ascending."""
     TIMES = 2
-    """Of each impact: vbss_impact.time."""
+    """vbss_impact.time."""
     NORMALS = 3
     """x 3: vbss_impact.normal."""
     WEIGHTS = 4
@@ -69,7 +71,8 @@ class ResponseVariant(IntEnum):
     END_OF_STEP = 0
     """Algorithm 2 as printed: along the shortest vector at the end of the step."""
     TIME_OF_IMPACT = 1
-    """Along the normal at the time of impact, by D: D apart in the positions of that time."""
+    """Along the normal at the time of impact, by D: the features are then D apart in the positions
+    of that time."""
 
 
 class vbss_collision(ctypes.Structure):
@@ -79,15 +82,15 @@ class vbss_collision(ctypes.Structure):
 class vbss_closest(ctypes.Structure):
     """Two closest points.
 
-    distance: m; of capsules: negative by the penetration depth when they overlap.
+    distance: m; capsules that overlap: minus the penetration depth.
 
-    normal: Unit vector from a to b; zero where there is none (axes that meet).
+    normal: Unit vector from a to b; zero if undefined (axes that meet).
 
     point_a: On a, m.
 
     point_b: On b, m.
 
-    weights_a: point_a as a sum of a's vertices; of the axis for a capsule.
+    weights_a: point_a as a weighted sum of the vertices of a, or of its axis.
 
     weights_b: point_b likewise."""
     struct_size: int
@@ -122,29 +125,29 @@ class Closest(NamedTuple):
 
 
 class vbss_impact(ctypes.Structure):
-    """What a continuous test found.
+    """Result of a continuous test.
 
     hit: 1: they come within D; 0: they do not.
 
-    decision: What `hit` stands on.
+    decision: Evidence for `hit`.
 
-    passes: CONSERVATIVE: looks at the closest points; else roots looked at.
+    passes: CONSERVATIVE: evaluations of the closest points; else of roots.
 
-    time: Hit: 0 to 1; with CONSERVATIVE there is no contact before. PROVED: at `time` they are
-    within D plus the tolerance. EXACT: `time` is as near to the first contact as the
-    advancement came; `distance` tells how near, some 1e-14 of the size, but where features
-    graze it stays behind. Miss: 1.
+    time: Hit: 0 to 1; with CONSERVATIVE there is no contact before. PROVED: at `time` the
+    features are within D plus the tolerance. EXACT: `time` is as near to the first contact as
+    the advancement came. `distance` says how near: about 1e-14 of the size, but more where
+    features graze. Miss: 1.
 
-    distance: Hit: of the features at `time`, m; of CUBIC and PAPER: between what they take for
-    the points of contact. Miss: 0.
+    distance: Hit: distance of the features at `time`, m; CUBIC and PAPER: distance of the
+    assumed points of contact. Miss: 0.
 
-    normal: Hit: unit vector from a to b, or zero where none is known. Miss: 0.
+    normal: Hit: unit vector from a to b, or zero if none is known. Miss: 0.
 
-    weights: Hit: of the four vertices, summing to 1 on either feature. Miss: 0.
+    weights: Hit: weights of the four vertices, sum 1 on either feature. Miss: 0.
 
-    point_a: Hit: on a at `time`, m. Miss: 0.
+    point_a: Hit: point on a at `time`, m. Miss: 0.
 
-    point_b: Hit: on b at `time`, m. Miss: 0."""
+    point_b: Hit: point on b at `time`, m. Miss: 0."""
     struct_size: int
     hit: int
     decision: int
@@ -171,7 +174,7 @@ class vbss_impact(ctypes.Structure):
 
 
 class Impact(NamedTuple):
-    """What a continuous test found. Fields as vbss_impact says."""
+    """Result of a continuous test. Fields as vbss_impact says."""
     hit: int
     decision: Decision
     passes: int
@@ -184,40 +187,39 @@ class Impact(NamedTuple):
 
 
 class vbss_collision_config(ctypes.Structure):
-    """How to test and how much room there is. Fill it with vbss_collision_config_init.
+    """Method of the tests, and capacities. Fill it with vbss_collision_config_init.
 
     method: Default VBSS_COLLISION_CONSERVATIVE.
 
     thickness: Contact distance D, m: 0, or 1e-30 to 1e30; default 0. Between shapes their radii
     are added.
 
-    tolerance: Share of D, 1e-12 to 1: a hit may be told of features that come no nearer than D
-    (1 + tolerance); default 1e-3. Rounding sets a lower limit: docs/collision.md. Without
+    tolerance: Share of D, 1e-12 to 1; default 1e-3. A test may report a hit for features that
+    only come within D (1 + tolerance). Rounding sets a lower limit: docs/collision.md. No
     effect on the answer when D = 0.
 
-    pass_limit: CONSERVATIVE: passes before a test gives up and tells a hit, 1 to 1000000;
-    default 10000. Most take one or two; edges that turn about each other just above D take
-    hundreds. With D = 0 at most 256 are made. Exact decisions are not limited by it: they take
-    some 10 us, milliseconds where bits spread over hundreds of binary places, and up to a
-    second with subnormal numbers beside 1.
+    pass_limit: CONSERVATIVE: passes before a test gives up and reports a hit, 1 to 1000000;
+    default 10000. Most tests take one or two; edges that turn about each other just above D
+    take hundreds. With D = 0 a test makes at most 256. The limit does not apply to exact
+    decisions. They take about 10 us, milliseconds where bits spread over hundreds of binary
+    places, and up to a second with subnormal numbers beside 1.
 
-    shape_capacity: Most shapes ever added, 0 to 65536; default 16.
+    shape_capacity: Largest number of shapes ever added, 0 to 65536; default 16.
 
-    pair_capacity: Most candidates at a time, 0 to 1e8; default 16384.
+    pair_capacity: Largest number of candidates, 0 to 1e8; default 16384.
 
-    impact_capacity: Most impacts at a time, 0 to 1e8; default 4096.
+    impact_capacity: Largest number of impacts, 0 to 1e8; default 4096.
 
-    exclusion: Segments of one chain are no candidates when the arc between their nearest ends
-    is shorter than `exclusion` times D, D being that of the pair; 0 to 1e3; default 1.6: a tube
-    bent until it touches itself needs pi/2. Neighbours never are.
+    exclusion: Excludes two segments of one chain from the candidates if the arc between their
+    nearest ends is shorter than `exclusion` times the D of the pair; 0 to 1e3. Neighbours are
+    always excluded. Default 1.6: a tube bent until it touches itself needs pi/2.
 
-    margin: Candidates are also told when features come within D plus this, m, 0 to 1e3; default
-    0.
+    margin: Added to D in the search for candidates, m, 0 to 1e3; default 0.
 
     paper_parallel: PAPER: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in
     paper_unit^4; 0 to 1; default 1e-6.
 
-    paper_unit: PAPER: its unit of length, m, 1e-9 to 1e3; default 1e-3."""
+    paper_unit: PAPER: unit of length, m, 1e-9 to 1e3; default 1e-3."""
     struct_size: int
     method: int
     thickness: float
@@ -250,18 +252,18 @@ class vbss_collision_config(ctypes.Structure):
 class vbss_collision_batch(ctypes.Structure):
     """Questions in rows, answers in rows. Fill it with vbss_collision_batch_init.
 
-    kind: Of all questions.
+    kind: Kinds of the features of all questions.
 
     count: Questions, at most 1e8.
 
-    stride: From one row to the next, at least count; in every array of rows.
+    stride: Elements from one row to the next in every array, at least count.
 
-    start: No two arrays overlap. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x
-    of vertex 1, ...; m.
+    start: Positions at time 0, m. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x
+    of vertex 1, and so on. No two arrays of a batch overlap.
 
-    end: The same at time 1.
+    end: Positions at time 1, m, likewise.
 
-    thickness: D of each question, m; NULL: that of the configuration.
+    thickness: D of each question, m; NULL: D of the configuration.
 
     hit: Receives vbss_impact.hit of each question.
 
@@ -305,23 +307,23 @@ class vbss_collision_statistics(ctypes.Structure):
     """Counters of a collision object since its creation. Searches and tests that fail are not
     counted.
 
-    candidates: Of the last search.
+    candidates: Candidates of the last search.
 
-    impacts: Of the last search.
+    impacts: Impacts of the last search.
 
     queries: Continuous tests.
 
-    hits: Of these, hits.
+    hits: Continuous tests that were hits.
 
-    undecided: Of these, undecided.
+    undecided: Continuous tests that were undecided.
 
     exact: Tests that needed exact arithmetic.
 
-    passes: CONSERVATIVE: looks at the closest points.
+    passes: CONSERVATIVE: evaluations of the closest points.
 
     sign_tests_ended: PAPER: tests ended by the sign of w.w'.
 
-    boxes_tested: Pairs of boxes looked at by the searches; not part of the state.
+    boxes_tested: Pairs of boxes that the searches tested; not part of the state.
 
     searches: Searches for candidates."""
     struct_size: int
@@ -371,16 +373,17 @@ class CollisionStatistics(NamedTuple):
 class vbss_response(ctypes.Structure):
     """Displacements by the paper's response.
 
-    completed: 1: the paper leaves this case open, such as no relative motion along the
-    direction, or features that meet at the end, and a rule of docs/paper-collision.md was used.
+    completed: 1: the paper leaves this case open, and a rule of docs/paper-collision.md was
+    used. Examples are no relative motion along the direction, and features that meet at the
+    end.
 
     direction: q: unit vector from edge b to edge a, on the side of the start.
 
-    depth: u: what is to be restored along q, m.
+    depth: u: distance to restore along q, m.
 
     share_a: Share of u that a moves along q; b moves -(1 - share_a) u q.
 
-    displacement: Of the four vertices at time 1, m."""
+    displacement: Displacements of the four vertices at time 1, m."""
     struct_size: int
     completed: int
     direction: Any

@@ -62,6 +62,12 @@ class DeviceEventBits(IntFlag):
     """The clock of an adapter began anew."""
     TOOL = 2048
     """The tool is another."""
+    SLOW = 4096
+    """An adapter became too slow to put outputs off in time."""
+    JAW_HELD = 8192
+    """The opening is held until the handle has passed it."""
+    JAW_TAKEN = 16384
+    """The handle took over the opening."""
 
 
 class vbss_device(ctypes.Structure):
@@ -162,6 +168,11 @@ class vbss_device_config(ctypes.Structure):
 
     clutch_orientation: 1: the clutch holds the orientation too; 0 (default): it always follows.
 
+    jaw_takeover: 1: the opening does not jump. It stays as it was reported last while the
+    clutch is held, after vbss_device_restore, after another tool was taken, and after
+    vbss_device_hold_jaw, until the handle has passed it; a session also does so in its first
+    step and after vbss_session_restore. 0 (default): it always follows.
+
     jaw_timeout: Age at which the jaw's opening is stale, s, 1e-4 to 1e3; default 0.1. The
     pose's is the output's input_timeout.
 
@@ -183,6 +194,8 @@ class vbss_device_config(ctypes.Structure):
     clock: int
     stop_when_lost: int
     clutch_orientation: int
+    jaw_takeover: int
+    reserved: int
     jaw_timeout: float
     velocity_time: float
     norm_tolerance: float
@@ -198,6 +211,8 @@ class vbss_device_config(ctypes.Structure):
         ("clock", c_int32),
         ("stop_when_lost", c_uint32),
         ("clutch_orientation", c_uint32),
+        ("jaw_takeover", c_uint32),
+        ("reserved", c_uint32),
         ("jaw_timeout", c_double),
         ("velocity_time", c_double),
         ("norm_tolerance", c_double),
@@ -235,6 +250,8 @@ class vbss_device_input(ctypes.Structure):
 
     stopped: 1: the emergency stop is latched.
 
+    jaw_held: 1: `jaw` is held until the handle has passed it.
+
     time: Of the pose, by the adapter's clock, s.
 
     age: Of the pose, s; -1: there was none.
@@ -267,7 +284,7 @@ class vbss_device_input(ctypes.Structure):
     jaw_closed: int
     clutched: int
     stopped: int
-    reserved: int
+    jaw_held: int
     time: float
     age: float
     jaw_age: float
@@ -293,7 +310,7 @@ class vbss_device_input(ctypes.Structure):
         ("jaw_closed", c_int32),
         ("clutched", c_int32),
         ("stopped", c_int32),
-        ("reserved", c_uint32),
+        ("jaw_held", c_uint32),
         ("time", c_double),
         ("age", c_double),
         ("jaw_age", c_double),
@@ -321,6 +338,7 @@ class DeviceInput(NamedTuple):
     jaw_closed: int
     clutched: int
     stopped: int
+    jaw_held: int
     time: float
     age: float
     jaw_age: float
@@ -466,6 +484,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_device_release": (c_int32, (POINTER(vbss_device),)),
     "vbss_device_clutch": (c_int32, (POINTER(vbss_device), c_int32)),
     "vbss_device_recentre": (c_int32, (POINTER(vbss_device), POINTER(c_double), POINTER(c_double))),
+    "vbss_device_hold_jaw": (c_int32, (POINTER(vbss_device), c_double)),
     "vbss_device_set_calibration": (c_int32, (POINTER(vbss_device),
         POINTER(vbss_device_calibration))),
     "vbss_device_get_capabilities": (c_int32, (POINTER(vbss_device), c_uint32,

@@ -24,7 +24,7 @@ class DrainMesh(IntEnum):
 class DrainAttachmentKind(IntEnum):
     """The constants of vbss_drain_attachment_kind."""
     PIN = 0
-    """The node is where `position` says."""
+    """The node is at `position`."""
     FORCE = 1
     """`force` pulls at the node."""
     SPRING = 2
@@ -34,7 +34,7 @@ class DrainAttachmentKind(IntEnum):
 class DrainField(IntEnum):
     """The constants of vbss_drain_field. n nodes, m triangles."""
     POSITIONS = 0
-    """n x 3 doubles, m: of the middle surface."""
+    """n x 3 doubles, m, on the middle surface."""
     VELOCITIES = 1
     """n x 3 doubles, m/s."""
     REST_POSITIONS = 2
@@ -44,15 +44,16 @@ class DrainField(IntEnum):
     SLIT_LEFT = 4
     """uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x."""
     SLIT_RIGHT = 5
-    """The same on the right (+z)."""
+    """Nodes of the right edge (+z), likewise."""
     ANCHORS = 6
     """uint32_t: nodes of the bottom strip; method PAPER: none."""
     ANCHOR_FORCES = 7
-    """3 doubles for each of VBSS_DRAIN_ANCHORS, N: of the anchor on the drain; zero for those torn
-    off."""
+    """3 doubles for each of VBSS_DRAIN_ANCHORS, N: the force of the anchor on the drain; zero once
+    it is torn off."""
     STRAINS = 8
     """m x 3 doubles: strains of the middle surface along and across the triangle's first side, and
-    shear (2 e12). What method PAPER does not resist is told as well, and so are curvatures."""
+    shear (2 e12). Method PAPER reports strains and curvatures too, although it does not resist
+    them."""
     CURVATURES = 9
     """m x 3 doubles, 1/m: changes of curvature, likewise (2 k12)."""
 
@@ -68,30 +69,32 @@ class vbss_drain_config(ctypes.Structure):
 
     mesh: Method OURS; default VBSS_DRAIN_MESH_137.
 
-    mesh_divisions: Method OURS: each cell is divided so often each way, 1 to 4; default 1.
+    mesh_divisions: Method OURS: divisions of each cell in each direction, 1 to 4; default 1.
 
-    attachment_capacity: Most attachments at a time, 0 to 256; default 8.
+    attachment_capacity: Largest number of attachments, 0 to 256; default 8.
 
-    linearisation_limit: Method OURS: linearisations of a step, 1 to 50; default 1. More until
-    position_tolerance is kept: for references.
+    linearisation_limit: Method OURS: largest number of linearisations in a step, 1 to 50;
+    default 1. A step with a larger limit stops at position_tolerance; this serves reference
+    solutions.
 
     halving_limit: Method OURS: how often a step may be halved, 0 to 10; default 4.
 
-    radius: Of the middle surface, m, 1e-4 to 1; default 6.5e-3.
+    radius: Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3.
 
-    length: m, 2 to 7 radii; default 32e-3.
+    length: Length of the tube, m, 2 to 7 radii; default 32e-3.
 
-    thickness: Of the wall, m, 0.01 to 0.3 radii; default 1e-3.
+    thickness: Thickness of the wall, m, 0.01 to 0.3 radii; default 1e-3.
 
-    slit_length: m, a radius to 0.7 lengths; default 10e-3.
+    slit_length: Length of the slit, m, one radius to 0.7 lengths; default 10e-3.
 
-    slit_opening: At the middle of the slit, along the surface, m, 0 to 0.4 slit lengths and a
-    radius; default 3e-3.
+    slit_opening: Width of the slit at its middle, along the surface, m, 0 to 0.4 slit lengths
+    and one radius; default 3e-3.
 
-    mark_arc: From the slit's middle to each mark, along the surface before the slit was opened,
-    m; beyond half the opening, from 20 to 90 degrees; default 4.5e-3.
+    mark_arc: Arc from the middle of the slit to each mark, along the surface before the slit
+    was opened, m. It is longer than half the opening and lies between 20 and 90 degrees.
+    Default 4.5e-3.
 
-    young_modulus: Method OURS: Pa, 1e3 to 1e12; default 1.2e6. Of real drains: not verified.
+    young_modulus: Method OURS: Pa, 1e3 to 1e12; default 1.2e6 (not verified for real drains).
 
     poisson_ratio: Method OURS: 0 to 0.49; default 0.47.
 
@@ -99,54 +102,58 @@ class vbss_drain_config(ctypes.Structure):
 
     drag: Force -drag * mass * velocity, 1/s, 0 to 1e6; default 20.
 
-    gravity: m/s^2, each at most 1e6; default 0: the rest shape is the one that lies there.
+    gravity: Acceleration, m/s^2, each at most 1e6; default 0: the rest shape is that of a drain
+    that lies on its block.
 
-    position: Of the drain's frame in the world, m, each at most 1e3; default 0.
+    position: Origin of the drain's frame in the world, m, each at most 1e3; default 0.
 
     orientation: Quaternion (w, x, y, z) of any length from 1e-100 to 1e100; default (1, 0, 0,
     0).
 
-    tear_stress: Method OURS: what the glue of the strip bears, Pa, 1 to 1e12; default 5e4 (not
-    verified). The anchor of a node tears off for ever above this times the part of the strip
-    that is the node's; the one that is overloaded most, one a step.
+    tear_stress: Method OURS: strength of the glue of the strip, Pa, 1 to 1e12; default 5e4 (not
+    verified). The anchor of a node tears off permanently above this stress times the node's
+    area of the strip. Each step tears off at most one anchor: the one with the largest
+    overload.
 
-    position_tolerance: Method OURS: of the last linearisation's increments, m, 1e-15 to 1;
+    position_tolerance: Method OURS: largest increment of the last linearisation, m, 1e-15 to 1;
     default 1e-6.
 
-    move_limit: Method OURS: a step in which a node would move farther gets one more
-    linearisation; four times as far, and it is halved; m, 1e-9 to 1; default 1e-3.
+    move_limit: Method OURS: a step in which a node would move farther than this gets one more
+    linearisation. A step in which it would move four times as far is halved. m, 1e-9 to 1;
+    default 1e-3.
 
-    paper_stiffness: Method PAPER: of the spring that ties a particle to its rest position, N/m,
-    0 to 1e9; default 125.
+    paper_stiffness: Method PAPER: stiffness of the spring that ties a particle to its rest
+    position, N/m, 0 to 1e9; default 125.
 
-    paper_damping: Method PAPER: share of the velocity relative to the drain's rigid motion that
-    is removed at each explicit step, 0 to 1; default 0.7.
+    paper_damping: Method PAPER: share of the velocity relative to the rigid motion of the drain
+    that each explicit step removes, 0 to 1; default 0.7.
 
     paper_substeps: Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many
-    as the springs need.
+    as stability needs.
 
-    friction: In a scene: coefficient of friction with threads, 0 to 10; with other bodies, the
-    floor and itself the geometric mean of both counts. Default 0.3 (not verified).
+    friction: In a scene: coefficient of friction with threads, 0 to 10. Friction with other
+    bodies, the floor and the drain itself uses the geometric mean of both coefficients. Default
+    0.3 (not verified).
 
-    puncture_force: With which a tip is pushed along its direction when it enters a wall, N,
-    1e-3 to 1e3; default 1 (the published range for both walls of a Penrose drain is 0.85 to
-    2.92).
+    puncture_force: Force along the direction of a tip at which it enters a wall, N, 1e-3 to
+    1e3; default 1 (the published range for both walls of a Penrose drain is 0.85 to 2.92).
 
     hole_force: Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default 0.25
     (not verified).
 
-    hole_friction: Beside that, a share of what is borne across, 0 to 10; default 0.3 (not
-    verified).
+    hole_friction: Coefficient of the additional friction from the force across the suture, 0 to
+    10; default 0.3 (not verified).
 
-    hole_stiffness: Of a hole across and along what is in it, N/m, 1 to 1e7; default 2e4.
+    hole_stiffness: Stiffness of a hole across and along the suture in it, N/m, 1 to 1e7;
+    default 2e4.
 
-    hole_damping: Of what slides in it, N s/m, 0 to 1e3; default 0.05.
+    hole_damping: Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05.
 
-    tip_length: Of a tip's way through the wall, over which puncture_force falls to hole_force,
-    m, 0 to 0.1; default 0.5e-3.
+    tip_length: Length of a tip's path through the wall over which puncture_force falls to
+    hole_force, m, 0 to 0.1; default 0.5e-3.
 
     thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02
-    (not verified). One that is tight rubs as a rope round a post: docs/stitch.md."""
+    (not verified). A tight thread has capstan friction: docs/stitch.md."""
     struct_size: int
     method: int
     mesh: int
@@ -231,7 +238,7 @@ class vbss_drain_attachment(ctypes.Structure):
 
     node: A node that is not anchored.
 
-    position: PIN: where the node is taken in the next step; SPRING: its end; m, each at most
+    position: PIN: target of the node in the next step; SPRING: its fixed end; m, each at most
     1e3.
 
     force: FORCE: N, each at most 1e6.
@@ -292,26 +299,26 @@ class DrainPlaces(NamedTuple):
 
 
 class vbss_drain_gap(ctypes.Structure):
-    """How far the slit stands open.
+    """Opening of the slit.
 
-    largest_pair: Of which nodes of the two edges, counted along x.
+    largest_pair: Index of the opposite nodes that `largest` is between, along x.
 
-    gap: Distance of the middles of the edges, m: the paper's measure.
+    gap: Distance between the middles of the edges, m: the paper's measure.
 
-    largest: Largest distance of opposite nodes of the edges, m.
+    largest: Largest distance between opposite nodes of the edges, m.
 
-    signed_gap: Component of the vector between the middles, left to right, along the one at
-    rest as the drain's frame carries it, m: negative when the edges have crossed.
+    signed_gap: Component of the vector between the middles, left to right, along that vector at
+    rest, which moves with the drain's frame, m. It is negative when the edges have crossed.
 
-    opening: Between the lips, which are as high as the wall, at the middles of the edges, m:
-    the distance of the lines through the wall there. At rest about the gap; 0 to a fifth of the
-    wall where lips meet, however they are turned: lips that rise meet with their inner corners,
-    or face to face, when `gap` is up to a whole wall. 0, shut, where one lip lies on the other.
-    Method PAPER: likewise.
+    opening: Distance between the lips at the middles of the edges, m: that of the lines through
+    the wall there. At rest it is about the gap. Where lips meet it is 0 to a fifth of the wall,
+    for any rotation of the lips: raised lips meet with their inner corners or face to face,
+    when `gap` is up to a whole wall. It is 0 (shut) where one lip lies on the other. Method
+    PAPER: likewise.
 
-    widest_opening: The largest of opposite nodes of the edges, m.
+    widest_opening: Largest opening between opposite nodes of the edges, m.
 
-    lips: The points that `opening` is between, left and right, m."""
+    lips: End points of `opening`, left and right, m."""
     struct_size: int
     largest_pair: int
     gap: float
@@ -334,7 +341,7 @@ class vbss_drain_gap(ctypes.Structure):
 
 
 class DrainGap(NamedTuple):
-    """How far the slit stands open. Fields as vbss_drain_gap says."""
+    """Opening of the slit. Fields as vbss_drain_gap says."""
     largest_pair: int
     gap: float
     largest: float
@@ -347,17 +354,18 @@ class DrainGap(NamedTuple):
 class vbss_drain_energies(ctypes.Structure):
     """Energies of a drain, J.
 
-    kinetic: Of lumped masses.
+    kinetic: Kinetic energy of the lumped masses.
 
-    membrane: Elastic, of stretching the middle surface; method PAPER: zero.
+    membrane: Elastic energy of stretching; method PAPER: zero.
 
-    bending: Elastic; method PAPER: zero.
+    bending: Elastic energy of bending; method PAPER: zero.
 
-    springs: Of SPRING attachments; method PAPER: and of those to the rest positions.
+    springs: Energy of SPRING attachments; method PAPER: also of the springs to the rest
+    positions.
 
     gravity: Potential, zero at the origin.
 
-    total: Of all."""
+    total: Sum of the energies."""
     struct_size: int
     reserved: int
     kinetic: float
@@ -394,24 +402,25 @@ class vbss_drain_statistics(ctypes.Structure):
 
     torn: Anchors that have torn off.
 
-    inverted: Triangles that are turned over or collapsed now.
+    inverted: Triangles that are inverted or collapsed at present.
 
     steps: Calls of vbss_drain_step that succeeded, and steps of its scene.
 
     parts: Equal to steps if none was halved; method PAPER: explicit steps.
 
-    linearisations: Tangents made and solved with.
+    linearisations: Linearisations assembled and solved.
 
-    corrections_dropped: Second looks whose correction was not small against the first, and was
-    left out.
+    corrections_dropped: Corrections that were not small against the increment, and were left
+    out.
 
     forced: Parts that moved a node beyond four move_limits at the last halving.
 
-    last_move: Farthest that a node went in a part of the last step, m.
+    last_move: Largest displacement of a node in a part of the last step, m.
 
-    last_correction: Largest of the last part's last correction, m: what is left is smaller.
+    last_correction: Largest displacement by the last correction of the last part, m: the
+    remaining error is smaller.
 
-    time: Simulated so far, s."""
+    time: Simulated time, s."""
     struct_size: int
     torn: int
     inverted: int

@@ -22,14 +22,14 @@ class GrasperPreset(IntEnum):
     STRAIGHT = 0
     """A needle driver with straight jaws: the defaults."""
     ANGLED = 1
-    """Jaws on a neck of 5 mm, bent by 0.8 rad: rolled about its shaft, the tool points its jaws at
-    the other one, which can then go round them without meeting the shaft."""
+    """Jaws on a neck of 5 mm, bent by 0.8 rad. Rolled about its shaft, the tool points its jaws at
+    the other tool, which can then go round them without meeting the shaft."""
 
 
 class GrasperField(IntEnum):
     """The constants of vbss_grasper_field."""
     CAPSULES = 0
-    """x 7: begin and end of the axis, radius, m; shaft, the jaw at +x, the one at -x, neck."""
+    """x 7: start and end of the axis, radius, m. Order: shaft, jaw at +x, jaw at -x, neck."""
 
 
 class vbss_grasper(ctypes.Structure):
@@ -39,24 +39,24 @@ class vbss_grasper(ctypes.Structure):
 class vbss_grasper_config(ctypes.Structure):
     """How to make a grasper. Fill it with vbss_grasper_config_init, then change what you need.
 
-    method: Default VBSS_METHOD_OURS; the scene's must be the same.
+    method: Must be that of the scene; default VBSS_METHOD_OURS.
 
-    kind: With which it begins; default VBSS_GRASPER_NEEDLE_DRIVER.
+    kind: Initial kind; default VBSS_GRASPER_NEEDLE_DRIVER.
 
     has_trocar: 1: the shaft goes through `trocar`; default 0: free.
 
-    trocar: Where the shaft enters, m, each at most 1e3; default 0.
+    trocar: Point of entry of the shaft, m, each at most 1e3; default 0.
 
-    driver_length: Of a driver's jaws, pivot to tip, m, 1e-4 to 1; default 13e-3.
+    driver_length: Length of a driver's jaws, pivot to tip, m, 1e-4 to 1; default 13e-3.
 
-    driver_radius: Of each jaw, m, 1e-6 to 0.1, below the length; default 0.5e-3.
+    driver_radius: Radius of each jaw, m, 1e-6 to 0.1, below the length; default 0.5e-3.
 
-    driver_bend: By which they lean from the shaft, rad, -1.5 to 1.5; default 0.
+    driver_bend: Angle between jaws and shaft, rad, -1.5 to 1.5; default 0.
 
-    driver_opening: Angle of each from the middle when the handle is open, rad, 1e-3 to 1.2;
+    driver_opening: Angle of each jaw from the middle when the handle is open, rad, 1e-3 to 1.2;
     default 0.35.
 
-    shears_length: Of the blades of shears, as driver_length; default 15e-3.
+    shears_length: Length of the blades of shears, as driver_length; default 15e-3.
 
     shears_radius: As driver_radius; default 0.5e-3.
 
@@ -64,65 +64,69 @@ class vbss_grasper_config(ctypes.Structure):
 
     shears_opening: As driver_opening; default 0.35.
 
-    driver_neck: From the pivot back to the bend, m, 0 to 1; default 0.
+    driver_neck: Length from the pivot back to the bend, m, 0 to 1; default 0.
 
     shears_neck: As driver_neck; default 0.
 
-    neck_radius: Of both, m, 1e-6 to 0.1; default 1.2e-3.
+    neck_radius: Radius of either neck, m, 1e-6 to 0.1; default 1.2e-3.
 
-    shaft_length: From the bend on, m, 1e-3 to 10; default 0.15.
+    shaft_length: Length from the bend on, m, 1e-3 to 10; default 0.15.
 
-    shaft_radius: m, 1e-6 to 0.1; default 2.5e-3.
+    shaft_radius: Radius of the shaft, m, 1e-6 to 0.1; default 2.5e-3.
 
-    friction: Coefficient with all but what is held, 0 to 10; default 0.15.
+    friction: Coefficient for contacts outside the grasp, 0 to 10; default 0.15.
 
-    closing_force: Pressure of the jaws of a closed handle on what they hold, N, 0 to 1e4;
-    default 8.
+    closing_force: Pressure of the jaws on a grasped body when the handle is closed, N, 0 to
+    1e4; default 8.
 
-    closing_angle: Angle that the jaws of a closed handle would close further if nothing held
-    them, rad, 1e-3 to 1: the pressure grows over it from nothing to closing_force; default 0.1.
+    closing_angle: Angle by which the jaws of a closed handle would close further without a
+    grasped body, rad, 1e-3 to 1. The pressure grows over this angle from zero to closing_force.
+    Default 0.1.
 
-    jaw_speed: Most of each jaw, rad/s, 1e-2 to 1e3; default 8.
+    jaw_speed: Largest speed of each jaw, rad/s, 1e-2 to 1e3; default 8.
 
-    grip_friction: Coefficient of each face with what is held, 0 to 10; default 0.5.
+    grip_friction: Coefficient of each face in the grasp, 0 to 10; default 0.5.
 
-    grip_length: Of thread that is held, m, 1e-5 to 1e-1; default 1e-3.
+    grip_length: Length of thread that a grasp holds, m, 1e-5 to 1e-1; default 1e-3.
 
-    grip_stiffness: Of the clamp as a whole along the faces, N/m, 1 to 1e6; default 3000. From
-    face to face it is 64 times as stiff.
+    grip_stiffness: Stiffness of the whole clamp of a thread along the faces, N/m, 1 to 1e6;
+    default 3000. From face to face it is 64 times as stiff.
 
-    mass: Of the proxy, kg, 1e-4 to 1e2; default 0.02. It is at the tip, with a radius of
+    mass: Mass of the proxy, kg, 1e-4 to 1e2; default 0.02. It is at the tip, with a radius of
     gyration of 30 mm.
 
-    stiffness: Of the virtual coupling, N/m, 0 to 1e9; default 400: for haptic arms; scripted
-    hands may take 2000, with 10 N s/m.
+    stiffness: Stiffness of the virtual coupling, N/m, 0 to 1e9. The default of 400 suits haptic
+    arms; scripted hands may use 2000 with a damping of 10 N s/m.
 
-    damping: N s/m, 0 to 1e6; default 5. A hand that gets its force d after its pose was read,
-    held for h, wants at least stiffness (d + h / 2), or the coupling feeds it.
+    damping: Damping of the virtual coupling, N s/m, 0 to 1e6; default 5. If a hand receives its
+    force a time d after its pose was read, and holds it for h, the damping must be at least
+    stiffness (d + h / 2). Otherwise the coupling adds energy to the hand.
 
-    turning_stiffness: N m/rad, 0 to 1e9; default 5.
+    turning_stiffness: Rotational stiffness of the coupling, N m/rad, 0 to 1e9; default 5.
 
-    turning_damping: N m s/rad, 0 to 1e6; default 0.05.
+    turning_damping: Rotational damping of the coupling, N m s/rad, 0 to 1e6; default 0.05.
 
-    exchange_centre: Tools are exchanged only with empty jaws and with the tip further than
-    exchange_distance from here, m, each at most 1e3; default 0.
+    exchange_centre: Tools are exchanged only with empty jaws and with the tip farther than
+    exchange_distance from this point, m, each at most 1e3; default 0.
 
-    exchange_distance: m, 0 to 1e3; default 0: anywhere.
+    exchange_distance: Distance, m, 0 to 1e3; default 0: no limit.
 
-    paper_stiffness: PAPER: k_s of the force to the hand, k_s (stretched length - length), N/m,
-    0 to 1e6; default 50.
+    paper_stiffness: PAPER: factor k_s of the force on the hand, k_s (stretched length -
+    length), N/m, 0 to 1e6; default 50.
 
-    paper_distance: PAPER: within which closed jaws take a node, from their tip, or a needle,
-    from their middle line, m, 0 to 0.1; default 2e-3 (the paper gives no number).
+    paper_distance: PAPER: largest distance from the tip at which closing jaws take a node, and
+    from the centre line of the jaws at which they take a needle, m, 0 to 0.1; default 2e-3 (the
+    paper gives no number).
 
-    needle_stiffness: Of the clamp on either, the same in all directions, N/m, 1 to 1e7; default
-    3e4.
+    needle_stiffness: Stiffness of the clamp on either, equal in all directions, N/m, 1 to 1e7;
+    default 3e4.
 
-    needle_turning_stiffness: Of that on a needle about the normal of the jaws' faces, N m/rad,
-    1e-6 to 1e4; about axes in them half of it; default 0.5.
+    needle_turning_stiffness: Rotational stiffness of the clamp on a needle about the normal of
+    the jaws' faces, N m/rad, 1e-6 to 1e4; default 0.5. About axes in the faces it is half of
+    this.
 
-    needle_torque: Torque that jaws of a closed handle bear before the needle turns in them, N
-    m, 0 to 1e2; default 0.03 (not verified). Of jaws that press less, less in proportion.
+    needle_torque: Torque at which a needle turns in the jaws of a closed handle, N m, 0 to 1e2;
+    default 0.03 (not verified). The torque is proportional to the pressure of the jaws.
 
     solenoid_opening: See vbss_grasper_state::solenoid; 0 to 1; default 0.2."""
     struct_size: int
@@ -207,44 +211,44 @@ class vbss_grasper_config(ctypes.Structure):
 
 
 class vbss_grasper_state(ctypes.Structure):
-    """Where a grasper is, and what acts on it.
+    """Pose of a grasper, and the forces that act on it.
 
-    kind: What it is now.
+    kind: Present kind.
 
-    body: Its number in its scene; 0: it is in none.
+    body: Its number in its scene; 0: not in a scene.
 
-    grasp_count: Places of threads that it holds; a needle; a wall.
+    grasp_count: Number of grasps: places of threads, a needle, a wall.
 
-    position: Of the tip, m.
+    position: Position of the tip, m.
 
-    orientation: w, x, y, z, unit.
+    orientation: Unit quaternion, w, x, y, z.
 
-    velocity: Of the tip, m/s.
+    velocity: Velocity of the tip, m/s.
 
-    angular_velocity: rad/s.
+    angular_velocity: Angular velocity, rad/s.
 
-    target_position: Where the tip shall be, m.
+    target_position: Target of the tip, m.
 
-    target_orientation: What was told, as the trocar lets it be.
+    target_orientation: Target, after the trocar has turned it.
 
-    opening: Of the handle, as told.
+    opening: Opening of the handle that the host set.
 
-    jaw_angle: Of each jaw from the middle, rad.
+    jaw_angle: Angle of each jaw from the middle, rad.
 
-    pressure: Of the jaws on all that they hold, N.
+    pressure: Pressure of the jaws on all grasped bodies, N.
 
-    hand_force: On the hand at the tip, N; what a device shall exert. PAPER: of the stretch of
-    what it carries.
+    hand_force: Force on the hand at the tip, which a device shall exert, N. PAPER: the force of
+    stretched threads that it carries.
 
-    hand_torque: On the hand about the tip, N m; PAPER: 0.
+    hand_torque: Torque on the hand about the tip, N m; PAPER: 0.
 
-    needle: Number in its scene of the needle that it holds; 0: none.
+    needle: Number of the held needle in its scene; 0: none.
 
-    drain: The same of the drain whose wall it holds.
+    drain: Number of the drain whose wall it holds; 0: none.
 
-    solenoid: 1: a solenoid that locks the handle is wanted (vbss_output_command::solenoid):
-    from when it holds a needle and the handle is closed below solenoid_opening, until it holds
-    none."""
+    solenoid: 1: a solenoid shall lock the handle (vbss_output_command::solenoid). It is set
+    once the tool holds a needle and the opening of the handle is below solenoid_opening, and
+    cleared when the tool holds no needle."""
     struct_size: int
     kind: int
     body: int
@@ -289,7 +293,7 @@ class vbss_grasper_state(ctypes.Structure):
 
 
 class GrasperState(NamedTuple):
-    """Where a grasper is, and what acts on it. Fields as vbss_grasper_state says."""
+    """Pose of a grasper, and the forces that act on it. Fields as vbss_grasper_state says."""
     kind: GrasperKind
     body: int
     grasp_count: int

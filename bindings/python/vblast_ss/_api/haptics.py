@@ -20,7 +20,9 @@ class HardwareState(IntEnum):
     REFUSING = 2
     """It measures, but takes no forces for now: motors warm, force or speed too high."""
     UNCALIBRATED = 3
-    """No forces until it is calibrated: put the stylus into the inkwell."""
+    """No forces until it is calibrated: put the stylus into the inkwell. Also an arm whose pose
+    has not changed by a bit for 1 s: it is not calibrated, its encoders give no data, or nobody
+    holds it. It gets forces again when its pose changes."""
     LOST = 4
     """It is not there: unplugged, or its driver has failed."""
 
@@ -57,9 +59,11 @@ class vbss_openhaptics_config(ctypes.Structure):
     rate: Of the servo, Hz, 100 to 8000; default 1000. The vendor takes 500, 1000 and 2000, or
     other ones for some arms.
 
-    library: Path or name; NULL (default): `libHD.so`, `hd.dll` or `libHD.dylib`.
+    library: Path or name; NULL (default): `libHD.so`, `libHD.so.3.4` or `libHD.so.3.0`;
+    `hd.dll`; or `libHD.dylib`.
 
-    first_name: As the vendor's set-up calls it; NULL (default): its default device.
+    first_name: As the vendor's set-up calls it; NULL (default): its default device, or the one
+    that is called `Default Device` or `Default PHANToM`.
 
     second_name: The same of the second; default `Device2`.
 
@@ -119,7 +123,9 @@ class vbss_openhaptics_status(ctypes.Structure):
 
     longest_tick: From the beginning of a tick to the end of our work in it, s.
 
-    force: That went out last, device's frame, N."""
+    force: That went out last, device's frame, N.
+
+    is_constant: 1: the pose has not changed by a bit for 1 s."""
     struct_size: int
     state: int
     error: int
@@ -133,6 +139,8 @@ class vbss_openhaptics_status(ctypes.Structure):
     temperature: float
     longest_tick: float
     force: Any
+    is_constant: int
+    reserved: int
     _kinds_: ClassVar[dict[str, Any]] = {"state": HardwareState}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -148,6 +156,8 @@ class vbss_openhaptics_status(ctypes.Structure):
         ("temperature", c_double),
         ("longest_tick", c_double),
         ("force", c_double * 3),
+        ("is_constant", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -165,6 +175,7 @@ class OpenhapticsStatus(NamedTuple):
     temperature: float
     longest_tick: float
     force: tuple[float, ...]
+    is_constant: int
 
 
 class vbss_nidaqmx_config(ctypes.Structure):
@@ -173,7 +184,10 @@ class vbss_nidaqmx_config(ctypes.Structure):
 
     handle_count: 1 or 2 (default).
 
-    library: Path or name; NULL (default): `libnidaqmx.so.1`, or `nicaiu.dll`.
+    library: Path or name; NULL (default): `libnidaqmx.so.1` or, without it,
+    `libnidaqmxbase.so`; `nicaiu.dll` on Windows. NI-DAQmx Base is recognised by its functions.
+    It needs all lines on one port, such as `Dev1/port0/line0` and `Dev1/port0/line1`, and the
+    other lines of that port stay high.
 
     first_input: Analog input of the first handle; default `Dev1/ai0`.
 
@@ -198,7 +212,9 @@ class vbss_nidaqmx_config(ctypes.Structure):
 
     period: Time between two samples, s, 5e-4 to 1; default 0.002.
 
-    timeout: Longest wait of a call for the hardware, s, 1e-3 to 10; default 0.004."""
+    timeout: Longest wait of a call for the hardware, s, 1e-3 to 10, or 0 (default): the library
+    chooses it. It starts with 0.004 s, and doubles it up to 0.064 s while calls time out. A
+    wait that the host chooses stays; the text of the handle's error says when it is too short."""
     struct_size: int
     handle_count: int
     library: Any
@@ -237,7 +253,9 @@ class vbss_nidaqmx_config(ctypes.Structure):
 class vbss_nidaqmx_status(ctypes.Structure):
     """What the lines went through.
 
-    state: How they are; REFUSING: the last read failed, solenoids are off.
+    state: How they are. REFUSING: the last read failed, or the lines are being opened again
+    after an error that passes; solenoids are off. LOST: an error that stays; the library opens
+    the lines again when it can.
 
     error: What the vendor's library said last, its code; 0: nothing.
 
@@ -251,7 +269,21 @@ class vbss_nidaqmx_status(ctypes.Structure):
 
     warnings: Calls that succeeded with a warning.
 
-    silent_cycles: Rounds in which a solenoid was put off, as the host was silent."""
+    silent_cycles: Rounds in which a solenoid was put off, as the host was silent.
+
+    timeouts: Reads and writes that timed out.
+
+    reopened: How often the lines were opened again after an error.
+
+    late_rounds: Rounds at a pace at which a solenoid goes off later than its command expires.
+
+    timeout: Longest wait of a call for the hardware, in force now, s.
+
+    round_time: Time from round to round, mean of about the last 16, s.
+
+    off_time: Longest time from the host's last command to a solenoid that is off, at that pace,
+    s; 0: unknown. A command expires after vbss_output_result::expires, 10 ms by default; rounds
+    above half of that are too slow for it."""
     struct_size: int
     state: int
     error: int
@@ -261,6 +293,12 @@ class vbss_nidaqmx_status(ctypes.Structure):
     failed_writes: int
     warnings: int
     silent_cycles: int
+    timeouts: int
+    reopened: int
+    late_rounds: int
+    timeout: float
+    round_time: float
+    off_time: float
     _kinds_: ClassVar[dict[str, Any]] = {"state": HardwareState}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -272,6 +310,12 @@ class vbss_nidaqmx_status(ctypes.Structure):
         ("failed_writes", c_uint64),
         ("warnings", c_uint64),
         ("silent_cycles", c_uint64),
+        ("timeouts", c_uint64),
+        ("reopened", c_uint64),
+        ("late_rounds", c_uint64),
+        ("timeout", c_double),
+        ("round_time", c_double),
+        ("off_time", c_double),
     ]
 
 
@@ -285,6 +329,12 @@ class NidaqmxStatus(NamedTuple):
     failed_writes: int
     warnings: int
     silent_cycles: int
+    timeouts: int
+    reopened: int
+    late_rounds: int
+    timeout: float
+    round_time: float
+    off_time: float
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

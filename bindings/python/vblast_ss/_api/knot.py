@@ -52,7 +52,8 @@ class KnotReason(IntEnum):
     DEGENERATE = 2
     """The thread touches itself in every projection."""
     CAPACITY = 3
-    """More crossings than there is room for."""
+    """The diagram has more crossings than the detector has room for, or is too wide for the Jones
+    polynomial that must confirm the result."""
     CONFLICT = 4
     """Twist regions and invariants differ."""
 

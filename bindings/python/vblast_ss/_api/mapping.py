@@ -23,9 +23,10 @@ class vbss_mapping_config(ctypes.Structure):
 
     pad_curve: Gamepad: power of the deflection, 1 to 4; default 2.
 
-    right: Direction of the screen's right, unit to 1e-6; default x.
+    right: Direction to the right of the screen, unit to 1e-6; default x.
 
-    up: Of its top, normal to it; default y. Right x up points towards the user.
+    up: Direction to the top of the screen, normal to `right`; default y. Right x up points
+    towards the user.
 
     low: Corner of the box that positions are kept in, m; default -0.1.
 

@@ -117,6 +117,9 @@ class MetricsBits(IntFlag):
     FINAL = 2048
     """The score is that of a whole trial: stopped, with deviations, gap and tightness known, or
     zero for good. Without it the score is what it would be if nothing more were found."""
+    TIME_LOST = 4096
+    """More than `lost_share` of the time is lost. Time and score include it and do not compare
+    with those of other trials."""
 
 
 class MetricsPenaltyKind(IntEnum):
@@ -147,6 +150,8 @@ class MetricsPenaltyKind(IntEnum):
     """The thread broke: all that was left."""
     INCOMPLETE = 13
     """Finished before both tails were cut: all that was left."""
+    TIME_LOST = 14
+    """More than `lost_share` of the time was lost: `measure` s. It costs no points."""
 
 
 class MetricsTask(IntEnum):
@@ -174,7 +179,8 @@ class MetricsField(IntEnum):
     RIGHT_SPEED = 1
     """of the right one."""
     LEFT_JERK = 2
-    """x 1 double: |jerk|^2 of the left tool, m^2/s^6,"""
+    """x 1 double: |jerk|^2 of the left tool, m^2/s^6; 0 where it was not seen for 0.25 s without a
+    gap,"""
     RIGHT_JERK = 3
     """of the right one."""
     LEFT_FORCE = 4
@@ -238,7 +244,14 @@ class vbss_metrics_config(ctypes.Structure):
 
     weight_transfer: Points a needle transfer that was missed; default 0.
 
-    weight_host: Times the points of a penalty of the host; default 1."""
+    weight_host: Times the points of a penalty of the host; default 1.
+
+    max_speed: Largest speed of a hand, m/s, 0 to 1e6; default 2, for the upper limbs by ISO
+    13855. A sample that is farther from the last one than this speed allows, plus 1 mm for
+    noise, is an outlier: see vbss_metrics_add_sample. 0: no sample is an outlier.
+
+    lost_share: Share of the time, 0 to 1, above which lost time sets VBSS_METRICS_TIME_LOST;
+    default 0.02. A trial shorter than 1 s counts as 1 s."""
     struct_size: int
     tightness_method: int
     throw_capacity: int
@@ -264,6 +277,8 @@ class vbss_metrics_config(ctypes.Structure):
     weight_drop: float
     weight_transfer: float
     weight_host: float
+    max_speed: float
+    lost_share: float
     _kinds_: ClassVar[dict[str, Any]] = {"tightness_method": Method}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -291,6 +306,8 @@ class vbss_metrics_config(ctypes.Structure):
         ("weight_drop", c_double),
         ("weight_transfer", c_double),
         ("weight_host", c_double),
+        ("max_speed", c_double),
+        ("lost_share", c_double),
     ]
 
 
@@ -305,13 +322,17 @@ class vbss_metrics_sample(ctypes.Structure):
 
     position: Of the tips, left and right, m, each at most 1e3.
 
-    force: On the tools, N, each at most 1e6."""
+    force: On the tools, N, each at most 1e6.
+
+    time_lost: Time that the simulation has left out since its clock began, s, at most 1e9 and
+    not less than in the last sample; default 0. It is part of `time`."""
     struct_size: int
     valid: int
     step: int
     time: float
     position: Any
     force: Any
+    time_lost: float
     _kinds_: ClassVar[dict[str, Any]] = {"valid": MetricsHasBits}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -320,6 +341,7 @@ class vbss_metrics_sample(ctypes.Structure):
         ("time", c_double),
         ("position", (c_double * 3) * 2),
         ("force", (c_double * 3) * 2),
+        ("time_lost", c_double),
     ]
 
 
@@ -470,7 +492,8 @@ class vbss_metrics_report(ctypes.Structure):
 
     ticks_lost: Beyond the room for motion: not measured.
 
-    time: From the needle until both tails were cut, or until now, s.
+    time: From the needle until both tails were cut, or until now, s, on the clock of the hands.
+    It includes `time_lost`.
 
     deviation_mm: Of the punctures from their marks, along the drain.
 
@@ -488,7 +511,15 @@ class vbss_metrics_report(ctypes.Structure):
 
     score: max_time - time - penalties, not below zero.
 
-    penalties: Sum of the penalties."""
+    penalties: Sum of the penalties.
+
+    outliers: Samples of the left and the right tool left out as outliers.
+
+    jumps: Times that outliers lasted for more than 0.1 s: a new run began.
+
+    time_lost: Part of `time` that the simulation left out, s.
+
+    time_simulated: `time` without `time_lost`, s."""
     struct_size: int
     flags: int
     tightness_ours: int
@@ -519,6 +550,10 @@ class vbss_metrics_report(ctypes.Structure):
     drawn_in_mm: float
     score: float
     penalties: float
+    outliers: Any
+    jumps: Any
+    time_lost: float
+    time_simulated: float
     _kinds_: ClassVar[dict[str, Any]] = {"flags": MetricsBits, "tightness_ours": MetricsTightness, "tightness_paper": MetricsTightness}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -551,6 +586,10 @@ class vbss_metrics_report(ctypes.Structure):
         ("drawn_in_mm", c_double),
         ("score", c_double),
         ("penalties", c_double),
+        ("outliers", c_uint64 * 2),
+        ("jumps", c_uint32 * 2),
+        ("time_lost", c_double),
+        ("time_simulated", c_double),
     ]
 
 
@@ -585,6 +624,10 @@ class MetricsReport(NamedTuple):
     drawn_in_mm: float
     score: float
     penalties: float
+    outliers: tuple[int, ...]
+    jumps: tuple[int, ...]
+    time_lost: float
+    time_simulated: float
 
 
 class vbss_metrics_throw(ctypes.Structure):

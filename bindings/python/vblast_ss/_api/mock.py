@@ -11,27 +11,28 @@ from .base import vbss_context, vbss_view
 
 
 class MockFault(IntEnum):
-    """The constants of vbss_mock_fault; t0: when the fault begins, v: its value."""
+    """The constants of vbss_mock_fault; t0: start of the fault, v: its value."""
     NAN = 1
-    """A NaN in: 0 position, 1 orientation, 2 velocity, 3 jaw (raw and not), 4 time, as v says."""
+    """A NaN in the position (v = 0), orientation (1), velocity (2), jaw, raw and not (3), or time
+    (4)."""
     STALL = 2
-    """The sample of t0 again and again."""
+    """Each read repeats the sample of t0."""
     DISCONNECT = 3
     """Reads and writes fail, with VBSS_DEVICE_FLAG_LOST."""
     RATE = 4
-    """A new sample every v s only."""
+    """Only one new sample every v s."""
     LATE = 5
     """Samples of v s ago."""
     SHUFFLE = 6
-    """Every second interval of v s, samples of v s ago: their order is broken."""
+    """In every second interval of v s, samples of v s ago, so that their order is broken."""
     NORM = 7
     """Orientations of length v."""
     JUMP = 8
-    """x further by v m."""
+    """x larger by v m."""
     TEMPERATURE = 9
     """A temperature of v."""
     JAW = 10
-    """A raw opening of v, as of a broken wire."""
+    """A raw opening of v, like that of a broken wire."""
     STOP = 11
     """VBSS_DEVICE_FLAG_STOP."""
     REFUSAL = 12
@@ -53,20 +54,20 @@ class vbss_mock(ctypes.Structure):
     demand."""
 
 
-# What a mock measures: a function of time.
+# Sample of a mock as a function of time.
 vbss_mock_measure_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(vbss_device_sample))
 
 
 class vbss_mock_config(ctypes.Structure):
     """How to make a mock. Fill it with vbss_mock_config_init, then change what you need.
 
-    fault_capacity: Most faults at a time, 0 to 4096; default 16.
+    fault_capacity: Largest number of faults, 0 to 4096; default 16.
 
-    row_capacity: Most rows of what was written that are kept, 0 to 2^20; default 1024.
+    row_capacity: Largest number of stored rows, one for each write, 0 to 2^20; default 1024.
 
     measure: NULL (default): the sample of vbss_mock_set_sample.
 
-    user: Handed to measure; may be NULL.
+    user: Argument of measure; may be NULL.
 
     capabilities: NULL (default): 6 and 3 degrees of freedom, 3.3 N, 400 N/m, 4 N s/m, 1 kHz, a
     box of 0.15 m, all signals and outputs. Copied."""
@@ -90,17 +91,17 @@ class vbss_mock_config(ctypes.Structure):
 
 
 class vbss_mock_statistics(ctypes.Structure):
-    """What a mock went through.
+    """Counters of a mock.
 
-    open: 1: it is open.
+    open: 1: the mock is open.
 
-    opens: How often it was opened.
+    opens: Number of calls that opened it.
 
-    reads: How often it was read.
+    reads: Number of reads.
 
-    writes: How often it was written to, also in vain.
+    writes: Number of writes, also those that failed.
 
-    rows_lost: Rows there was no room for."""
+    rows_lost: Rows beyond row_capacity."""
     struct_size: int
     open: int
     opens: int
@@ -119,7 +120,7 @@ class vbss_mock_statistics(ctypes.Structure):
 
 
 class MockStatistics(NamedTuple):
-    """What a mock went through. Fields as vbss_mock_statistics says."""
+    """Counters of a mock. Fields as vbss_mock_statistics says."""
     open: int
     opens: int
     reads: int

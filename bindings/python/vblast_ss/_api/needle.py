@@ -30,13 +30,13 @@ class vbss_needle(ctypes.Structure):
 class vbss_needle_config(ctypes.Structure):
     """How to make a needle. Fill it with vbss_needle_config_init, then change what you need.
 
-    method: Default VBSS_METHOD_OURS; the scene's must be the same.
+    method: Must be that of the scene; default VBSS_METHOD_OURS.
 
     segment_count: Capsules along the arc, 2 to 64; default 8.
 
-    radius: Of the arc's middle line, m, 1e-4 to 1; default 10.5e-3, the paper's.
+    radius: Radius of the arc's centre line, m, 1e-4 to 1; default 10.5e-3, that of the paper.
 
-    wire_radius: m, 1e-6 to a fifth of radius; default 0.35e-3 (not verified).
+    wire_radius: Radius of the wire, m, 1e-6 to radius / 5; default 0.35e-3 (not verified).
 
     arc: Angle from tip to swage, rad, 0.1 to 6; default pi.
 
@@ -48,11 +48,11 @@ class vbss_needle_config(ctypes.Structure):
 
     gravity: m/s^2, each at most 1e6; default 0.
 
-    position: Of the frame, m, each at most 1e3; default 0.
+    position: Origin of the frame, m, each at most 1e3; default 0.
 
     orientation: w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0.
 
-    velocity: Of the frame's origin, m/s, each at most 1e5; default 0.
+    velocity: Velocity of the origin, m/s, each at most 1e5; default 0.
 
     angular_velocity: rad/s, each at most 1e6; default 0."""
     struct_size: int
@@ -91,25 +91,25 @@ class vbss_needle_config(ctypes.Structure):
 
 
 class vbss_needle_state(ctypes.Structure):
-    """Where a needle is.
+    """Pose and velocity of a needle.
 
-    body: Its number in its scene; 0: it is in none.
+    body: Its number in its scene; 0: not in a scene.
 
-    position: Of the frame, m.
+    position: Origin of the frame, m.
 
     orientation: w, x, y, z, unit.
 
-    velocity: Of the frame's origin, m/s.
+    velocity: Velocity of the origin, m/s.
 
     angular_velocity: rad/s.
 
     tip: m.
 
-    tip_direction: Unit: where the tip points.
+    tip_direction: Unit vector out of the tip.
 
     swage: m.
 
-    swage_direction: Unit: where the thread leaves, away from the needle."""
+    swage_direction: Unit vector of the thread, away from the needle."""
     struct_size: int
     body: int
     position: Any
@@ -136,7 +136,7 @@ class vbss_needle_state(ctypes.Structure):
 
 
 class NeedleState(NamedTuple):
-    """Where a needle is. Fields as vbss_needle_state says."""
+    """Pose and velocity of a needle. Fields as vbss_needle_state says."""
     body: int
     position: tuple[float, ...]
     orientation: tuple[float, ...]
@@ -149,17 +149,17 @@ class NeedleState(NamedTuple):
 
 
 class vbss_needle_mass(ctypes.Structure):
-    """What a needle weighs.
+    """Mass and inertia of a needle.
 
     mass: kg.
 
-    length: Of the middle line, m.
+    length: Length of the centre line, m.
 
     centre: Centre of mass in the needle's frame, m.
 
     inertia: Principal moments about it, kg m^2.
 
-    axes: Unit, of the moments in turn, in the needle's frame."""
+    axes: Their unit axes in the needle's frame, in the same order."""
     struct_size: int
     reserved: int
     mass: float
@@ -180,7 +180,7 @@ class vbss_needle_mass(ctypes.Structure):
 
 
 class NeedleMass(NamedTuple):
-    """What a needle weighs. Fields as vbss_needle_mass says."""
+    """Mass and inertia of a needle. Fields as vbss_needle_mass says."""
     mass: float
     length: float
     centre: tuple[float, ...]
@@ -191,7 +191,7 @@ class NeedleMass(NamedTuple):
 class vbss_needle_energies(ctypes.Structure):
     """Energies, J.
 
-    kinetic: Of translation and rotation.
+    kinetic: Kinetic energy of translation and rotation.
 
     gravity: Zero at the world's origin.
 

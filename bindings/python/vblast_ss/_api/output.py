@@ -10,34 +10,35 @@ from .base import vbss_context
 
 
 class OutputBits(IntFlag):
-    """What an output stage did in a step: bits."""
+    """Actions of an output stage in a step: bits."""
     NOT_FINITE = 1
     """A number was NaN or infinite: all off."""
     FAULT = 2
     """The device refuses forces: all off."""
     CLAMPED = 4
-    """Above the largest magnitude."""
+    """The force was above the largest magnitude."""
     CONTINUOUS = 8
-    """Above what the load so far allows."""
+    """The force was above the limit of the past load."""
     WARM = 16
-    """Above what the temperature allows."""
+    """The force was above the limit of the temperature."""
     SLEWED = 32
-    """Rises faster than it may."""
+    """The force rose faster than the limit."""
     INPUT_STALE = 64
-    """The pose is too old: ramped to zero."""
+    """The pose is too old: ramp to zero."""
     COMMAND_STALE = 128
-    """The command is too old: ramped to zero."""
+    """The command is too old: ramp to zero."""
     STOPPED = 256
     """The emergency stop is latched: all off."""
     LATE = 512
-    """The last step is longer ago than the watchdog waits."""
+    """The step came later than the watchdog allows."""
     SOLENOID_OFF = 1024
-    """The solenoid was wanted, but is off: for one of these reasons; of a device also while the
-    clutch is held, the opening is stale, or an adapter is lost or failed last."""
+    """The command asks for the solenoid, but it is off for one of these reasons. Devices switch it
+    off also while the clutch is engaged, the opening is stale, or an adapter is lost or has
+    just failed."""
     SOLENOID_SPENT = 2048
-    """The solenoid was wanted for too long."""
+    """The solenoid was on for too long."""
     NOT_WRITTEN = 4096
-    """Devices: an adapter did not take it."""
+    """Devices: an adapter did not accept the result."""
 
 
 class vbss_output(ctypes.Structure):
@@ -46,37 +47,37 @@ class vbss_output(ctypes.Structure):
 
 class vbss_output_config(ctypes.Structure):
     """Limits of an output stage. Fill it with vbss_output_config_init, then change what you need.
-    A device lowers them to what its adapters say they can, and waits at least 2.5 of their
-    periods.
+    A device lowers them to the capabilities of its adapters, and its timeouts are at least 2.5
+    of their periods.
 
-    max_force: N, 0 to 1e3; default 3.
+    max_force: Largest force, N, 0 to 1e3; default 3.
 
-    max_torque: N m, 0 to 1e3; default 0.1.
+    max_torque: Largest torque, N m, 0 to 1e3; default 0.1.
 
-    continuous_force: Root mean square that may go on for ever, N, 0 to 1e3; default 0.88, often
-    said of the Touch, in no public source we know.
+    continuous_force: Permitted root mean square of the force over an unlimited time, N, 0 to
+    1e3; default 0.88, a value often given for the Touch, without a known public source.
 
-    continuous_torque: The same, N m; default 0.03, chosen.
+    continuous_torque: Permitted root mean square of the torque, N m; default 0.03, chosen.
 
-    load_time: Time constant of that mean, s, 1e-3 to 1e4; default 10, chosen.
+    load_time: Time constant of these means, s, 1e-3 to 1e4; default 10, chosen.
 
-    warm: Temperature from which forces are lowered, 0 to 1; default 0.7.
+    warm: Temperature above which forces are reduced, 0 to 1; default 0.7.
 
-    hot: Temperature at which there are none, above `warm`, to 2; default 1.
+    hot: Temperature at which forces are zero, above `warm`, to 2; default 1.
 
-    force_rise: Fastest rise or turn, N/s, 1e-3 to 1e9; default 500. Falling is free.
+    force_rise: Fastest rise or turn, N/s, 1e-3 to 1e9; default 500. No limit for a fall.
 
-    torque_rise: The same, N m/s; default 20.
+    torque_rise: Fastest rise or turn of the torque, N m/s; default 20.
 
     input_timeout: Age at which a pose is stale, s, 1e-4 to 10; default 0.005.
 
-    command_timeout: Age at which a command is, s, 1e-4 to 10; default 0.005.
+    command_timeout: Age at which a command is stale, s, 1e-4 to 10; default 0.005.
 
-    ramp_time: From there to zero, s, 0 to 10; default 0.005.
+    ramp_time: Length of the ramp to zero, s, 0 to 10; default 0.005.
 
-    solenoid_time: Longest time on, s, 0 to 1e4; default 1, chosen.
+    solenoid_time: Longest time of the solenoid on, s, 0 to 1e4; default 1, chosen.
 
-    solenoid_duty: Part of the time it may be on in the long run, 0 to 0.99; default 0.25,
+    solenoid_duty: Largest long-term share of time of the solenoid on, 0 to 0.99; default 0.25,
     chosen."""
     struct_size: int
     reserved: int
@@ -116,22 +117,23 @@ class vbss_output_config(ctypes.Structure):
 
 
 class vbss_output_command(ctypes.Structure):
-    """What is wanted of an output stage. Fill it with vbss_output_command_init, then set what you
-    want.
+    """Command to an output stage. Fill it with vbss_output_command_init, then set what you need.
 
     solenoid: 1: on; default 0.
 
     fault: 1: the device refuses forces; default 0.
 
-    force: N; to a device: in the world. Anything: what is not finite is told by a flag.
+    force: N; for a device: in the world. A flag reports numbers that are not finite.
 
     torque: N m, likewise.
 
-    age: How old the command is, s, such as the anchor it was computed from; default 0.
+    age: Age of the command, s, such as that of the anchor it was computed from; default 0.
 
-    input_age: How old the pose is, s; default 0. A device takes its own if that is older.
+    input_age: Age of the pose, s; default 0. A device uses the age of its own pose if that is
+    older.
 
-    temperature: Of the motors; default 0. A device takes its own if that is higher."""
+    temperature: Temperature of the motors; default 0. A device uses its own value if that is
+    higher."""
     struct_size: int
     solenoid: int
     fault: int
@@ -156,45 +158,45 @@ class vbss_output_command(ctypes.Structure):
 
 
 class vbss_output_statistics(ctypes.Structure):
-    """Steps in which an output stage did something, and what it went through.
+    """Counters of an output stage. Each counter of a flag is the number of steps with that flag.
 
     steps: Steps so far.
 
-    not_finite: Of them with VBSS_OUTPUT_NOT_FINITE;
+    not_finite: Steps with VBSS_OUTPUT_NOT_FINITE.
 
-    faults: VBSS_OUTPUT_FAULT;
+    faults: Steps with VBSS_OUTPUT_FAULT.
 
-    clamped: VBSS_OUTPUT_CLAMPED;
+    clamped: Steps with VBSS_OUTPUT_CLAMPED.
 
-    continuous: VBSS_OUTPUT_CONTINUOUS;
+    continuous: Steps with VBSS_OUTPUT_CONTINUOUS.
 
-    warm: VBSS_OUTPUT_WARM;
+    warm: Steps with VBSS_OUTPUT_WARM.
 
-    slewed: VBSS_OUTPUT_SLEWED;
+    slewed: Steps with VBSS_OUTPUT_SLEWED.
 
-    input_stale: VBSS_OUTPUT_INPUT_STALE;
+    input_stale: Steps with VBSS_OUTPUT_INPUT_STALE.
 
-    command_stale: VBSS_OUTPUT_COMMAND_STALE;
+    command_stale: Steps with VBSS_OUTPUT_COMMAND_STALE.
 
-    stopped: VBSS_OUTPUT_STOPPED;
+    stopped: Steps with VBSS_OUTPUT_STOPPED.
 
-    late: VBSS_OUTPUT_LATE;
+    late: Steps with VBSS_OUTPUT_LATE.
 
-    solenoid_off: VBSS_OUTPUT_SOLENOID_OFF;
+    solenoid_off: Steps with VBSS_OUTPUT_SOLENOID_OFF.
 
-    solenoid_spent: VBSS_OUTPUT_SOLENOID_SPENT.
+    solenoid_spent: Steps with VBSS_OUTPUT_SOLENOID_SPENT.
 
-    watchdogs: How often the watchdog began to ramp.
+    watchdogs: Ramps that the watchdog started.
 
-    stops: How often the emergency stop was latched.
+    stops: Times that the emergency stop was latched.
 
-    pulses: How often the solenoid went on.
+    pulses: Times that the solenoid was switched on.
 
-    largest_force: That was put out, N.
+    largest_force: Largest force in a result, N.
 
-    largest_torque: That was put out, N m.
+    largest_torque: Largest torque in a result, N m.
 
-    solenoid_on: Time it was on, s."""
+    solenoid_on: Total time of the solenoid on, s."""
     struct_size: int
     reserved: int
     steps: int
@@ -243,8 +245,8 @@ class vbss_output_statistics(ctypes.Structure):
 
 
 class OutputStatistics(NamedTuple):
-    """Steps in which an output stage did something, and what it went through. Fields as
-    vbss_output_statistics says."""
+    """Counters of an output stage. Each counter of a flag is the number of steps with that flag.
+    Fields as vbss_output_statistics says."""
     steps: int
     not_finite: int
     faults: int
@@ -267,24 +269,24 @@ class OutputStatistics(NamedTuple):
 
 
 class vbss_output_result(ctypes.Structure):
-    """What goes to the hardware: the result of an output stage. In an adapter's call it lies in
-    4096 bytes of which the rest is zero.
+    """Result of an output stage, for the hardware. In a call of an adapter it is followed by zeros
+    up to 4096 bytes.
 
-    flags: VBSS_OUTPUT_ bits: what the stage did.
+    flags: VBSS_OUTPUT_ bits: actions of the stage.
 
     solenoid: 1: on, 0: off.
 
-    force: N; to an adapter: in the device's frame.
+    force: N; for an adapter: in the device's frame.
 
     torque: N m.
 
-    force_load: Mean square force over the continuous limit's square: 1 is full.
+    force_load: Mean square force over the square of its limit; 1: at the limit.
 
-    torque_load: The same of the torque.
+    torque_load: Mean square torque over the square of its limit.
 
-    solenoid_left: Time that the solenoid may stay on from now, s.
+    solenoid_left: Time that the solenoid may stay on from now on, s.
 
-    expires: An adapter that hears nothing for so long puts everything off itself, s."""
+    expires: Time after which an adapter without a new call switches all outputs off itself, s."""
     struct_size: int
     flags: int
     solenoid: int
@@ -311,8 +313,8 @@ class vbss_output_result(ctypes.Structure):
 
 
 class OutputResult(NamedTuple):
-    """What goes to the hardware: the result of an output stage. In an adapter's call it lies in
-    4096 bytes of which the rest is zero. Fields as vbss_output_result says."""
+    """Result of an output stage, for the hardware. In a call of an adapter it is followed by zeros
+    up to 4096 bytes. Fields as vbss_output_result says."""
     flags: OutputBits
     solenoid: int
     force: tuple[float, ...]

@@ -139,7 +139,7 @@ class vbss_log_step(ctypes.Structure):
 
     h: Its length, s.
 
-    time: Simulated after it since the begin of the log, s.
+    time: Sum of the lengths up to it, s: the clock of the hands.
 
     inputs: What was told before it, in that order.
 
@@ -147,7 +147,10 @@ class vbss_log_step(ctypes.Structure):
 
     input_count: Of inputs.
 
-    event_count: Of events: four words each."""
+    event_count: Of events: four words each.
+
+    time_lost: Part of `h` that the scene has left out, s, by VBSS_EVENT_CLAMPED. Each such
+    event is up to h / 65536 too small. A paused step may be reported in a later one."""
     struct_size: int
     hashed: int
     number: int
@@ -159,6 +162,7 @@ class vbss_log_step(ctypes.Structure):
     events: Any
     input_count: int
     event_count: int
+    time_lost: float
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -172,6 +176,7 @@ class vbss_log_step(ctypes.Structure):
         ("events", POINTER(c_uint32)),
         ("input_count", c_uint32),
         ("event_count", c_uint32),
+        ("time_lost", c_double),
     ]
 
 
@@ -187,6 +192,7 @@ class LogStep(NamedTuple):
     events: Any
     input_count: int
     event_count: int
+    time_lost: float
 
 
 class vbss_log_report(ctypes.Structure):
@@ -211,13 +217,15 @@ class vbss_log_report(ctypes.Structure):
 
     snapshots: With that at the begin.
 
-    time: Simulated in them, s.
+    time: Sum of their lengths, s: the clock of the hands.
 
     fault_positions: Bytes of the log.
 
     fault_problems: Constant texts, in English.
 
-    fault_results: VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION."""
+    fault_results: VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION.
+
+    time_lost: Part of `time` that the scene has left out, s: see vbss_log_step.time_lost."""
     struct_size: int
     result: int
     ended: int
@@ -232,6 +240,7 @@ class vbss_log_report(ctypes.Structure):
     fault_positions: Any
     fault_problems: Any
     fault_results: Any
+    time_lost: float
     _kinds_: ClassVar[dict[str, Any]] = {"result": Result}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -248,6 +257,7 @@ class vbss_log_report(ctypes.Structure):
         ("fault_positions", c_uint64 * 8),
         ("fault_problems", c_char_p * 8),
         ("fault_results", c_int32 * 8),
+        ("time_lost", c_double),
     ]
 
 
@@ -267,6 +277,7 @@ class LogReport(NamedTuple):
     fault_positions: tuple[int, ...]
     fault_problems: Any
     fault_results: tuple[int, ...]
+    time_lost: float
 
 
 class vbss_replay_info(ctypes.Structure):

@@ -136,6 +136,25 @@ class EventKind(IntEnum):
     """The swage has come back through it: the needle is in it again: the same."""
     UNTHREADED = 18
     """An end of a thread has left the hole: thread, drain, id of the hole."""
+    BLOCKED = 19
+    """Bodies are held back, for the first time since a while: the two bodies of vbss_blocker, its
+    cause."""
+    UNBLOCKED = 20
+    """They have moved freely for 0.1 s: the same numbers."""
+
+
+class BlockerCause(IntEnum):
+    """The constants of vbss_blocker_cause."""
+    WORK = 0
+    """The limit of work of the step was exhausted."""
+    COLLISION = 1
+    """The bodies would pass through each other, or come too near."""
+    PENETRATION = 2
+    """The bodies penetrate each other by more than the tolerance."""
+    CONTACT = 3
+    """No contact forces were found that obey the contact law."""
+    CONVERGENCE = 4
+    """The motion of the body did not converge."""
 
 
 class vbss_scene(ctypes.Structure):
@@ -237,11 +256,12 @@ class vbss_scene_config(ctypes.Structure):
     the next 1000 do not wait. Beyond the limit a call does what follows at the end of a step,
     and what the guard has refused. 0: a call makes its step, all of it; default 210000.
 
-    speed_limit: Largest speed of any point of a driven or coupled body, and of a grasper, that
-    its target may ask for, m/s, 0 to 1e6; 0: no limit; default 20. A target that is farther
-    away is approached at this speed, over several steps. So a pose in the wrong unit, or a
-    device that jumps, makes no step that is long or strong. Method OURS only. A log stores the
-    limit; a snapshot does not.
+    speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
+    way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
+    is farther away at this speed, over several steps. So a pose in the wrong unit, or a device
+    that jumps, causes no long step and no extreme force. Method OURS only. Logs and snapshots
+    store the limit, and a scene with another one rejects them. One exception: scenes without a
+    limit and with the default limit accept each other's snapshots.
 
     overlap: Default VBSS_OVERLAP_WARN."""
     struct_size: int
@@ -554,7 +574,7 @@ class vbss_scene_statistics(ctypes.Structure):
 
     last_residual: Of the contact law after the last part, N.
 
-    time: Simulated so far, s.
+    time: Sum of the lengths of the steps, s, with `time_paused`.
 
     operations: Of all steps, as work_limit counts them; method OURS.
 
@@ -677,6 +697,53 @@ class SceneStatistics(NamedTuple):
     time_paused: float
     deferred: int
     behind: int
+
+
+class vbss_blocker(ctypes.Structure):
+    """Two bodies that hold back each other, and all bodies that touch them. A step that fails is
+    held back for the bodies that are connected with them by contacts, grasps, holes or pins.
+    All other bodies move on.
+
+    cause: Why, in the last step that held them back.
+
+    body_a: Number of a body; 0: unknown.
+
+    body_b: Number of the other; 0: the floor, or no second body.
+
+    since: Simulated time at which they were first held back, s.
+
+    lost_time: Simulated time that they have lost since then, s.
+
+    depth: Their deepest overlap in the last step that held them back, m; 0: none."""
+    struct_size: int
+    cause: int
+    body_a: int
+    body_b: int
+    since: float
+    lost_time: float
+    depth: float
+    _kinds_: ClassVar[dict[str, Any]] = {"cause": BlockerCause}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("cause", c_int32),
+        ("body_a", c_uint32),
+        ("body_b", c_uint32),
+        ("since", c_double),
+        ("lost_time", c_double),
+        ("depth", c_double),
+    ]
+
+
+class Blocker(NamedTuple):
+    """Two bodies that hold back each other, and all bodies that touch them. A step that fails is
+    held back for the bodies that are connected with them by contacts, grasps, holes or pins.
+    All other bodies move on. Fields as vbss_blocker says."""
+    cause: BlockerCause
+    body_a: int
+    body_b: int
+    since: float
+    lost_time: float
+    depth: float
 
 
 class vbss_hole(ctypes.Structure):
@@ -826,6 +893,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_get_grasp": (c_int32, (POINTER(vbss_scene), c_uint32, c_uint32, POINTER(vbss_grasp),
         c_uint32)),
     "vbss_scene_get_hole": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_hole), c_uint32)),
+    "vbss_scene_get_blocker": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_blocker),
+        c_uint32)),
     "vbss_scene_make_hole": (c_int32, (POINTER(vbss_scene), c_uint32, c_double, c_uint32, c_uint32,
         POINTER(c_double), POINTER(c_uint32))),
     "vbss_scene_remove": (c_int32, (POINTER(vbss_scene), c_uint32)),

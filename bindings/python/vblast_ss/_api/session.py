@@ -111,14 +111,19 @@ class SessionEventKind(IntEnum):
     """Throw `number` is tied, but the needle has not changed hands since the one before. Undone:
     with the throw."""
     FAULT = 14
-    """The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, such as HITCH: a throw has
-    capsized. Undone."""
+    """The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`; HITCH (a throw
+    has capsized): for 20 times `throw_dwell`, because its measure swings while a throw is drawn
+    tight. Undone: after the same time."""
     CUT = 15
     """Tail `number` (0: the short one, 1: the needle's) was cut; `amount` m are left of it."""
     DONE = 16
     """The task is complete."""
     FAILED = 17
     """It has failed: `number` is a vbss_session_failure."""
+    TIME_LOST = 18
+    """More than `lost_share` of the time is lost: `amount` s of it, since the needle appeared.
+    Times and score do not compare with those of other trials. Undone: it is less than half of
+    that share again."""
 
 
 class SessionGap(IntEnum):
@@ -159,7 +164,7 @@ class vbss_session_event(ctypes.Structure):
 
     step: Of the session, from 1 on.
 
-    time: Since the needle appeared, s.
+    time: Since the needle appeared, s, on the clock of the hands.
 
     position: Of the tool's tip, or where the kind says, m.
 
@@ -266,9 +271,10 @@ class vbss_session_config(ctypes.Structure):
 
     time_limit: From the needle's appearing on, s, 1e-3 to 1e6; default 600.
 
-    dwell: That a fact must be otherwise before it changes, s, 0 to 10; default 0.05;
+    dwell: A fact changes after it has differed for this time, s, 0 to 10; default 0.05.
 
-    throw_dwell: of throws, s, 0 to 10; default 0.1.
+    throw_dwell: The same time for throws and faults of the knot, s, 0 to 10; default 0.1. A
+    half hitch has 20 times that.
 
     tail_low: Shortest tail, m, 0 to 1; default 15e-3;
 
@@ -290,7 +296,10 @@ class vbss_session_config(ctypes.Structure):
     break_force: Tension at which the thread breaks, N, 0 to 1e6; default 0: it does not.
 
     gap_measure: What seats throws and is told as gap, to status, events and metrics; default
-    LIPS."""
+    LIPS.
+
+    lost_share: Share of the time, 0 to 1, above which lost time is an event and sets
+    `is_lossy`; default 0.02. A trial shorter than 1 s counts as 1 s."""
     struct_size: int
     thread: int
     needle: int
@@ -321,6 +330,7 @@ class vbss_session_config(ctypes.Structure):
     break_force: float
     gap_measure: int
     reserved: int
+    lost_share: float
     _kinds_: ClassVar[dict[str, Any]] = {"gap_measure": SessionGap}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -353,6 +363,7 @@ class vbss_session_config(ctypes.Structure):
         ("break_force", c_double),
         ("gap_measure", c_int32),
         ("reserved", c_uint32),
+        ("lost_share", c_double),
     ]
 
 
@@ -381,7 +392,7 @@ class vbss_session_status(ctypes.Structure):
 
     cut: Bits: 1 the short tail, 2 the needle's.
 
-    faults: Of the knot: VBSS_KNOT_FAULT_ bits that were told.
+    faults: Of the knot: VBSS_KNOT_FAULT_ bits, as last reported by events.
 
     metrics_lost: Events for which the metrics had no room.
 
@@ -391,7 +402,8 @@ class vbss_session_status(ctypes.Structure):
 
     event_count: Events so far.
 
-    time: Since the needle appeared, until the end or now, s.
+    time: Since the needle appeared, until the end or now, s, on the clock of the hands. It
+    includes `time_lost`.
 
     tail: Length of the short tail, from the hole, m; 0 without.
 
@@ -399,7 +411,16 @@ class vbss_session_status(ctypes.Structure):
 
     tension: Largest of the short limb, of the needle's, N.
 
-    deviation_mm: Of the holes from the marks."""
+    deviation_mm: Of the holes from the marks.
+
+    time_lost: Part of `time` that the scene has left out, s: paused steps
+    (vbss_scene_statistics::time_paused) and truncated substeps (VBSS_EVENT_CLAMPED), from the
+    second step on.
+
+    time_simulated: `time` without `time_lost`, s. Up to two steps of it may still wait
+    (vbss_scene_statistics::behind).
+
+    is_lossy: 1: more than `lost_share` of the time is lost, with hysteresis."""
     struct_size: int
     phase: int
     stage: int
@@ -422,6 +443,10 @@ class vbss_session_status(ctypes.Structure):
     gap: float
     tension: Any
     deviation_mm: Any
+    time_lost: float
+    time_simulated: float
+    is_lossy: int
+    reserved: int
     _kinds_: ClassVar[dict[str, Any]] = {"phase": SessionPhase, "stage": SessionStage, "failure": SessionFailure, "holder": MetricsTool, "faults": KnotFaultBits}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -446,6 +471,10 @@ class vbss_session_status(ctypes.Structure):
         ("gap", c_double),
         ("tension", c_double * 2),
         ("deviation_mm", c_double * 2),
+        ("time_lost", c_double),
+        ("time_simulated", c_double),
+        ("is_lossy", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -472,6 +501,9 @@ class SessionStatus(NamedTuple):
     gap: float
     tension: tuple[float, ...]
     deviation_mm: tuple[float, ...]
+    time_lost: float
+    time_simulated: float
+    is_lossy: int
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

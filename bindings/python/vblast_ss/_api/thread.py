@@ -41,7 +41,7 @@ class ThreadPreset(IntEnum):
 class AttachmentKind(IntEnum):
     """The constants of vbss_attachment_kind."""
     PIN = 0
-    """The node is where `position` says."""
+    """The node is at `position`."""
     CLAMP = 1
     """Also the thread's direction at the node is `direction`."""
     FORCE = 2
@@ -61,7 +61,7 @@ class ThreadField(IntEnum):
     REST_LENGTHS = 2
     """n - 1 doubles, m."""
     LENGTHS = 3
-    """n - 1 doubles, m: of chords, or of arcs with BENDING_SPLINE."""
+    """n - 1 doubles, m: chords, or arcs with BENDING_SPLINE."""
     TENSIONS = 4
     """n - 1 doubles, N, at the end of the last step."""
     CURVATURES = 5
@@ -69,8 +69,8 @@ class ThreadField(IntEnum):
     SECTIONS = 6
     """First node of each section, uint32_t; the last ends at node n - 1."""
     SAGITTAS = 7
-    """n - 1 doubles, m: what the mesh leaves out of the shape, the sagitta of each segment: rest
-    length^2 / 8 times the larger curvature at its two nodes. Of any mesh."""
+    """n - 1 doubles, m: sagitta of each segment, the error of the shape by the mesh. It is rest
+    length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too."""
 
 
 class vbss_thread(ctypes.Structure):
@@ -86,7 +86,7 @@ class vbss_thread_config(ctypes.Structure):
 
     segment_count: 1 to 65536; default 120.
 
-    attachment_capacity: Most attachments at a time, 0 to 256; default 8.
+    attachment_capacity: Largest number of attachments, 0 to 256; default 8.
 
     cut_capacity: Most cuts of this thread and its pieces, 0 to 64; default 0.
 
@@ -146,11 +146,11 @@ class vbss_thread_config(ctypes.Structure):
     paper_substeps: Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many
     as the stiffest bending mode and the tension need.
 
-    paper_iteration_limit: Method PAPER: of the projection, 1 to 1000; default 50.
+    paper_iteration_limit: Method PAPER: limit of the projection, 1 to 1000; default 50.
 
     paper_tolerance: Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6.
 
-    mesh: Default VBSS_MESH_FIXED, which reads none of what follows.
+    mesh: Default VBSS_MESH_FIXED, which ignores the following fields.
 
     node_capacity: ADAPTIVE: most nodes, segment_count + 1 to 65537; 0 (default): four times as
     many segments as at first, at most 65536. A scene must have room for all of them when the
@@ -267,8 +267,8 @@ class vbss_thread_attachment(ctypes.Structure):
 
     node: 0 to segment_count; default 0.
 
-    position: PIN, CLAMP: where the node is taken in the next step, m, each at most 1e3; SPRING:
-    its end.
+    position: PIN, CLAMP: target of the node in the next step, m, each at most 1e3; SPRING: its
+    fixed end.
 
     direction: CLAMP: toward higher nodes, of any length from 1e-100 to 1e100; default (1, 0,
     0). A thread that has moved is turned there in the next step.
@@ -277,7 +277,7 @@ class vbss_thread_attachment(ctypes.Structure):
 
     stiffness: SPRING: N/m, 0 to 1e9.
 
-    damping: SPRING: of the velocity relative to the moving end, N s/m, 0 to 1e6.
+    damping: SPRING: damping of the velocity relative to the moving end, N s/m, 0 to 1e6.
 
     mass: MASS: kg, 0 to 1e3."""
     struct_size: int
@@ -306,13 +306,13 @@ class vbss_thread_attachment(ctypes.Structure):
 
 
 class vbss_thread_reaction(ctypes.Structure):
-    """What an attachment did in the last step.
+    """Reaction of an attachment in the last step.
 
     node: The node, as cuts have renumbered it.
 
-    force: Of the attachment on the thread, N, at the end of the step.
+    force: Force of the attachment on the thread at the end of the step, N.
 
-    torque: CLAMP: of the attachment on the thread, N m; else 0."""
+    torque: CLAMP: torque of the attachment on the thread, N m; else 0."""
     struct_size: int
     node: int
     force: Any
@@ -327,7 +327,7 @@ class vbss_thread_reaction(ctypes.Structure):
 
 
 class ThreadReaction(NamedTuple):
-    """What an attachment did in the last step. Fields as vbss_thread_reaction says."""
+    """Reaction of an attachment in the last step. Fields as vbss_thread_reaction says."""
     node: int
     force: tuple[float, ...]
     torque: tuple[float, ...]
@@ -336,15 +336,15 @@ class ThreadReaction(NamedTuple):
 class vbss_thread_energies(ctypes.Structure):
     """Energies of a thread, J.
 
-    kinetic: Attached masses included.
+    kinetic: Kinetic energy, attached masses included.
 
-    stretching: Elastic, of EA.
+    stretching: Elastic energy of EA.
 
-    bending: Elastic, of EI.
+    bending: Elastic energy of EI.
 
     gravity: Potential, zero at the origin; attached masses included.
 
-    total: Of the four."""
+    total: Sum of the four."""
     struct_size: int
     reserved: int
     kinetic: float
@@ -427,9 +427,9 @@ class vbss_thread_statistics(ctypes.Structure):
 
     fallbacks: PAPER: sections that did not converge, point constraints alone.
 
-    softened: OURS: linearisations made again with less compression, parts that started from the
-    old positions as the prediction was no start, and parts in which the pull of rest curvature
-    was held.
+    softened: OURS: linearisations repeated with less compression, parts that started from the
+    old positions because the prediction was unusable, and parts in which the force of rest
+    curvature was kept constant.
 
     last_stretch_error: OURS: max |length / rest length - 1 - T / EA| after the last step;
     PAPER: max |length / rest length - 1|.
@@ -438,28 +438,27 @@ class vbss_thread_statistics(ctypes.Structure):
 
     last_stretch: max (length / rest length - 1) after the last step.
 
-    time: Simulated so far, s.
+    time: Simulated time, s.
 
     refined: Segments divided.
 
     coarsened: Nodes removed.
 
-    laid_on_chord: Of the divided: those whose new node was laid on the chord instead of the
-    arc, for want of room.
+    laid_on_chord: Divisions whose new node is on the chord instead of the arc, for lack of
+    room.
 
-    refused_capacity: Divisions for which there was no node left, in thread or scene. Each time
-    it is asked.
+    refused_capacity: Requests for a division without a free node in thread or scene.
 
-    refused_held: Changes that were wanted at or beside attachments, pins, grasps or the ends at
-    a cut. Each time it is asked.
+    refused_held: Requests for a change at or beside attachments, pins, grasps or the ends at a
+    cut.
 
-    refused_near: Removals for which something was too near. Each time it is asked.
+    refused_near: Requests for a removal with something too near.
 
-    nodes: Now; of a fixed mesh too.
+    nodes: Present number of nodes; also for a fixed mesh.
 
-    most_nodes: So far; of a fixed mesh 0.
+    most_nodes: Largest number of nodes so far; 0 for a fixed mesh.
 
-    sagitta: Largest of VBSS_THREAD_SAGITTAS now, m; of a fixed mesh too."""
+    sagitta: Largest of VBSS_THREAD_SAGITTAS, m; also for a fixed mesh."""
     struct_size: int
     last_iterations: int
     steps: int

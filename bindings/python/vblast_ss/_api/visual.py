@@ -44,64 +44,66 @@ class VisualField(IntEnum):
     """The constants of vbss_visual_field."""
     VERTICES = 0
     """x 12 float: position, m from `origin`; unit normal, outward; texture; material; value.
-    *Texture*: of tubes and tools 0 to 1 once round, and m along; of drains m along the tube,
-    and m from the middle of the slit round it, before the slit was opened; of floors m in its
-    plane. *Material*, x 3, m: where this matter is in the body as it was made: of drains at
-    rest in the drain's frame (VBSS_DRAIN_REST_POSITIONS); of tubes and tools along their axis
-    and across it; of floors as texture, and 0. *Value*: of threads the tension, N; of drains 1
-    on the outer face, -1 on the inner one, 0 on rims; of graspers 0 shaft, 1 neck, 2 jaws; else
-    0."""
+    *Texture*: on tubes and tools, 0 to 1 around the section, and m along; on drains, m along
+    the tube, and m around it from the middle of the slit before it was opened; on floors, m in
+    the plane. *Material*, x 3, m: position in the undeformed body. On drains it is the position
+    at rest in the drain's frame (VBSS_DRAIN_REST_POSITIONS); on tubes and tools, along and
+    across the axis; on floors, the texture and 0. *Value*: on threads, the tension, N; on
+    drains, 1 on the outer face, -1 on the inner face, 0 on rims; on graspers, 0 shaft, 1 neck,
+    2 jaws; else 0."""
     TRIANGLES = 1
     """x 3 uint32_t: vertices, counter-clockwise seen from outside."""
     PARTS = 2
     """x 8 uint32_t: vbss_visual_kind, source, number of the body in its scene or 0, first vertex,
-    number of vertices, first triangle, number of triangles, 0. In the order of sources, in a
-    scene in that of places of bodies."""
+    number of vertices, first triangle, number of triangles, 0. Parts have the order of their
+    sources, and within a scene that of its bodies."""
     SPOTS = 3
-    """x 6 float: place in VBSS_VISUAL_VIEW_PARTS of the drain, vbss_spot_kind, material x 3,
+    """x 6 float: index of the drain in VBSS_VISUAL_VIEW_PARTS, vbss_spot_kind, material x 3,
     radius in m."""
 
 
 class vbss_visual(ctypes.Structure):
-    """Meshes of what is shown."""
+    """Meshes of scenes and bodies."""
 
 
 class vbss_visual_config(ctypes.Structure):
     """How to make a visual. Fill it with vbss_visual_config_init, then change what you need.
 
-    source_capacity: Scenes and bodies that are shown, 1 to 256; default 8.
+    source_capacity: Largest number of scenes and bodies, 1 to 256; default 8.
 
-    part_capacity: Bodies that are drawn, 1 to 4096; default 32.
+    part_capacity: Largest number of drawn bodies, 1 to 4096; default 32.
 
-    vertex_capacity: Vertices, 16 to 2^24; default 65536. Room for two such meshes is taken.
+    vertex_capacity: Largest number of vertices, 16 to 2^24; default 65536. The visual allocates
+    two such meshes.
 
-    triangle_capacity: Triangles, 16 to 2^24; default 131072.
+    triangle_capacity: Largest number of triangles, 16 to 2^24; default 131072.
 
-    spot_capacity: Marks and holes, 0 to 4096; default 32.
+    spot_capacity: Largest number of spots, 0 to 4096; default 32.
 
-    node_capacity: Nodes of the longest thread or the largest drain, 2 to 65537; default 4096.
+    node_capacity: Largest number of nodes of a thread or a drain, 2 to 65537; default 4096.
 
-    side_limit: Sides of a tube's section are 6 to this many; 6 to 64; default 32.
+    side_limit: Largest number of sides of a tube's section, 6 to 64; default 32. The smallest
+    number is 6.
 
-    division_limit: A segment, or a side of a triangle, is divided into so many at most, 1 to
-    32; default 12.
+    division_limit: Largest number of parts of a segment, or of a side of a triangle, 1 to 32;
+    default 12.
 
-    tube_tolerance: Of tubes, tools and needles: between middle line and chords, and between
-    sections and their polygons, m, 1e-8 to 1; default 5e-6.
+    tube_tolerance: Tubes, tools and needles: largest deviation of chords from the centre line,
+    and of polygons from sections, m, 1e-8 to 1; default 5e-6.
 
-    surface_tolerance: Of drains: between curved sides of patches and chords, m, 1e-8 to 1;
-    default 2e-5.
+    surface_tolerance: Drains: largest deviation of chords from curved sides of patches, m, 1e-8
+    to 1; default 2e-5.
 
-    mark_radius: Of the marks of drains, m, 0 to 0.1; default 1e-3.
+    mark_radius: Radius of the marks of drains, m, 0 to 0.1; default 1e-3.
 
-    tip_length: Over which a needle becomes thin, m, 0 to 1; default 4e-3. Half its length at
-    most.
+    tip_length: Length over which a needle tapers to its tip, m, 0 to 1; default 4e-3. At most
+    half the needle's length is used.
 
     floor_size: Side of the square that shows a floor, m, 1e-3 to 1e3; default 0.3.
 
-    origin: Place in the world, m, each at most 1e3, from which vertices count: choose it where
-    things happen, as they are single numbers of 24 bits. The floor's square is round it too.
-    Default 0."""
+    origin: Point in the world that vertices are relative to, m, each at most 1e3; default 0.
+    Choose it near the bodies, because vertices have single precision (24 bits). The square of
+    the floor is centred on it too."""
     struct_size: int
     source_capacity: int
     part_capacity: int
@@ -140,15 +142,15 @@ class vbss_visual_config(ctypes.Structure):
 
 
 class vbss_visual_statistics(ctypes.Structure):
-    """What the last update made.
+    """Counts of the last update.
 
-    sources: Scenes and bodies that it was told to show.
+    sources: Scenes and bodies that the host has added.
 
     parts: Bodies drawn.
 
-    vertices: Of all parts.
+    vertices: Vertices of all parts.
 
-    triangles: Of all parts.
+    triangles: Triangles of all parts.
 
     spots: Marks and holes.
 
@@ -173,7 +175,7 @@ class vbss_visual_statistics(ctypes.Structure):
 
 
 class VisualStatistics(NamedTuple):
-    """What the last update made. Fields as vbss_visual_statistics says."""
+    """Counts of the last update. Fields as vbss_visual_statistics says."""
     sources: int
     parts: int
     vertices: int

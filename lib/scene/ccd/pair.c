@@ -1,0 +1,80 @@
+/* Queries of CCD: the motion of a pair's vertices, and batches of them. */
+#include "collision/closest.h"
+#include "scene/ccd/pair.h"
+
+typedef struct swept_vertices {
+    vec3 start[4], end[4];
+} swept_vertices;
+
+static void set_batch_vertex(collision_block *batch, size_t vertex, uint32_t lane, vec3 start,
+                             vec3 end)
+{
+    batch->start[3 * vertex][lane] = start.x;
+    batch->start[3 * vertex + 1][lane] = start.y;
+    batch->start[3 * vertex + 2][lane] = start.z;
+    batch->end[3 * vertex][lane] = end.x;
+    batch->end[3 * vertex + 1][lane] = end.y;
+    batch->end[3 * vertex + 2][lane] = end.z;
+}
+
+static void set_swept_vertices(const scene_object *s, const ccd_query *query, swept_vertices *c)
+{
+    const collision_candidate *q = query->candidate;
+    const scene_axis_interval *interval = query->interval;
+    const collision_shape *shapes[4];
+    uint32_t vertices[4];
+    scene_vertices_of_pair(s, q, shapes, vertices);
+    for (uint32_t k = 0; k < 4; k++) {
+        vec3 start = shapes[k]->start[vertices[k]], end = shapes[k]->end[vertices[k]];
+        c->start[k] =
+            query->start_fraction > 0.0 ? vec3_lerp(start, end, query->start_fraction) : start;
+        c->end[k] = end;
+    }
+    bool is_a_rigid = s->bodies[s->body_of_shape[q->shape_a]].kind == SCENE_BODY_RIGID;
+    for (uint32_t k = 0; interval != NULL && k < 2; k++) {
+        uint32_t first_vertex = (k == 0) == is_a_rigid ? 0 : 2;
+        scene_clip_axis(c->start + first_vertex, interval->bounds[k]);
+        scene_clip_axis(c->end + first_vertex, interval->bounds[k]);
+    }
+}
+
+void vbss_scene_set_batch_query(scene_object *s, const ccd_query *query, uint32_t lane)
+{
+    swept_vertices c;
+    set_swept_vertices(s, query, &c);
+    for (uint32_t k = 0; k < 4; k++) {
+        set_batch_vertex(s->scratch.ccd_batch, k, lane, c.start[k], c.end[k]);
+    }
+    /* Contacts seldom let a pair come nearer. */
+    s->scratch.ccd_batch->thickness[lane] = scene_ccd_min_contact_distance(s, query->candidate);
+}
+
+void vbss_scene_run_ccd_batch(scene_object *s, uint32_t kind, uint32_t count)
+{
+    collision_block *batch = s->scratch.ccd_batch;
+    const collision_ccd_batch queries = {.kind = (vbss_pair_kind)kind,
+                                         .count = count,
+                                         .stride = COLLISION_BLOCK_SIZE,
+                                         .start = batch->start[0],
+                                         .end = batch->end[0],
+                                         .thickness = batch->thickness,
+                                         .hit = batch->hit,
+                                         .decision = batch->decision,
+                                         .time = batch->time};
+    vbss_collision_run_ccd_batch(&s->collision->ccd_options, s->collision->wide, &queries,
+                                 &s->collision->counters);
+}
+
+double vbss_scene_distance_at_start(const scene_object *s, const ccd_query *query,
+                                    double coordinates[3])
+{
+    swept_vertices c;
+    set_swept_vertices(s, query, &c);
+    const vec3 *x = c.start;
+    if (query->candidate->kind == VBSS_PAIR_POINT_TRIANGLE) {
+        const vec3 triangle[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
+        return vec3_norm(closest_on_triangle(triangle, coordinates));
+    }
+    return vec3_norm(closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]),
+                                           vec3_sub(x[2], x[0]), &coordinates[0], &coordinates[1]));
+}

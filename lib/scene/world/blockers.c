@@ -1,0 +1,79 @@
+/* Blockers: what holds back bodies, since when, and how much time they have lost. */
+#include "base/error.h"
+#include "scene/world/world.h"
+
+static bool is_pair(const scene_blocker *b, scene_touching_pair bodies)
+{
+    return (b->bodies.body_a == bodies.body_a && b->bodies.body_b == bodies.body_b) ||
+           (b->bodies.body_a == bodies.body_b && b->bodies.body_b == bodies.body_a);
+}
+
+static scene_blocker *find_blocker(scene_report *r, scene_touching_pair bodies)
+{
+    for (uint32_t i = 0; i < r->blocker_count; i++) {
+        if (is_pair(&r->blockers[i], bodies)) {
+            return &r->blockers[i];
+        }
+    }
+    return NULL;
+}
+
+/* The deepest overlap of two bodies in the contacts of the last attempt, m. */
+static double find_depth(const scene_object *s, scene_touching_pair bodies)
+{
+    double depth = 0.0;
+    for (uint32_t i = 0; s->contacts != NULL && i < s->contacts->count; i++) {
+        const contact_constraint *constraint = &s->contacts->constraints[i];
+        const scene_blocker of = {.bodies = {constraint->key.body_a, constraint->key.body_b}};
+        if (!constraint->is_bilateral && is_pair(&of, bodies)) {
+            depth = vbss_max(-constraint->gap, depth);
+        }
+    }
+    return depth;
+}
+
+static const char *describe_cause(vbss_blocker_cause cause)
+{
+    static const char *const texts[] = {
+        "the limit of work is exhausted", "they would pass through each other",
+        "they penetrate each other", "their contact forces are not found",
+        "their motion does not converge"};
+    return texts[cause];
+}
+
+void vbss_scene_record_blocker(scene_object *s, vbss_blocker_cause cause,
+                               scene_touching_pair bodies, double lost_time)
+{
+    scene_report *r = &s->report;
+    scene_blocker *b = find_blocker(r, bodies);
+    if (b == NULL) {
+        if (r->blocker_count == SCENE_MAX_BLOCKERS) {
+            return;
+        }
+        b = &r->blockers[r->blocker_count++];
+        *b = (scene_blocker){.bodies = bodies, .since = r->statistics.time};
+        vbss_scene_add_event(s, VBSS_EVENT_BLOCKED, bodies.body_a, bodies.body_b, (uint32_t)cause);
+        vbss_message(s->context, VBSS_LOG_WARNING, "scene: bodies %u and %u are held back: %s",
+                     bodies.body_a, bodies.body_b, describe_cause(cause));
+    }
+    b->cause = cause;
+    b->last = r->statistics.time;
+    b->lost_time += lost_time;
+    b->depth = find_depth(s, bodies);
+}
+
+void vbss_scene_end_blockers(scene_object *s)
+{
+    scene_report *r = &s->report;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < r->blocker_count; i++) {
+        const scene_blocker *b = &r->blockers[i];
+        if (r->statistics.time - b->last <= SCENE_BLOCKER_MEMORY) {
+            r->blockers[count++] = *b;
+            continue;
+        }
+        vbss_scene_add_event(s, VBSS_EVENT_UNBLOCKED, b->bodies.body_a, b->bodies.body_b,
+                             (uint32_t)b->cause);
+    }
+    r->blocker_count = count;
+}

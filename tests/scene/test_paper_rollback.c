@@ -1,0 +1,81 @@
+/* Method PAPER of scenes: a step that fails is undone, and options of the other method are rejected. */
+#include "scene/paper_stage.h"
+
+static void expect_undone(stage *s, vbss_result wanted)
+{
+    uint64_t before = hash_of(s->scene);
+    expect_result(wanted, vbss_scene_step(s->scene, 1e-3));
+    assert_int_equal(before, hash_of(s->scene));
+}
+
+static void failed_step_is_undone(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        stage s;
+        begin(&s);
+        s.config.floor = 1;
+        s.config.contact_capacity = k == 0 ? 2 : 1024;
+        s.config.candidate_capacity = k == 1 ? 1 : 16384;
+        make(&s);
+        if (k < 2) { /* that many segments lie along it */
+            add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(-0.02, 0.004, 0),
+                        vec3_make(0.02, 0.004, 0), 1e-3);
+        }
+        place_over(&s, 0.01);
+        vbss_result result = VBSS_OK;
+        if (k == 2) {
+            thread_object *t;
+            expect_ok(vbss_thread_open(s.threads[0], &t));
+            t->now.v[8] = vec3_make(1e40, 0, 0); /* no call gives it that */
+        }
+        uint64_t before = 0;
+        for (int i = 0; i < 400 && result == VBSS_OK; i++) {
+            before = hash_of(s.scene);
+            result = vbss_scene_step(s.scene, 1e-3);
+        }
+        expect_result(k < 2 ? VBSS_ERROR_CAPACITY : VBSS_ERROR_NOT_FINITE, result);
+        assert_int_equal(before, hash_of(s.scene));
+        expect_undone(&s, result);
+        end(&s);
+    }
+}
+
+static void options_of_other_method_are_rejected(void **state)
+{
+    (void)state;
+    stage s;
+    uint32_t body;
+    begin(&s);
+    for (int k = 0; k < 5; k++) {
+        vbss_scene_config bad = s.config;
+        bad.paper_pass_limit = k == 0 ? 0 : k == 1 ? 1001 : 4;
+        bad.paper_thickness = k == 2   ? -1e-9
+                              : k == 3 ? 0.02
+                              : k == 4 ? harness_bad_numbers[0]
+                                       : 0.0;
+        expect_result(k == 4 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_scene_create(s.context, &bad, &s.scene));
+    }
+    make(&s);
+    vbss_thread_config ours = paper_thread(4);
+    ours.method = VBSS_METHOD_OURS;
+    expect_ok(vbss_thread_create(s.context, &ours, &s.threads[0]));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(s.scene, s.threads[0], &body));
+    place_over(&s, 0.0);
+    expect_result(VBSS_ERROR_IN_SCENE, vbss_thread_step(s.threads[0], 1e-3));
+    for (int k = 0; k < 3; k++) {
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_scene_step(s.scene, harness_bad_numbers[k]));
+    }
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_step(s.scene, 0.2));
+    end(&s);
+}
+
+int test_paper_rollback(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(failed_step_is_undone),
+        harness_test(options_of_other_method_are_rejected),
+    };
+    return cmocka_run_group_tests_name("scene.paper_rollback", tests, NULL, NULL);
+}
