@@ -196,7 +196,8 @@ enum {
     VBSS_THREAD_VELOCITIES = 1,   /**< n x 3 doubles, m/s. */
     VBSS_THREAD_REST_LENGTHS = 2, /**< n - 1 doubles, m. */
     VBSS_THREAD_LENGTHS = 3,      /**< n - 1 doubles, m: chords, or arcs with BENDING_SPLINE. */
-    VBSS_THREAD_TENSIONS = 4,     /**< n - 1 doubles, N, at the end of the last step. */
+    /** n - 1 doubles, N: force along each segment at the end of the last step, from tension and bending. */
+    VBSS_THREAD_TENSIONS = 4,
     VBSS_THREAD_CURVATURES =
         5, /**< n x 3 doubles, 1/m: from the node to the centre of curvature. */
     VBSS_THREAD_SECTIONS =
