@@ -171,7 +171,8 @@ double vbss_contact_max_penetration(const contact_set *set)
     double depth = 0.0;
     for (uint32_t i = 0; i < set->count; i++) {
         if (!set->constraints[i].is_bilateral) {
-            depth = vbss_max(set->constraints[i].recovery_allowance - set->constraints[i].gap, depth);
+            depth =
+                vbss_max(set->constraints[i].recovery_allowance - set->constraints[i].gap, depth);
         }
     }
     return depth;

@@ -111,7 +111,7 @@
 /* A longer segment, or a farther node of a drain, shows that the explicit method has diverged.
  * Unit: 1, relative to the body's length and the span of its attachments. Origin: chosen: three times
  * the stretch of a thread that is drawn 0.01 m beyond its length in 1 ms, which recovers.
- * Test: thread.paper_divergence. */
+ * Test: that of diverging threads. */
 #define BASELINE_DIVERGENCE_RATIO VBSS_TUNE(BASELINE_DIVERGENCE_RATIO, 100.0)
 
 #endif
