@@ -154,8 +154,7 @@ static vbss_result write_log(stand *s)
     const uint8_t *bytes;
     uint64_t count;
     TRY(vbss_record_take(s->record, &bytes, &count));
-    bool full = s->log != NULL && fwrite(bytes, 1, count, s->log) != count;
-    return full ? VBSS_ERROR_CAPACITY : VBSS_OK;
+    return log_file_write(&s->log, bytes, count) ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 vbss_result stand_begin(stand *s, const char *log, const char *note)
@@ -167,13 +166,7 @@ vbss_result stand_begin(stand *s, const char *log, const char *note)
     c.note = note;
     c.note_bytes = (uint32_t)strlen(note);
     TRY(vbss_record_create(s->scene, &c, &s->record));
-    if (log != NULL) {
-        s->log = fopen(log, "wb");
-        if (s->log == NULL) {
-            return VBSS_ERROR_NULL_ARGUMENT;
-        }
-    }
-    return write_log(s);
+    return log_file_open(&s->log, log) ? write_log(s) : VBSS_ERROR_CAPACITY;
 }
 
 vbss_result stand_offer(stand *s, uint32_t node)
@@ -268,9 +261,7 @@ vbss_result stand_end(stand *s)
 
 void stand_destroy(stand *s)
 {
-    if (s->log != NULL) {
-        (void)fclose(s->log);
-    }
+    log_file_close(&s->log);
     vbss_context_destroy(s->context);
     s->context = NULL;
 }

@@ -7,6 +7,7 @@
 
 #include <vblast_ss/vblast_ss.h>
 
+#include "throw/log_file.h"
 #include "throw/vec.h"
 
 #define DRAIN_RADIUS 6.5e-3
@@ -32,7 +33,7 @@ typedef struct stand {
     vbss_thread *thread;
     vbss_record *record;   /* steps are made through it, */
     vbss_session *session; /* or through that, which writes to it; may be NULL */
-    FILE *log;             /* gets it; may be NULL */
+    log_file log;          /* receives its bytes */
     uint32_t thread_body, drain;
     uint32_t nodes;
     uint32_t marks[2]; /* nodes at the right mark (the tail's) and the left one (the long limb's) */

@@ -695,7 +695,8 @@ VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbs
 
 /**
  * Moves everything forward in time. Nothing is allocated. On failure the scene is as it was before the
- * step, but without events.
+ * step, but without events. With method PAPER the step of a thread or drain that has diverged fails;
+ * see #vbss_thread_step and #vbss_drain_step for the bounds.
  *
  * @param scene  the scene
  * @param h      s, 1e-7 to 0.1

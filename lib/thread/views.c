@@ -75,7 +75,7 @@ static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_vie
         *view = scalars(t->lengths, n - 1);
         return VBSS_OK;
     case VBSS_THREAD_TENSIONS:
-        *view = scalars(t->now.tension, n - 1);
+        *view = scalars(t->method->axial_forces(t), n - 1);
         return VBSS_OK;
     case VBSS_THREAD_CURVATURES:
         fill_curvatures(t);

@@ -132,14 +132,14 @@ static void new_constraint_is_reset(void **state)
     list_begin(&l, 1);
     contact_constraint *row = add(&l, 0, 0);
     row->is_bilateral = true;
-    row->tangential_stiffness_ratio = row->fold_allowance = 0.25;
+    row->tangential_stiffness_ratio = row->recovery_allowance = 0.25;
     row->is_sleeve = true;
     row->previous_force = vec3_make(1.0, 2.0, 3.0);
     close_with(row, 1.0);
     vbss_contact_clear(l.set);
     row = add(&l, 1, 0);
     assert_false(row->is_bilateral);
-    expect_near(0.0, row->tangential_stiffness_ratio + row->fold_allowance, 0.0);
+    expect_near(0.0, row->tangential_stiffness_ratio + row->recovery_allowance, 0.0);
     assert_false(row->is_sleeve);
     expect_near(0.0, vec3_norm(row->previous_force), 0.0);
     assert_int_equal(row->solution.status, CONTACT_OPEN);

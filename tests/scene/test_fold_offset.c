@@ -41,7 +41,7 @@ static const contact_constraint *recall_wall(scene_object *s, uint32_t of, doubl
     }
     vbss_scene_warm_start_contacts(s, &part);
     expect_near(depth, vbss_contact_max_penetration(set), 1e-18); /* what it is nobody hides */
-    expect_near(row->fold_allowance, geometry->overlap_allowance, 0.0);
+    expect_near(row->recovery_allowance, geometry->overlap_allowance, 0.0);
     expect_near(row->gap, geometry->start_gap, 0.0);
     return row;
 }

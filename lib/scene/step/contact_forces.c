@@ -77,7 +77,7 @@ void vbss_scene_publish_constraints(scene_object *s)
             continue;
         }
         const vec3 point = scene_geometry_of(s, constraint)->point;
-        const double gap = constraint->gap - constraint->fold_allowance;
+        const double gap = constraint->gap - constraint->recovery_allowance;
         const scene_contact_record contact = {constraint->key, constraint->normal, force, point,
                                               gap};
         vbss_scene_publish_contact(s, &contact);

@@ -293,8 +293,8 @@ typedef struct scene_contact_geometry {
     double contact_distance; /* distance of the axes or centres at contact, m */
     double lip_thickness;    /* contact of two lips: thickness of the wall along the normal, m */
     double
-        overlap_allowance; /* overlap that is allowed without a force, at a hole or in a fold, m */
-    double start_gap;      /* at the start of the substep, allowance included, m */
+        overlap_allowance; /* overlap that is allowed without a force, at a hole or from before the substep, m */
+    double start_gap; /* at the start of the substep, allowance included, m */
     /* Hole: arc length at the start of the substep, m; span of the thread along which it may
      * slide. */
     double start_arc_length;
