@@ -335,9 +335,15 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
         replay_attempt(s);
     }
     cursor->is_suspended = true;
-    for (;;) {
+    for (bool has_finished_group = false;; has_finished_group = true) {
         bool is_complete;
-        VBSS_TRY(run_group(s, &is_complete));
+        vbss_result result = run_group(s, &is_complete);
+        if (result != VBSS_OK && has_finished_group) {
+            /* What the other groups did stays. The next call fails in this one and returns the error. */
+            vbss_scene_rollback(s);
+            return VBSS_OK;
+        }
+        VBSS_TRY(result);
         if (!is_complete) {
             return VBSS_OK;
         }
@@ -346,6 +352,7 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
         }
         vbss_scene_finish_group(s);
         (void)vbss_scene_begin_next_group(s);
+        VBSS_TRY(vbss_scene_checkpoint(s));
     }
     cursor->is_suspended = false;
     return VBSS_OK;
