@@ -65,10 +65,8 @@ static void record_errors(scene_object *s)
 static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cursor)
 {
     uint64_t next_attempt_cost = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
-    bool is_over_budget =
-        s->contacts->counters.operations + next_attempt_cost >= s->config.work_limit;
-    return vbss_scene_has_step_budget(s) &&
-           (cursor->attempts >= s->config.attempt_limit || is_over_budget);
+    return vbss_scene_is_beyond_step_limits(s, s->contacts->counters.operations + next_attempt_cost,
+                                            cursor->attempts);
 }
 
 /* Whether the substep is attempted again: with the displacements that are known now, with a search

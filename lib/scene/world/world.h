@@ -262,8 +262,14 @@ void vbss_scene_end_blockers(scene_object *s);
  * last attempt. */
 uint32_t vbss_scene_attempt_cost(const scene_object *s);
 
-/* Whether the steps of the scene have an operation budget. */
+/* Whether the attempts of this step have an operation budget. Those of the first step of a scene have
+ * none, because bodies may overlap as the host has placed them. */
 bool vbss_scene_has_step_budget(const scene_object *s);
+
+/* Whether a step with so many operations and attempts has reached its limits, between two attempts.
+ * Those of the first step are larger. */
+bool vbss_scene_is_beyond_step_limits(const scene_object *s, uint64_t operations,
+                                      uint32_t attempts);
 
 /* Counts operations of the present step. An operation costs about as much as a product of two
  * blocks. */
