@@ -138,9 +138,6 @@ bool perform(performance *p)
     watch_report(&p->watch, &p->surgeon, p->result);
     watch_report_events(&p->watch);
     end_observers(p);
-    if (p->surgeon.stitch.site.stand.log != NULL) {
-        (void)fflush(p->surgeon.stitch.site.stand.log);
-    }
     const vbss_result known = p->steps > 0 ? find_out(p) : p->result;
     if (known == VBSS_OK) {
         write_pages(p);

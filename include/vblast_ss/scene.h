@@ -111,7 +111,9 @@ typedef struct vbss_scene_config {
      * fails, where such forces put in more than 20 uJ that nothing has done the work for (1 mJ in a scene without
      * drains), or after attempt_limit attempts, the rest of the step is left out: everything waits for the next one, which
      * begins with smaller parts (vbss_scene_statistics::paused), and what is driven goes on from where it was stopped.
-     * Without limit are the first step of a scene and the smallest part that halving_limit allows, until its states are not
+     * The first step of a scene has 32 times both limits between its attempts, because bodies may overlap as they were
+     * placed; it never waits.
+     * Without limit is the smallest part that halving_limit allows, until its states are not
      * found: then it is tried once more with as much for itself. Where a drain is, the smallest part has the limit as well, and what takes more
      * is halved three times more before it has none. An operation is what costs about as much as a product of
      * two 3x3 blocks; 250000 are some 0.5 ms of a core of 2.6 GHz (docs/contact.md). 0: no limit; default 250000. */
@@ -587,7 +589,7 @@ VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a value; no such body; the
  *         suture is farther from there than it would touch the wall; a hole of the same suture is less than its
  *         diameter from there), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
- *         (hole_capacity) or VBSS_ERROR_BUSY
+ *         (hole_capacity), VBSS_ERROR_OUT_OF_MEMORY (only while a step waits) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -642,7 +644,7 @@ VBSS_API vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body,
  * @param[out] pin  names the pin, from 1 on, never used again
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (also:
  *         the node is held already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (pins, or the thread's
- *         attachments) or VBSS_ERROR_BUSY
+ *         attachments), VBSS_ERROR_OUT_OF_MEMORY (only while a step waits) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -662,8 +664,8 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
 
 /**
  * Cuts a thread of the scene in two where it is, with its pins, attachments and contacts: the part beyond the cut
- * becomes a body of its own, with node 0 at the cut. Nothing is allocated: room for as many pieces as cut_capacity
- * allows was taken when the thread was added. Pieces can be cut again. A cut within 1 % of a segment, or 1e-7 m, of
+ * becomes a body of its own, with node 0 at the cut. Room for as many pieces as cut_capacity allows was taken when the
+ * thread was added, so nothing is allocated, but for a copy of the state during the call if a step waits. Pieces can be cut again. A cut within 1 % of a segment, or 1e-7 m, of
  * a node goes through the node, which the thread keeps with all that holds it. A cut within 0.2 mm of a hole that
  * the thread is in is made 0.2 mm beside it, where an end has left the hole. The ends at a cut do not touch each
  * other until they have come apart. Contacts in the views keep the numbers of before the cut until the next step.
@@ -673,7 +675,8 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
  * @param arc_length  of the cut from the thread's node 0, unstretched, m, within its length and not at an end
  * @param[out] piece  number of the new body, whose handle #vbss_scene_get_thread gives; also in an event
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no such thread, or
- *         not within it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left) or VBSS_ERROR_BUSY
+ *         not within it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left; that is an event, too),
+ *         VBSS_ERROR_OUT_OF_MEMORY (only while a step waits) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -696,7 +699,9 @@ VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbs
 /**
  * Moves everything forward in time. Nothing is allocated. On failure the scene is as it was before the
  * step, but without events. With method PAPER the step of a thread or drain that has diverged fails;
- * see #vbss_thread_step and #vbss_drain_step for the bounds.
+ * see #vbss_thread_step and #vbss_drain_step for the bounds. If a call has ended a suspended step, or some
+ * islands of a step, and the rest fails, that result stays: the call returns VBSS_OK, `behind` counts the rest, and
+ * the next call returns the failure.
  *
  * @param scene  the scene
  * @param h      s, 1e-7 to 0.1

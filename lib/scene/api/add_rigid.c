@@ -133,39 +133,64 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
     }
 }
 
-vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config, uint32_t *body)
-{
-    VBSS_ENTER(scene);
-    scene_object *s;
-    vbss_rigid_config own;
+/* Everything that a new body needs, computed before anything changes. */
+typedef struct new_rigid {
+    vbss_rigid_config config;
     vbss_rigid_mass mass;
     quat orientation;
+    double radius; /* of its thickest capsule, m */
+} new_rigid;
+
+static vbss_result read_rigid(const scene_object *s, const vbss_rigid_config *config,
+                              new_rigid *read)
+{
+    VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &read->config));
+    VBSS_TRY(check_rigid(s, &read->config));
+    VBSS_TRY(vbss_read_orientation(s->context, read->config.orientation, &read->orientation));
+    VBSS_TRY(distribute_mass(s, &read->config, &read->mass));
+    read->radius = 0.0;
+    for (uint32_t i = 0; i < read->config.capsule_count; i++) {
+        read->radius = vbss_max(read->config.capsules[i].radius, read->radius);
+    }
+    return VBSS_OK;
+}
+
+static vbss_result add_rigid(scene_object *s, const new_rigid *added, uint32_t *body)
+{
+    const vbss_rigid_config *c = &added->config;
     uint32_t shape = 0;
-    double radius = 0.0;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
-    VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
-    VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &own));
-    VBSS_TRY(check_rigid(s, &own));
-    VBSS_TRY(vbss_read_orientation(s->context, own.orientation, &orientation));
-    VBSS_TRY(distribute_mass(s, &own, &mass));
-    warn_of_units(s->context, &own);
-    const scene_outline outline = {.capsules = &own,
-                                   .at = pose_make(vec3_load(own.position), orientation),
-                                   .is_prescribed = own.kind == VBSS_RIGID_DRIVEN};
+    const scene_outline outline = {.capsules = c,
+                                   .at = pose_make(vec3_load(c->position), added->orientation),
+                                   .is_prescribed = c->kind == VBSS_RIGID_DRIVEN};
     VBSS_TRY(vbss_scene_check_overlap(s, &outline, "rigid body"));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
-    for (uint32_t i = 0; i < own.capsule_count; i++) {
-        radius = vbss_max(own.capsules[i].radius, radius);
-    }
-    VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), own.capsule_count, radius, &shape));
+    VBSS_TRY(
+        vbss_collision_add_capsules(scene_collision(s), c->capsule_count, added->radius, &shape));
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
-    init_rigid(&b->rigid, &own, &mass, orientation);
-    add_capsules(s, b, &own);
+    init_rigid(&b->rigid, c, &added->mass, added->orientation);
+    add_capsules(s, b, c);
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     vbss_scene_list_overlaps_of(s, b);
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config, uint32_t *body)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    new_rigid added;
+    scene_edit edit;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
+    VBSS_TRY(read_rigid(s, config, &added));
+    if (vbss_scene_find_free_body(s, SCENE_BODY_RIGID) == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    warn_of_units(s->context, &added.config);
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    return vbss_scene_end_edit(s, &edit, add_rigid(s, &added, body));
 }

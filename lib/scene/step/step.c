@@ -36,6 +36,7 @@ void vbss_scene_begin_step(scene_object *s, double h)
     vbss_scene_apply_tool_targets(s, h);
     vbss_scene_drop_ended_overlaps(s);
     vbss_scene_begin_first_group(s);
+    s->report.old_contact_count = s->report.contact_count;
     s->contacts->counters.operations = 0;
 }
 

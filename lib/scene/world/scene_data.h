@@ -227,6 +227,7 @@ typedef struct scene_pin {
     uint32_t thread, node, body; /* numbers; body 0: the world */
     uint32_t attachment;         /* id of the thread's attachment that moves the node; 0: a weld */
     vec3 point;                  /* position of the node in the principal frame of the body, m */
+    vec3 checkpoint_target;      /* checkpoint: target of the attachment, m */
 } scene_pin;
 
 /* A strand of thread between the jaws of a grasper: it is held, or excluded from contact with the
@@ -451,6 +452,8 @@ typedef struct scene_checkpoint {
     uint32_t event_count, lost_events;
     scene_blocker blockers[SCENE_MAX_BLOCKERS];
     uint32_t blocker_count;
+    scene_touching_pair overlaps[SCENE_MAX_OVERLAPS];
+    uint32_t overlap_count;
     vbss_scene_statistics statistics;
 } scene_checkpoint;
 
@@ -468,6 +471,8 @@ typedef struct scene_report {
     bool has_pending_events; /* events were emitted after the last call; the next keeps them */
     /* The contact views: contact_count entries, in the order of the features. */
     uint32_t contact_count;
+    /* The first entries are those of the step before, of groups that wait. A restored scene has none. */
+    uint32_t old_contact_count;
     uint32_t (*contact_features)[5]; /* vbss_contact_kind, body a, feature a, body b, feature b */
     /* Points between the surfaces, m; unit, from b to a; on a by b, N. */
     vec3 *contact_points, *contact_normals, *contact_forces;
