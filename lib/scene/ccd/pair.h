@@ -16,8 +16,9 @@ static inline void scene_vertices_of_pair(const scene_object *s, const collision
     for (uint32_t k = 0; k < 4; k++) {
         bool is_a = k < (edges ? 2u : 1u);
         shapes[k] = is_a ? a : b;
-        vertices[k] = !edges ? (is_a ? q->a : b->triangles[q->b][k - 1])
-                             : (is_a ? a->edges[q->a][k] : b->edges[q->b][k - 2]);
+        /* Remainders keep each index in its array, also where a compiler cannot see that it is. */
+        vertices[k] = !edges ? (is_a ? q->a : b->triangles[q->b][(k + 2) % 3])
+                             : (is_a ? a->edges[q->a][k % 2] : b->edges[q->b][k % 2]);
     }
 }
 
