@@ -26,6 +26,18 @@ void fuzz_fail(fuzz_scene *f, fuzz_check check, const char *format, ...)
     fuzz_record(f->findings, check, detail);
 }
 
+void fuzz_trace(const fuzz_scene *f, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    if (f->findings->is_traced) {
+        printf("    ");
+        vprintf(format, arguments);
+        printf("\n");
+    }
+    va_end(arguments);
+}
+
 void fuzz_save(fuzz_scene *f, uint32_t k, fuzz_bytes *bytes)
 {
     vbss_scene *scene = f->sides[k].scene;

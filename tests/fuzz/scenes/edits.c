@@ -31,6 +31,7 @@ static void cut(fuzz_scene *f)
     const uint32_t thread = fuzz_spoil_number(f, fuzz_choose(f, FUZZ_THREAD));
     const double arc = fuzz_spoil(f, fuzz_real(f, -0.02, 1.02) * rest_length(f, thread));
     uint32_t piece[FUZZ_SIDES] = {0, 0};
+    fuzz_trace(f, "thread %u at %g", thread, arc);
     FUZZ_CALL(f, vbss_scene_cut_thread(side->scene, thread, arc, &piece[k]));
     if (f->results[0] == VBSS_OK) {
         f->findings->cuts++;
@@ -50,6 +51,7 @@ static void pin(fuzz_scene *f)
     vec3_store(point, fuzz_point(f));
     const bool has_point = fuzz_chance(f, 0.2);
     point[2] = fuzz_spoil(f, point[2]);
+    fuzz_trace(f, "thread %u node %u to body %u", thread, node, other);
     FUZZ_CALL(f, vbss_scene_pin_thread(side->scene, thread, node, other, has_point ? point : NULL,
                                        &id[k]));
 }
@@ -57,6 +59,7 @@ static void pin(fuzz_scene *f)
 static void unpin(fuzz_scene *f)
 {
     const uint32_t id = fuzz_spoil_number(f, fuzz_below(f, 6));
+    fuzz_trace(f, "pin %u", id);
     FUZZ_CALL(f, vbss_scene_unpin_thread(side->scene, id));
 }
 
@@ -74,6 +77,7 @@ static void attach_to_thread(fuzz_scene *f)
     a.stiffness = fuzz_spoil(f, fuzz_small(f, 0.0, 100.0));
     a.damping = fuzz_small(f, 0.0, 0.1);
     a.mass = fuzz_small(f, 1e-5, 0.05);
+    fuzz_trace(f, "thread %u node %u kind %d", thread, a.node, a.kind);
     FUZZ_CALL(f, vbss_thread_attach(thread_of(side, thread), &a, &id[k]));
 }
 
@@ -198,6 +202,7 @@ static void remove_body(fuzz_scene *f)
     const fuzz_kind kind =
         FUZZ_PICK(f, FUZZ_THREAD, FUZZ_NEEDLE, FUZZ_GRASPER, FUZZ_RIGID, FUZZ_DRAIN);
     const uint32_t number = fuzz_spoil_number(f, fuzz_choose(f, kind));
+    fuzz_trace(f, "body %u", number);
     FUZZ_CALL(f, vbss_scene_remove(side->scene, number));
     if (f->results[0] == VBSS_OK && number < FUZZ_MAX_BODIES) {
         f->bodies[number].is_removed = true;

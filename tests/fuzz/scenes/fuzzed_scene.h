@@ -115,6 +115,8 @@ void fuzz_end_on_side(fuzz_scene *f, uint32_t k, vbss_result result);
 void fuzz_end_call(fuzz_scene *f);
 void fuzz_end_query(fuzz_scene *f);
 void fuzz_fail(fuzz_scene *f, fuzz_check check, const char *format, ...) VBSS_PRINTF(3, 4);
+/* Arguments of the next call, printed when calls are. */
+void fuzz_trace(const fuzz_scene *f, const char *format, ...) VBSS_PRINTF(2, 3);
 /* Saves a side into a buffer that grows. */
 void fuzz_save(fuzz_scene *f, uint32_t k, fuzz_bytes *bytes);
 void fuzz_compare_twins(fuzz_scene *f);

@@ -20,6 +20,7 @@ static void restore_one(fuzz_scene *f)
 {
     const uint32_t k = fuzz_below(f, FUZZ_SIDES);
     const fuzz_bytes *now = &f->sides[0].snapshot;
+    fuzz_trace(f, "of the present state, side %u", k);
     fuzz_begin_call(f, "vbss_scene_restore");
     fuzz_start_clock(f);
     vbss_result result = vbss_scene_restore(f->sides[k].scene, now->data, now->count);
@@ -41,6 +42,7 @@ static void keep(fuzz_scene *f)
 static void go_back(fuzz_scene *f)
 {
     if (f->earlier.count > 0) {
+        fuzz_trace(f, "of an earlier state");
         FUZZ_CALL(f, vbss_scene_restore(side->scene, f->earlier.data, f->earlier.count));
         f->witness.was_clear = false;
     }
@@ -55,6 +57,7 @@ static void restore_damaged(fuzz_scene *f)
     } else {
         damaged.data[fuzz_below(f, (uint32_t)damaged.count)] ^= (uint8_t)(1 + fuzz_below(f, 255));
     }
+    fuzz_trace(f, "of a damaged state");
     FUZZ_CALL(f, vbss_scene_restore(side->scene, damaged.data, damaged.count));
     if (f->results[0] == VBSS_OK) {
         fuzz_fail(f, FUZZ_CHECK_RESTORE, "a damaged state is accepted");

@@ -13,6 +13,19 @@ static void move_tools(fuzz_scene *f)
     }
 }
 
+static void trace_statistics(const fuzz_scene *f, const vbss_scene_statistics *s)
+{
+    fuzz_trace(f,
+               "attempts %llu, substeps %llu, rejected: states %llu stretch %llu depth %llu CCD "
+               "%llu singular %llu "
+               "full %llu; clamped %llu paused %llu behind %u",
+               (unsigned long long)s->attempts, (unsigned long long)s->parts,
+               (unsigned long long)s->rejected_states, (unsigned long long)s->rejected_stretch,
+               (unsigned long long)s->rejected_depth, (unsigned long long)s->rejected_guard,
+               (unsigned long long)s->rejected_singular, (unsigned long long)s->rejected_full,
+               (unsigned long long)s->clamped, (unsigned long long)s->paused, s->behind);
+}
+
 static void count_what_happens(fuzz_scene *f)
 {
     vbss_scene_statistics statistics;
@@ -22,6 +35,7 @@ static void count_what_happens(fuzz_scene *f)
     vbss_scene *scene = f->sides[0].scene;
     (void)vbss_scene_get_statistics(scene, &statistics, sizeof statistics);
     f->findings->suspended += statistics.behind > 0;
+    trace_statistics(f, &statistics);
     f->findings->holes += vbss_scene_get_hole(scene, 0, &hole, sizeof hole) == VBSS_OK;
     for (uint32_t i = 1; i <= f->last_number; i++) {
         has_grasp =
@@ -35,6 +49,7 @@ void fuzz_step(fuzz_scene *f)
 {
     const double rare = 1e-4 * FUZZ_PICK(f, 1, 10, 100, 1000), now_and_then = fuzz_spoil(f, rare);
     const double h = fuzz_chance(f, 0.03) ? now_and_then : f->h;
+    fuzz_trace(f, "%g s", h);
     FUZZ_CALL(f, vbss_scene_step(side->scene, h));
     if (f->results[0] == VBSS_OK) {
         fuzz_check_after_step(f);

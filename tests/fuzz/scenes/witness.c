@@ -90,7 +90,8 @@ static bool find_motion(const fuzz_scene *f, uint32_t number, body_motion *motio
 void fuzz_add_witness(fuzz_scene *f)
 {
     const uint32_t last = f->last_number;
-    if (fuzz_chance(f, 0.5)) {
+    /* By the baseline method, free rigid bodies stay where they are. */
+    if (fuzz_chance(f, 0.5) && f->config.method == VBSS_METHOD_OURS) {
         add_capsule(f);
     } else {
         add_thread(f);
