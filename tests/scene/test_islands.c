@@ -106,6 +106,28 @@ static void squeezed_thread_holds_back_nothing_else(void **state)
     }
 }
 
+/* A pin takes a node of a thread through a stick. The thread waits; where its node was to go holds back nothing. */
+static void node_pinned_beyond_a_stick_holds_back_nothing_else(void **state)
+{
+    (void)state;
+    enum { STEPS = 50 };
+    small s;
+    uint32_t pin;
+    const double beyond[3] = {0.0, -8e-3, 0.0};
+    small_begin(&s);
+    s.config.mode = VBSS_MODE_OFFLINE;
+    small_create(&s);
+    uint32_t line =
+        small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 24, NULL);
+    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
+    vbss_thread *falls = add_falling_thread(&s);
+    expect_ok(vbss_scene_pin_thread(s.scene, line, 12, 0, beyond, &pin));
+    small_steps(&s, STEPS, STEP);
+    assert_true(small_statistics(&s).clamped > 0);
+    expect_near(free_fall(STEPS), small_node(falls, 4).y, fall_tolerance(0, STEPS));
+    small_end(&s);
+}
+
 /* In a call with little work a step is suspended while an island waits. A state that is saved then goes
  * on to the same bits. */
 static void state_saved_while_an_island_waits_continues_equally(void **state)
@@ -251,6 +273,7 @@ int test_islands(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(touching_driven_bodies_stop_nothing),
         cmocka_unit_test(squeezed_thread_holds_back_nothing_else),
+        cmocka_unit_test(node_pinned_beyond_a_stick_holds_back_nothing_else),
         cmocka_unit_test(state_saved_while_an_island_waits_continues_equally),
         cmocka_unit_test(contacts_of_all_islands_are_published),
         cmocka_unit_test(blocked_pair_is_reported_once_until_it_is_free),

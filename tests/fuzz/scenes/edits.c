@@ -1,6 +1,8 @@
 /* Random edits of a scene: good ones, and some that must be refused. */
 #include "fuzz/scenes/fuzzed_scene.h"
 
+#include <math.h>
+
 static vbss_thread *thread_of(const fuzz_side *side, uint32_t number)
 {
     vbss_thread *thread = NULL;
@@ -51,7 +53,8 @@ static void pin(fuzz_scene *f)
     vec3_store(point, fuzz_point(f));
     const bool has_point = fuzz_chance(f, 0.2);
     point[2] = fuzz_spoil(f, point[2]);
-    fuzz_trace(f, "thread %u node %u to body %u", thread, node, other);
+    fuzz_trace(f, "thread %u node %u to body %u at %g %g %g", thread, node, other,
+               has_point ? point[0] : (double)NAN, point[1], point[2]);
     FUZZ_CALL(f, vbss_scene_pin_thread(side->scene, thread, node, other, has_point ? point : NULL,
                                        &id[k]));
 }

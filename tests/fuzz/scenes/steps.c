@@ -26,6 +26,17 @@ static void trace_statistics(const fuzz_scene *f, const vbss_scene_statistics *s
                (unsigned long long)s->clamped, (unsigned long long)s->paused, s->behind);
 }
 
+static void trace_blockers(const fuzz_scene *f)
+{
+    vbss_blocker b;
+    for (uint32_t i = 0; f->findings->is_traced &&
+                         vbss_scene_get_blocker(f->sides[0].scene, i, &b, sizeof b) == VBSS_OK;
+         i++) {
+        fuzz_trace(f, "held back since %g s: bodies %u and %u, cause %d, lost %g s, depth %g m",
+                   b.since, b.body_a, b.body_b, b.cause, b.lost_time, b.depth);
+    }
+}
+
 static void count_what_happens(fuzz_scene *f)
 {
     vbss_scene_statistics statistics;
@@ -36,6 +47,7 @@ static void count_what_happens(fuzz_scene *f)
     (void)vbss_scene_get_statistics(scene, &statistics, sizeof statistics);
     f->findings->suspended += statistics.behind > 0;
     trace_statistics(f, &statistics);
+    trace_blockers(f);
     f->findings->holes += vbss_scene_get_hole(scene, 0, &hole, sizeof hole) == VBSS_OK;
     for (uint32_t i = 1; i <= f->last_number; i++) {
         has_grasp =
