@@ -106,6 +106,87 @@ static void squeezed_thread_holds_back_nothing_else(void **state)
     }
 }
 
+/* A pin takes a node of a thread through a stick. The thread waits; where its node was to go holds back nothing. */
+static void node_pinned_beyond_a_stick_holds_back_nothing_else(void **state)
+{
+    (void)state;
+    enum { STEPS = 50 };
+    small s;
+    uint32_t pin;
+    const double beyond[3] = {0.0, -8e-3, 0.0};
+    small_begin(&s);
+    s.config.mode = VBSS_MODE_OFFLINE;
+    small_create(&s);
+    uint32_t line =
+        small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 24, NULL);
+    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
+    vbss_thread *falls = add_falling_thread(&s);
+    expect_ok(vbss_scene_pin_thread(s.scene, line, 12, 0, beyond, &pin));
+    small_steps(&s, STEPS, STEP);
+    assert_true(small_statistics(&s).clamped > 0);
+    expect_near(free_fall(STEPS), small_node(falls, 4).y, fall_tolerance(0, STEPS));
+    small_end(&s);
+}
+
+/* The most consecutive steps in which a thread stands still. */
+static uint32_t find_longest_standstill(small *s, vbss_thread *falls, uint32_t steps)
+{
+    uint32_t stood_still = 0, longest = 0;
+    for (uint32_t i = 0; i < steps; i++) {
+        double before = small_node(falls, 4).y;
+        small_steps(s, 1, STEP);
+        stood_still = small_node(falls, 4).y < before ? 0 : stood_still + 1;
+        longest = stood_still > longest ? stood_still : longest;
+    }
+    return longest;
+}
+
+/* A coupled stick is pressed into the floor, and its attempts are exhausted. The next step lets it wait, so all others
+ * lose one step. */
+static void pair_that_exhausts_its_attempts_is_known_in_the_next_step(void **state)
+{
+    (void)state;
+    enum { STEPS = 40 };
+    small s;
+    small_begin(&s);
+    s.config.attempt_limit = 2;
+    s.config.penetration_tolerance = 1e-3;
+    s.config.floor = 1;
+    s.config.floor_height = -0.05;
+    small_create(&s);
+    uint32_t stick =
+        small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, -0.04899, 0.0), half_z, 1e-3);
+    vbss_thread *falls = add_falling_thread(&s);
+    small_move(&s, stick, vec3_make(0.0, -0.052, 0.0));
+    assert_true(find_longest_standstill(&s, falls, STEPS) <= 1);
+    assert_true(small_statistics(&s).paused > 0);
+    small_end(&s);
+}
+
+/* A pin takes a node of a thread through a stick, so far that there is no room for all pairs on its way. Where the
+ * thread fails with a smaller substep, it waits in the next step, although its whole way has no room there either. */
+static void thread_without_room_for_its_pairs_waits_alone(void **state)
+{
+    (void)state;
+    enum { STEPS = 40 };
+    const double beyond[3] = {0.0, -8e-3, 0.0};
+    small s;
+    uint32_t pin;
+    small_begin(&s);
+    s.config.attempt_limit = 3;
+    s.config.candidate_capacity = 12;
+    small_create(&s);
+    uint32_t line =
+        small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 24, NULL);
+    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
+    vbss_thread *falls = add_falling_thread(&s);
+    small_steps(&s, 1, STEP);
+    expect_ok(vbss_scene_pin_thread(s.scene, line, 12, 0, beyond, &pin));
+    assert_true(find_longest_standstill(&s, falls, STEPS) <= 1);
+    assert_true(small_statistics(&s).paused > 0);
+    small_end(&s);
+}
+
 /* In a call with little work a step is suspended while an island waits. A state that is saved then goes
  * on to the same bits. */
 static void state_saved_while_an_island_waits_continues_equally(void **state)
@@ -251,6 +332,9 @@ int test_islands(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(touching_driven_bodies_stop_nothing),
         cmocka_unit_test(squeezed_thread_holds_back_nothing_else),
+        cmocka_unit_test(node_pinned_beyond_a_stick_holds_back_nothing_else),
+        cmocka_unit_test(pair_that_exhausts_its_attempts_is_known_in_the_next_step),
+        cmocka_unit_test(thread_without_room_for_its_pairs_waits_alone),
         cmocka_unit_test(state_saved_while_an_island_waits_continues_equally),
         cmocka_unit_test(contacts_of_all_islands_are_published),
         cmocka_unit_test(blocked_pair_is_reported_once_until_it_is_free),

@@ -4,6 +4,8 @@
 #include "scene/world/world.h"
 #include "thread/tuning.h"
 
+#include <string.h>
+
 static bool needs_damping(const scene_thread *b, double h)
 {
     const thread_object *t = b->thread;
@@ -63,7 +65,8 @@ static void hold_body(scene_object *s, scene_body *b)
 {
     if (b->kind == SCENE_BODY_THREAD) {
         thread_object *t = b->thread.thread;
-        vbss_thread_reset_trial(t);
+        /* Prescribed nodes as well: their trial positions are those of the attempt that failed. */
+        memcpy(t->trial, t->now.x, t->node_count * sizeof *t->trial);
         vbss_thread_compute_strains(t, t->trial, t->strains);
     } else if (b->kind == SCENE_BODY_RIGID) {
         scene_rigid *r = &b->rigid;

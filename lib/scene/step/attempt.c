@@ -31,12 +31,13 @@ static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep 
     s->report.statistics.attempts++;
     s->step.has_accepted_contacts = false;
     /* Motion bounds, broad phase, narrow phase. */
-    if (!vbss_scene_create_contacts(s, substep)) {
-        return SCENE_SUBSTEP_OUT_OF_CAPACITY;
-    }
-    if (vbss_scene_split_slow_islands(s)) {
+    const bool has_all_pairs = vbss_scene_create_contacts(s, substep);
+    if (vbss_scene_split_slow_islands(s, has_all_pairs)) {
         s->report.statistics.attempts--;
         return SCENE_SUBSTEP_REGROUPED;
+    }
+    if (!has_all_pairs) {
+        return SCENE_SUBSTEP_OUT_OF_CAPACITY;
     }
     vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));
     vbss_scene_predict(s, substep);

@@ -120,7 +120,7 @@ static void move_island(scene_object *s, const scene_body *of)
     }
 }
 
-bool vbss_scene_split_slow_islands(scene_object *s)
+bool vbss_scene_split_slow_islands(scene_object *s, bool has_all_pairs)
 {
     scene_step_cursor *cursor = &s->cursor;
     if (cursor->attempts > 0 || cursor->substep.start_fraction > 0.0) {
@@ -138,7 +138,7 @@ bool vbss_scene_split_slow_islands(scene_object *s)
         return false;
     }
     if (cursor->group_count < SCENE_MAX_GROUPS) {
-        vbss_scene_find_islands(s);
+        vbss_scene_find_islands(s, has_all_pairs);
         for (uint32_t i = 0; i < s->body_count; i++) {
             const scene_body *b = &s->bodies[i];
             if (vbss_scene_substep_size(b->next_halvings) < cursor->size) {
@@ -153,10 +153,9 @@ bool vbss_scene_split_slow_islands(scene_object *s)
     return true;
 }
 
-static void move_failed_islands(scene_object *s, scene_substep_outcome outcome)
+static void move_failed_islands(scene_object *s, scene_touching_pair blamed)
 {
-    const scene_touching_pair blamed = vbss_scene_find_blamed_pair(s, outcome);
-    vbss_scene_find_islands(s);
+    vbss_scene_find_islands(s, true);
     move_island(s, vbss_scene_body(s, blamed.body_a));
     move_island(s, vbss_scene_body(s, blamed.body_b));
 }
@@ -177,7 +176,7 @@ bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outco
     if (last == SCENE_MAX_GROUPS || outcome == SCENE_SUBSTEP_OUT_OF_CAPACITY) {
         return false;
     }
-    move_failed_islands(s, outcome);
+    move_failed_islands(s, vbss_scene_find_blamed_pair(s, outcome));
     if (!has_group(s, last) || !let_last_group_wait(s, size)) {
         return false;
     }
@@ -189,10 +188,10 @@ bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outco
     return true;
 }
 
-void vbss_scene_set_next_size(scene_object *s, scene_substep_outcome outcome, double size)
+void vbss_scene_set_next_size(scene_object *s, scene_touching_pair blamed, double size)
 {
     const uint32_t last = s->cursor.group_count;
-    move_failed_islands(s, outcome);
+    move_failed_islands(s, blamed);
     const bool is_known = has_group(s, last) && has_mobile_body_outside(s, last);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];

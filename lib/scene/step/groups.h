@@ -16,8 +16,9 @@
 bool vbss_scene_is_mobile(const scene_object *s, const scene_body *b);
 
 /* Finds the islands of the bodies that take part in the present substep, from the candidates and
- * constraints of the last attempt. */
-void vbss_scene_find_islands(scene_object *s);
+ * constraints of the last attempt. Without `has_all_pairs`, there was no room for these, and only
+ * grasps, holes and pins connect bodies. */
+void vbss_scene_find_islands(scene_object *s, bool has_all_pairs);
 
 /* Whether a body is in the island of another. False if one of them is in none. */
 bool vbss_scene_is_in_island(const scene_object *s, const scene_body *b, const scene_body *of);
@@ -42,16 +43,17 @@ bool vbss_scene_begin_next_group(scene_object *s);
 /* Ends the freezing of all bodies at the end of a step. */
 void vbss_scene_release_groups(scene_object *s);
 
-/* At the start of a group's first substep: lets islands that begin with smaller substeps wait.
- * True: the group or the size of its substep has changed, and the attempt begins again. */
-bool vbss_scene_split_slow_islands(scene_object *s);
+/* At the start of a group's first substep: lets islands that begin with smaller substeps wait, also
+ * where their motion leaves no room for all pairs (vbss_scene_find_islands). True: the group or the
+ * size of its substep has changed, and the attempt begins again. */
+bool vbss_scene_split_slow_islands(scene_object *s, bool has_all_pairs);
 
 /* Divides the group after a failed attempt: the island that failed waits and begins with substeps
  * of `size`. False: the group has no other island. */
 bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outcome, double size);
 
-/* Sets the size of the next step's first substep, for the island that failed. If it is unknown,
- * for the whole group. */
-void vbss_scene_set_next_size(scene_object *s, scene_substep_outcome outcome, double size);
+/* Sets the size of the next step's first substep, for the island of the bodies that failed. If
+ * they are unknown, for the whole group. */
+void vbss_scene_set_next_size(scene_object *s, scene_touching_pair blamed, double size);
 
 #endif

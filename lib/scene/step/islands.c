@@ -67,7 +67,7 @@ bool vbss_scene_is_mobile(const scene_object *s, const scene_body *b)
     return kind != SCENE_BODY_NONE && !(kind == SCENE_BODY_RIGID && is_at_rest(s, &b->rigid));
 }
 
-static void connect_candidates(scene_object *s)
+static void connect_pairs(scene_object *s)
 {
     const collision_object *c = s->collision;
     for (uint32_t i = 0; i < c->candidate_count; i++) {
@@ -76,6 +76,10 @@ static void connect_candidates(scene_object *s)
             connect(s, &s->bodies[s->body_of_shape[q->shape_a]],
                     &s->bodies[s->body_of_shape[q->shape_b]]);
         }
+    }
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_key *key = &s->contacts->constraints[i].key;
+        connect_numbers(s, key->body_a, key->body_b);
     }
 }
 
@@ -99,17 +103,15 @@ static void connect_grasps_and_holes(scene_object *s)
     }
 }
 
-void vbss_scene_find_islands(scene_object *s)
+void vbss_scene_find_islands(scene_object *s, bool has_all_pairs)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         s->bodies[i].island = vbss_scene_is_mobile(s, &s->bodies[i]) ? i : NO_ISLAND;
     }
-    connect_candidates(s);
-    connect_grasps_and_holes(s);
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_key *key = &s->contacts->constraints[i].key;
-        connect_numbers(s, key->body_a, key->body_b);
+    if (has_all_pairs) {
+        connect_pairs(s);
     }
+    connect_grasps_and_holes(s);
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         connect_numbers(s, p->id != 0 ? p->thread : 0, p->body);

@@ -153,16 +153,17 @@ static void record_pause(scene_object *s, scene_step_cursor *cursor, double frac
 }
 
 /* Leaves out the rest of the step for the present group. Its bodies stay where they are. The next
- * step of those that failed begins with substeps of `size`, a fraction of a step. */
+ * step of those that failed, or of all if no pair is blamed, begins with substeps of `size`, a
+ * fraction of a step. */
 static void pause_step(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome,
-                       double size)
+                       scene_touching_pair blamed, double size)
 {
     double fraction_left = 1.0 - cursor->substep.start_fraction;
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
     record_pause(s, cursor, fraction_left);
-    vbss_scene_record_blocker(s, cause_of(outcome), vbss_scene_find_blamed_pair(s, outcome),
+    vbss_scene_record_blocker(s, cause_of(outcome), blamed,
                               fraction_left * cursor->substep.step_length);
-    vbss_scene_set_next_size(s, outcome, size);
+    vbss_scene_set_next_size(s, blamed, size);
     cursor->is_paused = cursor->is_behind_targets = true;
     update_coupling_wrenches(s, &cursor->substep);
 }
@@ -298,9 +299,11 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
             double next_size;
             vbss_scene_count_rejection(s, outcome);
             if (can_defer_to_next_step(s, cursor, &next_size) && is_deferrable(outcome)) {
+                /* The contacts of the attempt say which pair failed; the rejection rebuilds them. */
+                const scene_touching_pair blamed = vbss_scene_find_blamed_pair(s, outcome);
                 vbss_scene_request_damping(s);
                 vbss_scene_reject_substep(s);
-                pause_step(s, cursor, outcome, next_size);
+                pause_step(s, cursor, outcome, blamed, next_size);
                 break;
             }
             if (prepare_retry(s, cursor, outcome)) {
@@ -318,7 +321,8 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
         advance_cursor(s, cursor);
         if (substep->start_fraction < 1.0 && is_step_exhausted(s, cursor)) {
             /* this size was accepted */
-            pause_step(s, cursor, SCENE_SUBSTEP_ACCEPTED, vbss_min(2.0 * cursor->size, 1.0));
+            pause_step(s, cursor, SCENE_SUBSTEP_ACCEPTED, (scene_touching_pair){0, 0},
+                       vbss_min(2.0 * cursor->size, 1.0));
             break;
         }
     }
@@ -371,7 +375,7 @@ static void abandon_group(scene_object *s)
     }
     vbss_scene_request_damping(s);
     vbss_scene_reject_substep(s);
-    pause_step(s, cursor, SCENE_SUBSTEP_SUSPENDED, cursor->size);
+    pause_step(s, cursor, SCENE_SUBSTEP_SUSPENDED, (scene_touching_pair){0, 0}, cursor->size);
 }
 
 void vbss_scene_abandon_step(scene_object *s)
