@@ -51,9 +51,9 @@ double pulled_knot_min_distance(const vec3 *x, uint32_t nodes, const double *res
                 continue;
             }
             double s, u;
-            vec3 way = closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
-                                             vec3_sub(x[b], x[a]), &s, &u);
-            smallest = vbss_min(vec3_norm(way), smallest);
+            vec3 separation = closest_between_edges(
+                vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]), vec3_sub(x[b], x[a]), &s, &u);
+            smallest = vbss_min(vec3_norm(separation), smallest);
         }
     }
     return smallest;

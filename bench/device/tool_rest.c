@@ -22,8 +22,8 @@ typedef struct tool_rest {
 /* Where the hand is so many steps after it has settled or begun to draw. */
 static vec3 hand_at(const tool_rest *s, uint32_t step)
 {
-    double way = s->kind == SLIPPING ? draw_speed * step / TOOL_RIG_ROUND : 0.0;
-    return vec3_add(s->home, vec3_make(0.0, way, 0.0));
+    double travel = s->kind == SLIPPING ? draw_speed * step / TOOL_RIG_ROUND : 0.0;
+    return vec3_add(s->home, vec3_make(0.0, travel, 0.0));
 }
 
 /* The taut thread is drawn aside by 4 mm; the one that slips has a free end. */

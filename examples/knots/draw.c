@@ -22,8 +22,8 @@ typedef struct curve {
 static vec3 slope(const vec3 *x, uint32_t n, uint32_t node, double length)
 {
     vec3 before = x[node > 0 ? node - 1 : 0], after = x[node + 1 < n ? node + 1 : n - 1];
-    double way = vec3_distance(before, x[node]) + vec3_distance(x[node], after);
-    return vec3_scale(vec3_sub(after, before), length / way);
+    double path_length = vec3_distance(before, x[node]) + vec3_distance(x[node], after);
+    return vec3_scale(vec3_sub(after, before), length / path_length);
 }
 
 /* Tensions are of segments' middles; between those they are taken to go straight. */

@@ -46,14 +46,14 @@ int pieces_walk(const drawing *d, const shape *s, double t, int step, double len
     double left = length, skipped = 0.0; /* points that crowd are left out */
     while (s != NULL && count < room) {
         vec end = step < 0 ? s->a : s->b;
-        double way = vec_length(vec_sub(end, at));
-        if (way >= left) {
-            points[count++] = way > 0.0 ? vec_lerp(at, end, left / way) : end;
+        double distance = vec_length(vec_sub(end, at));
+        if (distance >= left) {
+            points[count++] = distance > 0.0 ? vec_lerp(at, end, left / distance) : end;
             return count;
         }
         at = end;
-        left -= way;
-        skipped += way;
+        left -= distance;
+        skipped += distance;
         if (skipped >= 0.125 * length) {
             points[count++] = at;
             skipped = 0.0;

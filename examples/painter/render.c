@@ -126,9 +126,9 @@ static double grid_line(const scene *s, const shape *floor_shape, vec place)
     vec from = vec_sub(place, floor_shape->a), normal = vec_cross(floor_shape->b, floor_shape->c);
     double area2 = vec_dot(normal, normal), line = 0.0;
     double scale = view_scale_at(&s->v, place.z) / SAMPLES;
-    for (int way = 0; way < 2; way++) {
-        vec along = way == 0 ? floor_shape->b : floor_shape->c;
-        vec other = way == 0 ? floor_shape->c : floor_shape->b;
+    for (int axis = 0; axis < 2; axis++) {
+        vec along = axis == 0 ? floor_shape->b : floor_shape->c;
+        vec other = axis == 0 ? floor_shape->c : floor_shape->b;
         vec across = vec_cross(other, normal);
         double t = fabs(vec_dot(from, across)) / area2 * floor_shape->cells;
         double off = fabs(t - floor(t + 0.5)) / floor_shape->cells * vec_length(along);

@@ -182,17 +182,17 @@ static bool keep_place(film *f, const double place[3])
 
 static bool keep_pose(film *f, const film_model *m, const film_vertex *vertices)
 {
-    double place[3], turn[4], way = 0.0;
+    double place[3], turn[4], cosine = 0.0;
     film_pose(m, vertices, place, turn);
     if (!keep_place(f, place)) {
         return false;
     }
     /* The sign of the frame before, if that has the same number here, so that differences are small. */
     for (size_t i = 0; i < 4 && f->now_count + i < f->before_count; i++) {
-        way += turn[i] * (double)f->before[f->now_count + i];
+        cosine += turn[i] * (double)f->before[f->now_count + i];
     }
     for (int i = 0; i < 4; i++) {
-        if (!keep_number(f, way < 0.0 ? -turn[i] : turn[i], FILM_TURN)) {
+        if (!keep_number(f, cosine < 0.0 ? -turn[i] : turn[i], FILM_TURN)) {
             return false;
         }
     }

@@ -85,16 +85,16 @@ static void sway(surgeon *s, double dt)
     hand *h = s->see.w;
     bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
     bool back = s->tie.plan.back && s->tie.state >= THROW_LOWER;
-    vec way = v_sub(seen(h, back ? NEAR_SIDE : steep ? STEEP : LEVEL), h->trocar);
-    hand_through(h, v_add(h->trocar, v_limit(way, SWAY * h->nature.speed * dt)));
+    vec lag = v_sub(seen(h, back ? NEAR_SIDE : steep ? STEEP : LEVEL), h->trocar);
+    hand_through(h, v_add(h->trocar, v_limit(lag, SWAY * h->nature.speed * dt)));
 }
 
-/* C rolls so that what lies that way from its tip points where it shall. */
-static void roll(surgeon *s, vec from, vec way)
+/* C rolls so that what lies in that direction from its tip points where it shall. */
+static void roll(surgeon *s, vec from, vec direction)
 {
     const senses *e = &s->see;
     vec axis = e->tool_c.handle, now = v_unit(v_across(from, axis));
-    vec wanted = v_unit(v_across(way, axis)), is = seen(e->c, e->c->roll);
+    vec wanted = v_unit(v_across(direction, axis)), is = seen(e->c, e->c->roll);
     hand_turn(e->c, v_along(v_scale(v_dot(is, now), wanted), v_dot(is, v_cross(axis, now)),
                             v_cross(axis, wanted)));
 }
@@ -132,7 +132,7 @@ static double since_when(bool is, double time, double dt)
     return is ? time + dt : 0.0;
 }
 
-static void choose_way(surgeon *s)
+static void choose_direction(surgeon *s)
 {
     throw_plan *p = &s->tie.plan;
     bool third = s->stage == SURGEON_THIRD && s->tie.state == THROW_LOWER;
@@ -187,7 +187,7 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
         raise_needle(s);
     }
-    choose_way(s);
+    choose_direction(s);
     watch_slit(s, dt);
     return VBSS_OK;
 }

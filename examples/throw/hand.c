@@ -175,7 +175,7 @@ void hand_take_tool(hand *h, vbss_device_tool tool)
     h->tool = tool;
 }
 
-void hand_give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
+void hand_yield(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
 {
     double speed = clamp(0.02 * felt, 0.002, 0.02) * h->nature.speed;
     *carrot = v_along(*carrot, speed * dt, v_unit(v_sub(knot, p->tip)));
@@ -193,16 +193,18 @@ void hand_target(hand *h, double size)
 static vec give(const hand *h, vec velocity)
 {
     double force = v_length(h->felt);
-    vec way = v_unit(h->felt);
-    double against = larger(-v_dot(velocity, way), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
-    return force > STRONG ? v_along(velocity, against, way) : velocity;
+    vec direction = v_unit(h->felt);
+    double against =
+        larger(-v_dot(velocity, direction), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
+    return force > STRONG ? v_along(velocity, against, direction) : velocity;
 }
 
 static void follow(hand *h, double dt)
 {
-    vec way = v_sub(v_add(h->goal, h->target_at), h->at);
-    double stop = sqrt(2.0 * 0.7 * ACCELERATION * v_length(way)); /* from where it can still stop */
-    vec wanted = v_limit(v_scale(1.0 / LAG, way), smaller(h->limit, stop));
+    vec to_goal = v_sub(v_add(h->goal, h->target_at), h->at);
+    double stop =
+        sqrt(2.0 * 0.7 * ACCELERATION * v_length(to_goal)); /* from where it can still stop */
+    vec wanted = v_limit(v_scale(1.0 / LAG, to_goal), smaller(h->limit, stop));
     vec change = v_limit(v_sub(wanted, h->velocity), ACCELERATION * dt);
     h->velocity = give(h, v_add(h->velocity, change));
     h->at = v_along(h->at, dt, h->velocity);
@@ -314,12 +316,12 @@ vbss_result hand_look(const hand *h, hand_pose *pose)
     TRY(vbss_grasper_get_state(h->grasper, &s, sizeof s));
     vec tip = v_load(s.position),
         jaws = hand_rotate(s.orientation, v3(0.0, vbss_sin(bend), vbss_cos(bend)));
-    vec way = hand_rotate(s.orientation, v3(0.0, 0.0, 1.0));
+    vec shaft = hand_rotate(s.orientation, v3(0.0, 0.0, 1.0));
     vec corner = v_along(tip, hand_reach(h), jaws);
     pose->tip = seen(h, tip);
     pose->handle = seen(h, jaws);
     pose->bend = seen(h, corner);
-    pose->trocar = seen(h, v_along(corner, h->shape.shaft_length, way));
+    pose->trocar = seen(h, v_along(corner, h->shape.shaft_length, shaft));
     pose->opening = seen(h, hand_rotate(s.orientation, v3(1.0, 0.0, 0.0)));
     return VBSS_OK;
 }

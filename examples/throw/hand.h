@@ -84,7 +84,7 @@ void hand_through(hand *h, vec point);
 void hand_open(hand *h, double opening);
 void hand_take_tool(hand *h, vbss_device_tool tool);
 /* Back toward a knot that its thread comes from, slower as the pull ceases that it feels, N; `carrot` goes ahead of it. */
-void hand_give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt);
+void hand_yield(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt);
 /* A new error of aim of that size. */
 void hand_target(hand *h, double size);
 /* Moves the tool for the coming step. */

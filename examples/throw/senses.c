@@ -26,10 +26,10 @@ vbss_result senses_create(senses *s, stand *st, hand *w, hand *c)
 
 static double distance(vec x, vec a, vec b, double *along)
 {
-    vec way = v_sub(b, a);
-    double t = clamp(v_dot(v_sub(x, a), way) / v_dot(way, way), 0.0, 1.0);
-    *along = t * v_length(way);
-    return v_distance(x, v_along(a, t, way));
+    vec edge = v_sub(b, a);
+    double t = clamp(v_dot(v_sub(x, a), edge) / v_dot(edge, edge), 0.0, 1.0);
+    *along = t * v_length(edge);
+    return v_distance(x, v_along(a, t, edge));
 }
 
 static bool touches(const senses *s, vec x, double *from_tip)
@@ -129,10 +129,10 @@ vec senses_drain(const senses *s)
     return v3(middle.x, middle.y, 0.0);
 }
 
-vec senses_tip_holding_up(const senses *s, vec way, double share)
+vec senses_tip_holding_up(const senses *s, vec direction, double share)
 {
     double length = senses_length(s, s->limb_root, s->c->node);
-    vec jaws = v_along(s->x[s->limb_root], share * length, v_unit(way));
+    vec jaws = v_along(s->x[s->limb_root], share * length, v_unit(direction));
     if (s->c->holds && !senses_holds(s, s->c)) { /* by the needle */
         return v_sub(jaws, v_sub(s->held_c, s->tool_c.tip));
     }

@@ -36,8 +36,8 @@ void senses_feel(senses *s);
 /* Less often. */
 vbss_result senses_wind(senses *s);
 vbss_result senses_find_knot(senses *s);
-/* Where C's tip is when it holds the limb up from its root that way, at a share of its length. */
-vec senses_tip_holding_up(const senses *s, vec way, double share);
+/* Where C's tip is when it holds the limb up from its root in that direction, at a share of its length. */
+vec senses_tip_holding_up(const senses *s, vec direction, double share);
 /* Where the drain has gone, level: the middle of the thread's places in it, which is at the origin as it lies. */
 vec senses_drain(const senses *s);
 /* What the thread is, or, with the tools where they are and what they hold, will be. */

@@ -12,15 +12,15 @@ enum { CUTS = 4, HASH_INTERVAL = 100 };
 /* Radially out of the drain on both sides; between the marks along the circle that does so smoothly. */
 static vec place(double s, const stand *st, double inside, double bend, double angle)
 {
-    vec centre = v3(0.0, 0.0, -DRAIN_RADIUS), way = v3(vbss_sin(angle), 0.0, vbss_cos(angle));
-    vec mark = v_along(centre, DRAIN_RADIUS, way);
+    vec centre = v3(0.0, 0.0, -DRAIN_RADIUS), outward = v3(vbss_sin(angle), 0.0, vbss_cos(angle));
+    vec mark = v_along(centre, DRAIN_RADIUS, outward);
     if (s <= st->tail) {
-        return v_along(mark, st->tail - s, way);
+        return v_along(mark, st->tail - s, outward);
     }
     if (s >= st->tail + inside) {
         mark.x = -mark.x;
-        way.x = -way.x;
-        return v_along(mark, s - st->tail - inside, way);
+        outward.x = -outward.x;
+        return v_along(mark, s - st->tail - inside, outward);
     }
     double turn = (s - st->tail) / bend; /* from the right mark, below the middle, to the left */
     double from = angle;

@@ -8,14 +8,14 @@
 
 #include "camera.h"
 
-enum { MOUSE_WAYS = 2 }; /* it shifts; it turns */
+enum { MOUSE_MOTIONS = 2 }; /* it shifts; it turns */
 
 typedef struct mouse_hand {
     vbss_mapping_config mapping;
     vbss_device_sample sample;
-    double pending[MOUSE_WAYS][3]; /* counts to the right and up, notches away: not yet gone */
-    double pull[6], grain;         /* of a gamepad's sticks, and how fine */
-    bool closes;                   /* the jaws; otherwise they open */
+    double pending[MOUSE_MOTIONS][3]; /* counts to the right and up, notches away: not yet gone */
+    double pull[6], grain;            /* of a gamepad's sticks, and how fine */
+    bool closes;                      /* the jaws; otherwise they open */
     bool clutched;
     double time;          /* of the last sample, s */
     vbss_device *device;  /* which reads it; */

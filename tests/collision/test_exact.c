@@ -205,10 +205,10 @@ static void degenerate_misses_have_no_crossing(void **state)
 }
 
 /* At x at time t. */
-static void place(collision_query *query, size_t k, double t, vec3 x, vec3 way)
+static void place(collision_query *query, size_t k, double t, vec3 x, vec3 displacement)
 {
-    vec3_store(query->start + 3 * k, vec3_add_scaled(x, -t, way));
-    vec3_store(query->end + 3 * k, vec3_add_scaled(x, 1.0 - t, way));
+    vec3_store(query->start + 3 * k, vec3_add_scaled(x, -t, displacement));
+    vec3_store(query->end + 3 * k, vec3_add_scaled(x, 1.0 - t, displacement));
 }
 
 /* Along which the area of what has this normal is seen largest: where the places in features are read. */

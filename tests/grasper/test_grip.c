@@ -64,8 +64,8 @@ static void a_pull_meets_its_limit(harness_source *source, void *user)
     assert_true(energy_of(&s) <= energy * (1.0 + 1e-15));
     if (along_faces_of(before) > limit) {
         (*yielded)++;
-        double way = before.y * s.along.y + before.z * s.along.z;
-        assert_true(way == 0.0 || change.slip * way > 0.0);
+        double component = before.y * s.along.y + before.z * s.along.z;
+        assert_true(component == 0.0 || change.slip * component > 0.0);
         /* across the thread the anchors give way, along it they stay */
         vec3 moved = vec3_sub(s.grip.anchor[1], vec3_make(0.0, 0.0, -8e-3));
         expect_near(0.0, moved.y * s.along.y + moved.z * s.along.z, 1e-15);
@@ -216,8 +216,8 @@ static void small_excess_torque_turns_as_linear_spring(void **state)
     double excess = -torque_on_thread(&s) - limit; /* it turns the thread back */
     assert_true(excess > 0.0);
     yield(&s);
-    vec3 way = vec3_sub(s.grip.anchor[2], s.grip.anchor[0]);
-    expect_near(excess / stiffness, vbss_atan2(way.z, way.y), 1e-6);
+    vec3 anchor_line = vec3_sub(s.grip.anchor[2], s.grip.anchor[0]);
+    expect_near(excess / stiffness, vbss_atan2(anchor_line.z, anchor_line.y), 1e-6);
 }
 
 /* ---- everything at once: no yielding makes the springs stronger */

@@ -157,9 +157,9 @@ static void rotation_about_z_drives_tip_forward(void **state)
     const vbss_needle_state before = look(needle);
     steps(needle, 1e-5, 1);
     const vbss_needle_state after = look(needle);
-    vec3 way = vec3_sub(vec3_load(after.tip), vec3_load(before.tip));
-    expect_near(2.0 * f.config.radius * 1e-5, vec3_dot(way, vec3_load(before.tip_direction)),
-                1e-11);
+    vec3 displacement = vec3_sub(vec3_load(after.tip), vec3_load(before.tip));
+    expect_near(2.0 * f.config.radius * 1e-5,
+                vec3_dot(displacement, vec3_load(before.tip_direction)), 1e-11);
     expect_near(0.0, vec3_norm(vec3_load(before.velocity)), 1e-16);
     expect_near(0.0, vec3_norm(vec3_load(after.position)), 1e-11); /* only the centre flies on */
     end(&f);

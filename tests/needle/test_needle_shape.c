@@ -47,16 +47,17 @@ static void add_first(double volume, vec3 at, void *sums)
 
 typedef struct second_sums {
     vec3 centre, axes[3];
-    double moments[3][3]; /* of the ways along two axes */
+    double moments[3][3]; /* of the offsets along two axes */
 } second_sums;
 
 static void add_second(double volume, vec3 at, void *sums)
 {
     second_sums *s = sums;
-    vec3 way = vec3_sub(at, s->centre);
+    vec3 offset = vec3_sub(at, s->centre);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            s->moments[i][j] += volume * vec3_dot(way, s->axes[i]) * vec3_dot(way, s->axes[j]);
+            s->moments[i][j] +=
+                volume * vec3_dot(offset, s->axes[i]) * vec3_dot(offset, s->axes[j]);
         }
     }
 }
@@ -201,16 +202,17 @@ static void line_is_straight_beyond_ends(void **state)
     vbss_needle *needle = make(&f);
     double length = weigh(needle).length;
     const vbss_needle_state s = look(needle);
-    const double ways[] = {1e-9, 1e-3, 0.3, 9.9};
+    const double distances[] = {1e-9, 1e-3, 0.3, 9.9};
     for (int i = 0; i < 4; i++) {
         vec3 p, d;
-        place(needle, -ways[i], &p, &d);
+        place(needle, -distances[i], &p, &d);
         expect_near_vec3(vec3_load(s.tip_direction), d, 1e-15);
-        expect_near_vec3(vec3_add_scaled(vec3_load(s.tip), ways[i], d), p, 1e-15 * (1.0 + ways[i]));
-        place(needle, length + ways[i], &p, &d);
+        expect_near_vec3(vec3_add_scaled(vec3_load(s.tip), distances[i], d), p,
+                         1e-15 * (1.0 + distances[i]));
+        place(needle, length + distances[i], &p, &d);
         expect_near_vec3(vec3_load(s.swage_direction), vec3_neg(d), 1e-15);
-        expect_near_vec3(vec3_add_scaled(vec3_load(s.swage), -ways[i], d), p,
-                         2e-15 * (1.0 + ways[i]));
+        expect_near_vec3(vec3_add_scaled(vec3_load(s.swage), -distances[i], d), p,
+                         2e-15 * (1.0 + distances[i]));
     }
     double p[3];
     expect_ok(vbss_needle_get_place(needle, 0.0, p, NULL));

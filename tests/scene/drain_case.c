@@ -267,7 +267,7 @@ void drain_case_wait(drain_case *c, uint32_t steps)
     }
 }
 
-void drain_case_way(drain_case *c, uint32_t tool, vec3 to, uint32_t steps)
+void drain_case_move_to(drain_case *c, uint32_t tool, vec3 to, uint32_t steps)
 {
     vec3 from = c->tools[tool].to;
     for (uint32_t i = 1; i <= steps; i++) {

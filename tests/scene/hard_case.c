@@ -69,8 +69,8 @@ double hard_energy(const hard_case *c)
         const contact_hand *hand = &c->scene.hands[i];
         if (hand->id != 0 && hand->pull.stiffness > 0.0) {
             const vec3 *x = values_of(hand->thread, VBSS_THREAD_POSITIONS);
-            vec3 way = vec3_sub(hand->at, x[hand->node]);
-            energy += 0.5 * hand->pull.stiffness * vec3_norm_squared(way);
+            vec3 stretch = vec3_sub(hand->at, x[hand->node]);
+            energy += 0.5 * hand->pull.stiffness * vec3_norm_squared(stretch);
         }
     }
     return energy;

@@ -42,9 +42,9 @@ static void begin(swaged *w)
     expect_ok(vbss_needle_create(w->s.context, &config, &needle));
     expect_ok(vbss_scene_add_needle(w->s.scene, needle, &w->needle_body));
     expect_ok(vbss_needle_get_state(needle, &state, sizeof state));
-    const vec3 swage = vec3_load(state.swage), way = vec3_load(state.swage_direction);
+    const vec3 swage = vec3_load(state.swage), direction = vec3_load(state.swage_direction);
     w->thread_body =
-        small_thread(&w->s, swage, vec3_add_scaled(swage, 1e-2, way), SEGMENTS, &thread);
+        small_thread(&w->s, swage, vec3_add_scaled(swage, 1e-2, direction), SEGMENTS, &thread);
     (void)small_pin(&w->s, w->thread_body, 0, w->needle_body);
     const uint32_t wall = small_drain(&w->s, &drain);
     expect_ok(vbss_thread_open(thread, &w->thread));
@@ -131,10 +131,10 @@ static void draw_line(harness_source *source, swaged *w)
     at->x[0] = end;
     for (int i = 1; i < NODES; i++) {
         const double rest = harness_draw_real(source, 0.5e-3, 1.0e-3);
-        const vec3 way =
+        const vec3 direction =
             vec3_add(vec3_add_scaled(back, i, bend), harness_draw_vec3(source, -0.3, 0.3));
         at->x[i] = vec3_add_scaled(at->x[i - 1], rest * harness_draw_real(source, 0.95, 1.05),
-                                   vec3_unit_or(way, back));
+                                   vec3_unit_or(direction, back));
         w->thread->rest[i - 1] = rest;
     }
 }
@@ -283,10 +283,11 @@ static kind kind_of(const swaged *w, const suture_curve_point *place)
 static bool turn_at(const swaged *w, const suture_curve_point *place, part *slopes, vec3 *turn)
 {
     const double step = 1e-7;
-    const vec3 way = vec3_scale(place->tangent, step); /* toward the tip */
-    const suture_curve_point on = place_near(w, &w->at, span_of(w), vec3_sub(place->position, way));
+    const vec3 displacement = vec3_scale(place->tangent, step); /* toward the tip */
+    const suture_curve_point on =
+        place_near(w, &w->at, span_of(w), vec3_sub(place->position, displacement));
     const suture_curve_point back =
-        place_near(w, &w->at, span_of(w), vec3_add(place->position, way));
+        place_near(w, &w->at, span_of(w), vec3_add(place->position, displacement));
     const part of_on = part_at(w, &w->at, &on), of_back = part_at(w, &w->at, &back);
     *slopes = difference(&of_on, &of_back, 0.5 / step);
     *turn = vec3_scale(vec3_sub(on.tangent, back.tangent), 0.5 / step);

@@ -76,8 +76,8 @@ static void poked_drain_yields_and_springs_back(void **state)
     double gap = gap_of(&d).gap;
     vec3 away = over_side(POKER, 0.5e-3), in = over_side(POKER, -2e-3);
     for (int i = 1; i <= 300; i++) {
-        double way = i <= 100 ? 0.01 * i : i <= 200 ? 1.0 : 0.01 * (300 - i);
-        go(&s, tool, vec3_lerp(away, in, way));
+        double progress = i <= 100 ? 0.01 * i : i <= 200 ? 1.0 : 0.01 * (300 - i);
+        go(&s, tool, vec3_lerp(away, in, progress));
         touched += count_events(&s, VBSS_EVENT_TOUCH, tool, d.body);
         parted += count_events(&s, VBSS_EVENT_PART, tool, d.body);
         expect_near(gap, gap_of(&d).gap, 1e-6); /* it is far from there */

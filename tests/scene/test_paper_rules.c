@@ -9,9 +9,10 @@ static void cross(stage *s, const double y[2], const double v[2])
     for (int k = 0; k < 2; k++) {
         vbss_thread_config c = paper_thread(1);
         const double start[3] = {k == 0 ? -0.0025 : 0.0, y[k], k == 0 ? 0.0 : -0.0025};
-        const double way[3] = {k == 0, 0.0, k != 0}, speeds[6] = {0.0, v[k], 0.0, 0.0, v[k], 0.0};
+        const double direction[3] = {k == 0, 0.0, k != 0},
+                     speeds[6] = {0.0, v[k], 0.0, 0.0, v[k], 0.0};
         memcpy(c.start, start, sizeof start);
-        memcpy(c.direction, way, sizeof way);
+        memcpy(c.direction, direction, sizeof direction);
         c.length = 0.005;
         c.gravity[1] = c.drag = 0.0;
         add(s, k, &c);
@@ -115,10 +116,10 @@ static void place_segment(stage *s)
 
 static void add_jaw(stage *s, double radius, double from, double to)
 {
-    const double way[3] = {0.0, to - from, 0.0};
+    const double displacement[3] = {0.0, to - from, 0.0};
     uint32_t jaw = add_capsule(s->scene, VBSS_RIGID_DRIVEN, vec3_make(0, from, -0.01),
                                vec3_make(0, from, 0.01), radius);
-    expect_ok(vbss_scene_move_rigid(s->scene, jaw, way, NULL));
+    expect_ok(vbss_scene_move_rigid(s->scene, jaw, displacement, NULL));
 }
 
 /* A segment between two jaws that close on it: the second drives it through the first, and one pass sees no

@@ -20,11 +20,11 @@ static void hang(stage *s, int which, bool along_z, double y)
     add(s, which, &c);
 }
 
-static void move_hands(stage *s, int which, hands *h, vec3 way)
+static void move_hands(stage *s, int which, hands *h, vec3 displacement)
 {
     for (int k = 0; k < 2; k++) {
         double to[3];
-        h->at[k] = vec3_add(h->at[k], way);
+        h->at[k] = vec3_add(h->at[k], displacement);
         vec3_store(to, h->at[k]);
         expect_ok(vbss_thread_move(s->threads[which], h->ids[k], to, NULL));
     }
@@ -138,9 +138,9 @@ static void tool_carries_and_lifts_thread(void **state)
         }
         expect_near(-weight, mean, 0.05 * weight);
         for (int i = 0; i < 300; i++) {
-            vec3 way = vec3_make(0.0, 5e-5, 0.0);
-            axis[0] = vec3_add(axis[0], way);
-            axis[1] = vec3_add(axis[1], way);
+            vec3 displacement = vec3_make(0.0, 5e-5, 0.0);
+            axis[0] = vec3_add(axis[0], displacement);
+            axis[1] = vec3_add(axis[1], displacement);
             double to[3] = {0.0, axis[0].y, 0.0};
             expect_ok(vbss_scene_move_rigid(s.scene, tool, to, NULL));
             expect_ok(vbss_scene_step(s.scene, 1e-3));

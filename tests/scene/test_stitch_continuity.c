@@ -100,23 +100,23 @@ static void look_at_hole(looked_at *l, int side, bool changed, jumps *found)
 {
     vbss_hole now;
     assert_true(stitch_case_hole(&c, side, &now));
-    const double way = fabs(now.arc_length - l->hole.arc_length);
+    const double change = fabs(now.arc_length - l->hole.arc_length);
     if (c.booked > 0 && l->changed) {
         vec3 before = vec3_load(l->hole.force);
         found->still++;
-        found->moved = fmax(found->moved, way);
+        found->moved = fmax(found->moved, change);
         found->jump = fmax(found->jump, vec3_distance(vec3_load(now.force), before));
     }
-    l->still = c.booked > 0 && way < STILL;
+    l->still = c.booked > 0 && change < STILL;
     l->changed = changed && l->still;
     l->hole = now;
 }
 
 static void move_hands(uint32_t step, double slow)
 {
-    const double way = step < PULLED ? 0.05 * c.h : step < RESTED ? 0.0 : -slow * c.h;
-    for (int k = 0; k < 2 && way != 0.0; k++) {
-        stitch_case_shift(&c, k, vec3_make(0.0, 0.0, k == 0 ? -way : way));
+    const double travel = step < PULLED ? 0.05 * c.h : step < RESTED ? 0.0 : -slow * c.h;
+    for (int k = 0; k < 2 && travel != 0.0; k++) {
+        stitch_case_shift(&c, k, vec3_make(0.0, 0.0, k == 0 ? -travel : travel));
     }
 }
 

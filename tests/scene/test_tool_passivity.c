@@ -1,5 +1,5 @@
-/* Hand and tool, a loop in which the force comes late: no energy from closed ways of the hand, no growing swing at
- * a wall. A coupling of stiffness K gains K times the delay times the way's mean square speed, and pays its
+/* Hand and tool, a loop in which the force comes late: no energy from closed paths of the hand, no growing swing at
+ * a wall. A coupling of stiffness K gains K times the delay times the path's mean square speed, and pays its
  * damping: what it needs is B > K (delay + 1/2 step). */
 #include "scene/tools_rig.h"
 #include "fixtures/hand_path.h"
@@ -35,7 +35,7 @@ static vec3 begin(tools_rig *r, meeting what, double stiffness, double damping)
     }
     tools_add(r, tip);
     tools_close(r, 0);
-    tools_way(r, 0, tip, vec3_add(tip, in), 100);
+    tools_move_along(r, 0, tip, vec3_add(tip, in), 100);
     return vec3_add(tip, in);
 }
 
@@ -59,14 +59,14 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
     vec3 late[MAX_DELAY + 1] = {{0.0, 0.0, 0.0}};
     gains g = {{0.0}, 0.0};
     for (int i = 0; i < 2 * ROUND; i++) {
-        vec3 x = along(p, i), way = vec3_sub(along(p, i + 1), x);
+        vec3 x = along(p, i), displacement = vec3_sub(along(p, i + 1), x);
         tools_move(&r, 0, vec3_add(home, x));
         tools_steps(&r, 1);
         memmove(late + 1, late, sizeof late - sizeof late[0]);
         late[0] = tools_hand_force(&r, 0);
         g.largest = vbss_max(g.largest, vec3_norm(late[0]));
         for (int d = 0; i >= ROUND && d <= MAX_DELAY; d++) {
-            g.gained[d] += vec3_dot(late[d], way);
+            g.gained[d] += vec3_dot(late[d], displacement);
         }
     }
     tools_end(&r);

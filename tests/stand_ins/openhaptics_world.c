@@ -107,9 +107,9 @@ static void move(arm *a, double h)
             double pull = hand->stiffness * (hand->target[i] - s->position[i]);
             double all = s->force[i] + pull - hand->damping * s->velocity[i];
             s->velocity[i] += h / SUBSTEPS * all / hand->mass;
-            double way = h / SUBSTEPS * s->velocity[i];
-            s->position[i] += way;
-            s->work += s->force[i] * way;
+            double displacement = h / SUBSTEPS * s->velocity[i];
+            s->position[i] += displacement;
+            s->work += s->force[i] * displacement;
         }
     }
     a->now.ticks++;

@@ -230,10 +230,10 @@ static void separated_clamps_feel_stretch(void **state)
 
 /* ---- when: what they say is of the last step, whatever is changed after it */
 
-static vbss_thread_config of_way(int way, vbss_thread_config c)
+static vbss_thread_config with_variant(int variant, vbss_thread_config c)
 {
-    c.method = way == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
-    c.bending = way == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+    c.method = variant == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
+    c.bending = variant == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
     return c;
 }
 
@@ -249,8 +249,8 @@ static const vec3 x_axis = {1.0, 0.0, 0.0};
 static void reactions_are_of_last_step(void **state)
 {
     (void)state;
-    for (int way = 0; way < 3; way++) {
-        vbss_thread_config c = of_way(way, settling(12, VBSS_BENDING_SPLINE));
+    for (int variant = 0; variant < 3; variant++) {
+        vbss_thread_config c = with_variant(variant, settling(12, VBSS_BENDING_SPLINE));
         vec3 x[13], v[13];
         rig r;
         rig_begin(&r, &c);

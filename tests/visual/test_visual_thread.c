@@ -122,13 +122,13 @@ static void line_tolerance_holds(void **state)
 
 static double twist_of(const drawn *d, uint32_t first, uint32_t stride)
 {
-    /* Between the first normals of two rings, about the way between them: what bending does not explain. */
+    /* Between the first normals of two rings, about the line between them: what bending does not explain. */
     vec3 a = normal_of(d, first), b = normal_of(d, first + stride);
-    vec3 way = vec3_unit_or(
+    vec3 tangent = vec3_unit_or(
         vec3_sub(middle_of(d, first + stride, stride - 1), middle_of(d, first, stride - 1)), a);
-    a = vec3_unit_or(vec3_add_scaled(a, -vec3_dot(a, way), way), a);
-    b = vec3_unit_or(vec3_add_scaled(b, -vec3_dot(b, way), way), b);
-    return vbss_atan2(vec3_dot(vec3_cross(a, b), way), vec3_dot(a, b));
+    a = vec3_unit_or(vec3_add_scaled(a, -vec3_dot(a, tangent), tangent), a);
+    b = vec3_unit_or(vec3_add_scaled(b, -vec3_dot(b, tangent), tangent), b);
+    return vbss_atan2(vec3_dot(vec3_cross(a, b), tangent), vec3_dot(a, b));
 }
 
 /* A frame that does not turn about a helix turns in its Frenet frame by the torsion, back (Bishop 1975). */
