@@ -453,13 +453,13 @@ static bool sprang_off(stitch *t, uint32_t id)
     return just;
 }
 
-vbss_result stitch_look(stitch *t)
+vbss_result stitch_observe(stitch *t)
 {
     vbss_view view;
     vbss_hole hole;
     TRY(hand_feel(&t->right));
     TRY(hand_feel(&t->left));
-    TRY(vbss_scene_get_view(t->site.stand.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
+    TRY(vbss_scene_get_view(t->site.rig.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
         if (event[0] == VBSS_EVENT_PUNCTURE) {

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-enum { MOST_PARTS = 96, MAX_JOINED = 16 };
+enum { MAX_PARTS = 96, MAX_JOINED = 16 };
 
 static bool is_round(const shape *s)
 {
@@ -92,7 +92,7 @@ static size_t pieces_from(const drawing *d, size_t first, piece *to, size_t *nex
     const shape *s = &d->placed[first];
     double wanted = wanted_length(d, s), length = is_round(s) ? length_of(s) : 0.0;
     piece all = {.first = first, .last = first, .t0 = 0.0, .t1 = 1.0};
-    size_t parts = (size_t)clamp(ceil(length / wanted), 1.0, MOST_PARTS);
+    size_t parts = (size_t)clamp(ceil(length / wanted), 1.0, MAX_PARTS);
     while (parts == 1 && is_joined(d, &all, length, wanted)) {
         all.last++;
         length += length_of(&d->placed[all.last]);

@@ -42,7 +42,7 @@ static bool is_one_surface(const shape *a, const shape *b)
 }
 
 /* Something stands before what is seen at `behind`, by more than a crossing's rounding. */
-static bool stands_before(const scene *s, const shape *front, double distance, size_t behind)
+static bool is_before(const scene *s, const shape *front, double distance, size_t behind)
 {
     if (is_empty(s, behind)) {
         return true;
@@ -72,7 +72,7 @@ static void darken_round(scene *s, int x, int y, const shape *front, double dist
             } else if (dusk && off < reach && !is_empty(s, at)) {
                 dark = dusk_strength * (1.0 - off / reach);
             }
-            if (dark > (double)s->covered[at] && stands_before(s, front, distance, at)) {
+            if (dark > (double)s->covered[at] && is_before(s, front, distance, at)) {
                 s->covered[at] = (float)dark;
             }
         }
@@ -95,7 +95,7 @@ static void darken_behind(scene *s, int x, int y)
     double distance = s->seen.distance[at];
     bool edge = false, surface = false;
     for (int i = 0; i < 4; i++) {
-        if (stands_before(s, front, distance, next[i])) {
+        if (is_before(s, front, distance, next[i])) {
             edge = true;
             surface = surface || !is_empty(s, next[i]);
         }

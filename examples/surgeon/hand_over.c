@@ -96,8 +96,8 @@ static void take(hand_over *o)
     const site *at = &o->stitch->site;
     double share = s->w == &o->stitch->left ? LEFT_HOLD : RIGHT_HOLD;
     handing_part part = (handing_part)(o->state - HAND_OVER_ASK);
-    handing_news news = handing_take(at, s->w, share * at->arc * at->radius, part, o->since);
-    if (news != HANDING_GOES_ON) {
+    handing_result handed = handing_take(at, s->w, share * at->arc * at->radius, part, o->since);
+    if (handed != HANDING_GOES_ON) {
         enter(o, (hand_over_state)(o->state + 1));
     }
 }

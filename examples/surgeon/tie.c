@@ -40,12 +40,12 @@
 /* Where the thread goes through the drain, as places along it from the tail's end. */
 static void find_marks(surgeon *s)
 {
-    stand *st = &s->stitch.site.stand;
+    throw_rig *st = &s->stitch.site.rig;
     for (int side = 0; side < 2; side++) {
         vbss_hole hole;
         if (site_find_hole(&s->stitch.site, s->stitch.holes[side], &hole) && hole.thread != 0) {
             st->marks[side == SITE_RIGHT ? 0 : 1] =
-                (uint32_t)(stand_place(st, hole.arc_length) + 0.5);
+                (uint32_t)(throw_rig_place(st, hole.arc_length) + 0.5);
         }
     }
 }
@@ -63,8 +63,8 @@ vbss_result surgeon_begin_tie(surgeon *s)
     stitch *t = &s->stitch;
     throw_plan plan;
     find_marks(s);
-    TRY(senses_create(&s->see, &t->site.stand, &t->left, &t->right));
-    TRY(senses_look(&s->see));
+    TRY(senses_create(&s->see, &t->site.rig, &t->left, &t->right));
+    TRY(senses_observe(&s->see));
     throw_plan_usual(&plan, 2);
     plan.wrap_tip = WRAP_TIP;
     plan.tension = WINDING;
@@ -120,10 +120,10 @@ static void raise_needle(surgeon *s)
     roll(s, v_sub(middle, e->tool_c.tip), v3(0.0, 0.0, 1.0));
 }
 
-vbss_result surgeon_look(surgeon *s)
+vbss_result surgeon_observe(surgeon *s)
 {
     find_marks(s);
-    TRY(senses_look(&s->see));
+    TRY(senses_observe(&s->see));
     return s->steps % 10 == 0 ? senses_wind(&s->see) : VBSS_OK;
 }
 
@@ -167,7 +167,7 @@ static void watch_slit(surgeon *s, double dt)
     if (s->shut > A_MOMENT || s->at_rest > LONGER || late) {
         throw_seated(t);
         s->shut = s->at_rest = 0.0;
-    } else if (t->pulls < AGAIN && throw_is_eased(t) && (s->gap > sprung || !s->seated)) {
+    } else if (t->pulls < AGAIN && throw_is_slack(t) && (s->gap > sprung || !s->seated)) {
         throw_pull_again(t);
     }
 }
@@ -177,10 +177,10 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     sway(s, dt);
     if (s->stage == SURGEON_TIE) { /* both come out of the drain */
         find_marks(s);
-        s->tie.tail_root = s->see.tail_root = s->stitch.site.stand.marks[0];
-        s->tie.limb_root = s->see.limb_root = s->stitch.site.stand.marks[1];
+        s->tie.tail_root = s->see.tail_root = s->stitch.site.rig.marks[0];
+        s->tie.limb_root = s->see.limb_root = s->stitch.site.rig.marks[1];
     }
-    TRY(surgeon_look(s));
+    TRY(surgeon_observe(s));
     TRY(throw_step(&s->tie, dt));
     if (s->stage != SURGEON_TIE && s->tie.state <= THROW_CHECK) {
         lead_thread(s);

@@ -53,7 +53,7 @@ typedef struct stance {
     vec handle, opening, bend;
 } stance;
 
-static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
+static stance stance_at(const hand *h, vec place, vec n, double far, vec roll)
 {
     double bend = h->shape.driver_bend, sine = hand_reach(h) * vbss_sin(bend) / far;
     double cosine = sqrt(1.0 - sine * sine);
@@ -66,7 +66,7 @@ static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
 
 static double clearance(const hand *h, vec bend)
 {
-    return smaller(stand_height(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
+    return smaller(height_above_drain(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
 }
 
 vec catch_point(const senses *s, const hand *h, uint32_t node)
@@ -80,7 +80,7 @@ vec catch_point(const senses *s, const hand *h, uint32_t node)
     for (int i = -18; i < 18; i++) {
         double angle = 3.14159265358979 / 18.0 * i;
         vec roll = v_along(v_scale(vbss_cos(angle), now), vbss_sin(angle), side);
-        stance t = stand_at(h, place, n, v_length(to), roll);
+        stance t = stance_at(h, place, n, v_length(to), roll);
         double across = v_dot(t.opening, tangent) / ALIGNED;
         double near = larger(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
         double cost = across * across + near * near + angle * angle;

@@ -93,7 +93,7 @@ static vec tangent_at(const senses *s, uint32_t node)
  * the place. */
 static bool is_alone(const senses *s, uint32_t node, double clear)
 {
-    if (clear > 0.0 && stand_height(s->x[node]) < clear) {
+    if (clear > 0.0 && height_above_drain(s->x[node]) < clear) {
         return false;
     }
     vec tangent = tangent_at(s, node);
@@ -136,7 +136,7 @@ static vbss_result target_at(cut_run *t, bool limb)
     catch_begin(&t->grip, s, s->w, node, OPENING, SPEED);
     t->grip.behind = BEHIND;
     t->grip.resolute = true;
-    t->cuts = s->stand->cuts;
+    t->cuts = s->rig->cuts;
     hand_target(s->w, s->w->nature.target_end);
     return VBSS_OK;
 }
@@ -168,7 +168,7 @@ static vec across(const senses *s, uint32_t node)
 static bool is_cut(cut_run *t, double dt)
 {
     const senses *s = t->see;
-    if (s->stand->cuts > t->cuts) {
+    if (s->rig->cuts > t->cuts) {
         t->ends++;
         return true;
     }

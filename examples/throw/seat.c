@@ -16,19 +16,19 @@
 #define BACK_NEAR 8e-3 /* m, of C from where it goes: it is there */
 /* Pulled again so often, it is left as it was pulled: squared it has sprung open as often. */
 enum { SQUARED_NO_MORE = 2 };
-#define BACK_LATEST 10.0 /* s */
-#define SQUARING 0.8     /* N, of both ends while the hands come from there again */
-#define SLACK_FORCE 0.03 /* N */
-#define EASING 3.0       /* s, at most */
-#define EASED 0.15       /* s, slack */
-#define LOOSENED 0.45    /* s: until then both ends are given slack, */
-#define LOOSENING 0.01   /* m/s */
-#define LEFT_ALONE 1.3   /* s: then it is done; it slips late */
-#define AHEAD 0.3        /* N, of what is asked for over what the weaker end bears */
-#define UNLIKE_MIN 0.05  /* of slack ends */
-#define UNLIKE_SHARE 0.3 /* in between, of the weaker one's */
-#define LEAN 120.0       /* N/m: so much less, of the end to which the drain has gone */
-#define LEAN_MAX 1.0     /* N */
+#define BACK_LATEST 10.0    /* s */
+#define SQUARING 0.8        /* N, of both ends while the hands come from there again */
+#define SLACK_FORCE 0.03    /* N */
+#define EASING 3.0          /* s, at most */
+#define MIN_SLACK_TIME 0.15 /* s, slack */
+#define LOOSENED 0.45       /* s: until then both ends are given slack, */
+#define LOOSENING 0.01      /* m/s */
+#define LEFT_ALONE 1.3      /* s: then it is done; it slips late */
+#define AHEAD 0.3           /* N, of what is asked for over what the weaker end bears */
+#define UNLIKE_MIN 0.05     /* of slack ends */
+#define UNLIKE_SHARE 0.3    /* in between, of the weaker one's */
+#define LEAN 120.0          /* N/m: so much less, of the end to which the drain has gone */
+#define LEAN_MAX 1.0        /* N */
 /* A drain that does not come back for it is left where it is: no more of it from then on, and none in the end, s. */
 #define LEAN_FADES 4.0
 #define LEAN_FADED 6.0
@@ -347,9 +347,9 @@ void throw_seated(throw_run *t)
     throw_enter(t, t->plan.again ? THROW_PART : THROW_DONE);
 }
 
-bool throw_is_eased(const throw_run *t)
+bool throw_is_slack(const throw_run *t)
 {
-    return t->state == THROW_PART && t->clear >= EASED;
+    return t->state == THROW_PART && t->clear >= MIN_SLACK_TIME;
 }
 
 /* From where the throw below was pulled from: the flat way what has sprung open stays so. */
@@ -375,9 +375,9 @@ void throw_part(throw_run *t, double dt)
 {
     senses *s = t->see;
     bool slack = larger(s->draws_w, s->draws_c) < SLACK_FORCE;
-    bool eased = t->clear >= EASED;
-    t->clear += slack || t->since > EASING || eased ? dt : 0.0;
-    if (!eased) {
+    bool is_slack = t->clear >= MIN_SLACK_TIME;
+    t->clear += slack || t->since > EASING || is_slack ? dt : 0.0;
+    if (!is_slack) {
         hand_yield(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->draws_w, dt);
         hand_yield(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->draws_c, dt);
         return;

@@ -11,7 +11,7 @@ vbss_result throw_pick(throw_run *t, double dt)
     if (t->grip.state == CATCH_HELD) {
         t->hold = senses_length(s, t->limb_root, s->c->node);
         throw_enter(t, THROW_NEAR);
-        return stand_let_go(s->stand);
+        return throw_rig_release_limb(s->rig);
     }
     if (t->grip.state == CATCH_MISSED) {
         throw_fail(t, "limb not taken");

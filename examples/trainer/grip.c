@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "throw/stand.h"
+#include "throw/rig.h"
 
 #define JOIN_SPEED 0.15  /* m/s, of a tool that comes to its hand */
 #define JOINED 0.5e-3    /* m */

@@ -126,16 +126,17 @@ vbss_result mouse_hand_create(mouse_hand *m, vbss_context *context, vbss_grasper
 
 /* ---- led */
 
-static vec in_doubles(point3 p)
+static vec vec_of_point(point3 p)
 {
     return v3((double)p.x, (double)p.y, (double)p.z);
 }
 
 /* The library wants right and up as unit vectors to 1e-6, the camera has them in floats. */
-void mouse_hand_look(mouse_hand *m, const camera *c)
+void mouse_hand_set_camera(mouse_hand *m, const camera *c)
 {
-    const camera_view view = camera_look(c, 1.0F);
-    vec right = v_unit(in_doubles(view.right)), up = v_unit(v_across(in_doubles(view.up), right));
+    const camera_view view = camera_get_view(c, 1.0F);
+    vec right = v_unit(vec_of_point(view.right)),
+        up = v_unit(v_across(vec_of_point(view.up), right));
     v_store(m->mapping.right, right);
     v_store(m->mapping.up, up);
 }

@@ -27,7 +27,7 @@ typedef struct mouse_hand {
 /* It begins where its tool is, whose jaws stay as they are. Stays at its place in memory: the device knows it. */
 vbss_result mouse_hand_create(mouse_hand *m, vbss_context *context, vbss_grasper *tool);
 /* Movements go along the picture from now on. */
-void mouse_hand_look(mouse_hand *m, const camera *c);
+void mouse_hand_set_camera(mouse_hand *m, const camera *c);
 /* Counts to the right and up, notches away from the user; the hand goes that way as a hand does, within a tenth of a second. */
 void mouse_hand_move(mouse_hand *m, bool turns, double right, double up, double away);
 /* A gamepad's sticks, until it is told again; a smaller grain is slower. Axes as vbss_mapping_gamepad has them, but the last

@@ -54,8 +54,8 @@ static void any_row_follows_the_law(harness_source *source, void *user)
     seen[2 * (wanted == CONTACT_SLIP) + (next.normal_force > 0.0)]++;
     /* Where the search stands says the same, whatever force it balances with. */
     contact_solution there;
-    const contact_iterate stand = {u, vec3_make(3.0, -2.0, 1.0)};
-    vbss_contact_solution_at(&row, &stand, &there);
+    const contact_iterate iterate = {u, vec3_make(3.0, -2.0, 1.0)};
+    vbss_contact_solution_at(&row, &iterate, &there);
     assert_int_equal(there.status, next.status);
     expect_near(next.normal_force, there.normal_force, 0.0);
     assert_int_equal(next.is_forward, there.is_forward);

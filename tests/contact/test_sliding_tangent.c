@@ -21,8 +21,8 @@ static suture_curve_point place_of(const sliding *s)
     return vbss_suture_nearest_point(&line, s->from, s->wall);
 }
 
-/* As a scene lays it: the nodes that it may slide on to are terms too. */
-static void lay(const sliding *s, contact_constraint *row)
+/* As a scene sets it: the nodes that it may slide on to are terms too. */
+static void set_geometry(const sliding *s, contact_constraint *row)
 {
     const suture_curve_point now = place_of(s);
     vbss_hole_set_constraint(&s->hole, &s->config, s->from, &now, s->wall, 1e-3, row);
@@ -71,7 +71,7 @@ static contact_constraint draw_row(harness_source *source, sliding *s)
 
 static void find_state(const sliding *s, contact_constraint *row)
 {
-    lay(s, row);
+    set_geometry(s, row);
     (void)vbss_contact_update_solution(row, vec3_zero(), &row->solution);
 }
 
@@ -175,8 +175,8 @@ static vec3 left_out(const contact_constraint *row, uint32_t p, double moved, do
 }
 
 /* The forces on all blocks when a single one moves: a node turns the tangent too, each in its own way. */
-static bool look_at_column(const sliding *s, const few_blocks *f, const contact_constraint *row,
-                           uint32_t q, vec3 direction)
+static bool check_column(const sliding *s, const few_blocks *f, const contact_constraint *row,
+                         uint32_t q, vec3 direction)
 {
     const double step = 2e-10, rate = rate_at(s);
     const shifted on = shift(s, row, q, vec3_scale(direction, step));
@@ -206,8 +206,8 @@ static bool look_at_column(const sliding *s, const few_blocks *f, const contact_
 
 static const vec3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 
-/* Whether it has been looked at: not where nothing across has a direction. */
-static bool look_at_row(sliding *s, contact_constraint *row)
+/* Whether it has been checked: not where nothing across has a direction. */
+static bool check_row(sliding *s, contact_constraint *row)
 {
     few_blocks f;
     bool smooth = true;
@@ -223,7 +223,7 @@ static bool look_at_row(sliding *s, contact_constraint *row)
     }
     for (uint32_t q = 0; q < BLOCKS; q++) {
         for (int i = 0; i < 3; i++) {
-            smooth = look_at_column(s, &f, row, q, axes[i]) && smooth;
+            smooth = check_column(s, &f, row, q, axes[i]) && smooth;
         }
     }
     few_end(&f);
@@ -236,8 +236,8 @@ static void any_row_that_slides_has_its_slope(harness_source *source, void *user
     sliding s;
     draw_thread(source, &s);
     contact_constraint row = draw_row(source, &s);
-    bool looked = look_at_row(&s, &row);
-    seen[row.solution.status == CONTACT_SLIP] += looked;
+    bool is_smooth = check_row(&s, &row);
+    seen[row.solution.status == CONTACT_SLIP] += is_smooth;
 }
 
 static void sliding_tangent_is_derivative_of_force(void **state)
@@ -259,7 +259,7 @@ static void any_row_without_friction_is_symmetric(harness_source *source, void *
     contact_constraint row = draw_row(source, &s);
     s.config.hole_damping = s.hole.friction_force = 0.0;
     row.yield_force = row.yield_friction[0] = row.yield_friction[1] = 0.0;
-    *seen += look_at_row(&s, &row);
+    *seen += check_row(&s, &row);
     expect_near(0.0, row.solution.normal_force, 0.0);
     begin_system(&f, &row);
     for (uint32_t p = 0; p < BLOCKS; p++) {

@@ -112,7 +112,7 @@ static void transverse_thread_slips_sideways(void **state)
     }
 }
 
-static void thread_standing_between_faces_does_not_slip_axially(void **state)
+static void thread_across_faces_does_not_slip_axially(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(1.0, 0.5, 0.0));
@@ -254,7 +254,7 @@ int test_grip(void)
         harness_test(load_above_limit_slips_at_limit),
         harness_test(thread_slips_along_pull),
         harness_test(transverse_thread_slips_sideways),
-        harness_test(thread_standing_between_faces_does_not_slip_axially),
+        harness_test(thread_across_faces_does_not_slip_axially),
         harness_test(zero_pressure_holds_nothing),
         harness_test(torque_above_limit_turns_at_limit),
         harness_test(combined_pull_and_torque_meet_both_limits),

@@ -167,7 +167,7 @@ static void grasper_created_in_trocar_is_aligned(void **state)
     fixture f;
     begin(&f);
     f.config.has_trocar = 1;
-    vbss_grasper_state s = look(make(&f));
+    vbss_grasper_state s = get_state(make(&f));
     expect_same_bits(1.0, s.orientation[0]);
     expect_same_bits(1.0, s.target_orientation[0]);
     end(&f);

@@ -123,7 +123,7 @@ static void continue_with_a_forgotten_field(void **state)
     harness_save_restore_continue(&body, 10, 50);
 }
 
-static void continue_a_body_that_stands_still(void **state)
+static void continue_a_body_that_is_still(void **state)
 {
     (void)state;
     faulty f = {1, 0, 0, AGES};
@@ -405,7 +405,7 @@ static void harness_fails_on_faulty_body(void **state)
     expect_failure(another_result);
     expect_failure(lose_a_block);
     expect_failure(continue_with_a_forgotten_field);
-    expect_failure(continue_a_body_that_stands_still);
+    expect_failure(continue_a_body_that_is_still);
     expect_failure(continue_at_steps_that_do_not_ascend);
     expect_failure(continue_with_a_field_that_only_the_last_step_needs);
     expect_failure(restore_into_a_body_changed_by_reading);

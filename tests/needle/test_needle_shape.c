@@ -156,7 +156,7 @@ static void ends_match_header(void **state)
     for (size_t i = 0; i < sizeof arcs / sizeof arcs[0]; i++) {
         f.config.arc = arcs[i];
         double a = arcs[i], r = f.config.radius;
-        const vbss_needle_state s = look(make(&f));
+        const vbss_needle_state s = get_state(make(&f));
         vec3 swage = vec3_make(r * cos(a), -r * sin(a), 0.0);
         expect_near_vec3(pose_apply(at, vec3_make(r, 0.0, 0.0)), vec3_load(s.tip), 1e-15);
         expect_near_vec3(pose_apply(at, swage), vec3_load(s.swage), 1e-15);
@@ -201,7 +201,7 @@ static void line_is_straight_beyond_ends(void **state)
     begin_turned(&f, &at);
     vbss_needle *needle = make(&f);
     double length = weigh(needle).length;
-    const vbss_needle_state s = look(needle);
+    const vbss_needle_state s = get_state(needle);
     const double distances[] = {1e-9, 1e-3, 0.3, 9.9};
     for (int i = 0; i < 4; i++) {
         vec3 p, d;
@@ -247,7 +247,7 @@ static void view_shows_capsule_ends_on_arc(void **state)
             place(needle, weigh(needle).length * i / counts[k], &p, &d);
             expect_near_vec3(p, vec3_load(points + 3 * (size_t)i), 1e-15);
         }
-        const vbss_needle_state s = look(needle);
+        const vbss_needle_state s = get_state(needle);
         expect_near_vec3(vec3_load(s.tip), vec3_load(points), 0.0);
         expect_near_vec3(vec3_load(s.swage), vec3_load(points + 3 * (size_t)counts[k]), 0.0);
     }

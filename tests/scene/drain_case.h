@@ -26,9 +26,9 @@ typedef struct drain_case {
     small_watch watch;
     double h;
     /* the ledger, J */
-    double first, work, most_work; /* energy at the begin; put in since; the most of that so far */
-    double excess;                 /* most energy beyond both */
-    uint32_t steps, inverted;      /* most triangles at a time */
+    double first, work, max_work; /* energy at the begin; put in since; the most of that so far */
+    double excess;                /* most energy beyond both */
+    uint32_t steps, inverted;     /* most triangles at a time */
 } drain_case;
 
 void drain_case_begin(drain_case *c);

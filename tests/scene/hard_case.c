@@ -188,9 +188,9 @@ static double now(void)
 void hard_run(hard_case *c, uint32_t steps)
 {
     for (uint32_t i = 0; i < steps; i++) {
-        double begin = now(), looking = c->watch.cost;
+        double begin = now(), watch_cost = c->watch.cost;
         vbss_result result = contact_scene_step(&c->scene, c->h);
-        double cost = now() - begin - (c->watch.cost - looking);
+        double cost = now() - begin - (c->watch.cost - watch_cost);
         if (result != VBSS_OK) {
             const char *text = "";
             (void)vbss_context_get_last_error(c->context, NULL, &text);

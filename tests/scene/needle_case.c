@@ -201,7 +201,7 @@ static vec3 carried(const vec3 corner[3], const vec3 other[3], vec3 there)
     return vec3_add_scaled(p, b, vec3_sub(other[2], other[0]));
 }
 
-static void look_for_crossings(needle_case *c)
+static void count_crossings(needle_case *c)
 {
     vbss_view x, rest, triangles, axis;
     expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_POSITIONS, &x, sizeof x));
@@ -260,7 +260,7 @@ void needle_case_step(needle_case *c)
     c->peak = fmax(c->peak, c->push);
     c->at_tip = fmax(c->at_tip, vec3_dot(force, vec3_load(state.tip_direction)));
     assert_true(isfinite(needle_case_energy(c)));
-    look_for_crossings(c);
+    count_crossings(c);
 }
 
 void needle_case_wait(needle_case *c, uint32_t steps)

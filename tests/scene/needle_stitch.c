@@ -27,7 +27,7 @@ void needle_stitch_wait(needle_stitch *n, uint32_t count)
             n->last[k] = n->c.happened[k] > 0 ? n->steps : n->last[k];
             n->first[k] = n->first[k] == 0 ? n->last[k] : n->first[k];
         }
-        stitch_watch_look(&n->watch, n->c.d.s.scene, n->c.d.drain);
+        stitch_watch_observe(&n->watch, n->c.d.s.scene, n->c.d.drain);
     }
 }
 

@@ -221,7 +221,7 @@ double stitch_case_energy(const stitch_case *c)
 void stitch_case_reckon(stitch_case *c)
 {
     c->first = stitch_case_energy(c);
-    c->work = c->most_work = c->excess = 0.0;
+    c->work = c->max_work = c->excess = 0.0;
 }
 
 /* Reactions are without what presses on the node itself, or on the segments at it: the hand bears some of that too. All of
@@ -287,7 +287,7 @@ static void book(stitch_case *c)
 {
     double largest = 0.0, energy = stitch_case_energy(c), *beyond = c->beyond;
     c->work += work_of_hands(c, &largest);
-    c->most_work = fmax(c->most_work, fabs(c->work));
+    c->max_work = fmax(c->max_work, fabs(c->work));
     assert_true(isfinite(energy));
     for (int k = 3; k > 0; k--) {
         beyond[k] = beyond[k - 1] + largest;
@@ -323,7 +323,7 @@ void stitch_case_step(stitch_case *c)
         c->counts[kind]++;
     }
     if (c->stitch.drain != NULL) {
-        stitch_watch_look(&c->watch, c->s.scene, c->stitch.drain);
+        stitch_watch_observe(&c->watch, c->s.scene, c->stitch.drain);
     }
     assert_true(isfinite(stitch_case_fastest(c)));
     book(c);
@@ -363,11 +363,11 @@ void stitch_case_finish(stitch_case *c, const char *name, double share)
                   (unsigned long long)s.loose_states, 1e6 * s.penetration, s.stretch_error,
                   (unsigned long long)s.loose_stretch, c->watch.crossings, c->watch.holes,
                   c->watch.farthest, c->watch.loosest, (unsigned long long)c->watch.away,
-                  (unsigned long long)c->watch.missed, 1e3 * c->most_work, 1e3 * c->excess,
+                  (unsigned long long)c->watch.missed, 1e3 * c->max_work, 1e3 * c->excess,
                   1e3 * c->jump, stitch_case_fastest(c));
     assert_int_equal(c->watch.away, 0);
     assert_int_equal(c->watch.missed, 0);
     assert_true(s.stretch_error <= c->options.scene.stretch_tolerance || s.loose_stretch > 0);
-    assert_true(c->excess <= share * c->most_work + MIN_GAIN);
+    assert_true(c->excess <= share * c->max_work + MIN_GAIN);
     stitch_case_end(c);
 }

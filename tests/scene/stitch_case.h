@@ -26,7 +26,7 @@ typedef struct stitch_case {
         happened[STITCH_CASE_EVENTS]; /* so far; in the last step */
     uint32_t steps;
     /* the ledger, J */
-    double first, work, most_work, excess;
+    double first, work, max_work, excess;
     /* Most energy that a step has beyond what hands could have put into it, in whatever direction they pulled, with the larger force of
      * its begin and its end: those of thin threads are noisy. Of whole steps. `shown`: of one step. `jump`: as far as it is still
      * there in the next, beyond the larger of the two steps before. */

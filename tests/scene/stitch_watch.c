@@ -95,7 +95,7 @@ static double distance_to(const vec3 *x, uint32_t count, vec3 point)
     return smallest;
 }
 
-static void look_at(seen *s, const thread_object *t)
+static void observe(seen *s, const thread_object *t)
 {
     const vec3 *x = t->now.x;
     s->touching = t->config.radius + 0.5 * s->drain->config.thickness;
@@ -119,7 +119,7 @@ static void look_at(seen *s, const thread_object *t)
     }
 }
 
-void stitch_watch_look(stitch_watch *w, vbss_scene *scene, vbss_drain *drain)
+void stitch_watch_observe(stitch_watch *w, vbss_scene *scene, vbss_drain *drain)
 {
     seen s = {.watch = w};
     drain_object *d;
@@ -132,7 +132,7 @@ void stitch_watch_look(stitch_watch *w, vbss_scene *scene, vbss_drain *drain)
         vbss_thread *thread = stitch_watch_thread(scene, s.body);
         if (thread != NULL) {
             expect_ok(vbss_thread_open(thread, &t));
-            look_at(&s, t);
+            observe(&s, t);
         }
     }
 }

@@ -32,12 +32,12 @@ static double random_size(vbss_random *r, double low, double high)
 static void ask(scene_object *s, tally *t, double *earliest)
 {
     uint64_t searches = s->collision->searches;
-    scene_substep_outcome verdict = vbss_scene_run_ccd(s);
-    assert_true(verdict == SCENE_SUBSTEP_ACCEPTED || verdict == SCENE_SUBSTEP_CCD_HIT);
+    scene_substep_outcome outcome = vbss_scene_run_ccd(s);
+    assert_true(outcome == SCENE_SUBSTEP_ACCEPTED || outcome == SCENE_SUBSTEP_CCD_HIT);
     *earliest = s->step.time_of_impact;
     t->searched += s->collision->searches > searches;
     t->listed += s->collision->searches == searches;
-    t->hits += verdict == SCENE_SUBSTEP_CCD_HIT;
+    t->hits += outcome == SCENE_SUBSTEP_CCD_HIT;
 }
 
 /* A thread among sticks is expected to go one way, and goes nearly that. */

@@ -110,7 +110,7 @@ static uint32_t span_of(const swaged *w)
     return scene_geometry_of(w->scene, &w->row)->span;
 }
 
-static void lay(const swaged *w, const lie *at, contact_constraint *row)
+static void update_geometry(const swaged *w, const lie *at, contact_constraint *row)
 {
     w->needle->trial = at->needle;
     memcpy(w->thread->trial, at->x, sizeof at->x);
@@ -167,7 +167,7 @@ static void begin_part(swaged *w)
     memcpy(w->thread->now.x, w->at.x, sizeof w->at.x);
     shift_wall(w, w->drain->x, w->at.wall);
     w->row = (contact_constraint){.key = {.kind = VBSS_CONTACT_HOLE}};
-    lay(w, &w->at, &w->row);
+    update_geometry(w, &w->at, &w->row);
 }
 
 /* It has slid in the part, maybe to another span; the hole is on the curve. Returns its place. */
@@ -179,7 +179,7 @@ static suture_curve_point draw_row(harness_source *source, swaged *w)
     begin_part(w);
     const double on = w->arc + harness_draw_real(source, -0.5e-3, 0.5e-3);
     w->at.wall = place_near(w, &w->at, span_of(w), near_arc(w, &w->at, on)).position;
-    lay(w, &w->at, &w->row);
+    update_geometry(w, &w->at, &w->row);
     const suture_curve_point place = place_near(w, &w->at, span_of(w), w->at.wall);
     expect_near(0.0, vec3_distance(place.position, w->at.wall), 1e-12);
     expect_near(0.0, vec3_distance(place.tangent, w->row.normal), 1e-12);
@@ -378,8 +378,8 @@ typedef struct follows {
 
 /* A row that is laid where all has moved to follows as the row says: it slides on by what moves it along the normal, and with that
  * its parts and its tangent change; and the tangent by what nodes and needle move beside it. */
-static bool look_at_motion(const swaged *w, const suture_curve_point *place, const motion *m,
-                           follows *said)
+static bool check_motion(const swaged *w, const suture_curve_point *place, const motion *m,
+                         follows *said)
 {
     const double step = 1e-6;
     const lie ahead = moved(w, m, step), behind = moved(w, m, -step);
@@ -393,8 +393,8 @@ static bool look_at_motion(const swaged *w, const suture_curve_point *place, con
         place_near(w, &behind, span_of(w), behind.wall).span != place->span) {
         return false;
     }
-    lay(w, &ahead, &on);
-    lay(w, &behind, &back);
+    update_geometry(w, &ahead, &on);
+    update_geometry(w, &behind, &back);
     said->slides = vec3_dot(vec3_sub(moved_by(&p, m), m->wall), n);
     said->normal = vec3_scale(turn, said->slides);
     said->normal = vec3_sub(said->normal, across(moved_by(&slopes, m), n));
@@ -430,20 +430,20 @@ static void any_row_turns_with_what_is_rigid(harness_source *source, void *user)
     const vec3 turns = harness_draw_vec3(source, -1.0, 1.0), n = w->row.normal;
     const vec3 about = vec3_add(place.position, harness_draw_vec3(source, -1e-2, 1e-2));
     motion m = rigid(&w->at, harness_draw_vec3(source, -1e-2, 1e-2), turns, about);
-    if (!look_at_motion(w, &place, &m, &all)) {
+    if (!check_motion(w, &place, &m, &all)) {
         return;
     }
     expect_near(0.0, all.slides, 1e-12);
     expect_near(0.0, vec3_distance(all.normal, vec3_cross(turns, n)), 1e-9);
     const double slides = vec3_dot(m.wall, n);
     m.wall = vec3_zero();
-    if (!look_at_motion(w, &place, &m, &suture)) {
+    if (!check_motion(w, &place, &m, &suture)) {
         return;
     }
     expect_near(slides, suture.slides, 1e-12);
     m = rigid(&w->at, vec3_scale(n, 1e-2), vec3_zero(), about);
     m.wall = vec3_zero();
-    if (look_at_motion(w, &place, &m, &slid)) {
+    if (check_motion(w, &place, &m, &slid)) {
         expect_near(1e-2, slid.slides, 1e-12);
         seen[kind_of(w, &place)]++;
     }
@@ -472,7 +472,7 @@ static void any_row_follows_any_motion(harness_source *source, void *user)
     for (uint32_t i = 1; i < NODES; i++) {
         m.node[i] = harness_draw_vec3(source, -1e-2, 1e-2);
     }
-    seen[kind_of(w, &place)] += look_at_motion(w, &place, &m, &said);
+    seen[kind_of(w, &place)] += check_motion(w, &place, &m, &said);
 }
 
 static void hole_displacement_follows_needle_and_nodes(void **state)

@@ -38,7 +38,7 @@ static void overlying_thread_is_carried_without_motion(void **state)
     expect_near(0.0, largest, 1e-5);
     expect_near(TOUCHING, clearance(&s, &d), 1e-5);
     expect_near(0.0, farthest(&d, DRAIN_NODES), 0.0);
-    vbss_view v = look(&s, VBSS_SCENE_VIEW_CONTACTS);
+    vbss_view v = view_of(&s, VBSS_SCENE_VIEW_CONTACTS);
     const uint32_t *features = v.data;
     assert_true(v.count > 0);
     assert_int_equal(VBSS_CONTACT_SIDES, features[0]);
@@ -142,7 +142,7 @@ static void floor_carries_drain(void **state)
         lifted += height < HALF_WALL + 1e-12;
     }
     assert_int_equal(7, lifted); /* the line at the bottom */
-    const uint32_t *features = look(&s, VBSS_SCENE_VIEW_CONTACTS).data;
+    const uint32_t *features = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_int_equal(7, statistics_of(&s).contacts);
     assert_int_equal(VBSS_CONTACT_DRAIN_FLOOR, features[0]);
     assert_int_equal(d.body, features[1]);
@@ -169,7 +169,7 @@ static void two_drains_touch(void **state)
     v[SIDE_NODE + 6].z = -5.0; /* of the other, opposite to the side node */
     expect_ok(vbss_drain_set_state(e.drain, NULL, &v[0].x, DRAIN_NODES));
     expect_ok(vbss_scene_step(s.scene, 1e-4));
-    const uint32_t *features = look(&s, VBSS_SCENE_VIEW_CONTACTS).data;
+    const uint32_t *features = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_true(statistics_of(&s).contacts > 0);
     assert_int_equal(VBSS_CONTACT_SIDES, features[0]);
     assert_int_equal(d.body, features[1]);

@@ -1,6 +1,6 @@
 /* Method PAPER of scenes: pins on tools, and what cannot be pinned. */
 #include "base/elementary.h"
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 /* A ball of 2 mm, and a thread of 50 mm that hangs from its middle. Returns the ball. */
 static uint32_t hang_from_tool(stage *s, vbss_rigid_kind kind)

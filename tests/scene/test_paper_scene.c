@@ -1,6 +1,6 @@
 /* Method PAPER of scenes: what is stopped and carried. Knots: test_paper_knots.c. */
 #include "base/elementary.h"
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 /* ---- two threads */
 
@@ -49,8 +49,8 @@ static double middle_z(stage *s)
 /* Sine of the angle between the forces and the normals. */
 static double tilt_of_forces(stage *s)
 {
-    vbss_view forces = look(s, VBSS_SCENE_VIEW_CONTACT_FORCES);
-    vbss_view normals = look(s, VBSS_SCENE_VIEW_CONTACT_NORMALS);
+    vbss_view forces = view_of(s, VBSS_SCENE_VIEW_CONTACT_FORCES);
+    vbss_view normals = view_of(s, VBSS_SCENE_VIEW_CONTACT_NORMALS);
     double tilt = 0.0;
     for (uint64_t k = 0; k < forces.count; k++) {
         vec3 f = ((const vec3 *)forces.data)[k], n = ((const vec3 *)normals.data)[k];
@@ -168,7 +168,7 @@ static void thread_falls_and_rests_on_floor(void **state)
     int touches = 0, parts = 0;
     for (int i = 0; i < 400; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
-        vbss_view events = look(&s, VBSS_SCENE_VIEW_EVENTS);
+        vbss_view events = view_of(&s, VBSS_SCENE_VIEW_EVENTS);
         for (uint64_t k = 0; k < events.count; k++) {
             const uint32_t *e = (const uint32_t *)events.data + 4 * k;
             assert_true(e[1] == s.bodies[0] && e[2] == 0);
@@ -182,7 +182,7 @@ static void thread_falls_and_rests_on_floor(void **state)
     }
     assert_true(touches == parts + 1);
     assert_int_equal(n, statistics_of(&s).contacts);
-    const uint32_t *first = look(&s, VBSS_SCENE_VIEW_CONTACTS).data;
+    const uint32_t *first = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_int_equal(VBSS_CONTACT_NODE_FLOOR, first[0]);
     assert_int_equal(1, first[7]); /* the second row's node */
     end(&s);

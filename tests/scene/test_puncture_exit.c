@@ -183,11 +183,11 @@ static void hole_is_in_one_wall(void **state)
     const scene_object *s = small_object(&c.d.s);
     const scene_body *drain = vbss_scene_body(s, c.d.body);
     const suture_hole *hole = &s->holes[0];
-    scene_wall_point spot = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
+    scene_wall_point point = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
     const scene_body *needle = vbss_scene_body(s, c.body);
-    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 0.0);
-    spot.rest.z = -spot.rest.z;
-    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 1.0);
+    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &point, 1e-3) == 0.0);
+    point.rest.z = -point.rest.z;
+    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &point, 1e-3) == 1.0);
     needle_case_end(&c);
 }
 

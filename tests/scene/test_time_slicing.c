@@ -325,7 +325,7 @@ static void suspended_steps_do_not_allocate(void **state)
 
 /* ---- hosts between two calls */
 
-static void look_at_all(const pulled *p)
+static void read_all_views(const pulled *p)
 {
     vbss_view v;
     vbss_thread_statistics t;
@@ -351,7 +351,7 @@ static void queries_during_suspension_change_nothing(void **state)
         expect_ok(contact_scene_step(&seen.scene, STEP));
         expect_ok(contact_scene_step(&unseen.scene, STEP));
         waited += object_of(seen.scene.scene)->cursor.is_attempt_suspended;
-        look_at_all(&seen);
+        read_all_views(&seen);
         assert_true(hash_of(seen.scene.scene) == hash_of(unseen.scene.scene));
     }
     assert_true(waited > 100);

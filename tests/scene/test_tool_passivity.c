@@ -75,18 +75,18 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
 
 static gains max_gained(meeting what, double stiffness, double damping)
 {
-    gains most = {{-1.0, -1.0, -1.0}, 0.0};
+    gains max_gains = {{-1.0, -1.0, -1.0}, 0.0};
     vbss_random random;
     vbss_random_seed(&random, 5, 7);
     for (int i = 0; i < PATHS; i++) {
         hand_path p = hand_path_draw(&random, 1e-3 + 4e-3 * i / PATHS);
         gains g = gained(what, stiffness, damping, &p);
         for (int d = 0; d <= MAX_DELAY; d++) {
-            most.gained[d] = vbss_max(most.gained[d], g.gained[d]);
+            max_gains.gained[d] = vbss_max(max_gains.gained[d], g.gained[d]);
         }
-        most.largest = vbss_max(most.largest, g.largest);
+        max_gains.largest = vbss_max(max_gains.largest, g.largest);
     }
-    return most;
+    return max_gains;
 }
 
 /* The bar is 1 mJ; with an arm that damps nothing. */
@@ -94,12 +94,12 @@ static void closed_paths_gain_no_energy_at_400_n_per_m(void **state)
 {
     (void)state;
     for (int what = NOTHING; what < MEETINGS; what++) {
-        gains most = max_gained((meeting)what, 400.0, 5.0);
+        gains max_gains = max_gained((meeting)what, 400.0, 5.0);
         assert_true(what == NOTHING ||
-                    most.largest > (what == SLIDING ? 0.4 : 1.0)); /* it was felt */
+                    max_gains.largest > (what == SLIDING ? 0.4 : 1.0)); /* it was felt */
         for (int d = 0; d <= MAX_DELAY; d++) {
-            assert_true(most.gained[d] < 1e-3);
-            assert_true(most.gained[d] <= 1e-6); /* and none it is */
+            assert_true(max_gains.gained[d] < 1e-3);
+            assert_true(max_gains.gained[d] <= 1e-6); /* and none it is */
         }
     }
 }
@@ -108,9 +108,9 @@ static void closed_paths_gain_no_energy_at_400_n_per_m(void **state)
 static void undamped_coupling_gains_energy(void **state)
 {
     (void)state;
-    gains most = max_gained(THREAD, 2000.0, 1.0);
-    assert_true(most.gained[2] > 1e-3);
-    assert_true(most.gained[2] > most.gained[1]);
+    gains max_gains = max_gained(THREAD, 2000.0, 1.0);
+    assert_true(max_gains.gained[2] > 1e-3);
+    assert_true(max_gains.gained[2] > max_gains.gained[1]);
 }
 
 /* ---- a hand of a mass, which a force presses to the wall and what it feels pushes back */

@@ -46,10 +46,10 @@ static void begin(wall_rig *r)
     r->ahead = vec3_cross(vec3_make(1.0, 0.0, 0.0), out);
     r->tip = vec3_add_scaled(lip, 2.5e-3, r->ahead);
     /* Shaft along z = -ahead, jaws open along x = out: y = z x x is along the drain. */
-    quat stand = quat_make(0.5, 0.5, 0.5, 0.5); /* x to y, y to z, z to x */
+    quat axes = quat_make(0.5, 0.5, 0.5, 0.5); /* x to y, y to z, z to x */
     quat swing = quat_make(quarter, 0.0, quarter, 0.0);
     quat about = quat_make(vbss_cos(half), vbss_sin(half), 0.0, 0.0);
-    quat turn = quat_mul(about, quat_mul(swing, stand));
+    quat turn = quat_mul(about, quat_mul(swing, axes));
     vec3 z = quat_rotate(turn, vec3_make(0.0, 0.0, 1.0)),
          x = quat_rotate(turn, vec3_make(1.0, 0.0, 0.0));
     expect_near(0.0, vec3_distance(z, vec3_neg(r->ahead)), 1e-12);

@@ -254,7 +254,7 @@ static void press(int which, int buttons)
     leave();
 }
 
-static void look(int which, stand_in_arm *now)
+static void get_state(int which, stand_in_arm *now)
 {
     enter();
     *now = world.arms[which].now;
@@ -281,6 +281,6 @@ static int illegal(const char **first)
 const stand_in_hd_table *stand_in_hd(void)
 {
     static const stand_in_hd_table table = {reset, tick,  set_fault, set_hand,
-                                            place, press, look,      illegal};
+                                            place, press, get_state, illegal};
     return &table;
 }

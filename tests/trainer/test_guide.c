@@ -11,16 +11,16 @@
 /* World axes of motions: right, up, toward who trains. */
 static const double directions[3][3] = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
 
-/* An arm that stands so: its axis i is world axis |stand[i]|. */
+/* The mounting of an arm: its axis i is world axis |axes[i]|. */
 typedef struct bench {
-    int stand[3];
+    int axes[3];
     guide g;
 } bench;
 
 static void to_arm(const bench *b, const double world[3], double out[3])
 {
     for (int i = 0; i < 3; i++) {
-        int axis = b->stand[i];
+        int axis = b->axes[i];
         out[i] = axis < 0 ? -world[-axis - 1] : world[axis - 1];
     }
 }
@@ -51,7 +51,7 @@ static void begin(bench *b, int x, int y, int z)
 {
     vbss_device_calibration usual;
     const double nowhere[3] = {0.0, 0.0, 0.0};
-    *b = (bench){.stand = {x, y, z}};
+    *b = (bench){.axes = {x, y, z}};
     expect_ok(vbss_device_calibration_init(&usual, sizeof usual));
     expect_ok(guide_begin(&b->g, true, true, &usual));
     assert_null(move(b, nowhere, 0.0));

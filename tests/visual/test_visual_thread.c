@@ -227,9 +227,9 @@ static void frames_are_continuous_in_time(void **state)
         }
         expect_ok(vbss_thread_set_state(thread, positions, NULL, 30));
         const drawn d = draw(&f);
-        const uint32_t looked[3] = {1, d.vertex_count / 2, d.vertex_count - 3};
+        const uint32_t vertices[3] = {1, d.vertex_count / 2, d.vertex_count - 3};
         for (int k = 0; k < 3; k++) {
-            vec3 n = normal_of(&d, looked[k]);
+            vec3 n = normal_of(&d, vertices[k]);
             if (i > 0) { /* it turns by 0.0314 rad */
                 assert_true(vec3_distance(n, before[k]) < 0.05);
             }
