@@ -148,7 +148,7 @@ def subject_of(g, tree, build):
     return Subject(tree, build, (g.source / GLOSSARY).read_text(), g.tool("nm"))
 
 
-def look(g):
+def inspect(g):
     build = g.library("archive").parent.parent
     missing = structure_objects.without_object(g.source, build)
     return ([f"{file} has no object in the build folder, so its calls are not seen" for file in missing] +
@@ -254,7 +254,7 @@ CANARIES = [
 
 if __name__ == "__main__":
     if len(sys.argv) > 1 and sys.argv[1].endswith(".json"):
-        gate.main("structure", look, CANARIES)
+        gate.main("structure", inspect, CANARIES)
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # readers may end early
     home = pathlib.Path(__file__).resolve().parents[2]
     try:
