@@ -115,7 +115,7 @@ vbss_result throw_rig_create(throw_rig *s, double tail, double limb)
     return fix_thread(s);
 }
 
-/* ---- looks */
+/* ---- views */
 
 static const void *view_of(const throw_rig *s, vbss_thread_field field)
 {
