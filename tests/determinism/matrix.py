@@ -117,17 +117,17 @@ def replay(program, log, machine):
 def replay_differences(program, machine, logs):
     """One line for each log that does not replay to its end, with the step, or that is refused; how many
     steps were made."""
-    found, made = [], 0
+    complaints, made = [], 0
     for log, wanted in logs.items():
         try:
             steps, differs = replay(program, log, machine)
         except Broken as refused:
-            found.append(f"log {log.stem} refused: {str(refused).splitlines()[-1]}")
+            complaints.append(f"log {log.stem} refused: {str(refused).splitlines()[-1]}")
             continue
         made += steps
         if differs or steps != wanted:
-            found.append(f"log {log.stem} after step {differs or steps}")
-    return found, made
+            complaints.append(f"log {log.stem} after step {differs or steps}")
+    return complaints, made
 
 
 def print_row(*cells):
@@ -145,8 +145,8 @@ def row(name, make, golden, machine="", compiler="-", flags="-", logs=None):
         ran = time.monotonic() - start
         wrong = differences(found, golden, bool(machine))
         if logs:
-            found, replayed = replay_differences(program.with_name("vbss_replay_log"), machine, logs)
-            wrong += found
+            complaints, replayed = replay_differences(program.with_name("vbss_replay_log"), machine, logs)
+            wrong += complaints
     except (Broken, subprocess.TimeoutExpired) as broken:
         wrong = [f"cannot be made: {broken}"]
     first = wrong[0].splitlines()[0] if wrong else "none"
