@@ -205,8 +205,8 @@ static void warm_start_restores_closed_constraints(void **state)
     close_with(slips, 3.0);
     slips->solution.status = CONTACT_SLIP;
     slips->solution.friction_ratio = 0.25;
-    contact_constraint *stands = add(&l, 9, 9); /* SLIP without a force has no way */
-    stands->solution =
+    contact_constraint *resting = add(&l, 9, 9); /* SLIP without a force has no way */
+    resting->solution =
         (contact_solution){.status = CONTACT_SLIP, .normal_force = 1.0, .friction_ratio = 0.5};
     vbss_contact_store_warm_start(l.set);
     assert_int_equal(l.set->warm_start_count, 3);

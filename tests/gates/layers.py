@@ -112,7 +112,7 @@ def check(g, root):
 # ---- canaries: a tree with one more file, and empty ones
 
 def with_file(name, text, *empty):
-    def look(g):
+    def inspect(g):
         root = g.work / "tree"
         shutil.rmtree(root, ignore_errors=True)
         shutil.copytree(g.source / "lib", root / "lib")
@@ -124,19 +124,19 @@ def with_file(name, text, *empty):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text if path == root / name else "")
         return check(g, root)
-    return look
+    return inspect
 
 
 def in_order(order, canary):
     """A canary in a tree where lib/scene has these sub-folders, in this order, after its own."""
-    def look(g):
+    def inspect(g):
         global SUBFOLDERS
         kept, SUBFOLDERS = SUBFOLDERS, {"scene": SUBFOLDERS["scene"] + list(order)}
         try:
             return canary(g)
         finally:
             SUBFOLDERS = kept
-    return look
+    return inspect
 
 
 CANARIES = [

@@ -1,5 +1,5 @@
 /* Method PAPER of scenes: a step that fails is undone, and options of the other method are rejected. */
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 static void expect_undone(stage *s, vbss_result wanted)
 {

@@ -43,16 +43,16 @@ static void bad_names_and_moves_are_rejected(void **state)
     subject t;
     const double zero[3] = {0.0, 0.0, 0.0};
     begin_subject(&t);
-    const uint32_t nobody[] = {0, t.free + 1, UINT32_MAX};
+    const uint32_t no_body[] = {0, t.free + 1, UINT32_MAX};
     for (int k = 0; k < 3; k++) {
         vbss_rigid_state state_of;
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(t.s.scene, nobody[k]));
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(t.s.scene, no_body[k]));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_move_rigid(t.s.scene, nobody[k], zero, NULL));
+                  vbss_scene_move_rigid(t.s.scene, no_body[k], zero, NULL));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_get_rigid(t.s.scene, nobody[k], &state_of, sizeof state_of));
+                  vbss_scene_get_rigid(t.s.scene, no_body[k], &state_of, sizeof state_of));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_unpin_thread(t.s.scene, k == 1 ? t.weld + 1 : nobody[k]));
+                  vbss_scene_unpin_thread(t.s.scene, k == 1 ? t.weld + 1 : no_body[k]));
     }
     vbss_rigid_state state_of;
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
@@ -83,10 +83,10 @@ static void bad_pins_are_rejected(void **state)
     vbss_scene *scene;
     begin_subject(&t);
     scene = t.s.scene;
-    const uint32_t nobody[] = {0, t.driven, 99};
+    const uint32_t no_body[] = {0, t.driven, 99};
     for (int k = 0; k < 3; k++) {
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_pin_thread(scene, nobody[k], 3, 0, NULL, &pin));
+                  vbss_scene_pin_thread(scene, no_body[k], 3, 0, NULL, &pin));
     }
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(scene, t.line, 3, 99, NULL, &pin));
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,

@@ -87,8 +87,8 @@ static void report(pulled *p, uint64_t step)
         thread_object *t = ((vbss_slot *)hand->thread)->object;
         const thread_attachment *a = vbss_thread_find_attachment(t, hand->id);
         double target[3];
-        const double way = step % 80 < 40 ? 2e-5 : -2e-5;
-        vec3_store(target, vec3_add(a->target, vec3_make(i == 0 ? -way : way, 0.0, 0.0)));
+        const double travel = step % 80 < 40 ? 2e-5 : -2e-5;
+        vec3_store(target, vec3_add(a->target, vec3_make(i == 0 ? -travel : travel, 0.0, 0.0)));
         expect_ok(vbss_thread_move(hand->thread, hand->id, target, NULL));
     }
 }
@@ -325,7 +325,7 @@ static void suspended_steps_do_not_allocate(void **state)
 
 /* ---- hosts between two calls */
 
-static void look_at_all(const pulled *p)
+static void read_all_views(const pulled *p)
 {
     vbss_view v;
     vbss_thread_statistics t;
@@ -351,7 +351,7 @@ static void queries_during_suspension_change_nothing(void **state)
         expect_ok(contact_scene_step(&seen.scene, STEP));
         expect_ok(contact_scene_step(&unseen.scene, STEP));
         waited += object_of(seen.scene.scene)->cursor.is_attempt_suspended;
-        look_at_all(&seen);
+        read_all_views(&seen);
         assert_true(hash_of(seen.scene.scene) == hash_of(unseen.scene.scene));
     }
     assert_true(waited > 100);
@@ -511,7 +511,7 @@ static void commands_during_suspension_apply_to_next_step(void **state)
         expect_near(reported[k], seen.target_position[k], 1e-12);
     }
     small_state kept = small_save(&s); /* a saved state knows it */
-    for (int way = 0; way < 2; way++) {
+    for (int variant = 0; variant < 2; variant++) {
         for (int i = 0; i < 60; i++) {
             small_steps(&s, 1, STEP);
         }
@@ -583,14 +583,14 @@ static void paper_steps_are_never_suspended(void **state)
     small_create(&s);
     (void)small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
     small_steps(&s, 2, STEP);
-    scene_step_cursor *way = &small_object(&s)->cursor;
+    scene_step_cursor *cursor = &small_object(&s)->cursor;
     for (int how = 0; how < 2; how++) {
-        *way =
+        *cursor =
             (scene_step_cursor){.substep = {.step_length = STEP}, .initial_size = 1.0, .size = 1.0};
-        way->is_suspended = how == 0;
-        way->steps_behind = how == 0 ? 0 : 1;
+        cursor->is_suspended = how == 0;
+        cursor->steps_behind = how == 0 ? 0 : 1;
         small_state bad = small_save(&s);
-        *way = (scene_step_cursor){0};
+        *cursor = (scene_step_cursor){0};
         expect_result(VBSS_ERROR_CORRUPT, vbss_scene_restore(s.scene, bad.bytes, bad.count));
         free(bad.bytes);
     }

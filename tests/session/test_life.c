@@ -311,7 +311,7 @@ static void lost_events_are_reported(void **state)
     r.scene.config.event_capacity = 8;
     rig_start(&r);
     for (uint32_t i = 0; i < 20; i++) {
-        r.look.tools[RIG_LEFT].has_needle = i % 2 == 0;
+        r.observation.tools[RIG_LEFT].has_needle = i % 2 == 0;
         rig_run(&r, 0.1);
     }
     const vbss_session_status status = rig_status(&r);
