@@ -309,7 +309,7 @@ typedef struct record_of_state {
     double forces[3 * 256];
 } record_of_state;
 
-static record_of_state look(const world *w)
+static record_of_state record_state(const world *w)
 {
     record_of_state r = {.state = small_save(&w->s)};
     const vbss_view events = small_view(&w->s, VBSS_SCENE_VIEW_EVENTS),
@@ -329,7 +329,7 @@ static record_of_state look(const world *w)
 
 static void expect_unchanged(const world *w, const record_of_state *before, const call *c)
 {
-    record_of_state now = look(w);
+    record_of_state now = record_state(w);
     const bool is_step = c->kind == CALL_STEP;
     assert_int_equal(now.state.count, before->state.count);
     assert_memory_equal(now.state.bytes, before->state.bytes, now.state.count);
@@ -378,7 +378,7 @@ static vbss_result restore_foreign(world *w)
 
 static vbss_result call_first(world *w, const call *c, uint32_t *id, call_counts *counts)
 {
-    const record_of_state before = look(w);
+    const record_of_state before = record_state(w);
     harness_memory *memory = &w->s.memory;
     const bool suspended = is_suspended(w);
     const uint64_t failures = memory->failures;

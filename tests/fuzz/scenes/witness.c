@@ -117,7 +117,7 @@ static void check_witness(fuzz_scene *f, bool is_clear)
     w->position = motion.position;
     w->was_clear = is_clear;
     if (w->stood_still > limit) {
-        fuzz_fail(f, FUZZ_CHECK_STANDS_STILL, "%s, for %u steps, work_limit %u, slot_limit %u",
+        fuzz_fail(f, FUZZ_CHECK_IS_STALLED, "%s, for %u steps, work_limit %u, slot_limit %u",
                   f->config.mode == VBSS_MODE_OFFLINE ? "offline" : "real time", w->stood_still,
                   f->config.work_limit, f->config.slot_limit);
     }
