@@ -61,7 +61,7 @@ static bool is_valid_group(const scene_object *s, const scene_waiting_group *g)
            g->substep.start_fraction + g->size <= 1.0;
 }
 
-/* Visits the contacts in the views. The groups that wait still have those of the step before. */
+/* Visits the contacts in the views. */
 static void visit_contact_views(vbss_stream *stream, scene_report *r, uint32_t capacity)
 {
     vbss_stream_count(stream, 176, &r->contact_count, capacity);
@@ -108,7 +108,9 @@ static void visit_groups(vbss_stream *stream, scene_object *s)
     if (reads && !is_valid) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such group of bodies");
     }
-    visit_contact_views(stream, &s->report, s->config.contact_capacity);
+    if (cursor->group > 0) { /* earlier groups have published their contacts */
+        visit_contact_views(stream, &s->report, s->config.contact_capacity);
+    }
 }
 
 /* Visits the cursor of a suspended step, and how far its attempt had progressed for the replay. */

@@ -107,13 +107,13 @@ static void add_pin_forces(scene_object *s)
     }
 }
 
-/* Removes the contacts of bodies that took part in the last substep from the views. New ones
- * follow. */
+/* Removes the contacts of the step before from the views, and of bodies that took part in the last
+ * substep. New ones follow. So the views depend on this step only, and a restored scene has the same. */
 static void remove_renewed_contacts(scene_object *s)
 {
     scene_report *r = &s->report;
     uint32_t count = 0;
-    for (uint32_t i = 0; s->cursor.group_count > 1 && i < r->contact_count; i++) {
+    for (uint32_t i = 0; s->cursor.group > 0 && i < r->contact_count; i++) {
         const uint32_t *features = r->contact_features[i];
         const scene_body *a = vbss_scene_body(s, features[1]), *b = vbss_scene_body(s, features[3]);
         if (a == NULL || scene_is_active(a) || scene_is_active(b)) {
