@@ -95,7 +95,7 @@ def plot_work_precision(suite):
 WRONG_ANSWERS = [("fn", lambda c: c.number("positives"), "true hits missed (%)"),
                  ("fp", lambda c: c.number("queries") - c.number("positives"),
                   "true misses told as hits (%)")]
-LEAST_SHARE = 0.01  # %; below it the axis is linear, down to 0
+MIN_SHARE = 0.01  # %; below it the axis is linear, down to 0
 
 
 def draw_speed_error(suite, axes, cases, counter, possible):
@@ -107,7 +107,7 @@ def draw_speed_error(suite, axes, cases, counter, possible):
                   markersize=6, linestyle="", clip_on=False, zorder=4 - i / len(cases),
                   label=case.method)
     set_log(axes.xaxis, seconds)
-    axes.set_yscale("symlog", linthresh=LEAST_SHARE, linscale=0.6)
+    axes.set_yscale("symlog", linthresh=MIN_SHARE, linscale=0.6)
     axes.set_ylim(0, 100)
     axes.set_yticks([0, 0.01, 0.1, 1, 10, 100], ["0", "0.01", "0.1", "1", "10", "100"])
     axes.yaxis.set_minor_locator(NullLocator())

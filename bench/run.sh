@@ -7,8 +7,22 @@ usage() {
     cat <<'END'
 usage: bench/run.sh [suite ...] [--quick] [--filter SUBSTRING] [--repetitions N] [--seeds N]
   Without a suite, all of them. --quick takes a look: two repetitions, and the files say so.
+bench/run.sh against REV [suite|subject ...] [--quick] [--pairs N] [--seeds N] [--json FILE]
+  Measures this revision against another one on the same core: bench/run.sh against --help.
 END
 }
+
+install() {
+    # What is missing may be needed by a peer or for the plots only: the build will tell.
+    if ! .ci/install-packages "$1"; then
+        echo "bench/run.sh: going on with what is here" >&2
+    fi
+}
+
+if [[ ${1:-} == against ]]; then
+    install against
+    exec /usr/bin/python3 -B bench/against/against.py "${@:2}"
+fi
 
 suites=()
 options=()
@@ -37,10 +51,7 @@ while (($# > 0)); do
     shift
 done
 
-# What is missing may be needed by a peer or for the plots only: the build will tell.
-if ! .ci/install-packages bench; then
-    echo "bench/run.sh: going on with what is here" >&2
-fi
+install bench
 
 build=build/release
 cmake --preset release >/dev/null # problems go to stderr

@@ -146,13 +146,13 @@ def main():
         begin = time.monotonic()
         original = plant(options.tree, fault)
         if original is None:
-            verdict = {"found": "not planted: the line is not there", "by": []}
+            result = {"found": "not planted: the line is not there", "by": []}
         else:
             try:
-                verdict = judge(options.tree, fault, options.tests)
+                result = judge(options.tree, fault, options.tests)
             finally:
                 (options.tree / fault["file"]).write_text(original)
-        row = {**fault, "number": number, **verdict, "seconds": round(time.monotonic() - begin)}
+        row = {**fault, "number": number, **result, "seconds": round(time.monotonic() - begin)}
         with options.work.open("a") as file:
             file.write(json.dumps(row) + "\n")
         print(f"{number:2} {row['kind']:<10} {row['file']}:{row['line']}  {row['found'] or 'MISSED'}  {' '.join(row['by'][:2])}  "

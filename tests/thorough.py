@@ -30,7 +30,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LEDGER = ROOT / "build/thorough.json"
 COMMITS = 40
 MINUTES = 36
-TIDY_MOST = 200
+MAX_TIDY_FILES = 200
 THREADED = r"^(base|device|trainer|examples\.trainer)"
 THREADED_PROGRAMS = ["test_base", "test_device", "test_trainer", "trainer", "pass_needle", "surgeon"]
 HANDS = r"^(examples\.(throw|pass_needle)|throw\.|python\.tests)"
@@ -149,7 +149,7 @@ def run_tsan():
 def run_gates():
     return build("default") and ctest(
         "default", "--tests-regex", r"^gate\.", "--label-regex", "slow", "--label-exclude", "matrix|presets", "--verbose",
-        environment={"VBSS_TIDY_COMMITS": str(COMMITS), "VBSS_TIDY_MOST": str(TIDY_MOST)})
+        environment={"VBSS_TIDY_COMMITS": str(COMMITS), "VBSS_TIDY_MOST": str(MAX_TIDY_FILES)})
 
 
 def run_masked():

@@ -6,6 +6,7 @@
 static void add_cases(bench *b)
 {
     static void (*const groups[])(bench *) = {
+        add_api_call_cases,
         add_elementary_cases,
         add_kernel_cases,
         add_spinning_bodies_cases,

@@ -14,8 +14,8 @@
 /* A knot is laid out as a curve whose strands overlap a little; to part them is no pulling, and not timed.
  * The paper's method has no such beginning: it may be lost at once. */
 #define LAID_STEPS 4u
-/* Steps between looks at the strands' distance. */
-#define LOOK_EVERY 16u
+/* Steps between measurements of the strands' distance. */
+#define SAMPLE_EVERY 16u
 
 void pulled_knot_init(pulled_knot *k, knot_kind kind, vbss_method method)
 {
@@ -51,9 +51,9 @@ double pulled_knot_min_distance(const vec3 *x, uint32_t nodes, const double *res
                 continue;
             }
             double s, u;
-            vec3 way = closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
-                                             vec3_sub(x[b], x[a]), &s, &u);
-            smallest = vbss_min(vec3_norm(way), smallest);
+            vec3 separation = closest_between_edges(
+                vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]), vec3_sub(x[b], x[a]), &s, &u);
+            smallest = vbss_min(vec3_norm(separation), smallest);
         }
     }
     return smallest;
@@ -155,7 +155,7 @@ static bool save(pulled_knot *k)
 static int set_up(void *user)
 {
     pulled_knot *k = user;
-    k->looks = k->node_steps = k->most_nodes = 0;
+    k->samples = k->node_steps = k->max_nodes = 0;
     k->node_sum = 0;
     k->broken = false;
     k->min_distance = 1.0;
@@ -192,7 +192,7 @@ static void count_nodes(pulled_knot *k)
     if (k->node_steps < count_steps(k)) {
         k->node_sum += nodes;
         k->node_steps++;
-        k->most_nodes = nodes > k->most_nodes ? nodes : k->most_nodes;
+        k->max_nodes = nodes > k->max_nodes ? nodes : k->max_nodes;
     }
 }
 
@@ -202,7 +202,7 @@ static uint64_t hash(void *user)
     uint64_t value = 0;
     (void)contact_scene_hash(&k->scene, &value);
     count_nodes(k);
-    if (k->looks < count_steps(k) && k->looks++ % LOOK_EVERY == 0) {
+    if (k->samples < count_steps(k) && k->samples++ % SAMPLE_EVERY == 0) {
         k->min_distance = vbss_min(min_distance(inside(k)), k->min_distance);
     }
     return value;
@@ -241,7 +241,7 @@ static void finish(void *user, bench_result *result)
     bench_counter(result, "taken_up_mm", 1e3 * taken_up(t));
     bench_counter(result, "nodes_mean",
                   (double)k->node_sum / (k->node_steps > 0 ? k->node_steps : 1));
-    bench_counter(result, "nodes_most", k->most_nodes);
+    bench_counter(result, "nodes_most", k->max_nodes);
     bench_counter(result, "broken", k->broken ? 1.0 : 0.0);
     if (k->more != NULL) {
         k->more(result);

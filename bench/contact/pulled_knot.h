@@ -29,11 +29,11 @@ typedef struct pulled_knot {
     uint8_t *saved;
     uint64_t saved_bytes;
     uint64_t rejected_at_begin;
-    /* looked at between the steps of the first repetition */
-    uint32_t looks;
+    /* measured between the steps of the first repetition */
+    uint32_t samples;
     double min_distance; /* of strands, m */
     uint64_t node_sum;   /* of the same steps, all of them */
-    uint32_t node_steps, most_nodes;
+    uint32_t node_steps, max_nodes;
     double taken_up; /* m, when the load is reached or the steps are over */
 } pulled_knot;
 

@@ -11,7 +11,7 @@ typedef struct throw_case {
     double finest;  /* if it adapts; m */
     vbss_context *context;
     throw_scene scene, begin;
-    uint32_t steps, max_contacts, most_nodes;
+    uint32_t steps, max_contacts, max_nodes;
     bool twice, adapts, offline;
     bool long_run; /* not in a quick look */
     uint64_t node_sum;
@@ -90,7 +90,7 @@ static int set_up(void *user)
             return 1;
         }
         c->node_sum += t.nodes;
-        c->most_nodes = t.nodes > c->most_nodes ? t.nodes : c->most_nodes;
+        c->max_nodes = t.nodes > c->max_nodes ? t.nodes : c->max_nodes;
         c->max_contacts = s.contacts > c->max_contacts ? s.contacts : c->max_contacts;
     }
     return 0;
@@ -140,7 +140,7 @@ static void finish(void *user, bench_result *result)
     bench_counter(result, "attempts_per_step", tries / steps);
     bench_counter(result, "solves_per_step", (double)(s.state_solves - b->state_solves) / steps);
     bench_counter(result, "nodes_mean", (double)c->node_sum / steps);
-    bench_counter(result, "nodes_most", c->most_nodes);
+    bench_counter(result, "nodes_most", c->max_nodes);
     bench_counter(result, "loose_states", (double)s.loose_states);
     bench_counter(result, "paused", (double)s.paused);
     bench_counter(result, "paused_ms", 1e3 * s.time_paused);

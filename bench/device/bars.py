@@ -31,7 +31,7 @@ def bars(cases):
         yield "default coupling, paths on which the thread was torn out, mJ", max(torn), "<= 1", lambda v: v <= 1.0
 
 
-def told(values):
+def format_values(values):
     """One word if none of them gains."""
     return "none" if max(values) <= 1e-3 else ", ".join("none" if v <= 1e-3 else f"{v:.2f}" for v in values)
 
@@ -43,7 +43,7 @@ def passivity(cases):
         rows = [cases.get(f"tool-path-{name}/{m}") for m in MEETINGS]
         if all(rows):
             for arm in ARMS:
-                print(f"| {title} | {arm} | " + " | ".join(told(gains(row, arm)) for row in rows) + " |")
+                print(f"| {title} | {arm} | " + " | ".join(format_values(gains(row, arm)) for row in rows) + " |")
     print("\nmost gained of all delays, undamped hand, mJ / largest force, N / paths drawn, torn:")
     for name, title in COUPLINGS:
         for m in MEETINGS:

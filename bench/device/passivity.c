@@ -47,9 +47,9 @@ static double gained(passivity *s, const hand_path *p)
                 vbss_output_advance(&config, &stage, 1.0 / ROUND, &demand) != 0 ? 1 : 0;
             out = stage.force;
         }
-        vec3 way = vec3_sub(next, x);
-        double paid = s->arm_damping * ROUND * vec3_norm_squared(way);
-        work += i >= ROUND ? vec3_dot(out, way) - paid : 0.0;
+        vec3 displacement = vec3_sub(next, x);
+        double paid = s->arm_damping * ROUND * vec3_norm_squared(displacement);
+        work += i >= ROUND ? vec3_dot(out, displacement) - paid : 0.0;
     }
     return work;
 }

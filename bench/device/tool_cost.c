@@ -95,16 +95,16 @@ static void teardown(void *user)
 
 /* ---- looking for strands */
 
-enum { LOOKS = 100, MAX_NODES = 301 };
+enum { SEARCHES = 100, MAX_NODES = 301 };
 
-typedef struct tool_look {
+typedef struct strand_search {
     char name[64];
     uint32_t nodes;
     bool coiled; /* round the jaws, 6 mm from their middle */
     tool_rig rig;
-} tool_look;
+} strand_search;
 
-static vbss_result coil(tool_look *l)
+static vbss_result coil(strand_search *l)
 {
     static double x[MAX_NODES][3];
     for (uint32_t i = 0; i < l->nodes; i++) {
@@ -116,7 +116,7 @@ static vbss_result coil(tool_look *l)
     return vbss_thread_set_state(l->rig.thread, x[0], NULL, l->nodes);
 }
 
-static vbss_result make_look(tool_look *l)
+static vbss_result make_search(strand_search *l)
 {
     VBSS_TRY(tool_rig_begin(&l->rig));
     VBSS_TRY(tool_rig_thread(&l->rig, l->nodes - 1, TOOL_RIG_NEITHER));
@@ -127,10 +127,10 @@ static vbss_result make_look(tool_look *l)
     return vbss_grasper_set_opening(l->rig.tools[0], 0.0);
 }
 
-static int setup_look(void *user)
+static int setup_search(void *user)
 {
-    tool_look *l = user;
-    vbss_result result = make_look(l);
+    strand_search *l = user;
+    vbss_result result = make_search(l);
     if (result != VBSS_OK) {
         tool_rig_end(&l->rig);
     }
@@ -138,38 +138,38 @@ static int setup_look(void *user)
 }
 
 /* The first step of closing jaws, again and again: they are still too far open to take anything. */
-static void run_look(void *user)
+static void run_search(void *user)
 {
-    tool_look *l = user;
+    strand_search *l = user;
     scene_object *s;
     if (vbss_scene_open(l->rig.scene, &s) == VBSS_OK) {
         scene_body *tool = vbss_scene_body(s, l->rig.bodies[0]);
-        for (int i = 0; i < LOOKS; i++) {
+        for (int i = 0; i < SEARCHES; i++) {
             bench_keep(vbss_scene_close_jaws(s, tool, 1e-3));
         }
     }
 }
 
-static void teardown_look(void *user)
+static void teardown_search(void *user)
 {
-    tool_look *l = user;
+    strand_search *l = user;
     tool_rig_end(&l->rig);
 }
 
-static void add_look_cases(bench *b)
+static void add_search_cases(bench *b)
 {
-    static tool_look cases[] = {
+    static strand_search cases[] = {
         {.nodes = 61}, {.nodes = MAX_NODES}, {.nodes = MAX_NODES, .coiled = true}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        tool_look *l = &cases[i];
+        strand_search *l = &cases[i];
         snprintf(l->name, sizeof l->name, "device/tool-looking/%s/%u",
                  l->coiled ? "coiled" : "straight", (unsigned)l->nodes);
         const bench_batch batch = {.name = l->name,
                                    .user = l,
-                                   .items = LOOKS,
-                                   .setup = setup_look,
-                                   .run = run_look,
-                                   .teardown = teardown_look};
+                                   .items = SEARCHES,
+                                   .setup = setup_search,
+                                   .run = run_search,
+                                   .teardown = teardown_search};
         bench_add_batch(b, &batch);
     }
 }
@@ -199,5 +199,5 @@ void add_tool_cost_cases(bench *b)
             bench_add_stepped(b, &stepped);
         }
     }
-    add_look_cases(b);
+    add_search_cases(b);
 }

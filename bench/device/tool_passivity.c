@@ -69,16 +69,16 @@ static vbss_result go_round(tool_passivity *s, const hand_path *p)
     vec3 late[DELAYS] = {{0.0, 0.0, 0.0}};
     double work[DELAYS] = {0.0}, paid = 0.0, slid_before = 0.0;
     for (int i = 0; i < 2 * ROUND; i++) {
-        vec3 x = along(p, i), way = vec3_sub(along(p, i + 1), x);
+        vec3 x = along(p, i), displacement = vec3_sub(along(p, i + 1), x);
         slid_before = i == ROUND ? tool_rig_slid(&s->rig, 0) : slid_before;
         VBSS_TRY(tool_rig_step_to(&s->rig, 0, vec3_add(s->home, x)));
         memmove(late + 1, late, sizeof late - sizeof late[0]);
         VBSS_TRY(tool_rig_force(&s->rig, 0, &late[0]));
         s->largest = vbss_max(s->largest, vec3_norm(late[0]));
         for (int d = 0; i >= ROUND && d < DELAYS; d++) {
-            work[d] += vec3_dot(late[d], way);
+            work[d] += vec3_dot(late[d], displacement);
         }
-        paid += i >= ROUND ? ROUND * vec3_norm_squared(way) : 0.0;
+        paid += i >= ROUND ? ROUND * vec3_norm_squared(displacement) : 0.0;
     }
     count(s, work, paid, slid_before);
     return VBSS_OK;

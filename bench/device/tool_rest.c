@@ -6,7 +6,7 @@
 #include "bench_device.h"
 #include "tool_rig.h"
 
-enum { AT_REST = 2000, LOOKED = 1000 };
+enum { AT_REST = 2000, SAMPLES = 1000 };
 static const double draw_speed = 2e-3; /* m/s */
 
 typedef enum tool_rest_kind { TAUT, PRESSED, SLIPPING, KINDS } tool_rest_kind;
@@ -22,8 +22,8 @@ typedef struct tool_rest {
 /* Where the hand is so many steps after it has settled or begun to draw. */
 static vec3 hand_at(const tool_rest *s, uint32_t step)
 {
-    double way = s->kind == SLIPPING ? draw_speed * step / TOOL_RIG_ROUND : 0.0;
-    return vec3_add(s->home, vec3_make(0.0, way, 0.0));
+    double travel = s->kind == SLIPPING ? draw_speed * step / TOOL_RIG_ROUND : 0.0;
+    return vec3_add(s->home, vec3_make(0.0, travel, 0.0));
 }
 
 /* The taut thread is drawn aside by 4 mm; the one that slips has a free end. */
@@ -57,19 +57,19 @@ static vbss_result relax(tool_rest *s)
     return tool_rig_save(&s->rig);
 }
 
-static vbss_result look(tool_rest *s)
+static vbss_result measure(tool_rest *s)
 {
-    static vec3 force[LOOKED]; /* beyond the first, so that the mean of what is even is exact */
+    static vec3 force[SAMPLES]; /* beyond the first, so that the mean of what is even is exact */
     vec3 low = vec3_zero(), high = low, mean = low, first = low;
     double sum = 0.0;
-    for (uint32_t i = 0; i < LOOKED; i++) {
+    for (uint32_t i = 0; i < SAMPLES; i++) {
         VBSS_TRY(tool_rig_step_to(&s->rig, 0, hand_at(s, AT_REST + 1 + i)));
         VBSS_TRY(tool_rig_force(&s->rig, 0, &force[i]));
         first = i == 0 ? force[0] : first;
         force[i] = vec3_sub(force[i], first);
-        mean = vec3_add_scaled(mean, 1.0 / LOOKED, force[i]);
+        mean = vec3_add_scaled(mean, 1.0 / SAMPLES, force[i]);
     }
-    for (int i = 0; i < LOOKED; i++) {
+    for (int i = 0; i < SAMPLES; i++) {
         vec3 f = force[i];
         sum += vec3_norm_squared(vec3_sub(f, mean));
         low = vec3_make(vbss_min(low.x, f.x), vbss_min(low.y, f.y), vbss_min(low.z, f.z));
@@ -77,7 +77,7 @@ static vbss_result look(tool_rest *s)
     }
     vec3 range = vec3_sub(high, low);
     s->mean = vec3_add(first, mean);
-    s->rms = sqrt(sum / LOOKED);
+    s->rms = sqrt(sum / SAMPLES);
     s->peak_to_peak = vbss_max(range.x, vbss_max(range.y, range.z));
     return VBSS_OK;
 }
@@ -87,7 +87,7 @@ static int setup(void *user)
     tool_rest *s = user;
     vbss_result result = make(s);
     result = result == VBSS_OK ? relax(s) : result;
-    result = result == VBSS_OK ? look(s) : result;
+    result = result == VBSS_OK ? measure(s) : result;
     if (result != VBSS_OK) {
         tool_rig_end(&s->rig);
     }

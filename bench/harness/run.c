@@ -181,8 +181,8 @@ static void measure(bench *b, bench_case *c)
     }
 }
 
-/* It looks at what other cases found out. */
-static bool looks_back(const bench_case *c)
+/* It uses what other cases found out. */
+static bool uses_other_cases(const bench_case *c)
 {
     return c->kind == BENCH_GROWTH || c->kind == BENCH_POOL;
 }
@@ -195,7 +195,7 @@ void bench_run_cases(bench *b, FILE *progress)
     for (int back = 0; back <= 1; back++) {
         for (size_t i = 0; i < b->count; i++) {
             bench_case *c = &b->cases[i];
-            if (!c->selected || c->kind == BENCH_SKIPPED || looks_back(c) != (back == 1)) {
+            if (!c->selected || c->kind == BENCH_SKIPPED || uses_other_cases(c) != (back == 1)) {
                 continue;
             }
             done++;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static int compare_doubles(const void *a, const void *b)
+static int compare_values(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -12,7 +12,7 @@ static int compare_doubles(const void *a, const void *b)
 void bench_sort(double *values, size_t count)
 {
     if (count > 1) {
-        qsort(values, count, sizeof *values, compare_doubles);
+        qsort(values, count, sizeof *values, compare_values);
     }
 }
 

@@ -36,14 +36,14 @@ def mean(rows):
 
 
 def bars(cases, quick):
-    told = pick(cases, "topology")
+    topology = pick(cases, "topology")
     once = pick(cases, "closure")
-    if told:
-        count = sum(row["configurations"] for row in told)
-        yield "TOPOLOGY: wrong verdicts, all families", sum(row["wrong"] for row in told), "= 0", lambda v: v == 0
+    if topology:
+        count = sum(row["configurations"] for row in topology)
+        yield "TOPOLOGY: wrong verdicts, all families", sum(row["wrong"] for row in topology), "= 0", lambda v: v == 0
         yield "the same of one closure", sum(row["wrong"] for row in once), "= 0", lambda v: v == 0
         yield "configurations with a truth", count, ">= 1e5", lambda v: v >= 1e5 or quick
-        yield "uncertain, of them", sum(row["uncertain"] for row in told) / count, "< 0.001", lambda v: v < 1e-3
+        yield "uncertain, of them", sum(row["uncertain"] for row in topology) / count, "< 0.001", lambda v: v < 1e-3
         yield "the same of one closure", sum(row["uncertain"] for row in once) / sum(
             row["configurations"] for row in once), "< 0.001", lambda v: v < 1e-3
     moving = [row for (scene, _, _), row in cases.items() if scene in ("swaying", "tying")]

@@ -68,7 +68,7 @@ typedef struct tying_row {
     paper_tying tying;
     uint32_t steps, at;
     bool counted;
-    uint32_t looked, right, wrong, undone;
+    uint32_t observed, right, wrong, undone;
     watcher watcher;
 } tying_row;
 
@@ -84,14 +84,14 @@ static int set_up_tying(void *user)
 {
     tying_row *r = user;
     r->counted = false;
-    r->at = r->looked = r->right = r->wrong = r->undone = 0;
+    r->at = r->observed = r->right = r->wrong = r->undone = 0;
     return begin(&r->watcher, VBSS_KNOT_PROJECTION);
 }
 
 static int restore_tying(void *user)
 {
     tying_row *r = user;
-    r->counted = r->looked > 0;
+    r->counted = r->observed > 0;
     r->at = 0;
     show_tying(r);
     return vbss_knot_detector_reset(r->watcher.detector) == VBSS_OK ? 0 : 1;
@@ -122,7 +122,7 @@ static uint64_t hash_tying(void *user)
     (void)vbss_knot_detector_get_state(r->watcher.detector, &s, sizeof s);
     if (!r->counted) {
         bool right = s.loops == truth_of(&r->tying);
-        r->looked++;
+        r->observed++;
         r->right += right;
         r->wrong += !right;
         r->undone += s.undone > 0;
@@ -136,7 +136,7 @@ static uint64_t hash_tying(void *user)
 static void finish_tying(void *user, bench_result *result)
 {
     tying_row *r = user;
-    bench_counter(result, "configurations", r->looked);
+    bench_counter(result, "configurations", r->observed);
     bench_counter(result, "right", r->right);
     bench_counter(result, "wrong", r->wrong);
     bench_counter(result, "uncertain", 0.0); /* it never is */
@@ -160,11 +160,11 @@ static uint32_t usual_segments(const paper_tying *tying)
 {
     static vec3 points[PAPER_TYING_POINTS];
     uint32_t sum = 0;
-    enum { LOOKS = 50 };
-    for (uint64_t seed = 1; seed <= LOOKS; seed++) {
+    enum { SAMPLES = 50 };
+    for (uint64_t seed = 1; seed <= SAMPLES; seed++) {
         sum += paper_tying_make(tying, seed, points) - 1;
     }
-    return sum / LOOKS;
+    return sum / SAMPLES;
 }
 
 static void add_tying(bench *b, tying_row *r, const struct tied_family *of, double segment)

@@ -29,8 +29,8 @@ struct stage_row {
     vbss_knot_detector *detector;
     knot_detector *inside;
     uint32_t at;
-    uint64_t result; /* what the stage made of it: how many are left, or a number found */
-    uint32_t looked; /* configurations whose results are added up */
+    uint64_t result;   /* what the stage made of it: how many are left, or a number found */
+    uint32_t observed; /* configurations whose results are added up */
     double sum;
 };
 
@@ -309,7 +309,7 @@ static int set_up(void *user)
 {
     stage_row *r = user;
     vbss_knot_config config;
-    r->looked = 0;
+    r->observed = 0;
     r->sum = 0.0;
     if (r->stage->family == NULL) {
         r->inputs = wound_inputs(r->segments, r->wanted);
@@ -352,8 +352,8 @@ static uint64_t hash(void *user)
 {
     stage_row *r = user;
     uint64_t result = r->result;
-    if (r->looked < r->wanted) {
-        r->looked++;
+    if (r->observed < r->wanted) {
+        r->observed++;
         r->sum += (double)result;
     }
     if (++r->at < r->wanted) {

@@ -35,7 +35,7 @@ static unsigned seeds;
 static void end_trial(void *user)
 {
     (void)user;
-    stand_destroy(&now.site.stand);
+    throw_rig_destroy(&now.site.rig);
 }
 
 static int begin_trial(void *user)
@@ -47,19 +47,19 @@ static int begin_trial(void *user)
     stitch_plan_usual(&plan);
     snprintf(note, sizeof note, "vbss needle pass seed %lu", (unsigned long)t->seed);
     vbss_result result = stitch_create(&now, t->seed, &plan);
-    return (int)(result == VBSS_OK ? stand_begin(&now.site.stand, NULL, note) : result);
+    return (int)(result == VBSS_OK ? throw_rig_begin(&now.site.rig, NULL, note) : result);
 }
 
 static bool goes_on(void)
 {
-    return now.state < STITCH_DONE && now.site.stand.time < MAX_S;
+    return now.state < STITCH_DONE && now.site.rig.time < MAX_S;
 }
 
 static uint64_t hash_trial(void *user)
 {
     uint64_t hash = 0;
     (void)user;
-    (void)vbss_scene_get_hash(now.site.stand.scene, &hash);
+    (void)vbss_scene_get_hash(now.site.rig.scene, &hash);
     return hash;
 }
 
@@ -74,14 +74,14 @@ static int step(void *user, uint32_t index)
 {
     (void)user;
     (void)index;
-    return (int)stand_step(&now.site.stand, STEP_S);
+    return (int)throw_rig_step(&now.site.rig, STEP_S);
 }
 
 /* It ends in the step in which it ended the first time, and as it did. */
-static int look(void *user, uint32_t index)
+static int check_step(void *user, uint32_t index)
 {
     const trial *t = user;
-    vbss_result result = stitch_look(&now);
+    vbss_result result = stitch_observe(&now);
     bool last = index + 1 == t->steps;
     bool as_before = goes_on() != last && (!last || hash_trial(NULL) == t->end);
     return result == VBSS_OK && !as_before ? ENDS_OTHERWISE : (int)result;
@@ -95,7 +95,7 @@ static int know_trial(void *user)
     for (t->steps = 0; result == 0 && goes_on(); t->steps++) {
         result = lead(t, t->steps);
         result = result == 0 ? step(t, t->steps) : result;
-        result = result == 0 ? (int)stitch_look(&now) : result;
+        result = result == 0 ? (int)stitch_observe(&now) : result;
     }
     t->end = hash_trial(NULL);
     if (result != 0) {
@@ -127,7 +127,7 @@ static void finish_trial(void *user, bench_result *result)
 {
     trial *t = user;
     t->through = stitch_is_through(&now, t->off);
-    if (vbss_scene_get_statistics(now.site.stand.scene, &t->scene, sizeof t->scene) != VBSS_OK) {
+    if (vbss_scene_get_statistics(now.site.rig.scene, &t->scene, sizeof t->scene) != VBSS_OK) {
         bench_fail(result, "no statistics");
     }
     report(result, t->through ? 1.0 : 0.0, t->off, &t->scene);
@@ -173,7 +173,7 @@ void add_passed(bench *b)
                                               .restore = begin_trial,
                                               .before = lead,
                                               .step = step,
-                                              .after = look,
+                                              .after = check_step,
                                               .hash = hash_trial,
                                               .finish = finish_trial,
                                               .teardown = end_trial,

@@ -67,9 +67,9 @@ static vbss_result add_tool(parts_case *c, int tool)
     double at[3];
     tool_place(tool, 0.0, at);
     TRY(vbss_grasper_config_init(&config, sizeof config));
-    TRY(vbss_grasper_create(c->site.stand.context, &config, &c->tools[tool]));
+    TRY(vbss_grasper_create(c->site.rig.context, &config, &c->tools[tool]));
     TRY(vbss_grasper_move(c->tools[tool], at, NULL));
-    return vbss_scene_add_grasper(c->site.stand.scene, c->tools[tool], &c->bodies[tool]);
+    return vbss_scene_add_grasper(c->site.rig.scene, c->tools[tool], &c->bodies[tool]);
 }
 
 static vbss_result add_session(parts_case *c)
@@ -77,25 +77,25 @@ static vbss_result add_session(parts_case *c)
     const site *s = &c->site;
     vbss_session_config config;
     TRY(vbss_session_config_init(&config, sizeof config));
-    config.thread = s->stand.thread_body;
+    config.thread = s->rig.thread_body;
     config.needle = s->needle_body;
     config.drain = s->drain_body;
     config.tools[0] = c->bodies[0];
     config.tools[1] = c->bodies[1];
     if (has(c, PART_KNOTS)) {
-        TRY(vbss_knot_detector_create(s->stand.context, NULL, &config.knots));
+        TRY(vbss_knot_detector_create(s->rig.context, NULL, &config.knots));
     }
     if (has(c, PART_METRICS)) {
-        TRY(vbss_metrics_create(s->stand.context, NULL, &config.metrics));
+        TRY(vbss_metrics_create(s->rig.context, NULL, &config.metrics));
     }
     if (has(c, PART_RECORD)) {
         vbss_record_config record;
         TRY(vbss_record_config_init(&record, sizeof record));
         record.hash_interval = has(c, PART_HASHES) ? 1 : HASH_INTERVAL;
-        TRY(vbss_record_create(s->stand.scene, &record, &c->record));
+        TRY(vbss_record_create(s->rig.scene, &record, &c->record));
         config.record = c->record;
     }
-    return vbss_session_create(s->stand.scene, &config, &c->session);
+    return vbss_session_create(s->rig.scene, &config, &c->session);
 }
 
 static vbss_result make(parts_case *c)
@@ -114,8 +114,8 @@ static vbss_result make(parts_case *c)
 static void tear_down(void *user)
 {
     parts_case *c = user;
-    if (c->site.stand.context != NULL) {
-        (void)vbss_context_destroy(c->site.stand.context);
+    if (c->site.rig.context != NULL) {
+        (void)vbss_context_destroy(c->site.rig.context);
     }
     *c = (parts_case){.name = c->name, .last = c->last};
 }
@@ -153,14 +153,14 @@ static int step(void *user, uint32_t index)
         TRY(move_tool(c, tool, STEP_S * (index + 1)));
     }
     TRY(c->session != NULL ? vbss_session_step(c->session, STEP_S * index, STEP_S)
-                           : vbss_scene_step(c->site.stand.scene, STEP_S));
+                           : vbss_scene_step(c->site.rig.scene, STEP_S));
     return c->record != NULL ? take_log(c) : VBSS_OK;
 }
 
 static uint64_t hash(void *user)
 {
     uint64_t value = 0;
-    (void)vbss_scene_get_hash(((parts_case *)user)->site.stand.scene, &value);
+    (void)vbss_scene_get_hash(((parts_case *)user)->site.rig.scene, &value);
     return value;
 }
 
@@ -168,7 +168,7 @@ static void finish(void *user, bench_result *result)
 {
     const parts_case *c = user;
     vbss_scene_statistics s;
-    if (vbss_scene_get_statistics(c->site.stand.scene, &s, sizeof s) != VBSS_OK) {
+    if (vbss_scene_get_statistics(c->site.rig.scene, &s, sizeof s) != VBSS_OK) {
         bench_fail(result, "no statistics");
         return;
     }

@@ -153,7 +153,7 @@ passed *passed_create(vbss_scene *scene, uint32_t drain_body)
     return p;
 }
 
-bool passed_look(passed *p)
+bool passed_observe(passed *p)
 {
     uint64_t before = passed_sum(&p->counts);
     read_holes(p);

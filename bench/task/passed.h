@@ -27,7 +27,7 @@ typedef struct passed_counts {
 /* Watches the scene, which ends before this does; NULL: no memory. */
 passed *passed_create(vbss_scene *scene, uint32_t drain_body);
 /* After every step. False: something could not be asked. */
-bool passed_look(passed *p);
+bool passed_observe(passed *p);
 passed_counts passed_get(const passed *p);
 uint64_t passed_sum(const passed_counts *c);
 void passed_destroy(passed *p);

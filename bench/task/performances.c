@@ -57,8 +57,8 @@ typedef struct performance {
 static vbss_result begin(performance *p, const surgeon_options *o)
 {
     TRY(surgeon_create(&p->surgeon, o));
-    TRY(task_create(&p->task, &p->surgeon.stitch, p->surgeon.stitch.site.stand.record, NULL));
-    p->surgeon.stitch.site.stand.session = p->task.session;
+    TRY(task_create(&p->task, &p->surgeon.stitch, p->surgeon.stitch.site.rig.record, NULL));
+    p->surgeon.stitch.site.rig.session = p->task.session;
     return VBSS_OK;
 }
 
@@ -69,8 +69,8 @@ static bool goes_on(const performances *c, const performance *p)
 
 static void end(performance *p)
 {
-    (void)vbss_scene_get_hash(p->surgeon.stitch.site.stand.scene, &p->hash);
-    stand_destroy(&p->surgeon.stitch.site.stand);
+    (void)vbss_scene_get_hash(p->surgeon.stitch.site.rig.scene, &p->hash);
+    throw_rig_destroy(&p->surgeon.stitch.site.rig);
 }
 
 static double hand_feels(const hand *h)
@@ -105,7 +105,7 @@ static vbss_result count(performances *c, const performance *p)
     vbss_session_status status;
     vbss_knot_state knot;
     char notation[NOTATION];
-    TRY(vbss_scene_get_statistics(p->surgeon.stitch.site.stand.scene, &s, sizeof s));
+    TRY(vbss_scene_get_statistics(p->surgeon.stitch.site.rig.scene, &s, sizeof s));
     TRY(vbss_session_get_status(p->task.session, &status, sizeof status));
     TRY(vbss_knot_detector_get_state(p->task.knots, &knot, sizeof knot));
     TRY(vbss_knot_detector_get_notation(p->task.knots, notation, sizeof notation));
@@ -128,7 +128,7 @@ static vbss_result perform(performances *c, performance *p, const surgeon_option
         bench_interval started = bench_interval_begin(&clock);
         TRY(surgeon_step(&p->surgeon, STEP_S));
         bench_interval taken = bench_interval_end(&clock, started);
-        const uint64_t took = (uint64_t)(1e9 * p->surgeon.stitch.site.stand.took);
+        const uint64_t took = (uint64_t)(1e9 * p->surgeon.stitch.site.rig.took);
         const uint64_t thought = taken.cpu_ns > took ? taken.cpu_ns - took : 0;
         taken.cpu_ns = took;
         taken.wall_ns -= thought < taken.wall_ns ? thought : taken.wall_ns;
@@ -144,15 +144,15 @@ static vbss_result perform(performances *c, performance *p, const surgeon_option
 /* ---- once more */
 
 #ifdef VBSS_HAVE_ORACLE
-static vbss_result look_again(performances *c, performance *p, const surgeon_options *o)
+static vbss_result repeat_observed(performances *c, performance *p, const surgeon_options *o)
 {
     TRY(begin(p, o));
     passed *watch =
-        passed_create(p->surgeon.stitch.site.stand.scene, p->surgeon.stitch.site.drain_body);
+        passed_create(p->surgeon.stitch.site.rig.scene, p->surgeon.stitch.site.drain_body);
     vbss_result result = watch != NULL ? VBSS_OK : VBSS_ERROR_OUT_OF_MEMORY;
     while (result == VBSS_OK && goes_on(c, p)) {
         result = surgeon_step(&p->surgeon, STEP_S);
-        if (result == VBSS_OK && !passed_look(watch)) {
+        if (result == VBSS_OK && !passed_observe(watch)) {
             result = VBSS_ERROR_CAPACITY;
         }
     }
@@ -184,7 +184,7 @@ static vbss_result run_seed(performances *c, uint64_t seed)
 #ifdef VBSS_HAVE_ORACLE
     uint64_t hash = p.hash;
     if (result == VBSS_OK) {
-        result = look_again(c, &p, &o);
+        result = repeat_observed(c, &p, &o);
         c->repeats += p.hash == hash;
     }
 #endif

@@ -77,18 +77,18 @@ double cantilever_us_per_ms(const cantilever_method *method, uint32_t segments, 
 {
     const cantilever_setup setup = {.segments = segments, .dt = dt};
     uint32_t steps = cantilever_steps(CANTILEVER_FALL_S, dt);
-    double *min_ns = calloc(steps, sizeof *min_ns), spent_ns = 0.0;
+    double *min_ns = calloc(steps, sizeof *min_ns), total_ns = 0.0;
     bool good = min_ns != NULL;
     for (uint32_t i = 0; good && i < steps; i++) {
         min_ns[i] = 1e300;
     }
-    for (uint32_t r = 0; good && r < repetitions && spent_ns < ENOUGH_NS; r++) {
+    for (uint32_t r = 0; good && r < repetitions && total_ns < ENOUGH_NS; r++) {
         void *thread = method->create(&setup);
         good = thread != NULL && time_steps(method, thread, min_ns, steps);
         if (thread != NULL) {
             method->destroy(thread);
         }
-        spent_ns += good ? sum_of(min_ns, steps) : 0.0;
+        total_ns += good ? sum_of(min_ns, steps) : 0.0;
     }
     double us = good ? 1e-3 * sum_of(min_ns, steps) : (double)NAN;
     free(min_ns);

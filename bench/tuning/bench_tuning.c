@@ -94,9 +94,9 @@ static tuning_outcome run_apart(const tuning_scene *scene, const tuning_variable
 
 /* ---- a number */
 
-static double larger_change(double most, double change)
+static double larger_change(double largest, double change)
 {
-    return fabs(change) > fabs(most) ? change : most;
+    return fabs(change) > fabs(largest) ? change : largest;
 }
 
 static void count_changes(bench_result *result, const char *what, const char *factor,

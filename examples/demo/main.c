@@ -98,6 +98,6 @@ int main(int count, char **words)
     observe_pictures_end();
     observe_page_end();
     facts_destroy(&p.facts);
-    stand_destroy(&p.surgeon.stitch.site.stand);
+    throw_rig_destroy(&p.surgeon.stitch.site.rig);
     return done && whole ? 0 : 1;
 }

@@ -17,7 +17,7 @@ static bool begin(void *user, stage *s)
     return true;
 }
 
-static bool look(void *user, stage *s, uint64_t step, double time)
+static bool observe(void *user, stage *s, uint64_t step, double time)
 {
     return recorder_watch(user, s, step, time) == VBSS_OK;
 }
@@ -41,7 +41,7 @@ size_t observe_page(observer *into, size_t room, const char *path)
                          .path = path,
                          .user = &recorded,
                          .begin = begin,
-                         .step = look,
+                         .step = observe,
                          .end = end,
                          .write = write};
     return 1;

@@ -30,7 +30,7 @@ static void show_progress(performance *p, const surgeon *s)
         done += i < (int)s->stage ? usual[i] : 0.0;
     }
     if (s->stage < SURGEON_DONE) {
-        const double within = s->stitch.site.stand.time - p->watch.begin[s->stage];
+        const double within = s->stitch.site.rig.time - p->watch.begin[s->stage];
         done += within < usual[s->stage] ? within : usual[s->stage];
         bar_show(&p->bar, words[s->stage], done / whole);
     }
@@ -48,7 +48,7 @@ static vbss_result begin(performance *p, surgeon *s)
         observer *o = &p->observers[i];
         o->failed = !o->begin(o->user, &p->stage);
     }
-    return facts_look_begin(&p->facts, &p->stage);
+    return facts_observe_begin(&p->facts, &p->stage);
 }
 
 static void show_observers(performance *p, double time)
@@ -60,10 +60,10 @@ static void show_observers(performance *p, double time)
 }
 
 /* Before the first step, and after each one. */
-static vbss_result look(void *user, const watch *w, surgeon *s)
+static vbss_result observe(void *user, const watch *w, surgeon *s)
 {
     performance *p = user;
-    const stand *of = &s->stitch.site.stand;
+    const throw_rig *of = &s->stitch.site.rig;
     (void)w;
     if (p->stage.scene == NULL) {
         TRY(begin(p, s));
@@ -71,7 +71,7 @@ static vbss_result look(void *user, const watch *w, surgeon *s)
         vbss_scene_statistics now;
         TRY(vbss_scene_get_statistics(of->scene, &now, sizeof now));
         p->steps++;
-        TRY(facts_look(&p->facts, &p->stage, now.time, of->took));
+        TRY(facts_observe(&p->facts, &p->stage, now.time, of->took));
     }
     show_observers(p, of->time);
     show_progress(p, s);
@@ -89,12 +89,12 @@ static vbss_result find_out(performance *p)
     f->bytes = log.data;
     f->count = log.count;
     memset(f->tools, 0, sizeof f->tools);
-    TRY(facts_look_end(f, &p->stage));
+    TRY(facts_observe_end(f, &p->stage));
     TRY(facts_read(f));
     if (f->steps != p->steps || f->tools[LEFT] != left || f->tools[RIGHT] != right) {
         return VBSS_ERROR_CORRUPT;
     }
-    TRY(facts_look_at_session(f, &p->stage));
+    TRY(facts_observe_session(f, &p->stage));
     TRY(facts_phases(f));
     return facts_measure(f);
 }
@@ -129,7 +129,7 @@ static void write_pages(performance *p)
 bool perform(performance *p)
 {
     static double times[WATCH_STEPS];
-    p->watch.guest = look;
+    p->watch.guest = observe;
     p->watch.user = p;
     p->watch.options.log = p->at.log;
     p->watch.album = p->at.stages;
@@ -138,9 +138,6 @@ bool perform(performance *p)
     watch_report(&p->watch, &p->surgeon, p->result);
     watch_report_events(&p->watch);
     end_observers(p);
-    if (p->surgeon.stitch.site.stand.log != NULL) {
-        (void)fflush(p->surgeon.stitch.site.stand.log);
-    }
     const vbss_result known = p->steps > 0 ? find_out(p) : p->result;
     if (known == VBSS_OK) {
         write_pages(p);

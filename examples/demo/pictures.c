@@ -21,7 +21,7 @@ static bool begin(void *user, stage *s)
     return shots_begin(user, s);
 }
 
-static bool look(void *user, stage *s, uint64_t step, double time)
+static bool observe(void *user, stage *s, uint64_t step, double time)
 {
     (void)s;
     (void)step;
@@ -56,7 +56,7 @@ size_t observe_pictures(observer *into, size_t room, const char *film, const cha
                                        .path = i == FILM ? film : folder,
                                        .user = &taken[i],
                                        .begin = begin,
-                                       .step = look,
+                                       .step = observe,
                                        .end = finish};
         }
     }

@@ -13,7 +13,7 @@ static void put_measures(FILE *to, const performance *p)
     const surgeon *s = &p->surgeon;
     const vbss_metrics_report *r = &p->facts.measured.report;
     fprintf(to, "  time          %.1f s, simulated, in %.0f s by the clock\n",
-            s->stitch.site.stand.time, p->watch.wall);
+            s->stitch.site.rig.time, p->watch.wall);
     fprintf(to, "  knot          %s; %u throws tied, %u seated\n", name_of_knot(p),
             (unsigned)p->watch.status.throws, (unsigned)p->watch.status.seated);
     fprintf(to, "  needle        %.2f and %.2f mm beside the marks; dropped %u times\n",

@@ -5,7 +5,7 @@
 
 #include "painter/painter.h"
 
-/* The picture's plane: a millimetre of way is a millimetre, a newton is NEWTON. */
+/* The picture's plane: a millimetre of travel is a millimetre, a newton is NEWTON. */
 #define NEWTON 6e-3
 #define LEFT (-6e-3)
 #define RIGHT 19e-3
@@ -14,9 +14,9 @@
 #define WIDTH 28e-3 /* across the picture */
 enum { PIXELS_WIDE = 900, PIXELS_HIGH = 960 };
 
-static void put(double to[3], double way, double force, double before)
+static void put(double to[3], double travel, double force, double before)
 {
-    to[0] = way;
+    to[0] = travel;
     to[1] = NEWTON * force;
     to[2] = before;
 }
@@ -71,9 +71,9 @@ static bool add_axes(painter *p)
 
 static bool is_close(const force_curve *curve, size_t a, size_t b)
 {
-    double way = curve->way[b] - curve->way[a];
+    double travel = curve->travel[b] - curve->travel[a];
     double force = NEWTON * (curve->force[b] - curve->force[a]);
-    return way * way + force * force < CLOSE * CLOSE;
+    return travel * travel + force * force < CLOSE * CLOSE;
 }
 
 static bool add_curve(painter *p, const force_curve *curve, size_t from, size_t to,
@@ -86,8 +86,8 @@ static bool add_curve(painter *p, const force_curve *curve, size_t from, size_t 
         if (i + 1 < to && is_close(curve, last, i)) {
             continue;
         }
-        put(ends, curve->way[last], curve->force[last], 0.0);
-        put(ends + 3, curve->way[i], curve->force[i], 0.0);
+        put(ends, curve->travel[last], curve->force[last], 0.0);
+        put(ends + 3, curve->travel[i], curve->force[i], 0.0);
         fine = painter_add_chain(p, ends, 2, 0, 0.05e-3, colour, NULL) == PAINTER_OK;
         last = i;
     }

@@ -1,4 +1,4 @@
-/* What a hand drives a needle with over the tip's way: on and back, beside a published range. */
+/* What a hand drives a needle with over the travel of the tip, on and back, beside a published range. */
 #ifndef VBSS_EXAMPLES_DRAIN_FORCE_PLOT_H
 #define VBSS_EXAMPLES_DRAIN_FORCE_PLOT_H
 
@@ -8,8 +8,8 @@
 enum { FORCE_PLOT_POINTS = 8192 };
 
 typedef struct force_curve {
-    double way[FORCE_PLOT_POINTS], force[FORCE_PLOT_POINTS]; /* m, N */
-    size_t count, turn;                                      /* from there on it goes back */
+    double travel[FORCE_PLOT_POINTS], force[FORCE_PLOT_POINTS]; /* m, N */
+    size_t count, turn;                                         /* from there on it goes back */
 } force_curve;
 
 typedef struct force_plot {

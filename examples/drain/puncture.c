@@ -72,7 +72,7 @@ static bool paint(const char *folder, const moment *m, const puncture_scene *s)
 
 /* ---- the run */
 
-static void report(const puncture_scene *s, double way, double push)
+static void report(const puncture_scene *s, double travel, double push)
 {
     static const struct {
         vbss_event_kind kind;
@@ -82,7 +82,7 @@ static void report(const puncture_scene *s, double way, double push)
                   {VBSS_EVENT_PASSED, "has passed"}};
     for (int i = 0; i < 3; i++) {
         if (puncture_scene_count(s, events[i].kind) > 0) {
-            printf("%-14s%8.2f mm%9.3f N\n", events[i].name, 1e3 * way, push);
+            printf("%-14s%8.2f mm%9.3f N\n", events[i].name, 1e3 * travel, push);
         }
     }
 }
@@ -92,13 +92,13 @@ static bool run(const char *folder, puncture_scene *s, force_curve *curve)
     uint32_t steps = puncture_scene_steps(s, STEP_S);
     bool fine = steps <= FORCE_PLOT_POINTS;
     for (uint32_t i = 1; fine && i <= steps; i++) {
-        double push = 0.0, way = puncture_scene_way(s->speed, i, STEP_S);
+        double push = 0.0, travel = puncture_scene_travel(s->speed, i, STEP_S);
         fine =
             puncture_scene_step(s, STEP_S) == VBSS_OK && puncture_scene_push(s, &push) == VBSS_OK;
         curve->turn += s->speed * STEP_S * i <= PUNCTURE_SCENE_ON;
-        curve->way[curve->count] = way;
+        curve->travel[curve->count] = travel;
         curve->force[curve->count++] = push;
-        report(s, way, push);
+        report(s, travel, push);
         for (int k = 0; fine && k < MOMENTS; k++) {
             if (i == (uint32_t)(moments[k].at * steps)) {
                 fine = paint(folder, &moments[k], s);
@@ -117,7 +117,7 @@ static bool write_numbers(const char *path, const force_curve *curve)
     }
     fprintf(file, "way_mm,force_N\n");
     for (size_t i = 0; i < curve->count; i++) {
-        fprintf(file, "%.4f,%.5f\n", 1e3 * curve->way[i], curve->force[i]);
+        fprintf(file, "%.4f,%.5f\n", 1e3 * curve->travel[i], curve->force[i]);
     }
     return fclose(file) == 0;
 }
@@ -125,7 +125,7 @@ static bool write_numbers(const char *path, const force_curve *curve)
 static bool show(const char *folder, const force_curve *curve)
 {
     static const char *const names[] = {"force.svg", "force.png"};
-    const force_plot plot = {"What the hand drives the needle with, over the tip's way", 0.852,
+    const force_plot plot = {"What the hand drives the needle with, over the tip's travel", 0.852,
                              2.915, "Penrose drains, both walls: 0.85 to 2.92 N"};
     char path[512];
     bool fine = true;

@@ -20,7 +20,7 @@ static const moment moments[] = {
     {"closing", "the limbs are drawn apart", 420},
     {"shut", "shut, 2 N in each limb", STITCH_TIE_STEPS - 1},
 };
-enum { MOMENTS = sizeof moments / sizeof moments[0], TELL = 100 };
+enum { MOMENTS = sizeof moments / sizeof moments[0], REPORT_INTERVAL = 100 };
 
 /* As far round the drain as is worth a look. */
 #define NEAR 20e-3
@@ -85,7 +85,7 @@ static bool run(const char *folder, stitch_scene *s)
     bool fine = true;
     for (uint32_t i = 0; fine && i < STITCH_TIE_STEPS; i++) {
         fine = stitch_scene_tie(s, i, STEP_S) == VBSS_OK;
-        if (i % TELL == 0 || i + 1 == STITCH_TIE_STEPS) {
+        if (i % REPORT_INTERVAL == 0 || i + 1 == STITCH_TIE_STEPS) {
             report(s, i);
         }
         for (int k = 0; fine && k < MOMENTS; k++) {

@@ -9,7 +9,7 @@
 /* ---- the thread */
 
 /* A segment is painted in up to so many parts, each turning by so much at most, rad. */
-enum { MOST_PARTS = 3, CURVE_POINTS = MOST_PARTS * KNOT_NODES };
+enum { MAX_PARTS = 3, CURVE_POINTS = MAX_PARTS * KNOT_NODES };
 #define PART_TURN 0.15
 
 typedef struct curve {
@@ -22,8 +22,8 @@ typedef struct curve {
 static vec3 slope(const vec3 *x, uint32_t n, uint32_t node, double length)
 {
     vec3 before = x[node > 0 ? node - 1 : 0], after = x[node + 1 < n ? node + 1 : n - 1];
-    double way = vec3_distance(before, x[node]) + vec3_distance(x[node], after);
-    return vec3_scale(vec3_sub(after, before), length / way);
+    double path_length = vec3_distance(before, x[node]) + vec3_distance(x[node], after);
+    return vec3_scale(vec3_sub(after, before), length / path_length);
 }
 
 /* Tensions are of segments' middles; between those they are taken to go straight. */
@@ -54,7 +54,7 @@ static void add_segment(curve *c, const vec3 *x, uint32_t n, uint32_t i, draw_co
     double length = vec3_distance(x[i], x[i + 1]);
     vec3 begin = slope(x, n, i, length), end = slope(x, n, i + 1, length);
     double turn = vec3_distance(begin, end) / length;
-    int parts = (int)vbss_min(1.0 + turn / PART_TURN, MOST_PARTS);
+    int parts = (int)vbss_min(1.0 + turn / PART_TURN, MAX_PARTS);
     for (int part = 0; part < parts; part++) {
         double t = (double)part / parts, u = 1.0 - t;
         vec3 at = vec3_scale(x[i], u * u * (1.0 + 2.0 * t));

@@ -170,7 +170,7 @@ static double legend_height(const gallery_reading *r)
 }
 
 /* So that the knot stands below the legend; returns the panel's width, m. */
-static double look_at(painter *p, const panel *a, extent e)
+static double set_view(painter *p, const panel *a, extent e)
 {
     const double legend = legend_height(a->reading);
     vec3 size = vec3_sub(e.high, e.low);
@@ -205,7 +205,7 @@ static bool add_panel(painter *p, const gallery_knot *g, const panel *a)
     extent e = extent_of(g, a->frame, a->reading, a->loose);
     vec3 middle = vec3_lerp(e.low, e.high, 0.5);
     painter_clear(p);
-    double width = look_at(p, a, e);
+    double width = set_view(p, a, e);
     return width > 0.0 && add_thread(p, g, a, middle, REACH * width) &&
            draw_cylinder(p, g, a->loose ? 0.0 : middle.y, a->elevation != 0.0) &&
            add_legend(p, a) && painter_add_scale_bar(p, 1e-3, "1 mm") == PAINTER_OK;

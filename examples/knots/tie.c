@@ -75,7 +75,7 @@ static vbss_result step(gallery_knot *g, double *us)
     return laid || g->knot.steps % FRAME_EVERY == 0 ? keep_frame(g) : VBSS_OK;
 }
 
-static vbss_result look(gallery_knot *g)
+static vbss_result measure(gallery_knot *g)
 {
     vbss_scene_statistics s;
     knot_type found, right = knot_type_of_kind(g->kind, false);
@@ -114,7 +114,7 @@ static vbss_result tie(gallery_knot *g)
     }
     g->held = quantile(times, HELD_STEPS, 0.5);
     VBSS_TRY(keep_frame(g));
-    return look(g);
+    return measure(g);
 }
 
 void gallery_complain(const gallery_knot *g, vbss_result result)

@@ -52,9 +52,9 @@ const char *words_of_name(vbss_knot_name name)
     return name >= 0 && name <= VBSS_KNOT_NAME_OTHER ? names[name] : "?";
 }
 
-const char *words_of_result(vbss_knot_verdict verdict)
+const char *words_of_result(vbss_knot_verdict result)
 {
-    return verdict >= 0 && verdict <= VBSS_KNOT_VERDICT_UNCERTAIN ? results[verdict] : "?";
+    return result >= 0 && result <= VBSS_KNOT_VERDICT_UNCERTAIN ? results[result] : "?";
 }
 
 void words_of_throw(const vbss_knot_throw *t, char text[WORD_TAGS])

@@ -14,9 +14,9 @@ bool pass_replay(const pass_options *o)
     memset(&t, 0, sizeof t);
     /* its hands for their tools alone */
     if (log.count > 0 && stitch_create(&t, o->seed, &plan) == VBSS_OK) {
-        equal = replay_on(&t.site.stand, &log).equal;
+        equal = replay_on(&t.site.rig, &log).equal;
     }
     free(log.data);
-    stand_destroy(&t.site.stand);
+    throw_rig_destroy(&t.site.rig);
     return equal;
 }

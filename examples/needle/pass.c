@@ -30,7 +30,7 @@ static vbss_result feel_wall(const stitch *t, pass_outcome *out)
 {
     vbss_view contacts, forces;
     vec sum = v3(0.0, 0.0, 0.0);
-    vbss_scene *scene = t->site.stand.scene;
+    vbss_scene *scene = t->site.rig.scene;
     TRY(vbss_scene_get_view(scene, VBSS_SCENE_VIEW_CONTACTS, &contacts, sizeof contacts));
     TRY(vbss_scene_get_view(scene, VBSS_SCENE_VIEW_CONTACT_FORCES, &forces, sizeof forces));
     for (uint64_t i = 0; i < contacts.count; i++) {
@@ -62,7 +62,7 @@ static vbss_result feel(const stitch *t, pass_outcome *out)
     }
     if (t->right.holds) {
         vbss_grasp grasp;
-        TRY(vbss_scene_get_grasp(t->site.stand.scene, t->right.body, 0, &grasp, sizeof grasp));
+        TRY(vbss_scene_get_grasp(t->site.rig.scene, t->right.body, 0, &grasp, sizeof grasp));
         out->slid = grasp.slid;
     }
     return VBSS_OK;
@@ -83,12 +83,12 @@ static void show(const stitch *t, const pass_options *o, pass_outcome *out)
 {
     const char *stage = stage_of(t->state);
     if (o->verbose) {
-        printf("  %7.3f s  %s\n", t->site.stand.time, stitch_name(t->state));
+        printf("  %7.3f s  %s\n", t->site.rig.time, stitch_name(t->state));
     }
     if (o->folder != NULL && stage != NULL) {
         char path[512], text[96];
         snprintf(path, sizeof path, "%s/%s.png", o->folder, stage);
-        snprintf(text, sizeof text, "%.2f s, seed %lu: %s", t->site.stand.time,
+        snprintf(text, sizeof text, "%.2f s, seed %lu: %s", t->site.rig.time,
                  (unsigned long)o->seed, stage + 2);
         out->painted = show_picture(t, path, text) && out->painted;
     }
@@ -99,20 +99,19 @@ static void show(const stitch *t, const pass_options *o, pass_outcome *out)
 static vbss_result pass(stitch *t, const pass_options *o, pass_outcome *out)
 {
     stitch_state before = STITCH_LIE;
-    while (t->state < STITCH_DONE && t->site.stand.time < o->time_limit &&
-           out->count < PASS_STEPS) {
+    while (t->state < STITCH_DONE && t->site.rig.time < o->time_limit && out->count < PASS_STEPS) {
         TRY(stitch_lead(t, STEP));
         double begin = now();
-        TRY(stand_step(&t->site.stand, STEP));
+        TRY(throw_rig_step(&t->site.rig, STEP));
         out->steps[out->count++] = now() - begin;
-        TRY(stitch_look(t));
+        TRY(stitch_observe(t));
         TRY(feel(t, out));
         if (t->state != before) {
             show(t, o, out);
             before = t->state;
         }
     }
-    return stand_end(&t->site.stand);
+    return throw_rig_end(&t->site.rig);
 }
 
 static int by_size(const void *a, const void *b)
@@ -121,7 +120,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static vbss_result look_back(const stitch *t, pass_outcome *out)
+static vbss_result read_outcome(const stitch *t, pass_outcome *out)
 {
     out->good = stitch_is_through(t, out->off);
     for (int side = 0; side < 2; side++) {
@@ -136,9 +135,9 @@ static vbss_result look_back(const stitch *t, pass_outcome *out)
     out->tries = t->tries + 1;
     out->again = t->again;
     out->out = t->out;
-    out->time = t->site.stand.time;
+    out->time = t->site.rig.time;
     qsort(out->steps, out->count, sizeof *out->steps, by_size);
-    return vbss_scene_get_statistics(t->site.stand.scene, &out->scene, sizeof out->scene);
+    return vbss_scene_get_statistics(t->site.rig.scene, &out->scene, sizeof out->scene);
 }
 
 vbss_result pass_run(const pass_options *o, pass_outcome *out)
@@ -151,9 +150,9 @@ vbss_result pass_run(const pass_options *o, pass_outcome *out)
     stitch_plan_usual(&plan);
     vbss_result result = stitch_create(&t, o->seed, &plan);
     snprintf(note, sizeof note, "vbss needle pass seed %lu", (unsigned long)o->seed);
-    result = result ? result : stand_begin(&t.site.stand, o->log, note);
+    result = result ? result : throw_rig_begin(&t.site.rig, o->log, note);
     result = result ? result : pass(&t, o, out);
-    result = result ? result : look_back(&t, out);
-    stand_destroy(&t.site.stand);
+    result = result ? result : read_outcome(&t, out);
+    throw_rig_destroy(&t.site.rig);
     return result;
 }

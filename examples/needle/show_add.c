@@ -42,12 +42,12 @@ static bool add_drain(painter *p, const site *s)
 static bool add_needle(painter *p, const site *s)
 {
     vbss_view needle;
-    const vec *x = stand_nodes(&s->stand);
+    const vec *x = throw_rig_nodes(&s->rig);
     return vbss_needle_get_view(s->needle, VBSS_NEEDLE_VIEW_POINTS, &needle, sizeof needle) ==
                VBSS_OK &&
            painter_add_chain(p, needle.data, (size_t)needle.count, 0, s->wire, PAINTER_BLACK,
                              NULL) == PAINTER_OK &&
-           painter_add_chain(p, &x[0].x, s->stand.nodes, 0, THREAD_SHOWN, PAINTER_VIOLET, NULL) ==
+           painter_add_chain(p, &x[0].x, s->rig.nodes, 0, THREAD_SHOWN, PAINTER_VIOLET, NULL) ==
                PAINTER_OK;
 }
 

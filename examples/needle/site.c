@@ -22,7 +22,7 @@ static vbss_result make_scene(site *s, const site_plan *plan)
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;
     c.floor_height = s->floor;
-    return vbss_scene_create(s->stand.context, &c, &s->stand.scene);
+    return vbss_scene_create(s->rig.context, &c, &s->rig.scene);
 }
 
 /* Its x, y, z are the world's y, z, x. */
@@ -37,12 +37,12 @@ static vbss_result add_drain(site *s, const site_plan *plan)
     for (int i = 0; i < 4; i++) {
         c.orientation[i] = 0.5;
     }
-    TRY(vbss_drain_create(s->stand.context, &c, &s->drain));
+    TRY(vbss_drain_create(s->rig.context, &c, &s->drain));
     TRY(vbss_drain_get_places(s->drain, &s->places, sizeof s->places));
     TRY(make_scene(s, plan));
     return (plan->without & SITE_NO_DRAIN) != 0
                ? VBSS_OK
-               : vbss_scene_add_drain(s->stand.scene, s->drain, &s->drain_body);
+               : vbss_scene_add_drain(s->rig.scene, s->drain, &s->drain_body);
 }
 
 /* It lies so that turning it clockwise, as seen from above, drives its tip. */
@@ -59,17 +59,17 @@ static vbss_result add_needle(site *s, vec place, double turn, const site_plan *
     c.orientation[0] = 0.0;
     c.orientation[1] = vbss_cos(0.5 * turn);
     c.orientation[2] = vbss_sin(0.5 * turn);
-    TRY(vbss_needle_create(s->stand.context, &c, &s->needle));
+    TRY(vbss_needle_create(s->rig.context, &c, &s->needle));
     return (plan->without & SITE_NO_NEEDLE) != 0
                ? VBSS_OK
-               : vbss_scene_add_needle(s->stand.scene, s->needle, &s->needle_body);
+               : vbss_scene_add_needle(s->rig.scene, s->needle, &s->needle_body);
 }
 
 /* Straight on from the needle's end. */
 static vbss_result add_thread(site *s, const site_plan *plan)
 {
     const uint32_t segments = plan->segments;
-    static vec x[STAND_NODES];
+    static vec x[MAX_THREAD_NODES];
     vbss_thread_config c;
     vbss_needle_state needle;
     uint32_t pin;
@@ -89,24 +89,23 @@ static vbss_result add_thread(site *s, const site_plan *plan)
     c.damping = 2.0;
     c.drag = 1.0;
     c.cut_capacity = CUTS;
-    TRY(vbss_thread_create(s->stand.context, &c, &s->stand.thread));
-    s->stand.nodes = segments + 1;
-    s->stand.reversed = true;
+    TRY(vbss_thread_create(s->rig.context, &c, &s->rig.thread));
+    s->rig.nodes = segments + 1;
+    s->rig.reversed = true;
     if ((plan->without & SITE_NO_THREAD) != 0) {
         return VBSS_OK;
     }
-    TRY(vbss_scene_add_thread(s->stand.scene, s->stand.thread, &s->stand.thread_body));
+    TRY(vbss_scene_add_thread(s->rig.scene, s->rig.thread, &s->rig.thread_body));
     if ((plan->without & SITE_NO_NEEDLE) != 0) { /* nobody holds its begin */
         return VBSS_OK;
     }
-    return vbss_scene_pin_thread(s->stand.scene, s->stand.thread_body, 0, s->needle_body, swage,
-                                 &pin);
+    return vbss_scene_pin_thread(s->rig.scene, s->rig.thread_body, 0, s->needle_body, swage, &pin);
 }
 
 vbss_result site_create(site *s, vec place, double turn, const site_plan *plan)
 {
     memset(s, 0, sizeof *s);
-    TRY(vbss_context_create(NULL, &s->stand.context));
+    TRY(vbss_context_create(NULL, &s->rig.context));
     TRY(add_drain(s, plan));
     TRY(add_needle(s, place, turn, plan));
     return add_thread(s, plan);
@@ -133,7 +132,7 @@ vec site_forward(const site *s, double arc_length)
     return v3(-vbss_sin(angle), vbss_cos(angle), 0.0);
 }
 
-static const vec *look(const site *s, vbss_drain_field field)
+static const vec *view_of(const site *s, vbss_drain_field field)
 {
     vbss_view view;
     return vbss_drain_get_view(s->drain, field, &view, sizeof view) == VBSS_OK ? view.data : NULL;
@@ -141,12 +140,12 @@ static const vec *look(const site *s, vbss_drain_field field)
 
 vec site_mark(const site *s, int side)
 {
-    return look(s, VBSS_DRAIN_POSITIONS)[s->places.marks[side]];
+    return view_of(s, VBSS_DRAIN_POSITIONS)[s->places.marks[side]];
 }
 
 static vec rest(const site *s, int side)
 {
-    return look(s, VBSS_DRAIN_REST_POSITIONS)[s->places.marks[side]];
+    return view_of(s, VBSS_DRAIN_REST_POSITIONS)[s->places.marks[side]];
 }
 
 static vec out_of_drain(vec v)
@@ -168,8 +167,7 @@ vec site_normal_at_rest(const site *s, int side)
 
 bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole)
 {
-    for (uint32_t i = 0; vbss_scene_get_hole(s->stand.scene, i, hole, sizeof *hole) == VBSS_OK;
-         i++) {
+    for (uint32_t i = 0; vbss_scene_get_hole(s->rig.scene, i, hole, sizeof *hole) == VBSS_OK; i++) {
         if (hole->id == id) {
             return true;
         }
@@ -180,7 +178,7 @@ bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole)
 vec site_normal(const site *s, int side)
 {
     vbss_view view;
-    const vec *x = look(s, VBSS_DRAIN_POSITIONS);
+    const vec *x = view_of(s, VBSS_DRAIN_POSITIONS);
     vec sum = v3(0.0, 0.0, 0.0);
     uint32_t mark = s->places.marks[side];
     if (vbss_drain_get_view(s->drain, VBSS_DRAIN_TRIANGLES, &view, sizeof view) != VBSS_OK) {

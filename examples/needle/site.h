@@ -8,7 +8,7 @@
 enum { SITE_LEFT = 0, SITE_RIGHT = 1 };
 
 typedef struct site {
-    stand stand; /* scene, thread and log */
+    throw_rig rig; /* scene, thread and log */
     vbss_needle *needle;
     vbss_drain *drain;
     uint32_t needle_body, drain_body;

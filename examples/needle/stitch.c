@@ -58,7 +58,7 @@ static void steer(stitch *t, const pose *needle, double speed)
     hold_steer(&t->right, &t->held, needle, speed);
 }
 
-/* ---- the way of the needle */
+/* ---- the path of the needle */
 
 static vec targeted(const stitch *t, int side)
 {
@@ -206,7 +206,7 @@ static double felt(const hand *h)
  * too much. */
 typedef enum yielding { HOLDS, TIPS, LEAVES, WEDGES } yielding;
 
-static yielding gives_way(stitch *t)
+static yielding check_yielding(stitch *t)
 {
     pose needle = site_needle(&t->site);
     vec n = site_normal(&t->site, SITE_LEFT);
@@ -273,7 +273,7 @@ static void drive(stitch *t, double dt)
         t->trim = v_limit(v_along(t->trim, dt / TRIMMING, off), FOLLOW);
         step = SLOWLY * DRIVE * dt * clamp(2.0 - v_length(off) / NEARLY, 0.05, 1.0);
     }
-    yielding how = t->state == STITCH_LEAVE ? gives_way(t) : HOLDS;
+    yielding how = t->state == STITCH_LEAVE ? check_yielding(t) : HOLDS;
     if (how != HOLDS) {
         try_again(t, how);
     }
@@ -349,7 +349,7 @@ static void lead_left(stitch *t)
     vec outer = site_normal_at_rest(&t->site, SITE_LEFT);
     vec on = v_along(v_along(left, off, outer), -LOWER, v_cross(v3(0.0, 1.0, 0.0), outer));
     on = v_add(on, t->fork);
-    vec way = v_unit(v_sub(h->trocar, in)), tip = v_along(in, -FORK_BEYOND, way);
+    vec direction = v_unit(v_sub(h->trocar, in)), tip = v_along(in, -FORK_BEYOND, direction);
     switch (t->support) {
     case SUPPORT_AWAY:
         if (t->since > 0.1 && t->state > STITCH_LIE) {
@@ -358,8 +358,8 @@ static void lead_left(stitch *t)
         }
         break;
     case SUPPORT_OVER:
-        hand_go(h, v_along(tip, 0.02, way), CARRY);
-        if (v_distance(h->at, v_add(v_along(tip, 0.02, way), h->target_at)) < 0.5e-3) {
+        hand_go(h, v_along(tip, 0.02, direction), CARRY);
+        if (v_distance(h->at, v_add(v_along(tip, 0.02, direction), h->target_at)) < 0.5e-3) {
             enter_support(t, SUPPORT_UNDER);
         }
         break;
@@ -370,22 +370,22 @@ static void lead_left(stitch *t)
         }
         break;
     case SUPPORT_OUT:
-        hand_go(h, v_along(tip, 0.025, way), CARRY);
-        if (v_distance(h->at, v_add(v_along(tip, 0.025, way), h->target_at)) < 1e-3) {
+        hand_go(h, v_along(tip, 0.025, direction), CARRY);
+        if (v_distance(h->at, v_add(v_along(tip, 0.025, direction), h->target_at)) < 1e-3) {
             enter_support(t, SUPPORT_BESIDE);
         }
         break;
     case SUPPORT_BESIDE:
-        way = v_unit(v_sub(h->trocar, on));
-        hand_go(h, v_along(on, 4e-3, way), CARRY);
+        direction = v_unit(v_sub(h->trocar, on));
+        hand_go(h, v_along(on, 4e-3, direction), CARRY);
         if (t->state != STITCH_EASE &&
-            v_distance(h->at, v_add(v_along(on, 4e-3, way), h->target_at)) < 0.5e-3) {
+            v_distance(h->at, v_add(v_along(on, 4e-3, direction), h->target_at)) < 0.5e-3) {
             enter_support(t, SUPPORT_ON);
         }
         break;
     case SUPPORT_ON:
-        way = v_unit(v_sub(h->trocar, on));
-        hand_go(h, v_along(on, -PUSH, way), CAREFUL);
+        direction = v_unit(v_sub(h->trocar, on));
+        hand_go(h, v_along(on, -PUSH, direction), CAREFUL);
         if (t->state == STITCH_EASE) {
             enter_support(t, SUPPORT_BESIDE);
         } else if (t->out > HELPED) {
@@ -393,8 +393,8 @@ static void lead_left(stitch *t)
         }
         break;
     case SUPPORT_BACK:
-        way = v_unit(v_sub(h->trocar, on));
-        hand_go(h, v_along(on, 0.03, way), CARRY);
+        direction = v_unit(v_sub(h->trocar, on));
+        hand_go(h, v_along(on, 0.03, direction), CARRY);
         break;
     }
 }
@@ -453,13 +453,13 @@ static bool sprang_off(stitch *t, uint32_t id)
     return just;
 }
 
-vbss_result stitch_look(stitch *t)
+vbss_result stitch_observe(stitch *t)
 {
     vbss_view view;
     vbss_hole hole;
     TRY(hand_feel(&t->right));
     TRY(hand_feel(&t->left));
-    TRY(vbss_scene_get_view(t->site.stand.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
+    TRY(vbss_scene_get_view(t->site.rig.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
         if (event[0] == VBSS_EVENT_PUNCTURE) {

@@ -76,7 +76,7 @@ vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan);
 /* Tells both hands what to do in the coming step, and moves their tools. */
 vbss_result stitch_lead(stitch *t, double dt);
 /* Looks at what it did. */
-vbss_result stitch_look(stitch *t);
+vbss_result stitch_observe(stitch *t);
 const char *stitch_name(stitch_state state);
 /* stitch_judge.c. How far either hole is from its mark, m (below 0: there is none); true: the needle went through both walls, once
  * each and near their marks. */

@@ -23,7 +23,7 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_le
     if (free_left) { /* this one is wound about as well */
         c.driver_neck = NECK;
     }
-    TRY(hand_create_with(&t->right, &t->site.stand, nature, &c, v3(0.05, -0.05, 0.03),
+    TRY(hand_create_with(&t->right, &t->site.rig, nature, &c, v3(0.05, -0.05, 0.03),
                          v3(0.0, 0.0, 1.0), STITCH_JAW_WIDE));
     TRY(vbss_grasper_config_init(&c, sizeof c));
     hand_stiffen(&c);
@@ -33,7 +33,7 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_le
         c.has_trocar = 1;
         v_store(c.trocar, LEFT_TROCAR);
     }
-    TRY(hand_create_with(&t->left, &t->site.stand, &left, &c, v3(-0.04, -0.01, 0.03), LEFT_POINT,
+    TRY(hand_create_with(&t->left, &t->site.rig, &left, &c, v3(-0.04, -0.01, 0.03), LEFT_POINT,
                          FORK));
     hand_through(&t->left, LEFT_TROCAR);
     hand_turn(&t->left, LEFT_POINT);

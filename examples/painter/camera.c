@@ -49,10 +49,10 @@ painter_result painter_set_camera(painter *p, const painter_camera *camera)
 
 painter_camera camera_from_above(const painter_camera *camera)
 {
-    vec target = vec_of(camera->target), way = vec_sub(target, vec_of(camera->eye));
-    vec forward = unit(way), up = vec_of(camera->up);
+    vec target = vec_of(camera->target), to_target = vec_sub(target, vec_of(camera->eye));
+    vec forward = unit(to_target), up = vec_of(camera->up);
     up = unit(vec_sub(up, vec_scale(forward, vec_dot(up, forward))));
-    vec eye = vec_add(target, vec_scale(up, vec_length(way)));
+    vec eye = vec_add(target, vec_scale(up, vec_length(to_target)));
     painter_camera above = *camera;
     memcpy(above.eye, (double[3]){eye.x, eye.y, eye.z}, sizeof above.eye);
     memcpy(above.up, (double[3]){forward.x, forward.y, forward.z}, sizeof above.up);
@@ -168,15 +168,15 @@ painter_result painter_get_camera(painter *p, painter_camera *camera)
 view view_of(const painter_camera *camera, int width, int height)
 {
     view v = {.eye = vec_of(camera->eye), .width = width, .height = height};
-    vec way = vec_sub(vec_of(camera->target), v.eye);
-    v.forward = unit(way);
+    vec to_target = vec_sub(vec_of(camera->target), v.eye);
+    v.forward = unit(to_target);
     v.right = unit(vec_cross(v.forward, vec_of(camera->up)));
     v.up = vec_cross(v.right, v.forward);
     v.perspective = !(camera->width > 0.0);
     v.scale = v.perspective ? 0.5 * width / tan(0.5 * camera->angle) : width / camera->width;
     v.middle_x = 0.5 * width;
     v.middle_y = 0.5 * height;
-    v.near = 1e-3 * vec_length(way);
+    v.near = 1e-3 * vec_length(to_target);
     return v;
 }
 

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-enum { MOST_PARTS = 96, MAX_JOINED = 16 };
+enum { MAX_PARTS = 96, MAX_JOINED = 16 };
 
 static bool is_round(const shape *s)
 {
@@ -46,14 +46,14 @@ int pieces_walk(const drawing *d, const shape *s, double t, int step, double len
     double left = length, skipped = 0.0; /* points that crowd are left out */
     while (s != NULL && count < room) {
         vec end = step < 0 ? s->a : s->b;
-        double way = vec_length(vec_sub(end, at));
-        if (way >= left) {
-            points[count++] = way > 0.0 ? vec_lerp(at, end, left / way) : end;
+        double distance = vec_length(vec_sub(end, at));
+        if (distance >= left) {
+            points[count++] = distance > 0.0 ? vec_lerp(at, end, left / distance) : end;
             return count;
         }
         at = end;
-        left -= way;
-        skipped += way;
+        left -= distance;
+        skipped += distance;
         if (skipped >= 0.125 * length) {
             points[count++] = at;
             skipped = 0.0;
@@ -92,7 +92,7 @@ static size_t pieces_from(const drawing *d, size_t first, piece *to, size_t *nex
     const shape *s = &d->placed[first];
     double wanted = wanted_length(d, s), length = is_round(s) ? length_of(s) : 0.0;
     piece all = {.first = first, .last = first, .t0 = 0.0, .t1 = 1.0};
-    size_t parts = (size_t)clamp(ceil(length / wanted), 1.0, MOST_PARTS);
+    size_t parts = (size_t)clamp(ceil(length / wanted), 1.0, MAX_PARTS);
     while (parts == 1 && is_joined(d, &all, length, wanted)) {
         all.last++;
         length += length_of(&d->placed[all.last]);

@@ -42,7 +42,7 @@ static bool is_one_surface(const shape *a, const shape *b)
 }
 
 /* Something stands before what is seen at `behind`, by more than a crossing's rounding. */
-static bool stands_before(const scene *s, const shape *front, double distance, size_t behind)
+static bool is_before(const scene *s, const shape *front, double distance, size_t behind)
 {
     if (is_empty(s, behind)) {
         return true;
@@ -72,7 +72,7 @@ static void darken_round(scene *s, int x, int y, const shape *front, double dist
             } else if (dusk && off < reach && !is_empty(s, at)) {
                 dark = dusk_strength * (1.0 - off / reach);
             }
-            if (dark > (double)s->covered[at] && stands_before(s, front, distance, at)) {
+            if (dark > (double)s->covered[at] && is_before(s, front, distance, at)) {
                 s->covered[at] = (float)dark;
             }
         }
@@ -95,7 +95,7 @@ static void darken_behind(scene *s, int x, int y)
     double distance = s->seen.distance[at];
     bool edge = false, surface = false;
     for (int i = 0; i < 4; i++) {
-        if (stands_before(s, front, distance, next[i])) {
+        if (is_before(s, front, distance, next[i])) {
             edge = true;
             surface = surface || !is_empty(s, next[i]);
         }
@@ -126,9 +126,9 @@ static double grid_line(const scene *s, const shape *floor_shape, vec place)
     vec from = vec_sub(place, floor_shape->a), normal = vec_cross(floor_shape->b, floor_shape->c);
     double area2 = vec_dot(normal, normal), line = 0.0;
     double scale = view_scale_at(&s->v, place.z) / SAMPLES;
-    for (int way = 0; way < 2; way++) {
-        vec along = way == 0 ? floor_shape->b : floor_shape->c;
-        vec other = way == 0 ? floor_shape->c : floor_shape->b;
+    for (int axis = 0; axis < 2; axis++) {
+        vec along = axis == 0 ? floor_shape->b : floor_shape->c;
+        vec other = axis == 0 ? floor_shape->c : floor_shape->b;
         vec across = vec_cross(other, normal);
         double t = fabs(vec_dot(from, across)) / area2 * floor_shape->cells;
         double off = fabs(t - floor(t + 0.5)) / floor_shape->cells * vec_length(along);

@@ -18,11 +18,11 @@ typedef struct seen {
     const film_vertex *vertices;
     const uint32_t *triangles; /* x 3 */
     const part *parts;
-    const film_spot *spots; /* with the place of the part for the body */
-    uint64_t part_count, spot_count;
+    const film_decal *decals; /* with the place of the part for the body */
+    uint64_t part_count, decal_count;
 } seen;
 
-static bool look(vbss_visual *visual, seen *s)
+static bool get_views(vbss_visual *visual, seen *s)
 {
     vbss_view v[4];
     for (int i = 0; i < 4; i++) {
@@ -33,9 +33,9 @@ static bool look(vbss_visual *visual, seen *s)
     s->vertices = v[VBSS_VISUAL_VIEW_VERTICES].data;
     s->triangles = v[VBSS_VISUAL_VIEW_TRIANGLES].data;
     s->parts = v[VBSS_VISUAL_VIEW_PARTS].data;
-    s->spots = v[VBSS_VISUAL_VIEW_SPOTS].data;
+    s->decals = v[VBSS_VISUAL_VIEW_SPOTS].data;
     s->part_count = v[VBSS_VISUAL_VIEW_PARTS].count;
-    s->spot_count = v[VBSS_VISUAL_VIEW_SPOTS].count;
+    s->decal_count = v[VBSS_VISUAL_VIEW_SPOTS].count;
     return true;
 }
 
@@ -182,17 +182,17 @@ static bool keep_place(film *f, const double place[3])
 
 static bool keep_pose(film *f, const film_model *m, const film_vertex *vertices)
 {
-    double place[3], turn[4], way = 0.0;
+    double place[3], turn[4], cosine = 0.0;
     film_pose(m, vertices, place, turn);
     if (!keep_place(f, place)) {
         return false;
     }
     /* The sign of the frame before, if that has the same number here, so that differences are small. */
     for (size_t i = 0; i < 4 && f->now_count + i < f->before_count; i++) {
-        way += turn[i] * (double)f->before[f->now_count + i];
+        cosine += turn[i] * (double)f->before[f->now_count + i];
     }
     for (int i = 0; i < 4; i++) {
-        if (!keep_number(f, way < 0.0 ? -turn[i] : turn[i], FILM_TURN)) {
+        if (!keep_number(f, cosine < 0.0 ? -turn[i] : turn[i], FILM_TURN)) {
             return false;
         }
     }
@@ -274,27 +274,27 @@ static bool keep_layout(film *f, const film_layout *layout)
 
 /* ---- spots */
 
-static bool keep_spots(film *f, const seen *s)
+static bool keep_decals(film *f, const seen *s)
 {
-    const film_spots *last = f->spot_count > 0 ? &f->spots[f->spot_count - 1] : NULL;
-    const size_t bytes = (size_t)s->spot_count * sizeof *s->spots;
-    film_spot *rows = malloc(bytes + 1);
+    const film_decals *last = f->decal_count > 0 ? &f->decals[f->decal_count - 1] : NULL;
+    const size_t bytes = (size_t)s->decal_count * sizeof *s->decals;
+    film_decal *rows = malloc(bytes + 1);
     if (rows == NULL) {
         return false;
     }
-    for (uint64_t i = 0; i < s->spot_count; i++) {
-        rows[i] = s->spots[i];
-        rows[i].body = (float)s->parts[(size_t)s->spots[i].body].body;
+    for (uint64_t i = 0; i < s->decal_count; i++) {
+        rows[i] = s->decals[i];
+        rows[i].body = (float)s->parts[(size_t)s->decals[i].body].body;
     }
-    if (last != NULL && last->count == s->spot_count && memcmp(last->rows, rows, bytes) == 0) {
+    if (last != NULL && last->count == s->decal_count && memcmp(last->rows, rows, bytes) == 0) {
         free(rows);
         return true;
     }
-    if (!facts_room((void **)&f->spots, &f->spot_room, f->spot_count, sizeof *f->spots)) {
+    if (!facts_room((void **)&f->decals, &f->decal_room, f->decal_count, sizeof *f->decals)) {
         free(rows);
         return false;
     }
-    f->spots[f->spot_count++] = (film_spots){f->frames, (uint32_t)s->spot_count, rows};
+    f->decals[f->decal_count++] = (film_decals){f->frames, (uint32_t)s->decal_count, rows};
     return true;
 }
 
@@ -305,7 +305,7 @@ bool film_add(film *f, vbss_visual *visual)
     film_layout layout = {.count = 0};
     seen s;
     f->now_count = 0;
-    if (!look(visual, &s)) {
+    if (!get_views(visual, &s)) {
         return false;
     }
     for (uint64_t i = 0; i < s.part_count; i++) {
@@ -320,7 +320,7 @@ bool film_add(film *f, vbss_visual *visual)
             }
         }
     }
-    if (!keep_layout(f, &layout) || !keep_spots(f, &s) || !film_code(f)) {
+    if (!keep_layout(f, &layout) || !keep_decals(f, &s) || !film_code(f)) {
         return false;
     }
     f->frames++;
@@ -333,10 +333,10 @@ void film_free(film *f)
         free(f->models[i].vertices);
         free(f->models[i].triangles);
     }
-    for (size_t i = 0; i < f->spot_count; i++) {
-        free(f->spots[i].rows);
+    for (size_t i = 0; i < f->decal_count; i++) {
+        free(f->decals[i].rows);
     }
-    free(f->spots);
+    free(f->decals);
     free(f->layouts);
     free(f->bytes);
     free(f->now);

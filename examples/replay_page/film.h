@@ -19,9 +19,9 @@ typedef struct film_vertex {
 } film_vertex;
 
 /* A row of VBSS_VISUAL_VIEW_SPOTS, with the body in the place of the part. */
-typedef struct film_spot {
+typedef struct film_decal {
     float body, kind, material[3], radius;
-} film_spot;
+} film_decal;
 
 typedef enum film_form { FILM_RIGID, FILM_TUBE, FILM_SURFACE } film_form;
 
@@ -50,18 +50,18 @@ typedef struct film_layout {
 } film_layout;
 
 /* Spots of a drain from a frame on. */
-typedef struct film_spots {
+typedef struct film_decals {
     uint32_t frame, count;
-    film_spot *rows;
-} film_spots;
+    film_decal *rows;
+} film_decals;
 
 typedef struct film {
     film_model models[FILM_MODELS];
     uint32_t model_count;
     film_layout *layouts;
     size_t layout_count, layout_room;
-    film_spots *spots;
-    size_t spot_count, spot_room;
+    film_decals *decals;
+    size_t decal_count, decal_room;
     uint32_t frames;
     uint8_t *bytes; /* the frames, as film_code.c writes them */
     size_t byte_count, byte_room;

@@ -171,11 +171,11 @@ static void put_layout(page *p, const film_layout *l)
     put(p, "]");
 }
 
-static void put_spots(page *p, const film_spots *s)
+static void put_decals(page *p, const film_decals *s)
 {
     put(p, "{\"frame\":%u,\"rows\":[", (unsigned)s->frame);
     for (uint32_t i = 0; i < s->count; i++) {
-        const film_spot *r = &s->rows[i];
+        const film_decal *r = &s->rows[i];
         put(p, "%s[%g,%g,%.7g,%.7g,%.7g,%.4g]", i > 0 ? "," : "", (double)r->body, (double)r->kind,
             (double)r->material[0], (double)r->material[1], (double)r->material[2],
             (double)r->radius);
@@ -197,9 +197,9 @@ void film_put(page *p, const film *f)
         put_layout(p, &f->layouts[i]);
     }
     put(p, "],\n\"spots\":[");
-    for (size_t i = 0; i < f->spot_count; i++) {
+    for (size_t i = 0; i < f->decal_count; i++) {
         put(p, "%s", i > 0 ? "," : "");
-        put_spots(p, &f->spots[i]);
+        put_decals(p, &f->decals[i]);
     }
     put(p, "],\n\"numbers\":\"");
     put_base64(p, f->bytes, f->byte_count);

@@ -47,8 +47,8 @@ static uint32_t farthest(const film_model *m, v3 from, v3 line)
     uint32_t best = 0;
     double largest = -1.0;
     for (uint32_t i = 0; i < m->vertex_count; i++) {
-        v3 way = less(at(&m->vertices[i]), from);
-        v3 off = dot(line, line) > 0.0 ? cross(line, way) : way;
+        v3 offset = less(at(&m->vertices[i]), from);
+        v3 off = dot(line, line) > 0.0 ? cross(line, offset) : offset;
         if (dot(off, off) > largest) {
             largest = dot(off, off);
             best = i;

@@ -92,7 +92,7 @@ static void put_reporting(page *p, const facts *f, const film *shown, const repo
 }
 
 /* Of what happens again within a frame between the same two the first is told. */
-static bool is_news(const facts *f, size_t i, double apart)
+static bool is_first_report(const facts *f, size_t i, double apart)
 {
     const happening *e = &f->events[i];
     while (i-- > 0 && e->time - f->events[i].time < apart) {
@@ -112,7 +112,7 @@ static void put_events(page *p, const facts *f, const film *shown)
     put(p, "\"events\":[");
     for (size_t i = 0; i < f->event_count; i++) {
         for (int k = 0; k < TELLINGS; k++) {
-            if (f->events[i].kind == tellings[k].kind && is_news(f, i, apart)) {
+            if (f->events[i].kind == tellings[k].kind && is_first_report(f, i, apart)) {
                 put(p, "%s", first ? "" : ",\n");
                 put_reporting(p, f, shown, &tellings[k], &f->events[i]);
                 first = false;

@@ -1,4 +1,4 @@
-/* The steps of a log made once more. (What is seen of them: look.c.) */
+/* The steps of a log made once more. (What is seen of them: observe.c.) */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,19 +21,19 @@ static vbss_result play(facts *f, stage *s)
     TRY(vbss_replay_create(s->context, f->bytes, f->count, &replay));
     TRY(vbss_replay_begin(replay, s->scene));
     TRY(stage_follow_task(s, replay));
-    TRY(facts_look_begin(f, s));
+    TRY(facts_observe_begin(f, s));
     for (;;) {
         bool agrees = true;
         double begin = now();
         TRY(stage_step(s, replay, &a->report, &agrees));
-        double spent = now() - begin;
+        double cpu_time = now() - begin;
         a->session.agrees = a->session.agrees && agrees;
         if (a->report.outcome != VBSS_REPLAY_STEPPED || a->report.step > f->steps) {
             return VBSS_OK;
         }
         TRY(stage_follow(s));
-        TRY(facts_look(f, s, f->moments[a->report.step - 1].time, spent));
-        TRY(a->count == f->steps ? facts_look_end(f, s) : VBSS_OK);
+        TRY(facts_observe(f, s, f->moments[a->report.step - 1].time, cpu_time));
+        TRY(a->count == f->steps ? facts_observe_end(f, s) : VBSS_OK);
     }
 }
 
@@ -52,7 +52,7 @@ vbss_result facts_again(facts *f)
         }
         snprintf(a->problem, sizeof a->problem, "%s", text);
     }
-    vbss_result result = facts_look_at_session(f, &s);
+    vbss_result result = facts_observe_session(f, &s);
     stage_destroy(&s);
     return result;
 }

@@ -7,11 +7,11 @@
 
 static double largest(const double *v, size_t n)
 {
-    double most = 0.0;
+    double largest_value = 0.0;
     for (size_t i = 0; i < n; i++) {
-        most = v[i] > most ? v[i] : most;
+        largest_value = v[i] > largest_value ? v[i] : largest_value;
     }
-    return most;
+    return largest_value;
 }
 
 static double *times(double begin, size_t n)
@@ -28,8 +28,9 @@ static void put_both(page *p, const facts *f, double *const rows[SIDES], const s
                      const char *title, const char *description, const char *unit, double scale)
 {
     const measured *m = &f->measured;
-    double most = fmax(largest(rows[LEFT], count[LEFT]), largest(rows[RIGHT], count[RIGHT]));
-    plot d = plot_of_time(p, title, description, facts_end(f), scale * most, unit);
+    double largest_value =
+        fmax(largest(rows[LEFT], count[LEFT]), largest(rows[RIGHT], count[RIGHT]));
+    plot d = plot_of_time(p, title, description, facts_end(f), scale * largest_value, unit);
     plot_phases(&d, f);
     for (int side = 0; side < SIDES; side++) {
         double *t = times(m->begin, count[side]);

@@ -1,4 +1,4 @@
-/* All that a report is made from: what the log says (read.c), what is seen of its steps (again.c, look.c), what follows from both
+/* All that a report is made from: what the log says (read.c), what is seen of its steps (again.c, observe.c), what follows from both
  * (phases.c, measure.c). What is not known says so. */
 #ifndef VBSS_EXAMPLES_REPORT_FACTS_H
 #define VBSS_EXAMPLES_REPORT_FACTS_H
@@ -49,7 +49,7 @@ typedef struct again_step {
     double force[SIDES]; /* on the hands, N */
     double gap, widest;  /* of the slit, m; below 0: there is none */
     double pulls[SIDES][3];
-    double spent; /* thread CPU time, s */
+    double cpu_time; /* thread CPU time, s */
     uint32_t contacts;
 } again_step;
 
@@ -161,14 +161,14 @@ bool facts_room(void **array, size_t *room, size_t used, size_t size);
 vbss_result facts_read(facts *f);
 /* again.c: plays it back, if its scene can be made once more. What fails is told in `again`. */
 vbss_result facts_again(facts *f);
-/* look.c: looks at a scene before its first step, after each step, after its last one; facts_again does. Who makes the
+/* observe.c: looks at a scene before its first step, after each step, after its last one; facts_again does. Who makes the
  * steps himself names the tools in `tools`, and reads the log after that. */
-vbss_result facts_look_begin(facts *f, struct stage *s);
-vbss_result facts_look(facts *f, struct stage *s, double time, double spent);
-vbss_result facts_look_end(facts *f, struct stage *s);
+vbss_result facts_observe_begin(facts *f, struct stage *s);
+vbss_result facts_observe(facts *f, struct stage *s, double time, double cpu_time);
+vbss_result facts_observe_end(facts *f, struct stage *s);
 /* What the session told and measured; the tools must be those of the page. */
-vbss_result facts_look_at_session(facts *f, struct stage *s);
-/* The last reading that was certified; NULL: none was. (look.c) */
+vbss_result facts_observe_session(facts *f, struct stage *s);
+/* The last reading that was certified; NULL: none was. (observe.c) */
 const reading *facts_certified(const facts *f);
 /* phases.c */
 vbss_result facts_phases(facts *f);

@@ -15,7 +15,7 @@ typedef struct feeder {
 } feeder;
 
 /* Beyond the room for it something is not counted; nothing else may be refused. */
-static vbss_result tell(feeder *d, const vbss_metrics_event *e)
+static vbss_result feed_event(feeder *d, const vbss_metrics_event *e)
 {
     vbss_result result = vbss_metrics_add_event(d->metrics, e);
     return result == VBSS_ERROR_CAPACITY ? VBSS_OK : result;
@@ -40,7 +40,7 @@ static vbss_result report_phases(feeder *d, const moment *m)
         vbss_metrics_event e =
             event_of(VBSS_METRICS_EVENT_PHASE, f->phases[d->phase].step, d->last);
         e.number = (uint32_t)d->phase;
-        TRY(tell(d, &e));
+        TRY(feed_event(d, &e));
     }
     return VBSS_OK;
 }
@@ -55,7 +55,7 @@ static vbss_result report_transfer(feeder *d, const happening *h)
         if (d->needle_side >= 0 && d->needle_side != side) {
             vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_TRANSFER, h->step, h->time);
             e.tool = side;
-            TRY(tell(d, &e));
+            TRY(feed_event(d, &e));
         }
         d->needle_side = side;
     }
@@ -72,7 +72,7 @@ static vbss_result report_events(feeder *d, uint64_t step)
         } else if (h->kind == VBSS_EVENT_CUT && h->second != 0 && d->cuts < 2) {
             vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_TAIL_CUT, h->step, h->time);
             e.number = d->cuts++;
-            TRY(tell(d, &e));
+            TRY(feed_event(d, &e));
         }
     }
     return VBSS_OK;
@@ -90,10 +90,10 @@ static vbss_result report_punctures(feeder *d, uint64_t step, double time)
         e.angle = p->angle;
         e.axial = p->axial;
         memcpy(e.force, p->force, sizeof e.force);
-        TRY(tell(d, &e));
+        TRY(feed_event(d, &e));
         if (p->withdrawn) {
             e.undone = 1;
-            TRY(tell(d, &e));
+            TRY(feed_event(d, &e));
         }
     }
     return VBSS_OK;
@@ -108,7 +108,7 @@ static vbss_result report_throws(feeder *d, uint64_t step)
             vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_THROW, r->step, r->time);
             e.number = d->throws - 1;
             e.undone = 1;
-            TRY(tell(d, &e));
+            TRY(feed_event(d, &e));
         }
         for (uint32_t i = 0; i < r->state.throw_count && i < MAX_THROWS; i++) {
             vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_THROW, r->step, r->time);
@@ -119,7 +119,7 @@ static vbss_result report_throws(feeder *d, uint64_t step)
             e.relation = i == 0   ? VBSS_METRICS_RELATION_FIRST
                          : granny ? VBSS_METRICS_RELATION_GRANNY
                                   : VBSS_METRICS_RELATION_SQUARE;
-            TRY(tell(d, &e));
+            TRY(feed_event(d, &e));
             d->throws = d->throws > i + 1 ? d->throws : i + 1;
         }
     }
@@ -162,7 +162,7 @@ static vbss_result feed(feeder *d)
 {
     const facts *f = d->f;
     vbss_metrics_event appears = event_of(VBSS_METRICS_EVENT_NEEDLE_APPEARS, 0, 0.0);
-    TRY(tell(d, &appears));
+    TRY(feed_event(d, &appears));
     for (uint64_t step = 1; step <= f->steps; step++) {
         const moment *m = &f->moments[step - 1];
         if (!(m->time > d->last)) { /* a log may say anything */
@@ -180,7 +180,7 @@ static vbss_result feed(feeder *d)
         vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_GAP, f->again.count, d->last);
         e.other[0] = end->gap; /* only how far the two points are apart is of use */
         e.amount = end->widest;
-        TRY(tell(d, &e));
+        TRY(feed_event(d, &e));
     }
     return vbss_metrics_finish(d->metrics);
 }

@@ -11,16 +11,16 @@ static int compare(const void *a, const void *b)
 
 static void put_times(page *p, const again *a)
 {
-    double *spent = calloc((size_t)a->count + 1, sizeof *spent);
+    double *cpu_time = calloc((size_t)a->count + 1, sizeof *cpu_time);
     uint64_t late = 0;
-    if (spent == NULL) {
+    if (cpu_time == NULL) {
         return;
     }
     for (uint64_t i = 0; i < a->count; i++) {
-        spent[i] = 1e6 * a->steps[i].spent;
-        late += spent[i] > 1e3;
+        cpu_time[i] = 1e6 * a->steps[i].cpu_time;
+        late += cpu_time[i] > 1e3;
     }
-    qsort(spent, (size_t)a->count, sizeof *spent, compare);
+    qsort(cpu_time, (size_t)a->count, sizeof *cpu_time, compare);
     put(p,
         "<table><caption>Time of a step, &#181;s of this thread's CPU</caption><thead><tr><th "
         "scope=\"col\" class=\"n\">median</th><th scope=\"col\" class=\"n\">p99</th><th "
@@ -30,12 +30,12 @@ static void put_times(page *p, const again *a)
         "class=\"n\">%.0f</td><td class=\"n\">%.2f %%</td></tr></tbody></table>\n"
         "<p class=\"note\">Logs hold no times of steps: these are of %s, once, on a machine that "
         "may do other things.</p>\n",
-        spent[a->count / 2], spent[(size_t)(0.99 * (double)a->count)],
-        spent[(size_t)(0.999 * (double)a->count)], spent[a->count - 1],
+        cpu_time[a->count / 2], cpu_time[(size_t)(0.99 * (double)a->count)],
+        cpu_time[(size_t)(0.999 * (double)a->count)], cpu_time[a->count - 1],
         100.0 * (double)late / (double)a->count,
         a->performed ? "making it here, devices, session and log included"
                      : "playing it back here");
-    free(spent);
+    free(cpu_time);
 }
 
 static void put_count(page *p, const char *name, uint64_t count, const char *words)

@@ -59,12 +59,12 @@ bool stage_knows(const void *note, size_t count)
 
 static vbss_result make_throw(stage *s, const words *w)
 {
-    static stand st;
+    static throw_rig st;
     static hand hands[SIDES]; /* for their tools */
     const trial_options o = {.kind = (trial_kind)trial_kind_of(w->kind), .seed = w->seed};
     memset(&st, 0, sizeof st);
     s->name = "two hands that tie a knot (examples/throw)";
-    s->stand = &st;
+    s->rig = &st;
     vbss_result result = trial_set_up(&o, &st, hands);
     s->graspers[LEFT] = hands[LEFT].grasper;
     s->graspers[RIGHT] = hands[RIGHT].grasper;
@@ -88,7 +88,7 @@ static vbss_result make_stitch(stage *s, const words *w)
     const surgeon_options usual = {.seed = w->seed};
     stitch_plan plan;
     memset(&t, 0, sizeof t);
-    s->stand = &t.site.stand;
+    s->rig = &t.site.rig;
     if (is_surgeon(w)) {
         s->name = surgeon_name;
         s->tasked = &t;
@@ -106,9 +106,9 @@ void stage_watch(stage *s, stitch *t, const task *k)
 {
     memset(s, 0, sizeof *s);
     s->name = surgeon_name;
-    s->stand = &t->site.stand;
-    s->context = s->stand->context;
-    s->scene = s->stand->scene;
+    s->rig = &t->site.rig;
+    s->context = s->rig->context;
+    s->scene = s->rig->scene;
     s->tasked = t;
     s->task = *k;
     show_stitch(s, t);
@@ -122,21 +122,21 @@ vbss_result stage_create(stage *s, const void *note, size_t count)
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     vbss_result result = is_throw(&w) ? make_throw(s, &w) : make_stitch(s, &w);
-    s->context = s->stand->context;
-    s->scene = s->stand->scene;
+    s->context = s->rig->context;
+    s->scene = s->rig->scene;
     return result;
 }
 
 void stage_destroy(stage *s)
 {
-    if (s->stand != NULL) {
-        stand_destroy(s->stand);
+    if (s->rig != NULL) {
+        throw_rig_destroy(s->rig);
     }
 }
 
 vbss_result stage_follow(stage *s)
 {
-    return stand_follow(s->stand);
+    return throw_rig_follow(s->rig);
 }
 
 vbss_result stage_follow_task(stage *s, vbss_replay *replay)
@@ -164,13 +164,13 @@ vbss_result stage_step(stage *s, vbss_replay *replay, vbss_replay_report *report
 /* Laid out through two marks. */
 static void show_laid(const stage *s, vbss_knot_input *in)
 {
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     in->points = &x[0].x;
-    in->point_count = s->stand->nodes;
+    in->point_count = s->rig->nodes;
     in->hole_count = 2;
     for (int i = 0; i < 2; i++) {
-        v_store(in->holes[i], x[s->stand->marks[i]]);
-        in->hole_places[i] = s->stand->marks[i];
+        v_store(in->holes[i], x[s->rig->marks[i]]);
+        in->hole_places[i] = s->rig->marks[i];
     }
     in->away[2] = -1.0;
 }
@@ -201,7 +201,7 @@ static uint32_t show_holes(const stage *s, vbss_knot_input *in)
 /* Sewn, from the needle on; without holes nothing is tied. */
 static vbss_result show_sewn(const stage *s, vbss_knot_input *in)
 {
-    vbss_thread *thread = s->stand->thread;
+    vbss_thread *thread = s->rig->thread;
     vbss_view view;
     uint32_t piece = show_holes(s, in);
     in->reversed = 1;

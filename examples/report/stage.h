@@ -8,7 +8,7 @@
 
 typedef struct stage {
     const char *name;
-    stand *stand; /* whose context all is in */
+    throw_rig *rig; /* whose context all is in */
     vbss_context *context;
     vbss_scene *scene;
     vbss_grasper *graspers[SIDES];

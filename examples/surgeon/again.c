@@ -9,8 +9,8 @@ static vbss_result play(const watch *w, stitch *t, const replay_log *log,
 {
     vbss_replay *replay;
     task k;
-    TRY(vbss_replay_create(t->site.stand.context, log->data, log->count, &replay));
-    TRY(vbss_replay_begin(replay, t->site.stand.scene));
+    TRY(vbss_replay_create(t->site.rig.context, log->data, log->count, &replay));
+    TRY(vbss_replay_begin(replay, t->site.rig.scene));
     TRY(task_create_within(&k, t, NULL, replay, surgeon_time_limit(&w->options)));
     vbss_result result = VBSS_OK;
     while (result == VBSS_OK) {
@@ -31,6 +31,6 @@ bool watch_replay(const watch *w)
     bool played = log.count > 0 && stitch_create(&t, w->options.seed, &plan) == VBSS_OK &&
                   play(w, &t, &log, &report) == VBSS_OK;
     free(log.data);
-    stand_destroy(&t.site.stand);
+    throw_rig_destroy(&t.site.rig);
     return played && report.outcome == VBSS_REPLAY_ENDED;
 }

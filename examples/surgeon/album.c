@@ -7,11 +7,11 @@
 #define MILLI 1e3
 
 /* What is looked at. */
-typedef enum look { LOOK_AT_DRAIN, LOOK_AT_W, LOOK_AT_SLIT } look;
+typedef enum view_target { VIEW_DRAIN, VIEW_W, VIEW_SLIT } view_target;
 
 typedef struct key {
     surgeon_stage stage;
-    look at;
+    view_target at;
     const char *doing; /* when the hands begin to do this, */
     const char *file;  /* it is time for that picture */
     const char *words;
@@ -19,31 +19,29 @@ typedef struct key {
 } key;
 
 static const key keys[] = {
-    {SURGEON_PASS, LOOK_AT_DRAIN, "draw", "1-needle-in-the-drain",
-     "the needle is through both marks", 0.05},
-    {SURGEON_TIE, LOOK_AT_DRAIN, "near", "2-tail-set",
-     "the thread is drawn through, the tail is short", 0.06},
-    {SURGEON_TIE, LOOK_AT_W, "tail", "3-double-wrap", "the limb is wound twice round the left tool",
+    {SURGEON_PASS, VIEW_DRAIN, "draw", "1-needle-in-the-drain", "the needle is through both marks",
      0.05},
-    {SURGEON_TIE, LOOK_AT_SLIT, "lower", "4-throw-1-drawn-through", "the double throw", 0.06},
-    {SURGEON_OVER, LOOK_AT_SLIT, "ease", "5-throw-1-tight", "the double throw is pulled tight",
-     0.025},
-    {SURGEON_SECOND, LOOK_AT_DRAIN, "near", "6-needle-changed-hands",
+    {SURGEON_TIE, VIEW_DRAIN, "near", "2-tail-set",
+     "the thread is drawn through, the tail is short", 0.06},
+    {SURGEON_TIE, VIEW_W, "tail", "3-double-wrap", "the limb is wound twice round the left tool",
+     0.05},
+    {SURGEON_TIE, VIEW_SLIT, "lower", "4-throw-1-drawn-through", "the double throw", 0.06},
+    {SURGEON_OVER, VIEW_SLIT, "ease", "5-throw-1-tight", "the double throw is pulled tight", 0.025},
+    {SURGEON_SECOND, VIEW_DRAIN, "near", "6-needle-changed-hands",
      "the left tool has taken the needle over", 0.16},
-    {SURGEON_SECOND, LOOK_AT_SLIT, "lower", "7-throw-2-drawn-through", "the second throw", 0.06},
-    {SURGEON_BACK, LOOK_AT_SLIT, "ease", "8-throw-2-tight", "the second throw is pulled tight",
-     0.025},
-    {SURGEON_THIRD, LOOK_AT_SLIT, "lower", "9-throw-3-drawn-through", "the third throw", 0.06},
-    {SURGEON_CUT, LOOK_AT_SLIT, "ease", "a-knot-tight", "the knot is pulled tight", 0.02},
-    {SURGEON_DONE, LOOK_AT_SLIT, "done", "b-tails-cut", "both tails are cut", 0.025},
+    {SURGEON_SECOND, VIEW_SLIT, "lower", "7-throw-2-drawn-through", "the second throw", 0.06},
+    {SURGEON_BACK, VIEW_SLIT, "ease", "8-throw-2-tight", "the second throw is pulled tight", 0.025},
+    {SURGEON_THIRD, VIEW_SLIT, "lower", "9-throw-3-drawn-through", "the third throw", 0.06},
+    {SURGEON_CUT, VIEW_SLIT, "ease", "a-knot-tight", "the knot is pulled tight", 0.02},
+    {SURGEON_DONE, VIEW_SLIT, "done", "b-tails-cut", "both tails are cut", 0.025},
 };
 
 /* The tool that is wound about, above all else; what lies on the slit. */
-static vec middle_of(const surgeon *s, look at)
+static vec middle_of(const surgeon *s, view_target at)
 {
-    return at == LOOK_AT_W      ? s->stitch.left.at
-           : at == LOOK_AT_SLIT ? v3(0.0, 0.0, 0.0)
-                                : v3(0.0, 0.0, 5e-3);
+    return at == VIEW_W      ? s->stitch.left.at
+           : at == VIEW_SLIT ? v3(0.0, 0.0, 0.0)
+                             : v3(0.0, 0.0, 5e-3);
 }
 
 void watch_album(watch *w, const surgeon *s, const char *doing)
@@ -55,7 +53,7 @@ void watch_album(watch *w, const surgeon *s, const char *doing)
             continue;
         }
         snprintf(path, sizeof path, "%s/%s.png", w->album, k->file);
-        snprintf(text, sizeof text, "%.2f s: %s; slit %.2f mm", s->stitch.site.stand.time, k->words,
+        snprintf(text, sizeof text, "%.2f s: %s; slit %.2f mm", s->stitch.site.rig.time, k->words,
                  MILLI * s->gap);
         w->unpainted = !surgeon_show(s, path, text, middle_of(s, k->at), k->width) || w->unpainted;
     }

@@ -51,11 +51,11 @@ static void ease(hand_over *o, double dt)
 static void choose_offered(hand_over *o)
 {
     const senses *s = o->see;
-    vec root = s->x[s->limb_root], way = v_unit(UPWARD), z = v3(0.0, 1.0, 0.0);
+    vec root = s->x[s->limb_root], direction = v_unit(UPWARD), z = v3(0.0, 1.0, 0.0);
     double free = senses_length(s, s->limb_root, s->nodes - 1);
     root.x *= s->w->side;
-    way.x *= s->c == &o->stitch->right ? 1.0 : -1.0;
-    vec swage = v_along(root, UP * free, way), x = v_unit(v_across(way, z));
+    direction.x *= s->c == &o->stitch->right ? 1.0 : -1.0;
+    vec swage = v_along(root, UP * free, direction), x = v_unit(v_across(direction, z));
     o->offered = pose_of(v_along(swage, o->stitch->site.radius, x), x, v_cross(z, x), z);
 }
 
@@ -96,8 +96,8 @@ static void take(hand_over *o)
     const site *at = &o->stitch->site;
     double share = s->w == &o->stitch->left ? LEFT_HOLD : RIGHT_HOLD;
     handing_part part = (handing_part)(o->state - HAND_OVER_ASK);
-    handing_news news = handing_take(at, s->w, share * at->arc * at->radius, part, o->since);
-    if (news != HANDING_GOES_ON) {
+    handing_result handed = handing_take(at, s->w, share * at->arc * at->radius, part, o->since);
+    if (handed != HANDING_GOES_ON) {
         enter(o, (hand_over_state)(o->state + 1));
     }
 }

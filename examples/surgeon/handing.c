@@ -24,8 +24,8 @@ static bool is_there(const hand *h, const pose *p, double within)
     return v_distance(h->at, v_add(p->at, h->target_at)) < within && pose_angle(&now, p) < 0.1;
 }
 
-handing_news handing_take(const site *s, hand *h, double arc_length, handing_part part,
-                          double since)
+handing_result handing_take(const site *s, hand *h, double arc_length, handing_part part,
+                            double since)
 {
     pose tool = before(s, arc_length, part == HANDING_BEFORE ? BEFORE : 0.0);
     hold_go(h, &tool, part == HANDING_BEFORE ? CARRY : CAREFUL);

@@ -10,11 +10,11 @@ typedef enum handing_part {
     HANDING_CLOSE
 } handing_part;
 
-typedef enum handing_news { HANDING_GOES_ON, HANDING_NEXT, HANDING_HELD } handing_news;
+typedef enum handing_result { HANDING_GOES_ON, HANDING_NEXT, HANDING_HELD } handing_result;
 
 /* Jaws across the needle at that length from its tip; `since`: s in this part. */
-handing_news handing_take(const site *s, hand *h, double arc_length, handing_part part,
-                          double since);
+handing_result handing_take(const site *s, hand *h, double arc_length, handing_part part,
+                            double since);
 /* The needle in the frame of what its bearer was told. */
 pose handing_held(const site *s, const hand *h);
 /* Opens, goes back along itself, then to where it waits; true: it is off the needle. `back` is kept for the next step. */

@@ -37,7 +37,7 @@ vbss_result surgeon_begin_later(surgeon *s)
 {
     senses *e = &s->see;
     throw_plan plan;
-    TRY(senses_look(e));
+    TRY(senses_observe(e));
     TRY(senses_find_roots(e));
     throw_plan_on_top(&plan);
     double limb = senses_length(e, e->limb_root, e->c->node);

@@ -133,7 +133,7 @@ static void run(watch w, bool whole, tally *t)
     bool good =
         result == VBSS_OK &&
         (w.options.mistake != SURGEON_NO_MISTAKE ? judge_mistake(&w) : is_made(&w, &s, whole));
-    stand_destroy(&s.stitch.site.stand);
+    throw_rig_destroy(&s.stitch.site.rig);
     if (w.options.log != NULL) {
         bool same = watch_replay(&w);
         printf("  %s, played back: %s\n", w.options.log, same ? "the same hashes" : "NOT THE SAME");

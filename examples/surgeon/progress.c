@@ -29,7 +29,7 @@ static void words_of_knot(const watch *w, char text[WORD_TAGS])
 
 void watch_progress(watch *w, const surgeon *s, bool enters)
 {
-    const double time = s->stitch.site.stand.time;
+    const double time = s->stitch.site.rig.time;
     const bool again = isatty(STDOUT_FILENO) != 0;
     char knot[WORD_TAGS];
     if (w->verbose || w->guest != NULL ||

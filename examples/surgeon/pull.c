@@ -7,8 +7,8 @@
 #define CARRY 0.08       /* m/s */
 #define TURNING 0.02     /* m/s, of the needle along its arc */
 #define HALF_ROUND 2.5   /* rad: a drain that went along is left from then on by lifting too, */
-#define MOST_TURN 4.5 /* and from here on by lifting alone: the needle's end is in the wall still */
-#define MAX_LIFT 9.0  /* as if it turned on */
+#define MAX_TURN 4.5 /* and from here on by lifting alone: the needle's end is in the wall still */
+#define MAX_LIFT 9.0 /* as if it turned on */
 #define LEAVING v3(-5e-3, 0.0, 9e-3) /* so, m for each rad */
 #define RISE 0.03                    /* m */
 #define DRAWING 0.05                 /* m/s, of the needle away from the drain */
@@ -23,12 +23,12 @@
 #define JAMS 0.3 /* N */
 #define JAMMED_WILL_DO 22e-3
 #define CAREFUL 0.2
-#define EASING 0.01       /* m/s */
-#define EASING_OFF 0.06   /* m/s, while it pulls as if it stuck */
-#define NOTHING 0.05      /* N */
-#define A_MOMENT 0.2      /* s */
-#define EASED_AT_LAST 3.0 /* s */
-#define PATIENCE 6.0      /* s, of every state but the last */
+#define EASING 0.01         /* m/s */
+#define EASING_OFF 0.06     /* m/s, while it pulls as if it stuck */
+#define NOTHING 0.05        /* N */
+#define A_MOMENT 0.2        /* s */
+#define MAX_EASING_TIME 3.0 /* s */
+#define PATIENCE 6.0        /* s, of every state but the last */
 #define LEFT_PARK v3(-0.06, -0.05, 0.06)
 #define RIGHT_PARK v3(0.05, -0.06, 0.05)
 
@@ -67,13 +67,13 @@ static bool take(pull_run *p, hand *h, double arc_length, pull_state first)
 {
     const site *s = &p->stitch->site;
     int part = (int)p->state - (int)first;
-    handing_news news = handing_take(s, h, arc_length, (handing_part)part, p->since);
-    if (news == HANDING_NEXT) {
+    handing_result handed = handing_take(s, h, arc_length, (handing_part)part, p->since);
+    if (handed == HANDING_NEXT) {
         enter(p, (pull_state)(p->state + 1));
-    } else if (news == HANDING_HELD) {
+    } else if (handed == HANDING_HELD) {
         p->held = handing_held(s, h);
     }
-    return news == HANDING_HELD;
+    return handed == HANDING_HELD;
 }
 
 /* ---- the needle's way */
@@ -94,7 +94,7 @@ static void turn(pull_run *p, double dt)
 {
     stitch *t = p->stitch;
     p->turned += TURNING * t->left.nature.speed / t->site.radius * dt;
-    pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), smaller(p->turned, MOST_TURN));
+    pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), smaller(p->turned, MAX_TURN));
     needle.at = v_along(needle.at, larger(p->turned - HALF_ROUND, 0.0), LEAVING);
     hold_steer(&t->left, &p->held, &needle, CARRY);
     if (is_through(p)) {
@@ -165,11 +165,11 @@ static void ease(pull_run *p, double dt)
     double felt = v_length(right->felt);
     bool slack = felt < NOTHING;
     p->slack = slack ? p->slack + dt : 0.0;
-    p->eased += slack && !p->jammed ? 0.0 : (felt > STICKS ? EASING_OFF : EASING) * dt;
+    p->retraction += slack && !p->jammed ? 0.0 : (felt > STICKS ? EASING_OFF : EASING) * dt;
     pose needle = p->from;
-    needle.at = v_along(needle.at, -p->eased, away_from_drain());
+    needle.at = v_along(needle.at, -p->retraction, away_from_drain());
     hold_steer(right, &p->held, &needle, CARRY);
-    if ((p->slack > A_MOMENT && !p->jammed) || p->since > EASED_AT_LAST) {
+    if ((p->slack > A_MOMENT && !p->jammed) || p->since > MAX_EASING_TIME) {
         enter(p, PULL_DONE);
     }
 }
@@ -180,7 +180,7 @@ double pull_tail(const stitch *t)
 {
     vbss_hole hole;
     bool is_thread = site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole) && hole.thread != 0;
-    return is_thread ? SEGMENT * (t->site.stand.nodes - 1) - hole.arc_length : -1.0;
+    return is_thread ? SEGMENT * (t->site.rig.nodes - 1) - hole.arc_length : -1.0;
 }
 
 void pull_step(pull_run *p, double dt)

@@ -28,15 +28,15 @@ typedef struct pull_run {
     pull_state state;
     double since;
     const char *why;
-    pose held;     /* the needle in the frame of what its bearer was told */
-    pose from;     /* of the needle, when a motion begins */
-    pose back;     /* of a tool that leaves */
-    double turned; /* rad */
-    double drawn;  /* m, of the swage from the left hole */
-    double eased;  /* m, back from there */
-    double slack;  /* s, that the right hand has felt nothing */
-    double tail;   /* m, as seen */
-    bool jammed;   /* the tail is longer than it should be, and holds */
+    pose held;         /* the needle in the frame of what its bearer was told */
+    pose from;         /* of the needle, when a motion begins */
+    pose back;         /* of a tool that leaves */
+    double turned;     /* rad */
+    double drawn;      /* m, of the swage from the left hole */
+    double retraction; /* m, back from there */
+    double slack;      /* s, that the right hand has felt nothing */
+    double tail;       /* m, as seen */
+    bool jammed;       /* the tail is longer than it should be, and holds */
 } pull_run;
 
 void pull_begin(pull_run *p, stitch *t);

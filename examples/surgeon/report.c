@@ -54,7 +54,7 @@ static void report_steps(watch *w, const surgeon *s)
            watch_quantile(all, count, 0.5), watch_quantile(all, count, 0.99),
            watch_quantile(all, count, 0.999), watch_quantile(all, count, 1.0),
            100.0 * late / count);
-    (void)vbss_scene_get_statistics(s->stitch.site.stand.scene, &c, sizeof c);
+    (void)vbss_scene_get_statistics(s->stitch.site.rig.scene, &c, sizeof c);
     const double made = count / MILLI - c.time_paused;
     printf("  %.2f s simulated of %.2f s, in %.2f s of CPU: real-time factor %.2f; %.2f s by the "
            "clock, pictures and all\n",
@@ -69,26 +69,27 @@ static void report_outcome(const watch *w, const surgeon *s, vbss_result result)
            watch_complete(w) ? "the task is complete" : "the task is not complete");
     printf("  the hands: %s, %s%s%s after %.2f s; the session: phase '%s', %s\n",
            vbss_result_name(result), surgeon_doing(s), s->why != NULL ? ": " : "",
-           s->why != NULL ? s->why : "", s->stitch.site.stand.time,
-           task_phase_name(w->status.phase), task_failure_name(w->status.failure));
+           s->why != NULL ? s->why : "", s->stitch.site.rig.time, task_phase_name(w->status.phase),
+           task_failure_name(w->status.failure));
 }
 
 static void report_phases(const watch *w, const vbss_metrics_report *r)
 {
-    double spent[PHASES] = {0.0};
+    double durations[PHASES] = {0.0};
     uint32_t visits[PHASES] = {0};
     for (uint32_t i = 0; i < r->phase_count; i++) {
         vbss_metrics_phase p;
         if (vbss_metrics_get_phase(w->task.metrics, i, &p, sizeof p) == VBSS_OK &&
             p.number < PHASES) {
-            spent[p.number] += p.end - p.begin;
+            durations[p.number] += p.end - p.begin;
             visits[p.number]++;
         }
     }
     printf("  phases, s:");
     for (int i = 0; i < PHASES; i++) {
         if (visits[i] > 0) {
-            printf(" %s %.2f%s;", task_phase_name(i), spent[i], visits[i] > 1 ? " (again)" : "");
+            printf(" %s %.2f%s;", task_phase_name(i), durations[i],
+                   visits[i] > 1 ? " (again)" : "");
         }
     }
     printf(" in all %.2f\n", r->time);
@@ -183,7 +184,7 @@ static void report_counts(const watch *w, const surgeon *s)
     const hand *hands[2] = {&s->stitch.left, &s->stitch.right};
     static const char *const names[2] = {"left device", "right device"};
     vbss_scene_statistics c;
-    if (vbss_scene_get_statistics(s->stitch.site.stand.scene, &c, sizeof c) == VBSS_OK) {
+    if (vbss_scene_get_statistics(s->stitch.site.rig.scene, &c, sizeof c) == VBSS_OK) {
         counts_report_scene(&c);
         printf("  most contacts at a time %u; %lu steps of which a part waited, %.1f ms in all\n",
                (unsigned)w->max_contacts, (unsigned long)c.paused, MILLI * c.time_paused);

@@ -27,7 +27,7 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
         s->stitch.beside = BESIDE;
     }
     snprintf(note, sizeof note, "vbss surgeon seed %lu", (unsigned long)o->seed);
-    return stand_begin(&s->stitch.site.stand, o->log, note);
+    return throw_rig_begin(&s->stitch.site.rig, o->log, note);
 }
 
 bool surgeon_slit_is_shut(const surgeon *s)
@@ -74,7 +74,7 @@ static vbss_result move(surgeon *s, double dt)
     stitch *t = &s->stitch;
     TRY(hand_step(&t->right, dt));
     TRY(hand_step(&t->left, dt));
-    TRY(stand_step(&t->site.stand, dt));
+    TRY(throw_rig_step(&t->site.rig, dt));
     TRY(hand_feel(&t->right));
     return hand_feel(&t->left);
 }
@@ -85,11 +85,11 @@ static vbss_result think(surgeon *s, double dt)
     if (s->stage == SURGEON_PASS) {
         TRY(hand_step(&s->stitch.right, dt));
         TRY(hand_step(&s->stitch.left, dt));
-        TRY(stand_step(&s->stitch.site.stand, dt));
-        return stitch_look(&s->stitch);
+        TRY(throw_rig_step(&s->stitch.site.rig, dt));
+        return stitch_observe(&s->stitch);
     }
     if (s->stage > SURGEON_PULL) {
-        TRY(surgeon_look(s));
+        TRY(surgeon_observe(s));
     }
     return move(s, dt);
 }
@@ -98,8 +98,8 @@ static vbss_result pass(surgeon *s, double dt)
 {
     stitch *t = &s->stitch;
     TRY(stitch_lead(t, dt));
-    TRY(stand_step(&t->site.stand, dt));
-    TRY(stitch_look(t));
+    TRY(throw_rig_step(&t->site.rig, dt));
+    TRY(stitch_observe(t));
     if (t->state == STITCH_DONE) {
         for (int side = 0; side < 2; side++) {
             s->off[side] = site_deviation(&t->site, &t->made[side], side);
@@ -184,7 +184,7 @@ static vbss_result tie(surgeon *s, double dt)
 
 static vbss_result over(surgeon *s, double dt)
 {
-    TRY(surgeon_look(s));
+    TRY(surgeon_observe(s));
     TRY(hand_over_step(&s->over, dt));
     TRY(move(s, dt));
     if (s->over.state == HAND_OVER_DONE) {
@@ -199,7 +199,7 @@ static vbss_result over(surgeon *s, double dt)
 
 static vbss_result cut(surgeon *s, double dt)
 {
-    TRY(surgeon_look(s));
+    TRY(surgeon_observe(s));
     TRY(cut_step(&s->cut, dt));
     TRY(move(s, dt));
     if (s->cut.state == CUT_DONE) {
@@ -217,7 +217,7 @@ vbss_result surgeon_step(surgeon *s, double dt)
     TRY(vbss_drain_get_gap(s->stitch.site.drain, &gap, sizeof gap));
     s->gap = gap.opening;
     s->edges = gap.gap;
-    if (s->limit > 0.0 && s->stitch.site.stand.time > s->limit + A_MOMENT) {
+    if (s->limit > 0.0 && s->stitch.site.rig.time > s->limit + A_MOMENT) {
         fail(s, "idle");
     } else if (s->mistake == SURGEON_IDLE || hesitates(&s->thinks, surgeon_doing(s), dt)) {
         return think(s, dt);

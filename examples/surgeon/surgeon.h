@@ -73,7 +73,7 @@ vbss_result surgeon_begin_tie(surgeon *s);
 void surgeon_hold_level(surgeon *s);
 vbss_result surgeon_tie(surgeon *s, double dt);
 /* What the senses tell, from the tying on. */
-vbss_result surgeon_look(surgeon *s);
+vbss_result surgeon_observe(surgeon *s);
 
 /* ---- later.c */
 vbss_result surgeon_begin_hand_over(surgeon *s);

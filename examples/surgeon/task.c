@@ -20,10 +20,10 @@ vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vb
     memset(k, 0, sizeof *k);
     TRY(vbss_metrics_config_init(&measures, sizeof measures));
     measures.drain_radius = s->tube;
-    TRY(vbss_metrics_create(s->stand.context, &measures, &k->metrics));
-    TRY(vbss_knot_detector_create(s->stand.context, NULL, &k->knots));
+    TRY(vbss_metrics_create(s->rig.context, &measures, &k->metrics));
+    TRY(vbss_knot_detector_create(s->rig.context, NULL, &k->knots));
     TRY(vbss_session_config_init(&c, sizeof c));
-    c.thread = s->stand.thread_body;
+    c.thread = s->rig.thread_body;
     c.needle = s->needle_body;
     c.drain = s->drain_body;
     c.tools[0] = t->left.body;
@@ -33,7 +33,7 @@ vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vb
     c.record = record;
     c.replay = replay;
     c.time_limit = time_limit > 0.0 ? time_limit : c.time_limit;
-    return vbss_session_create(s->stand.scene, &c, &k->session);
+    return vbss_session_create(s->rig.scene, &c, &k->session);
 }
 
 vbss_result task_destroy(task *k)

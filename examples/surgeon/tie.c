@@ -40,12 +40,12 @@
 /* Where the thread goes through the drain, as places along it from the tail's end. */
 static void find_marks(surgeon *s)
 {
-    stand *st = &s->stitch.site.stand;
+    throw_rig *st = &s->stitch.site.rig;
     for (int side = 0; side < 2; side++) {
         vbss_hole hole;
         if (site_find_hole(&s->stitch.site, s->stitch.holes[side], &hole) && hole.thread != 0) {
             st->marks[side == SITE_RIGHT ? 0 : 1] =
-                (uint32_t)(stand_place(st, hole.arc_length) + 0.5);
+                (uint32_t)(throw_rig_place(st, hole.arc_length) + 0.5);
         }
     }
 }
@@ -63,8 +63,8 @@ vbss_result surgeon_begin_tie(surgeon *s)
     stitch *t = &s->stitch;
     throw_plan plan;
     find_marks(s);
-    TRY(senses_create(&s->see, &t->site.stand, &t->left, &t->right));
-    TRY(senses_look(&s->see));
+    TRY(senses_create(&s->see, &t->site.rig, &t->left, &t->right));
+    TRY(senses_observe(&s->see));
     throw_plan_usual(&plan, 2);
     plan.wrap_tip = WRAP_TIP;
     plan.tension = WINDING;
@@ -85,16 +85,16 @@ static void sway(surgeon *s, double dt)
     hand *h = s->see.w;
     bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
     bool back = s->tie.plan.back && s->tie.state >= THROW_LOWER;
-    vec way = v_sub(seen(h, back ? NEAR_SIDE : steep ? STEEP : LEVEL), h->trocar);
-    hand_through(h, v_add(h->trocar, v_limit(way, SWAY * h->nature.speed * dt)));
+    vec lag = v_sub(seen(h, back ? NEAR_SIDE : steep ? STEEP : LEVEL), h->trocar);
+    hand_through(h, v_add(h->trocar, v_limit(lag, SWAY * h->nature.speed * dt)));
 }
 
-/* C rolls so that what lies that way from its tip points where it shall. */
-static void roll(surgeon *s, vec from, vec way)
+/* C rolls so that what lies in that direction from its tip points where it shall. */
+static void roll(surgeon *s, vec from, vec direction)
 {
     const senses *e = &s->see;
     vec axis = e->tool_c.handle, now = v_unit(v_across(from, axis));
-    vec wanted = v_unit(v_across(way, axis)), is = seen(e->c, e->c->roll);
+    vec wanted = v_unit(v_across(direction, axis)), is = seen(e->c, e->c->roll);
     hand_turn(e->c, v_along(v_scale(v_dot(is, now), wanted), v_dot(is, v_cross(axis, now)),
                             v_cross(axis, wanted)));
 }
@@ -120,10 +120,10 @@ static void raise_needle(surgeon *s)
     roll(s, v_sub(middle, e->tool_c.tip), v3(0.0, 0.0, 1.0));
 }
 
-vbss_result surgeon_look(surgeon *s)
+vbss_result surgeon_observe(surgeon *s)
 {
     find_marks(s);
-    TRY(senses_look(&s->see));
+    TRY(senses_observe(&s->see));
     return s->steps % 10 == 0 ? senses_wind(&s->see) : VBSS_OK;
 }
 
@@ -132,7 +132,7 @@ static double since_when(bool is, double time, double dt)
     return is ? time + dt : 0.0;
 }
 
-static void choose_way(surgeon *s)
+static void choose_direction(surgeon *s)
 {
     throw_plan *p = &s->tie.plan;
     bool third = s->stage == SURGEON_THIRD && s->tie.state == THROW_LOWER;
@@ -167,7 +167,7 @@ static void watch_slit(surgeon *s, double dt)
     if (s->shut > A_MOMENT || s->at_rest > LONGER || late) {
         throw_seated(t);
         s->shut = s->at_rest = 0.0;
-    } else if (t->pulls < AGAIN && throw_is_eased(t) && (s->gap > sprung || !s->seated)) {
+    } else if (t->pulls < AGAIN && throw_is_slack(t) && (s->gap > sprung || !s->seated)) {
         throw_pull_again(t);
     }
 }
@@ -177,17 +177,17 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     sway(s, dt);
     if (s->stage == SURGEON_TIE) { /* both come out of the drain */
         find_marks(s);
-        s->tie.tail_root = s->see.tail_root = s->stitch.site.stand.marks[0];
-        s->tie.limb_root = s->see.limb_root = s->stitch.site.stand.marks[1];
+        s->tie.tail_root = s->see.tail_root = s->stitch.site.rig.marks[0];
+        s->tie.limb_root = s->see.limb_root = s->stitch.site.rig.marks[1];
     }
-    TRY(surgeon_look(s));
+    TRY(surgeon_observe(s));
     TRY(throw_step(&s->tie, dt));
     if (s->stage != SURGEON_TIE && s->tie.state <= THROW_CHECK) {
         lead_thread(s);
     } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
         raise_needle(s);
     }
-    choose_way(s);
+    choose_direction(s);
     watch_slit(s, dt);
     return VBSS_OK;
 }

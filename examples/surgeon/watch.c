@@ -15,7 +15,7 @@ static void report_state(const surgeon *s, const char *doing)
     const senses *e = &s->see;
     printf("%7.3f s  %-7s tail %6.1f slit %5.2f  left %6.1f %6.1f %6.1f feels %.2f  right %6.1f "
            "%6.1f %6.1f feels %.2f",
-           t->site.stand.time, doing, MILLI * pull_tail(t), MILLI * s->gap, MILLI * t->left.at.x,
+           t->site.rig.time, doing, MILLI * pull_tail(t), MILLI * s->gap, MILLI * t->left.at.x,
            MILLI * t->left.at.y, MILLI * t->left.at.z, v_length(t->left.pull),
            MILLI * t->right.at.x, MILLI * t->right.at.y, MILLI * t->right.at.z,
            v_length(t->right.pull));
@@ -33,7 +33,7 @@ static void paint(watch *w, const surgeon *s, const char *doing)
     bool over = s->stage == SURGEON_OVER || s->stage == SURGEON_BACK;
     bool near = s->stage == SURGEON_PASS || (!over && s->tie.state >= THROW_SEAT);
     snprintf(path, sizeof path, "%s/%03d-%s.png", w->folder, w->pictures++, doing);
-    snprintf(text, sizeof text, "%.2f s, seed %lu: %s, slit %.2f mm", s->stitch.site.stand.time,
+    snprintf(text, sizeof text, "%.2f s, seed %lu: %s, slit %.2f mm", s->stitch.site.rig.time,
              (unsigned long)w->options.seed, doing, MILLI * s->gap);
     if (!surgeon_show(s, path, text, near ? v3(0.0, 0.0, 0.0) : v3(0.0, 0.0, 0.04),
                       !near                      ? 0.14
@@ -50,11 +50,11 @@ double watch_feels(const hand *h)
     return good ? v_length(v_load(g.hand_force)) : 0.0;
 }
 
-static void look(watch *w, const surgeon *s, const char *doing, bool changed)
+static void observe(watch *w, const surgeon *s, const char *doing, bool changed)
 {
     const stitch *t = &s->stitch;
     vbss_scene_statistics c;
-    if (vbss_scene_get_statistics(t->site.stand.scene, &c, sizeof c) == VBSS_OK &&
+    if (vbss_scene_get_statistics(t->site.rig.scene, &c, sizeof c) == VBSS_OK &&
         c.contacts > w->max_contacts) {
         w->max_contacts = c.contacts;
     }
@@ -62,15 +62,15 @@ static void look(watch *w, const surgeon *s, const char *doing, bool changed)
         w->left[s->stage] = larger(w->left[s->stage], watch_feels(&t->left));
         w->right[s->stage] = larger(w->right[s->stage], watch_feels(&t->right));
     }
-    if (w->verbose && (changed || fmod(t->site.stand.time, OFTEN) < STEP)) {
+    if (w->verbose && (changed || fmod(t->site.rig.time, OFTEN) < STEP)) {
         report_state(s, doing);
     }
     if (changed) {
         watch_album(w, s, doing);
     }
-    if (w->folder != NULL && (changed || t->site.stand.time >= w->next)) {
+    if (w->folder != NULL && (changed || t->site.rig.time >= w->next)) {
         paint(w, s, doing);
-        w->next = t->site.stand.time + w->every;
+        w->next = t->site.rig.time + w->every;
     }
 }
 
@@ -88,7 +88,7 @@ static void enter(watch *w, const surgeon *s, surgeon_stage before)
 {
     if (s->stage < SURGEON_DONE) {
         w->times[s->stage] = w->times[before] + w->counts[before];
-        w->begin[s->stage] = s->stitch.site.stand.time;
+        w->begin[s->stage] = s->stitch.site.rig.time;
     }
     watch_progress(w, s, true);
 }
@@ -103,12 +103,12 @@ static vbss_result perform(watch *w, surgeon *s)
     const char *before = "";
     TRY(show_guest(w, s));
     while (s->stage < w->options.until && s->stage < SURGEON_DONE &&
-           s->stitch.site.stand.time < w->time_limit) {
+           s->stitch.site.rig.time < w->time_limit) {
         surgeon_stage stage = s->stage;
         TRY(surgeon_step(s, STEP));
-        keep_time(w, stage, s->stitch.site.stand.took);
+        keep_time(w, stage, s->stitch.site.rig.took);
         const char *doing = surgeon_doing(s);
-        look(w, s, doing, strcmp(doing, before) != 0);
+        observe(w, s, doing, strcmp(doing, before) != 0);
         if (s->stage != stage) {
             enter(w, s, stage);
         } else {
@@ -123,15 +123,15 @@ static vbss_result perform(watch *w, surgeon *s)
 vbss_result watch_run(watch *w, surgeon *s, double *times)
 {
     TRY(surgeon_create(s, &w->options));
-    TRY(task_create_within(&w->task, &s->stitch, s->stitch.site.stand.record, NULL,
+    TRY(task_create_within(&w->task, &s->stitch, s->stitch.site.rig.record, NULL,
                            surgeon_time_limit(&w->options)));
-    s->stitch.site.stand.session = w->task.session;
+    s->stitch.site.rig.session = w->task.session;
     w->began = watch_wall_clock();
     w->times[0] = times;
     vbss_result result = perform(w, s);
     w->wall = watch_wall_clock() - w->began;
     (void)vbss_session_get_status(w->task.session, &w->status, sizeof w->status);
-    return result != VBSS_OK ? result : stand_end(&s->stitch.site.stand);
+    return result != VBSS_OK ? result : throw_rig_end(&s->stitch.site.rig);
 }
 
 bool watch_complete(const watch *w)

@@ -56,7 +56,7 @@ void watch_progress(watch *w, const surgeon *s, bool enters);
 void watch_album(watch *w, const surgeon *s, const char *doing);
 /* ---- report.c: in the end, what came of it; sorts the times */
 void watch_report(watch *w, const surgeon *s, vbss_result result);
-/* ---- tell.c: what happened, as the session says */
+/* ---- events.c: what happened, as the session says */
 void watch_report_events(const watch *w);
 
 #endif

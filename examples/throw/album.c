@@ -109,9 +109,9 @@ static void include_tool(scenery_box *b, const hand *h, const hand_pose *p)
 static scenery_box what_counts(const senses *s)
 {
     scenery_box b = scenery_nothing();
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     bool held = senses_holds(s, s->c);
-    uint32_t last = held ? s->c->node : s->stand->marks[1];
+    uint32_t last = held ? s->c->node : s->rig->marks[1];
     scenery_include(&b, v3(0.0, 0.0, -DRAIN_RADIUS), DRAIN_RADIUS);
     for (uint32_t i = 0; i <= last; i++) {
         scenery_include(&b, x[i], 1e-3);
@@ -134,11 +134,11 @@ static bool paint_stage(album *a, const trial_moment *m, stage at, const char *t
     char time[64];
     bool good = true;
     int number = at == CUT ? (int)s->throws : (int)s->throws + 1; /* of the throw that is tied */
-    snprintf(time, sizeof time, "%s, throw %d, at %.2f s", a->name, number, s->stand->time);
+    snprintf(time, sizeof time, "%s, throw %d, at %.2f s", a->name, number, s->rig->time);
     for (int view = 0; view < VIEWS && good; view++) {
         painter_clear(p);
         good = scenery_add_ground(p) && scenery_add_tools(p, s) && scenery_add_thread(p, s) &&
-               scenery_look(p, &b, view == 1, WIDTH, HEIGHT, TOP + LINE * HEADS, STAGE_WIDTH) &&
+               scenery_set_view(p, &b, view == 1, WIDTH, HEIGHT, TOP + LINE * HEADS, STAGE_WIDTH) &&
                put_text(p, 0, LEFT, text) &&
                put_text(p, 1, LEFT, view == 1 ? "from above" : time) &&
                painter_add_scale_bar(p, 0.01, "1 cm") == PAINTER_OK &&
@@ -151,7 +151,7 @@ static bool paint_stage(album *a, const trial_moment *m, stage at, const char *t
 
 static scenery_box round_the_knot(const senses *s, const demo_knot *k)
 {
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     scenery_box b = scenery_nothing();
     for (uint32_t i = 0; i < s->nodes; i++) {
         for (uint32_t j = 0; j < k->state.throw_count && j < DEMO_THROWS; j++) {
@@ -191,7 +191,7 @@ static bool add_legend(album *a, const senses *s, const demo_knot *k)
     char text[2 * WORD_TAGS], words[WORD_TAGS];
     painter *p = a->painter;
     snprintf(text, sizeof text, "%s: %s, %s, at 2 N, %.2f s", a->name, k->notation,
-             words_of_result(k->state.verdict), s->stand->time);
+             words_of_result(k->state.verdict), s->rig->time);
     bool good = put_text(p, 0, LEFT, text);
     for (uint32_t i = 0; i < k->state.throw_count && i < DEMO_THROWS && good; i++) {
         words_of_throw(&k->throws[i], words);
@@ -214,7 +214,7 @@ static bool paint_near(album *a, const trial_moment *m, const demo_knot *k)
         painter_clear(p);
         good = scenery_add_half_drain(p, b.high.y) && scenery_add_tools(p, s) &&
                scenery_add_knot(p, s, k, &wide) &&
-               scenery_look(p, &b, view == 1, WIDTH, HEIGHT, top, NEAR_WIDTH) &&
+               scenery_set_view(p, &b, view == 1, WIDTH, HEIGHT, top, NEAR_WIDTH) &&
                (view == 1 ? put_text(p, 0, LEFT, "from above; the drain's near half is cut away")
                           : add_legend(a, s, k)) &&
                painter_add_scale_bar(p, 1e-3, "1 mm") == PAINTER_OK &&

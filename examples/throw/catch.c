@@ -53,7 +53,7 @@ typedef struct stance {
     vec handle, opening, bend;
 } stance;
 
-static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
+static stance stance_at(const hand *h, vec place, vec n, double far, vec roll)
 {
     double bend = h->shape.driver_bend, sine = hand_reach(h) * vbss_sin(bend) / far;
     double cosine = sqrt(1.0 - sine * sine);
@@ -66,21 +66,22 @@ static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
 
 static double clearance(const hand *h, vec bend)
 {
-    return smaller(stand_height(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
+    return smaller(height_above_drain(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
 }
 
 vec catch_point(const senses *s, const hand *h, uint32_t node)
 {
     const hand_pose *p = h == s->w ? &s->tool_w : &s->tool_c;
-    vec trocar = seen(h, h->trocar), place = s->x[node], way = direction(s, node), best = p->handle;
+    vec trocar = seen(h, h->trocar), place = s->x[node], tangent = direction(s, node),
+        best = p->handle;
     vec to = v_sub(trocar, place), n = v_unit(to), now = v_unit(v_across(p->handle, n));
     vec side = v_cross(n, now);
     double smallest = 1e9;
     for (int i = -18; i < 18; i++) {
         double angle = 3.14159265358979 / 18.0 * i;
         vec roll = v_along(v_scale(vbss_cos(angle), now), vbss_sin(angle), side);
-        stance t = stand_at(h, place, n, v_length(to), roll);
-        double across = v_dot(t.opening, way) / ALIGNED;
+        stance t = stance_at(h, place, n, v_length(to), roll);
+        double across = v_dot(t.opening, tangent) / ALIGNED;
         double near = larger(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
         double cost = across * across + near * near + angle * angle;
         if (cost < smallest) {
@@ -109,9 +110,9 @@ static bool is_aligned(const catch_run *t)
  * are, or they would sweep the thread aside. */
 static vec approach(const catch_run *t)
 {
-    vec way = v_unit(v_cross(pose_of(t)->opening, direction(t->see, t->node)));
-    double away = fabs(way.z) > LEVEL ? way.z : -v_dot(way, off(t));
-    return away < 0.0 ? v_scale(-1.0, way) : way;
+    vec normal = v_unit(v_cross(pose_of(t)->opening, direction(t->see, t->node)));
+    double away = fabs(normal.z) > LEVEL ? normal.z : -v_dot(normal, off(t));
+    return away < 0.0 ? v_scale(-1.0, normal) : normal;
 }
 
 static vec before(const catch_run *t, double distance)
@@ -127,8 +128,8 @@ static void draw_back(catch_run *t)
         enter(t, CATCH_MISSED);
         return;
     }
-    vec way = v_unit(v_along(approach(t), OFF_UP, v3(0.0, 0.0, 1.0)));
-    t->off = v_along(pose_of(t)->tip, OFF, way);
+    vec retreat = v_unit(v_along(approach(t), OFF_UP, v3(0.0, 0.0, 1.0)));
+    t->off = v_along(pose_of(t)->tip, OFF, retreat);
     t->pushed = 0.0;
     hand_target(t->hand, t->hand->nature.target_end);
     enter(t, CATCH_BACK);

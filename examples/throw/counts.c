@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#include "throw/stand.h"
+#include "throw/rig.h"
 
 #define PERCENT 100.0
 

@@ -84,7 +84,7 @@ static void do_leave(cut_run *t)
 }
 
 /* Of the thread, toward the limb. */
-static vec way_at(const senses *s, uint32_t node)
+static vec tangent_at(const senses *s, uint32_t node)
 {
     return v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
 }
@@ -93,16 +93,16 @@ static vec way_at(const senses *s, uint32_t node)
  * the place. */
 static bool is_alone(const senses *s, uint32_t node, double clear)
 {
-    if (clear > 0.0 && stand_height(s->x[node]) < clear) {
+    if (clear > 0.0 && height_above_drain(s->x[node]) < clear) {
         return false;
     }
-    vec way = way_at(s, node);
-    vec back = v_unit(v_across(v_sub(seen(s->w, s->w->trocar), s->x[node]), way));
+    vec tangent = tangent_at(s, node);
+    vec back = v_unit(v_across(v_sub(seen(s->w, s->w->trocar), s->x[node]), tangent));
     for (uint32_t i = 0; i < s->nodes; i++) {
         vec to = v_sub(s->x[i], s->x[node]);
         uint32_t between = i > node ? i - node : node - i;
-        if (between * SEGMENT > 2.0 * ROOM && fabs(v_dot(to, way)) < ROOM && v_length(to) < REACH &&
-            v_dot(to, back) > -BEYOND) {
+        if (between * SEGMENT > 2.0 * ROOM && fabs(v_dot(to, tangent)) < ROOM &&
+            v_length(to) < REACH && v_dot(to, back) > -BEYOND) {
             return false;
         }
     }
@@ -136,7 +136,7 @@ static vbss_result target_at(cut_run *t, bool limb)
     catch_begin(&t->grip, s, s->w, node, OPENING, SPEED);
     t->grip.behind = BEHIND;
     t->grip.resolute = true;
-    t->cuts = s->stand->cuts;
+    t->cuts = s->rig->cuts;
     hand_target(s->w, s->w->nature.target_end);
     return VBSS_OK;
 }
@@ -159,16 +159,16 @@ static vbss_result do_exchange(cut_run *t)
 /* The bend leads the blades away from the line of the thread, so that they lie as square to it as they can. */
 static vec across(const senses *s, uint32_t node)
 {
-    vec way = way_at(s, node);
+    vec tangent = tangent_at(s, node);
     vec to = v_sub(seen(s->w, s->w->trocar), s->x[node]);
-    return v_scale(v_dot(way, to) > 0.0 ? -1.0 : 1.0, way);
+    return v_scale(v_dot(tangent, to) > 0.0 ? -1.0 : 1.0, tangent);
 }
 
 /* Blades come to the thread as jaws do. */
 static bool is_cut(cut_run *t, double dt)
 {
     const senses *s = t->see;
-    if (s->stand->cuts > t->cuts) {
+    if (s->rig->cuts > t->cuts) {
         t->ends++;
         return true;
     }

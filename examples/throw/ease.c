@@ -17,10 +17,10 @@ bool ease_step(ease_run *e, senses *s, double dt)
     e->slack_w = s->draws_w < TAUT ? e->slack_w + dt : 0.0;
     e->slack_c = s->draws_c < TAUT ? e->slack_c + dt : 0.0;
     if (e->slack_w < A_MOMENT) {
-        hand_give_way(s->w, &s->tool_w, &e->carrot_w, s->x[s->tail_root], s->draws_w, dt);
+        hand_yield(s->w, &s->tool_w, &e->carrot_w, s->x[s->tail_root], s->draws_w, dt);
     }
     if (e->slack_c < A_MOMENT) {
-        hand_give_way(s->c, &s->tool_c, &e->carrot_c, s->x[s->limb_root], s->draws_c, dt);
+        hand_yield(s->c, &s->tool_c, &e->carrot_c, s->x[s->limb_root], s->draws_c, dt);
     }
     return smaller(e->slack_w, e->slack_c) >= A_MOMENT || e->since > LONGEST;
 }

@@ -66,7 +66,7 @@ void hand_orientation(vec x, vec y, vec z, double q[4])
 }
 
 /* The bend lies beside the tip, toward +y of the tool, so the shaft does not point from the tip to the trocar. */
-static void stand_through(hand *h, vec tip, double q[4])
+static void orient_through_trocar(hand *h, vec tip, double q[4])
 {
     vec to = v_sub(h->trocar, tip), n = v_unit(to);
     double sine = hand_reach(h) * vbss_sin(h->shape.driver_bend) / v_length(to);
@@ -82,7 +82,7 @@ static void show(hand *h, vec tip)
 {
     h->shown = tip;
     if (h->shape.has_trocar) {
-        stand_through(h, tip, h->shown_orientation);
+        orient_through_trocar(h, tip, h->shown_orientation);
     } else {
         memcpy(h->shown_orientation, h->face, sizeof h->face);
     }
@@ -94,11 +94,11 @@ void hand_stiffen(vbss_grasper_config *shape)
     shape->damping = DAMPING;
 }
 
-vbss_result hand_create_with(hand *h, stand *s, const hand_nature *nature,
+vbss_result hand_create_with(hand *h, throw_rig *s, const hand_nature *nature,
                              const vbss_grasper_config *shape, vec tip, vec point, double opening)
 {
     memset(h, 0, sizeof *h);
-    h->stand = s;
+    h->rig = s;
     h->nature = *nature;
     h->random = nature->seed;
     h->side = 1.0;
@@ -119,7 +119,7 @@ vbss_result hand_create_with(hand *h, stand *s, const hand_nature *nature,
     return wire_create(h);
 }
 
-vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
+vbss_result hand_create(hand *h, throw_rig *s, const hand_nature *nature, vec trocar, vec tip,
                         vec point, double opening)
 {
     vbss_grasper_config shape;
@@ -175,7 +175,7 @@ void hand_take_tool(hand *h, vbss_device_tool tool)
     h->tool = tool;
 }
 
-void hand_give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
+void hand_yield(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
 {
     double speed = clamp(0.02 * felt, 0.002, 0.02) * h->nature.speed;
     *carrot = v_along(*carrot, speed * dt, v_unit(v_sub(knot, p->tip)));
@@ -193,16 +193,18 @@ void hand_target(hand *h, double size)
 static vec give(const hand *h, vec velocity)
 {
     double force = v_length(h->felt);
-    vec way = v_unit(h->felt);
-    double against = larger(-v_dot(velocity, way), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
-    return force > STRONG ? v_along(velocity, against, way) : velocity;
+    vec direction = v_unit(h->felt);
+    double against =
+        larger(-v_dot(velocity, direction), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
+    return force > STRONG ? v_along(velocity, against, direction) : velocity;
 }
 
 static void follow(hand *h, double dt)
 {
-    vec way = v_sub(v_add(h->goal, h->target_at), h->at);
-    double stop = sqrt(2.0 * 0.7 * ACCELERATION * v_length(way)); /* from where it can still stop */
-    vec wanted = v_limit(v_scale(1.0 / LAG, way), smaller(h->limit, stop));
+    vec to_goal = v_sub(v_add(h->goal, h->target_at), h->at);
+    double stop =
+        sqrt(2.0 * 0.7 * ACCELERATION * v_length(to_goal)); /* from where it can still stop */
+    vec wanted = v_limit(v_scale(1.0 / LAG, to_goal), smaller(h->limit, stop));
     vec change = v_limit(v_sub(wanted, h->velocity), ACCELERATION * dt);
     h->velocity = give(h, v_add(h->velocity, change));
     h->at = v_along(h->at, dt, h->velocity);
@@ -268,7 +270,7 @@ vbss_result hand_step(hand *h, double dt)
         turn(h, dt);
     }
     if (h->through && !h->shape.has_trocar) {
-        stand_through(h, h->at, h->wanted_face);
+        orient_through_trocar(h, h->at, h->wanted_face);
     }
     face(h, dt);
     h->opening += clamp(h->wanted_opening - h->opening, -limit, limit);
@@ -290,9 +292,9 @@ vbss_result hand_feel(hand *h)
         h->pull = v3(0.0, 0.0, 0.0);
         return VBSS_OK;
     }
-    TRY(vbss_scene_get_grasp(h->stand->scene, h->body, 0, &grasp, sizeof grasp));
+    TRY(vbss_scene_get_grasp(h->rig->scene, h->body, 0, &grasp, sizeof grasp));
     h->held_thread = grasp.thread;
-    h->place = stand_place(h->stand, grasp.arc_length);
+    h->place = throw_rig_place(h->rig, grasp.arc_length);
     h->node = (uint32_t)(h->place + 0.5);
     h->pull = seen(h, v_scale(-1.0, v_load(grasp.force)));
     if (state.needle != 0) { /* the needle leans on the tool as well, which no hand feels */
@@ -307,19 +309,19 @@ vec hand_rotate(const double q[4], vec v)
     return v_add(v_along(v, q[0], t), v_cross(r, t));
 }
 
-vbss_result hand_look(const hand *h, hand_pose *pose)
+vbss_result hand_observe(const hand *h, hand_pose *pose)
 {
     vbss_grasper_state s;
     double bend = h->shape.driver_bend;
     TRY(vbss_grasper_get_state(h->grasper, &s, sizeof s));
     vec tip = v_load(s.position),
         jaws = hand_rotate(s.orientation, v3(0.0, vbss_sin(bend), vbss_cos(bend)));
-    vec way = hand_rotate(s.orientation, v3(0.0, 0.0, 1.0));
+    vec shaft = hand_rotate(s.orientation, v3(0.0, 0.0, 1.0));
     vec corner = v_along(tip, hand_reach(h), jaws);
     pose->tip = seen(h, tip);
     pose->handle = seen(h, jaws);
     pose->bend = seen(h, corner);
-    pose->trocar = seen(h, v_along(corner, h->shape.shaft_length, way));
+    pose->trocar = seen(h, v_along(corner, h->shape.shaft_length, shaft));
     pose->opening = seen(h, hand_rotate(s.orientation, v3(1.0, 0.0, 0.0)));
     return VBSS_OK;
 }

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "throw/stand.h"
+#include "throw/rig.h"
 
 #define GRASP_BEHIND 2e-3 /* of the point that the jaws grasp with, from the tip */
 
@@ -25,7 +25,7 @@ typedef struct hand_pose {
 } hand_pose;
 
 typedef struct hand {
-    stand *stand;
+    throw_rig *rig;
     vbss_grasper_config shape;
     hand_nature nature;
     uint64_t random;
@@ -59,10 +59,10 @@ typedef struct hand {
     vec felt;                   /* of all on the tool, N, in the world */
 } hand;
 
-vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
+vbss_result hand_create(hand *h, throw_rig *s, const hand_nature *nature, vec trocar, vec tip,
                         vec point, double opening);
 /* With a tool of that shape, which has its trocar or none. */
-vbss_result hand_create_with(hand *h, stand *s, const hand_nature *nature,
+vbss_result hand_create_with(hand *h, throw_rig *s, const hand_nature *nature,
                              const vbss_grasper_config *shape, vec tip, vec point, double opening);
 /* A shape's coupling becomes that of a hand that no arm makes buzz. */
 void hand_stiffen(vbss_grasper_config *shape);
@@ -84,14 +84,14 @@ void hand_through(hand *h, vec point);
 void hand_open(hand *h, double opening);
 void hand_take_tool(hand *h, vbss_device_tool tool);
 /* Back toward a knot that its thread comes from, slower as the pull ceases that it feels, N; `carrot` goes ahead of it. */
-void hand_give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt);
+void hand_yield(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt);
 /* A new error of aim of that size. */
 void hand_target(hand *h, double size);
 /* Moves the tool for the coming step. */
 vbss_result hand_step(hand *h, double dt);
 /* Feels what the step did. */
 vbss_result hand_feel(hand *h);
-vbss_result hand_look(const hand *h, hand_pose *pose);
+vbss_result hand_observe(const hand *h, hand_pose *pose);
 
 /* The quaternion (w, x, y, z) of a frame of these axes; a vector turned by one. */
 void hand_orientation(vec x, vec y, vec z, double q[4]);

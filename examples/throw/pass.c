@@ -10,7 +10,7 @@ enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
 #define LOST 0.3           /* s, that turns are off W's jaws before it has the tail */
 /* m, that the drain has gone by, with the limb about W's jaws: it would go on as far as W does. */
 #define DRAGGED 12e-3
-#define LOOK 0.02  /* s, between looks whether the end has come through */
+#define CHECK_INTERVAL 0.02 /* s, between checks whether the end has come through */
 #define SURELY 0.2 /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
 
 /* Open jaws do not get at what lies on the floor: told to, they press on it. */
@@ -159,11 +159,11 @@ vbss_result throw_draw(throw_run *t, double dt)
         draw_in_vain(t, dt);
         return VBSS_OK;
     }
-    if (fmod(t->since, LOOK) < dt) {
+    if (fmod(t->since, CHECK_INTERVAL) < dt) {
         if (s->turns < t->plan.wraps) {
             TRY(is_formed(t, &formed));
         }
-        t->clear = formed ? t->clear + LOOK : 0.0;
+        t->clear = formed ? t->clear + CHECK_INTERVAL : 0.0;
     }
     if (formed && t->clear > (t->plan.again ? SURELY : 0.0)) {
         t->carrot_c = s->tool_c.tip;

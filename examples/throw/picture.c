@@ -27,7 +27,7 @@ bool picture_write(const senses *s, const char *path, const char *text, bool nea
         return false;
     }
     const double a[3] = {0.0, -0.016, -DRAIN_RADIUS}, b[3] = {0.0, 0.016, -DRAIN_RADIUS};
-    const uint32_t right = s->stand->marks[0], left = s->stand->marks[1];
+    const uint32_t right = s->rig->marks[0], left = s->rig->marks[1];
     const double radius = near ? THREAD_RADIUS : 3.0 * THREAD_RADIUS; /* so that it is seen */
     painter_add_capsule(p, a, b, DRAIN_RADIUS, PAINTER_TISSUE);
     painter_add_chain(p, &s->x[0].x, right + 1, 0, radius, PAINTER_BLUE, NULL);

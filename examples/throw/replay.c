@@ -18,7 +18,7 @@ replay_log replay_read(const char *path)
     return b;
 }
 
-static vbss_result play(stand *s, const replay_log *log, bool changed, replay_finding *f)
+static vbss_result play(throw_rig *s, const replay_log *log, bool changed, replay_finding *f)
 {
     vbss_replay *replay;
     vbss_replay_info info;
@@ -36,7 +36,7 @@ static vbss_result play(stand *s, const replay_log *log, bool changed, replay_fi
     return VBSS_OK;
 }
 
-replay_finding replay_on(stand *s, const replay_log *log)
+replay_finding replay_on(throw_rig *s, const replay_log *log)
 {
     replay_finding f;
     memset(&f, 0, sizeof f);
@@ -44,7 +44,7 @@ replay_finding replay_on(stand *s, const replay_log *log)
     return f;
 }
 
-static vbss_result run(const trial_options *o, const replay_log *log, bool changed, stand *s,
+static vbss_result run(const trial_options *o, const replay_log *log, bool changed, throw_rig *s,
                        replay_finding *f)
 {
     hand hands[2]; /* for their tools: the log says where these go */
@@ -55,7 +55,7 @@ static vbss_result run(const trial_options *o, const replay_log *log, bool chang
 replay_finding replay_run(const trial_options *o, const replay_log *log, bool changed)
 {
     replay_finding f;
-    stand s;
+    throw_rig s;
     memset(&f, 0, sizeof f);
     memset(&s, 0, sizeof s);
     f.result = run(o, log, changed, &s, &f);
@@ -70,7 +70,7 @@ replay_finding replay_run(const trial_options *o, const replay_log *log, bool ch
                  (unsigned long long)f.report.step, (unsigned long long)f.report.found_hash,
                  (unsigned long long)f.report.recorded_hash);
     }
-    stand_destroy(&s);
+    throw_rig_destroy(&s);
     return f;
 }
 

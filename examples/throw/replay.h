@@ -1,4 +1,4 @@
-/* A trial once more, from its log: the same stand is made anew and told what was told then. */
+/* A trial once more, from its log: the same rig is made again and told what was told then. */
 #ifndef VBSS_EXAMPLES_THROW_REPLAY_H
 #define VBSS_EXAMPLES_THROW_REPLAY_H
 
@@ -21,7 +21,7 @@ typedef struct replay_finding {
 
 replay_log replay_read(const char *path);
 /* On that scene, made anew; tells no text. */
-replay_finding replay_on(stand *s, const replay_log *log);
+replay_finding replay_on(throw_rig *s, const replay_log *log);
 /* With `changed` a node of the thread is let go that the recorded scene held. */
 replay_finding replay_run(const trial_options *o, const replay_log *log, bool changed);
 /* Of the file that the options name. */

@@ -10,7 +10,7 @@
 #define PI 3.14159265358979324
 
 enum { SIDES = 120, CORNERS = 2 * SIDES + 1 }; /* of the drain, where it is cut */
-enum { FLOOR_CELLS = 32, PARTS = 4, MAX_POINTS = PARTS * STAND_NODES + 1 };
+enum { FLOOR_CELLS = 32, PARTS = 4, MAX_POINTS = PARTS * MAX_THREAD_NODES + 1 };
 
 /* ---- boxes */
 
@@ -90,13 +90,13 @@ bool scenery_add_tools(painter *p, const senses *s)
 
 bool scenery_add_thread(painter *p, const senses *s)
 {
-    static painter_colour colours[STAND_NODES];
+    static painter_colour colours[MAX_THREAD_NODES];
     for (uint32_t i = 0; i + 1 < s->nodes; i++) {
-        colours[i] = i < s->stand->marks[0]   ? SCENERY_TAIL
-                     : i < s->stand->marks[1] ? PAINTER_VIOLET
-                                              : SCENERY_LIMB;
+        colours[i] = i < s->rig->marks[0]   ? SCENERY_TAIL
+                     : i < s->rig->marks[1] ? PAINTER_VIOLET
+                                            : SCENERY_LIMB;
     }
-    return painter_add_chain(p, &stand_nodes(s->stand)[0].x, s->nodes, 0, THREAD_RADIUS,
+    return painter_add_chain(p, &throw_rig_nodes(s->rig)[0].x, s->nodes, 0, THREAD_RADIUS,
                              PAINTER_VIOLET, colours) == PAINTER_OK;
 }
 
@@ -121,7 +121,7 @@ painter_colour scenery_throw_colour(uint32_t number, bool tail)
 
 static painter_colour colour_at(const senses *s, const demo_knot *k, double place)
 {
-    const uint32_t *marks = s->stand->marks;
+    const uint32_t *marks = s->rig->marks;
     for (uint32_t i = 0; i < k->state.throw_count && i < DEMO_THROWS; i++) {
         const vbss_knot_throw *t = &k->throws[i];
         bool located = (t->flags & VBSS_KNOT_THROW_LOCATED) != 0;
@@ -150,7 +150,7 @@ static bool add_run(painter *p, const senses *s, const demo_knot *k, uint32_t fr
 {
     static vec points[MAX_POINTS];
     static painter_colour colours[MAX_POINTS];
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     size_t count = 0;
     for (uint32_t i = from; i < to; i++) {
         for (int part = 0; part < PARTS; part++) {
@@ -165,7 +165,7 @@ static bool add_run(painter *p, const senses *s, const demo_knot *k, uint32_t fr
 
 bool scenery_add_knot(painter *p, const senses *s, const demo_knot *k, const scenery_box *b)
 {
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     uint32_t first = 0;
     bool good = true;
     for (uint32_t i = 0; i < s->nodes && good; i++) {
@@ -183,8 +183,8 @@ bool scenery_add_knot(painter *p, const senses *s, const demo_knot *k, const sce
 
 /* ---- from where */
 
-bool scenery_look(painter *p, const scenery_box *b, bool above, int width, int height, int top,
-                  double min_width)
+bool scenery_set_view(painter *p, const scenery_box *b, bool above, int width, int height, int top,
+                      double min_width)
 {
     double angle = above ? 0.5 * PI : ELEVATION;
     vec right = v3(1.0, 0.0, 0.0), up = v3(0.0, vbss_sin(angle), vbss_cos(angle));

@@ -28,7 +28,7 @@ bool scenery_add_knot(painter *p, const senses *s, const demo_knot *k, const sce
 painter_colour scenery_throw_colour(uint32_t number, bool tail);
 
 /* An orthographic camera a little above the front, or above; `top` pixels are left free for text. */
-bool scenery_look(painter *p, const scenery_box *b, bool above, int width, int height, int top,
-                  double min_width);
+bool scenery_set_view(painter *p, const scenery_box *b, bool above, int width, int height, int top,
+                      double min_width);
 
 #endif

@@ -16,19 +16,19 @@
 #define BACK_NEAR 8e-3 /* m, of C from where it goes: it is there */
 /* Pulled again so often, it is left as it was pulled: squared it has sprung open as often. */
 enum { SQUARED_NO_MORE = 2 };
-#define BACK_LATEST 10.0 /* s */
-#define SQUARING 0.8     /* N, of both ends while the hands come from there again */
-#define SLACK_FORCE 0.03 /* N */
-#define EASING 3.0       /* s, at most */
-#define EASED 0.15       /* s, slack */
-#define LOOSENED 0.45    /* s: until then both ends are given slack, */
-#define LOOSENING 0.01   /* m/s */
-#define LEFT_ALONE 1.3   /* s: then it is done; it slips late */
-#define AHEAD 0.3        /* N, of what is asked for over what the weaker end bears */
-#define UNLIKE_MIN 0.05  /* of slack ends */
-#define UNLIKE_SHARE 0.3 /* in between, of the weaker one's */
-#define LEAN 120.0       /* N/m: so much less, of the end to which the drain has gone */
-#define LEAN_MAX 1.0     /* N */
+#define BACK_LATEST 10.0    /* s */
+#define SQUARING 0.8        /* N, of both ends while the hands come from there again */
+#define SLACK_FORCE 0.03    /* N */
+#define EASING 3.0          /* s, at most */
+#define MIN_SLACK_TIME 0.15 /* s, slack */
+#define LOOSENED 0.45       /* s: until then both ends are given slack, */
+#define LOOSENING 0.01      /* m/s */
+#define LEFT_ALONE 1.3      /* s: then it is done; it slips late */
+#define AHEAD 0.3           /* N, of what is asked for over what the weaker end bears */
+#define UNLIKE_MIN 0.05     /* of slack ends */
+#define UNLIKE_SHARE 0.3    /* in between, of the weaker one's */
+#define LEAN 120.0          /* N/m: so much less, of the end to which the drain has gone */
+#define LEAN_MAX 1.0        /* N */
 /* A drain that does not come back for it is left where it is: no more of it from then on, and none in the end, s. */
 #define LEAN_FADES 4.0
 #define LEAN_FADED 6.0
@@ -45,24 +45,24 @@ void throw_follow(throw_run *t, double smallest, double dt)
 {
     const senses *s = t->see;
     double speed = 0.03;
-    vec way = v3(1.0, 0.0, -0.3);
+    vec direction = v3(1.0, 0.0, -0.3);
     if (t->plan.soft) { /* down by the far side, then along the drain's top */
         double far = s->tool_c.tip.y < FAR_SIDE ? 0.6 : 0.0;
-        way = s->tool_c.tip.z > LOW ? v3(0.6, far, -0.7) : v3(1.0, 0.0, 0.0);
+        direction = s->tool_c.tip.z > LOW ? v3(0.6, far, -0.7) : v3(1.0, 0.0, 0.0);
     }
     if (s->tension_c > smallest) {
-        way = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
+        direction = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
         speed = smaller(0.1, 0.03 * (s->tension_c / smallest - 1.0) + 0.005);
     }
-    t->carrot_c = v_along(t->carrot_c, speed * dt, way);
+    t->carrot_c = v_along(t->carrot_c, speed * dt, direction);
     t->carrot_c = v_add(s->tool_c.tip, v_limit(v_sub(t->carrot_c, s->tool_c.tip), 8e-3));
     hand_go(s->c, t->carrot_c, 0.15);
 }
 
-static vec turned(vec way, double about)
+static vec turned(vec direction, double about)
 {
     double c = vbss_cos(about), s = vbss_sin(about);
-    return v3(c * way.x - s * way.y, s * way.x + c * way.y, way.z);
+    return v3(c * direction.x - s * direction.y, s * direction.x + c * direction.y, direction.z);
 }
 
 /* W is on a leash: the tail, or what is left of it. */
@@ -75,9 +75,9 @@ void throw_on_leash(throw_run *t, double limit, double dt)
     t->leash += s->tension_w > limit ? -0.03 * dt : 0.01 * dt;
     t->leash = clamp(t->leash, 0.3 * full, full);
     double up = vbss_sin(t->angle), tilt = up > 0.0 ? t->plan.tilt : 0.0;
-    vec way = v3(vbss_cos(t->angle), -up * vbss_sin(tilt), up * vbss_cos(tilt));
-    way = t->state == THROW_SEAT ? turned(way, t->plan.askew) : way;
-    vec jaws = v_along(steer_tail_root(t), t->leash, way);
+    vec direction = v3(vbss_cos(t->angle), -up * vbss_sin(tilt), up * vbss_cos(tilt));
+    direction = t->state == THROW_SEAT ? turned(direction, t->plan.askew) : direction;
+    vec jaws = v_along(steer_tail_root(t), t->leash, direction);
     if (t->state == THROW_DRAW) {
         jaws.z = larger(jaws.z, t->plan.min_height);
     }
@@ -105,9 +105,9 @@ void throw_lower(throw_run *t, double dt)
 
 static void draw(hand *h, const hand_pose *p, vec *carrot, vec to, double speed, double dt)
 {
-    vec way = v_sub(to, p->tip);
-    if (v_length(way) > 2e-3) {
-        *carrot = v_along(*carrot, speed * dt, v_unit(way));
+    vec to_goal = v_sub(to, p->tip);
+    if (v_length(to_goal) > 2e-3) {
+        *carrot = v_along(*carrot, speed * dt, v_unit(to_goal));
     }
     *carrot = v_add(p->tip, v_limit(v_sub(*carrot, p->tip), 5e-3));
     hand_go(h, *carrot, 0.05);
@@ -135,9 +135,9 @@ static void pull_one_first(throw_run *t, double dt)
 }
 
 /* Far out, and so low. */
-static vec outward(const throw_run *t, double way)
+static vec outward(const throw_run *t, double x)
 {
-    return v3(way + (way > 0.0 ? t->plan.far : -t->plan.far), 0.0, -t->plan.low);
+    return v3(x + (x > 0.0 ? t->plan.far : -t->plan.far), 0.0, -t->plan.low);
 }
 
 /* Both hands low on either side and the tail straight, C draws the limb round it: the turn runs down to what is tied. Closed
@@ -221,8 +221,8 @@ static bool are_back(throw_run *t, double dt)
 static double lean_to_w(const throw_run *t)
 {
     const senses *s = t->see;
-    vec jaws = steer_jaws_of(&s->tool_w), way = v_unit(v3(jaws.x, jaws.y, 0.0));
-    return clamp(LEAN * v_dot(senses_drain(s), way), -LEAN_MAX, LEAN_MAX);
+    vec jaws = steer_jaws_of(&s->tool_w), direction = v_unit(v3(jaws.x, jaws.y, 0.0));
+    return clamp(LEAN * v_dot(senses_drain(s), direction), -LEAN_MAX, LEAN_MAX);
 }
 
 static void draw_to(hand *h, const hand_pose *p, vec *carrot, vec to, double felt, double wanted,
@@ -347,9 +347,9 @@ void throw_seated(throw_run *t)
     throw_enter(t, t->plan.again ? THROW_PART : THROW_DONE);
 }
 
-bool throw_is_eased(const throw_run *t)
+bool throw_is_slack(const throw_run *t)
 {
-    return t->state == THROW_PART && t->clear >= EASED;
+    return t->state == THROW_PART && t->clear >= MIN_SLACK_TIME;
 }
 
 /* From where the throw below was pulled from: the flat way what has sprung open stays so. */
@@ -375,11 +375,11 @@ void throw_part(throw_run *t, double dt)
 {
     senses *s = t->see;
     bool slack = larger(s->draws_w, s->draws_c) < SLACK_FORCE;
-    bool eased = t->clear >= EASED;
-    t->clear += slack || t->since > EASING || eased ? dt : 0.0;
-    if (!eased) {
-        hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->draws_w, dt);
-        hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->draws_c, dt);
+    bool is_slack = t->clear >= MIN_SLACK_TIME;
+    t->clear += slack || t->since > EASING || is_slack ? dt : 0.0;
+    if (!is_slack) {
+        hand_yield(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->draws_w, dt);
+        hand_yield(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->draws_c, dt);
         return;
     }
     if (t->clear < LOOSENED) {

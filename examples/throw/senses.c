@@ -7,11 +7,11 @@
 enum { FARTHER = 15 }; /* nodes */
 #define SMOOTH 0.1     /* share of a new tension in each step */
 
-vbss_result senses_create(senses *s, stand *st, hand *w, hand *c)
+vbss_result senses_create(senses *s, throw_rig *st, hand *w, hand *c)
 {
     vbss_knot_config config;
     memset(s, 0, sizeof *s);
-    s->stand = st;
+    s->rig = st;
     s->w = w;
     s->c = c;
     s->nodes = st->nodes;
@@ -26,10 +26,10 @@ vbss_result senses_create(senses *s, stand *st, hand *w, hand *c)
 
 static double distance(vec x, vec a, vec b, double *along)
 {
-    vec way = v_sub(b, a);
-    double t = clamp(v_dot(v_sub(x, a), way) / v_dot(way, way), 0.0, 1.0);
-    *along = t * v_length(way);
-    return v_distance(x, v_along(a, t, way));
+    vec edge = v_sub(b, a);
+    double t = clamp(v_dot(v_sub(x, a), edge) / v_dot(edge, edge), 0.0, 1.0);
+    *along = t * v_length(edge);
+    return v_distance(x, v_along(a, t, edge));
 }
 
 static bool touches(const senses *s, vec x, double *from_tip)
@@ -73,12 +73,12 @@ static void find_contacts(senses *s)
 /* Both detectors begin anew with what is left of the thread. */
 static vbss_result follow_cuts(senses *s)
 {
-    uint32_t shift = s->stand->shift - s->shift;
-    if (s->nodes == s->stand->nodes) {
+    uint32_t shift = s->rig->shift - s->shift;
+    if (s->nodes == s->rig->nodes) {
         return VBSS_OK;
     }
-    s->nodes = s->stand->nodes;
-    s->shift = s->stand->shift;
+    s->nodes = s->rig->nodes;
+    s->shift = s->rig->shift;
     s->tail_root -=
         shift < s->tail_root ? shift : s->tail_root; /* cut inside the knot: none left */
     s->limb_root -= shift;
@@ -100,16 +100,16 @@ void senses_feel(senses *s)
     s->draws_c += SMOOTH * (drawn(c, s->held_c, s->x[s->limb_root]) - s->draws_c);
 }
 
-vbss_result senses_look(senses *s)
+vbss_result senses_observe(senses *s)
 {
     vbss_view view;
     TRY(follow_cuts(s));
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     for (uint32_t i = 0; i < s->nodes; i++) {
         s->x[i] = seen(s->w, x[i]);
     }
-    TRY(hand_look(s->w, &s->tool_w));
-    TRY(hand_look(s->c, &s->tool_c));
+    TRY(hand_observe(s->w, &s->tool_w));
+    TRY(hand_observe(s->c, &s->tool_c));
     TRY(vbss_grasper_get_view(s->w->grasper, VBSS_GRASPER_VIEW_CAPSULES, &view, sizeof view));
     s->parts = view.data;
     s->held_c = v_along(s->tool_c.tip, GRASP_BEHIND, s->tool_c.handle);
@@ -124,15 +124,15 @@ vbss_result senses_look(senses *s)
 
 vec senses_drain(const senses *s)
 {
-    const uint32_t *marks = s->stand->marks;
+    const uint32_t *marks = s->rig->marks;
     vec middle = v_scale(0.5, v_add(s->x[marks[0]], s->x[marks[1]]));
     return v3(middle.x, middle.y, 0.0);
 }
 
-vec senses_tip_holding_up(const senses *s, vec way, double share)
+vec senses_tip_holding_up(const senses *s, vec direction, double share)
 {
     double length = senses_length(s, s->limb_root, s->c->node);
-    vec jaws = v_along(s->x[s->limb_root], share * length, v_unit(way));
+    vec jaws = v_along(s->x[s->limb_root], share * length, v_unit(direction));
     if (s->c->holds && !senses_holds(s, s->c)) { /* by the needle */
         return v_sub(jaws, v_sub(s->held_c, s->tool_c.tip));
     }
@@ -161,7 +161,7 @@ static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *p
 
 static vbss_result show(const senses *s, vbss_knot_tool tools[2], vbss_knot_input *in)
 {
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     TRY(vbss_knot_input_init(in, sizeof *in));
     in->points = &x[0].x;
     in->point_count = s->nodes;
@@ -171,8 +171,8 @@ static vbss_result show(const senses *s, vbss_knot_tool tools[2], vbss_knot_inpu
     in->tool_count = 2;
     in->hole_count = 2;
     for (int i = 0; i < 2; i++) {
-        v_store(in->holes[i], x[s->stand->marks[i]]);
-        in->hole_places[i] = s->stand->marks[i];
+        v_store(in->holes[i], x[s->rig->marks[i]]);
+        in->hole_places[i] = s->rig->marks[i];
     }
     in->away[2] = -1.0;
     return VBSS_OK;
@@ -214,9 +214,9 @@ vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k)
 
 static bool is_of_knot(const senses *s, const uint32_t *contact, uint32_t end)
 {
-    return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->stand->thread_body &&
-           contact[3] == s->stand->thread_body && stand_segment(s->stand, contact[2]) < end &&
-           stand_segment(s->stand, contact[4]) < end;
+    return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->rig->thread_body &&
+           contact[3] == s->rig->thread_body && throw_rig_segment(s->rig, contact[2]) < end &&
+           throw_rig_segment(s->rig, contact[4]) < end;
 }
 
 static const uint32_t *contact_at(const vbss_view *v, uint64_t i)
@@ -235,21 +235,20 @@ vbss_result senses_find_knot(senses *s)
     vec sum = v3(0.0, 0.0, 0.0);
     double smallest = 1.0, largest = -1.0;
     uint32_t count = 0, end = limb_end(s);
-    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
-    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
-                            sizeof points));
+    TRY(vbss_scene_get_view(s->rig->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
+    TRY(vbss_scene_get_view(s->rig->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points, sizeof points));
     for (uint64_t i = 0; i < kinds.count; i++) {
         if (is_of_knot(s, contact_at(&kinds, i), end)) {
             vec at = point_at(&points, i);
             sum = v_add(sum, at);
-            smallest = smaller(smallest, stand_height(at));
-            largest = larger(largest, stand_height(at));
+            smallest = smaller(smallest, height_above_drain(at));
+            largest = larger(largest, height_above_drain(at));
             count++;
         }
     }
     if (count > 0) {
         s->knot = v_scale(1.0 / count, sum);
-        s->knot_height = stand_height(s->knot);
+        s->knot_height = height_above_drain(s->knot);
         s->knot_lowest = smallest;
         s->knot_highest = largest;
     }
@@ -269,17 +268,16 @@ static vbss_result find_roots_by_touch(senses *s)
 {
     vbss_view kinds, points;
     TRY(senses_find_knot(s));
-    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
-    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
-                            sizeof points));
+    TRY(vbss_scene_get_view(s->rig->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
+    TRY(vbss_scene_get_view(s->rig->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points, sizeof points));
     uint32_t end = limb_end(s);
-    s->tail_root = s->stand->marks[0];
-    s->limb_root = s->stand->marks[1];
+    s->tail_root = s->rig->marks[0];
+    s->limb_root = s->rig->marks[1];
     for (uint64_t i = 0; i < kinds.count; i++) {
         const uint32_t *c = contact_at(&kinds, i);
         if (is_of_knot(s, c, end) && v_distance(point_at(&points, i), s->knot) < KNOT_SIZE) {
-            include(s, stand_segment(s->stand, c[2]));
-            include(s, stand_segment(s->stand, c[4]));
+            include(s, throw_rig_segment(s->rig, c[2]));
+            include(s, throw_rig_segment(s->rig, c[4]));
         }
     }
     return VBSS_OK;

@@ -7,11 +7,11 @@
 #include "throw/hand.h"
 
 typedef struct senses {
-    stand *stand;
+    throw_rig *rig;
     hand *w, *c;
     vbss_knot_detector *detector, *arbiter; /* with the tools; of the bare thread */
-    vec x[STAND_NODES];
-    uint32_t nodes, shift;                 /* as the stand has them */
+    vec x[MAX_THREAD_NODES];
+    uint32_t nodes, shift;                 /* as the rig has them */
     uint32_t tail_root, limb_root, throws; /* where both come out of drain or knot; throws tied */
     hand_pose tool_w, tool_c;
     vec held_c;          /* where C holds the limb: between its jaws, or by the needle at its end */
@@ -28,16 +28,16 @@ typedef struct senses {
     double knot_height, knot_lowest, knot_highest;
 } senses;
 
-vbss_result senses_create(senses *s, stand *st, hand *w, hand *c);
+vbss_result senses_create(senses *s, throw_rig *st, hand *w, hand *c);
 /* Every step. */
-vbss_result senses_look(senses *s);
+vbss_result senses_observe(senses *s);
 /* Of that: tensions, from what the hands have felt. */
 void senses_feel(senses *s);
 /* Less often. */
 vbss_result senses_wind(senses *s);
 vbss_result senses_find_knot(senses *s);
-/* Where C's tip is when it holds the limb up from its root that way, at a share of its length. */
-vec senses_tip_holding_up(const senses *s, vec way, double share);
+/* Where C's tip is when it holds the limb up from its root in that direction, at a share of its length. */
+vec senses_tip_holding_up(const senses *s, vec direction, double share);
 /* Where the drain has gone, level: the middle of the thread's places in it, which is at the origin as it lies. */
 vec senses_drain(const senses *s);
 /* What the thread is, or, with the tools where they are and what they hold, will be. */
@@ -54,7 +54,7 @@ vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k);
 /* The thread, and not what was cut off of it. */
 static inline bool senses_holds(const senses *s, const hand *h)
 {
-    return h->holds && h->held_thread == s->stand->thread_body;
+    return h->holds && h->held_thread == s->rig->thread_body;
 }
 
 static inline double senses_length(const senses *s, uint32_t from, uint32_t to)

@@ -118,6 +118,6 @@ void steer_yield(throw_run *t)
 {
     const senses *s = t->see;
     bool taut = s->tension_c > t->plan.tension;
-    vec way = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
-    hand_go(s->c, taut ? v_along(s->tool_c.tip, 5e-3, way) : s->tool_c.tip, 0.1);
+    vec direction = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
+    hand_go(s->c, taut ? v_along(s->tool_c.tip, 5e-3, direction) : s->tool_c.tip, 0.1);
 }

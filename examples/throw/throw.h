@@ -129,7 +129,7 @@ double throw_pulled_for(const throw_run *t);
 /* It is tight. */
 void throw_seated(throw_run *t);
 /* It was, and both ends are slack now: it may be pulled again. */
-bool throw_is_eased(const throw_run *t);
+bool throw_is_slack(const throw_run *t);
 void throw_pull_again(throw_run *t);
 /* That the throw shall have: each has the other hand's. */
 int throw_handedness(const throw_run *t);

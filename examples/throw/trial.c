@@ -11,7 +11,7 @@
 
 typedef struct trial {
     const trial_options *options;
-    stand st;
+    throw_rig rig;
     hand hands[2];
     senses see;
     throw_run run;
@@ -70,20 +70,20 @@ static void plan_first(const trial_options *o, throw_plan *plan)
     }
 }
 
-vbss_result trial_set_up(const trial_options *o, stand *s, hand hands[2])
+vbss_result trial_set_up(const trial_options *o, throw_rig *s, hand hands[2])
 {
     const vec left = v3(-0.11, -0.05, 0.08), right = v3(0.11, -0.05, 0.08);
     hand_nature nature = nature_of(o->seed);
     throw_plan plan;
     plan_first(o, &plan);
-    TRY(stand_create(s, 0.03, 0.117));
+    TRY(throw_rig_create(s, 0.03, 0.117));
     TRY(hand_create(&hands[0], s, &nature, left, v3(-0.06, -0.06, 0.06), v3(-1.0, 0.1, 0.0), 0.0));
     nature.seed += 1000;
     uint32_t held = s->marks[1] + (uint32_t)(plan.hold / SEGMENT + 0.5);
     vec jaws = v3(0.5, -0.15, 0.85); /* to their handle's end */
-    vec at = v_along(stand_nodes(s)[held], -GRASP_BEHIND, v_unit(jaws));
+    vec at = v_along(throw_rig_nodes(s)[held], -GRASP_BEHIND, v_unit(jaws));
     TRY(hand_create(&hands[1], s, &nature, right, at, v3(-0.25, -0.15, 0.95), 1.0));
-    return stand_offer(s, held);
+    return throw_rig_hold_limb(s, held);
 }
 
 /* ---- a step */
@@ -101,11 +101,11 @@ static vbss_result step(trial *t)
     TRY(hand_step(&t->hands[0], STEP));
     TRY(hand_step(&t->hands[1], STEP));
     show(t, TRIAL_STEPS, "");
-    TRY(stand_step(&t->st, STEP));
+    TRY(throw_rig_step(&t->rig, STEP));
     show(t, TRIAL_STEPPED, "");
     TRY(hand_feel(&t->hands[0]));
     TRY(hand_feel(&t->hands[1]));
-    TRY(senses_look(&t->see));
+    TRY(senses_observe(&t->see));
     if (t->steps++ % 10 == 0) {
         TRY(senses_wind(&t->see));
     }
@@ -121,11 +121,11 @@ static void report(trial *t, const char *state, bool changed)
     }
     if (o->verbose && (changed || t->steps % 200 == 0)) {
         vbss_scene_statistics c;
-        (void)vbss_scene_get_statistics(t->st.scene, &c, sizeof c);
+        (void)vbss_scene_get_statistics(t->rig.scene, &c, sizeof c);
         printf("%6.3f %-7s phi %6.1f rho %4.1f Tc %6.3f Tw %6.3f turns %5.2f first %3u %4.1f last "
                "%3u %4.1f"
                " W %5.1f %5.1f %5.1f C %5.1f %5.1f %5.1f rejected %lu clamped %lu\n",
-               t->st.time, state, t->run.phi * 57.2958, t->run.rho * 1e3, s->tension_c,
+               t->rig.time, state, t->run.phi * 57.2958, t->run.rho * 1e3, s->tension_c,
                s->tension_w, s->turns, s->first, s->first_s * 1e3, s->last, s->last_s * 1e3,
                s->tool_w.tip.x * 1e3, s->tool_w.tip.y * 1e3, s->tool_w.tip.z * 1e3,
                s->tool_c.tip.x * 1e3, s->tool_c.tip.y * 1e3, s->tool_c.tip.z * 1e3,
@@ -134,12 +134,12 @@ static void report(trial *t, const char *state, bool changed)
                (unsigned long)c.clamped);
         fflush(stdout);
     }
-    if (o->folder != NULL && (changed || t->st.time >= t->next_picture)) {
+    if (o->folder != NULL && (changed || t->rig.time >= t->next_picture)) {
         char path[512], text[96];
         snprintf(path, sizeof path, "%s/%03d.png", o->folder, t->pictures++);
-        snprintf(text, sizeof text, "%.2f s %s turns %.2f", t->st.time, state, s->turns);
+        snprintf(text, sizeof text, "%.2f s %s turns %.2f", t->rig.time, state, s->turns);
         (void)picture_write(s, path, text, o->near);
-        t->next_picture = t->st.time + o->every;
+        t->next_picture = t->rig.time + o->every;
     }
 }
 
@@ -147,12 +147,12 @@ static void report(trial *t, const char *state, bool changed)
 
 static vbss_result tie(trial *t, const throw_plan *plan, bool *good)
 {
-    double begin = t->st.time;
+    double begin = t->rig.time;
     throw_state before = THROW_STATES;
     throw_run *r = &t->run;
     throw_begin(r, &t->see, plan);
     while (r->state != THROW_DONE && r->state != THROW_FAILED &&
-           t->st.time - begin < t->options->time_limit) {
+           t->rig.time - begin < t->options->time_limit) {
         report(t, throw_state_name(r->state), r->state != before);
         before = r->state;
         TRY(throw_step(r, STEP));
@@ -166,11 +166,11 @@ static vbss_result tie(trial *t, const throw_plan *plan, bool *good)
 static vbss_result change_hands(trial *t, bool *good)
 {
     transfer_state before = TRANSFER_DONE;
-    double begin = t->st.time;
+    double begin = t->rig.time;
     TRY(senses_find_roots(&t->see));
     transfer_begin(&t->pass, &t->see);
     while (t->pass.state != TRANSFER_DONE && t->pass.state != TRANSFER_FAILED &&
-           t->st.time - begin < t->options->time_limit) {
+           t->rig.time - begin < t->options->time_limit) {
         report(t, transfer_state_name(t->pass.state), t->pass.state != before);
         before = t->pass.state;
         TRY(transfer_step(&t->pass, STEP));
@@ -200,10 +200,10 @@ static vbss_result cut_ends(trial *t, trial_outcome *out)
 {
     cut_state before = CUT_DONE;
     cut_run *r = &t->cut;
-    double begin = t->st.time;
+    double begin = t->rig.time;
     TRY(cut_begin(r, &t->see));
     while (r->state != CUT_DONE && r->state != CUT_FAILED &&
-           t->st.time - begin < t->options->time_limit) {
+           t->rig.time - begin < t->options->time_limit) {
         report(t, cut_state_name(r->state), r->state != before);
         before = r->state;
         TRY(cut_step(r, STEP));
@@ -231,10 +231,10 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
     plan_first(t->options, &plan);
     plan.wrong = plan.wrong || t->options->wrong;
     plan.unchecked = plan.unchecked || t->options->unchecked;
-    TRY(trial_set_up(t->options, &t->st, t->hands));
-    TRY(stand_begin(&t->st, t->options->log, note));
-    TRY(senses_create(&t->see, &t->st, &t->hands[0], &t->hands[1]));
-    TRY(senses_look(&t->see));
+    TRY(trial_set_up(t->options, &t->rig, t->hands));
+    TRY(throw_rig_begin(&t->rig, t->options->log, note));
+    TRY(senses_create(&t->see, &t->rig, &t->hands[0], &t->hands[1]));
+    TRY(senses_observe(&t->see));
     const int throws = knots[t->options->kind].throws;
     TRY(tie(t, &plan, &good));
     out->retries = t->run.retries;
@@ -267,21 +267,21 @@ static bool note(trial *t, const senses_knot *k, trial_outcome *out)
     return out->tight || k->state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
 }
 
-static vbss_result look_back(trial *t, trial_outcome *out)
+static vbss_result read_outcome(trial *t, trial_outcome *out)
 {
     const knot *tied = &knots[t->options->kind];
     senses_knot k;
     vbss_scene_statistics c;
     TRY(senses_find_knot(&t->see));
     TRY(senses_judge(&t->see, false, &k));
-    TRY(vbss_scene_get_statistics(t->st.scene, &c, sizeof c));
+    TRY(vbss_scene_get_statistics(t->rig.scene, &c, sizeof c));
     bool proved = note(t, &k, out);
     out->knot = k;
     out->predicted = t->run.predicted;
     out->height = t->see.knot_height;
     out->lowest = t->see.knot_lowest;
     out->highest = t->see.knot_highest;
-    out->time = t->st.time;
+    out->time = t->rig.time;
     out->clamped = c.clamped;
     out->state = throw_state_name(t->run.state);
     out->why = t->run.why != NULL ? t->run.why : "";
@@ -305,19 +305,19 @@ vbss_result trial_run(const trial_options *o, trial_outcome *out)
     t.options = o;
     vbss_result result = tie_all(&t, out);
     if (result == VBSS_OK) {
-        result = look_back(&t, out);
+        result = read_outcome(&t, out);
     }
     if (result == VBSS_OK && out->good && o->cut) {
         result = cut_ends(&t, out);
-        out->time = t.st.time;
+        out->time = t.rig.time;
     }
     if (result == VBSS_OK) {
-        result = stand_end(&t.st);
+        result = throw_rig_end(&t.rig);
     }
     if (result == VBSS_OK) {
         show(&t, TRIAL_ENDED, throw_state_name(t.run.state));
     }
     out->cpu = (double)(clock() - start) / CLOCKS_PER_SEC;
-    stand_destroy(&t.st);
+    throw_rig_destroy(&t.rig);
     return result;
 }

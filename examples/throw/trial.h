@@ -1,4 +1,4 @@
-/* One trial: a stand, two hands of some nature, the throws of a knot one after the other. */
+/* One trial: a rig, two hands of some nature, the throws of a knot one after the other. */
 #ifndef VBSS_EXAMPLES_THROW_TRIAL_H
 #define VBSS_EXAMPLES_THROW_TRIAL_H
 
@@ -30,7 +30,7 @@ typedef struct trial_moment {
     trial_event event;
     const char *state;    /* ENTERED, ENDED: what the hands do */
     const throw_run *run; /* the throw that is tied */
-    senses *see;          /* and by it the stand and both hands */
+    senses *see;          /* and by it the rig and both hands */
 } trial_moment;
 typedef void trial_watch(void *user, const trial_moment *moment);
 
@@ -72,6 +72,6 @@ typedef struct trial_outcome {
 
 vbss_result trial_run(const trial_options *o, trial_outcome *out);
 /* All that is there before the first step: what the log of such a trial can be replayed in. */
-vbss_result trial_set_up(const trial_options *o, stand *s, hand hands[2]);
+vbss_result trial_set_up(const trial_options *o, throw_rig *s, hand hands[2]);
 
 #endif

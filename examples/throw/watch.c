@@ -36,9 +36,9 @@ static void keep_time(demo_times *t, double seconds)
 vbss_result demo_judge(demo *d, const senses *s, demo_knot *k)
 {
     vbss_knot_input in;
-    const vec *x = stand_nodes(s->stand);
+    const vec *x = throw_rig_nodes(s->rig);
     if (d->detector == NULL) {
-        TRY(vbss_knot_detector_create(s->stand->context, NULL, &d->detector));
+        TRY(vbss_knot_detector_create(s->rig->context, NULL, &d->detector));
     }
     memset(k, 0, sizeof *k);
     TRY(vbss_knot_input_init(&in, sizeof in));
@@ -46,8 +46,8 @@ vbss_result demo_judge(demo *d, const senses *s, demo_knot *k)
     in.point_count = s->nodes;
     in.hole_count = 2;
     for (int i = 0; i < 2; i++) {
-        v_store(in.holes[i], x[s->stand->marks[i]]);
-        in.hole_places[i] = s->stand->marks[i];
+        v_store(in.holes[i], x[s->rig->marks[i]]);
+        in.hole_places[i] = s->rig->marks[i];
     }
     in.away[2] = -1.0;
     TRY(vbss_knot_detector_judge(d->detector, &in));
@@ -98,7 +98,7 @@ static void report_stage(demo *d, const trial_moment *m, const demo_knot *k)
                  (int)next->state.next_wraps, next->state.next_wraps == 1 ? "" : "s",
                  next->state.next_handedness > 0 ? "right" : "left");
     }
-    printf("%7.2f%7.2f  %-32s%6.2f%6.2f%7.2f  %s\n", m->see->stand->time, d->wall,
+    printf("%7.2f%7.2f  %-32s%6.2f%6.2f%7.2f  %s\n", m->see->rig->time, d->wall,
            words_of_stage(d->stage.name), d->stage.force[0], d->stage.force[1], m->see->turns,
            knot);
     fflush(stdout);
@@ -149,7 +149,7 @@ static void ended(demo *d, const trial_moment *m)
 {
     const hand *hands[2] = {m->see->w, m->see->c};
     vbss_result r = demo_judge(d, m->see, &d->knot);
-    r = r ? r : vbss_scene_get_statistics(m->see->stand->scene, &d->scene, sizeof d->scene);
+    r = r ? r : vbss_scene_get_statistics(m->see->rig->scene, &d->scene, sizeof d->scene);
     for (int i = 0; i < 2; i++) {
         vbss_device *device = hands[i]->device;
         vbss_device_statistics *in = &d->device[demo_side(hands[i])];

@@ -11,7 +11,7 @@ vbss_result throw_pick(throw_run *t, double dt)
     if (t->grip.state == CATCH_HELD) {
         t->hold = senses_length(s, t->limb_root, s->c->node);
         throw_enter(t, THROW_NEAR);
-        return stand_let_go(s->stand);
+        return throw_rig_release_limb(s->rig);
     }
     if (t->grip.state == CATCH_MISSED) {
         throw_fail(t, "limb not taken");
@@ -53,7 +53,7 @@ void throw_place(throw_run *t)
 }
 
 /* C's needle may catch what it goes past. What holds C is not pulled at: back as it came, and wound anew. */
-static bool is_hooked(throw_run *t, double way, double rate, double dt)
+static bool is_hooked(throw_run *t, double sign, double rate, double dt)
 {
     bool feels = t->plan.backs_off > 0.0 && t->see->tension_c > t->plan.backs_off;
     if (t->hooked == 0.0 && feels && t->retries < t->plan.retries) {
@@ -63,7 +63,7 @@ static bool is_hooked(throw_run *t, double way, double rate, double dt)
         return false;
     }
     t->hooked -= rate * dt;
-    t->phi -= way * rate * dt;
+    t->phi -= sign * rate * dt;
     steer_keep_taut(t, 0.3, dt);
     if (t->hooked <= 0.0) {
         t->hooked = 0.0;
@@ -75,14 +75,14 @@ static bool is_hooked(throw_run *t, double way, double rate, double dt)
 void throw_orbit(throw_run *t, double dt)
 {
     const senses *s = t->see;
-    double way = t->plan.wrong ? -1.0 : 1.0;
-    double end = t->begin + way * (2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond);
+    double sign = t->plan.wrong ? -1.0 : 1.0;
+    double end = t->begin + sign * (2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond);
     if (t->back) {
-        end -= way * (2.0 * PI * t->plan.wraps + t->plan.beyond);
-        way = -way;
+        end -= sign * (2.0 * PI * t->plan.wraps + t->plan.beyond);
+        sign = -sign;
     }
     double rate = smaller(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
-    if (is_hooked(t, way, rate, dt)) {
+    if (is_hooked(t, sign, rate, dt)) {
         return;
     }
     bool stuck = s->tension_c > 3.0 * t->plan.tension;
@@ -92,10 +92,10 @@ void throw_orbit(throw_run *t, double dt)
     } else if (s->tension_c > t->plan.tension) {
         rate *= 0.3;
     }
-    t->phi += way * smaller(rate * dt, way * (end - t->phi));
+    t->phi += sign * smaller(rate * dt, sign * (end - t->phi));
     steer_keep_taut(t, 0.3, dt);
-    if (way * (end - t->phi) < 1e-9 ||
-        (t->clear > 0.7 && way * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */
+    if (sign * (end - t->phi) < 1e-9 ||
+        (t->clear > 0.7 && sign * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */
         bool turns_back = t->plan.mistake == THROW_COUNTER && !t->back;
         throw_enter(t, turns_back ? THROW_ORBIT : THROW_CHECK);
         t->back = t->back || turns_back;

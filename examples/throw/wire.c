@@ -26,22 +26,22 @@ static vbss_result make_device(hand *h)
     m.measure = measure;
     m.user = h;
     m.row_capacity = 0;
-    TRY(vbss_mock_create(h->stand->context, &m, &h->mock));
+    TRY(vbss_mock_create(h->rig->context, &m, &h->mock));
     TRY(vbss_device_adapter_init(&adapter, sizeof adapter));
     TRY(vbss_mock_get_adapter(h->mock, &adapter));
     TRY(vbss_device_config_init(&c, sizeof c));
     c.clock = VBSS_DEVICE_CLOCK_SHARED;
-    return vbss_device_create(h->stand->context, &adapter, NULL, &c, &h->device);
+    return vbss_device_create(h->rig->context, &adapter, NULL, &c, &h->device);
 }
 
 vbss_result wire_create(hand *h)
 {
     double position[3];
     v_store(position, h->shown);
-    TRY(vbss_grasper_create(h->stand->context, &h->shape, &h->grasper));
+    TRY(vbss_grasper_create(h->rig->context, &h->shape, &h->grasper));
     TRY(vbss_grasper_move(h->grasper, position, h->shown_orientation));
     TRY(vbss_grasper_set_opening(h->grasper, h->opening));
-    TRY(vbss_scene_add_grasper(h->stand->scene, h->grasper, &h->body));
+    TRY(vbss_scene_add_grasper(h->rig->scene, h->grasper, &h->body));
     return make_device(h);
 }
 
@@ -50,7 +50,7 @@ vbss_result wire_create(hand *h)
 vbss_result wire_report(hand *h)
 {
     vbss_device_input in;
-    vbss_record *record = h->stand->record;
+    vbss_record *record = h->rig->record;
     TRY(vbss_device_read(h->device, h->time, &in, sizeof in));
     TRY(vbss_record_move_grasper(record, h->body, in.position, in.orientation));
     TRY(vbss_record_set_opening(record, h->body, in.jaw));

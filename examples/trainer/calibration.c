@@ -4,8 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-enum { MAX_NUMBERS = 6, LINE_BYTES = 256 };
+enum { MAX_NUMBERS = 6, LINE_BYTES = 256, PATH_BYTES = 4096 };
 
 static const char *const hand_names[HANDS] = {"left", "right"};
 static const char *const first_line = "# vblast_ss trainer calibration 1\n";
@@ -122,7 +123,7 @@ static void write_hand(FILE *file, const char *name, const vbss_device_calibrati
     }
 }
 
-bool calibration_write(const calibration *c, const char *path)
+static bool write_file(const calibration *c, const char *path)
 {
     FILE *file = fopen(path, "w");
     if (file == NULL) {
@@ -134,8 +135,24 @@ bool calibration_write(const calibration *c, const char *path)
             write_hand(file, hand_names[i], &c->hands[i]);
         }
     }
-    bool good = ferror(file) == 0;
+    bool good = fflush(file) == 0 && ferror(file) == 0 && fsync(fileno(file)) == 0;
     return fclose(file) == 0 && good;
+}
+
+/* A new file takes the place of the old one when it is complete. So the old calibration stays if the program is killed or
+ * the disk is full. */
+bool calibration_write(const calibration *c, const char *path)
+{
+    char other[PATH_BYTES];
+    int length = snprintf(other, sizeof other, "%s.new", path);
+    if (length < 0 || (size_t)length >= sizeof other) {
+        return false;
+    }
+    bool good = write_file(c, other) && rename(other, path) == 0;
+    if (!good) {
+        (void)remove(other);
+    }
+    return good;
 }
 
 /* ---- read */

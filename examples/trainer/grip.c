@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "throw/stand.h"
+#include "throw/rig.h"
 
 #define JOIN_SPEED 0.15  /* m/s, of a tool that comes to its hand */
 #define JOINED 0.5e-3    /* m */
@@ -28,16 +28,16 @@ void grip_begin(grip *g, const double at[3])
 static void lead(grip *g, double h)
 {
     const double *to = g->in.position;
-    double way[3], length = 0.0;
+    double displacement[3], length = 0.0;
     for (int i = 0; i < 3; i++) {
-        way[i] = to[i] - g->reported[i];
-        length += way[i] * way[i];
+        displacement[i] = to[i] - g->reported[i];
+        length += displacement[i] * displacement[i];
     }
     length = sqrt(length);
     g->joined = g->in.status != VBSS_DEVICE_LOST && (g->joined || length < JOINED);
     double share = g->joined || length <= JOIN_SPEED * h ? 1.0 : JOIN_SPEED * h / length;
     for (int i = 0; i < 3; i++) {
-        g->reported[i] += share * way[i];
+        g->reported[i] += share * displacement[i];
     }
 }
 

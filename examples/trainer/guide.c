@@ -5,12 +5,12 @@
 
 #include "throw/vec.h"
 
-#define LEAST_WAY 0.02 /* m, of a motion that tells an axis */
-#define STRAIGHT 2.0   /* so much more than along the others */
-#define MIN_REACH 0.04 /* m, along each axis */
-#define MIN_SPAN 0.05  /* V of a handle: five steps of an 11-bit converter */
-#define HIGHEST 10.0   /* V */
-#define MEAN 0.05      /* share of a new sample in the handle's mean */
+#define MIN_DISPLACEMENT 0.02 /* m, of a motion that tells an axis */
+#define STRAIGHT 2.0          /* so much more than along the others */
+#define MIN_REACH 0.04        /* m, along each axis */
+#define MIN_SPAN 0.05         /* V of a handle: five steps of an 11-bit converter */
+#define HIGHEST 10.0          /* V */
+#define MEAN 0.05             /* share of a new sample in the handle's mean */
 
 static const char *const questions[] = {
     "Hold the handle in the middle of its space.",
@@ -66,18 +66,18 @@ void guide_see(guide *g, const vbss_device_input *in)
 /* The device's axis along which the hand went from its rest, counted from 1; negative: against it. */
 static const char *find_axis(const guide *g, int32_t *axis)
 {
-    double way[3], largest = 0.0, next = 0.0;
+    double displacement[3], largest = 0.0, next = 0.0;
     for (int i = 0; i < 3; i++) {
-        way[i] = g->position[i] - g->rest[i];
-        if (fabs(way[i]) > largest) {
+        displacement[i] = g->position[i] - g->rest[i];
+        if (fabs(displacement[i]) > largest) {
             next = largest;
-            largest = fabs(way[i]);
-            *axis = way[i] > 0.0 ? i + 1 : -(i + 1);
+            largest = fabs(displacement[i]);
+            *axis = displacement[i] > 0.0 ? i + 1 : -(i + 1);
         } else {
-            next = larger(next, fabs(way[i]));
+            next = larger(next, fabs(displacement[i]));
         }
     }
-    return largest < LEAST_WAY         ? "that was too short"
+    return largest < MIN_DISPLACEMENT  ? "that was too short"
            : largest < STRAIGHT * next ? "that was not straight"
                                        : NULL;
 }

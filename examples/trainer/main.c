@@ -36,7 +36,7 @@ static int watch(task *t)
     char system[160];
     const struct timespec pause = {.tv_nsec = SHOW_NS};
     task_init(t);
-    if (!pace_start(&thread, task_run, t, t->options->simulated, system, sizeof system)) {
+    if (!step_clock_start(&thread, task_run, t, t->options->simulated, system, sizeof system)) {
         return refuse(NOT_THERE, "", "no thread for the task");
     }
     screen_begin(&s);

@@ -143,7 +143,7 @@ double rehearsal_force(const rehearsal *r, int side)
     if (r->hd == NULL) {
         return 0.0;
     }
-    r->hd->look(side, &now);
+    r->hd->get_state(side, &now);
     return sqrt(now.force[0] * now.force[0] + now.force[1] * now.force[1] +
                 now.force[2] * now.force[2]);
 }

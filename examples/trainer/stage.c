@@ -101,7 +101,7 @@ static vbss_result add_session(stage *s)
 {
     vbss_session_config c;
     TRY(vbss_session_config_init(&c, sizeof c));
-    c.thread = s->site.stand.thread_body;
+    c.thread = s->site.rig.thread_body;
     c.needle = s->site.needle_body;
     c.drain = s->site.drain_body;
     c.tools[0] = s->bodies[LEFT];
@@ -113,8 +113,8 @@ static vbss_result create_stitch(stage *s)
 {
     const site_plan plan = {.segments = SEGMENTS, .slot = WORK};
     vbss_result result = site_create(&s->site, v3(0.035, -0.005, 0.0), 3.141592653589793, &plan);
-    s->context = s->site.stand.context;
-    s->scene = s->site.stand.scene;
+    s->context = s->site.rig.context;
+    s->scene = s->site.rig.scene;
     TRY(result);
     s->floor = s->site.floor;
     s->middle = v3(0.0, 0.0, 0.02);
@@ -157,8 +157,8 @@ static vbss_result create_surgeon(stage *s)
     plan.site.slot = WORK;
     vbss_result result = stitch_create(&s->stitch, s->seed, &plan);
     s->site = s->stitch.site;
-    s->context = s->site.stand.context;
-    s->scene = s->site.stand.scene;
+    s->context = s->site.rig.context;
+    s->scene = s->site.rig.scene;
     TRY(result);
     s->floor = s->site.floor;
     s->middle = v3(0.0, 0.0, 0.02);

@@ -5,7 +5,7 @@
 
 #include "decimal_point.h"
 
-#define STEP PACE_PERIOD
+#define STEP STEP_CLOCK_PERIOD
 #define LAST_SECONDS 0.05 /* after an emergency stop, so that all of it is told */
 
 /* ---- in */
@@ -90,15 +90,15 @@ static bool is_over(task *t)
 
 static void run_slot(task *t)
 {
-    double late = pace_wait(&t->pace), wall;
+    double late = step_clock_wait(&t->step_clock), wall;
     t->now.time = (double)(t->now.slots + 1) * STEP;
-    t->clock = t->pace.simulated ? t->now.time : pace_slot_time(&t->pace);
+    t->clock = t->step_clock.simulated ? t->now.time : step_clock_slot_time(&t->step_clock);
     vbss_result result = task_rehearse(t);
     t->clock += task_clock_step(t);
-    pace_work_begins(&t->pace);
+    step_clock_work_begins(&t->step_clock);
     result = result == VBSS_OK ? work(t) : result;
-    double cpu = pace_work_ends(&t->pace, &wall);
-    figures_slot(&t->now, STEP, cpu, late, t->pace.simulated ? 0.0 : wall);
+    double cpu = step_clock_work_ends(&t->step_clock, &wall);
+    figures_slot(&t->now, STEP, cpu, late, t->step_clock.simulated ? 0.0 : wall);
     if (t->times != NULL && t->now.slots <= t->time_count) {
         t->times[t->now.slots - 1] = cpu;
     }
@@ -106,7 +106,7 @@ static void run_slot(task *t)
         note_failure(t, result);
     }
     task_judge(t);
-    t->now.wall = pace_elapsed(&t->pace);
+    t->now.wall = step_clock_elapsed(&t->step_clock);
     (void)strncpy(t->now.phase, stage_phase(&t->stage), sizeof t->now.phase - 1);
     exchange_put(&t->shown, &t->now);
 }
@@ -150,7 +150,7 @@ void *task_run(void *user)
 {
     task *t = user;
     use_decimal_point();
-    pace_begin(&t->pace, t->options->simulated);
+    step_clock_begin(&t->step_clock, t->options->simulated);
     while (!is_over(t)) {
         run_slot(t);
     }

@@ -6,7 +6,7 @@
 #include "trainer/figures.h"
 #include "trainer/grip.h"
 #include "trainer/hardware.h"
-#include "trainer/pace.h"
+#include "trainer/step_clock.h"
 #include "trainer/rehearsal.h"
 
 typedef struct task_hand {
@@ -25,7 +25,7 @@ typedef struct task {
     stage stage;
     hardware hardware;
     rehearsal rehearsal;
-    pace pace;
+    step_clock step_clock;
     task_hand hands[HANDS];
     figures now;
     double *times; /* thread CPU time of each slot, s, for whoever measures; NULL: nobody does */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #define SAFE_WITHIN 0.0105 /* s */
-#define LOOKED_AT 0.02     /* s, after a fault began */
+#define OBSERVED 0.02      /* s, after a fault began */
 #define AGAIN 1.0          /* s, until the same is told again */
 #define PRESSED 0.05       /* s, that a button is held */
 #define NOTHING 1e-9       /* N: what rounding of times leaves */
@@ -70,10 +70,10 @@ void task_judge(task *t)
         const fault_row *row = rehearsal_fault(plan->name);
         double since = t->now.time - plan->from;
         /* a jump of the clock is over when the outputs have been off */
-        const bool is_over = row->clock > 0.0 && since - f->safe_after > 0.5 * PACE_PERIOD;
-        if (f->begun && !is_over && since < smaller(LOOKED_AT, plan->until - plan->from) &&
+        const bool is_over = row->clock > 0.0 && since - f->safe_after > 0.5 * STEP_CLOCK_PERIOD;
+        if (f->begun && !is_over && since < smaller(OBSERVED, plan->until - plan->from) &&
             acts(t, row, side)) {
-            f->safe_after = since + PACE_PERIOD;
+            f->safe_after = since + STEP_CLOCK_PERIOD;
             f->unsafe = f->unsafe || since > SAFE_WITHIN;
         }
     }

@@ -24,7 +24,7 @@ camera camera_over(point3 target)
     return camera_from(target, CAMERA_ASIDE, CAMERA_DOWN, CAMERA_AWAY);
 }
 
-camera_view camera_look(const camera *c, float aspect)
+camera_view camera_get_view(const camera *c, float aspect)
 {
     point3 axis = point3_unit(point3_add(c->tip, -1.0F, c->port));
     point3 right = point3_unit(point3_cross(axis, c->up));
@@ -33,14 +33,14 @@ camera_view camera_look(const camera *c, float aspect)
         point3_add((point3){0.0F, 0.0F, 0.0F}, cosf(c->optics), axis), -sinf(c->optics), over));
     point3 up = point3_cross(right, forward);
     float slope = tanf(0.5F * c->field);
-    matrix4 look = matrix4_look(c->tip, right, up, forward);
+    matrix4 view = matrix4_view(c->tip, right, up, forward);
     matrix4 lens = matrix4_perspective(slope, aspect, NEAR, FAR);
     camera_view v = {.eye = c->tip, .right = right, .up = up};
-    v.seen = matrix4_after(&lens, &look);
+    v.seen = matrix4_after(&lens, &view);
     v.lamp = point3_add(point3_add(c->tip, LAMP_ABOVE, up), LAMP_ABOVE, right);
     /* It lights what is seen, and a little more. */
-    look = matrix4_look(v.lamp, right, up, forward);
+    view = matrix4_view(v.lamp, right, up, forward);
     lens = matrix4_perspective(1.3F * slope, aspect, NEAR, FAR);
-    v.light = matrix4_after(&lens, &look);
+    v.light = matrix4_after(&lens, &view);
     return v;
 }

@@ -36,6 +36,6 @@ typedef struct camera_view {
 camera camera_over(point3 target);
 /* Another: turned to the right about the vertical, looking down by so much, that far away. */
 camera camera_from(point3 target, float aside, float down, float away);
-camera_view camera_look(const camera *c, float aspect);
+camera_view camera_get_view(const camera *c, float aspect);
 
 #endif

@@ -103,8 +103,8 @@ static void put_state(playing *p)
              p->window.taken ? "" : "H for help");
     pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, 480.0F, 2.0F * SHOW_TEXT, PEN_SHADE);
     pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT, p->window.lost_pad ? PEN_RED : PEN_WHITE, line);
-    if (!p->paused && p->o->frame_steps == 0 && p->pace < 0.9) {
-        snprintf(line, sizeof line, "slow motion, %.2f of real time", p->pace);
+    if (!p->paused && p->o->frame_steps == 0 && p->real_time_factor < 0.9) {
+        snprintf(line, sizeof line, "slow motion, %.2f of real time", p->real_time_factor);
         pen_text(&s->pen, SHOW_MARGIN + 490.0F, y, SHOW_TEXT, PEN_YELLOW, line);
     }
 }
@@ -116,7 +116,7 @@ void captions_put(playing *p)
         put_tool(p);
     }
     put_state(p);
-    if ((p->show.looks & SHOW_HELP) != 0) {
+    if ((p->show.overlays & SHOW_HELP) != 0) {
         overlay_help(&p->show, help, (int)(sizeof help / sizeof *help));
     }
 }

@@ -39,12 +39,12 @@ static vbss_result make_steps(playing *p, int count)
 
 /* ---- a frame */
 
-static void look_round(playing *p, double elapsed)
+static void step_camera(playing *p, double elapsed)
 {
     if (orbit_step(&p->orbit, &p->window, (float)fmin(elapsed, 0.1))) {
         p->show.camera = orbit_camera(&p->orbit);
-        mouse_hand_look(&p->live.hands[LEFT], &p->show.camera);
-        mouse_hand_look(&p->live.hands[RIGHT], &p->show.camera);
+        mouse_hand_set_camera(&p->live.hands[LEFT], &p->show.camera);
+        mouse_hand_set_camera(&p->live.hands[RIGHT], &p->show.camera);
     }
 }
 
@@ -67,10 +67,10 @@ static vbss_result go_on(playing *p)
 {
     const double now = window_clock(), elapsed = now - p->clock;
     p->clock = now;
-    look_round(p, elapsed);
+    step_camera(p, elapsed);
     TRY(person_pull(p, p->o->frame_steps > 0 ? 1e-3 * p->o->frame_steps : fmin(elapsed, 0.1)));
     const int count = count_steps(p, elapsed);
-    p->pace += 0.05 * (1e-3 * count / fmax(elapsed, 1e-3) - p->pace);
+    p->real_time_factor += 0.05 * (1e-3 * count / fmax(elapsed, 1e-3) - p->real_time_factor);
     return make_steps(p, count);
 }
 
@@ -89,11 +89,11 @@ static bool begin(playing *p)
     }
     orbit_begin(&p->orbit, scene->target, scene->aside, scene->away);
     p->show.camera = orbit_camera(&p->orbit);
-    mouse_hand_look(&p->live.hands[LEFT], &p->show.camera);
-    mouse_hand_look(&p->live.hands[RIGHT], &p->show.camera);
+    mouse_hand_set_camera(&p->live.hands[LEFT], &p->show.camera);
+    mouse_hand_set_camera(&p->live.hands[RIGHT], &p->show.camera);
     p->again = false;
     p->next = 0.0;
-    p->pace = 1.0;
+    p->real_time_factor = 1.0;
     p->clock = window_clock();
     return show_stage(&p->show, &p->live.stage);
 }
@@ -154,7 +154,7 @@ int mode_live(const options *o)
         }
     }
     int status = MODE_NO_OPENGL;
-    if (window_begin(&p.window, &p.show, o->width, o->height, o->looks)) {
+    if (window_begin(&p.window, &p.show, o->width, o->height, o->overlays)) {
         status = play_sessions(&p) ? 0 : 1;
         window_end(&p.window, &p.show);
     }

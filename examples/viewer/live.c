@@ -48,7 +48,7 @@ const live_scene *live_find(const char *name)
 /* Steps go through the session then. */
 static vbss_result begin_task(live *l)
 {
-    stand *s = l->stage.stand;
+    throw_rig *s = l->stage.rig;
     if (l->stage.tasked == NULL) {
         return VBSS_OK;
     }
@@ -80,7 +80,7 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
     l->active = live_by_device(l, RIGHT) && !live_by_device(l, LEFT) ? LEFT : RIGHT;
     snprintf(note, sizeof note, "%s %lu", scene->note, seed);
     TRY(stage_create(&l->stage, note, strlen(note)));
-    TRY(stand_begin(l->stage.stand, log, note));
+    TRY(throw_rig_begin(l->stage.rig, log, note));
     TRY(begin_hand(l, LEFT));
     TRY(begin_hand(l, RIGHT));
     return begin_task(l);
@@ -91,7 +91,7 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
 static vbss_result report_tool(const live *l, int side, const double at[3], const double turned[4],
                                double opening)
 {
-    vbss_record *record = l->stage.stand->record;
+    vbss_record *record = l->stage.rig->record;
     const uint32_t body = l->hands[side].body;
     TRY(vbss_record_move_grasper(record, body, at, turned));
     return vbss_record_set_opening(record, body, opening);
@@ -123,18 +123,18 @@ static vbss_result feel(live *l, int side)
         return VBSS_OK;
     }
     TRY(vbss_grasper_get_state(l->stage.graspers[side], &tool, sizeof tool));
-    double late = grip_late(l->stage.stand->scene, STEP);
+    double late = grip_late(l->stage.rig->scene, STEP);
     return grip_write(&l->grips[side], arms_device(l->arms, side), device_clock(l), &tool, late);
 }
 
 static vbss_result let_go(live *l)
 {
     vbss_grasper_state state;
-    if (l->stage.stand->support == 0) {
+    if (l->stage.rig->support == 0) {
         return VBSS_OK;
     }
     TRY(vbss_grasper_get_state(l->stage.graspers[RIGHT], &state, sizeof state));
-    return state.grasp_count > 0 ? stand_let_go(l->stage.stand) : VBSS_OK;
+    return state.grasp_count > 0 ? throw_rig_release_limb(l->stage.rig) : VBSS_OK;
 }
 
 vbss_result live_step(live *l)
@@ -142,7 +142,7 @@ vbss_result live_step(live *l)
     l->time = STEP * (double)(l->steps + 1);
     TRY(lead(l, LEFT));
     TRY(lead(l, RIGHT));
-    TRY(stand_step(l->stage.stand, STEP));
+    TRY(throw_rig_step(l->stage.rig, STEP));
     TRY(feel(l, LEFT));
     TRY(feel(l, RIGHT));
     l->steps++;
@@ -151,7 +151,7 @@ vbss_result live_step(live *l)
 
 vbss_result live_end(live *l)
 {
-    return stand_end(l->stage.stand);
+    return throw_rig_end(l->stage.rig);
 }
 
 void live_destroy(live *l)

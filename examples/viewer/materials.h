@@ -58,10 +58,11 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "    return sum / 12.0;\n"
     "}\n"
     /* what steel mirrors: a pink cavity, darker upward, with the lamp's glow */
-    "vec3 cavity(vec3 way, float rough) {\n"
-    "    float up = 0.5 + 0.5 * way.z;\n"
+    "vec3 cavity(vec3 direction, float rough) {\n"
+    "    float up = 0.5 + 0.5 * direction.z;\n"
     "    vec3 c = mix(vec3(0.46, 0.24, 0.20), vec3(0.22, 0.14, 0.13), up);\n"
-    "    return c + (1.0 - rough) * 0.10 * smoothstep(0.2, 0.9, sin(5.0 * way.x + 3.0 * way.z));\n"
+    "    return c + (1.0 - rough) * 0.10 * smoothstep(0.2, 0.9, sin(5.0 * direction.x + 3.0 * "
+    "direction.z));\n"
     "}\n"
     /* GGX (Walter et al. 2007) with the visibility of Schlick, Fresnel by Schlick (1994) */
     "vec3 glint(vec3 n, vec3 l, vec3 v, float rough, vec3 f0) {\n"

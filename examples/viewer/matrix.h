@@ -50,7 +50,7 @@ static inline matrix4 matrix4_after(const matrix4 *a, const matrix4 *b)
 }
 
 /* To the frame of an eye that looks forward; the three are unit and across each other. */
-static inline matrix4 matrix4_look(point3 eye, point3 right, point3 up, point3 forward)
+static inline matrix4 matrix4_view(point3 eye, point3 right, point3 up, point3 forward)
 {
     matrix4 r = {{right.x, up.x, -forward.x, 0.0F, right.y, up.y, -forward.y, 0.0F, right.z, up.z,
                   -forward.z, 0.0F, -point3_dot(right, eye), -point3_dot(up, eye),

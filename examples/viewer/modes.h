@@ -19,11 +19,11 @@ typedef struct options {
     const char *film;
     double every, from, to; /* s, of pictures; every 0: as it is usual, live each frame */
     int width, height;
-    uint32_t looks;  /* SHOW_ bits */
-    int frame_steps; /* of each frame, however long they take; 0: as many as the clock asks */
-    int report;      /* 1: a line a frame, on standard output */
-    int lockstep;    /* 1: a frame for each byte on standard input, and none without */
-    int renew;       /* so many frames after the begin the context counts as lost; 0: never */
+    uint32_t overlays; /* SHOW_ bits */
+    int frame_steps;   /* of each frame, however long they take; 0: as many as the clock asks */
+    int report;        /* 1: a line a frame, on standard output */
+    int lockstep;      /* 1: a frame for each byte on standard input, and none without */
+    int renew;         /* so many frames after the begin the context counts as lost; 0: never */
 } options;
 
 /* Without a window: stills, or a film (take.c). */

@@ -17,20 +17,20 @@ enum { SHIFT = 0, TURN = 1 };
 /* ---- the adapter */
 
 /* The part of a movement that is made in so much time. */
-static void take(mouse_hand *m, int way, double h, double motion[3])
+static void take(mouse_hand *m, int motion_kind, double h, double motion[3])
 {
-    const double *rest = m->pending[way];
+    const double *rest = m->pending[motion_kind];
     const vbss_mapping_config *c = &m->mapping;
-    const double unit = way == SHIFT ? c->mouse_metres : c->mouse_radians;
-    const double notch = way == SHIFT ? c->mouse_depth : c->mouse_roll;
+    const double unit = motion_kind == SHIFT ? c->mouse_metres : c->mouse_radians;
+    const double notch = motion_kind == SHIFT ? c->mouse_depth : c->mouse_roll;
     const double size = sqrt((rest[0] * rest[0] + rest[1] * rest[1]) * unit * unit +
                              rest[2] * rest[2] * notch * notch);
-    const double largest = (way == SHIFT ? FASTEST : SWIFTEST) * h;
+    const double largest = (motion_kind == SHIFT ? FASTEST : SWIFTEST) * h;
     double share = fmin(1.0, h / LAG);
     share = size * share > largest ? largest / size : share;
     for (int i = 0; i < 3; i++) {
         motion[i] = share * rest[i];
-        m->pending[way][i] -= motion[i];
+        m->pending[motion_kind][i] -= motion[i];
     }
 }
 
@@ -126,16 +126,17 @@ vbss_result mouse_hand_create(mouse_hand *m, vbss_context *context, vbss_grasper
 
 /* ---- led */
 
-static vec in_doubles(point3 p)
+static vec vec_of_point(point3 p)
 {
     return v3((double)p.x, (double)p.y, (double)p.z);
 }
 
 /* The library wants right and up as unit vectors to 1e-6, the camera has them in floats. */
-void mouse_hand_look(mouse_hand *m, const camera *c)
+void mouse_hand_set_camera(mouse_hand *m, const camera *c)
 {
-    const camera_view view = camera_look(c, 1.0F);
-    vec right = v_unit(in_doubles(view.right)), up = v_unit(v_across(in_doubles(view.up), right));
+    const camera_view view = camera_get_view(c, 1.0F);
+    vec right = v_unit(vec_of_point(view.right)),
+        up = v_unit(v_across(vec_of_point(view.up), right));
     v_store(m->mapping.right, right);
     v_store(m->mapping.up, up);
 }

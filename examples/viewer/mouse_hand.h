@@ -8,14 +8,14 @@
 
 #include "camera.h"
 
-enum { MOUSE_WAYS = 2 }; /* it shifts; it turns */
+enum { MOUSE_MOTIONS = 2 }; /* it shifts; it turns */
 
 typedef struct mouse_hand {
     vbss_mapping_config mapping;
     vbss_device_sample sample;
-    double pending[MOUSE_WAYS][3]; /* counts to the right and up, notches away: not yet gone */
-    double pull[6], grain;         /* of a gamepad's sticks, and how fine */
-    bool closes;                   /* the jaws; otherwise they open */
+    double pending[MOUSE_MOTIONS][3]; /* counts to the right and up, notches away: not yet gone */
+    double pull[6], grain;            /* of a gamepad's sticks, and how fine */
+    bool closes;                      /* the jaws; otherwise they open */
     bool clutched;
     double time;          /* of the last sample, s */
     vbss_device *device;  /* which reads it; */
@@ -27,7 +27,7 @@ typedef struct mouse_hand {
 /* It begins where its tool is, whose jaws stay as they are. Stays at its place in memory: the device knows it. */
 vbss_result mouse_hand_create(mouse_hand *m, vbss_context *context, vbss_grasper *tool);
 /* Movements go along the picture from now on. */
-void mouse_hand_look(mouse_hand *m, const camera *c);
+void mouse_hand_set_camera(mouse_hand *m, const camera *c);
 /* Counts to the right and up, notches away from the user; the hand goes that way as a hand does, within a tenth of a second. */
 void mouse_hand_move(mouse_hand *m, bool turns, double right, double up, double away);
 /* A gamepad's sticks, until it is told again; a smaller grain is slower. Axes as vbss_mapping_gamepad has them, but the last

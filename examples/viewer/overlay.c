@@ -55,10 +55,10 @@ static void draw_contacts(show *s)
     for (uint64_t i = 0; i < points.count; i++) {
         const row r = row_at(&points, &forces, i);
         float at[2];
-        if ((s->looks & SHOW_CONTACTS) != 0 && show_place(s, r.point, at)) {
+        if ((s->overlays & SHOW_CONTACTS) != 0 && show_place(s, r.point, at)) {
             pen_box(&s->pen, at[0] - 2.0F, at[1] - 2.0F, 4.0F, 4.0F, PEN_BLUE);
         }
-        if ((s->looks & SHOW_FORCES) != 0) {
+        if ((s->overlays & SHOW_FORCES) != 0) {
             draw_force(s, r.point, r.force, PEN_YELLOW);
         }
     }
@@ -87,8 +87,8 @@ static const char *result_of(const vbss_knot_state *k)
 {
     static const char *const words[] = {"none",   "wrapping",  "passed",
                                         "formed", "certified", "uncertain"};
-    const int32_t verdict = k->verdict;
-    return verdict >= 0 && verdict < (int32_t)(sizeof words / sizeof *words) ? words[verdict] : "?";
+    const int32_t result = k->verdict;
+    return result >= 0 && result < (int32_t)(sizeof words / sizeof *words) ? words[result] : "?";
 }
 
 bool overlay_judge(show *s, double time)
@@ -162,9 +162,9 @@ static void put_times(show *s)
 
 static int count_lines(const show *s)
 {
-    return ((s->looks & SHOW_KNOT) != 0) +
-           ((s->looks & SHOW_TASK) != 0 ? 3 + standing_lines(s) : 0) +
-           ((s->looks & SHOW_TENSION) != 0) + ((s->looks & SHOW_FORCES) != 0);
+    return ((s->overlays & SHOW_KNOT) != 0) +
+           ((s->overlays & SHOW_TASK) != 0 ? 3 + status_lines(s) : 0) +
+           ((s->overlays & SHOW_TENSION) != 0) + ((s->overlays & SHOW_FORCES) != 0);
 }
 
 static void put_words(show *s, double time)
@@ -176,31 +176,31 @@ static void put_words(show *s, double time)
     }
     pen_box(&s->pen, 0.5F * SHOW_MARGIN, 0.5F * SHOW_MARGIN, WORDS_WIDE,
             SHOW_LINE * (float)lines + SHOW_MARGIN, PEN_SHADE);
-    if ((s->looks & SHOW_TASK) != 0) {
-        y = standing_put(s, y, time);
+    if ((s->overlays & SHOW_TASK) != 0) {
+        y = status_put(s, y, time);
         put_work(s, &y);
     }
-    if ((s->looks & SHOW_KNOT) != 0) {
+    if ((s->overlays & SHOW_KNOT) != 0) {
         put_knot(s, &y, time);
     }
-    if ((s->looks & SHOW_TENSION) != 0) {
+    if ((s->overlays & SHOW_TENSION) != 0) {
         put_line(s, &y, PEN_PALE, "tension: blue 0, green, red 1 N");
     }
-    if ((s->looks & SHOW_FORCES) != 0) {
+    if ((s->overlays & SHOW_FORCES) != 0) {
         put_line(s, &y, PEN_PALE, "forces: 10 mm for 1 N; green: on hands");
     }
 }
 
 void overlay_draw(show *s, double time)
 {
-    if ((s->looks & (SHOW_CONTACTS | SHOW_FORCES)) != 0) {
+    if ((s->overlays & (SHOW_CONTACTS | SHOW_FORCES)) != 0) {
         draw_contacts(s);
     }
-    if ((s->looks & SHOW_FORCES) != 0) {
+    if ((s->overlays & SHOW_FORCES) != 0) {
         draw_hands(s);
     }
     put_words(s, time);
-    if ((s->looks & SHOW_TIMES) != 0) {
+    if ((s->overlays & SHOW_TIMES) != 0) {
         put_times(s);
     }
 }

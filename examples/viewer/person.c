@@ -82,9 +82,9 @@ static void on_key(void *user, int key, bool shift)
     playing *p = user;
     (void)shift;
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_6) {
-        p->show.looks ^= 1U << (key - GLFW_KEY_1);
+        p->show.overlays ^= 1U << (key - GLFW_KEY_1);
     } else if (key == GLFW_KEY_F1 || key == GLFW_KEY_H) {
-        p->show.looks ^= SHOW_HELP;
+        p->show.overlays ^= SHOW_HELP;
     } else if (key == GLFW_KEY_TAB) {
         take_other(p);
     } else if (key == GLFW_KEY_P) {
@@ -148,7 +148,7 @@ static void move_by_pad(playing *p)
         p->paused = !p->paused;
     }
     if ((w.pressed & PAD_HELP) != 0) {
-        p->show.looks ^= SHOW_HELP;
+        p->show.overlays ^= SHOW_HELP;
     }
     for (int side = 0; side < SIDES; side++) {
         static const double nothing[6];

@@ -63,7 +63,7 @@ static bool differ(player *p, vbss_result result)
     return false;
 }
 
-static vbss_result look(player *p)
+static vbss_result read_time(player *p)
 {
     vbss_scene_statistics now;
     TRY(vbss_scene_get_statistics(p->stage.scene, &now, sizeof now));
@@ -84,7 +84,7 @@ bool player_step(player *p)
     }
     p->step++;
     result = stage_follow(&p->stage);
-    return (result == VBSS_OK && look(p) == VBSS_OK) || differ(p, result);
+    return (result == VBSS_OK && read_time(p) == VBSS_OK) || differ(p, result);
 }
 
 bool player_seek(player *p, uint64_t step)
@@ -101,5 +101,5 @@ bool player_seek(player *p, uint64_t step)
     }
     p->step = step;
     p->jumped = true;
-    return look(p) == VBSS_OK;
+    return read_time(p) == VBSS_OK;
 }

@@ -16,10 +16,10 @@ typedef struct playing {
     orbit orbit;
     desk desk;
     pad pad;
-    bool paused, once; /* one frame's steps */
-    bool again;        /* from the beginning */
-    double clock;      /* of the last frame, s */
-    double pace;       /* simulated over real, smoothed */
+    bool paused, once;       /* one frame's steps */
+    bool again;              /* from the beginning */
+    double clock;            /* of the last frame, s */
+    double real_time_factor; /* simulated over real, smoothed */
     uint64_t frames;
     double motion[2];  /* counts that came, since the beginning */
     double next;       /* picture, s */

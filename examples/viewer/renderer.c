@@ -6,7 +6,7 @@
 #include "materials.h"
 #include "shader.h"
 
-enum { FLOATS = 12, SPOTS = 32, PART_WORDS = 8, SPOT_FLOATS = 6 };
+enum { FLOATS = 12, MAX_DECALS = 32, PART_WORDS = 8, DECAL_FLOATS = 6 };
 /* Of the lamp at a metre, so that what is 70 mm away is bright. */
 #define BRIGHTNESS 0.0165F
 
@@ -68,12 +68,12 @@ void renderer_end(renderer *r)
 /* ---- a frame */
 
 typedef struct meshes {
-    vbss_view vertices, triangles, parts, spots;
+    vbss_view vertices, triangles, parts, decals;
 } meshes;
 
-static bool look(vbss_visual *visual, meshes *m)
+static bool get_views(vbss_visual *visual, meshes *m)
 {
-    vbss_view *views[4] = {&m->vertices, &m->triangles, &m->parts, &m->spots};
+    vbss_view *views[4] = {&m->vertices, &m->triangles, &m->parts, &m->decals};
     for (vbss_visual_field field = 0; field < 4; field++) {
         if (vbss_visual_get_view(visual, field, views[field], sizeof m->vertices) != VBSS_OK) {
             return false;
@@ -125,17 +125,17 @@ static GLint named(const renderer *r, const char *name)
 }
 
 /* Marks first. */
-static void set_spots(const renderer *r, const meshes *m, uint64_t part)
+static void set_decals(const renderer *r, const meshes *m, uint64_t part)
 {
-    float spots[SPOTS][4];
+    float decals[MAX_DECALS][4];
     GLint count = 0, marks = 0;
-    const float *rows = m->spots.data;
+    const float *rows = m->decals.data;
     for (int kind = VBSS_SPOT_MARK; kind <= VBSS_SPOT_HOLE; kind++) {
-        for (uint64_t i = 0; i < m->spots.count && count < SPOTS; i++) {
-            const float *row = rows + SPOT_FLOATS * i;
+        for (uint64_t i = 0; i < m->decals.count && count < MAX_DECALS; i++) {
+            const float *row = rows + DECAL_FLOATS * i;
             if ((uint64_t)row[0] == part && (int)row[1] == kind) {
                 for (int k = 0; k < 4; k++) {
-                    spots[count][k] = row[2 + k];
+                    decals[count][k] = row[2 + k];
                 }
                 count++;
             }
@@ -145,7 +145,7 @@ static void set_spots(const renderer *r, const meshes *m, uint64_t part)
     glUniform1i(named(r, "spot_count"), count);
     glUniform1i(named(r, "mark_count"), marks);
     if (count > 0) {
-        glUniform4fv(named(r, "spots"), count, &spots[0][0]);
+        glUniform4fv(named(r, "spots"), count, &decals[0][0]);
     }
 }
 
@@ -168,7 +168,7 @@ static void draw_seen(const renderer *r, const meshes *m, const camera_view *vie
     for (uint64_t i = 0; i < m->parts.count; i++) {
         glUniform1i(named(r, "kind"), (GLint)parts[PART_WORDS * i]);
         glUniform1f(named(r, "clear"), clear_of(parts + PART_WORDS * i, c));
-        set_spots(r, m, i);
+        set_decals(r, m, i);
         draw_part(parts + PART_WORDS * i);
     }
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
@@ -187,10 +187,10 @@ bool renderer_good(void)
 bool renderer_draw(renderer *r, vbss_visual *visual, const camera *c)
 {
     meshes m;
-    if (!look(visual, &m)) {
+    if (!get_views(visual, &m)) {
         return false;
     }
-    const camera_view view = camera_look(c, (float)r->lens.width / (float)r->lens.height);
+    const camera_view view = camera_get_view(c, (float)r->lens.width / (float)r->lens.height);
     glEnable(GL_DEPTH_TEST);
     upload(r, &m);
     draw_shadows(r, &m, &view, c);

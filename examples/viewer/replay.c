@@ -86,9 +86,9 @@ static void on_key(void *user, int key, bool shift)
 {
     watching *w = user;
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_6) {
-        w->show.looks ^= 1U << (key - GLFW_KEY_1);
+        w->show.overlays ^= 1U << (key - GLFW_KEY_1);
     } else if (key == GLFW_KEY_F1 || key == GLFW_KEY_H) {
-        w->show.looks ^= SHOW_HELP;
+        w->show.overlays ^= SHOW_HELP;
     } else if (key == GLFW_KEY_SPACE || key == GLFW_KEY_P) {
         w->playing = !w->playing;
     } else if (key == GLFW_KEY_COMMA || key == GLFW_KEY_PERIOD) {
@@ -189,10 +189,10 @@ static void report(watching *w)
     printf("frame %llu step %llu of %llu time %.3f playing %d speed %g looks %u knot %d %u %s",
            (unsigned long long)w->frames, (unsigned long long)w->player.step,
            (unsigned long long)w->player.steps, w->player.time, w->playing, w->speed,
-           (unsigned)w->show.looks, (int)w->show.knot.state.verdict,
+           (unsigned)w->show.overlays, (int)w->show.knot.state.verdict,
            (unsigned)w->show.knot.state.throw_count,
            w->show.knot.notation[0] != '\0' ? w->show.knot.notation : "-");
-    standing_tell(&w->show, w->player.time);
+    status_print(&w->show, w->player.time);
     printf(" renewed %u size %d %d\n", w->window.renewed, w->show.renderer.lens.width,
            w->show.renderer.lens.height);
     fflush(stdout);
@@ -200,15 +200,15 @@ static void report(watching *w)
 
 static bool draw(watching *w)
 {
-    if (w->player.jumped && w->player.stage.stand->cuts > 0) {
-        w->show.looks &= ~(uint32_t)SHOW_KNOT; /* which piece it is, is not known after a jump */
+    if (w->player.jumped && w->player.stage.rig->cuts > 0) {
+        w->show.overlays &= ~(uint32_t)SHOW_KNOT; /* which piece it is, is not known after a jump */
     }
     w->window.give_up = w->o->renew > 0 && w->frames == (uint64_t)w->o->renew;
     if (!window_ready(&w->window, &w->show) || !show_draw(&w->show, w->player.time)) {
         return false;
     }
     put_line_of_time(w);
-    if ((w->show.looks & SHOW_HELP) != 0) {
+    if ((w->show.overlays & SHOW_HELP) != 0) {
         overlay_help(&w->show, help, (int)(sizeof help / sizeof *help));
     }
     return window_show(&w->window, &w->show);
@@ -243,7 +243,7 @@ int mode_replay(const options *o)
     w.playing = true;
     w.speed = 1.0;
     w.desk = (desk){&w, on_moved, NULL, on_pressed, on_key};
-    if (!window_begin(&w.window, &w.show, o->width, o->height, o->looks)) {
+    if (!window_begin(&w.window, &w.show, o->width, o->height, o->overlays)) {
         return MODE_NO_OPENGL;
     }
     bool good = watch(&w);

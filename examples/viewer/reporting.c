@@ -23,8 +23,8 @@ static void report_devices(const playing *p)
 static void report(playing *p)
 {
     static const char *const names[SIDES] = {"left", "right"};
-    const vec *x = stand_nodes(p->live.stage.stand);
-    const uint32_t last = p->live.stage.stand->nodes - 1;
+    const vec *x = throw_rig_nodes(p->live.stage.rig);
+    const uint32_t last = p->live.stage.rig->nodes - 1;
     (void)overlay_judge(&p->show, p->live.time);
     printf("frame %llu time %.3f active %s taken %d motion %.1f %.1f wheel %.1f events %llu "
            "renewed %u",
@@ -50,7 +50,7 @@ static void report(playing *p)
            1e3 * x[0].z, 1e3 * x[last].x, 1e3 * x[last].y, 1e3 * x[last].z,
            (int)p->show.knot.state.verdict, (unsigned)p->show.knot.state.throw_count,
            p->show.knot.notation[0] != '\0' ? p->show.knot.notation : "-");
-    standing_tell(&p->show, p->live.time);
+    status_print(&p->show, p->live.time);
     report_devices(p);
     printf(" size %d %d\n", p->show.renderer.lens.width, p->show.renderer.lens.height);
     fflush(stdout);

@@ -25,7 +25,7 @@ bool shots_begin(shots *t, stage *s)
     if (!show_stage(&t->show, s)) {
         return false;
     }
-    t->show.looks = t->plan.looks;
+    t->show.overlays = t->plan.overlays;
     t->filming = t->plan.film != NULL &&
                  movie_begin(&t->movie, t->plan.film, t->plan.width, t->plan.height, SHOTS_RATE);
     return t->plan.film == NULL || t->filming;

@@ -10,7 +10,7 @@ typedef struct shots_plan {
     const char *film;   /* its file; NULL: stills are made */
     double every, from; /* s, simulated */
     int width, height;  /* pixels */
-    uint32_t looks;     /* SHOW_ bits */
+    uint32_t overlays;  /* SHOW_ bits */
 } shots_plan;
 
 typedef struct shots {

@@ -67,7 +67,7 @@ void show_time(show *s, float microseconds)
 bool show_place(const show *s, const double at[3], float place[2])
 {
     const lens *l = &s->renderer.lens;
-    const camera_view view = camera_look(&s->camera, (float)l->width / (float)l->height);
+    const camera_view view = camera_get_view(&s->camera, (float)l->width / (float)l->height);
     const float *m = view.seen.m, x = (float)at[0], y = (float)at[1], z = (float)at[2];
     const float w = m[3] * x + m[7] * y + m[11] * z + m[15];
     if (w <= 0.0F) {
@@ -93,7 +93,7 @@ static void measure(show *s)
 bool show_draw(show *s, double time)
 {
     measure(s);
-    s->renderer.max_tension = (s->looks & SHOW_TENSION) != 0 ? MAX_TENSION : 0.0F;
+    s->renderer.max_tension = (s->overlays & SHOW_TENSION) != 0 ? MAX_TENSION : 0.0F;
     if (!is_ok(vbss_visual_update(s->visual)) ||
         !renderer_draw(&s->renderer, s->visual, &s->camera)) {
         return false;

@@ -31,7 +31,7 @@ typedef struct show {
     camera camera;
     vbss_visual *visual;
     stage *stage;
-    uint32_t looks;
+    uint32_t overlays;
     float wide, tall; /* the picture, in points of the pen */
     /* the knot, as judged last */
     reading knot;
@@ -71,13 +71,13 @@ void overlay_help(show *s, const char *const *lines, int count);
 /* Judges the knot, if it was not just done; false: there is none to judge. */
 bool overlay_judge(show *s, double time);
 
-/* ---- standing.c */
+/* ---- status.c */
 /* Asks session and metrics, if that was not just done; false: there are none. */
-bool standing_read(show *s, double time);
+bool status_read(show *s, double time);
 /* Lines of them, from that height down; the height after the last. */
-float standing_put(show *s, float y, double time);
-int standing_lines(const show *s);
+float status_put(show *s, float y, double time);
+int status_lines(const show *s);
 /* For a script, on standard output. */
-void standing_tell(show *s, double time);
+void status_print(show *s, double time);
 
 #endif

@@ -47,7 +47,7 @@ int mode_take(const options *o)
                              .from = o->from,
                              .width = o->width,
                              .height = o->height,
-                             .looks = o->looks};
+                             .overlays = o->overlays};
     if (!headless_begin(&gl) || !shots_open(&t, &plan)) {
         return MODE_NO_OPENGL;
     }

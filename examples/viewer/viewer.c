@@ -23,7 +23,7 @@
 
 /* ---- options */
 
-static bool read_looks(const char *words, uint32_t *looks)
+static bool read_overlays(const char *words, uint32_t *overlays)
 {
     static const struct {
         const char *name;
@@ -31,7 +31,7 @@ static bool read_looks(const char *words, uint32_t *looks)
     } names[] = {{"contacts", SHOW_CONTACTS}, {"forces", SHOW_FORCES}, {"tension", SHOW_TENSION},
                  {"knot", SHOW_KNOT},         {"task", SHOW_TASK},     {"times", SHOW_TIMES},
                  {"help", SHOW_HELP},         {"all", SHOW_ALL}};
-    *looks = 0;
+    *overlays = 0;
     while (*words != '\0') {
         const size_t length = strcspn(words, ",");
         size_t i = 0, count = sizeof names / sizeof *names;
@@ -42,7 +42,7 @@ static bool read_looks(const char *words, uint32_t *looks)
         if (i == count) {
             return false;
         }
-        *looks |= names[i].bit;
+        *overlays |= names[i].bit;
         words += length + (words[length] == ',' ? 1 : 0);
     }
     return true;
@@ -94,7 +94,7 @@ static bool read_option(const char *name, const char *value, options *o)
     }
     return strcmp(name, "--size") == 0
                ? read_size(value, o)
-               : strcmp(name, "--show") == 0 && read_looks(value, &o->looks);
+               : strcmp(name, "--show") == 0 && read_overlays(value, &o->overlays);
 }
 
 /* Words of the trainer, with what follows them. */

@@ -111,7 +111,7 @@ static bool begin_glfw(void)
     return glfwInit() == GLFW_TRUE;
 }
 
-bool window_begin(window *w, show *s, int width, int height, uint32_t looks)
+bool window_begin(window *w, show *s, int width, int height, uint32_t overlays)
 {
     *w = (window){.handle = NULL};
     if (!begin_glfw()) {
@@ -121,7 +121,7 @@ bool window_begin(window *w, show *s, int width, int height, uint32_t looks)
         glfwTerminate();
         return false;
     }
-    s->looks = looks != 0 ? looks : SHOW_KNOT | SHOW_TASK | SHOW_HELP;
+    s->overlays = overlays != 0 ? overlays : SHOW_KNOT | SHOW_TASK | SHOW_HELP;
     return true;
 }
 

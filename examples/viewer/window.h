@@ -35,7 +35,7 @@ typedef struct tick_window {
 } window;
 
 /* A window and what is shown in it. False, told on standard error: there is no screen, or no OpenGL. */
-bool window_begin(window *w, show *s, int width, int height, uint32_t looks);
+bool window_begin(window *w, show *s, int width, int height, uint32_t overlays);
 void window_end(window *w, show *s);
 /* Tells the desk what was done; false: the window shall be closed. */
 bool window_listen(window *w, const desk *d);

@@ -8,6 +8,16 @@
  *   fail (texts, version) return their value.
  * - Pointers must not be NULL unless the parameter says so.
  * - A failed call has changed nothing; the reason stands in #vbss_context_get_last_error.
+ * - One thread at a time may use a context. A call from another thread, while one is inside the
+ *   context, returns #VBSS_ERROR_BUSY. It leaves no error text, as the text belongs to the thread
+ *   inside.
+ * - A callback may call functions that only read its context. Functions that would change the context
+ *   return #VBSS_ERROR_BUSY.
+ * - Each call sets the floating-point mode that it needs: rounding to nearest, subnormal numbers kept,
+ *   all exceptions masked. It restores the mode of the host when it returns, and while a function of
+ *   the host runs. Results are therefore the same in every mode. A call may raise sticky exception
+ *   flags. On processors whose mode the library cannot set, a call in another mode returns
+ *   #VBSS_ERROR_ARITHMETIC_MODE; the library can set it on x86 with SSE2, ARM, RISC-V and s390x.
  * - The library never aborts, prints, starts threads, or keeps global state.
  *
  * SPDX-License-Identifier: Apache-2.0
@@ -52,7 +62,7 @@
     X(VBSS_ERROR_INVALID_HANDLE, -6, "the handle is NULL, destroyed or of another type")          \
     X(VBSS_ERROR_OUT_OF_MEMORY, -7, "the allocator gave no usable block")                         \
     X(VBSS_ERROR_CAPACITY, -8, "a capacity fixed at creation or a given buffer is exhausted")     \
-    X(VBSS_ERROR_BUSY, -9, "not allowed inside a callback of the same context")                   \
+    X(VBSS_ERROR_BUSY, -9, "another thread, or the caller of this callback, uses the context")    \
     X(VBSS_ERROR_ARITHMETIC_MODE, -10,                                                            \
       "rounding is not to nearest or subnormal numbers are flushed to zero")                      \
     X(VBSS_ERROR_TRUNCATED, -11, "the data end too early")                                        \
@@ -116,7 +126,8 @@ typedef struct vbss_view {
     uint64_t generation;   /**< Changes with every step or edit of the object. */
 } vbss_view;
 
-/** Owner of all objects, their memory and their error texts. One thread at a time may use it. */
+/** Owner of all objects, their memory and their error texts. One thread at a time may use it; the
+ * library detects a second one (#VBSS_ERROR_BUSY). */
 typedef struct vbss_context vbss_context;
 
 /**
@@ -217,9 +228,9 @@ VBSS_API const char *vbss_result_name(vbss_result result);
 VBSS_API const char *vbss_result_string(vbss_result result);
 
 /**
- * Whether the calling thread computes as the library needs: rounding to nearest, subnormal numbers
- * kept. Hosts linked with fast-math flags often flush them. Every step checks this; the library
- * reports and never changes the mode.
+ * Whether the calling thread rounds to nearest and keeps subnormal numbers. Hosts linked with
+ * fast-math flags often flush them to zero. The library computes in its own mode, so the answer
+ * concerns the arithmetic of the host only, such as the computation of poses that a log shall repeat.
  *
  * @return VBSS_OK or VBSS_ERROR_ARITHMETIC_MODE
  * @threads any thread, any time; the answer is for the calling thread
@@ -252,19 +263,20 @@ VBSS_API vbss_result vbss_context_config_init(vbss_context_config *config, uint3
 VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss_context **context);
 
 /**
- * Destroys a context and every object in it, youngest first, with a warning in the log when
- * objects were still alive. Afterwards neither the context nor any handle of it may be used.
+ * Destroys a context and every object in it, youngest first. Afterwards neither the context nor any handle of it may be used.
  *
  * @param context  the context; NULL does nothing
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (called from a callback of its own)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (called from a callback of its own, or
+ *         while another thread is inside)
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_context_destroy(vbss_context *context);
 
 /**
- * The last failure in this context. A successful call does not clear it; a call that fails inside a
- * callback of the context is told by its result only.
+ * The last failure in this context. A successful call does not clear it. Only the status reports a
+ * failure inside a callback of the context, a call from a second thread, or a size query, which is a
+ * call of a save function with no buffer.
  *
  * @param context      the context
  * @param[out] result  its status, VBSS_OK when nothing has failed yet; may be NULL

@@ -600,7 +600,7 @@ VBSS_API vbss_result vbss_collision_get_statistics(vbss_collision *collision,
  * Saves the state: shapes, their motion, counters. Candidates and impacts are not saved; search again.
  *
  * @param collision     the object
- * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      size of the buffer
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

@@ -259,7 +259,9 @@ VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
 
 /**
  * Moves a drain forward in time. Nothing is allocated. If the new state is not finite, the call fails
- * and the drain keeps its state from before the step.
+ * and the drain keeps its state from before the step. With method PAPER the call also fails if a node
+ * is farther from its rest position than 100 times the length of the drain plus the largest such
+ * distance of an attachment: the explicit steps have diverged, and the text says so.
  *
  * @param drain  the drain
  * @param h      s, 1e-7 to 0.1
@@ -424,7 +426,7 @@ VBSS_API vbss_result vbss_drain_get_statistics(vbss_drain *drain, vbss_drain_sta
  * Saves the drain's state. A drain that restores it continues with identical bits, on any machine.
  *
  * @param drain         the drain
- * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      size of the buffer
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

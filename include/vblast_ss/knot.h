@@ -496,7 +496,7 @@ VBSS_API vbss_result vbss_knot_detector_get_statistics(vbss_knot_detector *detec
  * Saves what the detector knows, a reading under way included.
  *
  * @param detector      the detector
- * @param[out] bytes    receives the snapshot; NULL is allowed when capacity is 0
+ * @param[out] bytes    receives the snapshot; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      bytes there is room for
  * @param[out] written  bytes written or, with VBSS_ERROR_CAPACITY, wanted
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

@@ -628,7 +628,7 @@ VBSS_API vbss_result vbss_metrics_offset(const double axis[3], const double cent
  * Saves all that is known.
  *
  * @param metrics       the measurement
- * @param[out] bytes    receives the snapshot; NULL is allowed when capacity is 0
+ * @param[out] bytes    receives the snapshot; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      bytes there is room for
  * @param[out] written  bytes written or, with VBSS_ERROR_CAPACITY, wanted
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

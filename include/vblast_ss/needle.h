@@ -254,7 +254,7 @@ VBSS_API vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field
  * Saves the needle's state. Call it with no room to learn how much it takes.
  *
  * @param needle        the needle
- * @param[out] bytes    receives the state; NULL with capacity 0
+ * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      bytes there is room for
  * @param[out] written  bytes written, or needed
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

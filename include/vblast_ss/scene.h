@@ -49,6 +49,17 @@ enum {
     VBSS_MODE_OFFLINE = 1
 };
 
+/** What adding a body does when the body overlaps another one or the floor: a VBSS_OVERLAP_ constant. */
+typedef int32_t vbss_overlap_policy;
+
+/** The constants of #vbss_overlap_policy. */
+enum {
+    VBSS_OVERLAP_WARN =
+        0, /**< The body is added; a warning in the log names the other body and the depth. */
+    VBSS_OVERLAP_REFUSE = 1, /**< VBSS_ERROR_OUT_OF_RANGE; nothing has changed. */
+    VBSS_OVERLAP_ALLOW = 2   /**< The body is added without a check. */
+};
+
 /** How to make a scene. Fill it with #vbss_scene_config_init, then change what you need. */
 typedef struct vbss_scene_config {
     uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
@@ -100,7 +111,9 @@ typedef struct vbss_scene_config {
      * fails, where such forces put in more than 20 uJ that nothing has done the work for (1 mJ in a scene without
      * drains), or after attempt_limit attempts, the rest of the step is left out: everything waits for the next one, which
      * begins with smaller parts (vbss_scene_statistics::paused), and what is driven goes on from where it was stopped.
-     * Without limit are the first step of a scene and the smallest part that halving_limit allows, until its states are not
+     * The first step of a scene has 32 times both limits between its attempts, because bodies may overlap as they were
+     * placed; it never waits.
+     * Without limit is the smallest part that halving_limit allows, until its states are not
      * found: then it is tried once more with as much for itself. Where a drain is, the smallest part has the limit as well, and what takes more
      * is halved three times more before it has none. An operation is what costs about as much as a product of
      * two 3x3 blocks; 250000 are some 0.5 ms of a core of 2.6 GHz (docs/contact.md). 0: no limit; default 250000. */
@@ -116,7 +129,22 @@ typedef struct vbss_scene_config {
      * ends it, which is counted there, too, and the next 1000 do not wait. Beyond the limit a call does what follows at
      * the end of a step, and what the guard has refused. 0: a call makes its step, all of it; default 210000. */
     uint32_t slot_limit;
+    /** Largest speed of any point of a driven or coupled body, or of a grasper, on the way to its target, m/s, 0 to 1e6; 0: no
+     * limit; default 20. A body approaches a target that is farther away at this speed, over several steps. So a pose in the
+     * wrong unit, or a device that jumps, causes no long step and no extreme force. Method OURS only. Logs and snapshots store
+     * the limit, and a scene with another one rejects them. One exception: scenes without a limit and with the default limit
+     * accept each other's snapshots. */
+    double speed_limit;
+    vbss_overlap_policy overlap; /**< Default VBSS_OVERLAP_WARN. */
+    uint32_t reserved;           /**< 0. */
 } vbss_scene_config;
+
+/** The deepest overlap of a body. */
+typedef struct vbss_overlap {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t body;        /**< Number of the other body; 0: the floor, or none if depth is 0. */
+    double depth;         /**< How far the two surfaces are inside each other, m; 0: no overlap. */
+} vbss_overlap;
 
 /** How a rigid body moves: a VBSS_RIGID_ constant. */
 typedef int32_t vbss_rigid_kind;
@@ -561,7 +589,7 @@ VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a value; no such body; the
  *         suture is farther from there than it would touch the wall; a hole of the same suture is less than its
  *         diameter from there), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
- *         (hole_capacity) or VBSS_ERROR_BUSY
+ *         (hole_capacity), VBSS_ERROR_OUT_OF_MEMORY (only while a step waits) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -616,7 +644,7 @@ VBSS_API vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body,
  * @param[out] pin  names the pin, from 1 on, never used again
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (also:
  *         the node is held already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (pins, or the thread's
- *         attachments) or VBSS_ERROR_BUSY
+ *         attachments), VBSS_ERROR_OUT_OF_MEMORY (only while a step waits) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -636,8 +664,8 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
 
 /**
  * Cuts a thread of the scene in two where it is, with its pins, attachments and contacts: the part beyond the cut
- * becomes a body of its own, with node 0 at the cut. Nothing is allocated: room for as many pieces as cut_capacity
- * allows was taken when the thread was added. Pieces can be cut again. A cut within 1 % of a segment, or 1e-7 m, of
+ * becomes a body of its own, with node 0 at the cut. Room for as many pieces as cut_capacity allows was taken when the
+ * thread was added, so nothing is allocated, but for a copy of the state during the call if a step waits. Pieces can be cut again. A cut within 1 % of a segment, or 1e-7 m, of
  * a node goes through the node, which the thread keeps with all that holds it. A cut within 0.2 mm of a hole that
  * the thread is in is made 0.2 mm beside it, where an end has left the hole. The ends at a cut do not touch each
  * other until they have come apart. Contacts in the views keep the numbers of before the cut until the next step.
@@ -647,7 +675,8 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
  * @param arc_length  of the cut from the thread's node 0, unstretched, m, within its length and not at an end
  * @param[out] piece  number of the new body, whose handle #vbss_scene_get_thread gives; also in an event
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no such thread, or
- *         not within it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left) or VBSS_ERROR_BUSY
+ *         not within it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left; that is an event, too),
+ *         VBSS_ERROR_OUT_OF_MEMORY (only while a step waits) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -669,7 +698,10 @@ VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbs
 
 /**
  * Moves everything forward in time. Nothing is allocated. On failure the scene is as it was before the
- * step, but without events.
+ * step, but without events. With method PAPER the step of a thread or drain that has diverged fails;
+ * see #vbss_thread_step and #vbss_drain_step for the bounds. If a call has ended a suspended step, or some
+ * islands of a step, and the rest fails, that result stays: the call returns VBSS_OK, `behind` counts the rest, and
+ * the next call returns the failure.
  *
  * @param scene  the scene
  * @param h      s, 1e-7 to 0.1
@@ -725,11 +757,30 @@ VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_sta
                                                uint32_t struct_size);
 
 /**
+ * The deepest overlap of a body with another body or the floor, where they are now. An overlap counts if it is deeper than
+ * `penetration_tolerance` of the scene's configuration allows after a step. The call leaves out the places where a thread is pinned
+ * to the other body or begins at the end of a needle, and the body itself. It leaves out pairs of driven bodies, which a step does
+ * not test until they have come apart. Contacts in jaws and holes count. The call compares all segments of the body with all
+ * others, so it is for setting up a scene.
+ *
+ * @param scene         the scene
+ * @param body          number of the body
+ * @param[out] overlap  receives the overlap
+ * @param struct_size   `sizeof *overlap` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body), VBSS_ERROR_NULL_ARGUMENT or
+ *         VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_overlap *overlap,
+                                            uint32_t struct_size);
+
+/**
  * Saves the state of the scene and all its bodies, to go back to it or to go on elsewhere to the same
  * bits.
  *
  * @param scene         the scene
- * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      size of the buffer
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

@@ -372,7 +372,7 @@ VBSS_API vbss_result vbss_session_get_event(vbss_session *session, uint64_t inde
  * (#vbss_scene_save), at the same time; devices and records are not saved.
  *
  * @param session       the session
- * @param[out] bytes    receives the snapshot; NULL is allowed when capacity is 0
+ * @param[out] bytes    receives the snapshot; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      bytes there is room for
  * @param[out] written  bytes written or, with VBSS_ERROR_CAPACITY, wanted
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part), VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

@@ -196,7 +196,8 @@ enum {
     VBSS_THREAD_VELOCITIES = 1,   /**< n x 3 doubles, m/s. */
     VBSS_THREAD_REST_LENGTHS = 2, /**< n - 1 doubles, m. */
     VBSS_THREAD_LENGTHS = 3,      /**< n - 1 doubles, m: chords, or arcs with BENDING_SPLINE. */
-    VBSS_THREAD_TENSIONS = 4,     /**< n - 1 doubles, N, at the end of the last step. */
+    /** n - 1 doubles, N: force along each segment at the end of the last step, from tension and bending. */
+    VBSS_THREAD_TENSIONS = 4,
     VBSS_THREAD_CURVATURES =
         5, /**< n x 3 doubles, 1/m: from the node to the centre of curvature. */
     VBSS_THREAD_SECTIONS =
@@ -340,7 +341,9 @@ VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
 
 /**
  * Moves a thread forward in time. Nothing is allocated. If the new state is not finite, the call fails
- * and the thread keeps its state from before the step. A thread with an adaptive mesh then adapts it by its
+ * and the thread keeps its state from before the step. With method PAPER the call also fails if a
+ * segment has become longer than 100 times the length of the thread plus the distance that its
+ * attachments span: the explicit steps have diverged, and the text says so. A thread with an adaptive mesh then adapts it by its
  * curvature alone, because only a scene knows the distance to other bodies.
  *
  * @param thread  the thread
@@ -517,7 +520,7 @@ VBSS_API vbss_result vbss_thread_get_statistics(vbss_thread *thread,
  * Saves the thread's state. A thread that restores it continues with identical bits, on any machine.
  *
  * @param thread        the thread
- * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
  * @param capacity      size of the buffer
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY

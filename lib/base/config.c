@@ -38,6 +38,16 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
     return VBSS_OK;
 }
 
+void vbss_warn_if_unlikely(vbss_context *context, double value, double likely, const char *name,
+                           const char *unit, const char *small_unit)
+{
+    if (value > likely) {
+        vbss_message(context, VBSS_LOG_WARNING,
+                     "%s is %g %s, more than is likely; if it is in %s, the right value is %g %s",
+                     name, value, unit, small_unit, 1e-3 * value, unit);
+    }
+}
+
 double vbss_max_abs(const double *values, size_t count)
 {
     double largest = 0.0;
@@ -62,14 +72,6 @@ vbss_result vbss_read_orientation(vbss_context *context, const double q[4], quat
     double scale = 1.0 / largest;
     *orientation = quat_unit(quat_make(q[0] * scale, q[1] * scale, q[2] * scale, q[3] * scale));
     return VBSS_OK;
-}
-
-vbss_result vbss_check_arithmetic(vbss_context *context)
-{
-    vbss_result result = vbss_arithmetic_check();
-    return result == VBSS_OK
-               ? VBSS_OK
-               : vbss_fail(context, result, "%s in the calling thread", vbss_result_string(result));
 }
 
 /* ---- public structs */

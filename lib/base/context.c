@@ -1,6 +1,7 @@
 /* Creation, destruction and queries of a context. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/config.h"
 #include "base/context.h"
 #include "base/error.h"
@@ -71,19 +72,25 @@ vbss_result vbss_context_create(const vbss_context_config *config, vbss_context 
     return VBSS_OK;
 }
 
+static vbss_result destroy_members(vbss_context *context)
+{
+    VBSS_ENTER(context);
+    VBSS_TRY(vbss_context_edit(context));
+    if (context->objects_alive > 0) {
+        vbss_message(context, VBSS_LOG_INFO, "context destroyed together with %llu objects",
+                     (unsigned long long)context->objects_alive);
+    }
+    vbss_slots_release(context);
+    context->tag = 0;
+    return VBSS_OK;
+}
+
 vbss_result vbss_context_destroy(vbss_context *context)
 {
     if (context == NULL) {
         return VBSS_OK;
     }
-    VBSS_TRY(vbss_context_edit(context));
-    if (context->objects_alive > 0) {
-        vbss_message(context, VBSS_LOG_WARNING,
-                     "context destroyed with %llu objects alive; they are destroyed with it",
-                     (unsigned long long)context->objects_alive);
-    }
-    vbss_slots_release(context);
-    context->tag = 0;
+    VBSS_TRY(destroy_members(context));
     context->release(context->allocator_user, context, sizeof *context, VBSS_ALIGNMENT);
     return VBSS_OK;
 }
@@ -105,6 +112,7 @@ vbss_result vbss_context_edit(vbss_context *context)
 vbss_result vbss_context_get_last_error(const vbss_context *context, vbss_result *result,
                                         const char **text)
 {
+    VBSS_ENTER(context);
     VBSS_TRY(vbss_context_open(context));
     if (result != NULL) {
         *result = context->last_result;
@@ -118,6 +126,7 @@ vbss_result vbss_context_get_last_error(const vbss_context *context, vbss_result
 vbss_result vbss_context_get_statistics(vbss_context *context, vbss_context_statistics *statistics,
                                         uint32_t struct_size)
 {
+    VBSS_ENTER(context);
     VBSS_TRY(vbss_context_open(context));
     const vbss_context_statistics own = {
         .struct_size = (uint32_t)sizeof own,

@@ -1,9 +1,12 @@
-/* Fields of a context, private to context.c, memory.c, message.c and slot.c. */
+/* Fields of a context, private to api_call.c, context.c, memory.c, message.c and
+ * slot.c. */
 #ifndef VBSS_BASE_CONTEXT_H
 #define VBSS_BASE_CONTEXT_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 
+#include "base/float_mode.h"
 #include "base/slot.h"
 
 /* First word of a context and of a slot; it reveals a handle of the wrong type. */
@@ -28,8 +31,13 @@ struct vbss_context {
     vbss_release_fn release;
     void *allocator_user; /* passed to allocate and release */
     vbss_log_fn log;
-    void *log_user;   /* passed to log */
-    bool in_callback; /* a function of the host is running */
+    void *log_user; /* passed to log */
+    /* The thread inside the context (api_call.c), 0 if there is none. Only that thread uses the
+     * other fields. */
+    atomic_uintptr_t owner;
+    bool in_callback;     /* a function of the host is running */
+    bool in_library;      /* the thread inside runs our code, not the host's */
+    float_mode host_mode; /* in force while a function of the host runs */
     uint64_t bytes_allocated, bytes_peak, allocation_count;
     /* last_ordinal belongs to the youngest object; 0 before the first */
     uint64_t objects_alive, last_ordinal;

@@ -27,7 +27,8 @@ vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *for
 void vbss_message(vbss_context *context, vbss_log_level level, const char *format, ...)
     VBSS_PRINTF(3, 4);
 /* Brackets around every call of a host function. In between, calls that would change the context
- * return VBSS_ERROR_BUSY. Brackets nest: `outer` is the value that vbss_callback_begin returned. */
+ * return VBSS_ERROR_BUSY, and the host's floating-point mode is in force. Brackets nest: `outer` is
+ * the value that vbss_callback_begin returned. */
 bool vbss_callback_begin(vbss_context *context);
 void vbss_callback_end(vbss_context *context, bool outer);
 

@@ -251,7 +251,7 @@ static double rare_angle(double y, double x, unsigned octant_index)
     return angle_of(b * scale, a * scale, octant_index);
 }
 
-double vbss_atan2(double y, double x)
+double vbss_arc_tangent(double y, double x)
 {
     double x_size = fabs(x), y_size = fabs(y);
     bool steep = y_size > x_size;
@@ -271,7 +271,7 @@ double vbss_atan2(double y, double x)
     return double_of(bits_of(angle) | (bits_of(y) & UINT64_C(1) << 63));
 }
 
-double vbss_acos(double x)
+double vbss_arc_cosine(double x)
 {
     double size = fabs(x), rest, sum;
     if (size <= 0.5) {

@@ -1,4 +1,4 @@
-/* Last error, log messages, and the guard against changes during a callback. */
+/* Last error, log messages, and the guard around callbacks. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -11,12 +11,21 @@ bool vbss_callback_begin(vbss_context *context)
 {
     bool outer = context->in_callback;
     context->in_callback = true;
+    if (context->in_library) {
+        context->in_library = false;
+        float_mode_set(context->host_mode);
+    }
     return outer;
 }
 
 void vbss_callback_end(vbss_context *context, bool outer)
 {
     context->in_callback = outer;
+    if (atomic_load_explicit(&context->owner, memory_order_relaxed) != 0) {
+        context->in_library = true;
+        context->host_mode = float_mode_get();
+        float_mode_set(FLOAT_MODE_NEEDED);
+    }
 }
 
 static void send_to_log(vbss_context *context, vbss_log_level level, const char *message)

@@ -31,7 +31,7 @@ vec3 vbss_quat_to_rotation_vector(quat q)
     double sine = vec3_norm(axis);
     /* For a small angle: 2 atan2(s, w)/s = 2/w (1 - (s/w)^2/3 + ...). */
     double factor = sine < 1e-5 * q.w ? (2.0 - 2.0 / 3.0 * sine * sine / (q.w * q.w)) / q.w
-                                      : 2.0 * vbss_atan2(sine, q.w) / sine;
+                                      : 2.0 * vbss_arc_tangent(sine, q.w) / sine;
     return vec3_scale(axis, factor);
 }
 

@@ -111,6 +111,20 @@ vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slo
     return VBSS_OK;
 }
 
+vbss_result vbss_slot_check_other(vbss_context *context, const void *handle, const char *name)
+{
+    const vbss_slot *slot = handle;
+    if (slot == NULL) {
+        return vbss_fail(context, VBSS_ERROR_INVALID_HANDLE, "%s is NULL", name);
+    }
+    if (slot->tag != VBSS_TAG_SLOT) {
+        return vbss_fail(context, VBSS_ERROR_INVALID_HANDLE, "%s is no handle", name);
+    }
+    return slot->context == context ? VBSS_OK
+                                    : vbss_fail(context, VBSS_ERROR_INVALID_HANDLE,
+                                                "%s belongs to another context", name);
+}
+
 vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *object)
 {
     vbss_slot slot = {.tag = VBSS_TAG_SLOT,

@@ -22,7 +22,7 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
 vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash);
 /* Bodies of the public functions: they check the host's arguments and work for any kind of object.
  * vbss_object_save sets *written to the bytes needed and returns VBSS_ERROR_CAPACITY if `capacity`
- * is smaller. vbss_object_restore returns VBSS_ERROR_IN_SCENE for an object that has an owner. */
+ * is smaller; without an error text if `bytes` is NULL and `capacity` 0. vbss_object_restore returns VBSS_ERROR_IN_SCENE for an object that has an owner. */
 vbss_result vbss_object_save(const void *handle, const vbss_kind *kind, uint8_t *bytes,
                              uint64_t capacity, uint64_t *written);
 vbss_result vbss_object_restore(const void *handle, const vbss_kind *kind, const uint8_t *bytes,

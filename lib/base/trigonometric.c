@@ -228,7 +228,7 @@ static inline double turned_sine(uint32_t index, angle_split r)
     return sum + (exact_rest + bracket);
 }
 
-double vbss_sin(double x)
+double vbss_sine(double x)
 {
     double magnitude = fabs(x);
     if (magnitude < 0x1p-27) {
@@ -241,7 +241,7 @@ double vbss_sin(double x)
     return turned_sine(t.index, split_angle(t));
 }
 
-double vbss_cos(double x)
+double vbss_cosine(double x)
 {
     if (!(fabs(x) <= DBL_MAX)) {
         return canonical_nan();

@@ -3,6 +3,7 @@
  * Only the damping and contacts with other bodies couple neighbouring particles. */
 #include "base/error.h"
 #include "base/memory.h"
+#include "baseline/divergence.h"
 #include "baseline/drain.h"
 #include "baseline/explicit_substeps.h"
 
@@ -134,16 +135,6 @@ static void make_parts(drain_object *d, double dt, uint32_t parts)
     }
 }
 
-/* A sum is finite only if all its terms are. */
-static bool is_finite(const drain_object *d)
-{
-    double sum = 0.0;
-    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        sum += vec3_norm_squared(d->x[i]) + vec3_norm_squared(d->v[i]);
-    }
-    return sum < 1e100;
-}
-
 vbss_result vbss_baseline_move_drain(drain_object *d, double h)
 {
     d->baseline->last_move = 0.0;
@@ -156,9 +147,7 @@ vbss_result vbss_baseline_move_drain(drain_object *d, double h)
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         d->v[i] = vbss_drain_flush_velocity(d->v[i]);
     }
-    if (!is_finite(d)) {
-        return VBSS_ERROR_NOT_FINITE;
-    }
+    VBSS_TRY(vbss_baseline_check_drain(d));
     d->statistics.parts += parts;
     d->statistics.last_move = d->baseline->last_move;
     return VBSS_OK;

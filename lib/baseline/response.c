@@ -1,6 +1,7 @@
 /* The response of VBLaST-SS (Qi et al. 2017, algorithm 2), with one consistent set of signs, and
  * with rules for the cases that the paper leaves open: docs/paper-collision.md. The vectors q
  * and w lead from b to a. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/collision.h"
@@ -283,6 +284,7 @@ vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_variant varia
                                 const double inverse_masses[4], vbss_response *response,
                                 uint32_t struct_size)
 {
+    VBSS_ENTER(NULL);
     VBSS_TRY(vbss_check_range(NULL, kind, VBSS_PAIR_EDGE_EDGE, VBSS_PAIR_POINT_TRIANGLE, "kind"));
     VBSS_TRY(vbss_check_range(NULL, variant, VBSS_RESPONSE_END_OF_STEP,
                               VBSS_RESPONSE_TIME_OF_IMPACT, "variant"));

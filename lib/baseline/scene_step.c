@@ -4,6 +4,7 @@
  * Rigid bodies follow their targets, whatever is in the way; needles follow tools or fly. The
  * method has no friction, and no CCD after the responses. */
 #include "base/error.h"
+#include "baseline/divergence.h"
 #include "baseline/drain.h"
 #include "baseline/scene.h"
 #include "baseline/thread.h"
@@ -95,35 +96,23 @@ static vbss_result move_bodies(scene_object *s, double h)
 
 /* ---- passes */
 
-static double sum_motion(const vec3 *x, const vec3 *v, uint32_t count)
+static vbss_result check_bodies(const scene_object *s)
 {
-    double sum = 0.0;
-    for (uint32_t k = 0; k < count; k++) {
-        sum += vec3_norm_squared(x[k]) + vec3_norm_squared(v[k]);
-    }
-    return sum;
-}
-
-/* A sum is finite only if all its terms are. The limit is far below what collision refuses. */
-static bool is_sound(const scene_object *s)
-{
-    double sum = 0.0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_THREAD) {
-            const thread_object *t = b->thread.thread;
-            sum += sum_motion(t->now.x, t->now.v, t->node_count);
+            VBSS_TRY(vbss_baseline_check_thread(b->thread.thread));
         } else if (b->kind == SCENE_BODY_DRAIN) {
-            const drain_object *d = b->drain.drain;
-            sum += sum_motion(d->x, d->v, d->mesh.node_count);
+            VBSS_TRY(vbss_baseline_check_drain(b->drain.drain));
         }
     }
-    return sum < 1e50;
+    return VBSS_OK;
 }
 
 static vbss_result search(scene_object *s)
 {
-    return is_sound(s) ? vbss_baseline_find_candidates(s) : VBSS_ERROR_NOT_FINITE;
+    VBSS_TRY(check_bodies(s));
+    return vbss_baseline_find_candidates(s);
 }
 
 static vbss_result make_passes(scene_object *s, double h)
@@ -232,10 +221,7 @@ vbss_result vbss_baseline_scene_step(scene_object *s, double h)
     }
     if (result != VBSS_OK) {
         go_back(s);
-        return result != VBSS_ERROR_NOT_FINITE
-                   ? result
-                   : vbss_fail(s->context, result, "scene step: no finite state after step %llu",
-                               (unsigned long long)s->report.statistics.steps);
+        return result;
     }
     note_counts(s);
     note_errors(s, h);

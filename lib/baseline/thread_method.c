@@ -21,12 +21,18 @@ static void destroy_thread(vbss_context *context, thread_object *t)
     }
 }
 
+static const double *axial_forces(thread_object *t)
+{
+    return t->now.tension;
+}
+
 const thread_method vbss_baseline_thread = {
     .create_thread = create_thread,
     .destroy_thread = destroy_thread,
     .step_thread = vbss_baseline_thread_step,
     .bending_energy = vbss_baseline_bending_energy,
     .constraint_force = vbss_baseline_constraint_force,
+    .axial_forces = axial_forces,
     .reaction_force = vbss_baseline_constraint_force, /* without forces and springs at the node */
     .reaction_torque = vbss_baseline_reaction_torque,
     .corrects_masses = false,

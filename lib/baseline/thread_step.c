@@ -3,6 +3,7 @@
  * A section whose projection does not converge keeps the positions from before the projection.
  * Its prescribed nodes are at their targets; it may be stretched, and its springs pull it back. */
 #include "base/error.h"
+#include "baseline/divergence.h"
 #include "baseline/explicit_substeps.h"
 #include "baseline/thread.h"
 #include "thread/tuning.h"
@@ -155,17 +156,6 @@ static vec3 still(vec3 v)
     return moving ? v : vec3_zero();
 }
 
-static bool motion_is_finite(const thread_object *t)
-{
-    /* A sum is finite only if all its terms are. The limit also refuses finite values that are
-     * far too large. */
-    double sum = 0.0;
-    for (uint32_t i = 0; i < t->node_count; i++) {
-        sum += vec3_norm_squared(t->now.x[i]) + vec3_norm_squared(t->now.v[i]);
-    }
-    return sum < 1e100;
-}
-
 static void note_counts(thread_object *t, uint32_t parts)
 {
     const baseline_thread_counts *counts = &t->baseline->counts;
@@ -200,11 +190,10 @@ vbss_result vbss_baseline_thread_step(thread_object *t, double h)
     for (uint32_t i = 0; i < t->node_count; i++) {
         t->now.v[i] = still(t->now.v[i]);
     }
-    if (!motion_is_finite(t)) {
+    vbss_result result = vbss_baseline_check_thread(t);
+    if (result != VBSS_OK) {
         vbss_thread_copy_state(t, &t->now, &t->saved);
-        return vbss_fail(t->context, VBSS_ERROR_NOT_FINITE,
-                         "thread step: no finite state after step %llu",
-                         (unsigned long long)t->statistics.steps);
+        return result;
     }
     note_counts(t, parts);
     vbss_baseline_record_stretch(t);

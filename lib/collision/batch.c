@@ -1,4 +1,5 @@
 /* Public tests through an object: one query, or a batch. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/shapes.h"
@@ -24,13 +25,13 @@ vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_kind kind,
                                 const double start[12], const double end[12], vbss_impact *impact,
                                 uint32_t struct_size)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     VBSS_TRY(vbss_collision_edit(collision, &c));
     VBSS_TRY(check_kind(c->context, kind));
     VBSS_TRY(vbss_collision_check_coordinates(c->context, start, 12, "start"));
     VBSS_TRY(vbss_collision_check_coordinates(c->context, end, 12, "end"));
     VBSS_TRY(vbss_check_pointer(c->context, impact, "impact"));
-    VBSS_TRY(vbss_check_arithmetic(c->context));
     collision_ccd_query query = {.kind = kind, .thickness = c->thickness};
     vbss_collision_set_vertices(&query, start, end);
     collision_ccd_result result;
@@ -65,12 +66,12 @@ static vbss_result check_batch(vbss_context *context, const vbss_collision_batch
 
 vbss_result vbss_collision_test_batch(vbss_collision *collision, const vbss_collision_batch *batch)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     VBSS_TRY(vbss_collision_edit(collision, &c));
     vbss_collision_batch own;
     VBSS_TRY(vbss_config_read(c->context, &batch_layout, batch, &own));
     VBSS_TRY(check_batch(c->context, &own));
-    VBSS_TRY(vbss_check_arithmetic(c->context));
     collision_ccd_batch ccd_batch = {
         .kind = own.kind,
         .count = own.count,

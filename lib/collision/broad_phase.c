@@ -4,6 +4,7 @@
  * traversal are sorted by feature b if they do not come in that order. The pairs of any feature a
  * are then sorted by shape and feature b, and one counting sort by shape and feature a completes
  * the order. The result does not depend on the trees. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/shapes.h"
@@ -243,9 +244,9 @@ static void write_candidates(collision_object *c)
 
 vbss_result vbss_collision_find_candidates(vbss_collision *collision)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     VBSS_TRY(vbss_collision_edit(collision, &c));
-    VBSS_TRY(vbss_check_arithmetic(c->context));
     vbss_collision_clear_results(c);
     c->generation++;
     if (c->caches_separation) {

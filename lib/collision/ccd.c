@@ -1,4 +1,5 @@
 /* Public CCD of one query: configuration, argument checks, and results. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/compiler.h"
 #include "base/error.h"
@@ -172,7 +173,6 @@ static vbss_result run_test(const vbss_collision_config *config, vbss_pair_kind 
     }
     VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
-    VBSS_TRY(vbss_check_arithmetic(NULL));
     collision_ccd_options options = vbss_collision_ccd_options_of(&own);
     collision_ccd_query query = {.kind = kind, .thickness = own.thickness};
     vbss_collision_set_vertices(&query, start, end);
@@ -184,6 +184,7 @@ static vbss_result run_test(const vbss_collision_config *config, vbss_pair_kind 
 vbss_result vbss_edges_test(const vbss_collision_config *config, const double start[12],
                             const double end[12], vbss_impact *impact, uint32_t struct_size)
 {
+    VBSS_ENTER(NULL);
     return run_test(config, VBSS_PAIR_EDGE_EDGE, start, end, impact, struct_size);
 }
 
@@ -191,5 +192,6 @@ vbss_result vbss_point_triangle_test(const vbss_collision_config *config, const 
                                      const double end[12], vbss_impact *impact,
                                      uint32_t struct_size)
 {
+    VBSS_ENTER(NULL);
     return run_test(config, VBSS_PAIR_POINT_TRIANGLE, start, end, impact, struct_size);
 }

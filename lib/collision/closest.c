@@ -1,6 +1,7 @@
 /* Public queries of closest points. */
 #include "collision/closest.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/double_double.h"
 #include "base/error.h"
@@ -109,6 +110,7 @@ static scaled_separation closest_on_axes(const double a[6], const double b[6], v
 vbss_result vbss_closest_segments(const double a[6], const double b[6], vbss_closest *closest,
                                   uint32_t struct_size)
 {
+    VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(a, 6, "a"));
     VBSS_TRY(check_coordinates(b, 6, "b"));
     vbss_closest own = {0};
@@ -131,6 +133,7 @@ static scaled_separation closest_to_triangle(vec3 point, const double triangle[9
 vbss_result vbss_closest_point_triangle(const double point[3], const double triangle[9],
                                         vbss_closest *closest, uint32_t struct_size)
 {
+    VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(point, 3, "point"));
     VBSS_TRY(check_coordinates(triangle, 9, "triangle"));
     vbss_closest own = {0};
@@ -162,6 +165,7 @@ static bool segment_pierces_triangle(const double segment[6], const double trian
 vbss_result vbss_closest_segment_triangle(const double segment[6], const double triangle[9],
                                           vbss_closest *closest, uint32_t struct_size)
 {
+    VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(segment, 6, "segment"));
     VBSS_TRY(check_coordinates(triangle, 9, "triangle"));
     vbss_closest own = {0};
@@ -211,6 +215,7 @@ vbss_result vbss_closest_segment_triangle(const double segment[6], const double 
 vbss_result vbss_closest_capsules(const double a[6], double radius_a, const double b[6],
                                   double radius_b, vbss_closest *closest, uint32_t struct_size)
 {
+    VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(a, 6, "a"));
     VBSS_TRY(check_coordinates(b, 6, "b"));
     VBSS_TRY(vbss_check_range(NULL, radius_a, 0.0, COLLISION_MAX_COORDINATE, "radius_a"));

@@ -1,4 +1,5 @@
 /* The functions that hosts call on a whole collision object. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
@@ -21,11 +22,11 @@ static vbss_result check_capacities(vbss_context *context, const vbss_collision_
 vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_config *config,
                                   vbss_collision **collision)
 {
+    VBSS_ENTER_WITH_RESULT(context, collision);
     if (collision == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, collision, "collision");
     }
-    *collision = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_collision_config own;
@@ -50,6 +51,7 @@ vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_co
 
 vbss_result vbss_collision_destroy(vbss_collision *collision)
 {
+    VBSS_ENTER(collision);
     return vbss_slot_destroy(collision, &vbss_collision_kind);
 }
 
@@ -57,6 +59,7 @@ vbss_result vbss_collision_get_statistics(vbss_collision *collision,
                                           vbss_collision_statistics *statistics,
                                           uint32_t struct_size)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     VBSS_TRY(vbss_collision_open(collision, &c));
     const vbss_collision_statistics own = {
@@ -78,11 +81,13 @@ vbss_result vbss_collision_get_statistics(vbss_collision *collision,
 vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes, uint64_t capacity,
                                 uint64_t *written)
 {
+    VBSS_ENTER(collision);
     return vbss_object_save(collision, &vbss_collision_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     VBSS_TRY(vbss_object_restore(collision, &vbss_collision_kind, bytes, count));
     VBSS_TRY(vbss_collision_open(collision, &c));
@@ -93,5 +98,6 @@ vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *byt
 
 vbss_result vbss_collision_get_hash(vbss_collision *collision, uint64_t *hash)
 {
+    VBSS_ENTER(collision);
     return vbss_object_hash(collision, &vbss_collision_kind, hash);
 }

@@ -1,4 +1,5 @@
 /* Narrow phase: tests the candidates in batches. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/shapes.h"
@@ -79,9 +80,9 @@ static void store_impact(collision_object *c, uint32_t candidate, uint32_t at)
 
 vbss_result vbss_collision_find_impacts(vbss_collision *collision)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     VBSS_TRY(vbss_collision_edit(collision, &c));
-    VBSS_TRY(vbss_check_arithmetic(c->context));
     collision_counters counters = c->counters;
     c->impact_count = 0;
     c->generation++;

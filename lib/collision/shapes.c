@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/double_double.h"
 #include "base/error.h"
@@ -112,6 +113,7 @@ static vbss_result check_chain(const collision_object *c, uint32_t node_count,
 vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_t node_count,
                                      const double *rest_lengths, double radius, uint32_t *shape)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
@@ -175,6 +177,7 @@ void vbss_collision_disable_chain(collision_object *c, uint32_t id)
 vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint32_t capsule_count,
                                         double radius, uint32_t *shape)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
@@ -257,6 +260,7 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
                                     const uint32_t *triangles, uint32_t triangle_count,
                                     double radius, uint32_t *shape)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
@@ -292,6 +296,7 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
 
 vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
@@ -308,6 +313,7 @@ vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape)
 vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape, uint32_t category,
                                       uint32_t mask)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
@@ -322,6 +328,7 @@ vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape,
 vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const double *start,
                                 const double *end, uint32_t node_count)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
@@ -344,6 +351,7 @@ vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const
 vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t shape, uint32_t edge,
                                     uint32_t nodes[2])
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_open(collision, &c));

@@ -1,4 +1,5 @@
 /* Public views of candidates and impacts. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "collision/shapes.h"
 
@@ -46,6 +47,7 @@ static vbss_result get_field(const collision_object *c, vbss_collision_field fie
 vbss_result vbss_collision_get_view(vbss_collision *collision, vbss_collision_field field,
                                     vbss_view *view, uint32_t struct_size)
 {
+    VBSS_ENTER(collision);
     collision_object *c;
     vbss_view own;
     VBSS_TRY(vbss_collision_open(collision, &c));

@@ -86,7 +86,7 @@ contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key)
     constraint->jacobian_block_count = 0;
     constraint->is_bilateral = constraint->is_sleeve = false;
     constraint->friction = constraint->tangential_stiffness_ratio = constraint->elastic_slip_limit =
-        constraint->fold_allowance = 0.0;
+        constraint->recovery_allowance = 0.0;
     constraint->solution = (contact_solution){.status = CONTACT_OPEN};
     constraint->previous_force = vec3_zero();
     constraint->schur_offset = UINT32_MAX;
@@ -171,7 +171,8 @@ double vbss_contact_max_penetration(const contact_set *set)
     double depth = 0.0;
     for (uint32_t i = 0; i < set->count; i++) {
         if (!set->constraints[i].is_bilateral) {
-            depth = vbss_max(set->constraints[i].fold_allowance - set->constraints[i].gap, depth);
+            depth =
+                vbss_max(set->constraints[i].recovery_allowance - set->constraints[i].gap, depth);
         }
     }
     return depth;

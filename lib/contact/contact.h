@@ -86,9 +86,9 @@ typedef struct contact_constraint {
     double gap;          /* at the trial state, m */
     /* displacement of a relative to b from the start of the substep to the trial state, m */
     vec3 relative_displacement;
-    /* unilateral: part of `gap` that is allowed overlap in a fold, which the contact force does not
-     * explain, m */
-    double fold_allowance;
+    /* unilateral: part of `gap` that is overlap from before the substep, which no contact force
+     * explains and which this substep does not have to remove, m */
+    double recovery_allowance;
     /* unilateral: diameter of the thinner feature; largest penetration allowed at the end of the
      * substep; m */
     double thickness, allowed_penetration;

@@ -1,11 +1,13 @@
 /* Public functions that change a device between reads: emergency stop, clutch, re-centring and
  * calibration. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
 
 vbss_result vbss_device_stop(vbss_device *device)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     vbss_device_latch_stop(d);
@@ -14,6 +16,7 @@ vbss_result vbss_device_stop(vbss_device *device)
 
 vbss_result vbss_device_release(vbss_device *device)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     d->output.is_stopped = false;
@@ -38,6 +41,7 @@ static void set_orientation_offset(device_object *d, quat orientation)
 
 vbss_result vbss_device_clutch(vbss_device *device, int32_t held)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     VBSS_TRY(vbss_check_range(d->context, held, 0.0, 1.0, "held"));
@@ -60,6 +64,7 @@ vbss_result vbss_device_clutch(vbss_device *device, int32_t held)
 vbss_result vbss_device_recentre(vbss_device *device, const double *position,
                                  const double *orientation)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     if (!d->pose_reading.is_known) {
@@ -87,6 +92,7 @@ vbss_result vbss_device_recentre(vbss_device *device, const double *position,
 
 vbss_result vbss_device_hold_jaw(vbss_device *device, double opening)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     VBSS_TRY(vbss_check_range(d->context, opening, 0.0, 1.0, "opening"));
@@ -100,6 +106,7 @@ vbss_result vbss_device_hold_jaw(vbss_device *device, double opening)
 vbss_result vbss_device_set_calibration(vbss_device *device,
                                         const vbss_device_calibration *calibration)
 {
+    VBSS_ENTER(device);
     device_object *d;
     vbss_device_calibration own;
     VBSS_TRY(vbss_device_edit(device, &d));

@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "device/device.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -182,11 +183,11 @@ vbss_result vbss_device_create(vbss_context *context, const vbss_device_adapter 
                                const vbss_device_adapter *second, const vbss_device_config *config,
                                vbss_device **device)
 {
+    VBSS_ENTER_WITH_RESULT(context, device);
     if (device == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, device, "device");
     }
-    *device = NULL;
     VBSS_TRY(vbss_context_edit(context));
     device_object wanted = {.context = context};
     vbss_slot *slot = NULL;
@@ -202,6 +203,7 @@ vbss_result vbss_device_create(vbss_context *context, const vbss_device_adapter 
 
 vbss_result vbss_device_destroy(vbss_device *device)
 {
+    VBSS_ENTER(device);
     return vbss_slot_destroy(device, &vbss_device_kind);
 }
 
@@ -227,11 +229,13 @@ vbss_result vbss_device_check_now(device_object *d, double now)
 vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)
 {
+    VBSS_ENTER(device);
     return vbss_object_save(device, &vbss_device_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_device_restore(vbss_device *device, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_object_restore(device, &vbss_device_kind, bytes, count));
     VBSS_TRY(vbss_device_open(device, &d));
@@ -244,5 +248,6 @@ vbss_result vbss_device_restore(vbss_device *device, const uint8_t *bytes, uint6
 
 vbss_result vbss_device_get_hash(vbss_device *device, uint64_t *hash)
 {
+    VBSS_ENTER(device);
     return vbss_object_hash(device, &vbss_device_kind, hash);
 }

@@ -1,6 +1,7 @@
 /* Mouse, keyboard and gamepad as devices: pure functions that add a motion to a sample. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/rotation.h"
@@ -143,6 +144,7 @@ static void finish_mapping(double h, const vbss_device_sample *s, vbss_device_sa
 vbss_result vbss_mapping_mouse(const vbss_mapping_config *config, const double motion[3],
                                uint32_t buttons, double h, vbss_device_sample *sample)
 {
+    VBSS_ENTER(NULL);
     vbss_mapping_config c;
     vbss_device_sample s;
     VBSS_TRY(begin_mapping(config, motion, 3, 1e6, h, sample, &c, &s));
@@ -165,6 +167,7 @@ vbss_result vbss_mapping_mouse(const vbss_mapping_config *config, const double m
 vbss_result vbss_mapping_keyboard(const vbss_mapping_config *config, const double presses[7],
                                   double h, vbss_device_sample *sample)
 {
+    VBSS_ENTER(NULL);
     vbss_mapping_config c;
     vbss_device_sample s;
     VBSS_TRY(begin_mapping(config, presses, 7, 1e6, h, sample, &c, &s));
@@ -192,6 +195,7 @@ static double shape_deflection(const vbss_mapping_config *c, double axis)
 vbss_result vbss_mapping_gamepad(const vbss_mapping_config *config, const double axes[6],
                                  double opening, double h, vbss_device_sample *sample)
 {
+    VBSS_ENTER(NULL);
     vbss_mapping_config c;
     vbss_device_sample s;
     double rate[6];

@@ -4,6 +4,7 @@
 
 #include "device/mock.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -106,11 +107,11 @@ static vbss_result read_config(mock_object *wanted, const vbss_mock_config *conf
 vbss_result vbss_mock_create(vbss_context *context, const vbss_mock_config *config,
                              vbss_mock **mock)
 {
+    VBSS_ENTER_WITH_RESULT(context, mock);
     if (mock == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, mock, "mock");
     }
-    *mock = NULL;
     VBSS_TRY(vbss_context_edit(context));
     mock_object wanted = {.context = context}, *m = NULL;
     vbss_slot *slot = NULL;
@@ -127,6 +128,7 @@ vbss_result vbss_mock_create(vbss_context *context, const vbss_mock_config *conf
 
 vbss_result vbss_mock_destroy(vbss_mock *mock)
 {
+    VBSS_ENTER(mock);
     return vbss_slot_destroy(mock, &kind);
 }
 
@@ -153,6 +155,7 @@ static vbss_result edit_mock(vbss_mock *handle, mock_object **mock)
 
 static vbss_result mock_open(void *user)
 {
+    VBSS_ENTER(user);
     mock_object *m;
     VBSS_TRY(open_mock(user, &m));
     if (m->statistics.open != 0) {
@@ -174,6 +177,7 @@ static void mock_close(void *user)
 
 static vbss_result mock_describe(void *user, vbss_device_capabilities *capabilities)
 {
+    VBSS_ENTER(user);
     mock_object *m;
     VBSS_TRY(open_mock(user, &m));
     *capabilities = m->capabilities;
@@ -182,6 +186,7 @@ static vbss_result mock_describe(void *user, vbss_device_capabilities *capabilit
 
 static vbss_result mock_read(void *user, double now, vbss_device_sample *sample)
 {
+    VBSS_ENTER(user);
     mock_object *m;
     vbss_result result = open_mock(user, &m);
     if (result != VBSS_OK) {
@@ -217,6 +222,7 @@ static void append_row(mock_object *m, double now, const vbss_output_result *out
 
 static vbss_result mock_write(void *user, double now, const vbss_output_result *output)
 {
+    VBSS_ENTER(user);
     mock_object *m;
     VBSS_TRY(open_mock(user, &m));
     m->statistics.writes++;
@@ -239,6 +245,7 @@ static void mock_explain(void *user, char *text, uint32_t bytes)
 
 vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter *adapter)
 {
+    VBSS_ENTER(mock);
     mock_object *m;
     VBSS_TRY(open_mock(mock, &m));
     const vbss_device_adapter own = {
@@ -259,6 +266,7 @@ vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter *adapter)
 
 vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sample *sample)
 {
+    VBSS_ENTER(mock);
     mock_object *m;
     vbss_device_sample own;
     VBSS_TRY(edit_mock(mock, &m));
@@ -270,6 +278,7 @@ vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sample *samp
 vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault, double from, double until,
                                 double value)
 {
+    VBSS_ENTER(mock);
     mock_object *m;
     const mock_fault own = {fault, from, until, value};
     VBSS_TRY(edit_mock(mock, &m));
@@ -287,6 +296,7 @@ vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault, double f
 
 vbss_result vbss_mock_clear_faults(vbss_mock *mock)
 {
+    VBSS_ENTER(mock);
     mock_object *m;
     VBSS_TRY(edit_mock(mock, &m));
     m->fault_count = 0;
@@ -295,6 +305,7 @@ vbss_result vbss_mock_clear_faults(vbss_mock *mock)
 
 vbss_result vbss_mock_clear_rows(vbss_mock *mock)
 {
+    VBSS_ENTER(mock);
     mock_object *m;
     VBSS_TRY(edit_mock(mock, &m));
     m->row_count = 0;
@@ -305,6 +316,7 @@ vbss_result vbss_mock_clear_rows(vbss_mock *mock)
 vbss_result vbss_mock_get_view(vbss_mock *mock, vbss_mock_field field, vbss_view *view,
                                uint32_t struct_size)
 {
+    VBSS_ENTER(mock);
     mock_object *m;
     VBSS_TRY(open_mock(mock, &m));
     if (field != VBSS_MOCK_VIEW_ROWS) {
@@ -323,6 +335,7 @@ vbss_result vbss_mock_get_view(vbss_mock *mock, vbss_mock_field field, vbss_view
 vbss_result vbss_mock_get_statistics(vbss_mock *mock, vbss_mock_statistics *statistics,
                                      uint32_t struct_size)
 {
+    VBSS_ENTER(mock);
     mock_object *m;
     VBSS_TRY(open_mock(mock, &m));
     return vbss_struct_write(m->context, &statistics_layout, &m->statistics, statistics,

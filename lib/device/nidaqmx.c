@@ -5,6 +5,7 @@
 
 #include "device/nidaqmx.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -188,11 +189,11 @@ static vbss_result reserve_slots(nidaqmx_object *o, vbss_slot **slot)
 vbss_result vbss_nidaqmx_create(vbss_context *context, const vbss_nidaqmx_config *config,
                                 vbss_nidaqmx **nidaqmx)
 {
+    VBSS_ENTER_WITH_RESULT(context, nidaqmx);
     if (nidaqmx == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, nidaqmx, "nidaqmx");
     }
-    *nidaqmx = NULL;
     VBSS_TRY(vbss_context_edit(context));
     nidaqmx_object *o = vbss_allocate(context, 1, sizeof *o, "handle lines");
     if (o == NULL) {
@@ -219,6 +220,7 @@ vbss_result vbss_nidaqmx_create(vbss_context *context, const vbss_nidaqmx_config
 
 vbss_result vbss_nidaqmx_destroy(vbss_nidaqmx *nidaqmx)
 {
+    VBSS_ENTER(nidaqmx);
     return vbss_slot_destroy(nidaqmx, &kind);
 }
 
@@ -257,6 +259,7 @@ static void send_command(daq_handle *h, bool on, double expires)
 
 static vbss_result handle_open(void *user)
 {
+    VBSS_ENTER(user);
     daq_handle *h;
     VBSS_TRY(open_handle(user, &h));
     if (h->is_attached) {
@@ -278,6 +281,7 @@ static void handle_close(void *user)
 
 static vbss_result handle_describe(void *user, vbss_device_capabilities *capabilities)
 {
+    VBSS_ENTER(user);
     daq_handle *h;
     VBSS_TRY(open_handle(user, &h));
     capabilities->signals = VBSS_DEVICE_HAS_JAW_RAW;
@@ -319,6 +323,7 @@ static void explain_report(daq_handle *h, const daq_report *r)
 
 static vbss_result handle_read(void *user, double now, vbss_device_sample *sample)
 {
+    VBSS_ENTER(user);
     daq_handle *h;
     (void)now;
     if (open_handle(user, &h) != VBSS_OK) {
@@ -337,6 +342,7 @@ static vbss_result handle_read(void *user, double now, vbss_device_sample *sampl
 
 static vbss_result handle_write(void *user, double now, const vbss_output_result *output)
 {
+    VBSS_ENTER(user);
     daq_handle *h;
     (void)now;
     VBSS_TRY(open_handle(user, &h));
@@ -354,6 +360,7 @@ static void handle_explain(void *user, char *text, uint32_t bytes)
 vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
                                      vbss_device_adapter *adapter)
 {
+    VBSS_ENTER(nidaqmx);
     nidaqmx_object *o;
     VBSS_TRY(open_daq(nidaqmx, &o));
     if (which >= o->handle_count) {
@@ -377,6 +384,7 @@ vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
 
 vbss_result vbss_nidaqmx_pump(vbss_nidaqmx *nidaqmx, double now)
 {
+    VBSS_ENTER(NULL); /* the context may be in use by another thread */
     nidaqmx_object *o;
     VBSS_TRY(open_daq(nidaqmx, &o));
     if (!isfinite(now)) {
@@ -392,6 +400,7 @@ vbss_result vbss_nidaqmx_pump(vbss_nidaqmx *nidaqmx, double now)
 vbss_result vbss_nidaqmx_get_status(vbss_nidaqmx *nidaqmx, vbss_nidaqmx_status *status,
                                     uint32_t struct_size)
 {
+    VBSS_ENTER(nidaqmx);
     nidaqmx_object *o;
     VBSS_TRY(open_daq(nidaqmx, &o));
     return vbss_struct_write(o->context, &status_layout, &newest_report(o)->status, status,

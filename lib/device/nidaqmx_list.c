@@ -1,6 +1,7 @@
 /* Lists the devices that the NI-DAQmx driver knows. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "device/nidaqmx.h"
@@ -53,6 +54,7 @@ static vbss_result list_devices(vbss_context *context, const daq_functions *daq,
 vbss_result vbss_nidaqmx_list(vbss_context *context, const char *library, char *text,
                               uint32_t bytes)
 {
+    VBSS_ENTER(context);
     daq_functions daq = {.library = NULL};
     VBSS_TRY(vbss_context_edit(context));
     VBSS_TRY(vbss_check_pointer(context, text, "text"));

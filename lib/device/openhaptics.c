@@ -4,6 +4,7 @@
 
 #include "device/openhaptics.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -261,11 +262,11 @@ static vbss_result read_config(openhaptics_object *wanted, const vbss_openhaptic
 vbss_result vbss_openhaptics_create(vbss_context *context, const vbss_openhaptics_config *config,
                                     vbss_openhaptics **openhaptics)
 {
+    VBSS_ENTER_WITH_RESULT(context, openhaptics);
     if (openhaptics == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, openhaptics, "openhaptics");
     }
-    *openhaptics = NULL;
     VBSS_TRY(vbss_context_edit(context));
     openhaptics_object *o = vbss_allocate(context, 1, sizeof *o, "haptic arms");
     if (o == NULL) {
@@ -304,6 +305,7 @@ vbss_result vbss_openhaptics_create(vbss_context *context, const vbss_openhaptic
 
 vbss_result vbss_openhaptics_destroy(vbss_openhaptics *openhaptics)
 {
+    VBSS_ENTER(openhaptics);
     return vbss_slot_destroy(openhaptics, &kind);
 }
 
@@ -353,6 +355,7 @@ static void send_command(haptic_arm *a, const arm_command *wanted)
 
 static vbss_result arm_open(void *user)
 {
+    VBSS_ENTER(user);
     haptic_arm *a;
     VBSS_TRY(open_arm_handle(user, &a));
     if (a->is_attached) {
@@ -374,6 +377,7 @@ static void arm_close(void *user)
 
 static vbss_result arm_describe(void *user, vbss_device_capabilities *capabilities)
 {
+    VBSS_ENTER(user);
     haptic_arm *a;
     VBSS_TRY(open_arm_handle(user, &a));
     *capabilities = a->capabilities;
@@ -397,6 +401,7 @@ static void explain_status(haptic_arm *a, const vbss_openhaptics_status *s)
 
 static vbss_result arm_read(void *user, double now, vbss_device_sample *sample)
 {
+    VBSS_ENTER(user);
     haptic_arm *a;
     (void)now;
     if (open_arm_handle(user, &a) != VBSS_OK) {
@@ -412,6 +417,7 @@ static vbss_result arm_read(void *user, double now, vbss_device_sample *sample)
 
 static vbss_result arm_write(void *user, double now, const vbss_output_result *output)
 {
+    VBSS_ENTER(user);
     haptic_arm *a;
     (void)now;
     VBSS_TRY(open_arm_handle(user, &a));
@@ -422,6 +428,7 @@ static vbss_result arm_write(void *user, double now, const vbss_output_result *o
 static vbss_result arm_couple(void *user, double now, const vbss_output_result *output,
                               const vbss_device_coupling *coupling)
 {
+    VBSS_ENTER(user);
     haptic_arm *a;
     (void)now;
     VBSS_TRY(open_arm_handle(user, &a));
@@ -439,6 +446,7 @@ static void arm_explain(void *user, char *text, uint32_t bytes)
 vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics, uint32_t which,
                                          vbss_device_adapter *adapter)
 {
+    VBSS_ENTER(openhaptics);
     openhaptics_object *o;
     haptic_arm *a;
     VBSS_TRY(open_arm_at(openhaptics, which, &o, &a));
@@ -462,6 +470,7 @@ vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics, uint32_t
 vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, uint32_t which,
                                         vbss_openhaptics_status *status, uint32_t struct_size)
 {
+    VBSS_ENTER(openhaptics);
     openhaptics_object *o;
     haptic_arm *a;
     VBSS_TRY(open_arm_at(openhaptics, which, &o, &a));
@@ -472,6 +481,7 @@ vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, uint32_t 
 vbss_result vbss_openhaptics_get_identity(vbss_openhaptics *openhaptics, uint32_t which,
                                           const char **model, const char **serial)
 {
+    VBSS_ENTER(openhaptics);
     openhaptics_object *o;
     haptic_arm *a;
     VBSS_TRY(open_arm_at(openhaptics, which, &o, &a));

@@ -6,6 +6,7 @@
  * print, and does not use the context. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "device/openhaptics.h"
 #include "device/tuning.h"
 
@@ -248,6 +249,8 @@ static void record_tick_time(openhaptics_object *o)
 uint32_t HD_CALL vbss_openhaptics_tick(void *user)
 {
     openhaptics_object *o = user;
+    vbss_call call;
+    vbss_call_enter(&call, NULL); /* the context is another thread's */
     const bool ending = atomic_load_explicit(&o->stop_requested, memory_order_acquire);
     o->tick++;
     for (uint32_t i = 0; i < o->arm_count; i++) {
@@ -255,11 +258,16 @@ uint32_t HD_CALL vbss_openhaptics_tick(void *user)
     }
     if (ending) { /* the forces of this tick were zero */
         atomic_store_explicit(&o->has_stopped, true, memory_order_release);
+        vbss_call_leave(&call);
         return HD_DONE;
     }
     if (o->config.tick != NULL) {
-        o->config.tick(o->config.user, (double)o->tick / o->config.rate);
+        const double time = (double)o->tick / o->config.rate;
+        vbss_call_leave(&call);
+        o->config.tick(o->config.user, time);
+        vbss_call_enter(&call, NULL);
     }
     record_tick_time(o);
+    vbss_call_leave(&call);
     return HD_CONTINUE;
 }

@@ -1,6 +1,7 @@
 /* The output stage with a handle of its own: configuration, serialisation, public functions. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -188,11 +189,11 @@ const vbss_kind vbss_output_kind = {"output stage", VBSS_CODE('O', 'U', 'T', 'S'
 vbss_result vbss_output_create(vbss_context *context, const vbss_output_config *config,
                                vbss_output **output)
 {
+    VBSS_ENTER_WITH_RESULT(context, output);
     if (output == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, output, "output");
     }
-    *output = NULL;
     VBSS_TRY(vbss_context_edit(context));
     vbss_output_config own = config_defaults;
     if (config != NULL) {
@@ -218,6 +219,7 @@ vbss_result vbss_output_create(vbss_context *context, const vbss_output_config *
 
 vbss_result vbss_output_destroy(vbss_output *output)
 {
+    VBSS_ENTER(output);
     return vbss_slot_destroy(output, &vbss_output_kind);
 }
 
@@ -232,10 +234,10 @@ static vbss_result edit_output(vbss_output *handle, output_object **output)
 vbss_result vbss_output_step(vbss_output *output, double h, const vbss_output_command *command,
                              vbss_output_result *result, uint32_t struct_size)
 {
+    VBSS_ENTER(output);
     output_object *o;
     vbss_output_result own = {.struct_size = sizeof own};
     VBSS_TRY(edit_output(output, &o));
-    VBSS_TRY(vbss_check_arithmetic(o->context));
     VBSS_TRY(vbss_check_range(o->context, h, 0.0, 1e6, "h"));
     output_demand demand = vbss_output_repeat_demand(&o->state, h);
     if (command != NULL) {
@@ -253,6 +255,7 @@ vbss_result vbss_output_step(vbss_output *output, double h, const vbss_output_co
 
 vbss_result vbss_output_stop(vbss_output *output)
 {
+    VBSS_ENTER(output);
     output_object *o;
     VBSS_TRY(edit_output(output, &o));
     vbss_output_latch_stop(&o->state);
@@ -261,6 +264,7 @@ vbss_result vbss_output_stop(vbss_output *output)
 
 vbss_result vbss_output_release(vbss_output *output)
 {
+    VBSS_ENTER(output);
     output_object *o;
     VBSS_TRY(edit_output(output, &o));
     o->state.is_stopped = false;
@@ -270,6 +274,7 @@ vbss_result vbss_output_release(vbss_output *output)
 vbss_result vbss_output_get_statistics(vbss_output *output, vbss_output_statistics *statistics,
                                        uint32_t struct_size)
 {
+    VBSS_ENTER(output);
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(output, &vbss_output_kind, &slot));
     const output_object *o = slot->object;

@@ -1,4 +1,5 @@
 /* A read of a device: poll all adapters -> update ages -> map the pose to the world. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
@@ -126,9 +127,9 @@ static void fill_input(device_object *d, uint32_t buttons_before, vbss_device_in
 vbss_result vbss_device_read(vbss_device *device, double now, vbss_device_input *input,
                              uint32_t struct_size)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
-    VBSS_TRY(vbss_check_arithmetic(d->context));
     VBSS_TRY(vbss_device_check_now(d, now));
     vbss_device_input own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_struct_write(d->context, &input_layout, &own, input, struct_size));

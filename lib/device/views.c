@@ -1,4 +1,5 @@
 /* Reports capabilities, failures and statistics of a device. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "device/device.h"
 
@@ -32,6 +33,7 @@ vbss_result vbss_device_get_capabilities(vbss_device *device, uint32_t which,
                                          vbss_device_capabilities *capabilities,
                                          uint32_t struct_size)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_open(device, &d));
     if (which != 2 && which >= d->source_count) {
@@ -47,6 +49,7 @@ vbss_result vbss_device_get_capabilities(vbss_device *device, uint32_t which,
 vbss_result vbss_device_get_error(vbss_device *device, uint32_t which, vbss_result *result,
                                   const char **text)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_open(device, &d));
     if (which >= d->source_count) {
@@ -65,6 +68,7 @@ vbss_result vbss_device_get_error(vbss_device *device, uint32_t which, vbss_resu
 vbss_result vbss_device_get_statistics(vbss_device *device, vbss_device_statistics *statistics,
                                        uint32_t struct_size)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_open(device, &d));
     return vbss_struct_write(d->context, &statistics_layout, &d->statistics, statistics,
@@ -75,6 +79,7 @@ vbss_result vbss_device_get_output_statistics(vbss_device *device,
                                               vbss_output_statistics *statistics,
                                               uint32_t struct_size)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_open(device, &d));
     return vbss_struct_write(d->context, &vbss_output_statistics_layout, &d->output.statistics,

@@ -1,4 +1,5 @@
 /* A write to a device: command -> device's frame -> output stage -> adapters. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
@@ -100,7 +101,6 @@ static vbss_result write_output(device_object *d, double now, const vbss_output_
 {
     output_demand demand;
     vbss_output_result own = {.struct_size = sizeof own};
-    VBSS_TRY(vbss_check_arithmetic(d->context));
     VBSS_TRY(vbss_device_check_now(d, now));
     double h = d->has_written ? now - d->written_at : 0.0;
     VBSS_TRY(read_demand(d, h, command, &demand));
@@ -132,6 +132,7 @@ static vbss_result write_output(device_object *d, double now, const vbss_output_
 vbss_result vbss_device_write(vbss_device *device, double now, const vbss_output_command *command,
                               vbss_output_result *result, uint32_t struct_size)
 {
+    VBSS_ENTER(device);
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     return write_output(d, now, command, NULL, result, struct_size);
@@ -142,6 +143,7 @@ vbss_result vbss_device_write_coupled(vbss_device *device, double now,
                                       const vbss_device_coupling *coupling,
                                       vbss_output_result *result, uint32_t struct_size)
 {
+    VBSS_ENTER(device);
     device_object *d;
     vbss_device_coupling own;
     VBSS_TRY(vbss_device_edit(device, &d));

@@ -1,4 +1,5 @@
 /* The functions that hosts call on attachments of a drain. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -49,6 +50,7 @@ static drain_attachment *find_attachment(drain_object *d, uint32_t id)
 vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *attachment,
                               uint32_t *id)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     vbss_drain_attachment own;
     VBSS_TRY(vbss_drain_edit(drain, &d));
@@ -81,6 +83,7 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
 
 vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[3])
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, target, "target"));
@@ -97,6 +100,7 @@ vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[
 
 vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
     drain_attachment *a = find_attachment(d, id);
@@ -110,6 +114,7 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
 
 vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force[3])
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, force, "force"));

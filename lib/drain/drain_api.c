@@ -1,4 +1,5 @@
 /* The functions that hosts call on a whole drain. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
@@ -9,15 +10,17 @@
 vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *config,
                               vbss_drain **drain)
 {
+    VBSS_ENTER_WITH_RESULT(context, drain);
     if (drain == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, drain, "drain");
     }
-    *drain = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_drain_config own;
     VBSS_TRY(vbss_drain_read_config(context, config, &own));
+    vbss_warn_if_unlikely(context, vbss_max_abs(own.gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
+                          "m/s^2", "mm/s^2");
     drain_object *d = vbss_allocate(context, 1, sizeof *d, "drain");
     if (d == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
@@ -38,6 +41,7 @@ vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *co
 
 vbss_result vbss_drain_destroy(vbss_drain *drain)
 {
+    VBSS_ENTER(drain);
     return vbss_slot_destroy(drain, &vbss_drain_kind);
 }
 
@@ -54,10 +58,7 @@ static vbss_result run_step(drain_object *d, double h)
         d->statistics = before;
         memcpy(d->x, d->saved_x, bytes);
         memcpy(d->v, d->saved_v, bytes);
-        return result != VBSS_ERROR_NOT_FINITE
-                   ? result
-                   : vbss_fail(d->context, result, "drain step: no finite state after step %llu",
-                               (unsigned long long)before.steps);
+        return result;
     }
     vbss_drain_finish_step(d, h);
     return VBSS_OK;
@@ -65,10 +66,10 @@ static vbss_result run_step(drain_object *d, double h)
 
 vbss_result vbss_drain_step(vbss_drain *drain, double h)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_edit_unowned(drain, &d));
     VBSS_TRY(vbss_check_range(d->context, h, 1e-7, 0.1, "h"));
-    VBSS_TRY(vbss_check_arithmetic(d->context));
     return run_step(d, h);
 }
 
@@ -99,6 +100,7 @@ void vbss_drain_invalidate(drain_object *d)
 vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
                                  const double *velocities, uint32_t node_count)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
     double nodes = d->mesh.node_count;
@@ -114,15 +116,18 @@ vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
 
 vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity, uint64_t *written)
 {
+    VBSS_ENTER(drain);
     return vbss_object_save(drain, &vbss_drain_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_drain_restore(vbss_drain *drain, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(drain);
     return vbss_object_restore(drain, &vbss_drain_kind, bytes, count);
 }
 
 vbss_result vbss_drain_get_hash(vbss_drain *drain, uint64_t *hash)
 {
+    VBSS_ENTER(drain);
     return vbss_object_hash(drain, &vbss_drain_kind, hash);
 }

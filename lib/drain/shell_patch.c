@@ -122,7 +122,7 @@ static void release_edge(const flat_patch *f, int side, double c[6])
  * cos 2 theta instead of 3: w'' + w of an ovalling ring, docs/drain-shell.md. */
 static double ovalling_ratio(double width)
 {
-    double ratio = width > 0.0 ? vbss_sin(width) / width : 1.0;
+    double ratio = width > 0.0 ? vbss_sine(width) / width : 1.0;
     return (4.0 * ratio * ratio - 1.0) / 3.0;
 }
 

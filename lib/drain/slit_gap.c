@@ -1,5 +1,6 @@
 /* Gap of the slit: between its edges in the middle of the wall, as in the published method, and
  * between the lips, which are as high as the wall. */
+#include "base/api_call.h"
 #include "base/config.h"
 #include "base/error.h"
 #include "collision/closest.h"
@@ -45,6 +46,7 @@ static double opening_at(const drain_object *d, uint32_t i, vec3 lips[2])
 
 vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t struct_size)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     const drain_mesh *m = &d->mesh;

@@ -122,7 +122,9 @@ vbss_result vbss_drain_implicit_step(drain_object *d, double h)
     drain_substep substep = {h, 1.0}; /* after run_substeps: the last substep */
     VBSS_TRY(update_sparsity(d));
     if (!run_substeps(d, h, &substep)) {
-        return VBSS_ERROR_NOT_FINITE;
+        return vbss_fail(d->context, VBSS_ERROR_NOT_FINITE,
+                         "drain step: no finite state after step %llu",
+                         (unsigned long long)d->statistics.steps);
     }
     vbss_drain_finish_substeps(d, substep.h);
     return VBSS_OK;

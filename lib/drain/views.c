@@ -1,4 +1,5 @@
 /* Views of a drain: arrays, landmarks, energies, statistics. */
+#include "base/api_call.h"
 #include "base/config.h"
 #include "base/error.h"
 #include "drain/drain.h"
@@ -97,6 +98,7 @@ static vbss_result get_field(drain_object *d, vbss_drain_field field, vbss_view 
 vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field field, vbss_view *view,
                                 uint32_t struct_size)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     vbss_view own;
     VBSS_TRY(vbss_drain_open(drain, &d));
@@ -110,6 +112,7 @@ vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field field, vbss_
 vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
                                   uint32_t struct_size)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     const drain_mesh *m = &d->mesh;
@@ -127,6 +130,7 @@ vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
 vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *energies,
                                     uint32_t struct_size)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     vbss_drain_energies own = {.struct_size = sizeof own};
@@ -149,6 +153,7 @@ vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *ener
 vbss_result vbss_drain_get_statistics(vbss_drain *drain, vbss_drain_statistics *statistics,
                                       uint32_t struct_size)
 {
+    VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     vbss_drain_statistics own = d->statistics;

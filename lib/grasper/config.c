@@ -1,4 +1,5 @@
 /* Configuration of a grasper: defaults, presets, and range checks. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -48,6 +49,7 @@ vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struc
 
 vbss_result vbss_grasper_config_preset(vbss_grasper_config *config, vbss_grasper_preset preset)
 {
+    VBSS_ENTER(NULL);
     vbss_grasper_config own; /* only for the check of struct_size */
     VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     if (preset != VBSS_GRASPER_PRESET_STRAIGHT && preset != VBSS_GRASPER_PRESET_ANGLED) {

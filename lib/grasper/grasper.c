@@ -1,6 +1,7 @@
 /* Creation, commands and queries of graspers. */
 #include "grasper/grasper.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -67,11 +68,11 @@ static void init_grasper(grasper_object *g, const vbss_grasper_config *c)
 vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config *config,
                                 vbss_grasper **grasper)
 {
+    VBSS_ENTER_WITH_RESULT(context, grasper);
     if (grasper == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, grasper, "grasper");
     }
-    *grasper = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_grasper_config own;
@@ -94,6 +95,7 @@ vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config
 
 vbss_result vbss_grasper_destroy(vbss_grasper *grasper)
 {
+    VBSS_ENTER(grasper);
     return vbss_slot_destroy(grasper, &vbss_grasper_kind_of_slot);
 }
 
@@ -119,6 +121,7 @@ static vbss_result edit(vbss_grasper *handle, grasper_object **grasper)
 vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
                               const double *orientation)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_pointer(g->context, position, "position"));
@@ -132,6 +135,11 @@ vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
         return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the tip is too near to its trocar for the shaft to go through it");
     }
+    const double jump = vec3_distance(commanded.position, g->commanded_pose.position);
+    if (((const vbss_slot *)grasper)->owner != NULL && !g->has_jumped && jump > VBSS_LIKELY_JUMP) {
+        g->has_jumped = true; /* a host with the wrong unit is warned once, not each step */
+        vbss_warn_if_unlikely(g->context, jump, VBSS_LIKELY_JUMP, "the way to position", "m", "mm");
+    }
     g->commanded_pose = commanded;
     move_to_target(g);
     return VBSS_OK;
@@ -139,6 +147,7 @@ vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
 
 vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_range(g->context, opening, 0.0, 1.0, "opening"));
@@ -149,6 +158,7 @@ vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening)
 
 vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_range(g->context, kind, VBSS_GRASPER_NEEDLE_DRIVER, VBSS_GRASPER_SHEARS,
@@ -163,6 +173,7 @@ vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
 vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *state,
                                    uint32_t struct_size)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(vbss_grasper_open(grasper, &g));
     vbss_grasper_state own = {.struct_size = sizeof own,
@@ -187,6 +198,7 @@ vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *st
 vbss_result vbss_grasper_get_view(vbss_grasper *grasper, vbss_grasper_field field, vbss_view *view,
                                   uint32_t struct_size)
 {
+    VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(vbss_grasper_open(grasper, &g));
     if (field != VBSS_GRASPER_VIEW_CAPSULES) {

@@ -44,6 +44,9 @@ typedef struct grasper_object {
     double jaw_angle;    /* angle of each jaw from the middle at the end of the last step, rad */
     double jaw_force;    /* N; 0 if nothing is held */
 
+    bool
+        has_jumped; /* a command was unlikely far away, and a warning given; not part of the state */
+
     /* results of the last step in the scene, for queries */
     uint32_t body_id, grasp_count, needle, drain, solenoid;
     pose tool_pose; /* pose of the tool's frame */
@@ -98,8 +101,9 @@ typedef struct grasper_jaw_point {
     double offset;     /* from the middle plane of the jaws, m */
     double from_pivot; /* distance from the pivot, m */
 } grasper_jaw_point;
-/* Finds that point. Returns false if the segment does not pass between the jaws. */
-bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end,
+/* Finds that point. Returns false if the segment does not pass between the jaws. `overhang`: length
+ * beyond the tip that still counts as between them, m. */
+bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end, double overhang,
                                grasper_jaw_point *point);
 /* Updates the data of the view: capsules in the world frame at the present pose. */
 void vbss_grasper_update_view(grasper_object *g);

@@ -102,15 +102,15 @@ double vbss_grasper_touching_angle(double thread_diameter, double from_pivot)
         return 0.5 * VBSS_PI;
     }
     double sine = thread_diameter / (2.0 * from_pivot);
-    return vbss_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));
+    return vbss_arc_tangent(sine, sqrt((1.0 - sine) * (1.0 + sine)));
 }
 
 double vbss_grasper_jaw_distance(double angle, double from_pivot)
 {
-    return 2.0 * from_pivot * vbss_sin(angle);
+    return 2.0 * from_pivot * vbss_sine(angle);
 }
 
-bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end,
+bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end, double overhang,
                                grasper_jaw_point *point)
 {
     const grasper_jaws *jaws = vbss_grasper_current_jaws(g);
@@ -118,7 +118,7 @@ bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end,
     fraction = fraction < 0.0 ? 0.0 : fraction > 1.0 ? 1.0 : fraction;
     vec3 at = vec3_lerp(start, end, fraction);
     *point = (grasper_jaw_point){fraction, fabs(at.y), -at.z};
-    return point->from_pivot > 0.0 && point->from_pivot <= jaws->length &&
+    return point->from_pivot > 0.0 && point->from_pivot <= jaws->length + overhang &&
            point->offset <= GRASPER_MAX_OFFSET_RATIO * jaws->radius &&
            fabs(at.x) <= 0.5 * vbss_grasper_jaw_distance(g->jaw_angle, point->from_pivot);
 }

@@ -86,12 +86,14 @@ void vbss_grasper_serialise(vbss_stream *stream, void *object)
     vbss_stream_f64(stream, 24, &g->angular_velocity.x, 3);
     vbss_stream_f64(stream, 25, &g->hand_force.x, 3);
     vbss_stream_f64(stream, 26, &g->hand_torque.x, 3);
-    if (stream->mode != VBSS_STREAM_READ) {
-        return;
+    if (stream->mode == VBSS_STREAM_READ) {
+        if (!stream->trusted && !is_sound(g)) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasper");
+        }
+        vbss_grasper_update_view(g);
+        g->generation++;
     }
-    if (!stream->trusted && !is_sound(g)) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasper");
+    if (stream->trusted) { /* a way back leaves no mark */
+        vbss_stream_u64(stream, 30, &g->generation, 1);
     }
-    vbss_grasper_update_view(g);
-    g->generation++;
 }

@@ -134,8 +134,8 @@ static void yield_torque(clamp_springs *c, double limit)
         return;
     }
     double sine = vbss_min(limit / greatest, 1.0);
-    double at_limit = vbss_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));
-    rotate_outer_anchors(c->clamp, vbss_atan2(-torque, -spread) + copysign(at_limit, torque));
+    double at_limit = vbss_arc_tangent(sine, sqrt((1.0 - sine) * (1.0 + sine)));
+    rotate_outer_anchors(c->clamp, vbss_arc_tangent(-torque, -spread) + copysign(at_limit, torque));
 }
 
 /* ---- centring in the jaws */

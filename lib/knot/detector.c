@@ -1,4 +1,5 @@
 /* Detectors: creation, destruction and step: input -> winding -> method -> result. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
@@ -12,11 +13,11 @@
 vbss_result vbss_knot_detector_create(vbss_context *context, const vbss_knot_config *config,
                                       vbss_knot_detector **detector)
 {
+    VBSS_ENTER_WITH_RESULT(context, detector);
     if (detector == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, detector, "detector");
     }
-    *detector = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_knot_config own;
@@ -40,11 +41,13 @@ vbss_result vbss_knot_detector_create(vbss_context *context, const vbss_knot_con
 
 vbss_result vbss_knot_detector_destroy(vbss_knot_detector *detector)
 {
+    VBSS_ENTER(detector);
     return vbss_slot_destroy(detector, &vbss_knot_kind);
 }
 
 vbss_result vbss_knot_detector_reset(vbss_knot_detector *detector)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_edit(detector, &d));
     vbss_knot_reset_state(d);
@@ -99,7 +102,6 @@ static vbss_result run_step(vbss_knot_detector *detector, const vbss_knot_input 
 {
     knot_detector *d;
     VBSS_TRY(vbss_knot_edit(detector, &d));
-    VBSS_TRY(vbss_check_arithmetic(d->context));
     const uint32_t points = d->input.point_count;
     VBSS_TRY(vbss_knot_read_input(d, input, &d->input));
     d->generation++;
@@ -115,26 +117,29 @@ static vbss_result run_step(vbss_knot_detector *detector, const vbss_knot_input 
 
 vbss_result vbss_knot_detector_step(vbss_knot_detector *detector, const vbss_knot_input *input)
 {
+    VBSS_ENTER(detector);
     return run_step(detector, input, false);
 }
 
 vbss_result vbss_knot_detector_judge(vbss_knot_detector *detector, const vbss_knot_input *input)
 {
+    VBSS_ENTER(detector);
     return run_step(detector, input, true);
 }
 
 vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8_t *bytes, uint64_t capacity,
                                     uint64_t *written)
 {
+    VBSS_ENTER(detector);
     return vbss_object_save(detector, &vbss_knot_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8_t *bytes,
                                        uint64_t count)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
-    VBSS_TRY(vbss_check_arithmetic(d->context)); /* because restoring repeats a reading */
     VBSS_TRY(vbss_object_restore(detector, &vbss_knot_kind, bytes, count));
     d->event_count = d->events_lost = d->loop_count = 0; /* results of the last step */
     d->generation++;
@@ -143,5 +148,6 @@ vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8
 
 vbss_result vbss_knot_detector_get_hash(vbss_knot_detector *detector, uint64_t *hash)
 {
+    VBSS_ENTER(detector);
     return vbss_object_hash(detector, &vbss_knot_kind, hash);
 }

@@ -15,7 +15,7 @@ static double turning(const knot_input *input, const double places[2])
     for (uint32_t i = (uint32_t)from + 1; i < to; i++) {
         vec3 before = vec3_sub(input->points[i], input->points[i - 1]);
         vec3 after = vec3_sub(input->points[i + 1], input->points[i]);
-        sum += vbss_atan2(vec3_norm(vec3_cross(before, after)), vec3_dot(before, after));
+        sum += vbss_arc_tangent(vec3_norm(vec3_cross(before, after)), vec3_dot(before, after));
     }
     return sum;
 }

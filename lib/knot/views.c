@@ -1,4 +1,5 @@
 /* Public queries of a detector. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "knot/knot.h"
@@ -23,6 +24,7 @@ static const vbss_layout statistics_layout = {"vbss_knot_statistics", NULL, stat
 vbss_result vbss_knot_detector_get_state(vbss_knot_detector *detector, vbss_knot_state *state,
                                          uint32_t struct_size)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
     return vbss_struct_write(d->context, &state_layout, &d->state, state, struct_size);
@@ -31,6 +33,7 @@ vbss_result vbss_knot_detector_get_state(vbss_knot_detector *detector, vbss_knot
 vbss_result vbss_knot_detector_get_throw(vbss_knot_detector *detector, uint32_t number,
                                          vbss_knot_throw *knot_throw, uint32_t struct_size)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
     if (number >= d->classification.throw_count) {
@@ -44,6 +47,7 @@ vbss_result vbss_knot_detector_get_throw(vbss_knot_detector *detector, uint32_t 
 vbss_result vbss_knot_detector_get_winding(vbss_knot_detector *detector, uint32_t tool,
                                            vbss_knot_winding *winding, uint32_t struct_size)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
     if (tool >= d->input.tool_count) {
@@ -65,6 +69,7 @@ vbss_result vbss_knot_detector_get_winding(vbss_knot_detector *detector, uint32_
 vbss_result vbss_knot_detector_get_notation(vbss_knot_detector *detector, char *text,
                                             uint64_t capacity)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     char own[KNOT_NOTATION];
     VBSS_TRY(vbss_knot_open(detector, &d));
@@ -82,6 +87,7 @@ vbss_result vbss_knot_detector_get_notation(vbss_knot_detector *detector, char *
 vbss_result vbss_knot_detector_get_view(vbss_knot_detector *detector, vbss_knot_field field,
                                         vbss_view *view, uint32_t struct_size)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
     vbss_view own = {0, VBSS_TYPE_U32, 4, sizeof(knot_event), 0, NULL, d->generation};
@@ -102,6 +108,7 @@ vbss_result vbss_knot_detector_get_statistics(vbss_knot_detector *detector,
                                               vbss_knot_statistics *statistics,
                                               uint32_t struct_size)
 {
+    VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
     vbss_knot_statistics own = d->statistics;

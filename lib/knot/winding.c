@@ -169,7 +169,7 @@ static void begin_run(winding_tracer *w, uint32_t piece, vec3 x, double place)
     w->crossings = 0;
     w->x = vec3_dot(c->e1, x) + c->offset1;
     w->y = vec3_dot(c->e2, x) + c->offset2;
-    w->first_angle = vbss_atan2(w->y + 0.0, w->x + 0.0); /* 0 on the axis itself */
+    w->first_angle = vbss_arc_tangent(w->y + 0.0, w->x + 0.0); /* 0 on the axis itself */
 }
 
 static void end_run(winding_tracer *w)
@@ -181,7 +181,7 @@ static void end_run(winding_tracer *w)
     if (w->wanted != 0) {
         return;
     }
-    double angle = vbss_atan2(w->y + 0.0, w->x + 0.0) - w->first_angle;
+    double angle = vbss_arc_tangent(w->y + 0.0, w->x + 0.0) - w->first_angle;
     double turns = angle / VBSS_TWO_PI + (double)w->crossings;
     knot_winding *winding = w->winding;
     winding->turns += turns;

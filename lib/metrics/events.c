@@ -1,4 +1,5 @@
 /* Events: each is checked completely, then stored, or undoes a stored one. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -241,6 +242,7 @@ static vbss_result store_event(metrics_object *m, const vbss_metrics_event *e)
 
 vbss_result vbss_metrics_add_event(vbss_metrics *metrics, const vbss_metrics_event *event)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     vbss_metrics_event e;
     VBSS_TRY(vbss_metrics_edit(metrics, &m));

@@ -1,4 +1,5 @@
 /* Creation and destruction of measurements. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -77,11 +78,11 @@ static vbss_result allocate_metrics(vbss_context *context, const vbss_metrics_co
 vbss_result vbss_metrics_create(vbss_context *context, const vbss_metrics_config *config,
                                 vbss_metrics **metrics)
 {
+    VBSS_ENTER_WITH_RESULT(context, metrics);
     if (metrics == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, metrics, "metrics");
     }
-    *metrics = NULL;
     VBSS_TRY(vbss_context_edit(context));
     vbss_metrics_config own;
     metrics_object *m = NULL;
@@ -99,6 +100,7 @@ vbss_result vbss_metrics_create(vbss_context *context, const vbss_metrics_config
 
 vbss_result vbss_metrics_destroy(vbss_metrics *metrics)
 {
+    VBSS_ENTER(metrics);
     return vbss_slot_destroy(metrics, &vbss_metrics_kind);
 }
 
@@ -114,7 +116,6 @@ vbss_result vbss_metrics_edit(vbss_metrics *handle, metrics_object **metrics)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit(handle, &vbss_metrics_kind, &slot));
-    VBSS_TRY(vbss_check_arithmetic(slot->context));
     *metrics = slot->object;
     return VBSS_OK;
 }

@@ -1,4 +1,5 @@
 /* Metrics of motion in a window of ticks. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/elementary.h"
@@ -145,11 +146,11 @@ static void add_forces(const metrics_hand *h, tick_window w, vbss_metrics_motion
 vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics_tool tool, int32_t phase,
                                     vbss_metrics_motion *motion, uint32_t struct_size)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     tick_window all = {0, 0};
     vbss_metrics_motion own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_metrics_open(metrics, &m));
-    VBSS_TRY(vbss_check_arithmetic(m->context));
     VBSS_TRY(vbss_check_range(m->context, tool, VBSS_METRICS_LEFT, VBSS_METRICS_RIGHT, "tool"));
     VBSS_TRY(find_window(m, phase, &all));
     const metrics_hand *h = &m->hands[tool];
@@ -224,11 +225,11 @@ static uint32_t add_activity(const metrics_object *m, tick_window w, vbss_metric
 vbss_result vbss_metrics_get_bimanual(vbss_metrics *metrics, int32_t phase,
                                       vbss_metrics_bimanual *bimanual, uint32_t struct_size)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     tick_window w = {0, 0};
     vbss_metrics_bimanual own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_metrics_open(metrics, &m));
-    VBSS_TRY(vbss_check_arithmetic(m->context));
     VBSS_TRY(find_window(m, phase, &w));
     w = clip_window(clip_window(w, m->hands[0].tick_count), m->hands[1].tick_count);
     uint32_t seen = add_activity(m, w, &own);

@@ -1,4 +1,5 @@
 /* The pull test: whether a knot holds, by load and by strain. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -72,6 +73,7 @@ static void update_strain(const vbss_metrics_config *c, metrics_pull *pull,
 
 vbss_result vbss_metrics_add_pull(vbss_metrics *metrics, const vbss_metrics_pull *pull)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     vbss_metrics_pull p;
     VBSS_TRY(vbss_metrics_edit(metrics, &m));

@@ -1,4 +1,5 @@
 /* Queries: the report, throws, phases, penalties, and arrays. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/elementary.h"
@@ -139,6 +140,7 @@ static void report_time(const metrics_object *m, vbss_metrics_report *r)
 vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *report,
                                     uint32_t struct_size)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     VBSS_TRY(vbss_metrics_open(metrics, &m));
     vbss_metrics_report r = {.struct_size = sizeof r};
@@ -177,6 +179,7 @@ static vbss_result check_index(const metrics_object *m, const char *what, uint32
 vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,
                                    vbss_metrics_throw *record, uint32_t struct_size)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     VBSS_TRY(vbss_metrics_open(metrics, &m));
     VBSS_TRY(check_index(m, "throw", index, m->throw_count));
@@ -199,6 +202,7 @@ vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,
 vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t index, vbss_metrics_phase *phase,
                                    uint32_t struct_size)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     VBSS_TRY(vbss_metrics_open(metrics, &m));
     VBSS_TRY(check_index(m, "phase", index, m->phase_count));
@@ -216,6 +220,7 @@ vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t index, vbss_m
 vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t index,
                                      vbss_metrics_penalty *penalty, uint32_t struct_size)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     vbss_metrics_penalty own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_metrics_open(metrics, &m));
@@ -227,6 +232,7 @@ vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t index,
 vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field field, vbss_view *view,
                                   uint32_t struct_size)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     VBSS_TRY(vbss_metrics_open(metrics, &m));
     if (field < VBSS_METRICS_VIEW_LEFT_SPEED || field > VBSS_METRICS_VIEW_RIGHT_FORCE) {
@@ -250,6 +256,7 @@ vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field fiel
 vbss_result vbss_metrics_offset(const double axis[3], const double centre[3], const double mark[3],
                                 const double place[3], double *angle, double *axial)
 {
+    VBSS_ENTER(NULL);
     const double *const given[] = {axis, centre, mark, place};
     for (size_t i = 0; i < sizeof given / sizeof given[0]; i++) {
         VBSS_TRY(vbss_check_pointer(NULL, given[i], "point"));
@@ -267,7 +274,7 @@ vbss_result vbss_metrics_offset(const double axis[3], const double centre[3], co
     if (!(vec3_norm(from) > 1e-9 && vec3_norm(to) > 1e-9)) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
-    *angle = vbss_atan2(vec3_dot(vec3_cross(from, to), along), vec3_dot(from, to));
+    *angle = vbss_arc_tangent(vec3_dot(vec3_cross(from, to), along), vec3_dot(from, to));
     *axial = to_height - from_height;
     return VBSS_OK;
 }

@@ -1,4 +1,5 @@
 /* Samples of the tools, and the clock of all input. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -74,6 +75,7 @@ static vbss_result check_sample(const metrics_object *m, const vbss_metrics_samp
 
 vbss_result vbss_metrics_add_sample(vbss_metrics *metrics, const vbss_metrics_sample *sample)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     vbss_metrics_sample s;
     VBSS_TRY(vbss_metrics_edit(metrics, &m));
@@ -100,6 +102,7 @@ vbss_result vbss_metrics_add_sample(vbss_metrics *metrics, const vbss_metrics_sa
 
 vbss_result vbss_metrics_finish(vbss_metrics *metrics)
 {
+    VBSS_ENTER(metrics);
     metrics_object *m;
     VBSS_TRY(vbss_metrics_edit(metrics, &m));
     if (m->is_finished) {

@@ -15,8 +15,8 @@ static double filter_tap(int i)
         return 0.0;
     }
     double ideal = i == 0 ? 2.0 * METRICS_CUTOFF_FREQUENCY
-                          : vbss_sin(2.0 * VBSS_PI * METRICS_CUTOFF_FREQUENCY * t) / (VBSS_PI * t);
-    return ideal * (0.42 + 0.5 * vbss_cos(phase) + 0.08 * vbss_cos(2.0 * phase));
+                          : vbss_sine(2.0 * VBSS_PI * METRICS_CUTOFF_FREQUENCY * t) / (VBSS_PI * t);
+    return ideal * (0.42 + 0.5 * vbss_cosine(phase) + 0.08 * vbss_cosine(2.0 * phase));
 }
 
 void vbss_metrics_make_kernel(metrics_kernel *kernel)

@@ -1,4 +1,5 @@
 /* Serialisation of a measurement. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
@@ -221,15 +222,18 @@ void vbss_metrics_serialise(vbss_stream *stream, void *object)
 vbss_result vbss_metrics_save(vbss_metrics *metrics, uint8_t *bytes, uint64_t capacity,
                               uint64_t *written)
 {
+    VBSS_ENTER(metrics);
     return vbss_object_save(metrics, &vbss_metrics_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_metrics_restore(vbss_metrics *metrics, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(metrics);
     return vbss_object_restore(metrics, &vbss_metrics_kind, bytes, count);
 }
 
 vbss_result vbss_metrics_get_hash(vbss_metrics *metrics, uint64_t *hash)
 {
+    VBSS_ENTER(metrics);
     return vbss_object_hash(metrics, &vbss_metrics_kind, hash);
 }

@@ -43,7 +43,7 @@ double vbss_needle_nearest_arc(const needle_object *n, vec3 point)
 {
     double open = 2.0 * VBSS_PI - n->config.arc, length = vbss_needle_length(n);
     /* angle of the point, from the tip into the open side */
-    double angle = vbss_atan2(point.y, point.x);
+    double angle = vbss_arc_tangent(point.y, point.x);
     angle = angle < 0.0 ? angle + 2.0 * VBSS_PI : angle;
     if (angle >= open) {
         return (2.0 * VBSS_PI - angle) * n->config.radius;
@@ -67,7 +67,7 @@ typedef struct arc_means {
 static arc_means means_over(double a)
 {
     enum { LAST = 24 }; /* derived: at a = 6 the truncation error is below 1e-25 */
-    arc_means means = {0.0, vbss_sin(0.5 * a) / (0.5 * a), 0.0};
+    arc_means means = {0.0, vbss_sine(0.5 * a) / (0.5 * a), 0.0};
     double term = 0.5; /* (-a^2)^k / (2 k + 2)! */
     for (int k = 1; k <= LAST; k++) {
         term *= -a * a / ((2.0 * k + 1.0) * (2.0 * k + 2.0));

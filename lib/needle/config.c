@@ -1,4 +1,5 @@
 /* Configuration of a needle: defaults, presets, and range checks. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -28,6 +29,7 @@ vbss_result vbss_needle_config_init(vbss_needle_config *config, uint32_t struct_
 
 vbss_result vbss_needle_config_preset(vbss_needle_config *config, vbss_needle_preset preset)
 {
+    VBSS_ENTER(NULL);
     vbss_needle_config own; /* only for the check of struct_size */
     VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     if (preset != VBSS_NEEDLE_PRESET_PAPER && preset != VBSS_NEEDLE_PRESET_SH) {

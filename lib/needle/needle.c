@@ -1,6 +1,7 @@
 /* Creation, motion and queries of needles. */
 #include "needle/needle.h"
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -78,16 +79,18 @@ static void init_needle(needle_object *n, const vbss_needle_config *config, quat
 vbss_result vbss_needle_create(vbss_context *context, const vbss_needle_config *config,
                                vbss_needle **needle)
 {
+    VBSS_ENTER_WITH_RESULT(context, needle);
     if (needle == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, needle, "needle");
     }
-    *needle = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_needle_config own;
     quat orientation;
     VBSS_TRY(vbss_needle_read_config(context, config, &own));
+    vbss_warn_if_unlikely(context, vbss_max_abs(own.gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
+                          "m/s^2", "mm/s^2");
     VBSS_TRY(vbss_read_orientation(context, own.orientation, &orientation));
     needle_object *n = vbss_allocate(context, 1, sizeof *n, "needle");
     if (n == NULL) {
@@ -107,6 +110,7 @@ vbss_result vbss_needle_create(vbss_context *context, const vbss_needle_config *
 
 vbss_result vbss_needle_destroy(vbss_needle *needle)
 {
+    VBSS_ENTER(needle);
     return vbss_slot_destroy(needle, &vbss_needle_kind);
 }
 
@@ -130,10 +134,10 @@ static vbss_result edit_unowned(vbss_needle *handle, needle_object **needle)
 
 vbss_result vbss_needle_step(vbss_needle *needle, double h)
 {
+    VBSS_ENTER(needle);
     needle_object *n;
     VBSS_TRY(edit_unowned(needle, &n));
     VBSS_TRY(vbss_check_range(n->context, h, 1e-7, 0.1, "h"));
-    VBSS_TRY(vbss_check_arithmetic(n->context));
     const vbss_rigid_substep step = {h, 0.0, 1.0};
     vbss_rigid body = n->body;
     vbss_rigid_motion predicted;
@@ -158,6 +162,7 @@ vbss_result vbss_needle_set_state(vbss_needle *needle, const double position[3],
                                   const double *orientation, const double *velocity,
                                   const double *angular_velocity)
 {
+    VBSS_ENTER(needle);
     needle_object *n;
     quat frame_orientation;
     VBSS_TRY(edit_unowned(needle, &n));
@@ -179,6 +184,7 @@ vbss_result vbss_needle_set_state(vbss_needle *needle, const double position[3],
 vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_state *state,
                                   uint32_t struct_size)
 {
+    VBSS_ENTER(needle);
     needle_object *n;
     VBSS_TRY(vbss_needle_open(needle, &n));
     vbss_needle_state own = {.struct_size = sizeof own, .body = n->body_id};
@@ -198,6 +204,7 @@ vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_state *state,
 
 vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass *mass, uint32_t struct_size)
 {
+    VBSS_ENTER(needle);
     static const double units[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     needle_object *n;
     VBSS_TRY(vbss_needle_open(needle, &n));
@@ -214,6 +221,7 @@ vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass *mass, ui
 vbss_result vbss_needle_get_place(vbss_needle *needle, double arc_length, double position[3],
                                   double *direction)
 {
+    VBSS_ENTER(needle);
     needle_object *n;
     VBSS_TRY(vbss_needle_open(needle, &n));
     VBSS_TRY(vbss_check_pointer(n->context, position, "position"));
@@ -229,6 +237,7 @@ vbss_result vbss_needle_get_place(vbss_needle *needle, double arc_length, double
 vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_energies *energies,
                                      uint32_t struct_size)
 {
+    VBSS_ENTER(needle);
     needle_object *n;
     VBSS_TRY(vbss_needle_open(needle, &n));
     const vbss_rigid *b = &n->body;
@@ -252,6 +261,7 @@ static void fill_points(needle_object *n)
 vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field field, vbss_view *view,
                                  uint32_t struct_size)
 {
+    VBSS_ENTER(needle);
     needle_object *n;
     VBSS_TRY(vbss_needle_open(needle, &n));
     if (field != VBSS_NEEDLE_VIEW_POINTS) {

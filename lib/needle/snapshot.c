@@ -1,4 +1,5 @@
 /* Serialisation of a needle. */
+#include "base/api_call.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
 #include "needle/needle.h"
@@ -25,14 +26,16 @@ void vbss_needle_serialise(vbss_stream *stream, void *object)
     vbss_stream_f64(stream, 11, &now->pose.orientation.w, 4);
     vbss_stream_f64(stream, 12, &now->v.x, 3);
     vbss_stream_f64(stream, 13, &now->w.x, 3);
-    if (stream->mode != VBSS_STREAM_READ) {
-        return;
+    if (stream->mode == VBSS_STREAM_READ) {
+        n->body.target_start = n->body.target_end = now->pose;
+        if (!stream->trusted && !vbss_rigid_is_valid(&n->body)) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle");
+        }
+        n->generation++;
     }
-    n->body.target_start = n->body.target_end = now->pose;
-    if (!stream->trusted && !vbss_rigid_is_valid(&n->body)) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle");
+    if (stream->trusted) { /* a way back leaves no mark */
+        vbss_stream_u64(stream, 14, &n->generation, 1);
     }
-    n->generation++;
 }
 
 /* ---- public functions */
@@ -40,15 +43,18 @@ void vbss_needle_serialise(vbss_stream *stream, void *object)
 vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)
 {
+    VBSS_ENTER(needle);
     return vbss_object_save(needle, &vbss_needle_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_needle_restore(vbss_needle *needle, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(needle);
     return vbss_object_restore(needle, &vbss_needle_kind, bytes, count);
 }
 
 vbss_result vbss_needle_get_hash(vbss_needle *needle, uint64_t *hash)
 {
+    VBSS_ENTER(needle);
     return vbss_object_hash(needle, &vbss_needle_kind, hash);
 }

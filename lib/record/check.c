@@ -2,6 +2,7 @@
  * and checksums are checked. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -91,12 +92,12 @@ static vbss_result check_records(replay_object *p, vbss_log_report *report)
 vbss_result vbss_log_check(vbss_context *context, const uint8_t *bytes, uint64_t count,
                            vbss_log_report *report, uint32_t struct_size)
 {
+    VBSS_ENTER(context);
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     VBSS_TRY(vbss_check_pointer(context, bytes, "bytes"));
     vbss_log_report own = {.struct_size = sizeof own, .log_bytes = count};
     VBSS_TRY(vbss_struct_write(context, &report_layout, &own, report, struct_size));
-    VBSS_TRY(vbss_check_arithmetic(context));
     if (count > SIZE_MAX) {
         return vbss_fail(context, VBSS_ERROR_CORRUPT, "the log is larger than any memory");
     }

@@ -10,7 +10,7 @@
 
 /* ---- the configuration of the scene */
 
-_Static_assert(sizeof(vbss_scene_config) == 176, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_scene_config) == 192, "new fields must be listed, with a new version");
 
 typedef enum config_field_type { FIELD_U32, FIELD_F64 } config_field_type;
 typedef struct config_field {
@@ -65,16 +65,18 @@ static const config_field fields[] = {
     WORD(work_limit),     /* since version 3 */
     ROOM(drain_capacity), /* since version 4 */
     WORD(hole_capacity),
-    WORD(slot_limit), /* since version 5 */
+    WORD(slot_limit),    /* since version 5 */
+    NUMBER(speed_limit), /* since version 6 */
 };
-/* Of version 1, whose scenes had no graspers, 2, whose work had no limit, 3, which did not tell of
- * drains and holes, and 4, whose calls had no limit. */
+/* Of version 1, whose scenes had no graspers, 2, whose work had no limit, 3, which had no drains and
+ * holes, 4, whose calls had no limit, and 5, whose targets had no limit of speed. */
 enum {
     FIELDS = sizeof fields / sizeof fields[0],
     FIELDS_1 = 25,
     FIELDS_2 = 26,
     FIELDS_3 = 27,
     FIELDS_4 = 29,
+    FIELDS_5 = 30,
     GRASPS_1 = 8,
     DRAINS_3 = 1,
     HOLES_3 = 16
@@ -82,19 +84,20 @@ enum {
 
 static uint32_t field_count(uint32_t version)
 {
-    static const uint32_t before[] = {FIELDS_1, FIELDS_1, FIELDS_2, FIELDS_3, FIELDS_4};
-    return version < 5 ? before[version] : FIELDS;
+    static const uint32_t before[] = {FIELDS_1, FIELDS_1, FIELDS_2, FIELDS_3, FIELDS_4, FIELDS_5};
+    return version < 6 ? before[version] : FIELDS;
 }
 
 static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
 {
-    vbss_section outer = vbss_stream_open(stream, CONFIG, 5);
+    vbss_section outer = vbss_stream_open(stream, CONFIG, 6);
     uint32_t count = field_count(stream->version);
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
     config->work_limit = stream->version >= 3 ? config->work_limit : 0;
     config->drain_capacity = stream->version >= 4 ? config->drain_capacity : DRAINS_3;
     config->hole_capacity = stream->version >= 4 ? config->hole_capacity : HOLES_3;
     config->slot_limit = stream->version >= 5 ? config->slot_limit : 0;
+    config->speed_limit = stream->version >= 6 ? config->speed_limit : 0.0;
     for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;
         void *value = (char *)config + fields[i].offset;

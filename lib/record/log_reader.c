@@ -1,4 +1,5 @@
 /* Reads a log without a scene: opens it, reports its header, and reads its steps in order. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -12,7 +13,7 @@ static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
 static const uint32_t step_sizes[] = {72, 80, 0};
 static const vbss_layout step_layout = {"vbss_log_step", NULL, step_sizes};
 _Static_assert(sizeof(vbss_log_step) == 80 && sizeof(vbss_log_input) == 128, "published sizes");
-static const uint32_t scene_config_sizes[] = {160, 168, 176, 0};
+static const uint32_t scene_config_sizes[] = {160, 168, 176, 192, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
 /* ---- creation and destruction */
@@ -99,13 +100,13 @@ static vbss_result create_replay(vbss_context *context, const uint8_t *bytes, si
 vbss_result vbss_replay_create(vbss_context *context, const uint8_t *bytes, uint64_t count,
                                vbss_replay **replay)
 {
+    VBSS_ENTER_WITH_RESULT(context, replay);
     replay_object *p;
     vbss_slot *slot = NULL;
     if (replay == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, replay, "replay");
     }
-    *replay = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     VBSS_TRY(vbss_check_pointer(context, bytes, "bytes"));
@@ -124,6 +125,7 @@ vbss_result vbss_replay_create(vbss_context *context, const uint8_t *bytes, uint
 
 vbss_result vbss_replay_destroy(vbss_replay *replay)
 {
+    VBSS_ENTER(replay);
     return vbss_slot_destroy(replay, &kind);
 }
 
@@ -147,6 +149,7 @@ vbss_result vbss_replay_edit(vbss_replay *handle, replay_object **replay)
 
 vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info, uint32_t struct_size)
 {
+    VBSS_ENTER(replay);
     replay_object *p;
     VBSS_TRY(open_replay(replay, &p));
     const vbss_replay_info own = {
@@ -164,6 +167,7 @@ vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info, ui
 
 vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config *config)
 {
+    VBSS_ENTER(replay);
     replay_object *p;
     VBSS_TRY(open_replay(replay, &p));
     VBSS_TRY(vbss_check_pointer(p->context, config, "config"));
@@ -240,10 +244,10 @@ vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step 
 
 vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
 {
+    VBSS_ENTER(replay);
     replay_object *p;
     VBSS_TRY(vbss_replay_edit(replay, &p));
     VBSS_TRY(vbss_check_pointer(p->context, steps, "steps"));
-    VBSS_TRY(vbss_check_arithmetic(p->context));
     log_reader log = vbss_log_reader_at(&p->start, p->scan_coder);
     log_step step = p->step;
     bool end = false;
@@ -258,12 +262,12 @@ vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
 vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step *step,
                              uint32_t struct_size)
 {
+    VBSS_ENTER(replay);
     replay_object *p;
     bool end = false;
     VBSS_TRY(vbss_replay_edit(replay, &p));
     vbss_log_step own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_struct_write(p->context, &step_layout, &own, step, struct_size));
-    VBSS_TRY(vbss_check_arithmetic(p->context));
     if (number <= p->inspected_steps) {
         p->inspection = vbss_log_reader_at(&p->start, p->inspection.coder);
         p->inspected_steps = 0;

@@ -1,6 +1,7 @@
 /* Writes a log: its start, the steps that are appended, and its end. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/config.h"
 #include "base/memory.h"
 #include "record/step_codec.h"
@@ -182,6 +183,7 @@ static vbss_result begin_log(record_object *r, const scene_info *scene, const vb
 vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *config,
                                vbss_record **record)
 {
+    VBSS_ENTER_WITH_RESULT(scene, record);
     scene_info info;
     vbss_record_config own;
     record_object *r = NULL;
@@ -189,7 +191,6 @@ vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *conf
         VBSS_TRY(vbss_scene_inspect(scene, &info));
         return vbss_check_pointer(info.context, record, "record");
     }
-    *record = NULL;
     VBSS_TRY(vbss_scene_inspect_for_edit(scene, &info));
     VBSS_TRY(vbss_record_read_config(info.context, config, &own));
     vbss_result result = vbss_record_make(scene, own.hash_interval, own.input_capacity, &r);
@@ -203,6 +204,7 @@ vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *conf
 
 vbss_result vbss_record_destroy(vbss_record *record)
 {
+    VBSS_ENTER(record);
     return vbss_slot_destroy(record, &kind);
 }
 
@@ -296,6 +298,7 @@ static void write_due_snapshot(record_object *r)
 
 vbss_result vbss_record_step(vbss_record *record, double h)
 {
+    VBSS_ENTER(record);
     record_object *r;
     scene_info info;
     VBSS_TRY(vbss_record_edit(record, &r));
@@ -331,6 +334,7 @@ vbss_result vbss_record_step(vbss_record *record, double h)
 
 vbss_result vbss_record_end(vbss_record *record)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     if (r->ended) {
@@ -354,6 +358,7 @@ vbss_result vbss_record_end(vbss_record *record)
 
 vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_t *count)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, bytes, "bytes"));

@@ -1,6 +1,7 @@
 /* Public functions that apply an input to the scene and record it. */
 #include <string.h>
 
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "record/record.h"
@@ -49,12 +50,14 @@ static vbss_result move_body(vbss_record *record, uint8_t kind, uint32_t body,
 vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const double position[3],
                                    const double *orientation)
 {
+    VBSS_ENTER(record);
     return move_body(record, VBSS_INPUT_MOVE_RIGID, body, position, orientation);
 }
 
 vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_t node,
                                    uint32_t body, const double *point, uint32_t *pin)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, pin, "pin"));
@@ -67,6 +70,7 @@ vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_
 
 vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {pin}};
@@ -76,6 +80,7 @@ vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
 vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double arc_length,
                                    uint32_t *piece)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, piece, "piece"));
@@ -87,6 +92,7 @@ vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double 
 vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
                                const vbss_thread_attachment *attachment, uint32_t *id)
 {
+    VBSS_ENTER(record);
     record_object *r;
     vbss_thread *handle;
     VBSS_TRY(vbss_record_edit(record, &r));
@@ -108,6 +114,7 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
 vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t thread, uint32_t id,
                                         const double target[3], const double *direction)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, target, "target"));
@@ -121,6 +128,7 @@ vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t thread, ui
 
 vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {thread, id}};
@@ -130,11 +138,13 @@ vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id
 vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body, const double position[3],
                                      const double *orientation)
 {
+    VBSS_ENTER(record);
     return move_body(record, VBSS_INPUT_MOVE_GRASPER, body, position, orientation);
 }
 
 vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {body}, .numbers = {opening}};
@@ -143,6 +153,7 @@ vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double o
 
 vbss_result vbss_record_exchange(vbss_record *record, uint32_t body, vbss_grasper_kind kind)
 {
+    VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {body, (uint32_t)kind}};

@@ -1,4 +1,5 @@
 /* Replays a log: applies its inputs to a scene, steps the scene and compares hashes. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -11,14 +12,12 @@ static const vbss_layout report_layout = {"vbss_replay_report", NULL, report_siz
 
 vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
 {
+    VBSS_ENTER(replay);
     replay_object *p;
     scene_info info;
     VBSS_TRY(vbss_replay_edit(replay, &p));
+    VBSS_TRY(vbss_slot_check_other(p->context, scene, "scene"));
     VBSS_TRY(vbss_scene_inspect_for_edit(scene, &info));
-    if (info.context != p->context) {
-        return vbss_fail(p->context, VBSS_ERROR_INVALID_HANDLE,
-                         "the scene belongs to another context");
-    }
     VBSS_TRY(vbss_log_compare_config(&p->header, &info));
     VBSS_TRY(vbss_log_restore_scene(p->context, scene, &p->first_snapshot));
     if (p->header.library_version != vbss_version()) {
@@ -68,7 +67,6 @@ static vbss_result replay_step(replay_object *p)
 static vbss_result replay_next(replay_object *p)
 {
     bool end = false;
-    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(vbss_log_read_step(&p->log, p->report.step, &p->step, &end));
     p->report.position = p->log.position;
     if (!end) {
@@ -102,6 +100,7 @@ static vbss_result open_started(vbss_replay *replay, vbss_replay_report *report,
 
 vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size)
 {
+    VBSS_ENTER(replay);
     replay_object *p;
     VBSS_TRY(open_started(replay, report, struct_size, &p));
     if (p->report.outcome == VBSS_REPLAY_STEPPED) {
@@ -179,7 +178,6 @@ static vbss_result replay_from(replay_object *p, const place *from, uint64_t ste
 vbss_result vbss_replay_seek_step(replay_object *p, uint64_t step)
 {
     place from;
-    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_seek_point(p, step, &from));
     VBSS_TRY(vbss_log_restore_scene(p->context, p->scene, &from.snapshot));
     return set_outcome(p, replay_from(p, &from, step));
@@ -204,6 +202,7 @@ void vbss_replay_roll_back(replay_object *p, const replay_object *before)
 vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step, vbss_replay_report *report,
                              uint32_t struct_size)
 {
+    VBSS_ENTER(replay);
     replay_object *p;
     VBSS_TRY(open_started(replay, report, struct_size, &p));
     vbss_result result = vbss_replay_seek_step(p, step);

@@ -1,5 +1,6 @@
 /* Continues a log: brings the scene to the last complete step, and makes a record that appends to
  * the log. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "record/record.h"
@@ -64,6 +65,7 @@ static vbss_result allocate_log(record_object *r, const replay_object *p, uint64
 vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *config,
                                vbss_record **record, uint64_t *position)
 {
+    VBSS_ENTER_WITH_RESULT(replay, record);
     replay_object *p;
     scene_info info;
     vbss_record_config own;
@@ -72,7 +74,6 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     record_object *r = NULL;
     VBSS_TRY(vbss_replay_edit(replay, &p));
     VBSS_TRY(vbss_check_pointer(p->context, record, "record"));
-    *record = NULL;
     VBSS_TRY(vbss_check_pointer(p->context, position, "position"));
     VBSS_TRY(vbss_record_read_config(p->context, config, &own));
     if (p->scene == NULL) {
@@ -80,7 +81,6 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     }
     VBSS_TRY(vbss_scene_inspect_for_edit(p->scene, &info));
     VBSS_TRY(check_compatible(p, &info));
-    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_last_step(p, &steps, &end));
     VBSS_TRY(replay_to_end(p, steps));
     vbss_result result =

@@ -55,6 +55,10 @@
 /* A search leaves this much work for another linearisation and its solve.
  * Unit: halves of a linearisation. Origin: chosen. Test: halved session; doubled scene-tools, session. */
 #define SCENE_RESERVE_HALVES VBSS_TUNE(SCENE_RESERVE_HALVES, 3)
+/* Limits of work and of attempts that the first step of a scene has. Bodies may overlap as the host has placed
+ * them, and nothing is known of their contacts.
+ * Unit: limits of a step. Origin: chosen: half as much again as the first step of a session takes. Test: session. */
+#define SCENE_FIRST_STEP_LIMITS VBSS_TUNE(SCENE_FIRST_STEP_LIMITS, 32)
 /* The end of a step costs the cost of an attempt divided by this.
  * Unit: 1. Origin: chosen. Test: session. */
 #define SCENE_STEP_END_DIVISOR VBSS_TUNE(SCENE_STEP_END_DIVISOR, 2)
@@ -181,6 +185,10 @@
 /* A fold that starts too deep opens at this rate.
  * Unit: 1/s, relative to the thickness of the wall. Origin: chosen. Test: none known. */
 #define SCENE_FOLD_OPENING_RATE VBSS_TUNE(SCENE_FOLD_OPENING_RATE, 20.0)
+/* Speed at which rigid bodies that overlap without a force are pushed apart.
+ * Unit: 1/s, relative to the contact distance. Origin: chosen: the deepest overlap is gone after 50 ms.
+ * Test: scene.overlapping_start. */
+#define SCENE_RECOVERY_RATE VBSS_TUNE(SCENE_RECOVERY_RATE, 20.0)
 
 /* ---- Prediction and Newton (solve/predict.c, solve/newton.c) */
 

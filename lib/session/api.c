@@ -1,4 +1,5 @@
 /* The exported functions of existing sessions. They check their arguments before any change. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -17,9 +18,9 @@ static const vbss_layout event_layout = {"vbss_session_event", NULL, event_sizes
 
 vbss_result vbss_session_step(vbss_session *session, double now, double h)
 {
+    VBSS_ENTER(session);
     session_object *s;
     VBSS_TRY(vbss_session_edit(session, &s));
-    VBSS_TRY(vbss_check_arithmetic(s->context));
     uint64_t steps = s->steps;
     vbss_result result = vbss_session_advance((const vbss_slot *)session, s, now, h);
     if (s->steps > steps) {
@@ -30,14 +31,15 @@ vbss_result vbss_session_step(vbss_session *session, double now, double h)
 
 vbss_result vbss_session_seek(vbss_session *session, uint64_t step)
 {
+    VBSS_ENTER(session);
     session_object *s;
     VBSS_TRY(vbss_session_edit(session, &s));
-    VBSS_TRY(vbss_check_arithmetic(s->context));
     return vbss_session_seek_step((const vbss_slot *)session, s, step);
 }
 
 vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record)
 {
+    VBSS_ENTER(session);
     session_object *s;
     VBSS_TRY(vbss_session_edit(session, &s));
     VBSS_TRY(vbss_session_check_record(s, record));
@@ -57,6 +59,7 @@ static uint32_t count_bits(uint32_t bits)
 vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *status,
                                     uint32_t struct_size)
 {
+    VBSS_ENTER(session);
     session_object *s;
     VBSS_TRY(vbss_session_open(session, &s));
     uint64_t capacity = s->config.event_capacity;
@@ -98,6 +101,7 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
 vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_session_event *event,
                                    uint32_t struct_size)
 {
+    VBSS_ENTER(session);
     session_object *s;
     VBSS_TRY(vbss_session_open(session, &s));
     uint64_t capacity = s->config.event_capacity;
@@ -116,18 +120,20 @@ vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_s
 vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, uint64_t capacity,
                               uint64_t *written)
 {
+    VBSS_ENTER(session);
     return vbss_object_save(session, &vbss_session_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_session_restore(vbss_session *session, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(session);
     session_object *s;
     VBSS_TRY(vbss_session_open(session, &s));
-    VBSS_TRY(vbss_check_arithmetic(s->context)); /* the detector repeats an unfinished reading */
     return vbss_object_restore(session, &vbss_session_kind, bytes, count);
 }
 
 vbss_result vbss_session_get_hash(vbss_session *session, uint64_t *hash)
 {
+    VBSS_ENTER(session);
     return vbss_object_hash(session, &vbss_session_kind, hash);
 }

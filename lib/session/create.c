@@ -1,4 +1,5 @@
 /* Creates and destroys sessions. Creation checks the bodies and components of the configuration. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "device/device.h"
@@ -41,11 +42,10 @@ static vbss_result check_bodies(vbss_context *context, const vbss_scene *scene,
                        : VBSS_OK;
 }
 
+/* A component that the session does not have is NULL. */
 static vbss_result check_context(const session_object *s, const void *handle, const char *name)
 {
-    return handle == NULL || ((const vbss_slot *)handle)->context == s->context
-               ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE, "%s of another context", name);
+    return handle == NULL ? VBSS_OK : vbss_slot_check_other(s->context, handle, name);
 }
 
 static vbss_result check_detector(const session_object *s)
@@ -79,15 +79,16 @@ static vbss_result check_components(const session_object *s)
     const vbss_session_config *c = &s->config;
     for (int i = 0; i < SESSION_HANDS; i++) {
         device_object *d;
-        VBSS_TRY(c->devices[i] == NULL ? VBSS_OK : vbss_device_open(c->devices[i], &d));
         VBSS_TRY(check_context(s, c->devices[i], "a device"));
+        VBSS_TRY(c->devices[i] == NULL ? VBSS_OK : vbss_device_open(c->devices[i], &d));
     }
     metrics_object *m;
+    VBSS_TRY(check_context(s, c->knots, "knots"));
     VBSS_TRY(c->knots == NULL ? VBSS_OK : check_detector(s));
-    VBSS_TRY(check_context(s, c->knots, "a detector"));
+    VBSS_TRY(check_context(s, c->metrics, "metrics"));
     VBSS_TRY(c->metrics == NULL ? VBSS_OK : vbss_metrics_open(c->metrics, &m));
-    VBSS_TRY(check_context(s, c->metrics, "a measurement"));
     VBSS_TRY(vbss_session_check_record(s, c->record));
+    VBSS_TRY(check_context(s, c->replay, "replay"));
     return c->replay == NULL ? VBSS_OK : check_replay(s);
 }
 
@@ -96,6 +97,7 @@ static vbss_result check_components(const session_object *s)
 vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *config,
                                 vbss_session **session)
 {
+    VBSS_ENTER_WITH_RESULT(scene, session);
     scene_info info;
     session_object *s = NULL;
     vbss_session_config own;
@@ -104,7 +106,6 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
         VBSS_TRY(vbss_scene_inspect(scene, &info));
         return vbss_check_pointer(info.context, session, "session");
     }
-    *session = NULL;
     VBSS_TRY(vbss_scene_inspect_for_edit(scene, &info));
     VBSS_TRY(vbss_session_read_config(info.context, config, &own));
     VBSS_TRY(check_bodies(info.context, scene, &own));
@@ -133,5 +134,6 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
 
 vbss_result vbss_session_destroy(vbss_session *session)
 {
+    VBSS_ENTER(session);
     return vbss_slot_destroy(session, &vbss_session_kind);
 }

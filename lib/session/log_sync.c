@@ -9,6 +9,7 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
     if (record == NULL) {
         return VBSS_OK;
     }
+    VBSS_TRY(vbss_slot_check_other(s->context, record, "record"));
     VBSS_TRY(vbss_record_edit(record, &r));
     return r->scene == s->scene
                ? VBSS_OK

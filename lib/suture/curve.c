@@ -351,8 +351,8 @@ void vbss_suture_capstan_friction(const suture_curve *curve, const suture_curve_
 {
     vec3 direction[2];
     directions_at(curve, point, direction);
-    double theta = vbss_atan2(vec3_norm(vec3_cross(direction[0], direction[1])),
-                              -vec3_dot(direction[0], direction[1]));
+    double theta = vbss_arc_tangent(vec3_norm(vec3_cross(direction[0], direction[1])),
+                                    -vec3_dot(direction[0], direction[1]));
     double ratio = vbss_exp(friction * theta);
     /* against the tangent, the suture is pulled toward the tip */
     capstan[0] =

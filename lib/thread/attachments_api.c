@@ -1,4 +1,5 @@
 /* The functions that hosts call on attachments of a thread. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -73,6 +74,7 @@ static vec3 chord_direction(const thread_object *t, uint32_t node, vec3 fallback
 vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment *attachment,
                                uint32_t *id)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     vbss_thread_attachment own;
     VBSS_TRY(vbss_thread_edit(thread, &t));
@@ -109,6 +111,7 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
 vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double target[3],
                              const double *direction)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
     VBSS_TRY(vbss_check_pointer(t->context, target, "target"));
@@ -132,6 +135,7 @@ vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double targ
 
 vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
     thread_attachment *a = vbss_thread_find_attachment(t, id);
@@ -146,6 +150,7 @@ vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
 vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
                                      vbss_thread_reaction *reaction, uint32_t struct_size)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
     const thread_attachment *a = vbss_thread_find_attachment(t, id);

@@ -1,5 +1,5 @@
-/* Constraint force of a prescribed node at the end of the last step (implicit method): mass times
- * acceleration minus all other forces. */
+/* Internal forces at the end of the last step (implicit method): the constraint force of a
+ * prescribed node, which is mass times acceleration minus all other forces, and axial forces. */
 #include "thread/thread.h"
 
 static vec3 bending_force(const thread_object *t, uint32_t node)
@@ -42,12 +42,32 @@ static vec3 stretching_force(const thread_object *t, uint32_t node)
     return force;
 }
 
+/* Force of tension, bending and rest curvature on a node. Tensions are more exact than EA times
+ * strain. */
+static vec3 internal_force(const thread_object *t, uint32_t node)
+{
+    vec3 force = vec3_add(bending_force(t, node), stretching_force(t, node));
+    return vec3_add(force, vbss_thread_rest_curvature_force(t, node));
+}
+
 vec3 vbss_thread_implicit_constraint_force(const thread_object *t, uint32_t node)
 {
-    /* Tensions are more exact than EA times strain. */
-    vec3 internal_force = vec3_add(bending_force(t, node), stretching_force(t, node));
-    internal_force = vec3_add(internal_force, vbss_thread_rest_curvature_force(t, node));
     vec3 drag = vec3_scale(t->now.v[node], -t->config.drag);
     vec3 needed = vec3_sub(vec3_sub(t->now.q[node], t->gravity), drag);
-    return vec3_sub(vec3_scale(needed, t->mass[node]), internal_force);
+    return vec3_sub(vec3_scale(needed, t->mass[node]), internal_force(t, node));
+}
+
+/* now.tension belongs to the length of a segment alone. Bending forces of its nodes have a part
+ * along it, too: about EI times the squared curvature, and many times that in a segment that is
+ * much shorter than its neighbours. Internal forces balance, so those on all nodes before a
+ * section add up to the force across it. */
+const double *vbss_thread_implicit_axial_forces(thread_object *t)
+{
+    vec3 across = vec3_zero();
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        across = vec3_add(across, internal_force(t, i));
+        t->axial_forces[i] = vec3_dot(across, t->strains[i].tangent);
+    }
+    return t->axial_forces;
 }

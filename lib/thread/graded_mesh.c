@@ -1,4 +1,5 @@
 /* Graded mesh: rest lengths that are finest at one point and grow away from it. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "thread/thread.h"
@@ -58,6 +59,7 @@ vbss_result vbss_thread_grade(double length, double centre, double finest, doubl
                               double ratio, double *rest_lengths, uint32_t capacity,
                               uint32_t *count)
 {
+    VBSS_ENTER(NULL);
     VBSS_TRY(vbss_check_pointer(NULL, count, "count"));
     *count = 0;
     VBSS_TRY(vbss_check_range(NULL, length, 1e-6, 1e3, "length"));

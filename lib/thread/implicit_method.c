@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { ARRAY_COUNT = 5 };
+enum { ARRAY_COUNT = 6 };
 
 static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
 {
@@ -13,6 +13,7 @@ static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
     const vbss_array all[] = {
         {&t->bending_matrix, n, sizeof *t->bending_matrix},
         {&t->rest_curvature_forces, n, sizeof(vec3)},
+        {&t->axial_forces, n, sizeof *t->axial_forces},
         {&t->spline_moments, n, sizeof *t->spline_moments},
         {&t->arcs, n, sizeof *t->arcs},
         {&t->couplings, n, sizeof *t->couplings},
@@ -46,6 +47,7 @@ const thread_method vbss_thread_implicit = {
     .step_thread = vbss_thread_implicit_step,
     .bending_energy = vbss_thread_bending_energy,
     .constraint_force = vbss_thread_implicit_constraint_force,
+    .axial_forces = vbss_thread_implicit_axial_forces,
     .reaction_force = vbss_thread_implicit_reaction_force,
     .reaction_torque = vbss_thread_implicit_reaction_torque,
     .corrects_masses = true,

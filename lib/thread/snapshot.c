@@ -173,6 +173,10 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
         t->is_derived_valid = false;
         t->generation++;
     }
+    if (stream->trusted) { /* a way back leaves no mark */
+        vbss_stream_u64(stream, 70, &t->generation, 1);
+        vbss_stream_u64(stream, 70, &t->edit_generation, 1);
+    }
 }
 
 void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thread_state *from)

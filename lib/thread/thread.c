@@ -1,4 +1,5 @@
 /* Configurations and memory of threads. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -57,6 +58,7 @@ vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_
 
 vbss_result vbss_thread_config_preset(vbss_thread_config *config, vbss_thread_preset preset)
 {
+    VBSS_ENTER(NULL);
     vbss_thread_config own; /* only to check struct_size */
     VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     switch (preset) {

@@ -117,6 +117,8 @@ typedef struct thread_method {
     /* At the end of the last step, at a node whose motion is prescribed: the force that holds it, N, all
      * that pulls there included; the reaction of its attachment, N and N m. */
     vec3 (*constraint_force)(const thread_object *t, uint32_t node);
+    /* Axial force of each segment at the end of the last step, N; valid until the next call. */
+    const double *(*axial_forces)(thread_object *t);
     vec3 (*reaction_force)(const thread_object *t, uint32_t node);
     vec3 (*reaction_torque)(const thread_object *t, uint32_t node);
     bool corrects_masses; /* lumped masses have the end corrections of derived.c */
@@ -179,7 +181,7 @@ struct thread_object {
     struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 
     /* views, computed when a host asks */
-    double *lengths, *sagittas;
+    double *lengths, *sagittas, *axial_forces; /* axial_forces: implicit method */
     vec3 *curvatures;
 };
 
@@ -440,6 +442,8 @@ vbss_result vbss_thread_implicit_step(thread_object *t, double h);
 /* Force that holds a prescribed node at the end of the last step, N. The implicit method uses the
  * strains of that step. */
 vec3 vbss_thread_implicit_constraint_force(const thread_object *t, uint32_t node);
+/* axial_forces of thread_method. */
+const double *vbss_thread_implicit_axial_forces(thread_object *t);
 vec3 vbss_thread_implicit_reaction_force(const thread_object *t, uint32_t node);
 vec3 vbss_thread_implicit_reaction_torque(const thread_object *t, uint32_t node);
 

@@ -1,4 +1,5 @@
 /* The functions that hosts call on a whole thread. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
@@ -48,6 +49,16 @@ static void init_nodes(thread_object *t, const vbss_thread_config *c)
     t->is_acceleration_unknown = t->is_in_setup = true;
 }
 
+static void warn_of_units(vbss_context *context, const vbss_thread_config *c)
+{
+    vbss_warn_if_unlikely(context, c->length, VBSS_LIKELY_LENGTH, "length", "m", "mm");
+    vbss_warn_if_unlikely(context, c->radius, VBSS_LIKELY_THREAD_RADIUS, "radius", "m", "mm");
+    vbss_warn_if_unlikely(context, c->linear_density, VBSS_LIKELY_LINEAR_DENSITY, "linear_density",
+                          "kg/m", "g/m");
+    vbss_warn_if_unlikely(context, vbss_max_abs(c->gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
+                          "m/s^2", "mm/s^2");
+}
+
 static uint32_t node_capacity_of(const vbss_thread_config *c)
 {
     uint32_t segments = c->segment_count;
@@ -60,15 +71,16 @@ static uint32_t node_capacity_of(const vbss_thread_config *c)
 vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
                                vbss_thread **thread)
 {
+    VBSS_ENTER_WITH_RESULT(context, thread);
     if (thread == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, thread, "thread");
     }
-    *thread = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_thread_config own;
     VBSS_TRY(vbss_thread_read_config(context, config, &own));
+    warn_of_units(context, &own);
 
     thread_object *t;
     vbss_slot *slot = NULL;
@@ -88,12 +100,14 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
 
 vbss_result vbss_thread_destroy(vbss_thread *thread)
 {
+    VBSS_ENTER(thread);
     return vbss_slot_destroy(thread, &vbss_thread_kind);
 }
 
 vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
                                   const double *velocities, uint32_t node_count)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
     VBSS_TRY(vbss_check_range(t->context, node_count, t->node_count, t->node_count, "node_count"));
@@ -123,10 +137,10 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
 
 vbss_result vbss_thread_step(vbss_thread *thread, double h)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
     VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
-    VBSS_TRY(vbss_check_arithmetic(t->context));
     VBSS_TRY(vbss_thread_update_sparsity(t));
     const vbss_result result = t->method->step_thread(t, h);
     VBSS_TRY(result);
@@ -137,12 +151,12 @@ vbss_result vbss_thread_step(vbss_thread *thread, double h)
 
 vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece)
 {
+    VBSS_ENTER_WITH_RESULT(thread, piece);
     thread_object *t;
     if (piece == NULL) {
         VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
         return vbss_check_pointer(t->context, piece, "piece");
     }
-    *piece = NULL;
     VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
     double length = vbss_thread_arc_length(t, t->node_count - 1);
     VBSS_TRY(vbss_check_range(t->context, arc_length, 0.0, length, "arc_length"));
@@ -166,15 +180,18 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
 vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)
 {
+    VBSS_ENTER(thread);
     return vbss_object_save(thread, &vbss_thread_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(thread);
     return vbss_object_restore(thread, &vbss_thread_kind, bytes, count);
 }
 
 vbss_result vbss_thread_get_hash(vbss_thread *thread, uint64_t *hash)
 {
+    VBSS_ENTER(thread);
     return vbss_object_hash(thread, &vbss_thread_kind, hash);
 }

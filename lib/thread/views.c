@@ -1,4 +1,5 @@
 /* Views of a thread: arrays, energies, momentum, statistics. */
+#include "base/api_call.h"
 #include "base/config.h"
 #include "base/error.h"
 #include "thread/remesh.h"
@@ -74,7 +75,7 @@ static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_vie
         *view = scalars(t->lengths, n - 1);
         return VBSS_OK;
     case VBSS_THREAD_TENSIONS:
-        *view = scalars(t->now.tension, n - 1);
+        *view = scalars(t->method->axial_forces(t), n - 1);
         return VBSS_OK;
     case VBSS_THREAD_CURVATURES:
         fill_curvatures(t);
@@ -95,6 +96,7 @@ static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_vie
 vbss_result vbss_thread_get_view(vbss_thread *thread, vbss_thread_field field, vbss_view *view,
                                  uint32_t struct_size)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     vbss_view own;
     VBSS_TRY(vbss_thread_open(thread, &t));
@@ -109,6 +111,7 @@ vbss_result vbss_thread_get_view(vbss_thread *thread, vbss_thread_field field, v
 vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *energies,
                                      uint32_t struct_size)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
     VBSS_TRY(vbss_thread_prepare_query(t));
@@ -130,6 +133,7 @@ vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *
 vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_momentum *momentum,
                                      uint32_t struct_size)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
     VBSS_TRY(vbss_thread_prepare_query(t));
@@ -152,6 +156,7 @@ vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_momentum *
 vbss_result vbss_thread_get_statistics(vbss_thread *thread, vbss_thread_statistics *statistics,
                                        uint32_t struct_size)
 {
+    VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
     VBSS_TRY(vbss_thread_prepare_query(t));

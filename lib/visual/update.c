@@ -1,5 +1,6 @@
 /* Writes a frame, with a part for each body. The frame is written to the back buffer, which becomes
  * the front buffer if everything fits. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "visual/visual.h"
@@ -212,10 +213,10 @@ static vbss_result fail_capacity(const visual_object *v, const visual_frame *f)
 
 vbss_result vbss_visual_update(vbss_visual *visual)
 {
+    VBSS_ENTER(visual);
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
     visual_object *v = slot->object;
-    VBSS_TRY(vbss_check_arithmetic(v->context));
     visual_frame *f = &v->frames[1 - v->front];
     f->vertex_count = f->triangle_count = f->part_count = f->decal_count = f->tube_start_count = 0;
     for (uint32_t i = 0; i < v->config.source_capacity && vbss_visual_fits(v, f); i++) {

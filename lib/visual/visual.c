@@ -1,4 +1,5 @@
 /* Public functions of visuals: creation, sources, views and statistics. */
+#include "base/api_call.h"
 #include "base/config.h"
 #include "base/memory.h"
 #include "visual/visual.h"
@@ -79,11 +80,11 @@ static vbss_result allocate_visual(vbss_context *context, const vbss_visual_conf
 vbss_result vbss_visual_create(vbss_context *context, const vbss_visual_config *config,
                                vbss_visual **visual)
 {
+    VBSS_ENTER_WITH_RESULT(context, visual);
     if (visual == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, visual, "visual");
     }
-    *visual = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_visual_config own;
@@ -102,6 +103,7 @@ vbss_result vbss_visual_create(vbss_context *context, const vbss_visual_config *
 
 vbss_result vbss_visual_destroy(vbss_visual *visual)
 {
+    VBSS_ENTER(visual);
     return vbss_slot_destroy(visual, &vbss_visual_kind_of_slot);
 }
 
@@ -113,12 +115,8 @@ static vbss_result add_source(vbss_visual *visual, const void *handle, scene_han
     vbss_slot *slot, *shown;
     VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
     visual_object *v = slot->object;
+    VBSS_TRY(vbss_slot_check_other(v->context, handle, "source"));
     VBSS_TRY(vbss_scene_inspect_handle(type, handle, &shown));
-    if (shown->context != v->context) {
-        return vbss_fail(v->context, VBSS_ERROR_INVALID_HANDLE,
-                         "%s %llu belongs to another context", shown->kind->name,
-                         (unsigned long long)shown->ordinal);
-    }
     for (uint32_t i = 0; i < v->config.source_capacity; i++) {
         if (v->sources[i].number == 0) {
             v->sources[i] = (visual_source){++v->last_source, type, handle};
@@ -134,31 +132,37 @@ static vbss_result add_source(vbss_visual *visual, const void *handle, scene_han
 
 vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scene, uint32_t *source)
 {
+    VBSS_ENTER(visual);
     return add_source(visual, scene, SCENE_HANDLE_SCENE, source);
 }
 
 vbss_result vbss_visual_add_thread(vbss_visual *visual, vbss_thread *thread, uint32_t *source)
 {
+    VBSS_ENTER(visual);
     return add_source(visual, thread, SCENE_HANDLE_THREAD, source);
 }
 
 vbss_result vbss_visual_add_drain(vbss_visual *visual, vbss_drain *drain, uint32_t *source)
 {
+    VBSS_ENTER(visual);
     return add_source(visual, drain, SCENE_HANDLE_DRAIN, source);
 }
 
 vbss_result vbss_visual_add_needle(vbss_visual *visual, vbss_needle *needle, uint32_t *source)
 {
+    VBSS_ENTER(visual);
     return add_source(visual, needle, SCENE_HANDLE_NEEDLE, source);
 }
 
 vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *grasper, uint32_t *source)
 {
+    VBSS_ENTER(visual);
     return add_source(visual, grasper, SCENE_HANDLE_GRASPER, source);
 }
 
 vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
 {
+    VBSS_ENTER(visual);
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
     visual_object *v = slot->object;
@@ -176,6 +180,7 @@ vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
 vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field, vbss_view *view,
                                  uint32_t struct_size)
 {
+    VBSS_ENTER(visual);
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(visual, &vbss_visual_kind_of_slot, &slot));
     const visual_object *v = slot->object;
@@ -217,6 +222,7 @@ vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field, v
 vbss_result vbss_visual_get_statistics(vbss_visual *visual, vbss_visual_statistics *statistics,
                                        uint32_t struct_size)
 {
+    VBSS_ENTER(visual);
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(visual, &vbss_visual_kind_of_slot, &slot));
     const visual_object *v = slot->object;

@@ -122,7 +122,7 @@ static void context_end_destroys_youngest_first(void **state)
 static vbss_result seen_at_the_end;
 static rod *youngest;
 
-static void look_at_the_youngest(vbss_context *context, void *object)
+static void inspect_youngest(vbss_context *context, void *object)
 {
     double tip[3];
     (void)context;
@@ -133,7 +133,7 @@ static void look_at_the_youngest(vbss_context *context, void *object)
 static void handles_are_checked_until_context_end(void **state)
 {
     (void)state;
-    static const vbss_kind kind = {"looker", VBSS_CODE('L', 'O', 'O', 'K'), 1, look_at_the_youngest,
+    static const vbss_kind kind = {"looker", VBSS_CODE('L', 'O', 'O', 'K'), 1, inspect_youngest,
                                    visit_nothing};
     harness_memory memory;
     vbss_context *context = harness_context(&memory);

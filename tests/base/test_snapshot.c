@@ -187,17 +187,17 @@ static void state_rejected_by_its_visitor_cannot_be_saved(void **state)
 
 /* What a log callback finds when it looks at the object it is told about. */
 typedef struct witness {
-    const double *looks_at;
+    const double *observed;
     double saw;
     int calls;
 } witness;
 
-static void look(void *user, vbss_log_level level, const char *message)
+static void observe(void *user, vbss_log_level level, const char *message)
 {
     witness *w = user;
     (void)level;
     (void)message;
-    w->saw = *w->looks_at;
+    w->saw = *w->observed;
     w->calls++;
 }
 
@@ -209,7 +209,7 @@ static void rejected_restore_is_undone_before_report(void **state)
     witness w = {values, 0.0, 0};
     memset(&life, 0, sizeof life);
     vbss_context_config config = harness_watched_config(&life.memory);
-    config.log = look;
+    config.log = observe;
     config.log_user = &w;
     config.log_level = VBSS_LOG_ERROR;
     expect_ok(vbss_context_create(&config, &life.context));

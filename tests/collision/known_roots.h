@@ -7,10 +7,10 @@
 
 /* ---- the truth */
 
-/* (p + way sqrt(d)) / q, q > 0, d >= 0; way 0: p / q, d is 0. */
+/* (p + root_sign sqrt(d)) / q, q > 0, d >= 0; root_sign 0: p / q, d is 0. */
 typedef struct surd {
     mpz_t p, q, d;
-    int way;
+    int root_sign;
 } surd;
 
 /* c[0] + c[1] t + ... and its distinct real roots */
@@ -75,7 +75,7 @@ static inline int sign_at(mpz_t c[3], const surd *t)
     mpz_addmul(x, part, t->p);
     mpz_mul(y, c[2], t->p);
     mpz_addmul_ui(part, y, 2);
-    mpz_mul_si(y, part, t->way);
+    mpz_mul_si(y, part, t->root_sign);
     mpz_mul(part, c[0], t->q);
     mpz_addmul(x, part, t->q);
     int sign = surd_sign(x, y, t->d);
@@ -146,13 +146,13 @@ static inline void add_quadratic(harness_source *source, known *k)
     mpz_addmul(r->d, k->factor[1], k->factor[1]);
     mpz_neg(r->p, k->factor[1]);
     mpz_mul_ui(r->q, k->factor[2], 2);
-    r->way = mpz_sgn(r->d);
-    k->count = r->way + 1;
+    r->root_sign = mpz_sgn(r->d);
+    k->count = r->root_sign + 1;
     if (k->count == 2) {
         mpz_set(r[1].p, r->p);
         mpz_set(r[1].q, r->q);
         mpz_set(r[1].d, r->d);
-        r[1].way = -1;
+        r[1].root_sign = -1;
     } else if (k->count == 0) {
         mpz_set_ui(r->d, 0);
     }
@@ -189,7 +189,7 @@ static inline void add_linear(harness_source *source, known *k)
         surd *r = &k->roots[k->count++];
         mpz_set(r->p, k->n);
         mpz_set(r->q, k->d);
-        r->way = 0;
+        r->root_sign = 0;
     }
     mpz_clears(f[0], f[1], f[2], NULL);
 }

@@ -135,7 +135,7 @@ model_shape *model_slit_sheet(model *m, uint32_t columns, uint32_t rows, uint32_
     return slit;
 }
 
-/* All ways over one more node, then over another, and so on. */
+/* All paths over one more node, then over another, and so on. */
 void model_leave_out_near(model_shape *s, const vec3 *at, double distance)
 {
     size_t n = s->node_count;
@@ -151,8 +151,8 @@ void model_leave_out_near(model_shape *s, const vec3 *at, double distance)
     }
     for (size_t over = 0; over < n; over++) {
         for (size_t i = 0; i < n * n; i++) {
-            double way = s->arcs[i / n * n + over] + s->arcs[over * n + i % n];
-            s->arcs[i] = way < s->arcs[i] ? way : s->arcs[i];
+            double path = s->arcs[i / n * n + over] + s->arcs[over * n + i % n];
+            s->arcs[i] = path < s->arcs[i] ? path : s->arcs[i];
         }
     }
 }
@@ -243,14 +243,14 @@ void model_draw_motion(model *m, model_motion motion, harness_source *source)
         vec3 at = origin;
         for (uint32_t node = 0; node < s->node_count; node++) {
             at = vec3_add(at, draw_step(motion, source));
-            vec3 way = draw_step(motion, source);
+            vec3 displacement = draw_step(motion, source);
             if (motion == MODEL_HUGE) {
-                way = harness_draw_vec3(source, -100.0, 100.0);
+                displacement = harness_draw_vec3(source, -100.0, 100.0);
             } else if (motion == MODEL_RESTING) {
-                way = vec3_zero();
+                displacement = vec3_zero();
             }
             s->start[node] = at;
-            s->end[node] = vec3_add(at, way);
+            s->end[node] = vec3_add(at, displacement);
         }
     }
 }

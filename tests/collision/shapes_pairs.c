@@ -72,8 +72,8 @@ static bool far_apart(const model_shape *s, const uint32_t *a, int count_a, cons
 {
     double arc = (double)INFINITY;
     for (int i = 0; s->arcs != NULL && i < count_a * count_b; i++) {
-        double way = s->arcs[(size_t)a[i / count_b] * s->node_count + b[i % count_b]];
-        arc = way < arc ? way : arc;
+        double path = s->arcs[(size_t)a[i / count_b] * s->node_count + b[i % count_b]];
+        arc = path < arc ? path : arc;
     }
     return s->arcs == NULL || arc >= s->near;
 }

@@ -5,8 +5,8 @@
 /* Of each family; with a part of the thread it is 10 000 in all. */
 enum { COUNT = 333, THREAD_COUNT = 2008 };
 
-static void look(harness_soak *soak, const collision_set *set, uint32_t first, uint32_t count,
-                 score *s)
+static void check_queries(harness_soak *soak, const collision_set *set, uint32_t first,
+                          uint32_t count, score *s)
 {
     for (uint32_t i = first; i < first + count && i < set->count; i++) {
         const collision_query *query = &set->queries[i];
@@ -29,8 +29,8 @@ static void run(harness_soak *soak)
         make_thick_set(i, COUNT, soak->seed, &set);
         bool thread = i + 1 == thick_set_count();
         uint32_t last = set.count > THREAD_COUNT ? set.count - THREAD_COUNT : 0;
-        look(soak, &set, thread ? (uint32_t)(soak->seed * 997 % (last + 1)) : 0,
-             thread ? THREAD_COUNT : COUNT, &s);
+        check_queries(soak, &set, thread ? (uint32_t)(soak->seed * 997 % (last + 1)) : 0,
+                      thread ? THREAD_COUNT : COUNT, &s);
         collision_set_release(&set);
     }
     harness_soak_figure(soak, "queries", (double)s.queries);

@@ -145,14 +145,14 @@ static void expect_same(const vbss_closest *wanted, bool exchanged, const featur
                         const feature *b)
 {
     vbss_closest c = expect_closest(a, b, 1e-14);
-    double way = exchanged ? -1.0 : 1.0;
+    double sign = exchanged ? -1.0 : 1.0;
     const double *on_a = exchanged ? c.point_b : c.point_a;
     const double *on_b = exchanged ? c.point_a : c.point_b;
     expect_near(wanted->distance, c.distance, 1e-15);
     for (int k = 0; k < 3; k++) { /* of nearly parallel edges no more is sure */
         expect_near(wanted->point_a[k], on_a[k], 1e-10);
         expect_near(wanted->point_b[k], on_b[k], 1e-10);
-        expect_near(wanted->normal[k], way * c.normal[k], 1e-10);
+        expect_near(wanted->normal[k], sign * c.normal[k], 1e-10);
     }
 }
 

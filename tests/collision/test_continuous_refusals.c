@@ -1,8 +1,8 @@
 /* What one continuous question refuses: configurations, vertices, sizes, and to be asked from inside a
  * callback. */
-#include <fenv.h>
 
 #include "base/error.h"
+#include "harness/float_modes.h"
 #include "query.h"
 #include "shapes_model.h"
 
@@ -154,10 +154,22 @@ static void expect_all_refused(vbss_collision *object)
         expect_refused(VBSS_ERROR_STRUCT_SIZE, &(asked){object, start_x, end_x, size});
     }
     expect_refused(VBSS_ERROR_STRUCT_SIZE, &(asked){object, start_x, end_x, UINT32_MAX});
-    assert_int_equal(fesetround(FE_UPWARD), 0);
-    expect_refused(VBSS_ERROR_ARITHMETIC_MODE,
-                   &(asked){object, start_x, end_x, sizeof(vbss_impact)});
-    fesetround(FE_TONEAREST);
+}
+
+static void host_mode_does_not_change_impacts(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 2; kind++) {
+        vbss_impact wanted, found;
+        expect_ok(tests_of[kind](NULL, start_x, end_x, &wanted, sizeof wanted));
+        for (size_t k = 0; k < harness_mode_count; k++) {
+            harness_mode_set(k);
+            vbss_result result = tests_of[kind](NULL, start_x, end_x, &found, sizeof found);
+            harness_mode_end(k);
+            expect_ok(result);
+            assert_memory_equal(&wanted, &found, sizeof wanted);
+        }
+    }
 }
 
 static void bad_query_is_rejected_without_output_or_count(void **state)
@@ -234,6 +246,7 @@ int test_continuous_refusals(void)
         cmocka_unit_test(config_size_protocol),
         cmocka_unit_test(bad_config_is_rejected),
         cmocka_unit_test(bad_query_is_rejected_without_output_or_count),
+        cmocka_unit_test(host_mode_does_not_change_impacts),
         cmocka_unit_test(counting_test_inside_callback_is_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

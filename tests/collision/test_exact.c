@@ -98,7 +98,7 @@ static void stretch(collision_query *query, uint32_t which)
     }
 }
 
-static void object_memory_suffices_for_any_doubles(void **state)
+static void object_memory_suffices_for_any_numbers(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
@@ -149,7 +149,7 @@ static void any_numbers(harness_source *source, void *user)
     expect_truth(&query, decide(&query, COLLISION_LIMBS));
 }
 
-static void any_doubles_are_decided(void **state)
+static void any_numbers_are_decided(void **state)
 {
     (void)state;
     uint64_t hits = 0;
@@ -205,10 +205,10 @@ static void degenerate_misses_have_no_crossing(void **state)
 }
 
 /* At x at time t. */
-static void place(collision_query *query, size_t k, double t, vec3 x, vec3 way)
+static void place(collision_query *query, size_t k, double t, vec3 x, vec3 displacement)
 {
-    vec3_store(query->start + 3 * k, vec3_add_scaled(x, -t, way));
-    vec3_store(query->end + 3 * k, vec3_add_scaled(x, 1.0 - t, way));
+    vec3_store(query->start + 3 * k, vec3_add_scaled(x, -t, displacement));
+    vec3_store(query->end + 3 * k, vec3_add_scaled(x, 1.0 - t, displacement));
 }
 
 /* Along which the area of what has this normal is seen largest: where the places in features are read. */
@@ -279,8 +279,8 @@ int test_exact(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(degenerate_sets_are_decided_correctly),
         cmocka_unit_test(low_memory_answer_is_correct_or_unknown),
-        cmocka_unit_test(object_memory_suffices_for_any_doubles),
-        harness_test(any_doubles_are_decided),
+        cmocka_unit_test(object_memory_suffices_for_any_numbers),
+        harness_test(any_numbers_are_decided),
         cmocka_unit_test(degenerate_misses_have_no_crossing),
         harness_test(near_misses_have_no_crossing),
     };

@@ -14,7 +14,7 @@ static vbss_impact ask(double thickness, const double start[12], const double en
     return impact;
 }
 
-/* Edge a, of length L, turns about its begin and sweeps over a short edge b that moves along its way:
+/* Edge a, of length L, turns about its begin and sweeps over a short edge b that moves along its path:
  * they cross. The shorter b, the smaller all products with their common normal. */
 static bool sweep_hits(double thickness, double length, double half, int k)
 {
@@ -83,10 +83,10 @@ static void crossing_at(harness_source *source, void *user)
         return;
     }
     for (int k = 0; k < 2; k++) {
-        double way = k == 0 ? -1.0 : 1.0;
-        vec3_store(start + 3 * (size_t)k, vec3_add_scaled(place, way, a));
-        vec3_store(end + 3 * (size_t)k, vec3_add_scaled(place, way, a));
-        vec3 at = vec3_add_scaled(place, way, b);
+        double sign = k == 0 ? -1.0 : 1.0;
+        vec3_store(start + 3 * (size_t)k, vec3_add_scaled(place, sign, a));
+        vec3_store(end + 3 * (size_t)k, vec3_add_scaled(place, sign, a));
+        vec3 at = vec3_add_scaled(place, sign, b);
         vec3_store(start + 6 + 3 * (size_t)k, vec3_add_scaled(at, when, n));
         vec3_store(end + 6 + 3 * (size_t)k, vec3_add_scaled(at, when - 1.0, n));
     }

@@ -190,20 +190,21 @@ static void impacts_above_capacity_are_counted(void **state)
     moving_shapes scene;
     uint32_t largest = 0;
     expect_ok(moving_shapes_config(&options, &config));
-    for (int way = 0; way < 3; way++) { /* enough, just enough, one too few */
-        config.impact_capacity = way == 0 ? config.impact_capacity : largest + 1 - (uint32_t)way;
+    for (int variant = 0; variant < 3; variant++) { /* enough, just enough, one too few */
+        config.impact_capacity =
+            variant == 0 ? config.impact_capacity : largest + 1 - (uint32_t)variant;
         expect_ok(moving_shapes_create(context, &options, &config, &scene));
         expect_ok(moving_shapes_move(&scene, 1));
         expect_ok(vbss_collision_find_candidates(scene.collision));
         vbss_collision_statistics before = shapes_statistics(scene.collision);
-        expect_result(way == 2 ? VBSS_ERROR_CAPACITY : VBSS_OK,
+        expect_result(variant == 2 ? VBSS_ERROR_CAPACITY : VBSS_OK,
                       vbss_collision_find_impacts(scene.collision));
         vbss_collision_statistics after = shapes_statistics(scene.collision);
-        largest = way == 0 ? after.impacts : largest;
+        largest = variant == 0 ? after.impacts : largest;
         assert_true(largest > 1);
-        assert_int_equal(after.impacts, way == 2 ? 0 : largest);
+        assert_int_equal(after.impacts, variant == 2 ? 0 : largest);
         assert_int_equal(after.candidates, before.candidates);
-        assert_true(after.queries == (way == 2 ? 0 : after.candidates));
+        assert_true(after.queries == (variant == 2 ? 0 : after.candidates));
         expect_ok(moving_shapes_destroy(&scene));
     }
     harness_context_end(context, &memory);

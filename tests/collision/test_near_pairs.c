@@ -1,4 +1,4 @@
-/* What a mesh leaves out because it is near along the surface, against all pairs and their shortest ways. */
+/* What a mesh leaves out because it is near along the surface, against all pairs and their shortest paths. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +16,7 @@ static uint32_t find(const near_rig *f)
 
 /* ---- against all pairs */
 
-/* No way is as long as a distance that is drawn, give or take the rounding. */
+/* No path is as long as a distance that is drawn, give or take the rounding. */
 static bool is_clear(const model_shape *s)
 {
     bool clear = true;
@@ -104,7 +104,7 @@ static bool lists(const near_rig *f, candidate pair)
 }
 
 /* Lips between columns k and k + 1 lie on each other, and so do the point of the upper one at column k and
- * the triangle that the lower one is a side of. The ways round the tips are the shorter ones. */
+ * the triangle that the lower one is a side of. The paths round the tips are the shorter ones. */
 static void lips_touch_except_near_tips(void **state)
 {
     (void)state;
@@ -120,12 +120,12 @@ static void lips_touch_except_near_tips(void **state)
         model_leave_out_near(s, s->end, distances[i]);
         find(&f);
         for (uint32_t k = 1; k < 8; k++) {
-            uint32_t around = k < 8 - k ? 2 * k : 16 - 2 * k, way = k < 5 ? 2 * k : 17 - 2 * k;
+            uint32_t around = k < 8 - k ? 2 * k : 16 - 2 * k, across = k < 5 ? 2 * k : 17 - 2 * k;
             const candidate edges = {VBSS_PAIR_EDGE_EDGE, 0, edge_of(s, 20 + k, 21 + k), 0,
                                      edge_of(s, 39 + k, 40 + k)};
             const candidate point = {VBSS_PAIR_POINT_TRIANGLE, 0, 39 + k, 0, 19 + 2 * k};
             assert_int_equal(lists(&f, edges), around >= distances[i]);
-            assert_int_equal(lists(&f, point), way >= distances[i]);
+            assert_int_equal(lists(&f, point), across >= distances[i]);
         }
     }
     near_end(&f);
@@ -188,7 +188,7 @@ static void other_shapes_are_not_tested(void **state)
     near_end(&f);
 }
 
-/* From node 0 over 1 and 2 the way to node 3 is the distance, and back it is rounded to less: then they are near
+/* From node 0 over 1 and 2 the path to node 3 is the distance, and back it is rounded to less: then they are near
  * each other, whichever is asked about. */
 static void path_distance_is_symmetric(void **state)
 {

@@ -188,22 +188,22 @@ static void snapshot_of_other_shapes_is_rejected(void **state)
     const uint32_t triangles[2][6] = {{0, 1, 2, 2, 1, 3}, {0, 1, 2, 2, 0, 3}};
     object_begin(&f);
     expect_ok(vbss_collision_destroy(f.collision));
-    for (int way = 0; way < 7; way++) {
+    for (int variant = 0; variant < 7; variant++) {
         f.collision = begin_one(&f);
         expect_ok(vbss_collision_add_chain(f.collision, 5, rest[0], 0.1, &name));
         expect_ok(vbss_collision_add_mesh(f.collision, 4, triangles[0], 2, 0.1, &name));
         uint64_t count = save(f.collision, bytes, sizeof bytes);
         vbss_collision *other = begin_one(&f);
-        expect_ok(vbss_collision_add_chain(other, way == 0 ? 6 : 5,
-                                           way == 1 ? NULL : rest[way == 2], way == 3 ? 0.11 : 0.1,
-                                           &name));
-        expect_ok(vbss_collision_add_mesh(other, 4, triangles[way == 4], 2, 0.1, &name));
-        if (way == 5) {
+        expect_ok(vbss_collision_add_chain(other, variant == 0 ? 6 : 5,
+                                           variant == 1 ? NULL : rest[variant == 2],
+                                           variant == 3 ? 0.11 : 0.1, &name));
+        expect_ok(vbss_collision_add_mesh(other, 4, triangles[variant == 4], 2, 0.1, &name));
+        if (variant == 5) {
             expect_ok(vbss_collision_remove(other, name));
-        } else if (way == 6) {
+        } else if (variant == 6) {
             expect_ok(vbss_collision_add_capsules(other, 1, 0.1, &name));
         }
-        if (way == 1) { /* neighbours alone are excluded, as with these rest lengths */
+        if (variant == 1) { /* neighbours alone are excluded, as with these rest lengths */
             expect_ok(vbss_collision_restore(other, bytes, count));
             expect_ok(vbss_collision_destroy(other));
         } else {

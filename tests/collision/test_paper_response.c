@@ -46,12 +46,12 @@ static void expect_q(double z, const vbss_response *r)
     assert_true(r->direction[0] == 0.0 && r->direction[1] == 0.0 && r->direction[2] == z);
 }
 
-/* b, over the middle of a or of itself at z = 1, ends at `end`; a moves by `way`. */
-static question sinking(double end, double way)
+/* b, over the middle of a or of itself at z = 1, ends at `end`; a moves by `height`. */
+static question sinking(double end, double height)
 {
     question q = {VBSS_PAIR_EDGE_EDGE,
                   {EDGE, 0, -1, 1, 0, 1, 1},
-                  {-1, 0, way, 1, 0, way, 0, -1, end, 0, 1, end}};
+                  {-1, 0, height, 1, 0, height, 0, -1, end, 0, 1, end}};
     return q;
 }
 
@@ -187,9 +187,9 @@ static void time_of_impact_shifts_with_thickness(void **state)
         for (int i = 0; i < 12; i++) {
             then[i] = (1.0 - hit.time) * q->start[i] + hit.time * q->end[i];
         }
-        vec3 q_way = vec3_load(r.direction);
-        expect_near(D, vec3_dot(apart_after(q, then, &r, weights[k / 3]), q_way), 1e-12);
-        expect_near(D - .1, vec3_dot(apart_after(q, q->end, &r, weights[k / 3]), q_way), 1e-12);
+        vec3 direction = vec3_load(r.direction);
+        expect_near(D, vec3_dot(apart_after(q, then, &r, weights[k / 3]), direction), 1e-12);
+        expect_near(D - .1, vec3_dot(apart_after(q, q->end, &r, weights[k / 3]), direction), 1e-12);
     }
 }
 
@@ -227,10 +227,10 @@ static void restores_contact_points(harness_source *source, void *user)
     double scale = 1.0;
     for (size_t k = 0; k < 4; k++) {
         bool of_a = k < (q.kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1);
-        vec3 way = vec3_load(r.displacement + 3 * k);
-        moved = vec3_add_scaled(moved, of_a ? hit.weights[k] : -hit.weights[k], way);
-        scale = vec3_norm(way) > scale ? vec3_norm(way) : scale;
-        assert_true(masses[k] > 0.0 || vec3_norm(way) == 0.0);
+        vec3 displacement = vec3_load(r.displacement + 3 * k);
+        moved = vec3_add_scaled(moved, of_a ? hit.weights[k] : -hit.weights[k], displacement);
+        scale = vec3_norm(displacement) > scale ? vec3_norm(displacement) : scale;
+        assert_true(masses[k] > 0.0 || vec3_norm(displacement) == 0.0);
     }
     vec3 wanted = vec3_scale(vec3_load(r.direction), D);
     expect_near(0.0, vec3_distance(wanted, vec3_add(at_impact, moved)), 1e-12 * scale);

@@ -31,9 +31,9 @@ static double boxes_of_coil(uint32_t segments, bool capsules, bool sheet)
 static void search_cost_is_linear_in_features(void **state)
 {
     (void)state;
-    for (int way = 0; way < 4; way++) {
-        double few = boxes_of_coil(1000, way % 2 != 0, way / 2 != 0);
-        double many = boxes_of_coil(10000, way % 2 != 0, way / 2 != 0);
+    for (int variant = 0; variant < 4; variant++) {
+        double few = boxes_of_coil(1000, variant % 2 != 0, variant / 2 != 0);
+        double many = boxes_of_coil(10000, variant % 2 != 0, variant / 2 != 0);
         assert_true(many > 9.0 * few && many < 11.5 * few);
     }
 }
@@ -82,11 +82,11 @@ static void node_names_do_not_matter(void **state)
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     double boxes[2];
-    for (int way = 0; way < 2; way++) {
+    for (int variant = 0; variant < 2; variant++) {
         model m;
-        vbss_collision *collision = make_sheet(&m, context, way != 0);
+        vbss_collision *collision = make_sheet(&m, context, variant != 0);
         model_move(&m, collision);
-        boxes[way] = boxes_of_search(collision);
+        boxes[variant] = boxes_of_search(collision);
         model_end(&m);
     }
     expect_near(boxes[0], boxes[1], 0.1 * boxes[0]);
@@ -112,9 +112,9 @@ static void trees_follow_motion(void **state)
     for (uint32_t life = 0; life < 4; life++) {
         for (size_t i = 0; i < CAPSULES; i++) {
             vec3 at = harness_draw_vec3(&source, 0.0, 10.0);
-            vec3 way = harness_draw_vec3(&source, -0.3, 0.3);
+            vec3 displacement = harness_draw_vec3(&source, -0.3, 0.3);
             s->start[2 * i] = s->end[2 * i] = at;
-            s->start[2 * i + 1] = s->end[2 * i + 1] = vec3_add(at, way);
+            s->start[2 * i + 1] = s->end[2 * i + 1] = vec3_add(at, displacement);
         }
         expect_ok(vbss_collision_create(context, &m.config, &fresh));
         model_add_to(&m, fresh);

@@ -213,8 +213,8 @@ static void moves_go_on_where_they_ended(harness_source *source, void *user)
         for (uint32_t k = 0; k < f.m.count; k++) { /* at the origin before the first move */
             memcpy(f.m.shapes[k].start, f.m.shapes[k].end, f.m.shapes[k].node_count * sizeof(vec3));
             for (uint32_t node = 0; node < f.m.shapes[k].node_count; node++) {
-                vec3 way = harness_draw_vec3(source, -4.0 * MODEL_UNIT, 4.0 * MODEL_UNIT);
-                f.m.shapes[k].end[node] = vec3_add(f.m.shapes[k].end[node], way);
+                vec3 displacement = harness_draw_vec3(source, -4.0 * MODEL_UNIT, 4.0 * MODEL_UNIT);
+                f.m.shapes[k].end[node] = vec3_add(f.m.shapes[k].end[node], displacement);
             }
             expect_ok(vbss_collision_move(on, k, NULL, &f.m.shapes[k].end[0].x,
                                           f.m.shapes[k].node_count));

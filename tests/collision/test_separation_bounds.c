@@ -121,7 +121,7 @@ typedef struct counts {
     uint64_t known, near, stays;
 } counts;
 
-static void look(fixture *f, const collision_candidate *q, counts *c)
+static void check_candidate(fixture *f, const collision_candidate *q, counts *c)
 {
     double apart = f->object->separations[q - f->object->candidates], smallest = (double)INFINITY;
     assert_true(apart <= distance_of(f, q, 0.0));
@@ -151,10 +151,10 @@ static void wander(harness_source *source, void *user)
         search(&f);
         for (uint32_t i = 0; i < f.object->candidate_count; i++) {
             const collision_candidate *q = &f.object->candidates[i];
-            look(&f, q, c);
+            check_candidate(&f, q, c);
             if (harness_draw_below(source, 3) == 0) {
                 note(&f, q);
-                look(&f, q, c);
+                check_candidate(&f, q, c);
             }
         }
     }

@@ -50,8 +50,8 @@ static bool is_near_parallel(const collision_query *q)
 
 static bool is_collinear(const collision_query *q)
 {
-    vec3 way = vec3_sub(vertex_of(q, true, 2), vertex_of(q, false, 2)), a = edge(q, false, 0);
-    return is_parallel(q) && vec3_norm(vec3_cross(way, a)) < 1e-12;
+    vec3 offset = vec3_sub(vertex_of(q, true, 2), vertex_of(q, false, 2)), a = edge(q, false, 0);
+    return is_parallel(q) && vec3_norm(vec3_cross(offset, a)) < 1e-12;
 }
 
 static bool is_point(const collision_query *q)
@@ -109,8 +109,8 @@ static bool is_far_vertex(const collision_query *q)
 /* b moves in a plane parallel to a and to itself, at a height of about D. */
 static bool is_mid_step_graze(const collision_query *q)
 {
-    vec3 way = vec3_sub(vertex_of(q, true, 2), vertex_of(q, false, 2)), a = edge(q, false, 0);
-    vec3 up = vec3_cross(way, a);
+    vec3 offset = vec3_sub(vertex_of(q, true, 2), vertex_of(q, false, 2)), a = edge(q, false, 0);
+    vec3 up = vec3_cross(offset, a);
     double height = fabs(vec3_dot(up, vertex_of(q, false, 2))) / vec3_norm(up);
     return height > 0.12 && height < 0.38 && sine_between(q, false) < 0.31;
 }

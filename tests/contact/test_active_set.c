@@ -127,9 +127,9 @@ static void draw_few(few_blocks *f, harness_source *source, double max_friction)
             row->jacobian_block_count = 2;
         }
         if (!row->is_bilateral && harness_draw_below(source, 3) == 0) { /* it was closed before */
-            double most = row->friction * vbss_max(0.0, -2e5 * row->gap);
+            double limit = row->friction * vbss_max(0.0, -2e5 * row->gap);
             row->solution.status = CONTACT_STICK;
-            row->previous_force = vec3_scale(across(draw_unit(source), normal), most);
+            row->previous_force = vec3_scale(across(draw_unit(source), normal), limit);
         }
     }
 }
@@ -204,7 +204,7 @@ static void cycling_ends_loose_or_lost_within_limit(void **state)
 /* ---- with limited work */
 
 /* With the forces of where the search stopped. */
-static double imbalance_where_it_stands(const few_blocks *f)
+static double imbalance_of_iterate(const few_blocks *f)
 {
     double largest = 0.0;
     for (uint32_t b = 0; b < f->count; b++) {
@@ -238,7 +238,7 @@ static void what_stops_in_time_balances(harness_source *source, void *user)
         few_end(&f);
         return;
     }
-    expect_near(0.0, imbalance_where_it_stands(&f), 1e-8);
+    expect_near(0.0, imbalance_of_iterate(&f), 1e-8);
     for (uint32_t i = 0; i < f.set->count; i++) {
         const contact_constraint *row = &f.set->constraints[i];
         expect_near(0.0, vec3_distance(few_moved(&f, row), f.set->current[i].u), 1e-12);
@@ -342,7 +342,7 @@ static void early_closing_constraint_is_found_on_line_search(void **state)
 static void slowly_converging_slip_is_not_stalled(void **state)
 {
     (void)state;
-    uint64_t most = 0;
+    uint64_t max_solves = 0;
     for (int stiffer = 2; stiffer <= 64; stiffer *= 2) {
         few_blocks f;
         few_begin(&f, 1);
@@ -360,10 +360,10 @@ static void slowly_converging_slip_is_not_stalled(void **state)
                                            .slip_direction = vec3_make(-1.0, 0.0, 0.0),
                                            .friction_ratio = 0.5};
         assert_int_equal(few_solve(&f), CONTACT_CONVERGED);
-        most = f.set->counters.solves > most ? f.set->counters.solves : most;
+        max_solves = f.set->counters.solves > max_solves ? f.set->counters.solves : max_solves;
         few_end(&f);
     }
-    assert_true(most > 3);
+    assert_true(max_solves > 3);
 }
 
 /* ---- rows that close deep, all at once */
@@ -395,10 +395,10 @@ static void deep_closure_is_softened_and_converges(void **state)
         expect_near(0.0, largest_imbalance(&f, true), little);
         for (uint32_t i = 0; i < f.set->count; i++) {
             contact_constraint *row = &f.set->constraints[i];
-            double most = row->friction * row->solution.normal_force;
+            double limit = row->friction * row->solution.normal_force;
             expect_same_bits(2e5, row->stiffness);
             assert_true(row->solution.normal_force >= 0.0);
-            assert_true(vec3_norm(row->solution.tangential_force) <= most + little);
+            assert_true(vec3_norm(row->solution.tangential_force) <= limit + little);
         }
         few_end(&f);
     }

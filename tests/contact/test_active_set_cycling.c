@@ -57,7 +57,7 @@ static void expect_law(const few_blocks *f)
         const contact_constraint *row = &f->set->constraints[i];
         vec3 u = few_moved(f, row), rubbing = row->solution.tangential_force;
         double gap = row->gap + vec3_dot(row->normal, u),
-               most = FRICTION * row->solution.normal_force;
+               friction_limit = FRICTION * row->solution.normal_force;
         vec3 slip = vec3_add_scaled(across(vec3_add(row->relative_displacement, u), row->normal),
                                     1.0 / row->stiffness, vec3_sub(rubbing, row->previous_force));
         if (row->solution.status == CONTACT_OPEN) {
@@ -65,11 +65,12 @@ static void expect_law(const few_blocks *f)
             continue;
         }
         expect_near(-row->stiffness * gap, row->solution.normal_force, 1e-9);
-        assert_true(row->solution.normal_force >= 0.0 && vec3_norm(rubbing) <= most + none);
+        assert_true(row->solution.normal_force >= 0.0 &&
+                    vec3_norm(rubbing) <= friction_limit + none);
         if (row->solution.status == CONTACT_STICK) {
             expect_near(0.0, row->augmentation * vec3_norm(slip), none);
         } else {
-            expect_near(most, vec3_norm(rubbing), none);
+            expect_near(friction_limit, vec3_norm(rubbing), none);
             double far = row->augmentation * vec3_norm(slip);
             assert_true(vec3_dot(rubbing, slip) <= 0.0 || far <= 2.0 * none);
         }
@@ -81,9 +82,9 @@ static void expect_law(const few_blocks *f)
 static void light_node_on_plane_sticks_or_slides(void **state)
 {
     (void)state;
-    const double pressed = 0.03, most = FRICTION * pressed;
+    const double pressed = 0.03, friction_limit = FRICTION * pressed;
     for (int k = 1; k <= 20; k++) {
-        double inertia = LIGHT, pulled = 0.1 * k * most;
+        double inertia = LIGHT, pulled = 0.1 * k * friction_limit;
         for (int doubled = 0; doubled < 8; doubled++) {
             few_blocks f;
             begin_light(&f, 1, inertia);
@@ -99,8 +100,8 @@ static void light_node_on_plane_sticks_or_slides(void **state)
                 expect_near(0.0, f.system->solution[0].x, 1e-7);
             } else if (k > 10) {
                 assert_int_equal(f.set->constraints[0].solution.status, CONTACT_SLIP);
-                expect_near((pulled - most) / inertia, f.system->solution[0].x,
-                            2e-3 * most / inertia);
+                expect_near((pulled - friction_limit) / inertia, f.system->solution[0].x,
+                            2e-3 * friction_limit / inertia);
             }
             few_end(&f);
             inertia *= 2.0;
@@ -179,9 +180,9 @@ static void forces_are_those_of_the_law(harness_source *source, void *user)
     vec3 u = harness_draw_vec3(source, -1e-5, 1e-5), force = vbss_contact_force(&row, u);
     expect_near(0.0, vec3_distance(few_law(&row, u), force), 1e-12);
     /* Where the law is satisfied its state goes on to say the same. */
-    const contact_iterate stand = {u, force};
+    const contact_iterate iterate = {u, force};
     contact_solution next;
-    vbss_contact_solution_at(&row, &stand, &next);
+    vbss_contact_solution_at(&row, &iterate, &next);
     row.solution = next;
     double smallest = row.is_bilateral ? -1.0 : 0.0, pressed = vec3_dot(force, normal);
     assert_true((next.status == CONTACT_OPEN) == !(pressed > smallest) || row.is_bilateral);

@@ -132,14 +132,14 @@ static void new_constraint_is_reset(void **state)
     list_begin(&l, 1);
     contact_constraint *row = add(&l, 0, 0);
     row->is_bilateral = true;
-    row->tangential_stiffness_ratio = row->fold_allowance = 0.25;
+    row->tangential_stiffness_ratio = row->recovery_allowance = 0.25;
     row->is_sleeve = true;
     row->previous_force = vec3_make(1.0, 2.0, 3.0);
     close_with(row, 1.0);
     vbss_contact_clear(l.set);
     row = add(&l, 1, 0);
     assert_false(row->is_bilateral);
-    expect_near(0.0, row->tangential_stiffness_ratio + row->fold_allowance, 0.0);
+    expect_near(0.0, row->tangential_stiffness_ratio + row->recovery_allowance, 0.0);
     assert_false(row->is_sleeve);
     expect_near(0.0, vec3_norm(row->previous_force), 0.0);
     assert_int_equal(row->solution.status, CONTACT_OPEN);
@@ -205,8 +205,8 @@ static void warm_start_restores_closed_constraints(void **state)
     close_with(slips, 3.0);
     slips->solution.status = CONTACT_SLIP;
     slips->solution.friction_ratio = 0.25;
-    contact_constraint *stands = add(&l, 9, 9); /* SLIP without a force has no way */
-    stands->solution =
+    contact_constraint *resting = add(&l, 9, 9); /* SLIP without a force has no way */
+    resting->solution =
         (contact_solution){.status = CONTACT_SLIP, .normal_force = 1.0, .friction_ratio = 0.5};
     vbss_contact_store_warm_start(l.set);
     assert_int_equal(l.set->warm_start_count, 3);

@@ -21,8 +21,8 @@ static vec3 law(const contact_constraint *row, vec3 u, contact_status *state)
 /* Along of either sign, stuck or beyond. */
 static contact_constraint any_row(harness_source *source)
 {
-    vec3 way = harness_draw_vec3(source, -1.0, 1.0);
-    contact_constraint row = few_sleeve(vec3_unit_or(way, vec3_make(1.0, 0.0, 0.0)));
+    vec3 direction = harness_draw_vec3(source, -1.0, 1.0);
+    contact_constraint row = few_sleeve(vec3_unit_or(direction, vec3_make(1.0, 0.0, 0.0)));
     double held = harness_draw_real(source, -1.0, 1.0);
     row.yield_force = harness_draw_real(source, 0.0, 0.1);
     row.yield_friction[0] = harness_draw_real(source, 0.0, 1.5);
@@ -54,8 +54,8 @@ static void any_row_follows_the_law(harness_source *source, void *user)
     seen[2 * (wanted == CONTACT_SLIP) + (next.normal_force > 0.0)]++;
     /* Where the search stands says the same, whatever force it balances with. */
     contact_solution there;
-    const contact_iterate stand = {u, vec3_make(3.0, -2.0, 1.0)};
-    vbss_contact_solution_at(&row, &stand, &there);
+    const contact_iterate iterate = {u, vec3_make(3.0, -2.0, 1.0)};
+    vbss_contact_solution_at(&row, &iterate, &there);
     assert_int_equal(there.status, next.status);
     expect_near(next.normal_force, there.normal_force, 0.0);
     assert_int_equal(next.is_forward, there.is_forward);
@@ -85,7 +85,7 @@ static vec3 by_tangent(const contact_linearisation *t, vec3 u)
     return force;
 }
 
-/* Of the force itself, which knows nothing of the row's way. */
+/* Of the force itself, which knows nothing of the row's direction. */
 static void any_tangent_is_the_slope_of_the_force(harness_source *source, void *user)
 {
     const double step = 1e-9;
@@ -104,7 +104,7 @@ static void any_tangent_is_the_slope_of_the_force(harness_source *source, void *
     assert_int_equal(t.count, 3);
     expect_near(0.0, vec3_distance(t.force, vbss_contact_force(&row, vec3_zero())), 1e-12);
     for (int i = 0; i < 3; i++) {
-        const vec3 way = vec3_make(i == 0, i == 1, i == 2), u = vec3_scale(way, step);
+        const vec3 direction = vec3_make(i == 0, i == 1, i == 2), u = vec3_scale(direction, step);
         vec3 slope = vec3_sub(vbss_contact_force(&row, u), vbss_contact_force(&row, vec3_neg(u)));
         vec3 said = vec3_sub(by_tangent(&t, u), by_tangent(&t, vec3_neg(u)));
         expect_near(0.0, vec3_distance(slope, said) / (2.0 * step), 1e-4 * k);

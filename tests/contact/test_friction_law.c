@@ -30,9 +30,9 @@ static contact_constraint draw_closed(harness_source *source, double over)
     row.augmentation = vbss_exp(harness_draw_real(source, -3.0, 12.0));
     row.gap = -harness_draw_real(source, 1e-6, 5e-5);
     double largest = -row.friction * k * row.gap;
-    vec3 way = draw_in_plane(source, normal);
+    vec3 direction = draw_in_plane(source, normal);
     double share = harness_draw_real(source, 0.0, 1.0);
-    vec3 elastic = vec3_scale(way, over * largest);
+    vec3 elastic = vec3_scale(direction, over * largest);
     vec3 side = vec3_scale(draw_in_plane(source, normal), share * largest);
     row.previous_force = vec3_add(vec3_scale(elastic, 0.3), side);
     row.tangential_stiffness_ratio =
@@ -46,7 +46,7 @@ static contact_constraint draw_closed(harness_source *source, double over)
     if (over > 1.0) {
         double slip = (over - 1.0) * largest / few_stiffness_along(&row);
         row.solution.status = CONTACT_SLIP;
-        row.solution.slip_direction = way;
+        row.solution.slip_direction = direction;
         row.solution.friction_ratio = largest / (largest + row.augmentation * slip);
     }
     return row;
@@ -273,19 +273,22 @@ static void bilateral_constraint_pulls_and_never_slips(void **state)
     contact_solution next;
     row.is_bilateral = true;
     row.solution.status = CONTACT_STICK;
-    const vec3 ways[] = {{0.0, 0.0, 0.0}, {1e-3, 1e-3, 0.0}, {-1.0, 1.0, 1.0}, {0.0, -1.0, 0.0}};
+    const vec3 displacements[] = {
+        {0.0, 0.0, 0.0}, {1e-3, 1e-3, 0.0}, {-1.0, 1.0, 1.0}, {0.0, -1.0, 0.0}};
     for (int i = 0; i < 4; i++) {
-        expect_near(0.0, vbss_contact_update_solution(&row, ways[i], &next), 0.0);
+        expect_near(0.0, vbss_contact_update_solution(&row, displacements[i], &next), 0.0);
         assert_int_equal(next.status, CONTACT_STICK);
-        expect_near(-k * (row.gap + ways[i].y), next.normal_force, 1e-9);
-        expect_near(-k * ways[i].x, next.tangential_force.x, 1e-9);
-        expect_near(-k * ways[i].z, next.tangential_force.z, 1e-9);
+        expect_near(-k * (row.gap + displacements[i].y), next.normal_force, 1e-9);
+        expect_near(-k * displacements[i].x, next.tangential_force.x, 1e-9);
+        expect_near(-k * displacements[i].z, next.tangential_force.z, 1e-9);
     }
     row.friction = 0.0; /* the coefficient is for contacts only */
-    expect_near(0.0, vbss_contact_update_solution(&row, ways[1], &next), 0.0);
-    expect_near(-k * ways[1].x, next.tangential_force.x, 1e-9);
-    expect_near(0.0, vec3_distance(few_law(&row, ways[2]), vbss_contact_force(&row, ways[2])),
-                1e-9);
+    expect_near(0.0, vbss_contact_update_solution(&row, displacements[1], &next), 0.0);
+    expect_near(-k * displacements[1].x, next.tangential_force.x, 1e-9);
+    expect_near(
+        0.0,
+        vec3_distance(few_law(&row, displacements[2]), vbss_contact_force(&row, displacements[2])),
+        1e-9);
 }
 
 /* ---- the force that is held */

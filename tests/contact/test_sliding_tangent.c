@@ -21,8 +21,8 @@ static suture_curve_point place_of(const sliding *s)
     return vbss_suture_nearest_point(&line, s->from, s->wall);
 }
 
-/* As a scene lays it: the nodes that it may slide on to are terms too. */
-static void lay(const sliding *s, contact_constraint *row)
+/* As a scene sets it: the nodes that it may slide on to are terms too. */
+static void set_geometry(const sliding *s, contact_constraint *row)
 {
     const suture_curve_point now = place_of(s);
     vbss_hole_set_constraint(&s->hole, &s->config, s->from, &now, s->wall, 1e-3, row);
@@ -47,8 +47,9 @@ static void draw_thread(harness_source *source, sliding *s)
     s->thread.rest = s->rest;
     for (int i = 1; i < NODES; i++) {
         s->rest[i - 1] = harness_draw_real(source, 0.7e-3, 1.3e-3);
-        vec3 way = vec3_add(vec3_make(1.0, 0.3 * i, 0.0), harness_draw_vec3(source, -0.3, 0.3));
-        s->x[i] = vec3_add_scaled(s->x[i - 1], s->rest[i - 1], vec3_unit_or(way, way));
+        vec3 direction =
+            vec3_add(vec3_make(1.0, 0.3 * i, 0.0), harness_draw_vec3(source, -0.3, 0.3));
+        s->x[i] = vec3_add_scaled(s->x[i - 1], s->rest[i - 1], vec3_unit_or(direction, direction));
     }
 }
 
@@ -70,7 +71,7 @@ static contact_constraint draw_row(harness_source *source, sliding *s)
 
 static void find_state(const sliding *s, contact_constraint *row)
 {
-    lay(s, row);
+    set_geometry(s, row);
     (void)vbss_contact_update_solution(row, vec3_zero(), &row->solution);
 }
 
@@ -94,11 +95,11 @@ static void begin_system(few_blocks *f, const contact_constraint *row)
     vbss_contact_assemble(f->set, f->system);
 }
 
-static vec3 added(const few_blocks *f, uint32_t p, uint32_t q, vec3 way)
+static vec3 added(const few_blocks *f, uint32_t p, uint32_t q, vec3 displacement)
 {
     uint32_t place = vbss_system_schur_index(f->system, p, q);
     assert_true(place != VBSS_NO_INDEX);
-    return mat3_mul_vec3(block_mat3(&f->system->separator_blocks[place]), way);
+    return mat3_mul_vec3(block_mat3(&f->system->separator_blocks[place]), displacement);
 }
 
 /* ---- what forces do */
@@ -110,12 +111,13 @@ typedef struct shifted {
 } shifted;
 
 /* With a block moved on. */
-static shifted shift(const sliding *s, const contact_constraint *like, uint32_t q, vec3 way)
+static shifted shift(const sliding *s, const contact_constraint *like, uint32_t q,
+                     vec3 displacement)
 {
     sliding there = *s;
     contact_constraint row = *like;
     vec3 *moved = q == WALL ? &there.wall : &there.x[q];
-    *moved = vec3_add(*moved, way);
+    *moved = vec3_add(*moved, displacement);
     there.thread.rest = there.rest;
     find_state(&there, &row);
     const vec3 f = vbss_contact_force(&row, vec3_zero());
@@ -139,7 +141,7 @@ static double rate_at(const sliding *s)
     return 0.5 * (place_of(&on).arc - place_of(&back).arc) / step;
 }
 
-/* It can be: the curve's way is a mean of its segments', none longer than what that has along the tangent, over this cosine. */
+/* It can be: the curve's direction is a mean of its segments', none longer than what that has along the tangent, over this cosine. */
 static double max_rate(const sliding *s)
 {
     const suture_curve_point here = place_of(s);
@@ -173,21 +175,21 @@ static vec3 left_out(const contact_constraint *row, uint32_t p, double moved, do
 }
 
 /* The forces on all blocks when a single one moves: a node turns the tangent too, each in its own way. */
-static bool look_at_column(const sliding *s, const few_blocks *f, const contact_constraint *row,
-                           uint32_t q, vec3 way)
+static bool check_column(const sliding *s, const few_blocks *f, const contact_constraint *row,
+                         uint32_t q, vec3 direction)
 {
     const double step = 2e-10, rate = rate_at(s);
-    const shifted on = shift(s, row, q, vec3_scale(way, step));
-    const shifted back = shift(s, row, q, vec3_scale(way, -step));
+    const shifted on = shift(s, row, q, vec3_scale(direction, step));
+    const shifted back = shift(s, row, q, vec3_scale(direction, -step));
     const contact_jacobian_block *term = &row->jacobian[q];
     if (on.state != row->solution.status || back.state != row->solution.status) {
         return false; /* between two states there is no slope */
     }
     const vec3 targets = vec3_scale(
-        across(way, row->normal),
+        across(direction, row->normal),
         term->weight_derivative * vec3_dot(vbss_contact_force(row, vec3_zero()), row->normal));
     const double slid = 0.5 * (on.arc - back.arc) / step / rate;
-    const double moved = term->weight * vec3_dot(row->normal, way);
+    const double moved = term->weight * vec3_dot(row->normal, direction);
     const double aside = vec3_norm(row->solution.tangential_force) / row->stiffness;
     const double order =
         fabs(term->weight_derivative) + vec3_norm(row->curvature) * fabs(term->weight);
@@ -195,7 +197,7 @@ static bool look_at_column(const sliding *s, const few_blocks *f, const contact_
     assert_true(fabs(slid - moved) <= 1.1 * aside * order + 1e-6);
     for (uint32_t p = 0; p < BLOCKS; p++) {
         vec3 slope = vec3_scale(vec3_sub(back.force[p], on.force[p]), 0.5 / step);
-        vec3 own = vec3_add(added(f, p, q, way), left_out(row, p, moved, slid, rate));
+        vec3 own = vec3_add(added(f, p, q, direction), left_out(row, p, moved, slid, rate));
         own = vec3_add_scaled(own, row->jacobian[p].weight, targets);
         expect_near(0.0, vec3_distance(slope, own), 0.01);
     }
@@ -204,8 +206,8 @@ static bool look_at_column(const sliding *s, const few_blocks *f, const contact_
 
 static const vec3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 
-/* Whether it has been looked at: not where nothing across has a direction. */
-static bool look_at_row(sliding *s, contact_constraint *row)
+/* Whether it has been checked: not where nothing across has a direction. */
+static bool check_row(sliding *s, contact_constraint *row)
 {
     few_blocks f;
     bool smooth = true;
@@ -221,7 +223,7 @@ static bool look_at_row(sliding *s, contact_constraint *row)
     }
     for (uint32_t q = 0; q < BLOCKS; q++) {
         for (int i = 0; i < 3; i++) {
-            smooth = look_at_column(s, &f, row, q, axes[i]) && smooth;
+            smooth = check_column(s, &f, row, q, axes[i]) && smooth;
         }
     }
     few_end(&f);
@@ -234,8 +236,8 @@ static void any_row_that_slides_has_its_slope(harness_source *source, void *user
     sliding s;
     draw_thread(source, &s);
     contact_constraint row = draw_row(source, &s);
-    bool looked = look_at_row(&s, &row);
-    seen[row.solution.status == CONTACT_SLIP] += looked;
+    bool is_smooth = check_row(&s, &row);
+    seen[row.solution.status == CONTACT_SLIP] += is_smooth;
 }
 
 static void sliding_tangent_is_derivative_of_force(void **state)
@@ -257,7 +259,7 @@ static void any_row_without_friction_is_symmetric(harness_source *source, void *
     contact_constraint row = draw_row(source, &s);
     s.config.hole_damping = s.hole.friction_force = 0.0;
     row.yield_force = row.yield_friction[0] = row.yield_friction[1] = 0.0;
-    *seen += look_at_row(&s, &row);
+    *seen += check_row(&s, &row);
     expect_near(0.0, row.solution.normal_force, 0.0);
     begin_system(&f, &row);
     for (uint32_t p = 0; p < BLOCKS; p++) {

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 FILM_EVERY, STILLS_EVERY = 0.2, 4.0  # s, simulated
-MOST_LINES = 25  # of a summary
+MAX_LINES = 25  # of a summary
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -38,7 +38,7 @@ def length_of(details):
 
 def check_summary(done, folder, names):
     lines = [line for line in done.stdout.splitlines() if not line.startswith("[")]
-    assert 5 < len(lines) <= MOST_LINES, lines
+    assert 5 < len(lines) <= MAX_LINES, lines
     assert "MISSING" not in done.stdout, done.stdout
     for name in names:
         assert f"{folder / name}\n" in done.stdout, (name, done.stdout)

@@ -15,19 +15,19 @@ def read_golden():
 
 def differences(found, golden, brief):
     """One line for each scene that is not as it was, naming the first differing index."""
-    told = []
+    complaints = []
     for scene in sorted(set(found) | set(golden)):
         values, wanted = found.get(scene, []), golden.get(scene)
         if wanted is None:
-            told.append(f"{scene} has no golden file")
+            complaints.append(f"{scene} has no golden file")
             continue
         if not values or (not brief and len(values) != len(wanted)) or len(values) > len(wanted):
-            told.append(f"{scene}: {len(values)} hashes, the golden file holds {len(wanted)}")
+            complaints.append(f"{scene}: {len(values)} hashes, the golden file holds {len(wanted)}")
             continue
         first = next((i for i, value in enumerate(values) if value != wanted[i]), None)
         if first is not None:
-            told.append(f"{scene} at index {first}")
-    return told
+            complaints.append(f"{scene} at index {first}")
+    return complaints
 
 
 def digest(values):

@@ -117,17 +117,17 @@ def replay(program, log, machine):
 def replay_differences(program, machine, logs):
     """One line for each log that does not replay to its end, with the step, or that is refused; how many
     steps were made."""
-    told, made = [], 0
+    complaints, made = [], 0
     for log, wanted in logs.items():
         try:
             steps, differs = replay(program, log, machine)
         except Broken as refused:
-            told.append(f"log {log.stem} refused: {str(refused).splitlines()[-1]}")
+            complaints.append(f"log {log.stem} refused: {str(refused).splitlines()[-1]}")
             continue
         made += steps
         if differs or steps != wanted:
-            told.append(f"log {log.stem} after step {differs or steps}")
-    return told, made
+            complaints.append(f"log {log.stem} after step {differs or steps}")
+    return complaints, made
 
 
 def print_row(*cells):
@@ -145,8 +145,8 @@ def row(name, make, golden, machine="", compiler="-", flags="-", logs=None):
         ran = time.monotonic() - start
         wrong = differences(found, golden, bool(machine))
         if logs:
-            told, replayed = replay_differences(program.with_name("vbss_replay_log"), machine, logs)
-            wrong += told
+            complaints, replayed = replay_differences(program.with_name("vbss_replay_log"), machine, logs)
+            wrong += complaints
     except (Broken, subprocess.TimeoutExpired) as broken:
         wrong = [f"cannot be made: {broken}"]
     first = wrong[0].splitlines()[0] if wrong else "none"
@@ -216,8 +216,8 @@ def main():
     for problem in bad:
         print("  " + problem)
     what = "canaries" if arguments.canary else "determinism"
-    verdict = f"FAIL, {len(bad)} complaint(s)" if bad else "pass"
-    print(f"{what}: {verdict} ({len(golden)} scenes, {time.monotonic() - begin:.0f} s)")
+    result = f"FAIL, {len(bad)} complaint(s)" if bad else "pass"
+    print(f"{what}: {result} ({len(golden)} scenes, {time.monotonic() - begin:.0f} s)")
     sys.exit(1 if bad else 0)
 
 

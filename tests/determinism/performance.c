@@ -16,7 +16,7 @@ typedef struct performance {
 static vbss_result begin(performance *p, uint64_t seed)
 {
     const surgeon_options o = {.seed = seed, .until = SURGEON_DONE};
-    stand *place = &p->surgeon.stitch.site.stand;
+    throw_rig *place = &p->surgeon.stitch.site.rig;
     TRY(surgeon_create(&p->surgeon, &o));
     TRY(task_create(&p->task, &p->surgeon.stitch, place->record, NULL));
     place->session = p->task.session;
@@ -26,7 +26,7 @@ static vbss_result begin(performance *p, uint64_t seed)
 static vbss_result hash_of(const performance *p, uint64_t *hash)
 {
     uint64_t scene, session;
-    TRY(vbss_scene_get_hash(p->surgeon.stitch.site.stand.scene, &scene));
+    TRY(vbss_scene_get_hash(p->surgeon.stitch.site.rig.scene, &scene));
     TRY(vbss_session_get_hash(p->task.session, &session));
     *hash = 31 * scene + session;
     return VBSS_OK;
@@ -59,6 +59,6 @@ vbss_result performance_run(uint64_t seed, uint32_t every, uint64_t *hashes, siz
     if (result == VBSS_OK) {
         result = perform(&p, every, hashes, limit, count);
     }
-    stand_destroy(&p.surgeon.stitch.site.stand);
+    throw_rig_destroy(&p.surgeon.stitch.site.rig);
     return result;
 }

@@ -2,10 +2,10 @@
 processor, on it with features masked (tests/masked.sh), and, of the surgeon, built for another machine and emulated.
 
     performances.py --work FOLDER --program vbss_performance --library libvblast_ss.so [--python FILE]
-                    [--seeds N] [--most N] [--emulated N] [--machine NAME]
+                    [--seeds N] [--hashes N] [--emulated N] [--machine NAME]
 
 --seeds     seeds 0 to N - 1
---most      hashes of a native performance: one after each second, and one at its end; 600 is always the whole
+--hashes    hashes of a native performance: one after each second, and one at its end; 600 is always the whole
 --emulated  hashes of an emulated one, which are the first of these; 0: nothing is emulated
 --machine   a row of matrix.py's table for another machine
 --python    an interpreter with numpy; default: this one or, if it has none, the system's
@@ -52,8 +52,8 @@ def with_numpy():
     sys.exit("performances: FAIL, numpy is not installed")
 
 
-def surgeon(program, seed, most, before=()):
-    return [line.split()[1] for line in run([*before, program, seed, most]).splitlines()]
+def surgeon(program, seed, limit, before=()):
+    return [line.split()[1] for line in run([*before, program, seed, limit]).splitlines()]
 
 
 def throw(arguments, seed, before=()):
@@ -90,8 +90,8 @@ def compare(who, seed, how, make, wanted):
     wanted = found if wanted is None else wanted
     differs = first_difference(found, wanted)
     same = f"the first {len(found)} of these" if len(found) < len(wanted) else "the same"
-    verdict = "-" if wanted is found else same if differs is None else f"differs at index {differs}"
-    print_row(who, seed, how, len(found), digest(found), verdict, f"{time.monotonic() - start:.1f}")
+    result = "-" if wanted is found else same if differs is None else f"differs at index {differs}"
+    print_row(who, seed, how, len(found), digest(found), result, f"{time.monotonic() - start:.1f}")
     return found, [] if differs is None else [f"{who} {seed}, {how}: differs at index {differs}"]
 
 
@@ -112,7 +112,7 @@ def main():
     parser.add_argument("--library", required=True, type=pathlib.Path)
     parser.add_argument("--python")
     parser.add_argument("--seeds", type=int, default=5)
-    parser.add_argument("--most", type=int, default=600)
+    parser.add_argument("--hashes", type=int, default=600)
     parser.add_argument("--emulated", type=int, default=3)
     parser.add_argument("--machine", default="aarch64", choices=[name for name, row in BUILDS.items() if row[2]])
     arguments = parser.parse_args()
@@ -126,10 +126,10 @@ def main():
     print_row("who", "seed", "how", "hashes", "digest", "verdict", "s")
     for seed in range(arguments.seeds):
         plain, wrong = compare("surgeon", seed, "native",
-                               lambda: surgeon(arguments.program, seed, arguments.most), None)
+                               lambda: surgeon(arguments.program, seed, arguments.hashes), None)
         bad += wrong
         bad += compare("surgeon", seed, "native, masked",
-                       lambda: surgeon(arguments.program, seed, arguments.most, [MASKED]), plain)[1]
+                       lambda: surgeon(arguments.program, seed, arguments.hashes, [MASKED]), plain)[1]
         if emulated:
             bad += compare("surgeon", seed, f"emulated {arguments.machine}",
                            lambda: surgeon(emulated[1], seed, arguments.emulated, emulated[0]), plain)[1]

@@ -97,7 +97,7 @@ static vbss_result write_one(vbss_context *context, const struct logged *s, FILE
     return append(record, file);
 }
 
-static int tell(vbss_context *context, const char *name, vbss_result result)
+static int report_failure(vbss_context *context, const char *name, vbss_result result)
 {
     const char *text = "";
     (void)vbss_context_get_last_error(context, NULL, &text);
@@ -117,7 +117,7 @@ static int write_all(const char *folder)
         }
         vbss_result result = write_one(context, &scenes[i], file);
         if (fclose(file) != 0 || result != VBSS_OK) {
-            return tell(context, path, result);
+            return report_failure(context, path, result);
         }
         (void)vbss_context_destroy(context);
     }
@@ -168,7 +168,7 @@ static int replay_file(const char *path)
     (void)fclose(file);
     vbss_result result = replay(context, s, bytes, count, &report);
     if (result != VBSS_OK) {
-        return tell(context, path, result);
+        return report_failure(context, path, result);
     }
     printf("%s %" PRIu64 " %" PRIu64 "\n", s->name, report.step,
            report.outcome == VBSS_REPLAY_DIFFERS ? report.step : 0);

@@ -81,8 +81,8 @@ static void run_rotations(uint64_t *hashes, size_t count)
     mat3 m = mat3_identity();
     for (size_t i = 0; i < count; i++) {
         for (int k = 0; k < 2000; k++) {
-            vec3 way = vbss_random_direction(&random);
-            vec3 turn = vec3_scale(way, vbss_random_uniform(&random));
+            vec3 axis = vbss_random_direction(&random);
+            vec3 turn = vec3_scale(axis, vbss_random_uniform(&random));
             quat q = vbss_quat_from_rotation_vector(turn);
             p = pose_mul(p, pose_make(vec3_scale(turn, 0.01), q));
             p.orientation = quat_unit(p.orientation);

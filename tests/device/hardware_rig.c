@@ -82,7 +82,7 @@ void hardware_rig_steps(hardware_rig *r, int count)
 double hardware_rig_force(const hardware_rig *r, int arm)
 {
     stand_in_arm now;
-    r->hd->look(arm, &now);
+    r->hd->get_state(arm, &now);
     return vec3_norm(vec3_load(now.force));
 }
 

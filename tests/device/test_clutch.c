@@ -45,7 +45,7 @@ static void pose_holds_and_continues(void **state)
         device_rig_steps(&r, 20);
         vec3 held = position_of(&r);
         quat turned = orientation_of(&r);
-        vec3 way = vec3_load(r.input.velocity), spin = vec3_load(r.input.angular_velocity);
+        vec3 velocity = vec3_load(r.input.velocity), spin = vec3_load(r.input.angular_velocity);
         expect_ok(vbss_device_clutch(r.device, 1));
         for (int i = 0; i < 50; i++) {
             device_rig_steps(&r, 1);
@@ -65,7 +65,8 @@ static void pose_holds_and_continues(void **state)
         quat turned_before = orientation_of(&r);
         device_rig_steps(&r, 1);
         /* One step of the hand's movement away from where it stayed, in the same direction as before. */
-        expect_near(0.0, vec3_distance(vec3_scale(way, 1e-3), vec3_sub(position_of(&r), before)),
+        expect_near(0.0,
+                    vec3_distance(vec3_scale(velocity, 1e-3), vec3_sub(position_of(&r), before)),
                     1e-12);
         expect_near(1e-3, turn_between(turned_before, orientation_of(&r)), 1e-9);
         expect_near(0.0, vec3_distance(spin, vec3_load(r.input.angular_velocity)), 1e-9);
@@ -87,11 +88,11 @@ static void double_hold_is_one_hold(void **state)
     device_rig_open(&r, 1);
     device_rig_steps(&r, 20);
     vec3 held = position_of(&r);
-    vec3 way = vec3_load(r.input.velocity);
+    vec3 velocity = vec3_load(r.input.velocity);
     expect_ok(vbss_device_clutch(r.device, 0)); /* nothing to let go */
     device_rig_read(&r);
     assert_int_equal(r.input.clutched, 0);
-    expect_near(0.0, vec3_distance(vec3_add_scaled(held, 1e-3, way), position_of(&r)), 1e-12);
+    expect_near(0.0, vec3_distance(vec3_add_scaled(held, 1e-3, velocity), position_of(&r)), 1e-12);
     held = position_of(&r);
     expect_ok(vbss_device_clutch(r.device, 1));
     device_rig_steps(&r, 5);
@@ -110,14 +111,14 @@ static void recentre_sets_pose(void **state)
     begin(&r);
     device_rig_open(&r, 1);
     device_rig_steps(&r, 20);
-    vec3 way = vec3_load(r.input.velocity);
+    vec3 velocity = vec3_load(r.input.velocity);
     const double wanted[3] = {0.2, -0.3, 0.4};
     quat q = vbss_quat_from_rotation_vector(vec3_make(-1.0, 0.4, 2.0));
     const double turned[4] = {3.0 * q.w, 3.0 * q.x, 3.0 * q.y, 3.0 * q.z};
     expect_ok(vbss_device_clutch(r.device, 1));
     expect_ok(vbss_device_recentre(r.device, wanted, turned));
     device_rig_steps(&r, 1);
-    vec3 expected = vec3_add_scaled(vec3_load(wanted), 1e-3, way);
+    vec3 expected = vec3_add_scaled(vec3_load(wanted), 1e-3, velocity);
     expect_near(0.0, vec3_distance(expected, position_of(&r)), 1e-12);
     expect_near(1e-3, turn_between(q, orientation_of(&r)), 1e-9);
     assert_int_equal(r.input.clutched, 0);

@@ -127,7 +127,7 @@ static void force_is_written_in_next_tick(void **state)
     hardware_rig_steps(&r, 10);
     r.commands[1].force[1] = -0.3;
     hardware_rig_steps(&r, 2);
-    r.hd->look(1, &now);
+    r.hd->get_state(1, &now);
     assert_true(fabs(now.force[1] + 0.3) < 1e-12);
     assert_true(hardware_rig_force(&r, 0) == 0.0);
     expect_ok(vbss_openhaptics_get_status(r.openhaptics, 1, &status, sizeof status));
@@ -152,9 +152,9 @@ static void coupling_uses_newest_pose(void **state)
     hardware_rig_steps(&r, 1);
     double worst = 0.0, largest = 0.0;
     for (int i = 0; i < 200; i++) {
-        r.hd->look(0, &before);
+        r.hd->get_state(0, &before);
         hardware_rig_steps(&r, 1);
-        r.hd->look(0, &now);
+        r.hd->get_state(0, &now);
         worst = vbss_max(worst, fabs(now.force[0] + 200.0 * before.position[0]));
         largest = vbss_max(largest, fabs(now.force[0]));
     }

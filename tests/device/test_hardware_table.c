@@ -125,7 +125,7 @@ static void take_text(table_run *t, const char *text)
 }
 
 /* Events and flags of the device, errors of calls, and counts of the hardware. */
-static void look_for_report(table_run *t, vbss_result result)
+static void find_report(table_run *t, vbss_result result)
 {
     const uint32_t good =
         VBSS_DEVICE_EVENT_FRESH | VBSS_DEVICE_EVENT_JAW_FRESH | VBSS_DEVICE_EVENT_FOUND;
@@ -166,7 +166,7 @@ static void step(table_run *t)
                                       &r->results[0], sizeof r->results[0]);
         result = result == VBSS_OK ? written : result;
     }
-    look_for_report(t, result);
+    find_report(t, result);
 }
 
 /* Motors of a servo that stands still are beyond reach: what would go out counts. */
@@ -307,7 +307,7 @@ static int off_after(double call, bool *flagged, double *promised, int *reads)
     return longest;
 }
 
-static void slow_calls_work_and_their_pace_is_reported(void **state)
+static void slow_calls_work_and_their_rate_is_reported(void **state)
 {
     (void)state;
     const int calls[] = {1, 2, 4, 6, 12, 24}; /* ms */
@@ -416,7 +416,7 @@ int test_hardware_table(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_fault_is_reported_safe_and_passes),
-        cmocka_unit_test(slow_calls_work_and_their_pace_is_reported),
+        cmocka_unit_test(slow_calls_work_and_their_rate_is_reported),
         cmocka_unit_test(short_timeout_is_named),
         cmocka_unit_test(single_timeout_keeps_short_wait),
         cmocka_unit_test(lines_that_stay_away_are_lost),

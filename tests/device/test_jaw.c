@@ -112,11 +112,11 @@ static void opening_and_closing_thresholds_differ(void **state)
     vbss_device_calibration c = range(0.0, 1.0);
     c.jaw_close_at = 0.2;
     c.jaw_open_at = 0.3;
-    const double way[] = {0.5, 0.25, 0.2, 0.25, 0.29, 0.3, 0.25, 0.21, 0.19};
+    const double openings[] = {0.5, 0.25, 0.2, 0.25, 0.29, 0.3, 0.25, 0.21, 0.19};
     const bool closed[] = {false, false, true, true, true, false, false, false, true};
     device_jaw jaw = {.is_known = false};
-    for (size_t i = 0; i < sizeof way / sizeof way[0]; i++) {
-        vbss_device_update_jaw(&jaw, &c, way[i], 1e-3);
+    for (size_t i = 0; i < sizeof openings / sizeof openings[0]; i++) {
+        vbss_device_update_jaw(&jaw, &c, openings[i], 1e-3);
         assert_int_equal(jaw.is_closed, closed[i]);
     }
 }

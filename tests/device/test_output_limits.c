@@ -33,14 +33,14 @@ static void force_is_clamped_along_direction(void **state)
     const double lengths[] = {3.0000001, 4.0, 1e10, 1e160, 1.7e308};
     stage_rig r = stage_rig_wide();
     r.config.max_force = 3.0;
-    const vec3 way = vec3_make(0.36, -0.48, 0.8);
+    const vec3 direction = vec3_make(0.36, -0.48, 0.8);
     for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
-        vec3 out = stage_rig_step(&r, h, vec3_scale(way, lengths[i]));
+        vec3 out = stage_rig_step(&r, h, vec3_scale(direction, lengths[i]));
         assert_int_equal(r.flags, VBSS_OUTPUT_CLAMPED);
         expect_near(3.0, vec3_norm(out), 1e-15 * 3.0);
-        expect_near(0.0, vec3_distance(way, vec3_scale(out, 1.0 / 3.0)), 1e-15);
+        expect_near(0.0, vec3_distance(direction, vec3_scale(out, 1.0 / 3.0)), 1e-15);
     }
-    stage_rig_step(&r, h, vec3_scale(way, 3.0 - 1e-12));
+    stage_rig_step(&r, h, vec3_scale(direction, 3.0 - 1e-12));
     assert_int_equal(r.flags, 0);
     assert_int_equal(r.state.statistics.clamped, 5);
 }

@@ -94,14 +94,14 @@ static void derating_keeps_direction(void **state)
 {
     (void)state;
     stage_rig r = motor();
-    const vec3 way = vec3_make(0.36, -0.48, 0.8);
+    const vec3 direction = vec3_make(0.36, -0.48, 0.8);
     for (int i = 0; i < 5000; i++) {
-        stage_rig_step(&r, h, vec3_scale(way, 2.0));
+        stage_rig_step(&r, h, vec3_scale(direction, 2.0));
     }
     vec3 out = r.state.force;
     assert_int_equal(r.flags, VBSS_OUTPUT_CONTINUOUS);
-    expect_near(0.0, vec3_norm(vec3_cross(way, out)), 1e-15);
-    assert_true(vec3_dot(way, out) > 0.79);
+    expect_near(0.0, vec3_norm(vec3_cross(direction, out)), 1e-15);
+    assert_true(vec3_dot(direction, out) > 0.79);
 }
 
 static void torque_load_is_separate(void **state)

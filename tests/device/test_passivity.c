@@ -26,10 +26,10 @@ static double handed_out(stage_rig *r, const hand_path *p, double damping, int s
     vec3 x = vec3_zero();
     for (int i = 0; i < steps; i++) {
         vec3 next = hand_path_at(p, h * (i + 1));
-        vec3 way = vec3_sub(next, x);
+        vec3 displacement = vec3_sub(next, x);
         vec3 spring = vec3_scale(vec3_lerp(x, next, 0.5), -stiffness);
-        vec3 out = stage_rig_step(r, h, vec3_add_scaled(spring, -damping / h, way));
-        work += vec3_dot(out, way);
+        vec3 out = stage_rig_step(r, h, vec3_add_scaled(spring, -damping / h, displacement));
+        work += vec3_dot(out, displacement);
         x = next;
     }
     return work;

@@ -112,15 +112,15 @@ static void button_changes_are_reported(void **state)
     device_rig r;
     begin(&r);
     sample.valid |= VBSS_DEVICE_HAS_BUTTONS;
-    const uint32_t way[] = {0, 5, 4, 6, 6};
+    const uint32_t masks[] = {0, 5, 4, 6, 6};
     uint32_t before = 0;
     for (int i = 0; i < 5; i++) {
-        sample.buttons = way[i];
+        sample.buttons = masks[i];
         show(&r);
-        assert_int_equal(r.input.buttons, way[i]);
-        assert_int_equal(r.input.pressed, way[i] & ~before);
-        assert_int_equal(r.input.released, before & ~way[i]);
-        before = way[i];
+        assert_int_equal(r.input.buttons, masks[i]);
+        assert_int_equal(r.input.pressed, masks[i] & ~before);
+        assert_int_equal(r.input.released, before & ~masks[i]);
+        before = masks[i];
     }
     device_rig_end(&r);
 }

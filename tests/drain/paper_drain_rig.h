@@ -69,13 +69,13 @@ static inline vec3 paper_moved(paper_rig *r, uint32_t node)
 }
 
 /* Takes nodes away from where they are; all others stay. */
-static inline void paper_displace(paper_rig *r, const uint32_t *nodes, const vec3 *ways,
+static inline void paper_displace(paper_rig *r, const uint32_t *nodes, const vec3 *displacements,
                                   uint32_t count)
 {
     vec3 x[PAPER_NODES];
     memcpy(x, r->object->x, sizeof x);
     for (uint32_t k = 0; k < count; k++) {
-        x[nodes[k]] = vec3_add(x[nodes[k]], ways[k]);
+        x[nodes[k]] = vec3_add(x[nodes[k]], displacements[k]);
     }
     expect_ok(vbss_drain_set_state(r->drain, &x[0].x, NULL, PAPER_NODES));
 }

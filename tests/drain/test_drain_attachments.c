@@ -104,11 +104,11 @@ static void pinned_node_reaches_target_after_step(void **state)
     expect_near_vec3(from, drain_rig_position(&r, node), 0.0); /* nothing moves outside a step */
     for (int i = 1; i <= 40; i++) {
         double h = i % 3 == 0 ? 1e-3 : 3e-4;
-        vec3 way = vec3_sub(to, drain_rig_position(&r, node));
+        vec3 displacement = vec3_sub(to, drain_rig_position(&r, node));
         expect_ok(vbss_drain_step(r.drain, h));
         expect_near_vec3(to, drain_rig_position(&r, node), 0.0);
         /* Evenly: all parts of a step have the same speed. */
-        expect_near_vec3(vec3_scale(way, 1.0 / h),
+        expect_near_vec3(vec3_scale(displacement, 1.0 / h),
                          drain_rig_vectors(&r, VBSS_DRAIN_VELOCITIES)[node], 1e-9);
         to = vec3_add(to, vec3_make(1e-4 * (i % 7 - 3), i % 2 == 0 ? 3e-4 : -3e-4, -1e-4));
         drain_rig_move(&r, pin, vec3_zero()); /* the last word counts */
@@ -184,9 +184,10 @@ static void reactions_and_anchors_balance_loads(void **state)
     expect_near_vec3(vec3_zero(), drain_rig_reaction(&r, ids[0]), 0.0); /* before its first step */
     drain_rig_relax(&r, 1e-13, 500);
     expect_near_vec3(vec3_make(3e-3, -5e-3, 0.02), drain_rig_reaction(&r, ids[2]), 0.0);
-    vec3 way = vec3_sub(end, drain_rig_position(&r, gap[0]));
-    expect_near_vec3(vec3_scale(way, 30.0), drain_rig_reaction(&r, ids[1]), 1e-15);
-    expect_near(0.5 * 30.0 * vec3_norm_squared(way), drain_rig_energies(&r).springs, 1e-15);
+    vec3 displacement = vec3_sub(end, drain_rig_position(&r, gap[0]));
+    expect_near_vec3(vec3_scale(displacement, 30.0), drain_rig_reaction(&r, ids[1]), 1e-15);
+    expect_near(0.5 * 30.0 * vec3_norm_squared(displacement), drain_rig_energies(&r).springs,
+                1e-15);
     double pulls = vec3_norm(drain_rig_reaction(&r, ids[0]));
     assert_true(pulls > 0.02);
     expect_balance(&r, ids, nodes, 3, pulls);
@@ -257,9 +258,9 @@ static void attach_detach_order_does_not_matter(void **state)
         expect_ok(vbss_drain_attachment_init(&a, sizeof a));
         a.kind = (vbss_drain_attachment_kind)vbss_random_below(&random, 3);
         a.node = vbss_random_below(&random, r.places.node_count);
-        vec3 way = vbss_random_direction(&random);
-        vec3_store(a.position, vec3_add_scaled(drain_rig_position(&r, a.node), 1e-3, way));
-        vec3_store(a.force, vec3_scale(way, 1e-2));
+        vec3 direction = vbss_random_direction(&random);
+        vec3_store(a.position, vec3_add_scaled(drain_rig_position(&r, a.node), 1e-3, direction));
+        vec3_store(a.force, vec3_scale(direction, 1e-2));
         a.stiffness = 10.0 * vbss_random_uniform(&random);
         if (count < 12 && vbss_drain_attach(r.drain, &a, &id) == VBSS_OK) {
             ids[count++] = id;

@@ -15,8 +15,8 @@ static void begin_held(drain_rig *r, bool converged)
 
 /* ---- one linearisation and two looks against converged Newton */
 
-/* Both marks are pulled by 2.4 mm, the way being mirrored for the right one, and held. Largest difference of a node. */
-static double lag(vbss_drain_mesh mesh, vec3 way, double speed)
+/* Both marks are pulled by 2.4 mm, the displacement being mirrored for the right one, and held. Largest difference of a node. */
+static double lag(vbss_drain_mesh mesh, vec3 displacement, double speed)
 {
     drain_rig rigs[2];
     uint32_t ids[2][2];
@@ -37,7 +37,8 @@ static double lag(vbss_drain_mesh mesh, vec3 way, double speed)
         double gone = fmin(travel, 1e-3 * speed * step);
         for (int k = 0; k < 2; k++) {
             for (int side = 0; side < 2; side++) {
-                vec3 to = vec3_make(way.x, way.y, side == 0 ? way.z : -way.z);
+                vec3 to = vec3_make(displacement.x, displacement.y,
+                                    side == 0 ? displacement.z : -displacement.z);
                 drain_rig_move(&rigs[k], ids[k][side], vec3_add_scaled(from[side], gone, to));
             }
             drain_rig_run(&rigs[k], 1e-3, 1);
@@ -163,8 +164,8 @@ static void torn_drain_falls_freely(void **state)
     /* g t^2 / 2, and what the first order of the method adds to it. */
     double fallen = vec3_norm(g) * 0.5 * 0.1 * (0.1 + 1e-3);
     vec3 pulled = vec3_scale(vec3_make(0.0, 0.01, 0.02), 1e-4 / mass);
-    vec3 way = vec3_scale(vec3_sub(at, start), 1.0 / mass);
-    expect_near(fallen, vec3_norm(vec3_sub(way, pulled)), 1e-9);
+    vec3 moved = vec3_scale(vec3_sub(at, start), 1.0 / mass);
+    expect_near(fallen, vec3_norm(vec3_sub(moved, pulled)), 1e-9);
     expect_near_vec3(vec3_zero(), drain_rig_anchor_sum(&r), 0.0);
     drain_rig_end(&r);
 }
@@ -172,7 +173,7 @@ static void torn_drain_falls_freely(void **state)
 static void energy_decreases_without_load(void **state)
 {
     (void)state;
-    const vec3 ways[] = {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {0.6, 0.0, 0.8}};
+    const vec3 directions[] = {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {0.6, 0.0, 0.8}};
     for (int k = 0; k < 6; k++) {
         drain_rig r;
         uint32_t ids[2];
@@ -186,9 +187,9 @@ static void energy_decreases_without_load(void **state)
         }
         for (int step = 1; step <= 60; step++) {
             for (int side = 0; side < 2; side++) {
-                vec3 way = ways[k / 2];
-                way.z = side == 0 ? way.z : -way.z;
-                drain_rig_move(&r, ids[side], vec3_add_scaled(from[side], 4e-5 * step, way));
+                vec3 direction = directions[k / 2];
+                direction.z = side == 0 ? direction.z : -direction.z;
+                drain_rig_move(&r, ids[side], vec3_add_scaled(from[side], 4e-5 * step, direction));
             }
             drain_rig_run(&r, 1e-3, 1);
         }
@@ -248,14 +249,15 @@ static void large_displacement_is_substepped_and_counted(void **state)
 static void moderate_displacement_is_linearised_twice(void **state)
 {
     (void)state;
-    const double ways[] = {0.5e-3, 2e-3};
+    const double displacements[] = {0.5e-3, 2e-3};
     for (uint32_t k = 0; k < 2; k++) {
         drain_rig r;
         begin_held(&r, false);
         drain_rig_make(&r);
         uint32_t node = r.places.marks[0];
-        drain_rig_pin(&r, node,
-                      vec3_add(drain_rig_position(&r, node), vec3_make(0.0, ways[k], 0.0)));
+        drain_rig_pin(
+            &r, node,
+            vec3_add(drain_rig_position(&r, node), vec3_make(0.0, displacements[k], 0.0)));
         drain_rig_run(&r, 1e-3, 1);
         assert_int_equal(drain_rig_statistics(&r).parts, 1);
         assert_int_equal(drain_rig_statistics(&r).linearisations, k + 1);
@@ -276,9 +278,9 @@ static void pull_violently(drain_rig *r, vbss_random *random, const vec3 *rest)
             nodes[k] = vbss_random_below(random, r->places.node_count);
         } while (drain_rig_is_anchor(r, nodes[k]) || (k == 1 && nodes[1] == nodes[0]));
         from[k] = drain_rig_position(r, nodes[k]);
-        vec3 way = vbss_random_direction(random);
+        vec3 direction = vbss_random_direction(random);
         double length = 5e-3 * (0.5 + vbss_random_uniform(random));
-        to[k] = vec3_add_scaled(rest[nodes[k]], length, way);
+        to[k] = vec3_add_scaled(rest[nodes[k]], length, direction);
         farthest = fmax(farthest, vec3_distance(from[k], to[k]));
         ids[k] = drain_rig_pin_here(r, nodes[k]);
     }

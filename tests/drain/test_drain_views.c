@@ -194,7 +194,7 @@ static void lip_gap_at_rest_is_between_inner_ends(void **state)
 
 /* The triangles beside the middles of the edges, their nodes pinned where the walls stand upright, so far from the plane between
  * them: what is apart there is twice that less a wall, whatever the middles say. */
-static void stand_up(drain_rig *r, double from_plane)
+static void set_upright(drain_rig *r, double from_plane)
 {
     const uint32_t(*triangles)[3] =
         (const uint32_t(*)[3])drain_rig_numbers(r, VBSS_DRAIN_TRIANGLES);
@@ -228,7 +228,7 @@ static void facing_lip_gap_is_wall_free_distance(void **state)
         drain_rig_begin(&r);
         r.config.attachment_capacity = 32;
         drain_rig_make(&r);
-        stand_up(&r, 0.5 * (walls + apart[i]));
+        set_upright(&r, 0.5 * (walls + apart[i]));
         vbss_drain_gap gap = drain_rig_gap(&r);
         expect_near(walls + apart[i], gap.gap, 1e-12);
         expect_near(apart[i], gap.opening, 1e-12);

@@ -8,17 +8,17 @@ static void pinned_particles_move_linearly_to_targets(void **state)
     vbss_drain_config config = paper_config();
     paper_begin(&r, &config);
     const uint32_t node = PAPER_MIDDLE + 1;
-    vec3 from = paper_place(&r, node), way = vec3_make(1e-3, 2e-3, -0.5e-3);
+    vec3 from = paper_place(&r, node), displacement = vec3_make(1e-3, 2e-3, -0.5e-3);
     uint32_t pin = paper_attach(&r, VBSS_DRAIN_ATTACHMENT_PIN, node, from, 0.0);
     paper_run(&r, 1e-3, 1);
     expect_near_vec3(vec3_zero(), paper_reaction(&r, pin), 1e-12);
-    paper_take(&r, pin, vec3_add(from, way));
+    paper_take(&r, pin, vec3_add(from, displacement));
     paper_run(&r, 1e-3, 1);
-    expect_near_vec3(vec3_add(from, way), paper_place(&r, node), 0.0);
-    expect_near_vec3(vec3_scale(way, 1e3), r.object->v[node], 1e-12);
+    expect_near_vec3(vec3_add(from, displacement), paper_place(&r, node), 0.0);
+    expect_near_vec3(vec3_scale(displacement, 1e3), r.object->v[node], 1e-12);
     paper_run(&r, 1e-3, 2);
     expect_near_vec3(vec3_zero(), r.object->v[node], 1e-12);
-    expect_near_vec3(vec3_scale(way, 125.0), paper_reaction(&r, pin), 1e-13);
+    expect_near_vec3(vec3_scale(displacement, 125.0), paper_reaction(&r, pin), 1e-13);
     for (uint32_t i = 0; i < PAPER_NODES; i++) {
         expect_near_vec3(vec3_zero(), i == node ? vec3_zero() : paper_moved(&r, i), 0.0);
     }
@@ -41,14 +41,15 @@ static void reaction_equals_momentum_change(void **state)
     const uint32_t node = PAPER_MIDDLE + 5;
     const double h = 1e-4;
     double mass = r.object->mass[node];
-    vec3 from = paper_place(&r, node), way = vec3_make(1e-5, -3e-5, 2e-5);
+    vec3 from = paper_place(&r, node), displacement = vec3_make(1e-5, -3e-5, 2e-5);
     vec3 pull = vec3_make(0.01, 0.0, 0.02), at = vec3_make(0.0, -5e-3, 1e-3);
-    uint32_t pin = paper_attach(&r, VBSS_DRAIN_ATTACHMENT_PIN, node, vec3_add(from, way), 0.0);
+    uint32_t pin =
+        paper_attach(&r, VBSS_DRAIN_ATTACHMENT_PIN, node, vec3_add(from, displacement), 0.0);
     uint32_t spring = paper_attach(&r, VBSS_DRAIN_ATTACHMENT_SPRING, node, at, 40.0);
     paper_attach(&r, VBSS_DRAIN_ATTACHMENT_FORCE, node, pull, 0.0);
     paper_run(&r, h, 1);
-    vec3 v = vec3_scale(way, 1.0 / h), others = vec3_add(pull, paper_reaction(&r, spring));
-    expect_near_vec3(vec3_scale(vec3_sub(at, vec3_add(from, way)), 40.0),
+    vec3 v = vec3_scale(displacement, 1.0 / h), others = vec3_add(pull, paper_reaction(&r, spring));
+    expect_near_vec3(vec3_scale(vec3_sub(at, vec3_add(from, displacement)), 40.0),
                      paper_reaction(&r, spring), 1e-15);
     vec3 wanted = vec3_scale(v, mass * (1.0 / h + 30.0));
     wanted.y += 9.81 * mass;
@@ -67,13 +68,14 @@ static void attached_springs_need_no_shorter_steps(void **state)
         config.paper_damping = 0.3;
         paper_begin(&r, &config);
         const uint32_t node = PAPER_DOUBLE;
-        vec3 way = vec3_make(0.0, 2e-3, 1e-3), end = vec3_add(paper_place(&r, node), way);
+        vec3 displacement = vec3_make(0.0, 2e-3, 1e-3),
+             end = vec3_add(paper_place(&r, node), displacement);
         double share = stiffness[k] / (stiffness[k] + 125.0);
         uint32_t id = paper_attach(&r, VBSS_DRAIN_ATTACHMENT_SPRING, node, end, stiffness[k]);
         paper_run(&r, 1e-3, 500);
         assert_int_equal(3 * 500, paper_statistics(&r).parts);
-        expect_near_vec3(vec3_scale(way, share), paper_moved(&r, node), 1e-12);
-        expect_near_vec3(vec3_scale(way, 125.0 * share), paper_reaction(&r, id), 1e-6);
+        expect_near_vec3(vec3_scale(displacement, share), paper_moved(&r, node), 1e-12);
+        expect_near_vec3(vec3_scale(displacement, 125.0 * share), paper_reaction(&r, id), 1e-6);
         paper_end(&r);
     }
 }

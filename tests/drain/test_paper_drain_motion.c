@@ -11,10 +11,10 @@
 
 static const uint32_t pair[2] = {PAPER_MIDDLE + 2, PAPER_MIDDLE + 10};
 
-static void displace_pair(paper_rig *r, double way)
+static void displace_pair(paper_rig *r, double amplitude)
 {
-    const vec3 ways[2] = {{0.0, 0.0, way}, {0.0, 0.0, -way}};
-    paper_displace(r, pair, ways, 2);
+    const vec3 displacements[2] = {{0.0, 0.0, amplitude}, {0.0, 0.0, -amplitude}};
+    paper_displace(r, pair, displacements, 2);
 }
 
 static void expect_oscillation(double damping, double drag, uint32_t substeps)
@@ -25,19 +25,19 @@ static void expect_oscillation(double damping, double drag, uint32_t substeps)
     config.drag = drag;
     config.paper_substeps = substeps;
     paper_begin(&r, &config);
-    double mass = r.object->mass[pair[0]], dt = 1e-3 / substeps, way = 1e-3;
+    double mass = r.object->mass[pair[0]], dt = 1e-3 / substeps, amplitude = 1e-3;
     double q = (1.0 - damping) / (1.0 + dt * drag), s = dt * dt * 125.0 / mass;
     double root = sqrt(q), cosine = (1.0 + q - q * s) / (2.0 * root), angle = acos(cosine);
     double b = ((1.0 - q * s) / root - cosine) / sin(angle);
     assert_true(fabs(cosine) < 1.0);
     assert_true(mass == r.object->mass[pair[1]]);
-    displace_pair(&r, way);
+    displace_pair(&r, amplitude);
     for (uint32_t n = 1; n <= 60; n++) {
         paper_run(&r, 1e-3, 1);
         double k = (double)n * substeps;
-        double wanted = way * pow(root, k) * (cos(k * angle) + b * sin(k * angle));
-        expect_near(wanted, paper_moved(&r, pair[0]).z, 1e-11 * way);
-        expect_near(-wanted, paper_moved(&r, pair[1]).z, 1e-11 * way);
+        double wanted = amplitude * pow(root, k) * (cos(k * angle) + b * sin(k * angle));
+        expect_near(wanted, paper_moved(&r, pair[0]).z, 1e-11 * amplitude);
+        expect_near(-wanted, paper_moved(&r, pair[1]).z, 1e-11 * amplitude);
     }
     paper_end(&r);
 }
@@ -102,9 +102,9 @@ static void damping_conserves_momentum(void **state)
     }
     expect_near_vec3(vec3_scale(v[7], r.object->mass[7]), sum, 1e-18);
     /* What is left is a rigid motion of where they were. */
-    vec3 way = vec3_sub(r.object->mesh.rest[50], r.object->mesh.rest[20]);
+    vec3 offset = vec3_sub(r.object->mesh.rest[50], r.object->mesh.rest[20]);
     vec3 rate = vec3_sub(r.object->v[50], r.object->v[20]);
-    expect_near(0.0, vec3_dot(way, rate), 1e-14 * vec3_norm(v[7]) * vec3_norm(way));
+    expect_near(0.0, vec3_dot(offset, rate), 1e-14 * vec3_norm(v[7]) * vec3_norm(offset));
     assert_true(vec3_norm(rate) > 1e-3);
     assert_true(total > 80.0 * r.object->mass[7]);
     paper_end(&r);
@@ -176,8 +176,8 @@ static double growth(uint32_t substeps, uint32_t steps)
     config.paper_substeps = substeps;
     paper_begin(&r, &config);
     const uint32_t node = lightest(&r);
-    const vec3 way = {1e-6, 0.0, 0.0};
-    paper_displace(&r, &node, &way, 1);
+    const vec3 displacement = {1e-6, 0.0, 0.0};
+    paper_displace(&r, &node, &displacement, 1);
     double begin = paper_energies(&r).total;
     paper_run(&r, 1e-3, steps);
     double factor = paper_energies(&r).total / begin;
@@ -195,7 +195,7 @@ static void stability_bound_is_sharp(void **state)
     paper_end(&r);
     double bound = 1e-3 / (2.0 * sqrt(smallest / 2e4));
     assert_true(growth((uint32_t)bound + 1, 200) < 100.0);
-    assert_true(growth((uint32_t)bound, 2) > 1e6);
+    assert_true(growth((uint32_t)bound, 1) > 1e6);
     uint32_t chosen = parts_of(2e4, 1e-3);
     assert_in_range(chosen, (uint32_t)bound + 1, (uint32_t)(bound / 0.9) + 1);
 }

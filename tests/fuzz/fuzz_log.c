@@ -115,9 +115,9 @@ static void follow(const table *t, vbss_replay *replay, uint64_t steps)
     MUST(vbss_replay_begin(replay, t->scene) == VBSS_OK);
     config.replay = replay;
     MUST(vbss_session_create(t->scene, &config, &session) == VBSS_OK);
-    const uint64_t ways[] = {steps, 0, steps / 2, steps + 1};
-    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
-        (void)vbss_session_seek(session, ways[i]);
+    const uint64_t targets[] = {steps, 0, steps / 2, steps + 1};
+    for (size_t i = 0; i < sizeof targets / sizeof targets[0]; i++) {
+        (void)vbss_session_seek(session, targets[i]);
         MUST(vbss_session_get_hash(session, &hash) == VBSS_OK);
         (void)vbss_session_step(session, 0.0, 0.0);
     }

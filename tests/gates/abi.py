@@ -48,11 +48,11 @@ def compare(g, old, new):
     page = report.read_text() if report.exists() else ""
     page = re.sub(r"<(style|script).*?</\1>|<[^>]+>", " ", page, flags=re.S)
     page = " ".join(html.unescape(page).replace("\xa0", " ").split())
-    told = re.findall(r"(Removed Symbols [1-9] .{0,100}?\))|((?:Type|Base type|Size|Field|Parameter|Return|"
+    reported = re.findall(r"(Removed Symbols [1-9] .{0,100}?\))|((?:Type|Base type|Size|Field|Parameter|Return|"
                       r"The relative position|Value|Number)[^.]* (?:has|have) been [^.]*)", page)
-    told = list(dict.fromkeys(first or second for first, second in told))
+    reported = list(dict.fromkeys(first or second for first, second in reported))
     return [f"not compatible with {old.name} (code {code}): " +
-            ("; ".join(told)[:400] or output.strip()[-300:])]
+            ("; ".join(reported)[:400] or output.strip()[-300:])]
 
 
 def digest(*paths):
@@ -73,7 +73,7 @@ def current(g):
     return g.source / f"tests/abi/vblast_ss-{'.'.join(version(g))}.dump"
 
 
-def look(g):
+def inspect(g):
     if not current(g).is_file():
         return [f"no baseline {current(g).name}: run tests/abi/update-baseline.py"]
     new = dump(g, g.source, "library")
@@ -157,4 +157,4 @@ CANARIES = [
 ]
 
 if __name__ == "__main__":
-    gate.main("abi", look, CANARIES)
+    gate.main("abi", inspect, CANARIES)

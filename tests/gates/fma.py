@@ -41,7 +41,7 @@ def check(g, what, machine, objdump, *files):
     return []
 
 
-def look(g):
+def inspect(g):
     machine = g.part.removesuffix("-clang")
     if machine in OTHERS:
         return check_row(g, g.part, machine, machine + "-linux-gnu-objdump")
@@ -93,4 +93,4 @@ CANARIES = [
               *flags.split()), SEEN) for machine, flags in OTHERS.items()]
 
 if __name__ == "__main__":
-    gate.main("fma", look, CANARIES)
+    gate.main("fma", inspect, CANARIES)

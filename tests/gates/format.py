@@ -37,7 +37,7 @@ def check(g, files):
     return complaints
 
 
-def look(g):
+def inspect(g):
     return check(g, sources(g.source))
 
 
@@ -48,4 +48,4 @@ def canary(g):
 
 
 if __name__ == "__main__":
-    gate.main("format", look, [("braces and indentation of another style", canary, "laid out")])
+    gate.main("format", inspect, [("braces and indentation of another style", canary, "laid out")])

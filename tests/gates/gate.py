@@ -115,9 +115,9 @@ def replace_once(path, old, new):
     path.write_text(text.replace(old, new))
 
 
-def complaints_of(look, gate):
+def complaints_of(inspect, gate):
     try:
-        return look(gate)
+        return inspect(gate)
     except (Problem, OSError) as problem:
         return [str(problem)]
 
@@ -126,8 +126,8 @@ def run_canaries(gate, canaries):
     """Each canary: what it is, a function that gives complaints, a pattern all of them must match
     (None: a change that must be accepted)."""
     bad = []
-    for what, look, pattern in canaries:
-        complaints = complaints_of(look, gate)
+    for what, inspect, pattern in canaries:
+        complaints = complaints_of(inspect, gate)
         if pattern is None:
             wrong = complaints
         else:
@@ -142,16 +142,16 @@ def run_canaries(gate, canaries):
     return bad
 
 
-def main(name, look, canaries):
+def main(name, inspect, canaries):
     """look(gate) gives complaints. The command line may name a part of the subject, which look finds in gate.part."""
     canary = "--canary" in sys.argv[2:]
     part = next((word for word in sys.argv[2:] if not word.startswith("--")), None)
     full_name = name + (f".{part}" if part else "") + (".canary" if canary else "")
     gate = Gate(name + (f".{part}" if part else ""), sys.argv[1], canary)
     gate.part = part
-    complaints = run_canaries(gate, canaries) if canary else complaints_of(look, gate)
+    complaints = run_canaries(gate, canaries) if canary else complaints_of(inspect, gate)
     for complaint in complaints:
         print("  " + complaint)
-    verdict = f"FAIL, {len(complaints)} complaint(s)" if complaints else "pass"
-    print(f"gate {full_name}: {verdict}" + (f" ({', '.join(gate.notes)})" if gate.notes else ""))
+    result = f"FAIL, {len(complaints)} complaint(s)" if complaints else "pass"
+    print(f"gate {full_name}: {result}" + (f" ({', '.join(gate.notes)})" if gate.notes else ""))
     sys.exit(1 if complaints else 0)

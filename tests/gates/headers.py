@@ -64,13 +64,13 @@ def with_header(text):
 
 def changed(name, change):
     """All headers with one changed, which alone is compiled."""
-    def look(g):
+    def inspect(g):
         include = g.work / "include"
         shutil.rmtree(include, ignore_errors=True)
         shutil.copytree(g.include, include)
         change(include)
         return check(g, include, [include / "vblast_ss" / name])
-    return look
+    return inspect
 
 
 def strip_linkage(include):

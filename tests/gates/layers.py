@@ -24,10 +24,11 @@ ONLY = {"contact": {"base", "collision", "solver"}, "metrics": {"base"}}
 # more than a host can get, and a change inside a scene shall not rebuild it. The header itself shows no other private header.
 # The baseline is an exception: it implements methods of these modules.
 INSPECT = "scene/api/inspect.h"
-STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
+STANDARD = {"errno.h", "float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
             "stdint.h", "stdio.h", "stdlib.h", "string.h"}
 SYSTEM = {"cpuid.h",                     # which copy of the hot loops, on x86
-          "malloc.h"}                    # _aligned_malloc on Windows
+          "malloc.h",                    # _aligned_malloc on Windows
+          "xmmintrin.h"}                 # the floating-point mode, on x86
 # Libraries loaded at run time, and a thread for lines that make one wait: in these files alone.
 PLATFORM = {"dlfcn.h", "pthread.h", "time.h", "windows.h"}
 PLATFORM_FILES = {"lib/device/dynamic_library.c", "lib/device/io_thread.c", "lib/device/platform.h"}
@@ -111,7 +112,7 @@ def check(g, root):
 # ---- canaries: a tree with one more file, and empty ones
 
 def with_file(name, text, *empty):
-    def look(g):
+    def inspect(g):
         root = g.work / "tree"
         shutil.rmtree(root, ignore_errors=True)
         shutil.copytree(g.source / "lib", root / "lib")
@@ -123,19 +124,19 @@ def with_file(name, text, *empty):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text if path == root / name else "")
         return check(g, root)
-    return look
+    return inspect
 
 
 def in_order(order, canary):
     """A canary in a tree where lib/scene has these sub-folders, in this order, after its own."""
-    def look(g):
+    def inspect(g):
         global SUBFOLDERS
         kept, SUBFOLDERS = SUBFOLDERS, {"scene": SUBFOLDERS["scene"] + list(order)}
         try:
             return canary(g)
         finally:
             SUBFOLDERS = kept
-    return look
+    return inspect
 
 
 CANARIES = [

@@ -105,14 +105,14 @@ def grown(name, before, now):
 # ---- canaries: changed headers
 
 def changed(*replacements):
-    def look(g):
+    def inspect(g):
         include = g.work / "include"
         shutil.rmtree(include, ignore_errors=True)
         shutil.copytree(g.include, include)
         for old, new in replacements:
             gate.replace_once(include / "vblast_ss/base.h", old, new)
         return check(g, include)
-    return look
+    return inspect
 
 
 PEAK = "uint64_t bytes_peak; "

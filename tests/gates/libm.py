@@ -67,7 +67,7 @@ def check_hands(g, *objects):
     return [f"the hands call {name}, which has other bits elsewhere" for name in sorted(called & inexact)]
 
 
-def look(g):
+def inspect(g):
     hands = g.settings["hands"]
     return check_objects(g, g.library("archive")) + check_shared(g, g.library("shared")) + \
         (check_hands(g, *hands) if hands else ["there are no objects of hands"])
@@ -108,4 +108,4 @@ CANARIES = [
 ]
 
 if __name__ == "__main__":
-    gate.main("libm", look, CANARIES)
+    gate.main("libm", inspect, CANARIES)

@@ -46,7 +46,7 @@ def shared_bytes(build):
     return next(path for path in files if not path.is_symlink()).read_bytes()
 
 
-def look(g):
+def inspect(g):
     build, other = release(g, "here"), release(g, "somewhere-else")
     stage = g.work / "stage"
     g.run(g.tool("cmake"), "--install", build, "--prefix", stage)
@@ -78,4 +78,4 @@ CANARIES = [
 ]
 
 if __name__ == "__main__":
-    gate.main("paths", look, CANARIES)
+    gate.main("paths", inspect, CANARIES)

@@ -32,7 +32,7 @@ def configure(g, source, name, variables):
     return build
 
 
-def look(g):
+def inspect(g):
     known = presets(g.source)
     chosen = [g.part] if g.part else list(known)
     for name in chosen:
@@ -60,4 +60,4 @@ def unlisted_test(g):
 
 
 if __name__ == "__main__":
-    gate.main("presets", look, [("a preset that cannot be configured", unlisted_test, "In no list of subjects")])
+    gate.main("presets", inspect, [("a preset that cannot be configured", unlisted_test, "In no list of subjects")])

@@ -133,7 +133,7 @@ def check(g, source, builds, public):
     return complaints, table
 
 
-def look(g):
+def inspect(g):
     # Objects, not libraries: others than this gate have built them.
     builds = {level: g.row("gcc" + level) / "vblast_ss/lib" for level in ("-O2", "-O3")}
     complaints, table = check(g, g.source, builds, sorted(symbols.map_nodes(g.source / "lib/vblast_ss.map")))
@@ -182,4 +182,4 @@ CANARIES = [
 ]
 
 if __name__ == "__main__":
-    gate.main("stack", look, CANARIES)
+    gate.main("stack", inspect, CANARIES)

@@ -148,7 +148,7 @@ def subject_of(g, tree, build):
     return Subject(tree, build, (g.source / GLOSSARY).read_text(), g.tool("nm"))
 
 
-def look(g):
+def inspect(g):
     build = g.library("archive").parent.parent
     missing = structure_objects.without_object(g.source, build)
     return ([f"{file} has no object in the build folder, so its calls are not seen" for file in missing] +
@@ -166,15 +166,20 @@ def call(name, target=None):
     return f"{declared}int {name}(int n);\nint {name}(int n)\n{{\n    return {target or ''}(n);\n}}\n"
 
 
+def place_of(root, name):
+    """A name begins with a folder of the tree; without one the file is below lib/."""
+    return root / name if name.split("/")[0] in structure_text.COLUMNS else root / "lib" / name
+
+
 def tree_of(g, files):
-    """A tree with these files below lib/, and their objects where a build leaves them."""
+    """A tree with these files, and the objects of those below lib/ where a build leaves them."""
     root = g.work / "tree"
     shutil.rmtree(root, ignore_errors=True)
     (root / "include/vblast_ss").mkdir(parents=True)
     for folder in structure_text.COLUMNS:
         (root / folder).mkdir()
     for number, (name, text) in enumerate(files.items()):
-        path = root / "lib" / name
+        path = place_of(root, name)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
         made = root / "build/lib/CMakeFiles/canary.dir" / (name + ".o")
@@ -210,6 +215,17 @@ CANARIES = [
      r"settling_steps has 'settling'|retired words: 1, "),
     ("words that only contain a retired one",
      with_files("retired words", {"scene/layer.c": "extern int always_relay, newsletter; /* way */\n"}), None),
+    ("a retired word in a test", with_files("retired words", {"tests/a.h": "int look_at(void);\n"}),
+     r"tests/a.h: look_at has 'look'; use |retired words: 1, "),
+    ("a retired word in the name of a test's file", with_files("retired words", {"tests/stand.h": CLEAN}),
+     r"tests/stand.h: the file name has 'stand'; use |retired words: 1, "),
+    ("a retired word in a bench in Python", with_files("retired words", {"bench/a.py": "told = [1]\n"}),
+     r"bench/a.py: told has 'told'; use |retired words: 1, "),
+    ("a retired word in an example", with_files("retired words", {"examples/a.h": "extern int way;\n"}),
+     r"examples/a.h: way has 'way'; use |retired words: 1, "),
+    ("a stand-in, and a retired word in a string of Python",
+     with_files("retired words", {"tests/stand_ins.h": "extern int stand_in_hand;\n",
+                                  "tests/a.py": "STAND_INS = 'way'  # look\n"}), None),
     ("a cycle of four files", with_files("cycles", RING), r"4 files call each other in a cycle|cycles: 1, "),
     ("a cycle of three files", with_files("cycles", TRIANGLE), None),
     ("a call to a folder above",
@@ -254,7 +270,7 @@ CANARIES = [
 
 if __name__ == "__main__":
     if len(sys.argv) > 1 and sys.argv[1].endswith(".json"):
-        gate.main("structure", look, CANARIES)
+        gate.main("structure", inspect, CANARIES)
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # readers may end early
     home = pathlib.Path(__file__).resolve().parents[2]
     try:

@@ -1,6 +1,8 @@
 """Words: the field's terms, retired words, odd sentences, lines that know the baseline."""
 import collections
+import io
 import re
+import tokenize
 from typing import NamedTuple
 
 import c_text
@@ -80,8 +82,17 @@ def retired_forms(text):
     return {form: (word, use) for word, use in glossary_rows(text).items() for form in forms(word)}
 
 
+def retired_in(name, retired):
+    """The retired forms in a name. A stand-in is a standard term, whatever `stand` alone is."""
+    words = c_text.words(name)
+    stand_ins = {word for word, after in zip(words, words[1:]) if word == "stand" and after in ("in", "ins")}
+    return (set(words) & set(retired)) - stand_ins
+
+
 class PublicNames:
-    """Names that hosts use: with the library's prefix, and fields of public structs, these only after . or ->."""
+    """Names that hosts use: with the library's prefix, and fields of public structs, these only where a field stands."""
+    FIELD = re.compile(r"(?:\.|->|\boffsetof\s*\(\s*\w+\s*,|\bFIELD\s*\()\s*$")
+
     def __init__(self, tree):
         include = tree / "include"
         text = "\n".join(c_text.code(c_text.read(path)) for path in public_headers.headers(include))
@@ -90,14 +101,20 @@ class PublicNames:
         self.fields = {field for fields in public_headers.structs(include)[0].values() for field, _, _ in fields}
 
     def has(self, name, before):
-        return name in self.prefixed or (name in self.fields and before.rstrip().endswith((".", "->")))
+        return name in self.prefixed or (name in self.fields and bool(self.FIELD.search(before)))
 
 
 def private_identifiers(path, public):
-    text = c_text.code(c_text.read(path))
+    text = c_text.code(c_text.read(path)) if path.suffix in c_text.SOURCES else python_names(c_text.read(path))
     for match in c_text.IDENTIFIER.finditer(text):
-        if not public.has(match.group(), text[max(0, match.start() - 3):match.start()]):
+        if not public.has(match.group(), text[max(0, match.start() - 80):match.start()]):
             yield match.group()
+
+
+def python_names(text):
+    """The names and operators of a Python source; comments and strings are left out."""
+    tokens = tokenize.generate_tokens(io.StringIO(text).readline)
+    return " ".join(token.string for token in tokens if token.type in (tokenize.NAME, tokenize.OP))
 
 
 def count_retired(tree, folder, retired, public):
@@ -105,13 +122,13 @@ def count_retired(tree, folder, retired, public):
     identifiers, names, findings = collections.Counter(), collections.Counter(), []
     for path in sorted(p for p in (tree / folder).rglob("*") if p.is_file() and "__pycache__" not in p.parts):
         where = path.relative_to(tree)
-        for word in set(c_text.words(path.name)) & set(retired):
+        for word in retired_in(path.name, retired):
             names[retired[word][0]] += 1
             findings.append(f"{where}: the file name has '{word}'; use {retired[word][1]}")
-        if path.suffix not in c_text.SOURCES:
+        if path.suffix not in (*c_text.SOURCES, ".py"):
             continue
         for name, count in collections.Counter(private_identifiers(path, public)).items():
-            for word in set(c_text.words(name)) & set(retired):
+            for word in retired_in(name, retired):
                 identifiers[retired[word][0]] += count
                 findings.append(f"{where}: {name} has '{word}'; use {retired[word][1]}")
     return identifiers, names, findings
@@ -127,8 +144,8 @@ def retired(tree, glossary):
     for word in glossary_rows(glossary):
         section.add(word, *(counter[word] for folder in COLUMNS for counter in counts[folder][:2]))
     section.add("all words", *(sum(counter.values()) for folder in COLUMNS for counter in counts[folder][:2]))
-    identifiers, names, findings = counts["lib"]
-    section.measure("retired words", identifiers.total() + names.total(), findings)
+    total = sum(counter.total() for folder in COLUMNS for counter in counts[folder][:2])
+    section.measure("retired words", total, [line for folder in COLUMNS for line in counts[folder][2]])
     return section
 
 

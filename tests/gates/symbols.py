@@ -67,7 +67,7 @@ def check_static(g, *objects):
     return complaints
 
 
-def look(g):
+def inspect(g):
     return (check_shared(g, g.library("shared"), g.source / "lib/vblast_ss.map") +
             check_static(g, g.library("archive")))
 
@@ -117,4 +117,4 @@ CANARIES = [
 ]
 
 if __name__ == "__main__":
-    gate.main("symbols", look, CANARIES)
+    gate.main("symbols", inspect, CANARIES)

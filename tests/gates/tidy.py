@@ -17,7 +17,7 @@ def newest_first(g, commits):
     return list(dict.fromkeys(text.split()))
 
 
-def changed_only(g, files, commits, most):
+def changed_only(g, files, commits, max_files):
     """Those files that the last commits changed, at most so many; for a changed header, one file that includes it."""
     of_path = {str(pathlib.Path(file).relative_to(g.source)): file for file in files}
     includes = {file: set(re.findall(r'#include [<"]([^">]+)[">]', pathlib.Path(file).read_text())) for file in files}
@@ -30,9 +30,9 @@ def changed_only(g, files, commits, most):
             users = [file for file in files if name in includes[file]]
             if users and not any(file in chosen for file in users):
                 chosen[users[0]] = None
-    if len(chosen) > most:
-        g.notes.append(f"the {most} changed last of {len(chosen)} changed files")
-    return list(chosen)[:most]
+    if len(chosen) > max_files:
+        g.notes.append(f"the {max_files} changed last of {len(chosen)} changed files")
+    return list(chosen)[:max_files]
 
 
 CHUNK = 8  # files a process: small enough that all workers end at about the same time
@@ -53,13 +53,13 @@ def findings_in(g, database, files):
 def check(g, database, files):
     chunks = [files[i:i + CHUNK] for i in range(0, len(files), CHUNK)]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        told = pool.map(lambda chunk: findings_in(g, database, chunk), chunks)  # in their order
-        findings = dict.fromkeys(finding for of_chunk in told for finding in of_chunk)
+        results = pool.map(lambda chunk: findings_in(g, database, chunk), chunks)  # in their order
+        findings = dict.fromkeys(finding for of_chunk in results for finding in of_chunk)
     g.notes.append(f"{len(files)} files")
     return list(findings)  # what stands in a header once, though several processes have told it
 
 
-def look(g):
+def inspect(g):
     database = g.library("archive").parent.parent / "compile_commands.json"
     if not database.is_file():
         raise gate.Problem("no compile_commands.json: configure with a preset")
@@ -88,5 +88,5 @@ def canary(g):
 
 
 if __name__ == "__main__":
-    gate.main("tidy", look, [("a comparison with itself, an if without braces", canary,
+    gate.main("tidy", inspect, [("a comparison with itself, an if without braces", canary,
                               "misc-redundant-expression|readability-braces")])

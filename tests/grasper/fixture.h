@@ -40,7 +40,7 @@ static inline grasper_object *inside(vbss_grasper *grasper)
     return g;
 }
 
-static inline vbss_grasper_state look(vbss_grasper *grasper)
+static inline vbss_grasper_state get_state(vbss_grasper *grasper)
 {
     vbss_grasper_state state;
     expect_ok(vbss_grasper_get_state(grasper, &state, sizeof state));

@@ -25,11 +25,11 @@ static void it_comes_to_rest(harness_source *source, void *user)
     (void)user;
     held s = just_taken(source);
     const grasper_thread_clamp first = s.grip;
-    vec3 way = vec3_sub(first.anchor[2], first.anchor[0]);
-    way = vec3_unit_or(vec3_make(0.0, way.y, way.z), vec3_zero());
+    vec3 direction = vec3_sub(first.anchor[2], first.anchor[0]);
+    direction = vec3_unit_or(vec3_make(0.0, direction.y, direction.z), vec3_zero());
     vec3 middle = vec3_make(0.0, first.anchor[1].y, first.anchor[1].z), goal[GRASPER_THREAD_POINTS];
     for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
-        goal[i] = vec3_add_scaled(middle, (i - 1) * HALF_GRIP, way);
+        goal[i] = vec3_add_scaled(middle, (i - 1) * HALF_GRIP, direction);
     }
     s.h = harness_draw_real(source, 1e-4, 3e-3);
     double steps = 0.08 / s.h;
@@ -111,9 +111,9 @@ static void grasp_near_end_uses_available_length(void **state)
         s.h = 0.1;
         s.grip.anchor[end].z += 1e-4;
         follow(&s);
-        vec3 way = vec3_unit_or(vec3_sub(s.grip.anchor[2], s.grip.anchor[0]), vec3_zero());
+        vec3 direction = vec3_unit_or(vec3_sub(s.grip.anchor[2], s.grip.anchor[0]), vec3_zero());
         for (int i = 0; i < GRASPER_THREAD_POINTS; i++) { /* straight, and so far apart */
-            expect_near_vec3(vec3_scale(way, s.ahead[i]),
+            expect_near_vec3(vec3_scale(direction, s.ahead[i]),
                              vec3_sub(s.grip.anchor[i], s.grip.anchor[1]), 1e-17);
         }
     }

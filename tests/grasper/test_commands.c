@@ -11,7 +11,7 @@ static void move_sets_pose(void **state)
     uint64_t generation = inside(grasper)->generation;
     expect_ok(vbss_grasper_move(grasper, position, orientation));
     assert_true(inside(grasper)->generation > generation);
-    vbss_grasper_state s = look(grasper);
+    vbss_grasper_state s = get_state(grasper);
     for (int i = 0; i < 3; i++) {
         expect_same_bits(position[i], s.position[i]);
         expect_same_bits(position[i], s.target_position[i]);
@@ -27,7 +27,7 @@ static void move_sets_pose(void **state)
     /* only the place */
     const double there[3] = {-1e3, 1e3, 0.0};
     expect_ok(vbss_grasper_move(grasper, there, NULL));
-    vbss_grasper_state later = look(grasper);
+    vbss_grasper_state later = get_state(grasper);
     assert_memory_equal(s.orientation, later.orientation, sizeof s.orientation);
     expect_same_bits(-1e3, later.position[0]);
     end(&f);
@@ -46,7 +46,7 @@ static void handle_and_exchange_apply_in_next_step(void **state)
     generation = g->generation;
     expect_ok(vbss_grasper_exchange(grasper, VBSS_GRASPER_SHEARS));
     assert_true(g->generation > generation);
-    vbss_grasper_state s = look(grasper);
+    vbss_grasper_state s = get_state(grasper);
     expect_same_bits(0.25, s.opening);
     expect_same_bits(f.config.driver_opening, s.jaw_angle);
     assert_int_equal(s.kind, VBSS_GRASPER_NEEDLE_DRIVER);
@@ -76,7 +76,7 @@ static void move_in_scene_is_deferred(void **state)
     g->hand_force = vec3_make(4.0, 5.0, 6.0);
     expect_ok(move_to(grasper, vec3_make(0.5, 0.0, 0.0), quat_make(0.0, 1.0, 0.0, 0.0)));
     expect_result(VBSS_ERROR_IN_SCENE, vbss_grasper_destroy(grasper));
-    vbss_grasper_state s = look(grasper);
+    vbss_grasper_state s = get_state(grasper);
     assert_int_equal(s.body, 7);
     assert_int_equal(s.grasp_count, 2);
     expect_same_bits(0.0, s.position[0]);
@@ -88,7 +88,7 @@ static void move_in_scene_is_deferred(void **state)
     expect_same_bits(6.0, s.hand_force[2]);
     vbss_grasper_detach(g);
     slot->owner = NULL;
-    s = look(grasper);
+    s = get_state(grasper);
     assert_int_equal(s.body + s.grasp_count, 0);
     expect_same_bits(0.5, s.position[0]);
     expect_near(0.5, g->view_capsules[1][0] - f.config.driver_radius, 1e-15);

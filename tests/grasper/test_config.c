@@ -10,7 +10,7 @@ static void null_config_is_default(void **state)
     expect_ok(vbss_grasper_create(f.context, NULL, &plain));
     assert_memory_equal(&f.config, &inside(plain)->config, sizeof f.config);
     assert_int_equal(hash_of(plain) == hash_of(make(&f)), 1);
-    vbss_grasper_state s = look(plain);
+    vbss_grasper_state s = get_state(plain);
     assert_int_equal(s.kind, VBSS_GRASPER_NEEDLE_DRIVER);
     assert_int_equal(s.body, 0);
     assert_int_equal(s.grasp_count, 0);
@@ -21,7 +21,7 @@ static void null_config_is_default(void **state)
     expect_same_bits(1.0, s.orientation[0]);
     f.config.kind = VBSS_GRASPER_SHEARS;
     f.config.shears_opening = 0.5;
-    s = look(make(&f));
+    s = get_state(make(&f));
     assert_int_equal(s.kind, VBSS_GRASPER_SHEARS);
     expect_same_bits(0.5, s.jaw_angle);
     end(&f);

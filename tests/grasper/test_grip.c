@@ -64,8 +64,8 @@ static void a_pull_meets_its_limit(harness_source *source, void *user)
     assert_true(energy_of(&s) <= energy * (1.0 + 1e-15));
     if (along_faces_of(before) > limit) {
         (*yielded)++;
-        double way = before.y * s.along.y + before.z * s.along.z;
-        assert_true(way == 0.0 || change.slip * way > 0.0);
+        double component = before.y * s.along.y + before.z * s.along.z;
+        assert_true(component == 0.0 || change.slip * component > 0.0);
         /* across the thread the anchors give way, along it they stay */
         vec3 moved = vec3_sub(s.grip.anchor[1], vec3_make(0.0, 0.0, -8e-3));
         expect_near(0.0, moved.y * s.along.y + moved.z * s.along.z, 1e-15);
@@ -112,7 +112,7 @@ static void transverse_thread_slips_sideways(void **state)
     }
 }
 
-static void thread_standing_between_faces_does_not_slip_axially(void **state)
+static void thread_across_faces_does_not_slip_axially(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(1.0, 0.5, 0.0));
@@ -216,8 +216,8 @@ static void small_excess_torque_turns_as_linear_spring(void **state)
     double excess = -torque_on_thread(&s) - limit; /* it turns the thread back */
     assert_true(excess > 0.0);
     yield(&s);
-    vec3 way = vec3_sub(s.grip.anchor[2], s.grip.anchor[0]);
-    expect_near(excess / stiffness, vbss_atan2(way.z, way.y), 1e-6);
+    vec3 anchor_line = vec3_sub(s.grip.anchor[2], s.grip.anchor[0]);
+    expect_near(excess / stiffness, vbss_atan2(anchor_line.z, anchor_line.y), 1e-6);
 }
 
 /* ---- everything at once: no yielding makes the springs stronger */
@@ -254,7 +254,7 @@ int test_grip(void)
         harness_test(load_above_limit_slips_at_limit),
         harness_test(thread_slips_along_pull),
         harness_test(transverse_thread_slips_sideways),
-        harness_test(thread_standing_between_faces_does_not_slip_axially),
+        harness_test(thread_across_faces_does_not_slip_axially),
         harness_test(zero_pressure_holds_nothing),
         harness_test(torque_above_limit_turns_at_limit),
         harness_test(combined_pull_and_torque_meet_both_limits),

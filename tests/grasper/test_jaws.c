@@ -98,9 +98,9 @@ static void a_mouth_is_the_distance_of_the_facing_surfaces(harness_source *sourc
     /* both open by the same angle, about the pivot, in the plane of x and the way they point */
     vec3 down = quat_rotate(vbss_grasper_jaw_frame(&g).orientation, vec3_make(0.0, 0.0, -1.0));
     for (int i = GRASPER_JAW; i < GRASPER_NECK; i++) {
-        vec3 way = vec3_scale(vec3_sub(c[i].axis[1], c[i].axis[0]), 1.0 / length);
-        expect_near(cos(angle), vec3_dot(way, down), 1e-12);
-        expect_near(i == 1 ? sin(angle) : -sin(angle), way.x, 1e-12);
+        vec3 direction = vec3_scale(vec3_sub(c[i].axis[1], c[i].axis[0]), 1.0 / length);
+        expect_near(cos(angle), vec3_dot(direction, down), 1e-12);
+        expect_near(i == 1 ? sin(angle) : -sin(angle), direction.x, 1e-12);
     }
 }
 

@@ -41,7 +41,7 @@ static void restored_grasper_shows_same_views(void **state)
     uint64_t generation = inside(second)->generation;
     expect_ok(vbss_object_restore(second, &vbss_grasper_kind_of_slot, bytes, written));
     assert_true(inside(second)->generation > generation);
-    const vbss_grasper_state a = look(first), b = look(second);
+    const vbss_grasper_state a = get_state(first), b = get_state(second);
     assert_memory_equal(&a, &b, sizeof a);
     assert_memory_equal(inside(first)->view_capsules, inside(second)->view_capsules,
                         sizeof inside(first)->view_capsules);

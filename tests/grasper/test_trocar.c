@@ -37,9 +37,9 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     double to_bend = g.driver.length + g.driver.neck;
     pose reported = pose_make(harness_draw_vec3(source, -0.3, 0.3), quat_identity()), target;
     reported.orientation = harness_draw_unit_quat(source);
-    vec3 way = vec3_sub(vec3_load(g.config.trocar), reported.position);
+    vec3 to_trocar = vec3_sub(vec3_load(g.config.trocar), reported.position);
     double reach = fabs(to_bend * sin(g.driver.bend));
-    if (vec3_norm(way) <= 1.01 * reach) {
+    if (vec3_norm(to_trocar) <= 1.01 * reach) {
         return;
     }
     assert_true(vbss_grasper_apply_trocar(&g, reported, &target));
@@ -48,7 +48,7 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     double off = off_the_shaft(&g, target, &up);
     *worst = vbss_max(*worst, off);
     expect_near(0.0, off, 1e-12);
-    expect_near(vec3_norm(way) * vec3_norm(way),
+    expect_near(vec3_norm(to_trocar) * vec3_norm(to_trocar),
                 reach * reach +
                     (up + to_bend * cos(g.driver.bend)) * (up + to_bend * cos(g.driver.bend)),
                 1e-12);
@@ -56,7 +56,7 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     assert_true(up + g.driver.length * cos(g.driver.bend) > 0.0);
     vec3 turn = vbss_quat_to_rotation_vector(
         quat_mul(target.orientation, quat_conjugate(reported.orientation)));
-    expect_near(0.0, vec3_dot(turn, way) / vec3_norm(way), 1e-12);
+    expect_near(0.0, vec3_dot(turn, to_trocar) / vec3_norm(to_trocar), 1e-12);
     /* a tool that lies right is not turned, to rounding */
     pose again;
     assert_true(vbss_grasper_apply_trocar(&g, target, &again));
@@ -167,7 +167,7 @@ static void grasper_created_in_trocar_is_aligned(void **state)
     fixture f;
     begin(&f);
     f.config.has_trocar = 1;
-    vbss_grasper_state s = look(make(&f));
+    vbss_grasper_state s = get_state(make(&f));
     expect_same_bits(1.0, s.orientation[0]);
     expect_same_bits(1.0, s.target_orientation[0]);
     end(&f);

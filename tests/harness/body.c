@@ -65,10 +65,10 @@ static size_t divergence(const living *life, const harness_body *body, const uin
     return steps;
 }
 
-/* The three ways to go on after a restore. */
-enum { IN_A_NEW_BODY, IN_ANOTHER_LIFE, BACK_IN_ITS_OWN, WAYS };
-static const char *const way_names[WAYS] = {"in a new body", "in a body that lived otherwise",
-                                            "in its own body"};
+/* The three ways to continue after a restore. */
+enum { IN_A_NEW_BODY, IN_ANOTHER_LIFE, BACK_IN_ITS_OWN, CONTINUATIONS };
+static const char *const continuation_names[CONTINUATIONS] = {
+    "in a new body", "in a body that lived otherwise", "in its own body"};
 
 /* One run, saved at several steps. */
 typedef struct saved_run {
@@ -128,9 +128,9 @@ static size_t divergence_from(const saved_run *run, size_t i, const living *life
     return divergence(life, body, run->hashes + run->before[i] + 1, run->after);
 }
 
-/* For each of `count` steps and each way, the first state that differs. */
+/* For each of `count` steps and each continuation, the first state that differs. */
 static void divergences(const harness_body *body, const size_t *before, size_t count, size_t after,
-                        size_t found[][WAYS])
+                        size_t found[][CONTINUATIONS])
 {
     living first, fresh, other;
     saved_run run = {.before = before, .count = count, .after = after};
@@ -157,10 +157,10 @@ static void divergences(const harness_body *body, const size_t *before, size_t c
 
 size_t harness_restored_divergence(const harness_body *body, size_t before, size_t after)
 {
-    size_t found[1][WAYS], smallest = after;
+    size_t found[1][CONTINUATIONS], smallest = after;
     divergences(body, &before, 1, after, found);
-    for (int way = 0; way < WAYS; way++) {
-        smallest = found[0][way] < smallest ? found[0][way] : smallest;
+    for (int continuation = 0; continuation < CONTINUATIONS; continuation++) {
+        smallest = found[0][continuation] < smallest ? found[0][continuation] : smallest;
     }
     return smallest;
 }
@@ -169,14 +169,15 @@ void harness_save_restore_continue_at(const harness_body *body, const size_t *be
                                       size_t after)
 {
     enum { MAX_COUNT = 32 };
-    size_t found[MAX_COUNT][WAYS];
+    size_t found[MAX_COUNT][CONTINUATIONS];
     assert_in_range(count, 1, MAX_COUNT);
     divergences(body, before, count, after, found);
     for (size_t i = 0; i < count; i++) {
-        for (int way = 0; way < WAYS; way++) {
-            if (found[i][way] < after) {
+        for (int continuation = 0; continuation < CONTINUATIONS; continuation++) {
+            if (found[i][continuation] < after) {
                 fail_msg("%s saved at step %zu and restored %s differs from step %zu on",
-                         body->name, before[i], way_names[way], before[i] + found[i][way] + 1);
+                         body->name, before[i], continuation_names[continuation],
+                         before[i] + found[i][continuation] + 1);
             }
         }
     }

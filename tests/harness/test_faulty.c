@@ -123,7 +123,7 @@ static void continue_with_a_forgotten_field(void **state)
     harness_save_restore_continue(&body, 10, 50);
 }
 
-static void continue_a_body_that_stands_still(void **state)
+static void continue_a_body_that_is_still(void **state)
 {
     (void)state;
     faulty f = {1, 0, 0, AGES};
@@ -203,7 +203,7 @@ static vbss_result attempt_and_lose(vbss_context *context, void *user)
 }
 
 /* Right when one allocation fails, wrong when the next fails as well. */
-static vbss_result attempt_with_a_bad_second_way(vbss_context *context, void *user)
+static vbss_result attempt_with_wrong_second_failure(vbss_context *context, void *user)
 {
     (void)user;
     void *a = vbss_allocate(context, 1, 8, "a");
@@ -225,7 +225,7 @@ static vbss_result attempt_with_a_bad_second_way(vbss_context *context, void *us
 FAILING_ATTEMPT(attempt_nothing)
 FAILING_ATTEMPT(attempt_and_ignore)
 FAILING_ATTEMPT(attempt_and_lose)
-FAILING_ATTEMPT(attempt_with_a_bad_second_way)
+FAILING_ATTEMPT(attempt_with_wrong_second_failure)
 
 /* ---- calls and configs that believe too much */
 
@@ -405,7 +405,7 @@ static void harness_fails_on_faulty_body(void **state)
     expect_failure(another_result);
     expect_failure(lose_a_block);
     expect_failure(continue_with_a_forgotten_field);
-    expect_failure(continue_a_body_that_stands_still);
+    expect_failure(continue_a_body_that_is_still);
     expect_failure(continue_at_steps_that_do_not_ascend);
     expect_failure(continue_with_a_field_that_only_the_last_step_needs);
     expect_failure(restore_into_a_body_changed_by_reading);
@@ -413,7 +413,7 @@ static void harness_fails_on_faulty_body(void **state)
     expect_failure(sweep_attempt_nothing);
     expect_failure(sweep_attempt_and_ignore);
     expect_failure(sweep_attempt_and_lose);
-    expect_failure(sweep_attempt_with_a_bad_second_way);
+    expect_failure(sweep_attempt_with_wrong_second_failure);
     expect_failure(call_with_bad_handles);
     expect_failure(config_that_takes_anything);
     golden_scenes[2].run(rod_hashes, 200);

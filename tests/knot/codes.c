@@ -309,11 +309,11 @@ bool codes_move_1(knot_gauss_code *code, vbss_random *random)
 }
 
 /* Arc a is pushed over or under arc b out of the face that is on these sides of both. It meets the new crossings c
- * and c + 1 in this order, and so does b if both run the same way along the face. */
+ * and c + 1 in this order, and so does b if both run in the same direction along the face. */
 static void push(knot_gauss_code *code, const uint32_t arcs[2], const uint32_t sides[2], bool over)
 {
     uint32_t a = arcs[0] + 1, b = arcs[1] + 1, c = code->n;
-    bool same_way = sides[0] != sides[1];
+    bool is_parallel = sides[0] != sides[1];
     uint32_t later = a > b ? a : b, sooner = a > b ? b : a;
     open_gap(code, later, 4);
     memmove(code->crossing + sooner + 2, code->crossing + sooner,
@@ -323,8 +323,8 @@ static void push(knot_gauss_code *code, const uint32_t arcs[2], const uint32_t s
     b += b == later ? 2 : 0;
     put(code, a, c, over);
     put(code, a + 1, c + 1, over);
-    put(code, b, same_way ? c : c + 1, !over);
-    put(code, b + 1, same_way ? c + 1 : c, !over);
+    put(code, b, is_parallel ? c : c + 1, !over);
+    put(code, b + 1, is_parallel ? c + 1 : c, !over);
     /* Seen along b, a first goes away from the face. */
     code->sign[c] = (sides[1] == 0) == over ? 1 : -1;
     code->sign[c + 1] = (int8_t)-code->sign[c];

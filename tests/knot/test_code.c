@@ -142,10 +142,10 @@ static void expect_trefoil(void)
 static void every_loop_is_reduced(void **state)
 {
     (void)state;
-    for (int way = 0; way < 4 * PLACES; way++) {
+    for (int variant = 0; variant < 4 * PLACES; variant++) {
         insertions into = {""};
-        insert(into, way / 4, way % 2 == 0 ? 'd' : 'D', way % 2 == 0 ? 'D' : 'd');
-        set_trefoil_with(into, way / 2 % 2 == 0 ? '+' : '-', ' ');
+        insert(into, variant / 4, variant % 2 == 0 ? 'd' : 'D', variant % 2 == 0 ? 'D' : 'd');
+        set_trefoil_with(into, variant / 2 % 2 == 0 ? '+' : '-', ' ');
         assert_int_equal(4, d.code.n);
         assert_true(vbss_knot_gauss_code_is_planar(&d.code));
         expect_trefoil();
@@ -156,15 +156,15 @@ static void every_nonalternating_bigon_is_reduced(void **state)
 {
     (void)state;
     int undone[2] = {0, 0};
-    for (int way = 0; way < 4 * PLACES * PLACES; way++) {
-        int over = way / 4 / PLACES, under = way / 4 % PLACES;
-        bool same_way = way % 2 == 0;
+    for (int variant = 0; variant < 4 * PLACES * PLACES; variant++) {
+        int over = variant / 4 / PLACES, under = variant / 4 % PLACES;
+        bool is_parallel = variant % 2 == 0;
         insertions into = {""};
         insert(into, over, 'D', 'E');
-        insert(into, under, same_way ? 'd' : 'e', same_way ? 'e' : 'd');
-        set_trefoil_with(into, way / 2 % 2 == 0 ? '+' : '-', way / 2 % 2 == 0 ? '-' : '+');
+        insert(into, under, is_parallel ? 'd' : 'e', is_parallel ? 'e' : 'd');
+        set_trefoil_with(into, variant / 2 % 2 == 0 ? '+' : '-', variant / 2 % 2 == 0 ? '-' : '+');
         if (vbss_knot_gauss_code_is_planar(&d.code)) {
-            undone[same_way ? 0 : 1]++;
+            undone[is_parallel ? 0 : 1]++;
             expect_trefoil();
         }
     }

@@ -88,7 +88,7 @@ static knot_invariants truth_of(const family_case *c)
 }
 
 /* As it is seen, simplified, and untangled. */
-static void look_from_all_sides(eye *e, const family_case *c, uint32_t counts[3])
+static void count_diagrams(eye *e, const family_case *c, uint32_t counts[3])
 {
     for (uint32_t k = 0; k < DIRECTIONS; k++) {
         knot_ops work = INT64_MAX;
@@ -126,7 +126,7 @@ static void all_directions_agree(void **state)
             assert_true(family_named(names[f])->make(40 + seed, 120, &made));
             assert_true(derive_begin(&d, &made));
             close_line(&e, &made.line, d.out);
-            look_from_all_sides(&e, &made, counts);
+            count_diagrams(&e, &made, counts);
         }
     }
     close_eye(&e);

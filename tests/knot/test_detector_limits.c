@@ -35,8 +35,8 @@ static void symmetric_knots_are_identified(void **state)
             continue;
         }
         for (uint32_t count = 48; count <= 480; count += 144) {
-            for (int way = 0; way < 2; way++) {
-                put_torus(count, way == 0 ? 2 : q, way == 0 ? q : 2, 4e-3);
+            for (int variant = 0; variant < 2; variant++) {
+                put_torus(count, variant == 0 ? 2 : q, variant == 0 ? q : 2, 4e-3);
                 odd_hear(count + 2, false);
                 assert_int_equal(odd_said.state.throw_count, 1);
                 assert_int_equal(odd_said.throws[0].wraps, (abs(q) - 1) / 2);

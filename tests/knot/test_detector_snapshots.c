@@ -96,15 +96,15 @@ static void impossible_reading_is_rejected(void **state)
     detector_rig_create(&other);
     detector_rig_tie(&other, "1", 80);
     detector_rig_judge(&other); /* has events, too */
-    uint8_t *spent = field(&good, 92, 0);
+    uint8_t *used_work = field(&good, 92, 0);
     uint64_t right;
-    memcpy(&right, spent, sizeof right);
+    memcpy(&right, used_work, sizeof right);
     assert_true(right > 0);
     const uint64_t wrong[] = {right + 1, right - 1,         1,         10000000,
                               INT64_MAX, (uint64_t)1 << 63, UINT64_MAX};
     for (int i = 0; i < 7; i++) {
-        refuse_changed(&r, &good, spent, wrong[i]);
-        refuse_changed(&other, &good, spent, wrong[i]);
+        refuse_changed(&r, &good, used_work, wrong[i]);
+        refuse_changed(&other, &good, used_work, wrong[i]);
     }
     expect_ok(vbss_knot_detector_restore(other.detector, good.bytes, good.count));
     assert_true(detector_rig_hash(&other) == detector_rig_hash(&r));

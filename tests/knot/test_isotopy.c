@@ -55,12 +55,12 @@ static void expect_limbs_without_knots(const thread_line *made)
 
 static isotopy drawn(uint64_t seed)
 {
-    isotopy way;
-    isotopy_init(&way, seed);
-    way.strength = (double)(seed % 4) / 4.0;
-    way.segments = 60 + 60 * (uint32_t)(seed % 5);
-    way.jumps = seed % 7 == 0 ? 1.0 : 0.0;
-    return way;
+    isotopy deformation;
+    isotopy_init(&deformation, seed);
+    deformation.strength = (double)(seed % 4) / 4.0;
+    deformation.segments = 60 + 60 * (uint32_t)(seed % 5);
+    deformation.jumps = seed % 7 == 0 ? 1.0 : 0.0;
+    return deformation;
 }
 
 static void isotopy_keeps_knot_and_tissue(void **state)
@@ -69,9 +69,9 @@ static void isotopy_keeps_knot_and_tissue(void **state)
     uint32_t made = 0;
     tie(3, 60e-3);
     for (uint64_t seed = 0; seed < 100; seed++) {
-        isotopy way = drawn(seed);
-        if (isotopy_apply(&way, &base, &line)) {
-            assert_int_equal(way.segments + 1, line.count);
+        isotopy deformation = drawn(seed);
+        if (isotopy_apply(&deformation, &base, &line)) {
+            assert_int_equal(deformation.segments + 1, line.count);
             expect_throws(3, &line);
             expect_limbs_without_knots(&line);
             made++;
@@ -84,11 +84,11 @@ static void isotopy_moves_thread_far(void **state)
 {
     (void)state;
     tie(3, 60e-3);
-    isotopy way;
-    isotopy_init(&way, 3);
-    way.strength = 0.9;
-    way.turned = false;
-    assert_true(isotopy_apply(&way, &base, &line));
+    isotopy deformation;
+    isotopy_init(&deformation, 3);
+    deformation.strength = 0.9;
+    deformation.turned = false;
+    assert_true(isotopy_apply(&deformation, &base, &line));
     double furthest = 0.0;
     for (uint32_t i = 0; i < line.count; i++) {
         double nearest = 1.0;
@@ -105,8 +105,8 @@ static void markers_stay_on_thread(void **state)
     (void)state;
     tie(2, 60e-3);
     for (uint64_t seed = 0; seed < 20; seed++) {
-        isotopy way = drawn(seed);
-        assert_true(isotopy_apply(&way, &base, &line));
+        isotopy deformation = drawn(seed);
+        assert_true(isotopy_apply(&deformation, &base, &line));
         assert_true(line.hole_places[0] < line.tissue_place);
         assert_true(line.tissue_place < line.hole_places[1]);
         for (int i = 0; i < 2; i++) {
@@ -121,13 +121,13 @@ static void seed_determines_bits(void **state)
 {
     (void)state;
     tie(3, 60e-3);
-    isotopy way = drawn(11);
-    assert_true(isotopy_apply(&way, &base, &line));
-    assert_true(isotopy_apply(&way, &base, &again));
+    isotopy deformation = drawn(11);
+    assert_true(isotopy_apply(&deformation, &base, &line));
+    assert_true(isotopy_apply(&deformation, &base, &again));
     assert_int_equal(line.count, again.count);
     assert_memory_equal(line.x, again.x, line.count * sizeof line.x[0]);
-    way.seed++;
-    assert_true(isotopy_apply(&way, &base, &again));
+    deformation.seed++;
+    assert_true(isotopy_apply(&deformation, &base, &again));
     assert_memory_not_equal(line.x, again.x, line.count * sizeof line.x[0]);
 }
 

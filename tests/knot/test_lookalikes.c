@@ -2,20 +2,20 @@
  * search of random braids; Jones' polynomial tells them from the stacks. */
 #include "knot/algebra_room.h"
 
-typedef struct look_alike {
+typedef struct lookalike {
     const char *name;
     int word[16], letters;
     uint32_t throws; /* of the stack that it looks like */
     int64_t determinant;
-} look_alike;
+} lookalike;
 
-static const look_alike look_alikes[] = {
+static const lookalike lookalikes[] = {
     {"10_99", {1, -2, -2, 1, -2, -2, 1, 1, -2, 1}, 10, 4, 81},
     {"like 1=1=1", {2, -3, -3, 1, -2, 1, 3, 1, -2, -3, 2}, 11, 3, 27},
     {"like 1=1", {2, -3, 1, -2, -3, 1, -2, -3, -3, 1, 2}, 11, 2, 9},
     {"like 2=1=1", {-3, -3, 1, 1, -2, -2, -1, 1, 1, 2, -3, -1, -3, 2, -3}, 15, 3, 45},
 };
-enum { LOOK_ALIKES = sizeof look_alikes / sizeof look_alikes[0] };
+enum { LOOKALIKES = sizeof lookalikes / sizeof lookalikes[0] };
 
 static knot_invariants invariants_of(const knot_gauss_code *code)
 {
@@ -35,8 +35,8 @@ static knot_invariants invariants_of(const knot_gauss_code *code)
 static void invariants_cannot_separate_lookalikes(void **state)
 {
     (void)state;
-    for (int i = 0; i < LOOK_ALIKES; i++) {
-        const look_alike *l = &look_alikes[i];
+    for (int i = 0; i < LOOKALIKES; i++) {
+        const lookalike *l = &lookalikes[i];
         knot_gauss_code *code = codes_make();
         knot_factors factors;
         assert_true(codes_braid(code, l->word, (size_t)l->letters));
@@ -55,8 +55,8 @@ static void no_lookalike_unties(void **state)
     knot_gauss_code *code = codes_make(), *spare = codes_make();
     vbss_random random;
     vbss_random_seed(&random, 7, 1);
-    for (int i = 0; i < LOOK_ALIKES * 400; i++) {
-        const look_alike *l = &look_alikes[i % LOOK_ALIKES];
+    for (int i = 0; i < LOOKALIKES * 400; i++) {
+        const lookalike *l = &lookalikes[i % LOOKALIKES];
         uint32_t tries = KNOT_TRIES;
         knot_ops work = 0;
         knot_factors factors;

@@ -66,7 +66,7 @@ static void paper_counts_differ_from_truth(void **state)
 
 /* E: of three crossings of the end with the standing part the outermost is taken for the pair; the one next to
  * the tool, on which the throw depends, has above and below the other way round. */
-static void curled_standing_part_pairs_wrongly(void **state)
+static void curled_long_limb_pairs_wrongly(void **state)
 {
     (void)state;
     paper_rig rig;
@@ -113,7 +113,7 @@ int test_paper_cases(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cases_match_paper_counts),
         cmocka_unit_test(paper_counts_differ_from_truth),
-        cmocka_unit_test(curled_standing_part_pairs_wrongly),
+        cmocka_unit_test(curled_long_limb_pairs_wrongly),
         cmocka_unit_test(exact_helix_closes_by_accident),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

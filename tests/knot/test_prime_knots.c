@@ -9,7 +9,7 @@
 
 typedef struct prime_knot {
     const char *name;
-    const char *looks_like;
+    const char *resembles;
     int64_t determinant;
 } prime_knot;
 
@@ -77,7 +77,7 @@ static void hear(judge *j, thread_line *line, judge_saying *saying)
 static void expect_other(const prime_knot *k, const judge_saying *saying)
 {
     if (saying->state.name != VBSS_KNOT_NAME_OTHER) {
-        fail_msg("%s, which looks like %s, is reported as \"%s\"", k->name, k->looks_like,
+        fail_msg("%s, which looks like %s, is reported as \"%s\"", k->name, k->resembles,
                  saying->notation);
     }
     assert_int_equal(saying->state.verdict, VBSS_KNOT_VERDICT_FORMED);

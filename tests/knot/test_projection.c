@@ -154,8 +154,8 @@ static void scene_knots_are_view_invariant(void **state)
     static const double finest[] = {0.2e-3, 0.5e-3}, far[] = {3.0, 10.0, 100.0};
     for (int kind = 0; kind < KNOT_KINDS; kind++) {
         knot_type wanted = knot_type_of_kind((knot_kind)kind, kind % 2 != 0);
-        for (int way = 0; way < 6; way++) {
-            diagram_knot(&d, (knot_kind)kind, kind % 2 != 0, finest[way % 2], far[way / 2]);
+        for (int variant = 0; variant < 6; variant++) {
+            diagram_knot(&d, (knot_kind)kind, kind % 2 != 0, finest[variant % 2], far[variant / 2]);
             expect_same_from_everywhere(&wanted, 16);
         }
     }

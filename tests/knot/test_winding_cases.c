@@ -88,9 +88,9 @@ static void distant_loops_have_no_turns(void **state)
 static void axis_crossing_is_one_sided(void **state)
 {
     (void)state;
-    for (int way = 0; way < 8; way++) {
+    for (int octant = 0; octant < 8; octant++) {
         double s, c;
-        vbss_sincos(way * PI / 4.0, &s, &c);
+        vbss_sincos(octant * PI / 4.0, &s, &c);
         line there = {.count = 0}, back = {.count = 0}, by_point = {.count = 0};
         add(&there, -8e-3 * c, -8e-3 * s, 0.01);
         add(&by_point, -8e-3 * c, -8e-3 * s, 0.01);

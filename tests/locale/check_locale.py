@@ -1,8 +1,8 @@
 """Programs in a locale with a decimal comma: check_locale.py quick|galleries FOLDER PRELOAD KEY=PROGRAM ...
 
-The locale is made by localedef from a text of three lines, so no package is needed, and is set before `main` by a preloaded
-library. What a program prints and writes must be the same to the byte as without it, but for measured times; what it reads must
-be understood. Besides, each `main` of examples/ and bench/ must set the decimal point."""
+localedef makes the locale from a text of three lines and a character map of ASCII, so no package is needed. A preloaded
+library sets the locale before `main`. A program prints and writes the same bytes as without it, but for measured times, and
+reads the same values. Besides, each `main` of examples/ and bench/ must set the decimal point."""
 import json
 import os
 import pathlib
@@ -20,6 +20,15 @@ thousands_sep "."
 grouping 3;3
 END LC_NUMERIC
 """
+# A minimal Debian has no character maps.
+CHARACTER_MAP = """<code_set_name> ANSI_X3.4-1968
+<comment_char> %
+<escape_char> /
+<mb_cur_min> 1
+<mb_cur_max> 1
+CHARMAP
+{}END CHARMAP
+""".format("".join(f"<U{code:04X}> /x{code:02x}\n" for code in range(128)))
 POINT = re.compile(r"use_decimal_point\(\);|setlocale\(LC_NUMERIC, \"C\"\)|bench_main\(")
 
 
@@ -29,8 +38,10 @@ def make_locale(folder):
         print("localedef is not there")
         sys.exit(0)
     (folder / "source").write_text(SOURCE)
+    (folder / "characters").write_text(CHARACTER_MAP)
     # categories that the source leaves out give warnings and an exit of 1
-    subprocess.run([tool, "-c", "-i", str(folder / "source"), str(folder / "comma")], capture_output=True)
+    subprocess.run([tool, "-c", "-f", str(folder / "characters"), "-i", str(folder / "source"), str(folder / "comma")],
+                   capture_output=True)
     assert (folder / "comma" / "LC_NUMERIC").exists(), "localedef has made no locale"
 
 

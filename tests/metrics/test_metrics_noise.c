@@ -1,7 +1,7 @@
 /* What noise of the sensor does to smoothness is what the filter's band lets through, and can be foretold. */
 #include "fixture.h"
 
-static void stand_with_noise(const fixture *f, double rate, double deviation, double seconds)
+static void rest_with_noise(const fixture *f, double rate, double deviation, double seconds)
 {
     vbss_random random;
     vbss_random_seed(&random, 11, 4);
@@ -40,7 +40,7 @@ static void jerk_of_noise_matches_filter_band(void **state)
         fixture f;
         vbss_view view;
         begin_and_make(&f);
-        stand_with_noise(&f, rates[i], 1e-4, 60.0);
+        rest_with_noise(&f, rates[i], 1e-4, 60.0);
         expect_ok(
             vbss_metrics_get_view(f.metrics, VBSS_METRICS_VIEW_LEFT_JERK, &view, sizeof view));
         const double *jerk = view.data;
@@ -60,7 +60,7 @@ static void sensor_noise_is_rest(void **state)
     (void)state;
     fixture f;
     begin_and_make(&f);
-    stand_with_noise(&f, 1000.0, 1e-4, 20.0);
+    rest_with_noise(&f, 1000.0, 1e-4, 20.0);
     const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_WHOLE);
     assert_true(m.idle_share > 0.99);
     assert_true(m.peak_speed < 5e-3);

@@ -1,7 +1,7 @@
 /* What a measurement refuses, with a text and without any change. */
-#include <fenv.h>
 
 #include "fixture.h"
+#include "harness/float_modes.h"
 
 static vbss_metrics_sample good_sample(void)
 {
@@ -178,17 +178,43 @@ static void unknown_tools_phases_and_fields_are_rejected(void **state)
     end(&f);
 }
 
-static void other_rounding_mode_is_rejected(void **state)
+/* Samples of a motion, and the motion that they add up to. */
+static vbss_metrics_motion motion_in_mode(const fixture *f, bool in_mode, size_t k)
+{
+    vbss_metrics_motion motion;
+    for (int i = 0; i < 100; i++) {
+        vbss_metrics_sample s = good_sample();
+        s.time = 2.0 + 1e-3 * i;
+        s.position[0][0] = 1e-5 * i * i;
+        s.position[0][1] = i % 7 == 0 ? 1e-310 : 0.0;
+        if (in_mode) {
+            harness_mode_set(k);
+        }
+        vbss_result result = vbss_metrics_add_sample(f->metrics, &s);
+        if (in_mode) {
+            harness_mode_end(k);
+        }
+        expect_ok(result);
+    }
+    expect_ok(vbss_metrics_get_motion(f->metrics, 0, -1, &motion, sizeof motion));
+    return motion;
+}
+
+static void host_mode_does_not_change_motion(void **state)
 {
     (void)state;
     fixture f;
     begin_and_make(&f);
-    const vbss_metrics_sample s = good_sample();
-    assert_int_equal(fesetround(FE_UPWARD), 0);
-    vbss_result result = vbss_metrics_add_sample(f.metrics, &s);
-    assert_int_equal(fesetround(FE_TONEAREST), 0);
-    expect_result(VBSS_ERROR_ARITHMETIC_MODE, result);
+    const vbss_metrics_motion wanted = motion_in_mode(&f, false, 0);
+    const uint64_t hash = hash_of(f.metrics);
     end(&f);
+    for (size_t k = 0; k < harness_mode_count; k++) {
+        begin_and_make(&f);
+        const vbss_metrics_motion found = motion_in_mode(&f, true, k);
+        assert_true(hash_of(f.metrics) == hash);
+        assert_memory_equal(&found, &wanted, sizeof wanted);
+        end(&f);
+    }
 }
 
 int test_metrics_refusals(void)
@@ -199,7 +225,7 @@ int test_metrics_refusals(void)
         harness_test(bad_events_change_nothing),
         harness_test(bad_pulls_change_nothing),
         harness_test(unknown_tools_phases_and_fields_are_rejected),
-        harness_test(other_rounding_mode_is_rejected),
+        harness_test(host_mode_does_not_change_motion),
     };
     return cmocka_run_group_tests_name("metrics.metrics_refusals", tests, NULL, NULL);
 }

@@ -61,10 +61,10 @@ static void same_log_gives_same_bits(void **state)
     expect_ok(metrics_run_create(f.context, &two));
     uint64_t before = 0;
     for (int i = 0; i < METRICS_RUN_STEPS; i++) {
-        vbss_metrics_motion looked;
+        vbss_metrics_motion motion;
         expect_ok(metrics_run_step(one));
         /* looking changes nothing */
-        expect_ok(vbss_metrics_get_motion(one, 0, VBSS_METRICS_WHOLE, &looked, sizeof looked));
+        expect_ok(vbss_metrics_get_motion(one, 0, VBSS_METRICS_WHOLE, &motion, sizeof motion));
         expect_ok(metrics_run_step(two));
         assert_true(hash_of(one) == hash_of(two));
         assert_true(hash_of(one) != before);

@@ -41,7 +41,7 @@ static inline needle_object *inside(const vbss_needle *needle)
     return n;
 }
 
-static inline vbss_needle_state look(vbss_needle *needle)
+static inline vbss_needle_state get_state(vbss_needle *needle)
 {
     vbss_needle_state state;
     expect_ok(vbss_needle_get_state(needle, &state, sizeof state));

@@ -27,7 +27,7 @@ static vbss_needle *begin_turning(fixture *f, vec3 own)
 /* Of what hosts see. */
 static vec3 angular_momentum(vbss_needle *needle)
 {
-    const vbss_needle_state s = look(needle);
+    const vbss_needle_state s = get_state(needle);
     const vbss_needle_mass m = weigh(needle);
     quat q = quat_make(s.orientation[0], s.orientation[1], s.orientation[2], s.orientation[3]);
     vec3 own = quat_rotate_back(q, vec3_load(s.angular_velocity)), sum = vec3_zero();
@@ -48,7 +48,7 @@ static double energy(vbss_needle *needle)
 
 static vec3 centre(vbss_needle *needle)
 {
-    const vbss_needle_state s = look(needle);
+    const vbss_needle_state s = get_state(needle);
     quat q = quat_make(s.orientation[0], s.orientation[1], s.orientation[2], s.orientation[3]);
     return pose_apply(pose_make(vec3_load(s.position), q), vec3_load(weigh(needle).centre));
 }
@@ -138,11 +138,11 @@ static void principal_axis_rotation_is_exact(void **state)
         fixture f;
         vbss_needle *needle = begin_turning(&f, vec3_load(own));
         quat before = inside(needle)->body.now.pose.orientation;
-        vec3 w = vec3_load(look(needle).angular_velocity);
+        vec3 w = vec3_load(get_state(needle).angular_velocity);
         steps(needle, 1e-2, 100);
         quat wanted = quat_mul(vbss_quat_from_rotation_vector(w), before);
         expect_near(0.0, rigid_turn(wanted, inside(needle)->body.now.pose.orientation), 1e-11);
-        expect_near_vec3(w, vec3_load(look(needle).angular_velocity), 1e-11);
+        expect_near_vec3(w, vec3_load(get_state(needle).angular_velocity), 1e-11);
         end(&f);
     }
 }
@@ -154,12 +154,12 @@ static void rotation_about_z_drives_tip_forward(void **state)
     begin(&f);
     f.config.angular_velocity[2] = 2.0;
     vbss_needle *needle = make(&f);
-    const vbss_needle_state before = look(needle);
+    const vbss_needle_state before = get_state(needle);
     steps(needle, 1e-5, 1);
-    const vbss_needle_state after = look(needle);
-    vec3 way = vec3_sub(vec3_load(after.tip), vec3_load(before.tip));
-    expect_near(2.0 * f.config.radius * 1e-5, vec3_dot(way, vec3_load(before.tip_direction)),
-                1e-11);
+    const vbss_needle_state after = get_state(needle);
+    vec3 displacement = vec3_sub(vec3_load(after.tip), vec3_load(before.tip));
+    expect_near(2.0 * f.config.radius * 1e-5,
+                vec3_dot(displacement, vec3_load(before.tip_direction)), 1e-11);
     expect_near(0.0, vec3_norm(vec3_load(before.velocity)), 1e-16);
     expect_near(0.0, vec3_norm(vec3_load(after.position)), 1e-11); /* only the centre flies on */
     end(&f);
@@ -172,11 +172,11 @@ static void reported_velocity_is_of_origin(void **state)
     vbss_needle *needle = begin_turning(&f, vec3_make(20.0, 5.0, -10.0));
     double h = 1e-5;
     steps(needle, h, 1);
-    vec3 before = vec3_load(look(needle).position);
+    vec3 before = vec3_load(get_state(needle).position);
     steps(needle, h, 1);
-    vec3 v = vec3_load(look(needle).velocity);
+    vec3 v = vec3_load(get_state(needle).velocity);
     steps(needle, h, 1);
-    vec3 after = vec3_load(look(needle).position);
+    vec3 after = vec3_load(get_state(needle).position);
     assert_true(vec3_norm(v) > 1e-5);
     expect_near_vec3(vec3_scale(vec3_sub(after, before), 0.5 / h), v, 1e-8);
     end(&f);
@@ -190,11 +190,11 @@ static void overfast_rotation_is_damped(void **state)
     f.config.angular_velocity[2] = 1e6;
     vbss_needle *needle = make(&f);
     steps(needle, 1e-3, 1);
-    expect_near(0.5 * PI / 1e-3, look(needle).angular_velocity[2], 1e-9);
+    expect_near(0.5 * PI / 1e-3, get_state(needle).angular_velocity[2], 1e-9);
     f.config.angular_velocity[2] = 0.499 * PI / 1e-3;
     needle = make(&f);
     steps(needle, 1e-3, 1000);
-    expect_near(0.499 * PI / 1e-3, look(needle).angular_velocity[2], 1e-9);
+    expect_near(0.499 * PI / 1e-3, get_state(needle).angular_velocity[2], 1e-9);
     end(&f);
 }
 
@@ -265,7 +265,7 @@ static void fall_energy_is_reported(void **state)
     vbss_needle_energies e;
     expect_ok(vbss_needle_get_energies(needle, &e, sizeof e));
     const vbss_needle_mass m = weigh(needle);
-    vec3 v = inside(needle)->body.now.v, w = vec3_load(look(needle).angular_velocity);
+    vec3 v = inside(needle)->body.now.v, w = vec3_load(get_state(needle).angular_velocity);
     double turning = 0.5 * vec3_dot(w, angular_momentum(needle));
     expect_near(0.5 * m.mass * vec3_norm_squared(v) + turning, e.kinetic, 1e-15 * e.kinetic);
     expect_near(-m.mass * vec3_dot(gravity, centre(needle)), e.gravity, 1e-15 * e.kinetic);

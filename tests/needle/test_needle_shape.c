@@ -47,16 +47,17 @@ static void add_first(double volume, vec3 at, void *sums)
 
 typedef struct second_sums {
     vec3 centre, axes[3];
-    double moments[3][3]; /* of the ways along two axes */
+    double moments[3][3]; /* of the offsets along two axes */
 } second_sums;
 
 static void add_second(double volume, vec3 at, void *sums)
 {
     second_sums *s = sums;
-    vec3 way = vec3_sub(at, s->centre);
+    vec3 offset = vec3_sub(at, s->centre);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            s->moments[i][j] += volume * vec3_dot(way, s->axes[i]) * vec3_dot(way, s->axes[j]);
+            s->moments[i][j] +=
+                volume * vec3_dot(offset, s->axes[i]) * vec3_dot(offset, s->axes[j]);
         }
     }
 }
@@ -155,7 +156,7 @@ static void ends_match_header(void **state)
     for (size_t i = 0; i < sizeof arcs / sizeof arcs[0]; i++) {
         f.config.arc = arcs[i];
         double a = arcs[i], r = f.config.radius;
-        const vbss_needle_state s = look(make(&f));
+        const vbss_needle_state s = get_state(make(&f));
         vec3 swage = vec3_make(r * cos(a), -r * sin(a), 0.0);
         expect_near_vec3(pose_apply(at, vec3_make(r, 0.0, 0.0)), vec3_load(s.tip), 1e-15);
         expect_near_vec3(pose_apply(at, swage), vec3_load(s.swage), 1e-15);
@@ -200,17 +201,18 @@ static void line_is_straight_beyond_ends(void **state)
     begin_turned(&f, &at);
     vbss_needle *needle = make(&f);
     double length = weigh(needle).length;
-    const vbss_needle_state s = look(needle);
-    const double ways[] = {1e-9, 1e-3, 0.3, 9.9};
+    const vbss_needle_state s = get_state(needle);
+    const double distances[] = {1e-9, 1e-3, 0.3, 9.9};
     for (int i = 0; i < 4; i++) {
         vec3 p, d;
-        place(needle, -ways[i], &p, &d);
+        place(needle, -distances[i], &p, &d);
         expect_near_vec3(vec3_load(s.tip_direction), d, 1e-15);
-        expect_near_vec3(vec3_add_scaled(vec3_load(s.tip), ways[i], d), p, 1e-15 * (1.0 + ways[i]));
-        place(needle, length + ways[i], &p, &d);
+        expect_near_vec3(vec3_add_scaled(vec3_load(s.tip), distances[i], d), p,
+                         1e-15 * (1.0 + distances[i]));
+        place(needle, length + distances[i], &p, &d);
         expect_near_vec3(vec3_load(s.swage_direction), vec3_neg(d), 1e-15);
-        expect_near_vec3(vec3_add_scaled(vec3_load(s.swage), -ways[i], d), p,
-                         2e-15 * (1.0 + ways[i]));
+        expect_near_vec3(vec3_add_scaled(vec3_load(s.swage), -distances[i], d), p,
+                         2e-15 * (1.0 + distances[i]));
     }
     double p[3];
     expect_ok(vbss_needle_get_place(needle, 0.0, p, NULL));
@@ -245,7 +247,7 @@ static void view_shows_capsule_ends_on_arc(void **state)
             place(needle, weigh(needle).length * i / counts[k], &p, &d);
             expect_near_vec3(p, vec3_load(points + 3 * (size_t)i), 1e-15);
         }
-        const vbss_needle_state s = look(needle);
+        const vbss_needle_state s = get_state(needle);
         expect_near_vec3(vec3_load(s.tip), vec3_load(points), 0.0);
         expect_near_vec3(vec3_load(s.swage), vec3_load(points + 3 * (size_t)counts[k]), 0.0);
     }

@@ -30,7 +30,7 @@ static void restored_needle_shows_same_views(void **state)
     uint64_t generation = inside(second)->generation;
     expect_ok(vbss_needle_restore(second, bytes, written));
     assert_true(inside(second)->generation > generation);
-    const vbss_needle_state a = look(first), b = look(second);
+    const vbss_needle_state a = get_state(first), b = get_state(second);
     assert_memory_equal(&a, &b, sizeof a);
     assert_memory_equal(&inside(first)->body, &inside(second)->body, sizeof(vbss_rigid));
     end(&f);
@@ -52,17 +52,17 @@ static void motion_of_owner_is_taken_over(void **state)
     vbss_needle_set_motion(inside(needle), &inside(twin)->body.now, 5);
     assert_true(inside(needle)->generation > generation);
     assert_memory_equal(&inside(twin)->body, &inside(needle)->body, sizeof(vbss_rigid));
-    vbss_needle_state seen = look(needle);
+    vbss_needle_state seen = get_state(needle);
     assert_int_equal(seen.body, 5);
     seen.body = 0;
-    const vbss_needle_state wanted = look(twin);
+    const vbss_needle_state wanted = get_state(twin);
     assert_memory_equal(&wanted, &seen, sizeof seen);
     slot->owner = NULL;
     vbss_needle_set_motion(inside(needle), &inside(twin)->body.now, 0); /* it leaves */
     steps(twin, 1e-3, 3);
     steps(needle, 1e-3, 3);
     assert_true(hash_of(needle) == hash_of(twin)); /* and flies on as if it had always been free */
-    assert_int_equal(look(needle).body, 0);
+    assert_int_equal(get_state(needle).body, 0);
     end(&f);
 }
 
@@ -77,7 +77,7 @@ static void initial_state_matches_config(void **state)
     vec3_store(f.config.velocity, vec3_make(1.0, 2.0, 3.0));
     vec3_store(f.config.angular_velocity, vec3_make(-30.0, 20.0, 10.0));
     vbss_needle *needle = make(&f);
-    const vbss_needle_state s = look(needle);
+    const vbss_needle_state s = get_state(needle);
     expect_near_vec3(vec3_make(0.1, -0.2, 0.3), vec3_load(s.position), 1e-15);
     expect_near_vec3(vec3_make(1.0, 2.0, 3.0), vec3_load(s.velocity), 1e-14);
     expect_near_vec3(vec3_make(-30.0, 20.0, 10.0), vec3_load(s.angular_velocity), 0.0);
@@ -116,7 +116,7 @@ static void state_can_be_set_anywhere(void **state)
     const quat turned = inside(moved)->body.now.pose.orientation;
     expect_ok(vbss_needle_set_state(moved, p, NULL, NULL, NULL));
     assert_memory_equal(&turned, &inside(moved)->body.now.pose.orientation, sizeof turned);
-    const vbss_needle_state s = look(moved);
+    const vbss_needle_state s = get_state(moved);
     expect_near_vec3(vec3_load(p), vec3_load(s.position), 1e-15);
     assert_true(vbss_max_abs(s.velocity, 3) == 0.0);
     assert_true(vbss_max_abs(s.angular_velocity, 3) == 0.0);

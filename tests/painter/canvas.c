@@ -54,7 +54,7 @@ static void hue(uint32_t colour, double *of)
     }
 }
 
-bool canvas_looks_like(uint32_t pixel, painter_colour colour)
+bool canvas_matches(uint32_t pixel, painter_colour colour)
 {
     double a[3], b[3], product = 0.0, seen = 0.0, wanted = 0.0;
     hue(pixel, a);

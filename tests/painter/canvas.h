@@ -25,7 +25,7 @@ void canvas_paint(painter *p, canvas *to);
 uint32_t canvas_pixel(const canvas *c, int column, int row);
 bool canvas_is_background(const canvas *c, int column, int row);
 /* The same hue, lit somehow. */
-bool canvas_looks_like(uint32_t pixel, painter_colour colour);
+bool canvas_matches(uint32_t pixel, painter_colour colour);
 /* Sum of red, green and blue. */
 int canvas_brightness(const canvas *c, int column, int row);
 /* Pixels of the row that are not background. */

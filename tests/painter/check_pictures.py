@@ -75,7 +75,7 @@ def hue(colour):
     return [value - min(light) for value in light]
 
 
-def looks_like(pixel, colour):
+def matches(pixel, colour):
     a, b = hue(pixel), hue(colour)
     return sum(x * y for x, y in zip(a, b)) > 0.98 * (sum(x * x for x in a) * sum(x * x for x in b)) ** 0.5 > 0.01
 
@@ -103,9 +103,9 @@ def check_png(folder):
     png = Png(folder / "crossing.png")
     assert (png.width, png.height) == (800, 600)
     assert png.pixels == (folder / "crossing.raw").read_bytes(), "the file is not what was painted"
-    assert looks_like(png.at(400, 300), VERMILION), "the far bar hides the near one"
-    assert looks_like(png.at(240, 300), VERMILION)
-    assert looks_like(png.at(400, 180), BLUE) and looks_like(png.at(400, 420), BLUE)
+    assert matches(png.at(400, 300), VERMILION), "the far bar hides the near one"
+    assert matches(png.at(240, 300), VERMILION)
+    assert matches(png.at(400, 180), BLUE) and matches(png.at(400, 420), BLUE)
     assert png.at(240, 180) == BACKGROUND and png.at(790, 590) == BACKGROUND
     two = Png(folder / "crossing-two.png")
     assert (two.width, two.height) == (1600, 600)
@@ -113,11 +113,11 @@ def check_png(folder):
     assert all(two.pixels[4800 * y:4800 * y + 2390] == png.pixels[2400 * y:2400 * y + 2390] for y in rows), \
         "the left view is not the front"
     # From above: the upright bar's green end, the other one 3 mm nearer to the lower edge.
-    assert looks_like(two.at(1200, 300), GREEN) and looks_like(two.at(1200, 420), VERMILION)
+    assert matches(two.at(1200, 300), GREEN) and matches(two.at(1200, 420), VERMILION)
     assert two.at(1200, 180) == BACKGROUND
     table = Png(folder / "table.png")
     colours = {table.at(x, y) for x in range(0, 800, 3) for y in range(250, 600, 3)}
-    assert not any(looks_like(colour, PINK) for colour in colours), "what is under the floor shows"
+    assert not any(matches(colour, PINK) for colour in colours), "what is under the floor shows"
     for name in ("crossing", "trefoil", "table"):
         size = Png(folder / f"{name}.png", decode=False).size
         assert size < 200_000, f"{name}.png has {size} bytes"

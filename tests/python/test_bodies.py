@@ -57,7 +57,7 @@ def test_a_needle_flies(context):
     assert "tip at" in repr(needle)
 
 
-def test_a_grasper_is_told(context):
+def test_a_grasper_is_commanded(context):
     grasper = vb.Grasper(context, preset="angled", kind="needle_driver")
     grasper.move((0.0, 0.1, 0.0), orientation=(1, 0, 0, 0))
     grasper.set_opening(0.5)

@@ -123,7 +123,7 @@ def test_jaws_wait_for_the_handle(context):
     assert device.read(0.002).jaw == pytest.approx(1.0 - opening)
 
 
-def test_a_mock_stands_for_hardware(context):
+def test_a_mock_replaces_hardware(context):
     mock = vb.Mock(context, measure=lambda t: {"position": (t, 0, 0), "jaw": 1.0}, row_capacity=16,
                    capabilities={"outputs": 7, "signals": 0x1ff, "max_force": 3.0})
     device = vb.Device(mock, output={"max_force": 1.0}, calibration={"scale": 2.0, "axes": (-1, 2, 3)},

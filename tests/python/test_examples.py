@@ -30,7 +30,7 @@ def test_the_hanging_thread_is_drawn(tmp_path):
     assert (tmp_path / "hanging.png").stat().st_size > 10000
 
 
-def test_knots_are_told_from_a_file(tmp_path):
+def test_knots_are_identified_from_a_file(tmp_path):
     assert run("classify_knots.py").splitlines() == [
         "right overhand: 1 (single, certified, right)", "left overhand: 1 (single, certified, left)",
         "no knot: - (none, none)"]

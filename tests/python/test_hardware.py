@@ -12,7 +12,7 @@ HD, DAQ = str(STAND_INS / "libstand_in_openhaptics.so"), str(STAND_INS / "libsta
 there = pytest.mark.skipif(not os.path.exists(HD) or not os.path.exists(DAQ), reason="no stand-ins are built")
 
 
-def test_missing_libraries_are_told(context):
+def test_missing_libraries_are_reported(context):
     with pytest.raises(vb.DeviceError, match="no library /nowhere/hd"):
         vb.Openhaptics(context, library="/nowhere/hd")
     with pytest.raises(vb.DeviceError, match="no library /nowhere/daq"):
@@ -23,7 +23,7 @@ def test_missing_libraries_are_told(context):
 
 
 @there
-def test_a_device_stands_on_an_arm_and_a_handle(context):
+def test_a_device_reads_an_arm_and_a_handle(context):
     with vb.Openhaptics(context, library=HD, device_count=2) as arms, \
             vb.Nidaqmx(context, library=DAQ, own_thread=0) as lines:
         assert arms.identity(1) == ("Touch (stand-in)", "stand-in 2")

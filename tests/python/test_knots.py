@@ -49,7 +49,7 @@ def test_winding_about_a_tool_is_counted(context):
         detector.throw(0)
 
 
-def test_the_papers_method_tells_its_loops(context):
+def test_the_papers_method_reports_its_loops(context):
     detector = vb.KnotDetector(context, method="projection")
     knot = detector.judge(trefoil(), tools=[vb.KnotTool([[0, 0, -0.05], [0, 0, 0.05]], [1e-3])])
     assert knot.state.crossings == 0 and detector.loops.dtype.kind == "u"

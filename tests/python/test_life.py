@@ -71,7 +71,7 @@ def test_an_object_that_is_dropped_inside_a_callback_goes_after_it(context):
     assert context.statistics.objects_alive == 2  # device and mock
 
 
-def test_dropping_waits_for_nobody(context):
+def test_dropping_waits_for_no_thread(context):
     """While another thread is inside the context; the object goes with a later call."""
     inside, go_on = threading.Event(), threading.Event()
 

@@ -67,7 +67,7 @@ def test_outlier_is_counted_and_adds_no_path(context):
     assert faulty.motion("left").path_length == pytest.approx(plain.motion("left").path_length, rel=1e-4)
 
 
-def test_lost_time_is_told(context):
+def test_lost_time_is_reported(context):
     metrics = vb.Metrics(context, lost_share=0.1)
     metrics.add_sample(0.0)
     metrics.add_event("needle_appears", 0.0)

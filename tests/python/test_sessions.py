@@ -4,7 +4,7 @@ import pytest
 import vblast_ss as vb
 
 
-class Stand:
+class Rig:
     """All that a session wants, at rest."""
 
     def __init__(self, context):
@@ -23,10 +23,10 @@ class Stand:
 
 
 def test_the_task_begins_with_the_needle(context):
-    stand = Stand(context)
+    rig = Rig(context)
     heard = []
     metrics, knots = vb.Metrics(context, duration=10.0), vb.KnotDetector(context)
-    session = stand.session(metrics=metrics, knots=knots, listen=heard.append)
+    session = rig.session(metrics=metrics, knots=knots, listen=heard.append)
     assert session.status.phase is vb.SessionPhase.IDLE and session.events == []
     for _ in range(5):
         session.step()
@@ -42,7 +42,7 @@ def test_the_task_begins_with_the_needle(context):
 
 
 def test_a_limit_fails_it(context):
-    session = Stand(context).session(time_limit=2e-3)
+    session = Rig(context).session(time_limit=2e-3)
     for _ in range(4):
         session.step()
     assert session.status.failure is vb.SessionFailure.TIMEOUT
@@ -50,31 +50,31 @@ def test_a_limit_fails_it(context):
 
 
 def test_a_session_goes_on_from_where_it_was_saved(context):
-    stand = Stand(context)
-    session = stand.session(metrics=vb.Metrics(context, duration=10.0))
+    rig = Rig(context)
+    session = rig.session(metrics=vb.Metrics(context, duration=10.0))
     session.step()
-    scene, state = stand.scene.save(), session.save()
+    scene, state = rig.scene.save(), session.save()
     session.step()
     wanted = session.state_hash
     with pytest.raises(vb.errors.CorruptError):
         session.restore(state)  # its scene is further on
-    stand.scene.restore(scene)
+    rig.scene.restore(scene)
     session.restore(state)
     session.step()
     assert session.state_hash == wanted
 
 
 def test_a_log_replays_and_goes_on(context):
-    stand = Stand(context)
-    record = vb.Record(stand.scene)
-    session = stand.session(record=record, hash_interval=1)
+    rig = Rig(context)
+    record = vb.Record(rig.scene)
+    session = rig.session(record=record, hash_interval=1)
     log = b""
     for i in range(6):
-        record.move_grasper(stand.bodies["tools"][0], (-0.08, 0.08, -0.08 + 1e-4 * i))
+        record.move_grasper(rig.bodies["tools"][0], (-0.08, 0.08, -0.08 + 1e-4 * i))
         session.step()
         log += record.take()
     with vb.Context() as other:
-        again = Stand(other)
+        again = Rig(other)
         replay = vb.Replay(log, other)
         replay.begin(again.scene)
         second = again.session(replay=replay, hash_interval=1)
@@ -100,26 +100,26 @@ def test_a_log_replays_and_goes_on(context):
 
 
 def test_devices_move_the_tools(context):
-    stand = Stand(context)
+    rig = Rig(context)
     mock = vb.Mock(context, measure=lambda time: {"position": (-0.08, 0.08, -0.08 + time), "jaw": 1.0})
-    session = stand.session(devices=(vb.Device(mock, context=context), None))
+    session = rig.session(devices=(vb.Device(mock, context=context), None))
     for i in range(10):
         session.step(now=1e-3 * i)
-    assert stand.tools[0].state.target_position[2] == pytest.approx(-0.08 + 9e-3)
-    assert stand.tools[1].state.target_position[2] == pytest.approx(0.08)
+    assert rig.tools[0].state.target_position[2] == pytest.approx(-0.08 + 9e-3)
+    assert rig.tools[1].state.target_position[2] == pytest.approx(0.08)
 
 
 def test_what_does_not_fit_is_refused(context):
-    stand = Stand(context)
+    rig = Rig(context)
     with pytest.raises(vb.errors.OutOfRangeError):
-        vb.Session(stand.scene, thread=1, needle=1, drain=1, tools=(1, 1))
+        vb.Session(rig.scene, thread=1, needle=1, drain=1, tools=(1, 1))
     with pytest.raises(TypeError):
-        stand.session(knots=stand.scene)
+        rig.session(knots=rig.scene)
     with pytest.raises(ValueError):
-        stand.session(devices=(None,))
+        rig.session(devices=(None,))
     with pytest.raises(TypeError):
-        stand.session(no_such_setting=1)
-    session = stand.session(listen=lambda event: 1 / 0)
+        rig.session(no_such_setting=1)
+    session = rig.session(listen=lambda event: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         session.step()
     assert session.status.event_count == 2  # of the task all the same

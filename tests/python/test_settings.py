@@ -10,7 +10,7 @@ KINDS = [vb.Thread, vb.Drain, vb.Needle, vb.Grasper, vb.Scene, vb.KnotDetector, 
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_defaults_are_told_and_make_an_object(kind):
+def test_defaults_are_reported_and_make_an_object(kind):
     defaults = kind.defaults()
     assert defaults and "struct_size" not in defaults
     assert all(name in kind.settings_help() for name in defaults)

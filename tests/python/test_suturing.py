@@ -112,7 +112,7 @@ def test_equal_seeds_give_equal_numbers_and_others_do_not(environment):
     assert hashes != others and elsewhere.tobytes() != first.tobytes()
 
 
-def test_tools_go_where_actions_say_by_way_of_devices(environment):
+def test_devices_move_tools_where_actions_say(environment):
     seen, _ = environment.reset(seed=0, options=STEADY)
     action = still(1.0)
     action[MOVE], action[RIGHT + ROTATE.start] = (0.5, 0.0, 0.0), 0.25  # the left one to the right, the right one turns

@@ -55,8 +55,8 @@ def test_a_needle_is_driven_and_the_log_is_kept(tmp_path):
                "--log", str(tmp_path / "needle.vbss"))
     assert "taken 0" in said and said.count("puncture") == 2 and "done" in said
     assert (tmp_path / "needle.png").stat().st_size > 10000
-    told = run("score_session.py", str(tmp_path / "needle.vbss"), "--plots", str(tmp_path / "plots"))
-    assert "every hash met again" in told and "in the end: pull_through" in told and told.count("points: ") >= 2
+    output = run("score_session.py", str(tmp_path / "needle.vbss"), "--plots", str(tmp_path / "plots"))
+    assert "every hash met again" in output and "in the end: pull_through" in output and output.count("points: ") >= 2
 
 
 def test_sessions_are_swept_into_a_table_that_is_gone_on_with(tmp_path):

@@ -10,7 +10,8 @@ enum { NODES = 31 };
 
 stage_options stage_defaults(void)
 {
-    const stage_options options = {0.3, 0.15, 1e-8, 256, VBSS_METHOD_OURS, VBSS_MODE_REAL_TIME};
+    const stage_options options = {0.3, 0.15, 1e-8, 256, VBSS_METHOD_OURS, VBSS_MODE_REAL_TIME,
+                                   20.0};
     return options;
 }
 
@@ -54,6 +55,7 @@ vbss_result stage_make(stage *s, const stage_options *options)
     config.candidate_capacity = 1024;
     config.node_capacity = NODES;
     config.floor = 1;
+    config.speed_limit = options->speed_limit;
     VBSS_TRY(vbss_scene_create(s->context, &config, &s->scene));
     VBSS_TRY(vbss_scene_add_thread(s->scene, s->thread, &s->body));
     const vec3 at[3] = {{0.093, 0.03, 0.0}, {0.04, 0.02, 0.0}, {0.06, 0.0021, 0.02}};
@@ -200,6 +202,7 @@ vbss_result empty_scene(vbss_context *context, vbss_scene **scene)
     config.thread_capacity = config.rigid_capacity = 1;
     config.node_capacity = config.capsule_capacity = config.pin_capacity = 2;
     config.contact_capacity = config.candidate_capacity = config.event_capacity = 16;
+    config.speed_limit = 0.0; /* as in logs of format 2 */
     return vbss_scene_create(context, &config, scene);
 }
 

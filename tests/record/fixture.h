@@ -23,6 +23,7 @@ typedef struct stage_options {
     uint32_t contact_capacity;
     vbss_method method; /* PAPER: the ball is driven */
     vbss_scene_mode mode;
+    double speed_limit; /* of targets, m/s */
 } stage_options;
 
 stage_options stage_defaults(void);

@@ -170,7 +170,7 @@ static bool go_on(cut *c, uint64_t steps)
     return good;
 }
 
-static bool look_at_it(cut *c)
+static bool check_log(cut *c)
 {
     vbss_log_report report;
     bool loses = vbss_random_below(&c->random, 3) == 0;
@@ -196,7 +196,7 @@ static void run(harness_soak *soak)
 {
     cut c = {.soak = soak, .path = "/tmp/power_cut.XXXXXX"};
     vbss_random_seed(&c.random, soak->seed, 1);
-    if (!kill_a_recorder(&c) || !open_scene(&c) || !look_at_it(&c) || !close_scene(&c)) {
+    if (!kill_a_recorder(&c) || !open_scene(&c) || !check_log(&c) || !close_scene(&c)) {
         harness_soak_fail(soak, "could not go on");
     }
     free(c.bytes);

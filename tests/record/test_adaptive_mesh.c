@@ -43,7 +43,7 @@ static void begin(adapting *a)
 }
 
 /* Nodes are named as they are numbered at that moment. */
-static void tell(const adapting *a, vbss_record *record, uint32_t step)
+static void record_edits(const adapting *a, vbss_record *record, uint32_t step)
 {
     vbss_thread_statistics s;
     vbss_thread_attachment force;
@@ -73,7 +73,7 @@ static void adapted_scene_replays_bit_equal(void **state)
     uint32_t changed = 0, nodes = 0;
     for (uint32_t i = 0; i < STEPS; i++) {
         vbss_thread_statistics s;
-        tell(&a, record, i);
+        record_edits(&a, record, i);
         expect_ok(vbss_record_step(record, 1e-3));
         expect_ok(vbss_thread_get_statistics(a.thread, &s, sizeof s));
         changed += s.nodes != nodes;

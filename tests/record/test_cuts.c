@@ -33,7 +33,7 @@ static void begin(cutting *c, vbss_method method)
     expect_ok(vbss_scene_pin_thread(c->scene, c->body, 30, 0, NULL, &pin));
 }
 
-static void tell(const cutting *c, vbss_record *record, uint32_t step)
+static void record_edits(const cutting *c, vbss_record *record, uint32_t step)
 {
     uint32_t piece = 0;
     if (step == 10 || step == 30) {
@@ -56,7 +56,7 @@ static log_bytes log_of_cuts(cutting *c)
     log_bytes log = {NULL, 0};
     expect_ok(vbss_record_create(c->scene, NULL, &record));
     for (uint32_t i = 0; i < STEPS; i++) {
-        tell(c, record, i);
+        record_edits(c, record, i);
         expect_ok(vbss_record_step(record, 1e-3));
     }
     expect_ok(vbss_record_end(record));

@@ -80,6 +80,7 @@ static void undone_step_leaves_no_trace(void **state)
     (void)state;
     stage_options options = stage_defaults();
     options.contact_capacity = 3;
+    options.speed_limit = 0.0;        /* the tool is there in one step */
     options.mode = VBSS_MODE_OFFLINE; /* or some of the steps would wait instead */
     stage s, other;
     vbss_record *record;

@@ -100,11 +100,11 @@ static void old_format_replays_and_seeks(void **state)
     desk_begin(&d);
     expect_ok(vbss_replay_begin(d.replay, d.scene));
     if (is_of_this_version(&d)) {
-        const uint64_t ways[] = {10, 3, 9};
+        const uint64_t targets[] = {10, 3, 9};
         for (int i = 0; i < 3; i++) {
-            expect_ok(vbss_replay_seek(d.replay, ways[i], &report, sizeof report));
+            expect_ok(vbss_replay_seek(d.replay, targets[i], &report, sizeof report));
             assert_int_equal(report.outcome, VBSS_REPLAY_STEPPED);
-            assert_int_equal(report.step, ways[i]);
+            assert_int_equal(report.step, targets[i]);
         }
         expect_ok(replay_all(d.replay, &report));
         assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);

@@ -11,7 +11,7 @@ typedef struct seen {
     uint64_t hashes[STEPS + 1];
 } seen;
 
-static void look(seen *v, stage *s, uint32_t step)
+static void note_step(seen *v, stage *s, uint32_t step)
 {
     vbss_view view;
     expect_ok(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
@@ -31,7 +31,7 @@ static log_bytes log_seen(stage *s, const vbss_record_config *config, seen *v)
     memset(v, 0, sizeof *v);
     for (uint32_t i = 1; i <= STEPS; i++) {
         stage_step(s, record);
-        look(v, s, i);
+        note_step(v, s, i);
         log_take(&log, record);
     }
     expect_ok(vbss_record_end(record));

@@ -1,5 +1,6 @@
 /* A record knows all that was done to the scene, or says so. */
 #include "recorder.h"
+#include "scene/world/scene_data.h"
 
 typedef void (*deed)(stage *s);
 
@@ -116,6 +117,38 @@ static void unrecorded_drain_edit_is_detected(void **state)
     harness_context_end(context, &memory);
 }
 
+/* A call that is refused while a step is suspended is no edit, whether it is refused at once or at its end. */
+static void refused_call_leaves_record_alive(void **state)
+{
+    (void)state;
+    recorder r;
+    uint32_t id;
+    recorder_begin(&r, NULL);
+    scene_object *scene = ((vbss_slot *)r.s.scene)->object;
+    scene->config.slot_limit = 1;
+    for (int i = 0; i < 200 || !scene->cursor.is_suspended; i++) {
+        stage_step(&r.s, r.record);
+    }
+    const uint64_t hash = stage_hash(&r.s);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_cut_thread(r.record, r.s.body, 5.0, &id));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_record_pin_thread(r.record, r.s.body, 999, 0, NULL, &id));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_unpin_thread(r.record, 77));
+    thread_object *t = ((vbss_slot *)r.s.thread)->object;
+    const uint32_t last_id = t->last_id;
+    t->last_id = UINT32_MAX; /* no room for the attachment, which the pin finds last */
+    const uint64_t full = stage_hash(&r.s);
+    expect_result(VBSS_ERROR_CAPACITY,
+                  vbss_record_pin_thread(r.record, r.s.body, 15, 0, NULL, &id));
+    assert_true(stage_hash(&r.s) == full);
+    t->last_id = last_id;
+    assert_true(scene->cursor.is_suspended && stage_hash(&r.s) == hash);
+    expect_ok(vbss_record_step(r.record, 1e-3));
+    expect_ok(vbss_record_end(r.record));
+    log_free(&r.log);
+    stage_end(&r.s);
+}
+
 static void queries_are_no_edits(void **state)
 {
     (void)state;
@@ -141,6 +174,7 @@ int test_unrecorded_edits(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unrecorded_edit_is_detected),
         cmocka_unit_test(unrecorded_drain_edit_is_detected),
+        cmocka_unit_test(refused_call_leaves_record_alive),
         cmocka_unit_test(queries_are_no_edits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

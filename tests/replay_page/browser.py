@@ -78,16 +78,16 @@ class Browser:
         return json.loads(message)
 
     def hear(self, event):
-        told = event.get("params", {})
+        params = event.get("params", {})
         if event.get("method") == "Network.requestWillBeSent":
-            self.requests.append(told["request"]["url"])
+            self.requests.append(params["request"]["url"])
         elif event.get("method") == "Runtime.exceptionThrown":
-            details = told["exceptionDetails"]
+            details = params["exceptionDetails"]
             self.complaints.append(details.get("exception", {}).get("description", details["text"]))
-        elif event.get("method") == "Log.entryAdded" and told["entry"]["level"] in ("error", "warning"):
-            self.complaints.append(told["entry"]["text"])
-        elif event.get("method") == "Runtime.consoleAPICalled" and told["type"] in ("error", "warning", "assert"):
-            self.complaints.append(" ".join(str(a.get("value", a.get("description"))) for a in told["args"]))
+        elif event.get("method") == "Log.entryAdded" and params["entry"]["level"] in ("error", "warning"):
+            self.complaints.append(params["entry"]["text"])
+        elif event.get("method") == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning", "assert"):
+            self.complaints.append(" ".join(str(a.get("value", a.get("description"))) for a in params["args"]))
 
     def open(self, url):
         self.ask("Page.navigate", url=url)
@@ -100,7 +100,7 @@ class Browser:
         assert "exceptionDetails" not in answer, (script, answer)
         return answer["result"].get("value")
 
-    def settle(self):
+    def wait_until_idle(self):
         """Two pictures later all that was changed is seen."""
         self.run("new Promise(f => requestAnimationFrame(() => requestAnimationFrame(f)))")
 

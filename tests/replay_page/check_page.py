@@ -39,7 +39,7 @@ class Player:
         chromium.run("document.getElementById('view').style.cssText = "
                      f"'flex: none; width: {VIEW[0]}px; height: {VIEW[1]}px'")
         chromium.run("window.dispatchEvent(new Event('resize'))")
-        chromium.settle()
+        chromium.wait_until_idle()
 
     def text(self, name):
         return self.browser.run(f"document.getElementById('{name}').textContent")
@@ -50,21 +50,21 @@ class Player:
     def seek(self, seconds):
         self.browser.run(f"(s => {{ s.value = {seconds}; s.dispatchEvent(new Event('input')); }})"
                          "(document.getElementById('scrub'))")
-        self.browser.settle()
+        self.browser.wait_until_idle()
 
     def click(self, selector):
         self.browser.run(f"document.querySelector('{selector}').scrollIntoView({{ block: 'nearest' }})")
         x, y, width, height = self.browser.box(selector)
         for kind in ("mousePressed", "mouseReleased"):
             self.browser.mouse(kind, x + width / 2, y + height / 2)
-        self.browser.settle()
+        self.browser.wait_until_idle()
 
     def key(self, name, modifiers=0):
         self.browser.key(name, modifiers)
-        self.browser.settle()
+        self.browser.wait_until_idle()
 
     def still(self, path):
-        self.browser.settle()
+        self.browser.wait_until_idle()
         self.browser.picture(path, (*self.browser.box("#canvas")[:2], *VIEW))
         return blocks.blocks(blocks.read_png(path))
 
@@ -126,14 +126,14 @@ def check_playing(player, end):
     player.click("#play")
     here = player.time()
     assert player.text("play") == "play" and 0.0 <= here < 5.0
-    player.browser.settle()
+    player.browser.wait_until_idle()
     assert player.time() == here
 
 
 def check_theme(player):
     assert player.browser.run("document.documentElement.dataset.theme") == "light"
     player.browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
-    player.browser.settle()
+    player.browser.wait_until_idle()
     assert player.browser.run("getComputedStyle(document.body).backgroundColor") == "rgb(18, 22, 27)"
     player.click("#theme")
     assert player.browser.run("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"

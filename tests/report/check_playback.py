@@ -88,8 +88,8 @@ def check_session(folder):
     for hole in ("in", "out"):
         off = re.search(f"hole {hole}, ([0-9.]+) mm off", said)[1]
         assert page.rows(f"hole {hole} off its mark")[0][0] == off, (hole, off)
-    told = int(re.search(r"([0-9]+) events", said)[1])
-    assert f"All that the session told ({told})" in page.text()
+    event_count = int(re.search(r"([0-9]+) events", said)[1])
+    assert f"All that the session told ({event_count})" in page.text()
     # Without playing back, and of another surgeon's hands, there is no session to tell.
     report(TOOL, log, path, 0, "--log-only")
     assert "No session was followed" in Page(path).text()

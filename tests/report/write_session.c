@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fixtures/scene_build.h"
 #include "fuzz/fuzz.h"
 
 #define TRY(call)                     \
@@ -28,24 +29,19 @@ static size_t log_count;
 
 static vbss_result add_tool(vbss_context *context, vbss_scene *scene, double x, uint32_t *body)
 {
-    const double tip[3] = {x, 0.0, 0.05};
-    vbss_grasper *grasper;
-    TRY(vbss_grasper_create(context, NULL, &grasper));
-    TRY(vbss_grasper_move(grasper, tip, NULL));
-    return vbss_scene_add_grasper(scene, grasper, body);
+    const scene_build_hand hand = scene_build_upright(vec3_make(x, 0.0, 0.05));
+    return scene_build_grasper(context, scene, NULL, &hand, NULL, body);
 }
 
 static vbss_result add_thread(vbss_context *context, vbss_scene *scene, uint32_t *body)
 {
     vbss_thread_config config;
-    vbss_thread *thread;
     TRY(vbss_thread_config_init(&config, sizeof config));
     config.segment_count = 12;
     config.length = 0.03;
     config.cut_capacity = 2;
     config.start[1] = -0.3; /* far from the tools */
-    TRY(vbss_thread_create(context, &config, &thread));
-    return vbss_scene_add_thread(scene, thread, body);
+    return scene_build_thread(context, scene, &config, NULL, body);
 }
 
 static vbss_result take(vbss_record *record)

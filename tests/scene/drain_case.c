@@ -202,7 +202,7 @@ double drain_case_energy(const drain_case *c)
 void drain_case_reckon(drain_case *c)
 {
     c->first = drain_case_energy(c);
-    c->work = c->most_work = c->excess = 0.0;
+    c->work = c->max_work = c->excess = 0.0;
 }
 
 /* Of implicit steps the force at the end counts, which is rather more than less. */
@@ -227,7 +227,7 @@ static void book(drain_case *c)
             c->work += work_of(&c->pins[i], vec3_load(force));
         }
     }
-    c->most_work = fmax(c->most_work, fabs(c->work));
+    c->max_work = fmax(c->max_work, fabs(c->work));
     double energy = drain_case_energy(c);
     assert_true(isfinite(energy));
     c->excess = fmax(c->excess, energy - c->first - c->work);
@@ -267,7 +267,7 @@ void drain_case_wait(drain_case *c, uint32_t steps)
     }
 }
 
-void drain_case_way(drain_case *c, uint32_t tool, vec3 to, uint32_t steps)
+void drain_case_move_to(drain_case *c, uint32_t tool, vec3 to, uint32_t steps)
 {
     vec3 from = c->tools[tool].to;
     for (uint32_t i = 1; i <= steps; i++) {
@@ -295,7 +295,7 @@ void drain_case_report(const drain_case *c, const char *name)
         (unsigned long long)s.paused, s.time_paused, (unsigned long long)s.recovering,
         (unsigned long long)s.loose_states, 1e6 * s.penetration, (unsigned long long)d.forced,
         (unsigned long long)d.corrections_dropped, c->inverted, d.inverted, d.torn,
-        1e3 * c->most_work, 1e3 * c->excess, 1e3 * drain_case_energy(c), drain_case_fastest(c),
+        1e3 * c->max_work, 1e3 * c->excess, 1e3 * drain_case_energy(c), drain_case_fastest(c),
         1e3 * drain_case_distance(c), (unsigned long long)c->watch.passed,
         (unsigned long long)c->watch.passed_drain, (unsigned long long)c->watch.below);
 }
@@ -303,7 +303,7 @@ void drain_case_report(const drain_case *c, const char *name)
 void drain_case_expect_kept(const drain_case *c, double share)
 {
     small_watch_expect_nothing(&c->watch);
-    assert_true(c->excess <= share * c->most_work + MIN_GAIN);
+    assert_true(c->excess <= share * c->max_work + MIN_GAIN);
 }
 
 void drain_case_expect_rest(const drain_case *c, double distance)

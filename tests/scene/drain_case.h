@@ -26,9 +26,9 @@ typedef struct drain_case {
     small_watch watch;
     double h;
     /* the ledger, J */
-    double first, work, most_work; /* energy at the begin; put in since; the most of that so far */
-    double excess;                 /* most energy beyond both */
-    uint32_t steps, inverted;      /* most triangles at a time */
+    double first, work, max_work; /* energy at the begin; put in since; the most of that so far */
+    double excess;                /* most energy beyond both */
+    uint32_t steps, inverted;     /* most triangles at a time */
 } drain_case;
 
 void drain_case_begin(drain_case *c);
@@ -46,7 +46,7 @@ void drain_case_force(drain_case *c, uint32_t node, vec3 force); /* its work is 
 void drain_case_thread(drain_case *c, vec3 begin, vec3 end, uint32_t segments);
 
 /* Steps in which a tool goes to a place, evenly. */
-void drain_case_way(drain_case *c, uint32_t tool, vec3 to, uint32_t steps);
+void drain_case_move_to(drain_case *c, uint32_t tool, vec3 to, uint32_t steps);
 /* The next step's. */
 void drain_case_target(drain_case *c, uint32_t tool, vec3 to);
 void drain_case_target_pin(drain_case *c, uint32_t pin, vec3 to);

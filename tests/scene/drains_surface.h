@@ -41,7 +41,7 @@ static inline void add_side(surface *f, uint32_t p, uint32_t q)
     f->side_count++;
 }
 
-static inline surface look_at_surface(uint32_t body, vbss_drain *drain, double wall)
+static inline surface surface_view(uint32_t body, vbss_drain *drain, double wall)
 {
     vbss_view x, triangles;
     surface f = {.body = body, .radius = 0.5 * wall};

@@ -5,8 +5,8 @@
 
 static vec3 across(vec3 from, vec3 along, vec3 to)
 {
-    vec3 way = vec3_sub(to, from);
-    return vec3_add_scaled(way, -vec3_dot(way, along) / vec3_norm_squared(along), along);
+    vec3 offset = vec3_sub(to, from);
+    return vec3_add_scaled(offset, -vec3_dot(offset, along) / vec3_norm_squared(along), along);
 }
 
 /* The normals of two triangles on both sides of one, weighed by their areas: against that of the one. */

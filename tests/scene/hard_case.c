@@ -69,8 +69,8 @@ double hard_energy(const hard_case *c)
         const contact_hand *hand = &c->scene.hands[i];
         if (hand->id != 0 && hand->pull.stiffness > 0.0) {
             const vec3 *x = values_of(hand->thread, VBSS_THREAD_POSITIONS);
-            vec3 way = vec3_sub(hand->at, x[hand->node]);
-            energy += 0.5 * hand->pull.stiffness * vec3_norm_squared(way);
+            vec3 stretch = vec3_sub(hand->at, x[hand->node]);
+            energy += 0.5 * hand->pull.stiffness * vec3_norm_squared(stretch);
         }
     }
     return energy;
@@ -188,9 +188,9 @@ static double now(void)
 void hard_run(hard_case *c, uint32_t steps)
 {
     for (uint32_t i = 0; i < steps; i++) {
-        double begin = now(), looking = c->watch.cost;
+        double begin = now(), watch_cost = c->watch.cost;
         vbss_result result = contact_scene_step(&c->scene, c->h);
-        double cost = now() - begin - (c->watch.cost - looking);
+        double cost = now() - begin - (c->watch.cost - watch_cost);
         if (result != VBSS_OK) {
             const char *text = "";
             (void)vbss_context_get_last_error(c->context, NULL, &text);

@@ -33,20 +33,21 @@ static scene_rigid *rigid_of(const needle_case *c)
     return &vbss_scene_body(small_object(&c->d.s), c->body)->rigid;
 }
 
-pose needle_case_pose(double radius, vec3 tip, vec3 way, vec3 aside)
+pose needle_case_pose(double radius, vec3 tip, vec3 direction, vec3 aside)
 {
-    way = vec3_unit_or(way, vec3_zero());
-    aside = vec3_unit_or(vec3_add_scaled(aside, -vec3_dot(aside, way), way), vec3_zero());
-    quat first = quat_between(vec3_make(0.0, 1.0, 0.0), way);
+    direction = vec3_unit_or(direction, vec3_zero());
+    aside =
+        vec3_unit_or(vec3_add_scaled(aside, -vec3_dot(aside, direction), direction), vec3_zero());
+    quat first = quat_between(vec3_make(0.0, 1.0, 0.0), direction);
     vec3 now = quat_rotate(first, vec3_make(1.0, 0.0, 0.0));
-    double angle = atan2(vec3_dot(vec3_cross(now, aside), way), vec3_dot(now, aside));
-    quat turned = quat_mul(vbss_quat_from_rotation_vector(vec3_scale(way, angle)), first);
+    double angle = atan2(vec3_dot(vec3_cross(now, aside), direction), vec3_dot(now, aside));
+    quat turned = quat_mul(vbss_quat_from_rotation_vector(vec3_scale(direction, angle)), first);
     return pose_make(vec3_add_scaled(tip, -radius, aside), turned);
 }
 
-void needle_case_put(needle_case *c, vec3 tip, vec3 way, vec3 aside)
+void needle_case_put(needle_case *c, vec3 tip, vec3 direction, vec3 aside)
 {
-    c->hand = needle_case_pose(c->config.radius, tip, way, aside);
+    c->hand = needle_case_pose(c->config.radius, tip, direction, aside);
     const quat q = c->hand.orientation;
     const double parts[4] = {q.w, q.x, q.y, q.z};
     memcpy(c->config.orientation, parts, sizeof parts);
@@ -92,9 +93,9 @@ void needle_case_at_mark(needle_case *c, double before)
     double back = before / c->config.radius;
     vec3 centre = vec3_add_scaled(mark, -c->config.radius, aside);
     vec3 out = vec3_add_scaled(vec3_scale(aside, cos(back)), -sin(back), into);
-    vec3 way = vec3_add_scaled(vec3_scale(into, cos(back)), sin(back), aside);
+    vec3 direction = vec3_add_scaled(vec3_scale(into, cos(back)), sin(back), aside);
     needle_case_hold_edge(c);
-    needle_case_put(c, vec3_add_scaled(centre, c->config.radius, out), way, out);
+    needle_case_put(c, vec3_add_scaled(centre, c->config.radius, out), direction, out);
 }
 
 void needle_case_begin_at_mark(needle_case *c, vbss_drain_mesh mesh, double before)
@@ -179,8 +180,8 @@ static bool is_at_hole(needle_case *c, vec3 there, vec3 at_rest)
     for (uint32_t i = 0; i < count; i++) {
         double far = fmin(vec3_distance(there, vec3_load(holes[i].position)),
                           vec3_distance(at_rest, vec3_load(holes[i].rest_position)));
-        vec3 force = vec3_load(holes[i].force), way = vec3_load(holes[i].direction);
-        vec3 across = vec3_add_scaled(force, -vec3_dot(force, way), way);
+        vec3 force = vec3_load(holes[i].force), direction = vec3_load(holes[i].direction);
+        vec3 across = vec3_add_scaled(force, -vec3_dot(force, direction), direction);
         at = at || far < touching + c->give * vec3_norm(across);
         nearest = fmin(nearest, far);
     }
@@ -200,7 +201,7 @@ static vec3 carried(const vec3 corner[3], const vec3 other[3], vec3 there)
     return vec3_add_scaled(p, b, vec3_sub(other[2], other[0]));
 }
 
-static void look_for_crossings(needle_case *c)
+static void count_crossings(needle_case *c)
 {
     vbss_view x, rest, triangles, axis;
     expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_POSITIONS, &x, sizeof x));
@@ -227,15 +228,15 @@ static void look_for_crossings(needle_case *c)
 
 /* ---- steps */
 
-void needle_case_turn(needle_case *c, double way)
+void needle_case_turn(needle_case *c, double distance)
 {
-    vec3 turn = vec3_make(0.0, 0.0, way / c->config.radius);
+    vec3 turn = vec3_make(0.0, 0.0, distance / c->config.radius);
     c->hand.orientation = quat_mul(c->hand.orientation, vbss_quat_from_rotation_vector(turn));
 }
 
-void needle_case_shift(needle_case *c, vec3 way)
+void needle_case_shift(needle_case *c, vec3 displacement)
 {
-    c->hand.position = vec3_add(c->hand.position, way);
+    c->hand.position = vec3_add(c->hand.position, displacement);
 }
 
 void needle_case_step(needle_case *c)
@@ -259,7 +260,7 @@ void needle_case_step(needle_case *c)
     c->peak = fmax(c->peak, c->push);
     c->at_tip = fmax(c->at_tip, vec3_dot(force, vec3_load(state.tip_direction)));
     assert_true(isfinite(needle_case_energy(c)));
-    look_for_crossings(c);
+    count_crossings(c);
 }
 
 void needle_case_wait(needle_case *c, uint32_t steps)
@@ -269,11 +270,11 @@ void needle_case_wait(needle_case *c, uint32_t steps)
     }
 }
 
-bool needle_case_drive(needle_case *c, double way, double speed, vbss_event_kind until)
+bool needle_case_drive(needle_case *c, double distance, double speed, vbss_event_kind until)
 {
-    uint32_t steps = (uint32_t)ceil(fabs(way) / (speed * c->d.h));
+    uint32_t steps = (uint32_t)ceil(fabs(distance) / (speed * c->d.h));
     for (uint32_t i = 0; i < steps; i++) {
-        needle_case_turn(c, way / steps);
+        needle_case_turn(c, distance / steps);
         needle_case_step(c);
         if (until != 0 && c->happened[until] > 0) {
             return true;

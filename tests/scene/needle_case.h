@@ -28,14 +28,14 @@ void needle_case_begin(needle_case *c);
 void needle_case_make(needle_case *c); /* the scene and the drain */
 void needle_case_end(needle_case *c);
 
-/* Adds the needle: its tip there, pointing that way; its arc's centre is on the other side of `aside`. Held by a hand; a
+/* Adds the needle: its tip there, pointing in that direction; its arc's centre is on the other side of `aside`. Held by a hand; a
  * needle that is let go flies. */
-void needle_case_put(needle_case *c, vec3 tip, vec3 way, vec3 aside);
+void needle_case_put(needle_case *c, vec3 tip, vec3 direction, vec3 aside);
 /* Out of the scene; it may be put again, then with the velocities of the configuration too. */
 void needle_case_take_out(needle_case *c);
 void needle_case_let_go(needle_case *c);
 /* Where its frame is then; and how stiffly it is held. */
-pose needle_case_pose(double radius, vec3 tip, vec3 way, vec3 aside);
+pose needle_case_pose(double radius, vec3 tip, vec3 direction, vec3 aside);
 extern const vbss_rigid_coupling needle_case_coupling;
 /* So far before the mark on the right, square to the wall; the edge of the slit there is pinned at its middle. */
 void needle_case_at_mark(needle_case *c, double before);
@@ -44,13 +44,13 @@ void needle_case_hold_edge(needle_case *c);
 void needle_case_begin_at_mark(needle_case *c, vbss_drain_mesh mesh, double before);
 
 /* Where the hand has it in the next step: turned about the arc's axis, so that the tip goes on by so much; moved. */
-void needle_case_turn(needle_case *c, double way);
-void needle_case_shift(needle_case *c, vec3 way);
+void needle_case_turn(needle_case *c, double distance);
+void needle_case_shift(needle_case *c, vec3 displacement);
 void needle_case_step(needle_case *c);
 void needle_case_wait(needle_case *c, uint32_t steps);
-/* Turns the tip on (below 0: back) by that way at that speed, up to the first event of that kind; 0: none is waited for.
+/* Turns the tip on (below 0: back) by that distance at that speed, up to the first event of that kind; 0: none is waited for.
  * Whether it came. */
-bool needle_case_drive(needle_case *c, double way, double speed, vbss_event_kind until);
+bool needle_case_drive(needle_case *c, double distance, double speed, vbss_event_kind until);
 
 /* Whether an axis crosses a triangle, and where. */
 bool needle_case_crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there);

@@ -12,9 +12,9 @@ void needle_stitch_begin(needle_stitch *n)
     n->steps = 0;
     needle_case_begin_at_mark(c, VBSS_DRAIN_MESH_137, 1e-3);
     vbss_needle_state s = needle_case_state(c);
-    vec3 swage = vec3_load(s.swage), way = vec3_load(s.swage_direction);
-    n->thread_body = small_thread(&c->d.s, swage, vec3_add_scaled(swage, 50e-3, way), SEGMENTS,
-                                  &c->d.threads[0]);
+    vec3 swage = vec3_load(s.swage), direction = vec3_load(s.swage_direction);
+    n->thread_body = small_thread(&c->d.s, swage, vec3_add_scaled(swage, 50e-3, direction),
+                                  SEGMENTS, &c->d.threads[0]);
     expect_ok(vbss_scene_pin_thread(c->d.s.scene, n->thread_body, 0, c->body, NULL, &pin));
 }
 
@@ -27,16 +27,16 @@ void needle_stitch_wait(needle_stitch *n, uint32_t count)
             n->last[k] = n->c.happened[k] > 0 ? n->steps : n->last[k];
             n->first[k] = n->first[k] == 0 ? n->last[k] : n->first[k];
         }
-        stitch_watch_look(&n->watch, n->c.d.s.scene, n->c.d.drain);
+        stitch_watch_observe(&n->watch, n->c.d.s.scene, n->c.d.drain);
     }
 }
 
-void needle_stitch_turn(needle_stitch *n, double way, double speed, vbss_event_kind until,
+void needle_stitch_turn(needle_stitch *n, double distance, double speed, vbss_event_kind until,
                         uint32_t count)
 {
-    uint32_t largest = (uint32_t)ceil(fabs(way) / (speed * n->c.d.h));
+    uint32_t largest = (uint32_t)ceil(fabs(distance) / (speed * n->c.d.h));
     for (uint32_t i = 0; i < largest && (until == 0 || n->c.counts[until] < count); i++) {
-        needle_case_turn(&n->c, way / largest);
+        needle_case_turn(&n->c, distance / largest);
         needle_stitch_wait(n, 1);
     }
 }

@@ -60,10 +60,10 @@ vbss_needle_mass needles_mass(const needles_rig *r)
 
 vec3 needles_place(const needles_rig *r, double arc, vec3 *direction)
 {
-    double position[3], way[3];
-    expect_ok(vbss_needle_get_place(r->needle, arc, position, way));
+    double position[3], tangent[3];
+    expect_ok(vbss_needle_get_place(r->needle, arc, position, tangent));
     if (direction != NULL) {
-        *direction = vec3_load(way);
+        *direction = vec3_load(tangent);
     }
     return vec3_load(position);
 }

@@ -4,7 +4,7 @@
 #define VBSS_TESTS_SCENE_PAPER_DRAINS_H
 
 #include "baseline/drain.h"
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 #define HALF_WALL 0.5e-3
 #define RING_RADIUS 6.5e-3

@@ -181,13 +181,14 @@ double small_tension(vbss_thread *thread, uint32_t segment)
 double small_thread_energy(vbss_thread *thread, double axial_stiffness)
 {
     vbss_thread_energies e;
-    vbss_view tensions, rest;
+    vbss_view rest;
+    thread_object *t;
+    expect_ok(vbss_thread_open(thread, &t));
     expect_ok(vbss_thread_get_energies(thread, &e, sizeof e));
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_TENSIONS, &tensions, sizeof tensions));
     expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_REST_LENGTHS, &rest, sizeof rest));
     double energy = e.kinetic + e.bending + e.gravity;
     for (uint64_t i = 0; i < rest.count; i++) {
-        double tension = ((const double *)tensions.data)[i];
+        double tension = t->now.tension[i]; /* the part that stretches the segment */
         energy += 0.5 * tension * tension * ((const double *)rest.data)[i] / axial_stiffness;
     }
     return energy;

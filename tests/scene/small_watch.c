@@ -4,7 +4,7 @@
 
 enum { MAX_CHAINS = 40 };
 
-static void look_below(small_watch *w, const scene_object *s, vec3 x)
+static void check_below(small_watch *w, const scene_object *s, vec3 x)
 {
     double above = vec3_dot(x, s->floor_normal) - s->config.floor_height;
     if (s->config.floor != 0) {
@@ -26,17 +26,17 @@ static void watch(void *watcher, const scene_object *s)
             chains[count++] = (passing_chain){t->now.x, t->trial, t->node_count, false};
         }
         for (uint32_t k = 0; b->kind == SCENE_BODY_THREAD && k < t->node_count; k++) {
-            look_below(w, s, t->trial[k]);
+            check_below(w, s, t->trial[k]);
         }
         for (uint32_t k = 0; b->kind == SCENE_BODY_RIGID && k < r->capsule_count; k++) {
             const scene_capsule *c = &s->capsules[r->first_capsule + k];
             chains[count++] = (passing_chain){c->now, c->trial, 2, false};
-            look_below(w, s, c->trial[0]);
-            look_below(w, s, c->trial[1]);
+            check_below(w, s, c->trial[0]);
+            check_below(w, s, c->trial[1]);
         }
         const drain_object *d = b->drain.drain;
         for (uint32_t k = 0; b->kind == SCENE_BODY_DRAIN && k < d->mesh.node_count; k++) {
-            look_below(w, s, d->trial[k]);
+            check_below(w, s, d->trial[k]);
         }
         assert_true(count < MAX_CHAINS);
     }

@@ -124,13 +124,13 @@ static void move_tools(soak *s, life *l)
 {
     for (uint32_t i = 0; i < l->tool_count; i++) {
         poker *p = &l->tools[i];
-        vec3 way = vec3_sub(p->to, p->at);
-        double far = vec3_norm(way), step = p->speed * l->h;
+        vec3 displacement = vec3_sub(p->to, p->at);
+        double far = vec3_norm(displacement), step = p->speed * l->h;
         if (far <= step) {
             p->to = draw_place(s);
             p->speed = draw(s, 0.02, 0.3);
         } else {
-            p->at = vec3_add_scaled(p->at, step / far, way);
+            p->at = vec3_add_scaled(p->at, step / far, displacement);
         }
         small_move(&l->s, p->body, p->at);
     }

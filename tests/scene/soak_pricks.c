@@ -25,7 +25,7 @@ static double draw(soak *s, double low, double high)
     return low + (high - low) * vbss_random_uniform(&s->random);
 }
 
-static vec3 draw_way(soak *s)
+static vec3 draw_direction(soak *s)
 {
     double x = draw(s, -1.0, 1.0), y = draw(s, -1.0, 1.0), z = draw(s, -1.0, 1.0);
     return vec3_unit_or(vec3_make(x, y, z), vec3_make(0.0, 1.0, 0.0));
@@ -58,7 +58,7 @@ static void begin(soak *s)
     double angle = draw(s, -2.0, 2.0), x = draw(s, -12e-3, 12e-3);
     vec3 out = vec3_make(0.0, cos(angle), sin(angle));
     vec3 tip = vec3_add_scaled(vec3_make(x, 0.0, 0.0), 10.5e-3, out);
-    vec3 aside = draw_way(s), lean = draw_way(s);
+    vec3 aside = draw_direction(s), lean = draw_direction(s);
     needle_case_put(&c, tip, vec3_add_scaled(vec3_neg(out), 0.1, lean), aside);
     scene_rigid *r = &vbss_scene_body(small_object(&c.d.s), c.body)->rigid;
     r->body.coupling = (vbss_rigid_coupling){2000.0, 5.0, 0.5, 5e-3};
@@ -66,7 +66,7 @@ static void begin(soak *s)
 
 typedef struct doing {
     action what;
-    vec3 way;
+    vec3 direction;
     double speed;
     uint32_t steps;
 } doing;
@@ -74,7 +74,7 @@ typedef struct doing {
 static doing draw_doing(soak *s)
 {
     static const double often[ACTIONS] = {0.4, 0.6, 0.75, 0.9, 1.0};
-    doing d = {.way = draw_way(s)};
+    doing d = {.direction = draw_direction(s)};
     double which = draw(s, 0.0, 1.0), share = draw(s, 0.0, 1.0);
     while (which > often[d.what]) {
         d.what++;
@@ -92,10 +92,10 @@ static void act(const doing *d)
         needle_case_turn(&c, d->what == ON ? step : -step);
     } else if (d->what == MOVE) {
         bool far = vec3_norm(tip) > 20e-3; /* it comes back */
-        needle_case_shift(&c,
-                          vec3_scale(far ? vec3_unit_or(tip, d->way) : d->way, far ? -step : step));
+        needle_case_shift(&c, vec3_scale(far ? vec3_unit_or(tip, d->direction) : d->direction,
+                                         far ? -step : step));
     } else if (d->what == TURN) {
-        quat by = vbss_quat_from_rotation_vector(vec3_scale(d->way, step / c.config.radius));
+        quat by = vbss_quat_from_rotation_vector(vec3_scale(d->direction, step / c.config.radius));
         vec3 arm = quat_rotate(by, vec3_sub(c.hand.position, tip));
         c.hand = pose_make(vec3_add(tip, arm), quat_mul(by, c.hand.orientation));
     }

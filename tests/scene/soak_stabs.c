@@ -25,12 +25,12 @@ enum {
     PINS = 6
 };
 
-typedef enum motion { ALONG, STRAIGHT, ASLANT_WAY, ANY_WAY, SPIN, MOTIONS } motion;
+typedef enum motion { ALONG, STRAIGHT, OBLIQUE, RANDOM, SPIN, MOTIONS } motion;
 
 typedef struct poke {
     motion how;
     double speed;
-    vec3 way;          /* unit: where it goes; about which it spins */
+    vec3 direction;    /* unit: where it goes; about which it spins */
     bool held;         /* by a hand; or it flies */
     uint32_t on, back; /* steps */
 } poke;
@@ -110,8 +110,8 @@ static void hold_drain(soak *s)
         }
     }
     for (uint32_t i = 0; i < c.d.pin_count && pulled; i++) {
-        vec3 way = vec3_scale(vbss_random_direction(&s->random), draw(s, 0.0, 1.5e-3));
-        drain_case_target_pin(&c.d, i, vec3_add(c.d.pins[i].at, way));
+        vec3 displacement = vec3_scale(vbss_random_direction(&s->random), draw(s, 0.0, 1.5e-3));
+        drain_case_target_pin(&c.d, i, vec3_add(c.d.pins[i].at, displacement));
     }
 }
 
@@ -146,7 +146,7 @@ static poke draw_poke(soak *s)
     double which = draw(s, 0.0, 1.0);
     poke p = {.how = ALONG,
               .speed = draw_log(s, SLOWEST, FASTEST),
-              .way = vbss_random_direction(&s->random),
+              .direction = vbss_random_direction(&s->random),
               .held = chance(s, 0.8),
               .on = MIN_STEPS + vbss_random_below(&s->random, chance(s, 0.1) ? LONG : MORE_STEPS),
               .back = chance(s, 0.4) ? vbss_random_below(&s->random, MORE_STEPS) : 0};
@@ -159,23 +159,24 @@ static poke draw_poke(soak *s)
 static void target_at(poke *p, const stab_place *place)
 {
     if (p->how == STRAIGHT) {
-        p->way = place->way;
-    } else if (p->how == ASLANT_WAY) {
-        p->way = vec3_unit_or(vec3_add(place->way, p->way), place->way);
+        p->direction = place->direction;
+    } else if (p->how == OBLIQUE) {
+        p->direction = vec3_unit_or(vec3_add(place->direction, p->direction), place->direction);
     }
 }
 
 /* The needle has the speed of the poke from the first step on. */
 static void give_speed(const poke *p, const stab_place *place)
 {
-    vec3 velocity = vec3_scale(p->way, p->speed), turning = vec3_zero();
+    vec3 velocity = vec3_scale(p->direction, p->speed), turning = vec3_zero();
     double rate = p->speed / c.config.radius;
     if (p->how == ALONG) {
-        turning = vec3_scale(vec3_unit_or(vec3_cross(place->aside, place->way), p->way), rate);
+        turning = vec3_scale(vec3_unit_or(vec3_cross(place->aside, place->direction), p->direction),
+                             rate);
         velocity = vec3_zero();
     } else if (p->how == SPIN) {
-        turning = vec3_scale(p->way, rate);
-        pose at = needle_case_pose(c.config.radius, place->tip, place->way, place->aside);
+        turning = vec3_scale(p->direction, rate);
+        pose at = needle_case_pose(c.config.radius, place->tip, place->direction, place->aside);
         velocity = vec3_cross(turning, vec3_sub(at.position, place->tip));
     }
     vec3_store(c.config.velocity, velocity);
@@ -186,7 +187,7 @@ static void put(soak *s, const poke *p, const stab_place *place)
 {
     static const vbss_rigid_coupling soft = {2000.0, 5.0, 0.5, 5e-3};
     give_speed(p, place);
-    needle_case_put(&c, place->tip, place->way, place->aside);
+    needle_case_put(&c, place->tip, place->direction, place->aside);
     if (!p->held) {
         needle_case_let_go(&c);
     } else if (chance(s, 0.5)) {
@@ -202,11 +203,11 @@ static void act(const poke *p, double step)
         needle_case_turn(&c, step);
     } else if (p->how == SPIN) {
         vec3 tip = pose_apply(c.hand, vec3_make(c.config.radius, 0.0, 0.0));
-        quat by = vbss_quat_from_rotation_vector(vec3_scale(p->way, step / c.config.radius));
+        quat by = vbss_quat_from_rotation_vector(vec3_scale(p->direction, step / c.config.radius));
         vec3 arm = quat_rotate(by, vec3_sub(c.hand.position, tip));
         c.hand = pose_make(vec3_add(tip, arm), quat_mul(by, c.hand.orientation));
     } else {
-        needle_case_shift(&c, vec3_scale(p->way, step));
+        needle_case_shift(&c, vec3_scale(p->direction, step));
     }
 }
 

@@ -12,11 +12,11 @@ enum { LIVES = 5, STEPS = 1000 };
 #define NEAR 14e-3
 /* What a step has more than hands could have put in, J: the shells of a drain and a slack thread have some. */
 #define JUMP 100e-6
-/* What holes may have given a life, less what they took, J: while their ways jumped from span to span, 12 and 17 mJ were. */
+/* What holes may have given a life, less what they took, J: while their directions jumped from span to span, 12 and 17 mJ were. */
 #define GIVEN 3e-3
 
 typedef struct hand_doing {
-    vec3 way;
+    vec3 direction;
     double speed;
     uint32_t steps;
 } hand_doing;
@@ -38,7 +38,7 @@ static double draw(soak *s, double low, double high)
     return low + (high - low) * vbss_random_uniform(&s->random);
 }
 
-static vec3 draw_way(soak *s)
+static vec3 draw_direction(soak *s)
 {
     double x = draw(s, -1.0, 1.0), y = draw(s, -1.0, 1.0), z = draw(s, -1.0, 1.0);
     return vec3_unit_or(vec3_make(x, y, z), vec3_make(0.0, 1.0, 0.0));
@@ -86,7 +86,7 @@ static void choose(soak *s, int hand)
 {
     double what = draw(s, 0.0, 1.0), share = draw(s, 0.0, 1.0), slow = draw(s, 0.0, 1.0);
     hand_doing *d = &s->doing[hand];
-    d->way = draw_way(s);
+    d->direction = draw_direction(s);
     d->speed = slow < 0.2 ? 0.0 : 0.5 * share * share;
     d->steps = 20 + vbss_random_below(&s->random, 180);
     if (what < 0.1) {
@@ -114,11 +114,11 @@ static void act(soak *s, int hand)
     if (own->thread != NULL) {
         vec3 off = vec3_make(0.0, own->at.y, own->at.z);
         bool far = vec3_norm(own->at) > FAR, near = !far && vec3_norm(off) < NEAR;
-        vec3 way = far ? vec3_neg(vec3_unit_or(own->at, d->way))
-                   : near
-                       ? vec3_unit_or(vec3_add_scaled(vec3_make(0.0, 3e-3, 0.0), 1.0, off), d->way)
-                       : d->way;
-        stitch_case_target(&c, hand, vec3_add_scaled(own->at, d->speed * c.h, way));
+        vec3 direction = far    ? vec3_neg(vec3_unit_or(own->at, d->direction))
+                         : near ? vec3_unit_or(vec3_add_scaled(vec3_make(0.0, 3e-3, 0.0), 1.0, off),
+                                               d->direction)
+                                : d->direction;
+        stitch_case_target(&c, hand, vec3_add_scaled(own->at, d->speed * c.h, direction));
     }
 }
 

@@ -132,8 +132,8 @@ static void draw_before(const needle_case *c, const drain_object *d, double fart
     at = vec3_add_scaled(at, touching + gap, out);
     p->tip = p->kind == STAB_LIP || p->kind == STAB_END ? vec3_add(at, aside) : at;
     double lean = vbss_random_uniform(random);
-    p->way = vec3_add_scaled(vec3_neg(out), 1.5 * lean * lean, vbss_random_direction(random));
-    p->way = vec3_unit_or(p->way, vec3_neg(out));
+    p->direction = vec3_add_scaled(vec3_neg(out), 1.5 * lean * lean, vbss_random_direction(random));
+    p->direction = vec3_unit_or(p->direction, vec3_neg(out));
     p->aside = vbss_random_direction(random);
 }
 
@@ -153,7 +153,7 @@ stab_place stab_places_draw(const needle_case *c, double farthest, vbss_random *
         }
         assert_true(p.tries < 10000);
         draw_before(c, d, farthest, random, &p);
-        pose at = needle_case_pose(c->config.radius, p.tip, p.way, p.aside);
+        pose at = needle_case_pose(c->config.radius, p.tip, p.direction, p.aside);
         if (is_clear(d, n, at, touching)) {
             return p;
         }

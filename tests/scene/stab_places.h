@@ -18,7 +18,7 @@ typedef enum stab_kind {
 typedef struct stab_place {
     stab_kind kind;
     bool inside;
-    vec3 tip, way, aside;
+    vec3 tip, direction, aside;
     uint32_t tries; /* until it was clear */
 } stab_place;
 

@@ -20,9 +20,9 @@ static double given_by(const scene_object *s, const contact_constraint *row, vec
     double given = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
     for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
         const contact_jacobian_block *term = &row->jacobian[k];
-        vec3 way; /* the needle's holes are not looked at */
-        if (vbss_scene_find_block_displacement(s, term->block, &way) != SCENE_BODY_NONE) {
-            given += term->weight * vec3_dot(force, way);
+        vec3 displacement; /* the needle's holes are not looked at */
+        if (vbss_scene_find_block_displacement(s, term->block, &displacement) != SCENE_BODY_NONE) {
+            given += term->weight * vec3_dot(force, displacement);
         }
     }
     return given;
@@ -94,9 +94,9 @@ void stitch_case_target(stitch_case *c, int hand, vec3 to)
     expect_ok(vbss_thread_move(c->hands[hand].thread, c->hands[hand].id, target, NULL));
 }
 
-void stitch_case_shift(stitch_case *c, int hand, vec3 way)
+void stitch_case_shift(stitch_case *c, int hand, vec3 displacement)
 {
-    stitch_case_target(c, hand, vec3_add(c->hands[hand].to, way));
+    stitch_case_target(c, hand, vec3_add(c->hands[hand].to, displacement));
 }
 
 void stitch_case_drop(stitch_case *c, int hand)
@@ -221,19 +221,19 @@ double stitch_case_energy(const stitch_case *c)
 void stitch_case_reckon(stitch_case *c)
 {
     c->first = stitch_case_energy(c);
-    c->work = c->most_work = c->excess = 0.0;
+    c->work = c->max_work = c->excess = 0.0;
 }
 
 /* Reactions are without what presses on the node itself, or on the segments at it: the hand bears some of that too. All of
  * it is more. */
-static double work_at(const stitch_case *c, uint32_t body, uint32_t node, vec3 way)
+static double work_at(const stitch_case *c, uint32_t body, uint32_t node, vec3 displacement)
 {
     double work = 0.0;
     vbss_view forces = small_view(&c->s, VBSS_SCENE_VIEW_CONTACT_FORCES);
     vbss_view names = small_view(&c->s, VBSS_SCENE_VIEW_CONTACTS);
     for (uint64_t i = 0; i < forces.count; i++) {
         const uint32_t *name = (const uint32_t *)names.data + 5 * i;
-        double along = vec3_dot(((const vec3 *)forces.data)[i], way);
+        double along = vec3_dot(((const vec3 *)forces.data)[i], displacement);
         bool at_a = name[1] == body && name[2] + 2 > node && name[2] < node + 2;
         bool at_b = name[3] == body && name[4] + 2 > node && name[4] < node + 2;
         bool hole = name[0] == VBSS_CONTACT_HOLE;
@@ -263,10 +263,11 @@ static double work_of_hands(stitch_case *c, double *largest)
         }
         expect_ok(vbss_thread_get_reaction(hand->thread, hand->id, &r, sizeof r));
         vec3 now = small_node(hand->thread, r.node), force = vec3_load(r.force);
-        vec3 way = vec3_sub(now, hand->at);
-        double beside = work_at(c, body_of(c, hand->thread), r.node, way);
-        work += vec3_dot(force, way) + beside;
-        *largest += fmax(vec3_norm(force), vec3_norm(hand->force)) * vec3_norm(way) + beside;
+        vec3 displacement = vec3_sub(now, hand->at);
+        double beside = work_at(c, body_of(c, hand->thread), r.node, displacement);
+        work += vec3_dot(force, displacement) + beside;
+        *largest +=
+            fmax(vec3_norm(force), vec3_norm(hand->force)) * vec3_norm(displacement) + beside;
         hand->force = force;
         hand->at = now;
     }
@@ -286,7 +287,7 @@ static void book(stitch_case *c)
 {
     double largest = 0.0, energy = stitch_case_energy(c), *beyond = c->beyond;
     c->work += work_of_hands(c, &largest);
-    c->most_work = fmax(c->most_work, fabs(c->work));
+    c->max_work = fmax(c->max_work, fabs(c->work));
     assert_true(isfinite(energy));
     for (int k = 3; k > 0; k--) {
         beyond[k] = beyond[k - 1] + largest;
@@ -322,7 +323,7 @@ void stitch_case_step(stitch_case *c)
         c->counts[kind]++;
     }
     if (c->stitch.drain != NULL) {
-        stitch_watch_look(&c->watch, c->s.scene, c->stitch.drain);
+        stitch_watch_observe(&c->watch, c->s.scene, c->stitch.drain);
     }
     assert_true(isfinite(stitch_case_fastest(c)));
     book(c);
@@ -335,11 +336,11 @@ void stitch_case_wait(stitch_case *c, uint32_t steps)
     }
 }
 
-void stitch_case_pull(stitch_case *c, int hand, vec3 way, double speed)
+void stitch_case_pull(stitch_case *c, int hand, vec3 displacement, double speed)
 {
-    uint32_t steps = (uint32_t)ceil(vec3_norm(way) / (speed * c->h));
+    uint32_t steps = (uint32_t)ceil(vec3_norm(displacement) / (speed * c->h));
     for (uint32_t i = 0; i < steps; i++) {
-        stitch_case_shift(c, hand, vec3_scale(way, 1.0 / steps));
+        stitch_case_shift(c, hand, vec3_scale(displacement, 1.0 / steps));
         stitch_case_step(c);
     }
 }
@@ -362,11 +363,11 @@ void stitch_case_finish(stitch_case *c, const char *name, double share)
                   (unsigned long long)s.loose_states, 1e6 * s.penetration, s.stretch_error,
                   (unsigned long long)s.loose_stretch, c->watch.crossings, c->watch.holes,
                   c->watch.farthest, c->watch.loosest, (unsigned long long)c->watch.away,
-                  (unsigned long long)c->watch.missed, 1e3 * c->most_work, 1e3 * c->excess,
+                  (unsigned long long)c->watch.missed, 1e3 * c->max_work, 1e3 * c->excess,
                   1e3 * c->jump, stitch_case_fastest(c));
     assert_int_equal(c->watch.away, 0);
     assert_int_equal(c->watch.missed, 0);
     assert_true(s.stretch_error <= c->options.scene.stretch_tolerance || s.loose_stretch > 0);
-    assert_true(c->excess <= share * c->most_work + MIN_GAIN);
+    assert_true(c->excess <= share * c->max_work + MIN_GAIN);
     stitch_case_end(c);
 }

@@ -26,8 +26,8 @@ typedef struct stitch_case {
         happened[STITCH_CASE_EVENTS]; /* so far; in the last step */
     uint32_t steps;
     /* the ledger, J */
-    double first, work, most_work, excess;
-    /* Most energy that a step has beyond what hands could have put into it, whatever way they pulled, with the larger force of
+    double first, work, max_work, excess;
+    /* Most energy that a step has beyond what hands could have put into it, in whatever direction they pulled, with the larger force of
      * its begin and its end: those of thin threads are noisy. Of whole steps. `shown`: of one step. `jump`: as far as it is still
      * there in the next, beyond the larger of the two steps before. */
     double jump, shown;
@@ -47,7 +47,7 @@ void stitch_case_end(stitch_case *c); /* asserts that all memory came back */
 void stitch_case_open(stitch_case *c, uint32_t crossings);
 
 void stitch_case_target(stitch_case *c, int hand, vec3 to);
-void stitch_case_shift(stitch_case *c, int hand, vec3 way);
+void stitch_case_shift(stitch_case *c, int hand, vec3 displacement);
 void stitch_case_drop(stitch_case *c, int hand);
 /* A node of a thread, where it is; false: it is held already. */
 bool stitch_case_take(stitch_case *c, int hand, uint32_t body, uint32_t node);
@@ -59,8 +59,8 @@ vec3 stitch_case_node(const stitch_case *c, uint32_t body, uint32_t node);
 
 void stitch_case_step(stitch_case *c);
 void stitch_case_wait(stitch_case *c, uint32_t steps);
-/* A hand goes on by that way at that speed. */
-void stitch_case_pull(stitch_case *c, int hand, vec3 way, double speed);
+/* A hand goes on by that displacement at that speed. */
+void stitch_case_pull(stitch_case *c, int hand, vec3 displacement, double speed);
 double stitch_case_energy(const stitch_case *c);
 void stitch_case_reckon(stitch_case *c); /* the ledger begins anew */
 bool stitch_case_hole(const stitch_case *c, int side, vbss_hole *hole);

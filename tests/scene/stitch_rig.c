@@ -38,9 +38,9 @@ vec3 stitch_rig_outward(const stitch_rig *r, int hand)
     return vec3_make(0.0, sine, hand == 0 ? -cosine : cosine);
 }
 
-void stitch_rig_draw(stitch_rig *r, int hand, double way)
+void stitch_rig_draw(stitch_rig *r, int hand, double distance)
 {
-    vec3 to = vec3_add_scaled(r->s.at[hand], way, stitch_rig_outward(r, hand));
+    vec3 to = vec3_add_scaled(r->s.at[hand], distance, stitch_rig_outward(r, hand));
     expect_ok(stitch_scene_move(&r->s, hand, to));
 }
 

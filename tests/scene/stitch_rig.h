@@ -23,9 +23,9 @@ void stitch_rig_end(stitch_rig *r); /* asserts that all memory came back */
 
 /* Steps, after which both holes are still there. */
 void stitch_rig_wait(stitch_rig *r, int steps);
-/* The way of a limb from its mark to its hand at first; the hand's next step along it. */
+/* The direction of a limb from its mark to its hand at first; the hand's next step along it. */
 vec3 stitch_rig_outward(const stitch_rig *r, int hand);
-void stitch_rig_draw(stitch_rig *r, int hand, double way);
+void stitch_rig_draw(stitch_rig *r, int hand, double distance);
 /* Both hands draw at a speed in so many steps, each while it pulls with less than that. */
 void stitch_rig_pull(stitch_rig *r, int steps, double speed, double limit);
 /* Instead of the left hand a force outward, on 1 g. */

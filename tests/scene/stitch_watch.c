@@ -35,7 +35,7 @@ vbss_thread *stitch_watch_thread(vbss_scene *scene, uint32_t body)
 /* Where a line meets a triangle, by its corners' weights: signs of three volumes, none divided by what may vanish. */
 static bool meets(vec3 from, vec3 to, const vec3 corner[3], double weights[3])
 {
-    vec3 way = vec3_sub(to, from);
+    vec3 displacement = vec3_sub(to, from);
     double volume[3], sum = 0.0;
     vec3 normal = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
     double before = vec3_dot(normal, vec3_sub(from, corner[0]));
@@ -45,7 +45,7 @@ static bool meets(vec3 from, vec3 to, const vec3 corner[3], double weights[3])
     }
     for (int k = 0; k < 3; k++) {
         vec3 a = vec3_sub(corner[(k + 1) % 3], from), b = vec3_sub(corner[(k + 2) % 3], from);
-        volume[k] = vec3_dot(way, vec3_cross(a, b));
+        volume[k] = vec3_dot(displacement, vec3_cross(a, b));
         sum += volume[k];
     }
     for (int k = 0; k < 3; k++) {
@@ -95,7 +95,7 @@ static double distance_to(const vec3 *x, uint32_t count, vec3 point)
     return smallest;
 }
 
-static void look_at(seen *s, const thread_object *t)
+static void observe(seen *s, const thread_object *t)
 {
     const vec3 *x = t->now.x;
     s->touching = t->config.radius + 0.5 * s->drain->config.thickness;
@@ -119,7 +119,7 @@ static void look_at(seen *s, const thread_object *t)
     }
 }
 
-void stitch_watch_look(stitch_watch *w, vbss_scene *scene, vbss_drain *drain)
+void stitch_watch_observe(stitch_watch *w, vbss_scene *scene, vbss_drain *drain)
 {
     seen s = {.watch = w};
     drain_object *d;
@@ -132,7 +132,7 @@ void stitch_watch_look(stitch_watch *w, vbss_scene *scene, vbss_drain *drain)
         vbss_thread *thread = stitch_watch_thread(scene, s.body);
         if (thread != NULL) {
             expect_ok(vbss_thread_open(thread, &t));
-            look_at(&s, t);
+            observe(&s, t);
         }
     }
 }

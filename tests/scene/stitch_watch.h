@@ -14,7 +14,7 @@ typedef struct stitch_watch {
     double farthest, loosest;
 } stitch_watch;
 
-void stitch_watch_look(stitch_watch *w, vbss_scene *scene, vbss_drain *drain);
+void stitch_watch_observe(stitch_watch *w, vbss_scene *scene, vbss_drain *drain);
 /* All holes of the scene; how many. */
 uint32_t stitch_watch_holes(vbss_scene *scene, vbss_hole holes[STITCH_WATCH_HOLES]);
 /* The thread with that number, or NULL. */

@@ -138,9 +138,9 @@ static void contact_refines_and_separation_coarsens(void **state)
         vec3_store(pin.position, vec3_make(0.02, 5e-3, k == 0 ? -0.02 : 0.02));
         expect_ok(vbss_thread_attach(high, &pin, &ids[k]));
     }
-    for (int way = 0; way < 2; way++) {
+    for (int variant = 0; variant < 2; variant++) {
         for (int i = 0; i <= 150; i++) {
-            double y = way == 0 ? 5e-3 - 4e-3 * i / 150.0 : 1e-3 + 9e-3 * i / 150.0;
+            double y = variant == 0 ? 5e-3 - 4e-3 * i / 150.0 : 1e-3 + 9e-3 * i / 150.0;
             for (int k = 0; k < 2; k++) {
                 double to[3] = {0.02, y, k == 0 ? -0.02 : 0.02};
                 expect_ok(vbss_thread_move(high, ids[k], to, NULL));
@@ -150,7 +150,7 @@ static void contact_refines_and_separation_coarsens(void **state)
         small_steps(&s, 60, 1e-3);
         cut_expect_sound(small_object(&s));
         const thread_object *t = mesh_thread(low), *u = mesh_thread(high);
-        if (way == 0) { /* in the middle only */
+        if (variant == 0) { /* in the middle only */
             assert_true(t->node_count > 26 && t->node_count < 60);
             assert_true(u->node_count > 26 && u->node_count < 60);
             expect_near(2e-3, t->rest[0], 1e-15);

@@ -232,8 +232,8 @@ static void grasped_thread_stays_at_its_arc(void **state)
     scene_object *o = small_object(&r.s);
     const thread_object *t = mesh_thread(r.thread);
     uint64_t made = t->statistics.refined + t->statistics.coarsened;
-    tools_way(&r, 0, vec3_make(0.0, 0.0, -2e-3), vec3_make(2e-3, 0.0, -1e-3), 200);
-    tools_way(&r, 0, vec3_make(2e-3, 0.0, -1e-3), vec3_make(0.0, 0.0, -2e-3), 200);
+    tools_move_along(&r, 0, vec3_make(0.0, 0.0, -2e-3), vec3_make(2e-3, 0.0, -1e-3), 200);
+    tools_move_along(&r, 0, vec3_make(2e-3, 0.0, -1e-3), vec3_make(0.0, 0.0, -2e-3), 200);
     cut_expect_sound(o);
     assert_true(made > 20);
     vbss_grasp after = tools_grasp(&r, 0, 0);

@@ -38,9 +38,9 @@ static double min_distance(const mesh_line *l, double apart)
             double at[2];
             if (l->arc[b] - l->arc[a + 1] >= apart &&
                 fabs(x[0].x - y[0].x) + fabs(x[0].y - y[0].y) + fabs(x[0].z - y[0].z) < 6e-3) {
-                vec3 way = closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]),
-                                                 vec3_sub(y[0], x[0]), &at[0], &at[1]);
-                smallest = fmin(smallest, vec3_norm(way));
+                vec3 separation = closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]),
+                                                        vec3_sub(y[0], x[0]), &at[0], &at[1]);
+                smallest = fmin(smallest, vec3_norm(separation));
             }
         }
     }
@@ -71,10 +71,10 @@ static uint32_t change_at_random(scene_object *s, scene_body *b, vbss_random *ra
                 if (arc > 2.0 * (t->rest[i] + t->rest[j])) {
                     double at2[2];
                     const vec3 *x = t->now.x;
-                    vec3 way =
+                    vec3 separation =
                         closest_between_edges(vec3_sub(x[i + 1], x[i]), vec3_sub(x[j + 1], x[j]),
                                               vec3_sub(x[j], x[i]), &at2[0], &at2[1]);
-                    gap = fmin(gap, vec3_norm(way) - 2.0 * t->config.radius);
+                    gap = fmin(gap, vec3_norm(separation) - 2.0 * t->config.radius);
                 }
             }
         }

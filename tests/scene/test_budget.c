@@ -5,6 +5,7 @@
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scene/pulled_surgeons.h"
+#include "scene/small.h"
 #include "scene/watch.h"
 
 enum { STEPS = 500, LIMIT = 100000, ATTEMPTS = 3 };
@@ -97,6 +98,31 @@ static void step_stays_near_budget(void **state)
     end(l);
 }
 
+/* Two driven sticks close on a taut thread. Without a limit the step took 30 million operations. */
+static void first_step_is_limited(void **state)
+{
+    (void)state;
+    enum { FIRST_STEP_LIMITS = 32, SMALL_LIMIT = 20000 };
+    const vec3 half = vec3_make(0.0, 0.0, 0.01);
+    small s;
+    small_begin(&s);
+    s.config.halving_limit = 10;
+    s.config.work_limit = SMALL_LIMIT;
+    small_create(&s);
+    uint32_t line =
+        small_thread(&s, vec3_make(-0.02, 0.0, 0.0), vec3_make(0.02, 0.0, 0.0), 40, NULL);
+    uint32_t upper = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 3e-3, 0.0), half, 2.5e-3);
+    (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -3e-3, 0.0), half, 2.5e-3);
+    small_pin_ends(&s, line, 41);
+    small_move(&s, upper, vec3_make(0.0, -2e-3, 0.0));
+    small_steps(&s, 1, STEP);
+    const vbss_scene_statistics now = small_statistics(&s);
+    assert_in_range(now.operations, 1, (FIRST_STEP_LIMITS + 1) * SMALL_LIMIT);
+    assert_in_range(now.attempts, 1, FIRST_STEP_LIMITS * s.config.attempt_limit);
+    assert_int_equal(now.paused, 1);
+    small_end(&s);
+}
+
 static void no_passage_at_low_budget(void **state)
 {
     (void)state;
@@ -187,9 +213,9 @@ static void suspended_scene_is_restored(void **state)
 int test_budget(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(step_stays_near_budget),      cmocka_unit_test(no_passage_at_low_budget),
-        cmocka_unit_test(paused_bodies_are_static),    cmocka_unit_test(offline_mode_has_no_budget),
-        cmocka_unit_test(suspended_scene_is_restored),
+        cmocka_unit_test(first_step_is_limited),      cmocka_unit_test(step_stays_near_budget),
+        cmocka_unit_test(no_passage_at_low_budget),   cmocka_unit_test(paused_bodies_are_static),
+        cmocka_unit_test(offline_mode_has_no_budget), cmocka_unit_test(suspended_scene_is_restored),
     };
     return cmocka_run_group_tests_name("scene.budget", tests, NULL, NULL);
 }

@@ -12,7 +12,8 @@ enum { MAX_NODES = 400 };
 
 static const double pi = 0x1.921fb54442d18p1;
 static const double radius = 2.5e-3, thread_radius = 0.125e-3, bending_stiffness = 1e-8;
-static const double load = 0.1, load_way = 15e-3, pull_way = 10e-3; /* N; straight, at the start */
+static const double load = 0.1, load_length = 15e-3,
+                    pull_length = 10e-3; /* N; straight, at the start */
 
 typedef struct capstan {
     double turns, fineness; /* length of segments over the cylinder's radius */
@@ -20,7 +21,7 @@ typedef struct capstan {
     vbss_bending bending;
     /* what follows */
     double angle; /* that counts */
-    double cosine, way;
+    double cosine, contact_length;
     vec3 loaded, pulled; /* where the ends are pulled to */
     double segment;
     uint32_t end, weight; /* attachments */
@@ -36,16 +37,16 @@ static void wind(const capstan *c, uint32_t segments, double slope, vec3 *x, dou
     double middle = radius + thread_radius, turn = c->segment * c->cosine / middle;
     double outside = middle / (11.0 / 12.0 + cos(turn) / 12.0);
     for (uint32_t i = 0; i <= segments; i++) {
-        double s = i * c->segment - load_way, on = fmin(fmax(s, 0.0), c->way);
+        double s = i * c->segment - load_length, on = fmin(fmax(s, 0.0), c->contact_length);
         double angle = on * c->cosine / middle;
         vec3 tangent = vec3_make(sin(angle) * c->cosine, cos(angle) * c->cosine, slope * c->cosine);
         vec3 point = vec3_make(-outside * cos(angle), outside * sin(angle), slope * middle * angle);
         x[i] = vec3_add_scaled(point, s - on, tangent);
     }
     for (uint32_t i = 0; i < segments; i++) {
-        double s = (i + 0.5) * c->segment - load_way;
+        double s = (i + 0.5) * c->segment - load_length;
         rest[i] = vec3_distance(x[i], x[i + 1]);
-        if (c->bending == VBSS_BENDING_SPLINE && s > 0.0 && s < c->way) {
+        if (c->bending == VBSS_BENDING_SPLINE && s > 0.0 && s < c->contact_length) {
             rest[i] *= 1.0 + turn * turn * c->cosine * c->cosine / 24.0; /* of the arc */
         }
     }
@@ -56,11 +57,11 @@ static void begin(capstan *c)
     double whole = 2.0 * pi * c->turns, middle = radius + thread_radius;
     double slope = c->turns > 0.5 ? 1e-3 / (2.0 * pi * middle) : 0.0; /* 1 mm a turn */
     c->cosine = 1.0 / sqrt(1.0 + slope * slope);
-    c->way = whole * middle / c->cosine;
+    c->contact_length = whole * middle / c->cosine;
     c->angle = whole * c->cosine;
     c->loaded = vec3_make(0.0, -c->cosine, -slope * c->cosine);
     c->pulled = vec3_make(sin(whole) * c->cosine, cos(whole) * c->cosine, slope * c->cosine);
-    double length = load_way + c->way + pull_way;
+    double length = load_length + c->contact_length + pull_length;
     uint32_t segments = (uint32_t)ceil(length / (c->fineness * radius));
     c->segment = length / segments;
     vec3 x[MAX_NODES];
@@ -135,7 +136,7 @@ static capstan half_turn(double friction)
 }
 
 /* The elastic thread slides everywhere after one or two millimetres. */
-static double start_way(const capstan *c)
+static double start_segments(const capstan *c)
 {
     return ceil(2e-3 / c->segment);
 }
@@ -143,7 +144,7 @@ static double start_way(const capstan *c)
 static double pulled_over(capstan *c)
 {
     begin(c);
-    (void)pull(c, start_way(c));
+    (void)pull(c, start_segments(c));
     ratios r = pull(c, 4.0);
     scene_rig_end(&c->rig);
     return r.mean;
@@ -208,7 +209,7 @@ static void friction_reverses_with_pull(void **state)
     (void)state;
     capstan c = half_turn(0.3);
     begin(&c);
-    (void)pull(&c, start_way(&c));
+    (void)pull(&c, start_segments(&c));
     ratios forth = pull(&c, 4.0);
     c.speed = -c.speed;
     (void)pull(&c, 1.0);
@@ -225,7 +226,7 @@ static void load_below_capstan_limit_holds(void **state)
     (void)state;
     capstan c = half_turn(0.3);
     begin(&c);
-    (void)pull(&c, start_way(&c));
+    (void)pull(&c, start_segments(&c));
     expect_ok(vbss_thread_detach(c.rig.thread.thread, c.end));
     uint32_t last = c.rig.thread.nodes - 1;
     double pulls = load * exp(0.99 * 0.3 * pi);

@@ -6,12 +6,12 @@ static const vec3 half = {0.0, 0.0, 5e-3};
 static const vec3 along = {5e-3, 0.0, 0.0};
 
 /* In real time with and without a limit of work, and offline. */
-enum { LIMITED, UNLIMITED, OFFLINE, WAYS };
+enum { LIMITED, UNLIMITED, OFFLINE, VARIANTS };
 
-static void set_way(small *s, int way)
+static void set_variant(small *s, int variant)
 {
-    s->config.mode = way == OFFLINE ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
-    if (way == UNLIMITED) {
+    s->config.mode = variant == OFFLINE ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    if (variant == UNLIMITED) {
         s->config.work_limit = 0;
         s->config.attempt_limit = 16;
     }
@@ -47,16 +47,16 @@ static uint32_t add_taut_line(small *s, vbss_thread **thread)
 
 /* ---- tools */
 
-/* Over its way through in one step. */
+/* Through the line in one step. */
 static void thread_stops_driven_tool_and_recovers(void **state)
 {
     (void)state;
-    for (int m = 0; m < WAYS; m++) {
+    for (int m = 0; m < VARIANTS; m++) {
         small s;
         small_watch w;
         vbss_thread *thread;
         small_begin(&s);
-        set_way(&s, m);
+        set_variant(&s, m);
         small_create(&s);
         s.thread.axial_stiffness = 4000.0; /* a soft one would give way */
         add_taut_line(&s, &thread);
@@ -112,11 +112,11 @@ static void coupled_tool_presses_without_passage(void **state)
 static void driven_tools_never_pass_each_other(void **state)
 {
     (void)state;
-    for (int m = 0; m < WAYS; m++) {
+    for (int m = 0; m < VARIANTS; m++) {
         small s;
         small_watch w;
         small_begin(&s);
-        set_way(&s, m);
+        set_variant(&s, m);
         small_create(&s);
         small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
         uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 5e-3, 0.0), along, 1e-3);
@@ -167,7 +167,7 @@ static void swung_stick_takes_thread_along(void **state)
         small_begin_scene(&s);
         uint32_t stick =
             small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 5e-4);
-        vbss_thread *thread; /* across the way of the stick, near its middle */
+        vbss_thread *thread; /* across the path of the stick, near its middle */
         uint32_t line = small_thread(&s, vec3_make(9.2e-3, 2e-3, -6e-3),
                                      vec3_make(9.2e-3, 2e-3, 6e-3), 12, &thread);
         small_pin_ends(&s, line, 13);
@@ -196,15 +196,15 @@ static void thread_thrown_at_tool_does_not_pass(void **state)
 {
     (void)state;
     const vbss_rigid_kind kinds[] = {VBSS_RIGID_DRIVEN, VBSS_RIGID_COUPLED, VBSS_RIGID_FREE};
-    for (int k = 0; k < 3 * WAYS; k++) {
+    for (int k = 0; k < 3 * VARIANTS; k++) {
         small s;
         small_watch w;
         vbss_thread *thread;
         small_begin(&s);
-        set_way(&s, k % WAYS);
+        set_variant(&s, k % VARIANTS);
         small_create(&s);
         small_thread(&s, vec3_make(-10e-3, 4e-3, 1e-4), vec3_make(10e-3, 4e-3, 2e-4), 40, &thread);
-        small_stick(&s, kinds[k / WAYS], vec3_zero(), half, 1e-3);
+        small_stick(&s, kinds[k / VARIANTS], vec3_zero(), half, 1e-3);
         small_watch_begin(&s, &w);
         throw(thread, 41, vec3_make(0.0, -50.0, 1.0));
         guarded_steps(&s, 50, 1e-3);
@@ -216,14 +216,14 @@ static void thread_thrown_at_tool_does_not_pass(void **state)
 static void thread_thrown_at_floor_does_not_pass(void **state)
 {
     (void)state;
-    for (int k = 0; k < 2 * WAYS; k++) {
+    for (int k = 0; k < 2 * VARIANTS; k++) {
         small s;
         small_watch w;
         vbss_thread *thread;
         small_begin(&s);
-        set_way(&s, k % WAYS);
+        set_variant(&s, k % VARIANTS);
         s.config.floor = 1;
-        s.config.floor_normal[0] = k < WAYS ? 0.0 : 0.3;
+        s.config.floor_normal[0] = k < VARIANTS ? 0.0 : 0.3;
         small_create(&s);
         small_thread(&s, vec3_make(-10e-3, 8e-3, 0.0), vec3_make(10e-3, 10e-3, 0.0), 40, &thread);
         small_watch_begin(&s, &w);
@@ -238,17 +238,17 @@ static void thread_thrown_at_floor_does_not_pass(void **state)
 static void threads_thrown_at_each_other_do_not_pass(void **state)
 {
     (void)state;
-    for (int k = 0; k < 2 * WAYS; k++) {
+    for (int k = 0; k < 2 * VARIANTS; k++) {
         small s;
         small_watch w;
         vbss_thread *a, *b;
         small_begin(&s);
-        set_way(&s, k % WAYS);
+        set_variant(&s, k % VARIANTS);
         small_create(&s);
         small_thread(&s, vec3_make(-10e-3, 2e-3, 0.0), vec3_make(10e-3, 2e-3, 0.0), 30, &a);
         small_thread(&s, vec3_make(1e-4, -2e-3, -10e-3), vec3_make(0.0, -2e-3, 10e-3), 30, &b);
         small_watch_begin(&s, &w);
-        throw(a, 31, vec3_make(0.0, k < WAYS ? -50.0 : -5.0, 0.0));
+        throw(a, 31, vec3_make(0.0, k < VARIANTS ? -50.0 : -5.0, 0.0));
         throw(b, 31, vec3_make(0.0, 50.0, 0.0));
         guarded_steps(&s, 50, 1e-3);
         small_watch_expect_nothing(&w);
@@ -259,16 +259,16 @@ static void threads_thrown_at_each_other_do_not_pass(void **state)
 static void capsule_thrown_at_floor_does_not_pass(void **state)
 {
     (void)state;
-    for (int k = 0; k < 2 * WAYS; k++) {
+    for (int k = 0; k < 2 * VARIANTS; k++) {
         small s;
         small_watch w;
         small_begin(&s);
-        set_way(&s, k % WAYS);
+        set_variant(&s, k % VARIANTS);
         s.config.floor = 1;
         small_create(&s);
         s.rigid.velocity[1] = -50.0;
         s.rigid.angular_velocity[2] = 100.0;
-        s.rigid.mass = k < WAYS ? 1e-4 : 0.02;
+        s.rigid.mass = k < VARIANTS ? 1e-4 : 0.02;
         small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 8e-3, 0.0), along, 1e-3);
         small_watch_begin(&s, &w);
         guarded_steps(&s, 50, 1e-3);

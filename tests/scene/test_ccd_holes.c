@@ -74,8 +74,8 @@ static void thread_near_hole_is_not_pushed_through_wall(void **state)
         stage g = open_part();
         uint32_t k = node_at(g.thread, g.hole->arc + side * AWAY);
         vec3 from = g.thread->now.x[k], wall = wall_beside(&g, from);
-        vec3 way = vec3_sub(wall, from);
-        g.thread->trial[k] = vec3_add_scaled(wall, BEYOND / vec3_norm(way), way);
+        vec3 offset = vec3_sub(wall, from);
+        g.thread->trial[k] = vec3_add_scaled(wall, BEYOND / vec3_norm(offset), offset);
         assert_int_equal(vbss_scene_run_ccd(g.s), SCENE_SUBSTEP_CCD_HIT);
         assert_true(g.s->step.time_of_impact > 0.0 && g.s->step.time_of_impact < 1.0);
         stitch_case_end(&c);
@@ -86,14 +86,14 @@ static void thread_near_hole_is_not_pushed_through_wall(void **state)
 static void thread_slides_through_its_holes(void **state)
 {
     (void)state;
-    for (int way = -1; way <= 1; way += 2) {
+    for (int sign = -1; sign <= 1; sign += 2) {
         stage g = open_part();
         const uint32_t last = g.thread->node_count - 1;
         const vec3 *x = g.thread->now.x;
         for (uint32_t k = 0; k < last; k++) {
-            g.thread->trial[way > 0 ? k : k + 1] = x[way > 0 ? k + 1 : k];
+            g.thread->trial[sign > 0 ? k : k + 1] = x[sign > 0 ? k + 1 : k];
         }
-        const uint32_t end = way > 0 ? last : 0, before = way > 0 ? last - 1 : 1;
+        const uint32_t end = sign > 0 ? last : 0, before = sign > 0 ? last - 1 : 1;
         g.thread->trial[end] = vec3_sub(vec3_scale(x[end], 2.0), x[before]);
         assert_int_equal(vbss_scene_run_ccd(g.s), SCENE_SUBSTEP_ACCEPTED);
         stitch_case_end(&c);

@@ -16,7 +16,7 @@ static double between(vbss_random *r, double low, double high)
     return low + (high - low) * vbss_random_uniform(r);
 }
 
-static vec3 random_way(vbss_random *r, double limit)
+static vec3 random_vector(vbss_random *r, double limit)
 {
     double x = between(r, -limit, limit), y = between(r, -limit, limit),
            z = between(r, -limit, limit);
@@ -32,16 +32,16 @@ static double random_size(vbss_random *r, double low, double high)
 static void ask(scene_object *s, tally *t, double *earliest)
 {
     uint64_t searches = s->collision->searches;
-    scene_substep_outcome verdict = vbss_scene_run_ccd(s);
-    assert_true(verdict == SCENE_SUBSTEP_ACCEPTED || verdict == SCENE_SUBSTEP_CCD_HIT);
+    scene_substep_outcome outcome = vbss_scene_run_ccd(s);
+    assert_true(outcome == SCENE_SUBSTEP_ACCEPTED || outcome == SCENE_SUBSTEP_CCD_HIT);
     *earliest = s->step.time_of_impact;
     t->searched += s->collision->searches > searches;
     t->listed += s->collision->searches == searches;
-    t->hits += verdict == SCENE_SUBSTEP_CCD_HIT;
+    t->hits += outcome == SCENE_SUBSTEP_CCD_HIT;
 }
 
 /* A thread among sticks is expected to go one way, and goes nearly that. */
-static void ask_both_ways(vbss_random *r, tally *t)
+static void compare_listed_and_searched(vbss_random *r, tally *t)
 {
     small g;
     vbss_thread *thread;
@@ -50,7 +50,7 @@ static void ask_both_ways(vbss_random *r, tally *t)
     small_begin_scene(&g);
     small_thread(&g, vec3_make(-12e-3, 0.0, 0.0), vec3_make(12e-3, 0.0, 0.0), NODES - 1, &thread);
     for (int i = 0; i < 3; i++) {
-        vec3 at = random_way(r, 8e-3), half = random_way(r, 5e-3);
+        vec3 at = random_vector(r, 8e-3), half = random_vector(r, 5e-3);
         at.y = between(r, 1.3e-3, 3e-3);
         half.y = 0.0;
         small_stick(&g, VBSS_RIGID_DRIVEN, at, half, 1e-3);
@@ -60,13 +60,13 @@ static void ask_both_ways(vbss_random *r, tally *t)
     expect_ok(vbss_thread_open(thread, &object));
     double expected = random_size(r, 1e-5, 3e-3), other = random_size(r, 1e-6, 3e-3);
     for (uint32_t i = 0; i < NODES; i++) {
-        object->trial[i] = vec3_add(object->now.x[i], random_way(r, expected));
+        object->trial[i] = vec3_add(object->now.x[i], random_vector(r, expected));
     }
     const scene_substep part = {
         .step_length = 1e-3, .h = 1e-3, .end_fraction = 1.0, .uses_trial_motion = true};
     assert_true(vbss_scene_create_contacts(s, &part));
     for (uint32_t i = 0; i < NODES; i++) {
-        object->trial[i] = vec3_add(object->trial[i], random_way(r, other));
+        object->trial[i] = vec3_add(object->trial[i], random_vector(r, other));
     }
     ask(s, t, &listed);
     s->step.expected_displacements[0].x = (double)NAN; /* nothing is expected of that */
@@ -84,7 +84,7 @@ static void listed_pairs_equal_search(void **state)
     tally t = {0, 0, 0};
     vbss_random_seed(&random, 8, 1);
     for (int i = 0; i < CASES; i++) {
-        ask_both_ways(&random, &t);
+        compare_listed_and_searched(&random, &t);
     }
     assert_true(t.listed > CASES / 10 && t.searched > CASES / 10 && t.hits > CASES / 10);
 }

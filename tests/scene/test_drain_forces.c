@@ -34,7 +34,7 @@ static void anchors_and_hand_balance_contact(void **state)
     drain_case_make(&c);
     uint32_t tip = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.3e-3, TOP + 10e-3, 4e-3),
                                    vec3_make(0.0, 7e-3, 0.0), 1.5e-3);
-    drain_case_way(&c, tip, vec3_make(0.3e-3, TOP + 5e-3, 4e-3), 200);
+    drain_case_move_to(&c, tip, vec3_make(0.3e-3, TOP + 5e-3, 4e-3), 200);
     drain_case_wait(&c, 1500);
     vec3 force = drain_case_contact_force(&c, tip);
     vbss_rigid_state hand = small_rigid(&c.s, c.tools[tip].id);
@@ -57,7 +57,7 @@ static vec3 normal_at(uint32_t node)
 }
 
 /* By a ball that goes so far inward beyond touching. */
-static dent press(double way)
+static dent press(double depth)
 {
     const double radius = 0.3e-3;
     begin();
@@ -67,7 +67,7 @@ static dent press(double way)
     vec3 touching = vec3_add_scaled(at, 0.5e-3 + radius, out);
     uint32_t ball = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_add_scaled(touching, 1e-3, out),
                                     vec3_zero(), radius);
-    drain_case_way(&c, ball, vec3_add_scaled(touching, -way, out), 300);
+    drain_case_move_to(&c, ball, vec3_add_scaled(touching, -depth, out), 300);
     drain_case_wait(&c, 1000);
     vec3 went = vec3_sub(at, drain_case_node(&c, mark));
     dent d = {vec3_dot(went, out), vec3_neg(drain_case_contact_force(&c, ball)), out,
@@ -126,10 +126,10 @@ static double table_at(double depth)
  * aside, makes the dents of the table. */
 static void ball_at_target_feels_wall(void **state)
 {
-    static const double ways[4] = {0.55e-3, 1.1e-3, 2.1e-3, 4e-3};
+    static const double depths[4] = {0.55e-3, 1.1e-3, 2.1e-3, 4e-3};
     (void)state;
     for (int i = 0; i < 4; i++) {
-        dent d = press(ways[i]);
+        dent d = press(depths[i]);
         double normal = -vec3_dot(d.force, d.out), forced = force_down(d.force);
         vec3 pinned = force_of_pin(d.at);
         print_message("mark %.3f mm by %.4f N, a pin needs %.4f N; %.3f mm by the force alone, "
@@ -168,7 +168,7 @@ static void sliding_tool_drags_wall(void **state)
     drain_case_make(&c);
     uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(-4e-3, 0.0, 9.5e-3),
                                    vec3_make(0.0, 4e-3, 0.0), 1.5e-3);
-    drain_case_way(&c, rod, vec3_make(-4e-3, 0.0, 7.0e-3), 200);
+    drain_case_move_to(&c, rod, vec3_make(-4e-3, 0.0, 7.0e-3), 200);
     double largest = 0.0, smallest = HUGE_VAL;
     for (int i = 1; i <= 800; i++) { /* 10 mm/s */
         drain_case_target(&c, rod, vec3_make(-4e-3 + 1e-5 * i, 0.0, 7.0e-3));

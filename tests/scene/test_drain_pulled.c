@@ -15,7 +15,7 @@ static void rod_in_lumen_tears_drain_off(void **state)
     drain_case_make(&c);
     uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.0, 0.0),
                                    vec3_make(25e-3, 0.0, 0.0), 1.5e-3);
-    drain_case_way(&c, rod, vec3_make(0.0, 40e-3, 0.0), 800);
+    drain_case_move_to(&c, rod, vec3_make(0.0, 40e-3, 0.0), 800);
     drain_case_wait(&c, 300);
     assert_int_equal(drain_case_statistics(&c).torn, 33);
     assert_int_equal(drain_case_statistics(&c).inverted, 0);
@@ -84,15 +84,15 @@ static void two_rods_open_slit(void **state)
     }
     for (int i = 1; i <= 1400; i++) {
         double down = i <= 300 ? i / 300.0 : i > 1100 ? (1400 - i) / 300.0 : 1.0;
-        double way = i <= 300    ? 0.0
-                     : i <= 600  ? (i - 300) / 300.0
-                     : i <= 800  ? 1.0
-                     : i <= 1100 ? (1100 - i) / 300.0
-                                 : 0.0;
+        double progress = i <= 300    ? 0.0
+                          : i <= 600  ? (i - 300) / 300.0
+                          : i <= 800  ? 1.0
+                          : i <= 1100 ? (1100 - i) / 300.0
+                                      : 0.0;
         for (int k = 0; k < 2; k++) {
             drain_case_target(&c, hooks[k],
                               vec3_make(1.2e-3 * k - 0.6e-3, 20e-3 - 9e-3 * down,
-                                        (k == 0 ? -1.0 : 1.0) * 5.2e-3 * way));
+                                        (k == 0 ? -1.0 : 1.0) * 5.2e-3 * progress));
         }
         drain_case_step(&c);
         if (i == 800) {
@@ -118,22 +118,22 @@ static void pins_open_slit_and_cross_lips(void **state)
         pins[k] = drain_case_pin(&c, c.places.marks[k]);
         at[k] = drain_case_node(&c, c.places.marks[k]);
     }
-    double way = 0.0, step = 20e-3 * c.h;
+    double travel = 0.0, step = 20e-3 * c.h;
     vbss_drain_gap gap = {0};
     while (gap.gap < 10e-3) {
-        way += step;
-        assert_true(way < 15e-3);
-        drain_case_target_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - way));
-        drain_case_target_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + way));
+        travel += step;
+        assert_true(travel < 15e-3);
+        drain_case_target_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - travel));
+        drain_case_target_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + travel));
         drain_case_step(&c);
         expect_ok(vbss_drain_get_gap(c.drain, &gap, sizeof gap));
     }
     drain_case_wait(&c, 200);
     drain_case_report(&c, "opened");
-    while (way > -(vec3_distance(at[0], at[1]) + 2e-3) / 2.0) { /* 2 mm beyond each other */
-        way -= step;
-        drain_case_target_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - way));
-        drain_case_target_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + way));
+    while (travel > -(vec3_distance(at[0], at[1]) + 2e-3) / 2.0) { /* 2 mm beyond each other */
+        travel -= step;
+        drain_case_target_pin(&c, pins[0], vec3_make(at[0].x, at[0].y, at[0].z - travel));
+        drain_case_target_pin(&c, pins[1], vec3_make(at[1].x, at[1].y, at[1].z + travel));
         drain_case_step(&c);
     }
     drain_case_wait(&c, 200);
@@ -149,7 +149,7 @@ static void pins_open_slit_and_cross_lips(void **state)
 }
 
 /* Ends are drawn by forces that are there in full after 0.3 s. */
-static void pull_thread(uint32_t segments, vec3 way, double force, uint32_t steps)
+static void pull_thread(uint32_t segments, vec3 direction, double force, uint32_t steps)
 {
     vbss_thread_attachment a;
     uint32_t ids[2];
@@ -162,7 +162,7 @@ static void pull_thread(uint32_t segments, vec3 way, double force, uint32_t step
     for (uint32_t i = 0; i < steps; i++) {
         for (uint32_t k = 0; k < 2; k++) {
             double f[3];
-            vec3_store(f, vec3_scale(way, force * vbss_min(i / 300.0, 1.0)));
+            vec3_store(f, vec3_scale(direction, force * vbss_min(i / 300.0, 1.0)));
             expect_ok(vbss_thread_move(c.threads[0], ids[k], f, NULL));
         }
         drain_case_step(&c);

@@ -22,15 +22,15 @@ static void stir(const char *name, double thickness)
     begin(thickness);
     uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(35e-3, 0.0, 0.0),
                                    vec3_make(15e-3, 0.0, 0.0), 1.25e-3);
-    drain_case_way(&c, rod, vec3_make(0.0, 0.0, 0.0), 350);
+    drain_case_move_to(&c, rod, vec3_make(0.0, 0.0, 0.0), 350);
     for (int i = 0; i < 1500; i++) {
         double turn = 2.0 * VBSS_PI * i / 500.0, far = 6e-3 * vbss_min(i / 200.0, 1.0);
         drain_case_target(&c, rod, vec3_make(0.0, far * vbss_cos(turn), far * vbss_sin(turn)));
         drain_case_step(&c);
     }
     drain_case_report(&c, name);
-    drain_case_way(&c, rod, vec3_make(0.0, 0.0, 0.0), 200);
-    drain_case_way(&c, rod, vec3_make(45e-3, 0.0, 0.0), 300);
+    drain_case_move_to(&c, rod, vec3_make(0.0, 0.0, 0.0), 200);
+    drain_case_move_to(&c, rod, vec3_make(45e-3, 0.0, 0.0), 300);
     drain_case_wait(&c, 500);
     drain_case_expect_rest(&c, 0.1e-3);
     drain_case_finish(&c, name, 0.05);
@@ -48,14 +48,14 @@ static void rod_stirs_in_thin_lumen(void **state)
     stir("stirred, thin", 0.4e-3);
 }
 
-static void strike(const char *name, double speed, vec3 from, vec3 way, vec3 half)
+static void strike(const char *name, double speed, vec3 from, vec3 displacement, vec3 half)
 {
     begin(1e-3);
     uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, from, half, 1.5e-3);
-    vec3 to = vec3_add(from, way);
-    uint32_t steps = (uint32_t)(vec3_norm(way) / (speed * c.h));
-    drain_case_way(&c, rod, to, steps);
-    drain_case_way(&c, rod, from, steps);
+    vec3 to = vec3_add(from, displacement);
+    uint32_t steps = (uint32_t)(vec3_norm(displacement) / (speed * c.h));
+    drain_case_move_to(&c, rod, to, steps);
+    drain_case_move_to(&c, rod, from, steps);
     drain_case_wait(&c, 500);
     drain_case_expect_rest(&c, 0.1e-3);
     drain_case_finish(&c, name, 0.05);
@@ -64,17 +64,19 @@ static void strike(const char *name, double speed, vec3 from, vec3 way, vec3 hal
 static void fast_rod_strikes_side(void **state)
 {
     (void)state;
-    const vec3 from = {3e-3, 1e-3, 20e-3}, way = {0.0, 0.0, -18e-3}, half = {0.0, 8e-3, 0.0};
-    strike("struck at 0.5 m/s", 0.5, from, way, half);
-    strike("struck at 1 m/s", 1.0, from, way, half);
+    const vec3 from = {3e-3, 1e-3, 20e-3}, displacement = {0.0, 0.0, -18e-3},
+               half = {0.0, 8e-3, 0.0};
+    strike("struck at 0.5 m/s", 0.5, from, displacement, half);
+    strike("struck at 1 m/s", 1.0, from, displacement, half);
 }
 
 static void fast_tip_strikes_top(void **state)
 {
     (void)state;
-    const vec3 from = {0.5e-3, 25e-3, 4e-3}, way = {0.0, -14e-3, 0.0}, half = {0.0, 8e-3, 0.0};
-    strike("a tip at 0.5 m/s", 0.5, from, way, half);
-    strike("a tip at 1 m/s", 1.0, from, way, half);
+    const vec3 from = {0.5e-3, 25e-3, 4e-3}, displacement = {0.0, -14e-3, 0.0},
+               half = {0.0, 8e-3, 0.0};
+    strike("a tip at 0.5 m/s", 0.5, from, displacement, half);
+    strike("a tip at 1 m/s", 1.0, from, displacement, half);
 }
 
 /* What cannot be stopped by forces is stopped by the guard, and that is counted. */
@@ -84,12 +86,13 @@ static void driven_rod_stops_at_bottom(void **state)
     begin(1e-3);
     uint32_t rod = drain_case_tool(&c, VBSS_RIGID_DRIVEN, vec3_make(0.0, TOP + 5e-3, 0.0),
                                    vec3_make(0.0, 0.0, 20e-3), 1.5e-3);
-    drain_case_way(&c, rod, vec3_make(0.0, -25e-3, 0.0), 740); /* 50 mm/s, through top and bottom */
+    drain_case_move_to(&c, rod, vec3_make(0.0, -25e-3, 0.0),
+                       740); /* 50 mm/s, through top and bottom */
     assert_true(drain_case_at(&c, rod).y > -6.5e-3);
     assert_true(small_statistics(&c.s).clamped > 0);
     drain_case_report(&c, "driven");
     small_watch_expect_nothing(&c.watch);
-    drain_case_way(&c, rod, vec3_make(0.0, TOP + 20e-3, 0.0), 900);
+    drain_case_move_to(&c, rod, vec3_make(0.0, TOP + 20e-3, 0.0), 900);
     drain_case_wait(&c, 1000);
     drain_case_report(&c, "driven, and away");
     small_watch_expect_nothing(&c.watch);
@@ -107,16 +110,16 @@ static void two_rods_squeeze_wall(void **state)
     uint32_t out =
         drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.0, 10e-3), half, 1.25e-3);
     for (int i = 0; i < 500; i++) {
-        double way = 5e-3 * vbss_min(i / 300.0, 1.0); /* 3.25 mm would be touching: 1 N each */
-        drain_case_target(&c, in, vec3_make(0.0, 0.0, 3e-3 + 0.5 * way));
-        drain_case_target(&c, out, vec3_make(0.0, 0.0, 10e-3 - way));
+        double travel = 5e-3 * vbss_min(i / 300.0, 1.0); /* 3.25 mm would be touching: 1 N each */
+        drain_case_target(&c, in, vec3_make(0.0, 0.0, 3e-3 + 0.5 * travel));
+        drain_case_target(&c, out, vec3_make(0.0, 0.0, 10e-3 - travel));
         drain_case_step(&c);
     }
     drain_case_report(&c, "squeezed");
     vec3 force = drain_case_contact_force(&c, in), other = drain_case_contact_force(&c, out);
     assert_true(force.z < -1.0 && other.z > 1.0);
-    drain_case_way(&c, in, vec3_make(0.0, 0.0, 0.0), 200);
-    drain_case_way(&c, out, vec3_make(0.0, 0.0, 15e-3), 200);
+    drain_case_move_to(&c, in, vec3_make(0.0, 0.0, 0.0), 200);
+    drain_case_move_to(&c, out, vec3_make(0.0, 0.0, 15e-3), 200);
     drain_case_wait(&c, 300);
     drain_case_expect_rest(&c, 0.1e-3);
     drain_case_finish(&c, "squeezed", 0.05);

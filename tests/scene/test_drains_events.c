@@ -88,9 +88,9 @@ static void shut_slit_touches_itself(void **state)
         ends[k] = drains_rig_object(drain)->x[places.marks[k]];
     }
     for (int i = 0; i < 160; i++) {
-        double way = vbss_min(4e-5 * (i + 1), 2.6e-3);
+        double travel = vbss_min(4e-5 * (i + 1), 2.6e-3);
         for (int k = 0; k < 2 && i < 80; k++) {
-            double to[3] = {ends[k].x, ends[k].y, ends[k].z + (k == 0 ? way : -way)};
+            double to[3] = {ends[k].x, ends[k].y, ends[k].z + (k == 0 ? travel : -travel)};
             expect_ok(vbss_drain_move(drain, ids[k], to));
         }
         if (i == 80) {

@@ -149,7 +149,7 @@ static void tool_and_thread_contacts_are_consistent(void **state)
     vbss_drain *drain = drains_rig_begin(&s, &hands);
     for (int i = 0; i < 300; i++) {
         drains_rig_steps(&s, 1);
-        const surface f = look_at_surface(DRAIN_HANDS_DRAIN, drain, hands.drain_config.thickness);
+        const surface f = surface_view(DRAIN_HANDS_DRAIN, drain, hands.drain_config.thickness);
         check_contacts(&s, &f, &was);
         expect_felt(&s, DRAIN_HANDS_TOOL);
     }
@@ -173,7 +173,7 @@ static void self_contacts_are_consistent(void **state)
     for (int i = 0; i < 200; i++) {
         expect_ok(drain_scene_drive(&closing, 1e-3));
         small_steps(&s, 1, 1e-3);
-        const surface f = look_at_surface(body, closing.drain, s.drain.thickness);
+        const surface f = surface_view(body, closing.drain, s.drain.thickness);
         check_contacts(&s, &f, &was);
     }
     assert_true(was.itself[0] + was.itself[1] > 0);
@@ -196,7 +196,7 @@ static void floor_contacts_are_consistent(void **state)
     uint32_t body = small_drain(&s, &drain);
     for (int i = 0; i < 150; i++) {
         small_steps(&s, 1, 1e-3);
-        const surface f = look_at_surface(body, drain, s.drain.thickness);
+        const surface f = surface_view(body, drain, s.drain.thickness);
         check_contacts(&s, &f, &was);
     }
     assert_true(was.floor > 0);

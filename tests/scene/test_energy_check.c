@@ -41,7 +41,7 @@ static uint32_t row_in_hole(const scene_object *s)
     return i;
 }
 
-/* What is in the hole has slid by 0.1 mm, with so much more force along its way than the law says. */
+/* What is in the hole has slid by 0.1 mm, with so much more force along its direction than the law says. */
 static void slide_in_hole(scene_object *s, double more)
 {
     const uint32_t i = row_in_hole(s);
@@ -78,8 +78,8 @@ static void hole_dissipation_above_friction_law_is_counted(void **state)
     stitch_case_end(&c);
 }
 
-/* The wall about it is moved by that way of the force on it; the law has nothing against that. */
-static bool accepts_a_hole(scene_object *s, double force, double way)
+/* The wall about it is displaced by that along the force on it; the law has nothing against that. */
+static bool accepts_a_hole(scene_object *s, double force, double displacement)
 {
     drain_object *d;
     const uint32_t i = row_in_hole(s);
@@ -89,7 +89,7 @@ static bool accepts_a_hole(scene_object *s, double force, double way)
     node = d->mesh.triangles[s->holes[row->key.feature_a].triangle];
     memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
     for (int k = 0; k < 3; k++) {
-        d->trial[node[k]] = vec3_add_scaled(d->x[node[k]], -way, row->normal);
+        d->trial[node[k]] = vec3_add_scaled(d->x[node[k]], -displacement, row->normal);
     }
     s->contacts->current[i].force = vec3_scale(row->normal, force);
     return vbss_scene_passes_energy_check(s, &part);
@@ -148,14 +148,14 @@ static void thread_energy_gain_needs_external_work(void **state)
 /* A node pressed in until its drain has gained that much, J; how far that is, m. */
 static double press_in(drain_object *d, uint32_t node, double gain)
 {
-    double way = 0.0;
+    double depth = 0.0;
     const vec3 in = vec3_unit_or(vec3_make(0.0, -d->x[node].y, -d->x[node].z), vec3_zero());
     memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
     while (vbss_drain_energy_change(d, part.h) < gain) {
-        way += 1e-6;
-        d->trial[node] = vec3_add_scaled(d->x[node], way, in);
+        depth += 1e-6;
+        d->trial[node] = vec3_add_scaled(d->x[node], depth, in);
     }
-    return way;
+    return depth;
 }
 
 static uint32_t free_node(const scene_object *s, const drain_object *d)
@@ -179,12 +179,12 @@ static void drain_energy_gain_needs_external_work(void **state)
     const uint32_t node = free_node(s, d);
     (void)press_in(d, node, 15e-6);
     assert_true(vbss_scene_passes_energy_check(s, &part));
-    double way = press_in(d, node, 40e-6);
+    double depth = press_in(d, node, 40e-6);
     assert_false(vbss_scene_passes_energy_check(s, &part));
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
     a.kind = VBSS_DRAIN_ATTACHMENT_FORCE;
     a.node = node;
-    a.force[1] = 30e-6 / way;
+    a.force[1] = 30e-6 / depth;
     expect_ok(vbss_drain_attach(c.stitch.drain, &a, &id));
     assert_true(vbss_scene_passes_energy_check(s, &part));
     stitch_case_end(&c);

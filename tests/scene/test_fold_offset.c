@@ -20,9 +20,9 @@ static uint32_t body_of_kind(const scene_object *s, scene_body_kind kind)
     return s->bodies[i].number;
 }
 
-/* One row of that depth, m, of which is remembered that it bore so much, N; recalled. */
-static const contact_constraint *recall_wall(scene_object *s, uint32_t of, double thickness,
-                                             double depth, double bore)
+/* One row of that depth, m, of which is remembered that it bore so much, N; warm-started. */
+static const contact_constraint *warm_start_wall(scene_object *s, uint32_t of, double thickness,
+                                                 double depth, double bore)
 {
     contact_set *set = s->contacts;
     const uint32_t drain = body_of_kind(s, SCENE_BODY_DRAIN);
@@ -41,14 +41,14 @@ static const contact_constraint *recall_wall(scene_object *s, uint32_t of, doubl
     }
     vbss_scene_warm_start_contacts(s, &part);
     expect_near(depth, vbss_contact_max_penetration(set), 1e-18); /* what it is nobody hides */
-    expect_near(row->fold_allowance, geometry->overlap_allowance, 0.0);
+    expect_near(row->recovery_allowance, geometry->overlap_allowance, 0.0);
     expect_near(row->gap, geometry->start_gap, 0.0);
     return row;
 }
 
-static const contact_constraint *recall(scene_object *s, uint32_t of, double depth, double bore)
+static const contact_constraint *warm_start(scene_object *s, uint32_t of, double depth, double bore)
 {
-    return recall_wall(s, of, WALL, depth, bore);
+    return warm_start_wall(s, of, WALL, depth, bore);
 }
 
 static void fold_offset_is_released_slowly(void **state)
@@ -60,14 +60,15 @@ static void fold_offset_is_released_slowly(void **state)
     scene_object *s = small_object(&c.s);
     const uint32_t drain = body_of_kind(s, SCENE_BODY_DRAIN),
                    thread = body_of_kind(s, SCENE_BODY_THREAD);
-    expect_near(-OPENED, recall(s, drain, 100e-6, 0.0)->gap, 1e-12);
-    expect_near(-OPENED, recall(s, drain, 100e-6, 3.0)->gap, 1e-12); /* 15 um: no more for that */
-    expect_near(-0.5 * OPENED, recall_wall(s, drain, 0.5 * WALL, 100e-6, 0.0)->gap, 1e-12);
-    expect_near(-50e-6, recall(s, drain, 100e-6, 10.0)->gap, 1e-12);
-    expect_near(-100e-6, recall(s, drain, 100e-6, 20.0)->gap, 0.0);
-    expect_near(-100e-6, recall(s, drain, 100e-6, 30.0)->gap, 0.0);
-    expect_near(-15e-6, recall(s, drain, 15e-6, 0.0)->gap, 0.0);
-    expect_near(-100e-6, recall(s, thread, 100e-6, 0.0)->gap, 0.0); /* it knows its side */
+    expect_near(-OPENED, warm_start(s, drain, 100e-6, 0.0)->gap, 1e-12);
+    expect_near(-OPENED, warm_start(s, drain, 100e-6, 3.0)->gap,
+                1e-12); /* 15 um: no more for that */
+    expect_near(-0.5 * OPENED, warm_start_wall(s, drain, 0.5 * WALL, 100e-6, 0.0)->gap, 1e-12);
+    expect_near(-50e-6, warm_start(s, drain, 100e-6, 10.0)->gap, 1e-12);
+    expect_near(-100e-6, warm_start(s, drain, 100e-6, 20.0)->gap, 0.0);
+    expect_near(-100e-6, warm_start(s, drain, 100e-6, 30.0)->gap, 0.0);
+    expect_near(-15e-6, warm_start(s, drain, 15e-6, 0.0)->gap, 0.0);
+    expect_near(-100e-6, warm_start(s, thread, 100e-6, 0.0)->gap, 0.0); /* it knows its side */
     s->contacts->count = s->contacts->warm_start_count = 0;
     stitch_case_end(&c);
 }
@@ -78,7 +79,7 @@ static void overlap_without_force_is_pushed_out_in_real_time_mode(void **state)
     (void)state;
     stitch_case_open(&c, 0);
     scene_object *s = small_object(&c.s);
-    expect_near(-100e-6, recall(s, body_of_kind(s, SCENE_BODY_DRAIN), 100e-6, 0.0)->gap, 0.0);
+    expect_near(-100e-6, warm_start(s, body_of_kind(s, SCENE_BODY_DRAIN), 100e-6, 0.0)->gap, 0.0);
     s->contacts->count = s->contacts->warm_start_count = 0;
     stitch_case_end(&c);
 }

@@ -142,7 +142,7 @@ static void two_tools_hold_one_segment(void **state)
 static void thread_released_under_load_does_not_pass_jaws(void **state)
 {
     (void)state;
-    const double ways[] = {5e-4, 2e-3, 5e-3};
+    const double offsets[] = {5e-4, 2e-3, 5e-3};
     for (int k = 0; k < 6; k++) {
         tools_rig r;
         double z = k < 3 ? -2e-3 : -6e-3;
@@ -150,7 +150,7 @@ static void thread_released_under_load_does_not_pass_jaws(void **state)
         tools_thread(&r, TOOLS_BOTH, 0.0);
         tools_add(&r, vec3_make(0.0, 0.0, z));
         tools_close(&r, 0);
-        tools_way(&r, 0, vec3_make(0.0, 0.0, z), vec3_make(ways[k % 3], 0.0, z), 200);
+        tools_move_along(&r, 0, vec3_make(0.0, 0.0, z), vec3_make(offsets[k % 3], 0.0, z), 200);
         assert_int_equal(tools_state(&r, 0).grasp_count, 1);
         tools_open(&r, 0, 1.0);
         for (int i = 0; i < 300; i++) {

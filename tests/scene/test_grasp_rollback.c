@@ -5,17 +5,17 @@
 #include "scene/tools_rig.h"
 
 /* What graspers and grasps show, too, is as it was. */
-typedef struct look {
+typedef struct observation {
     uint64_t hash;
     vbss_grasper_state tool;
     double shown[28];
     vbss_grasp grasp;
     bool has_grasp;
-} look;
+} observation;
 
-static look look_at(const tools_rig *r)
+static observation observe(const tools_rig *r)
 {
-    look l;
+    observation l;
     vbss_view view;
     memset(&l, 0, sizeof l);
     l.hash = small_hash(&r->s);
@@ -58,11 +58,11 @@ static void expect_nothing_changed(uint32_t work_limit)
             tools_open(&r, 0, i < 100 ? 0.0 : 1.0);
             tools_move(&r, 0, vec3_make(1e-6 * i, -8e-3, -2e-3));
             expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
-            look before = look_at(&r);
+            observation before = observe(&r);
             vbss_result result = vbss_scene_step(r.s.scene, 1e-3);
             failed = result != VBSS_OK;
             if (failed) {
-                look after = look_at(&r);
+                observation after = observe(&r);
                 expect_result(VBSS_ERROR_CAPACITY, result);
                 assert_memory_equal(&before, &after, sizeof before);
                 expect_result(VBSS_ERROR_CAPACITY, vbss_scene_step(r.s.scene, 1e-3));

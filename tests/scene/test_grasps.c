@@ -131,7 +131,7 @@ static void hand_feels_grasped_thread(void **state)
     tools_add(&r, home);
     tools_close(&r, 0);
     vec3 aside = vec3_make(0.4e-3, 1e-3, -5e-3);
-    tools_way(&r, 0, home, aside, 300);
+    tools_move_along(&r, 0, home, aside, 300);
     tools_steps(&r, 1500);
     vec3 hand = tools_hand_force(&r, 0);
     vec3 pins = vec3_add(tools_pin_force(&r, 0), tools_pin_force(&r, 1));
@@ -199,7 +199,7 @@ static void released_thread_is_unchanged(void **state)
         }
     }
     tools_steps(&r, 300);
-    tools_way(&r, 0, home, vec3_make(0.0, 1e-3, -2e-3), 300);
+    tools_move_along(&r, 0, home, vec3_make(0.0, 1e-3, -2e-3), 300);
     tools_steps(&r, 300);
     double held = tools_grasp(&r, 0, 0).arc_length;
     vec3 before[TOOLS_NODES];

@@ -85,7 +85,7 @@ static void rods_feel_loop_load(void **state)
         for (int k = 0; k < 2 && t.knot.tension > 1.0 && t.knot.tension < 5.0; k++, compared++) {
             vbss_rigid_state rod;
             expect_ok(vbss_scene_get_rigid(t.knot.tied.scene, t.knot.rods[k], &rod, sizeof rod));
-            double felt = fabs(vec3_dot(vec3_load(rod.contact_force), t.knot.way));
+            double felt = fabs(vec3_dot(vec3_load(rod.contact_force), t.knot.rod_direction));
             assert_true(felt > 0.95 * 2.0 * t.knot.tension);
             assert_true(felt < 1.02 * largest * t.knot.tension);
         }

@@ -42,9 +42,9 @@ static void begin(swaged *w)
     expect_ok(vbss_needle_create(w->s.context, &config, &needle));
     expect_ok(vbss_scene_add_needle(w->s.scene, needle, &w->needle_body));
     expect_ok(vbss_needle_get_state(needle, &state, sizeof state));
-    const vec3 swage = vec3_load(state.swage), way = vec3_load(state.swage_direction);
+    const vec3 swage = vec3_load(state.swage), direction = vec3_load(state.swage_direction);
     w->thread_body =
-        small_thread(&w->s, swage, vec3_add_scaled(swage, 1e-2, way), SEGMENTS, &thread);
+        small_thread(&w->s, swage, vec3_add_scaled(swage, 1e-2, direction), SEGMENTS, &thread);
     (void)small_pin(&w->s, w->thread_body, 0, w->needle_body);
     const uint32_t wall = small_drain(&w->s, &drain);
     expect_ok(vbss_thread_open(thread, &w->thread));
@@ -110,7 +110,7 @@ static uint32_t span_of(const swaged *w)
     return scene_geometry_of(w->scene, &w->row)->span;
 }
 
-static void lay(const swaged *w, const lie *at, contact_constraint *row)
+static void update_geometry(const swaged *w, const lie *at, contact_constraint *row)
 {
     w->needle->trial = at->needle;
     memcpy(w->thread->trial, at->x, sizeof at->x);
@@ -131,10 +131,10 @@ static void draw_line(harness_source *source, swaged *w)
     at->x[0] = end;
     for (int i = 1; i < NODES; i++) {
         const double rest = harness_draw_real(source, 0.5e-3, 1.0e-3);
-        const vec3 way =
+        const vec3 direction =
             vec3_add(vec3_add_scaled(back, i, bend), harness_draw_vec3(source, -0.3, 0.3));
         at->x[i] = vec3_add_scaled(at->x[i - 1], rest * harness_draw_real(source, 0.95, 1.05),
-                                   vec3_unit_or(way, back));
+                                   vec3_unit_or(direction, back));
         w->thread->rest[i - 1] = rest;
     }
 }
@@ -167,7 +167,7 @@ static void begin_part(swaged *w)
     memcpy(w->thread->now.x, w->at.x, sizeof w->at.x);
     shift_wall(w, w->drain->x, w->at.wall);
     w->row = (contact_constraint){.key = {.kind = VBSS_CONTACT_HOLE}};
-    lay(w, &w->at, &w->row);
+    update_geometry(w, &w->at, &w->row);
 }
 
 /* It has slid in the part, maybe to another span; the hole is on the curve. Returns its place. */
@@ -179,7 +179,7 @@ static suture_curve_point draw_row(harness_source *source, swaged *w)
     begin_part(w);
     const double on = w->arc + harness_draw_real(source, -0.5e-3, 0.5e-3);
     w->at.wall = place_near(w, &w->at, span_of(w), near_arc(w, &w->at, on)).position;
-    lay(w, &w->at, &w->row);
+    update_geometry(w, &w->at, &w->row);
     const suture_curve_point place = place_near(w, &w->at, span_of(w), w->at.wall);
     expect_near(0.0, vec3_distance(place.position, w->at.wall), 1e-12);
     expect_near(0.0, vec3_distance(place.tangent, w->row.normal), 1e-12);
@@ -283,10 +283,11 @@ static kind kind_of(const swaged *w, const suture_curve_point *place)
 static bool turn_at(const swaged *w, const suture_curve_point *place, part *slopes, vec3 *turn)
 {
     const double step = 1e-7;
-    const vec3 way = vec3_scale(place->tangent, step); /* toward the tip */
-    const suture_curve_point on = place_near(w, &w->at, span_of(w), vec3_sub(place->position, way));
+    const vec3 displacement = vec3_scale(place->tangent, step); /* toward the tip */
+    const suture_curve_point on =
+        place_near(w, &w->at, span_of(w), vec3_sub(place->position, displacement));
     const suture_curve_point back =
-        place_near(w, &w->at, span_of(w), vec3_add(place->position, way));
+        place_near(w, &w->at, span_of(w), vec3_add(place->position, displacement));
     const part of_on = part_at(w, &w->at, &on), of_back = part_at(w, &w->at, &back);
     *slopes = difference(&of_on, &of_back, 0.5 / step);
     *turn = vec3_scale(vec3_sub(on.tangent, back.tangent), 0.5 / step);
@@ -377,8 +378,8 @@ typedef struct follows {
 
 /* A row that is laid where all has moved to follows as the row says: it slides on by what moves it along the normal, and with that
  * its parts and its tangent change; and the tangent by what nodes and needle move beside it. */
-static bool look_at_motion(const swaged *w, const suture_curve_point *place, const motion *m,
-                           follows *said)
+static bool check_motion(const swaged *w, const suture_curve_point *place, const motion *m,
+                         follows *said)
 {
     const double step = 1e-6;
     const lie ahead = moved(w, m, step), behind = moved(w, m, -step);
@@ -392,8 +393,8 @@ static bool look_at_motion(const swaged *w, const suture_curve_point *place, con
         place_near(w, &behind, span_of(w), behind.wall).span != place->span) {
         return false;
     }
-    lay(w, &ahead, &on);
-    lay(w, &behind, &back);
+    update_geometry(w, &ahead, &on);
+    update_geometry(w, &behind, &back);
     said->slides = vec3_dot(vec3_sub(moved_by(&p, m), m->wall), n);
     said->normal = vec3_scale(turn, said->slides);
     said->normal = vec3_sub(said->normal, across(moved_by(&slopes, m), n));
@@ -429,20 +430,20 @@ static void any_row_turns_with_what_is_rigid(harness_source *source, void *user)
     const vec3 turns = harness_draw_vec3(source, -1.0, 1.0), n = w->row.normal;
     const vec3 about = vec3_add(place.position, harness_draw_vec3(source, -1e-2, 1e-2));
     motion m = rigid(&w->at, harness_draw_vec3(source, -1e-2, 1e-2), turns, about);
-    if (!look_at_motion(w, &place, &m, &all)) {
+    if (!check_motion(w, &place, &m, &all)) {
         return;
     }
     expect_near(0.0, all.slides, 1e-12);
     expect_near(0.0, vec3_distance(all.normal, vec3_cross(turns, n)), 1e-9);
     const double slides = vec3_dot(m.wall, n);
     m.wall = vec3_zero();
-    if (!look_at_motion(w, &place, &m, &suture)) {
+    if (!check_motion(w, &place, &m, &suture)) {
         return;
     }
     expect_near(slides, suture.slides, 1e-12);
     m = rigid(&w->at, vec3_scale(n, 1e-2), vec3_zero(), about);
     m.wall = vec3_zero();
-    if (look_at_motion(w, &place, &m, &slid)) {
+    if (check_motion(w, &place, &m, &slid)) {
         expect_near(1e-2, slid.slides, 1e-12);
         seen[kind_of(w, &place)]++;
     }
@@ -471,7 +472,7 @@ static void any_row_follows_any_motion(harness_source *source, void *user)
     for (uint32_t i = 1; i < NODES; i++) {
         m.node[i] = harness_draw_vec3(source, -1e-2, 1e-2);
     }
-    seen[kind_of(w, &place)] += look_at_motion(w, &place, &m, &said);
+    seen[kind_of(w, &place)] += check_motion(w, &place, &m, &said);
 }
 
 static void hole_displacement_follows_needle_and_nodes(void **state)

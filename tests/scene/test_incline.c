@@ -143,11 +143,11 @@ static void thrown_thread_stops_in_coulomb_distance(void **state)
         double begun = place_of(&s);
         double slowing = gravity * (0.3 * cos(s.angle) - sin(s.angle));
         scene_rig_run(&s.rig, h, (uint32_t)(1.2 * speed / (slowing * h)));
-        double stopped = place_of(&s), way = 0.5 * speed * speed / slowing;
+        double stopped = place_of(&s), distance = 0.5 * speed * speed / slowing;
         scene_rig_run(&s.rig, h, 1000);
         double after = place_of(&s), left = speed_of(&s);
         scene_rig_end(&s.rig);
-        expect_near(way, stopped - begun, speed * h);
+        expect_near(distance, stopped - begun, speed * h);
         expect_near(stopped, after, 1e-12);
         expect_near(0.0, left, 1e-12);
     }

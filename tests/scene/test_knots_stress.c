@@ -80,15 +80,15 @@ static void tight_knot_survives_20_newton_step(void **state)
 static void teleported_hand(void **state)
 {
     (void)state;
-    static const vec3 ways[] = {
+    static const vec3 displacements[] = {
         {-0.02, 0.0, 0.0}, {0.0, 0.02, 0.0}, {0.0, 0.0, -0.02}, {-0.01, 0.01, 0.01}};
-    for (int way = 0; way < 4; way++) {
+    for (int k = 0; k < 4; k++) {
         contact_scene_options o = knot_of(KNOT_OVERHAND, 1.0);
         hard_begin(&c, "an end teleported by 20 mm", &o, 1e-3);
         assert_true(hard_pull(&c, 1000));
         contact_hand *hand = &c.scene.hands[1];
         double target[3];
-        vec3_store(target, vec3_add(hard_nodes(&c, 0)[hand->node], ways[way]));
+        vec3_store(target, vec3_add(hard_nodes(&c, 0)[hand->node], displacements[k]));
         expect_ok(vbss_thread_move(hand->thread, hand->id, target, NULL));
         expect_ok(vbss_scene_step(c.scene.scene, c.h));
         hard_run(&c, 300); /* the hands pull again */

@@ -178,8 +178,8 @@ static void needle_follows_tool_rigidly(void **state)
     pose before = pose_mul(pose_inverse(needles_jaws(&r, 0)), needles_pose(&r));
     for (uint32_t i = 1; i <= 500; i++) {
         double turn = 0.5 * i / 500.0, to[3] = {20e-3 * i / 500.0, 0.0, -2e-3 + 10e-3 * i / 500.0};
-        const double way[4] = {cos(turn), 0.0, 0.0, sin(turn)};
-        expect_ok(vbss_grasper_move(r.tools.tools[0], to, way));
+        const double orientation[4] = {cos(turn), 0.0, 0.0, sin(turn)};
+        expect_ok(vbss_grasper_move(r.tools.tools[0], to, orientation));
         tools_steps(&r.tools, 1);
     }
     tools_steps(&r.tools, 500);
@@ -198,9 +198,9 @@ static void second_hand(needles_rig *r)
 {
     const double back[4] = {0.0, 1.0, 0.0, 0.0}; /* half a turn about x */
     double quarter = 0.25 * r->config.arc * r->config.radius;
-    vec3 way, at = needles_place(r, quarter, &way);
+    vec3 tangent, at = needles_place(r, quarter, &tangent);
     /* Its jaws open along what is across the needle there. */
-    double half = 0.5 * atan2(way.y, way.x) - 0.78539816339744831;
+    double half = 0.5 * atan2(tangent.y, tangent.x) - 0.78539816339744831;
     quat roll = quat_make(cos(half), 0.0, 0.0, sin(half));
     quat turn = quat_mul(roll, quat_make(back[0], back[1], back[2], back[3]));
     vec3 tip = vec3_add(at, vec3_make(0.0, 0.0, 2e-3));

@@ -129,8 +129,8 @@ static void thread_follows_swage(void **state)
     for (uint32_t i = 1; i <= 400; i++) {
         double share = i / 400.0, turn = 0.25 * share;
         const double to[3] = {30e-3 * share, 0.0, -2e-3 + 10e-3 * share};
-        const double way[4] = {cos(turn), 0.0, sin(turn), 0.0};
-        expect_ok(vbss_grasper_move(r->tools.tools[0], to, way));
+        const double orientation[4] = {cos(turn), 0.0, sin(turn), 0.0};
+        expect_ok(vbss_grasper_move(r->tools.tools[0], to, orientation));
         tools_steps(&r->tools, 1);
         apart = vbss_max(apart, vec3_distance(swage_of(r), tools_node(&r->tools, 0)));
         loosest = vbss_max(loosest, vec3_distance(swage_of(r), tools_node(&r->tools, 40)));
@@ -184,11 +184,11 @@ static void torn_out_needle_collides_with_jaws(void **state)
     r.tools.config.closing_force = 1.0;
     needles_hold(&r);
     needle_of(&r)->body.drag = 1e7;
-    const vec3 way[4] = {
+    const vec3 waypoints[4] = {
         {0.0, 0.0, -2e-3}, {0.0, 0.0, 28e-3}, {10e-3, 0.0, 28e-3}, {10e-3, 0.0, -4e-3}};
     for (uint32_t k = 0; k < 3; k++) {
         for (uint32_t i = 1; i <= 400; i++) {
-            tools_move(&r.tools, 0, vec3_lerp(way[k], way[k + 1], i / 400.0));
+            tools_move(&r.tools, 0, vec3_lerp(waypoints[k], waypoints[k + 1], i / 400.0));
             tools_steps(&r.tools, 1);
             torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
         }
@@ -196,7 +196,7 @@ static void torn_out_needle_collides_with_jaws(void **state)
     assert_int_equal(torn, 1);
     double middle = 0.5 * r.config.arc * r.config.radius;
     vec3 before = needles_place(&r, middle, NULL);
-    tools_way(&r.tools, 0, way[3], vec3_make(-5e-3, 0.0, -4e-3), 400);
+    tools_move_along(&r.tools, 0, waypoints[3], vec3_make(-5e-3, 0.0, -4e-3), 400);
     double touching = r.tools.config.driver_radius + r.config.wire_radius;
     double apart = tools_state(&r.tools, 0).position[0] - needles_place(&r, middle, NULL).x;
     assert_true(apart > touching && vec3_distance(before, needles_place(&r, middle, NULL)) < 2e-3);
@@ -216,7 +216,7 @@ static void needle_slides_through_jaws_to_its_end(void **state)
     for (int k = 0; k < 3; k++) {
         needles_rig r;
         uint32_t event[4] = {0}, torn = 0;
-        double way = 0.0;
+        double travel = 0.0;
         needles_begin_scene(&r);
         r.tools.config.stiffness = r.tools.config.turning_stiffness = 1e6;
         r.tools.config.damping = 10.0;
@@ -225,15 +225,15 @@ static void needle_slides_through_jaws_to_its_end(void **state)
         r.config.arc = 0.2;
         needles_hold(&r);
         needle_of(&r)->body.drag = 1e9;
-        for (int i = 0; torn == 0 && way < 0.1; i++) {
-            way += speeds[k] * 1e-3;
-            tools_move(&r.tools, 0, vec3_make(0.0, way, -2e-3));
+        for (int i = 0; torn == 0 && travel < 0.1; i++) {
+            travel += speeds[k] * 1e-3;
+            tools_move(&r.tools, 0, vec3_make(0.0, travel, -2e-3));
             tools_steps(&r.tools, 1);
             torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
         }
         assert_int_equal(torn, 1);
         assert_int_equal(event[3], 0); /* over its tip */
-        expect_near(0.5 * r.config.arc * r.config.radius, way, 1e-3 + 2e-3 * speeds[k]);
+        expect_near(0.5 * r.config.arc * r.config.radius, travel, 1e-3 + 2e-3 * speeds[k]);
         needles_end(&r);
     }
 }

@@ -115,6 +115,88 @@ static void start_below_floor_rises_or_stays(void **state)
     small_end(&s);
 }
 
+/* ---- rigid bodies that overlap from the start part slowly, and hold back nothing else */
+
+/* Falls freely, 100 mm away. */
+static vbss_thread *add_falling_thread(small *s)
+{
+    vbss_thread *thread;
+    s->thread.gravity[1] = -9.81;
+    small_thread(s, vec3_make(0.1, 0.0, 0.0), vec3_make(0.11, 0.0, 0.0), 8, &thread);
+    s->thread.gravity[1] = 0.0;
+    return thread;
+}
+
+static void expect_free_fall(small *s, vbss_thread *falls, uint32_t steps)
+{
+    double t = 1e-3 * steps;
+    expect_near(-0.5 * 9.81 * t * t, small_node(falls, 4).y, 4e-3 * 9.81 * t);
+    assert_int_equal(small_statistics(s).paused, 0);
+}
+
+static double rigid_speed(small *s, uint32_t body)
+{
+    return vec3_norm(vec3_load(small_rigid(s, body).velocity));
+}
+
+/* Crossed sticks of 1 mm, 2 mm apart where they touch: a driven or a coupled one, and one that floats. */
+static void overlapping_sticks_part_slowly(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 40; k++) {
+        small s;
+        bool driven = k % 2 == 0;
+        double distance = 0.1 * (k / 4) * 2e-3, speed = 0.0;
+        small_begin(&s);
+        s.config.mode = k / 2 % 2 == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+        small_create(&s);
+        uint32_t one = small_stick(&s, driven ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED, vec3_zero(),
+                                   half, 1e-3);
+        s.rigid.stiffness = s.rigid.damping = 0.0;
+        uint32_t other =
+            small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, distance, 0.0), along, 1e-3);
+        vbss_thread *falls = add_falling_thread(&s);
+        for (int i = 0; i < 150; i++) {
+            small_steps(&s, 1, 1e-3);
+            speed = vbss_max(rigid_speed(&s, other), speed);
+            speed = vbss_max(rigid_speed(&s, one), speed);
+        }
+        assert_true(speed < 0.25);
+        assert_true(fabs(small_position(&s, other).y - small_position(&s, one).y) > 0.9 * 2e-3);
+        expect_free_fall(&s, falls, 150);
+        small_end(&s);
+    }
+}
+
+/* Two hands drive their tools into each other, and through. */
+static void tools_driven_into_each_other_stop_slowly(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        small s;
+        small_begin(&s);
+        s.config.mode = k % 2 == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+        small_create(&s);
+        uint32_t one = small_stick(&s, k < 2 ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED,
+                                   vec3_make(0.0, -2e-3, 0.0), half, 1e-3);
+        uint32_t other =
+            small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 2e-3, 0.0), along, 1e-3);
+        vbss_thread *falls = add_falling_thread(&s);
+        double speed = 0.0;
+        for (int i = 1; i <= 150; i++) {
+            double y = vbss_max(2e-3 - 1e-4 * i, -2e-3); /* 0.1 m/s */
+            small_move(&s, one, vec3_make(0.0, k < 2 ? -2e-3 : -y, 0.0));
+            small_move(&s, other, vec3_make(0.0, y, 0.0));
+            small_steps(&s, 1, 1e-3);
+            speed = vbss_max(rigid_speed(&s, other), speed);
+        }
+        assert_true(speed < 0.15);
+        assert_true(small_position(&s, other).y - small_position(&s, one).y > 0.9 * 2e-3);
+        expect_free_fall(&s, falls, 150);
+        small_end(&s);
+    }
+}
+
 int test_overlapping_start(void)
 {
     const struct CMUnitTest tests[] = {
@@ -122,6 +204,8 @@ int test_overlapping_start(void)
         cmocka_unit_test(overlapping_prescribed_bodies_follow_their_targets),
         cmocka_unit_test(driven_tool_stays_out_of_floor),
         cmocka_unit_test(start_below_floor_rises_or_stays),
+        cmocka_unit_test(overlapping_sticks_part_slowly),
+        cmocka_unit_test(tools_driven_into_each_other_stop_slowly),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,9 +8,9 @@
 static hands place_across(stage *s, double height, uint32_t segments)
 {
     vbss_thread_config c = paper_thread(segments);
-    const double start[3] = {2e-3, height, -0.03}, way[3] = {0.0, 0.0, 1.0};
+    const double start[3] = {2e-3, height, -0.03}, direction[3] = {0.0, 0.0, 1.0};
     memcpy(c.start, start, sizeof start);
-    memcpy(c.direction, way, sizeof way);
+    memcpy(c.direction, direction, sizeof direction);
     c.length = 0.06;
     c.paper_damping = 0.01;
     add(s, 0, &c);
@@ -28,8 +28,8 @@ static void overlying_thread_is_carried_without_motion(void **state)
     hands h = place_across(&s, 7.3e-3, 30);
     for (int i = 1; i <= 2000; i++) {
         for (int k = 0; k < 2; k++) {
-            double to[3], way = i < 1500 ? i / 1500.0 : 1.0;
-            vec3_store(to, vec3_sub(h.at[k], vec3_make(0, 3e-3 * way, 0)));
+            double to[3], progress = i < 1500 ? i / 1500.0 : 1.0;
+            vec3_store(to, vec3_sub(h.at[k], vec3_make(0, 3e-3 * progress, 0)));
             expect_ok(vbss_thread_move(s.threads[0], h.ids[k], to, NULL));
         }
         expect_ok(vbss_scene_step(s.scene, 2e-4)); /* longer ones stretch it until it bursts */
@@ -38,7 +38,7 @@ static void overlying_thread_is_carried_without_motion(void **state)
     expect_near(0.0, largest, 1e-5);
     expect_near(TOUCHING, clearance(&s, &d), 1e-5);
     expect_near(0.0, farthest(&d, DRAIN_NODES), 0.0);
-    vbss_view v = look(&s, VBSS_SCENE_VIEW_CONTACTS);
+    vbss_view v = view_of(&s, VBSS_SCENE_VIEW_CONTACTS);
     const uint32_t *features = v.data;
     assert_true(v.count > 0);
     assert_int_equal(VBSS_CONTACT_SIDES, features[0]);
@@ -106,9 +106,9 @@ static void moving_particle_yields_to_resting_thread(void **state)
     make(&s);
     stage_drain d = add_drain(&s, &c);
     vbss_thread_config t = paper_thread(1);
-    const double start[3] = {-2e-3, 1e-3, RING_RADIUS + 1e-3}, way[3] = {2.0, -1.0, 0.0};
+    const double start[3] = {-2e-3, 1e-3, RING_RADIUS + 1e-3}, direction[3] = {2.0, -1.0, 0.0};
     memcpy(t.start, start, sizeof start);
-    memcpy(t.direction, way, sizeof way);
+    memcpy(t.direction, direction, sizeof direction);
     t.length = 5e-3;
     t.gravity[1] = 0.0;
     add(&s, 0, &t);
@@ -142,7 +142,7 @@ static void floor_carries_drain(void **state)
         lifted += height < HALF_WALL + 1e-12;
     }
     assert_int_equal(7, lifted); /* the line at the bottom */
-    const uint32_t *features = look(&s, VBSS_SCENE_VIEW_CONTACTS).data;
+    const uint32_t *features = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_int_equal(7, statistics_of(&s).contacts);
     assert_int_equal(VBSS_CONTACT_DRAIN_FLOOR, features[0]);
     assert_int_equal(d.body, features[1]);
@@ -169,7 +169,7 @@ static void two_drains_touch(void **state)
     v[SIDE_NODE + 6].z = -5.0; /* of the other, opposite to the side node */
     expect_ok(vbss_drain_set_state(e.drain, NULL, &v[0].x, DRAIN_NODES));
     expect_ok(vbss_scene_step(s.scene, 1e-4));
-    const uint32_t *features = look(&s, VBSS_SCENE_VIEW_CONTACTS).data;
+    const uint32_t *features = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_true(statistics_of(&s).contacts > 0);
     assert_int_equal(VBSS_CONTACT_SIDES, features[0]);
     assert_int_equal(d.body, features[1]);

@@ -40,10 +40,10 @@ static void expect_poked(stage *s, const stage_drain *d, uint32_t tool)
     for (uint32_t i = 0; i < scene->collision->candidate_count; i++) { /* triangles are not asked */
         assert_int_equal(VBSS_PAIR_EDGE_EDGE, scene->collision->candidates[i].kind);
     }
-    vbss_view v = look(s, VBSS_SCENE_VIEW_CONTACTS);
+    vbss_view v = view_of(s, VBSS_SCENE_VIEW_CONTACTS);
     const uint32_t *features = v.data;
     vec3 sum = vec3_zero();
-    const vec3 *forces = look(s, VBSS_SCENE_VIEW_CONTACT_FORCES).data;
+    const vec3 *forces = view_of(s, VBSS_SCENE_VIEW_CONTACT_FORCES).data;
     assert_true(v.count > 0);
     for (uint64_t i = 0; i < v.count; i++) {
         assert_int_equal(VBSS_CONTACT_SIDES, features[5 * i]);
@@ -58,7 +58,7 @@ static void expect_poked(stage *s, const stage_drain *d, uint32_t tool)
 
 static uint32_t count_events(stage *s, uint32_t kind, uint32_t a, uint32_t b)
 {
-    vbss_view v = look(s, VBSS_SCENE_VIEW_EVENTS);
+    vbss_view v = view_of(s, VBSS_SCENE_VIEW_EVENTS);
     const uint32_t *events = v.data;
     uint32_t count = 0;
     for (uint64_t i = 0; i < v.count; i++) {
@@ -76,8 +76,8 @@ static void poked_drain_yields_and_springs_back(void **state)
     double gap = gap_of(&d).gap;
     vec3 away = over_side(POKER, 0.5e-3), in = over_side(POKER, -2e-3);
     for (int i = 1; i <= 300; i++) {
-        double way = i <= 100 ? 0.01 * i : i <= 200 ? 1.0 : 0.01 * (300 - i);
-        go(&s, tool, vec3_lerp(away, in, way));
+        double progress = i <= 100 ? 0.01 * i : i <= 200 ? 1.0 : 0.01 * (300 - i);
+        go(&s, tool, vec3_lerp(away, in, progress));
         touched += count_events(&s, VBSS_EVENT_TOUCH, tool, d.body);
         parted += count_events(&s, VBSS_EVENT_PART, tool, d.body);
         expect_near(gap, gap_of(&d).gap, 1e-6); /* it is far from there */

@@ -76,7 +76,7 @@ static void jaws_ignore_nodes_beyond_reach(void **state)
         assert_false(close_jaws(&r, 0, event));
         assert_int_equal(tools_state(&r, 0).grasp_count, 0);
         /* Nor when closed jaws come near: only closing takes. */
-        tools_way(&r, 0, tips[k], vec3_scale(tips[k], 0.3), 50);
+        tools_move_along(&r, 0, tips[k], vec3_scale(tips[k], 0.3), 50);
         assert_int_equal(tools_state(&r, 0).grasp_count, 0);
         tools_end(&r);
     }
@@ -96,7 +96,7 @@ static void first_tool_leads_and_second_takes_over(void **state)
     vec3 first = tools_node(&r, 30);
     (void)close_jaws(&r, 1, event);
     assert_int_equal(tools_state(&r, 1).grasp_count, 0);
-    tools_way(&r, 1, vec3_make(0.0, 0.0, 20e-3), vec3_make(2e-3, 0.0, 22e-3), 100);
+    tools_move_along(&r, 1, vec3_make(0.0, 0.0, 20e-3), vec3_make(2e-3, 0.0, 22e-3), 100);
     expect_near(0.0, vec3_distance(first, tools_node(&r, 30)), 1e-12);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 1);
@@ -149,7 +149,7 @@ static void hand_feels_section_stretch(void **state)
     assert_true(close_jaws(&r, 0, event));
     uint32_t node = (uint32_t)(event[3] / 500.0 + 0.5);
     expect_near(0.0, vec3_norm(tools_hand_force(&r, 0)), 0.02);
-    tools_way(&r, 0, vec3_make(0.0, 0.0, -0.5e-3), vec3_make(3e-3, 1e-3, -0.5e-3), 200);
+    tools_move_along(&r, 0, vec3_make(0.0, 0.0, -0.5e-3), vec3_make(3e-3, 1e-3, -0.5e-3), 200);
     vec3 wanted = vec3_zero();
     for (uint32_t side = 0; side < 2; side++) {
         uint32_t from = side == 0 ? 0 : node, to = side == 0 ? node : TOOLS_NODES - 1;
@@ -157,10 +157,10 @@ static void hand_feels_section_stretch(void **state)
         for (uint32_t i = from; i < to; i++) {
             length += vec3_distance(tools_node(&r, i), tools_node(&r, i + 1));
         }
-        vec3 way = vec3_sub(tools_node(&r, side == 0 ? from : to), tools_node(&r, node));
+        vec3 offset = vec3_sub(tools_node(&r, side == 0 ? from : to), tools_node(&r, node));
         double stretch = vbss_max(length - 5e-4 * (to - from), 0.0);
         wanted = vec3_add_scaled(wanted, r.config.paper_stiffness * stretch,
-                                 vec3_unit_or(way, vec3_zero()));
+                                 vec3_unit_or(offset, vec3_zero()));
     }
     assert_true(vec3_norm(wanted) > 1e-3);
     expect_near(0.0, vec3_distance(wanted, tools_hand_force(&r, 0)), 1e-9);

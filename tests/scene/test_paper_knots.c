@@ -136,10 +136,10 @@ static void pin_crossing(throw *t, int strands)
 
 /* ---- hands */
 
-static void move_hand(throw *t, int k, double way)
+static void move_hand(throw *t, int k, double distance)
 {
     double to[3];
-    t->hands[k].x += k == 0 ? -way : way;
+    t->hands[k].x += k == 0 ? -distance : distance;
     vec3_store(to, t->hands[k]);
     expect_ok(vbss_thread_move(t->thread, t->ids[k], to, NULL));
 }

@@ -17,7 +17,7 @@ static void begin(needles_rig *r)
     small_create(&r->tools.s);
 }
 
-/* Across tools whose tips are at z = -2 mm: its middle at the origin, its way along y. */
+/* Across tools whose tips are at z = -2 mm: its middle at the origin, its direction along y. */
 static void begin_across(needles_rig *r)
 {
     begin(r);
@@ -205,7 +205,7 @@ static void jaws_ignore_parallel_or_late_needle(void **state)
                                     k == 0 ? turn : NULL));
         tools_steps(&r.tools, 1);
         close_jaws(&r, 0);
-        tools_way(&r.tools, 0, vec3_zero(), vec3_make(0.0, 0.0, k == 0 ? 0.0 : 36e-3), 20);
+        tools_move_along(&r.tools, 0, vec3_zero(), vec3_make(0.0, 0.0, k == 0 ? 0.0 : 36e-3), 20);
         assert_int_equal(tools_state(&r.tools, 0).needle, 0);
         needles_end(&r);
     }
@@ -233,15 +233,15 @@ static void swaged_thread_follows_needle(void **state)
         n = needles_state(&r);
         expect_near(0.0, vec3_distance(vec3_load(n.swage), tools_node(&r.tools, 0)), 1e-15);
     }
-    tools_way(&r.tools, 0, home, vec3_make(2e-3, 0.0, -2e-3), 200);
+    tools_move_along(&r.tools, 0, home, vec3_make(2e-3, 0.0, -2e-3), 200);
     expect_same_pose(held, offset(&r, 0)); /* no load moves it */
     double length = 0.0;
     for (uint32_t i = 0; i < 15; i++) {
         length += vec3_distance(tools_node(&r.tools, i), tools_node(&r.tools, i + 1));
     }
-    vec3 way = vec3_sub(tools_node(&r.tools, 15), tools_node(&r.tools, 0));
+    vec3 chord = vec3_sub(tools_node(&r.tools, 15), tools_node(&r.tools, 0));
     vec3 wanted =
-        vec3_scale(way, r.tools.config.paper_stiffness * (length - 0.03) / vec3_norm(way));
+        vec3_scale(chord, r.tools.config.paper_stiffness * (length - 0.03) / vec3_norm(chord));
     assert_true(length > 0.0301);
     expect_near(0.0, vec3_distance(wanted, tools_hand_force(&r.tools, 0)), 1e-9);
     needles_end(&r);

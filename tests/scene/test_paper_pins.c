@@ -1,6 +1,6 @@
 /* Method PAPER of scenes: pins on tools, and what cannot be pinned. */
 #include "base/elementary.h"
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 /* A ball of 2 mm, and a thread of 50 mm that hangs from its middle. Returns the ball. */
 static uint32_t hang_from_tool(stage *s, vbss_rigid_kind kind)
@@ -44,9 +44,9 @@ static void pinned_node_moves_with_tool(void **state)
         const double point[3] = {5e-4, 0.0, 0.0};
         expect_ok(vbss_scene_pin_thread(s.scene, s.bodies[0], 0, tool, point, &pin));
         for (int i = 1; i <= 2000; i++) {
-            int way = i < 500 ? i : 500;
-            const double to[3] = {1e-5 * way, 0.0, 0.0};
-            const double turn[4] = {vbss_cos(5e-4 * way), 0.0, 0.0, vbss_sin(5e-4 * way)};
+            int ramp = i < 500 ? i : 500;
+            const double to[3] = {1e-5 * ramp, 0.0, 0.0};
+            const double turn[4] = {vbss_cos(5e-4 * ramp), 0.0, 0.0, vbss_sin(5e-4 * ramp)};
             if (kinds[k] != VBSS_RIGID_FREE) {
                 expect_ok(vbss_scene_move_rigid(s.scene, tool, to, turn));
             }

@@ -1,5 +1,5 @@
 /* Method PAPER of scenes: a step that fails is undone, and options of the other method are rejected. */
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 static void expect_undone(stage *s, vbss_result wanted)
 {
@@ -41,6 +41,42 @@ static void failed_step_is_undone(void **state)
     }
 }
 
+/* Springs that four substeps cannot carry: the thread is far from diverging at first, and nothing of the step that
+ * diverges stays. */
+static void diverged_thread_fails_step_and_changes_nothing(void **state)
+{
+    (void)state;
+    stage s;
+    begin(&s);
+    make(&s);
+    vbss_thread_config c = paper_thread(SEGMENTS);
+    c.paper_stiffness = 100.0;
+    c.paper_substeps = 4;
+    add(&s, 0, &c);
+    hands h = hold_ends(&s, 0);
+    vbss_result result = VBSS_OK;
+    uint64_t before = 0;
+    for (int i = 1; i <= 1000 && result == VBSS_OK; i++) {
+        double target[3];
+        uint32_t n;
+        vec3_store(target, vec3_add(h.at[1], vec3_make(vbss_min(1e-4 * i, 0.01), 0.0, 0.0)));
+        expect_ok(vbss_thread_move(s.threads[0], h.ids[1], target, NULL));
+        before = hash_of(s.scene);
+        result = vbss_scene_step(s.scene, 1e-3);
+        const vec3 *x = places(s.threads[0], &n);
+        for (uint32_t k = 0; k < n; k++) {
+            assert_true(vec3_norm(x[k]) < 100.0 * (0.15 + 0.16) * NODES);
+        }
+    }
+    const char *text;
+    expect_result(VBSS_ERROR_NOT_FINITE, result);
+    expect_ok(vbss_context_get_last_error(s.context, NULL, &text));
+    assert_non_null(strstr(text, "the explicit method has diverged"));
+    assert_int_equal(before, hash_of(s.scene));
+    expect_undone(&s, result);
+    end(&s);
+}
+
 static void options_of_other_method_are_rejected(void **state)
 {
     (void)state;
@@ -75,6 +111,7 @@ int test_paper_rollback(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(failed_step_is_undone),
+        harness_test(diverged_thread_fails_step_and_changes_nothing),
         harness_test(options_of_other_method_are_rejected),
     };
     return cmocka_run_group_tests_name("scene.paper_rollback", tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /* Method PAPER of scenes: rules where the paper is silent, and what is told of contacts. */
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 /* ---- rules where the paper is silent */
 
@@ -9,9 +9,10 @@ static void cross(stage *s, const double y[2], const double v[2])
     for (int k = 0; k < 2; k++) {
         vbss_thread_config c = paper_thread(1);
         const double start[3] = {k == 0 ? -0.0025 : 0.0, y[k], k == 0 ? 0.0 : -0.0025};
-        const double way[3] = {k == 0, 0.0, k != 0}, speeds[6] = {0.0, v[k], 0.0, 0.0, v[k], 0.0};
+        const double direction[3] = {k == 0, 0.0, k != 0},
+                     speeds[6] = {0.0, v[k], 0.0, 0.0, v[k], 0.0};
         memcpy(c.start, start, sizeof start);
-        memcpy(c.direction, way, sizeof way);
+        memcpy(c.direction, direction, sizeof direction);
         c.length = 0.005;
         c.gravity[1] = c.drag = 0.0;
         add(s, k, &c);
@@ -115,10 +116,10 @@ static void place_segment(stage *s)
 
 static void add_jaw(stage *s, double radius, double from, double to)
 {
-    const double way[3] = {0.0, to - from, 0.0};
+    const double displacement[3] = {0.0, to - from, 0.0};
     uint32_t jaw = add_capsule(s->scene, VBSS_RIGID_DRIVEN, vec3_make(0, from, -0.01),
                                vec3_make(0, from, 0.01), radius);
-    expect_ok(vbss_scene_move_rigid(s->scene, jaw, way, NULL));
+    expect_ok(vbss_scene_move_rigid(s->scene, jaw, displacement, NULL));
 }
 
 /* A segment between two jaws that close on it: the second drives it through the first, and one pass sees no
@@ -136,10 +137,10 @@ static void segment_driven_through_tool_reports_depth(void **state)
     add_jaw(&s, radius[1], 4e-3, to[1]);
     expect_ok(vbss_scene_step(s.scene, 1e-3));
     double y = to[1] - radius[1] - RADIUS, gap = y - to[0] - radius[0] - RADIUS;
-    const uint32_t *features = look(&s, VBSS_SCENE_VIEW_CONTACTS).data;
-    const double *gaps = look(&s, VBSS_SCENE_VIEW_CONTACT_GAPS).data;
-    const vec3 *normals = look(&s, VBSS_SCENE_VIEW_CONTACT_NORMALS).data;
-    const vec3 *points = look(&s, VBSS_SCENE_VIEW_CONTACT_POINTS).data;
+    const uint32_t *features = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
+    const double *gaps = view_of(&s, VBSS_SCENE_VIEW_CONTACT_GAPS).data;
+    const vec3 *normals = view_of(&s, VBSS_SCENE_VIEW_CONTACT_NORMALS).data;
+    const vec3 *points = view_of(&s, VBSS_SCENE_VIEW_CONTACT_POINTS).data;
     const uint32_t wanted[10] = {VBSS_CONTACT_SEGMENT_CAPSULE, 1, 0, 2, 0,
                                  VBSS_CONTACT_SEGMENT_CAPSULE, 1, 0, 3, 0};
     assert_memory_equal(wanted, features, sizeof wanted);
@@ -189,7 +190,7 @@ static void contacts_are_in_feature_order(void **state)
     place_over(&s, 5.2e-3);
     for (int i = 0; i < 200; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
-        vbss_view v = look(&s, VBSS_SCENE_VIEW_CONTACTS);
+        vbss_view v = view_of(&s, VBSS_SCENE_VIEW_CONTACTS);
         const contact_key *keys = v.data;
         for (uint64_t k = 1; k < v.count; k++) {
             assert_true(vbss_contact_compare_keys(&keys[k - 1], &keys[k]) < 0);

@@ -1,6 +1,6 @@
 /* Method PAPER of scenes: what is stopped and carried. Knots: test_paper_knots.c. */
 #include "base/elementary.h"
-#include "scene/paper_stage.h"
+#include "scene/paper_fixture.h"
 
 /* ---- two threads */
 
@@ -20,11 +20,11 @@ static void hang(stage *s, int which, bool along_z, double y)
     add(s, which, &c);
 }
 
-static void move_hands(stage *s, int which, hands *h, vec3 way)
+static void move_hands(stage *s, int which, hands *h, vec3 displacement)
 {
     for (int k = 0; k < 2; k++) {
         double to[3];
-        h->at[k] = vec3_add(h->at[k], way);
+        h->at[k] = vec3_add(h->at[k], displacement);
         vec3_store(to, h->at[k]);
         expect_ok(vbss_thread_move(s->threads[which], h->ids[k], to, NULL));
     }
@@ -49,8 +49,8 @@ static double middle_z(stage *s)
 /* Sine of the angle between the forces and the normals. */
 static double tilt_of_forces(stage *s)
 {
-    vbss_view forces = look(s, VBSS_SCENE_VIEW_CONTACT_FORCES);
-    vbss_view normals = look(s, VBSS_SCENE_VIEW_CONTACT_NORMALS);
+    vbss_view forces = view_of(s, VBSS_SCENE_VIEW_CONTACT_FORCES);
+    vbss_view normals = view_of(s, VBSS_SCENE_VIEW_CONTACT_NORMALS);
     double tilt = 0.0;
     for (uint64_t k = 0; k < forces.count; k++) {
         vec3 f = ((const vec3 *)forces.data)[k], n = ((const vec3 *)normals.data)[k];
@@ -138,9 +138,9 @@ static void tool_carries_and_lifts_thread(void **state)
         }
         expect_near(-weight, mean, 0.05 * weight);
         for (int i = 0; i < 300; i++) {
-            vec3 way = vec3_make(0.0, 5e-5, 0.0);
-            axis[0] = vec3_add(axis[0], way);
-            axis[1] = vec3_add(axis[1], way);
+            vec3 displacement = vec3_make(0.0, 5e-5, 0.0);
+            axis[0] = vec3_add(axis[0], displacement);
+            axis[1] = vec3_add(axis[1], displacement);
             double to[3] = {0.0, axis[0].y, 0.0};
             expect_ok(vbss_scene_move_rigid(s.scene, tool, to, NULL));
             expect_ok(vbss_scene_step(s.scene, 1e-3));
@@ -168,7 +168,7 @@ static void thread_falls_and_rests_on_floor(void **state)
     int touches = 0, parts = 0;
     for (int i = 0; i < 400; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
-        vbss_view events = look(&s, VBSS_SCENE_VIEW_EVENTS);
+        vbss_view events = view_of(&s, VBSS_SCENE_VIEW_EVENTS);
         for (uint64_t k = 0; k < events.count; k++) {
             const uint32_t *e = (const uint32_t *)events.data + 4 * k;
             assert_true(e[1] == s.bodies[0] && e[2] == 0);
@@ -182,7 +182,7 @@ static void thread_falls_and_rests_on_floor(void **state)
     }
     assert_true(touches == parts + 1);
     assert_int_equal(n, statistics_of(&s).contacts);
-    const uint32_t *first = look(&s, VBSS_SCENE_VIEW_CONTACTS).data;
+    const uint32_t *first = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_int_equal(VBSS_CONTACT_NODE_FLOOR, first[0]);
     assert_int_equal(1, first[7]); /* the second row's node */
     end(&s);

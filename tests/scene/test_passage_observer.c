@@ -3,13 +3,13 @@
 
 static hard_case c;
 
-/* As if the scene took a part in which all nodes of the thread go that way. */
-static void show(vec3 way)
+/* As if the scene took a part in which all nodes of the thread move by that displacement. */
+static void show(vec3 displacement)
 {
     scene_object *s = c.watch.scene;
     thread_object *t = s->bodies[0].thread.thread;
     for (uint32_t i = 0; i < t->node_count; i++) {
-        t->trial[i] = vec3_add(t->now.x[i], way);
+        t->trial[i] = vec3_add(t->now.x[i], displacement);
     }
     for (uint32_t k = 0; k < s->capsule_count; k++) {
         s->capsules[k].trial[0] = s->capsules[k].now[0];

@@ -157,16 +157,16 @@ static void oblique_entry_makes_one_hole(void **state)
     vec3 mark = drain_case_node(&c.d, c.d.places.marks[DRAIN_RIGHT]);
     vec3 out = vec3_unit_or(vec3_make(0.0, mark.y, mark.z), vec3_zero());
     vec3 along = vec3_make(1.0, 0.0, 0.0);
-    vec3 way = vec3_add_scaled(vec3_scale(out, -0.4), sqrt(0.84), along);
-    needle_case_put(&c, vec3_add_scaled(mark, -2e-3, way), way, vec3_neg(out));
+    vec3 direction = vec3_add_scaled(vec3_scale(out, -0.4), sqrt(0.84), along);
+    needle_case_put(&c, vec3_add_scaled(mark, -2e-3, direction), direction, vec3_neg(out));
     for (uint32_t i = 0; i < 1000 && c.counts[VBSS_EVENT_PUNCTURE] == 0; i++) {
-        needle_case_shift(&c, vec3_scale(way, 20e-6));
+        needle_case_shift(&c, vec3_scale(direction, 20e-6));
         needle_case_step(&c);
     }
     assert_int_equal(needle_case_holes(&c, holes), 1);
     assert_true(holes[0].arc_length < -1.3e-3);
     for (uint32_t i = 0; i < 200; i++) {
-        needle_case_shift(&c, vec3_scale(way, 20e-6));
+        needle_case_shift(&c, vec3_scale(direction, 20e-6));
         needle_case_step(&c);
     }
     assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 1);
@@ -183,11 +183,11 @@ static void hole_is_in_one_wall(void **state)
     const scene_object *s = small_object(&c.d.s);
     const scene_body *drain = vbss_scene_body(s, c.d.body);
     const suture_hole *hole = &s->holes[0];
-    scene_wall_point spot = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
+    scene_wall_point point = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
     const scene_body *needle = vbss_scene_body(s, c.body);
-    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 0.0);
-    spot.rest.z = -spot.rest.z;
-    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 1.0);
+    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &point, 1e-3) == 0.0);
+    point.rest.z = -point.rest.z;
+    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &point, 1e-3) == 1.0);
     needle_case_end(&c);
 }
 

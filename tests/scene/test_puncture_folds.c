@@ -54,9 +54,9 @@ static void place_needle(const fold *f)
     scene_rigid *r = &vbss_scene_body(small_object(&c.d.s), c.body)->rigid;
     const vec3 tip = vbss_needle_point(r->needle, 0.0);
     const vec3 next = vbss_needle_point(r->needle, vbss_needle_vertex_arc(r->needle, 1));
-    const vec3 way = vec3_unit_or(vec3_sub(f->at[1], f->at[0]), vec3_zero());
-    const quat turned = quat_between(vec3_unit_or(vec3_sub(next, tip), vec3_zero()), way);
-    const vec3 there = vec3_add_scaled(f->at[0], -TIP_OUT, way);
+    const vec3 direction = vec3_unit_or(vec3_sub(f->at[1], f->at[0]), vec3_zero());
+    const quat turned = quat_between(vec3_unit_or(vec3_sub(next, tip), vec3_zero()), direction);
+    const vec3 there = vec3_add_scaled(f->at[0], -TIP_OUT, direction);
     const pose frame = pose_make(vec3_sub(there, quat_rotate(turned, tip)), turned);
     r->body.now.pose = pose_mul(frame, r->frame);
 }

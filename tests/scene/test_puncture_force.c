@@ -101,9 +101,9 @@ static void force_falls_to_hole_friction(void **state)
     expect_near(-c.at_tip, holes[0].friction, 0.01); /* it bears on what the wall bore */
     assert_false(needle_case_drive(&c, 4e-3, 10e-3, VBSS_EVENT_PUNCTURE));
     assert_int_equal(needle_case_holes(&c, holes), 1);
-    vec3 way = vec3_load(holes[0].direction), force = vec3_load(holes[0].force);
-    double along = vec3_dot(force, way);
-    double across = vec3_norm(vec3_add_scaled(force, -along, way));
+    vec3 direction = vec3_load(holes[0].direction), force = vec3_load(holes[0].force);
+    double along = vec3_dot(force, direction);
+    double across = vec3_norm(vec3_add_scaled(force, -along, direction));
     double friction = c.d.config.hole_force + c.d.config.hole_friction * across;
     expect_near(-friction, along, 0.01);
     assert_true(c.push < 0.5 * c.peak);

@@ -21,11 +21,11 @@ static void watch(uint32_t steps)
     }
 }
 
-static void turn(double way, double speed)
+static void turn(double distance, double speed)
 {
-    uint32_t steps = (uint32_t)ceil(fabs(way) / (speed * c.d.h));
+    uint32_t steps = (uint32_t)ceil(fabs(distance) / (speed * c.d.h));
     for (uint32_t i = 0; i < steps; i++) {
-        needle_case_turn(&c, way / steps);
+        needle_case_turn(&c, distance / steps);
         watch(1);
     }
 }
@@ -200,9 +200,9 @@ static void falling_needle_does_not_pierce(void **state)
         c.config.gravity[1] = -9.81;
         needle_case_make(&c);
         vec3 tip = vec3_make(k == 0 ? -5e-3 : 0.5e-3, k == 0 ? 12e-3 : 17e-3, 2e-3);
-        vec3 way = k == 0 ? vec3_make(1.0, 0.0, 0.3) : vec3_make(0.0, -1.0, 0.0);
+        vec3 direction = k == 0 ? vec3_make(1.0, 0.0, 0.3) : vec3_make(0.0, -1.0, 0.0);
         vec3 aside = k == 0 ? vec3_make(0.0, 0.1, 1.0) : vec3_make(1.0, 0.0, 0.0);
-        needle_case_put(&c, tip, way, aside);
+        needle_case_put(&c, tip, direction, aside);
         needle_case_let_go(&c);
         watch(1500);
         assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
@@ -228,11 +228,11 @@ static void light_needle_rotating_in_hole_gains_no_energy(void **state)
         vec3 out = vec3_unit_or(vec3_make(0.0, mark.y, mark.z), vec3_zero());
         vec3 along = vec3_make(1.0, 0.0, 0.0), round = vec3_cross(along, out);
         vec3 aside = vec3_add_scaled(along, i % 3 - 1.0, round);
-        vec3 way = vec3_add_scaled(vec3_neg(out), 0.3, round);
+        vec3 direction = vec3_add_scaled(vec3_neg(out), 0.3, round);
         vec3_store(c.config.angular_velocity,
                    vec3_scale(i % 2 == 0 ? round : along, i < 6 ? 200.0 : -200.0));
-        vec3_store(c.config.velocity, vec3_scale(way, 1.2));
-        needle_case_put(&c, vec3_add_scaled(mark, 0.9e-3, out), way, aside);
+        vec3_store(c.config.velocity, vec3_scale(direction, 1.2));
+        needle_case_put(&c, vec3_add_scaled(mark, 0.9e-3, out), direction, aside);
         needle_case_let_go(&c);
         double first = needle_case_energy(&c);
         for (int k = 0; k < 40; k++) {

@@ -1,6 +1,5 @@
 /* Every bad name, number and NULL that calls on a scene are given: its status, and that the scene is as it was to
  * the bit. */
-#include <fenv.h>
 
 #include "scene/small_subject.h"
 
@@ -44,16 +43,16 @@ static void bad_names_and_moves_are_rejected(void **state)
     subject t;
     const double zero[3] = {0.0, 0.0, 0.0};
     begin_subject(&t);
-    const uint32_t nobody[] = {0, t.free + 1, UINT32_MAX};
+    const uint32_t no_body[] = {0, t.free + 1, UINT32_MAX};
     for (int k = 0; k < 3; k++) {
         vbss_rigid_state state_of;
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(t.s.scene, nobody[k]));
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(t.s.scene, no_body[k]));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_move_rigid(t.s.scene, nobody[k], zero, NULL));
+                  vbss_scene_move_rigid(t.s.scene, no_body[k], zero, NULL));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_get_rigid(t.s.scene, nobody[k], &state_of, sizeof state_of));
+                  vbss_scene_get_rigid(t.s.scene, no_body[k], &state_of, sizeof state_of));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_unpin_thread(t.s.scene, k == 1 ? t.weld + 1 : nobody[k]));
+                  vbss_scene_unpin_thread(t.s.scene, k == 1 ? t.weld + 1 : no_body[k]));
     }
     vbss_rigid_state state_of;
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
@@ -84,10 +83,10 @@ static void bad_pins_are_rejected(void **state)
     vbss_scene *scene;
     begin_subject(&t);
     scene = t.s.scene;
-    const uint32_t nobody[] = {0, t.driven, 99};
+    const uint32_t no_body[] = {0, t.driven, 99};
     for (int k = 0; k < 3; k++) {
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_pin_thread(scene, nobody[k], 3, 0, NULL, &pin));
+                  vbss_scene_pin_thread(scene, no_body[k], 3, 0, NULL, &pin));
     }
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(scene, t.line, 3, 99, NULL, &pin));
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
@@ -162,22 +161,6 @@ static void bad_steps_views_and_buffers_are_rejected(void **state)
     small_end(&t.s);
 }
 
-static void other_rounding_mode_is_rejected(void **state)
-{
-    (void)state;
-    subject t;
-    begin_subject(&t);
-    const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    for (int k = 0; k < 3; k++) {
-        assert_int_equal(fesetround(modes[k]), 0);
-        vbss_result result = vbss_scene_step(t.s.scene, 1e-3);
-        fesetround(FE_TONEAREST);
-        unchanged(&t, VBSS_ERROR_ARITHMETIC_MODE, result);
-    }
-    small_steps(&t.s, 1, 1e-3);
-    small_end(&t.s);
-}
-
 /* A drain is neither a thread nor a tool. */
 static void calls_about_other_bodies_are_rejected(void **state)
 {
@@ -215,7 +198,6 @@ int test_scene_refused_calls(void)
         cmocka_unit_test(bad_pins_are_rejected),
         cmocka_unit_test(pin_needs_attachment_capacity),
         cmocka_unit_test(bad_steps_views_and_buffers_are_rejected),
-        cmocka_unit_test(other_rounding_mode_is_rejected),
         cmocka_unit_test(calls_about_other_bodies_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

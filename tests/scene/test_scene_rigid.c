@@ -41,10 +41,11 @@ static void driven_body_is_at_target(void **state)
         expect_near(0.0, vec3_distance(vec3_load(p), vec3_load(now.position)), 1e-16);
         expect_near(vbss_cos(turn), now.orientation[0], 1e-14);
         expect_near(vbss_sin(turn), now.orientation[2], 1e-14);
-        vec3 way = vec3_sub(vec3_load(p), vec3_load(before.position));
+        vec3 displacement = vec3_sub(vec3_load(p), vec3_load(before.position));
         expect_near(0.02 / h, now.angular_velocity[1], 0.02 / h * 1e-3);
-        /* Of the frame's origin: the way, but for the turn in the step. */
-        expect_near(0.0, vec3_distance(vec3_scale(way, 1.0 / h), vec3_load(now.velocity)), 0.1);
+        /* Of the frame's origin: the displacement, but for the turn in the step. */
+        expect_near(0.0, vec3_distance(vec3_scale(displacement, 1.0 / h), vec3_load(now.velocity)),
+                    0.1);
         before = now;
     }
     small_steps(&s, 1, 1e-3); /* then it stays */

@@ -94,9 +94,9 @@ static void thread_is_cut_under_five_newtons(void **state)
     double give = 2.0 / r.tools.config.stiffness + 2.0 / r.tools.config.grip_stiffness +
                   20e-3 / r.tools.s.thread.axial_stiffness;
     for (int i = 1; i <= 400; i++) {
-        double way = 0.5 * 5.0 * give * vbss_min(i / 300.0, 1.0);
-        tools_move(&r.tools, 0, vec3_make(0.0, -10e-3 - way, -SHEARS_BELOW));
-        tools_move(&r.tools, 1, vec3_make(0.0, 10e-3 + way, -SHEARS_BELOW));
+        double travel = 0.5 * 5.0 * give * vbss_min(i / 300.0, 1.0);
+        tools_move(&r.tools, 0, vec3_make(0.0, -10e-3 - travel, -SHEARS_BELOW));
+        tools_move(&r.tools, 1, vec3_make(0.0, 10e-3 + travel, -SHEARS_BELOW));
         shears_steps(&r, 1);
     }
     shears_steps(&r, 200);

@@ -109,11 +109,11 @@ static void soften(int hand)
     expect_ok(vbss_thread_attach(c.s.thread, &a, &c.s.hands[hand]));
 }
 
-static void draw_both(double way)
+static void draw_both(double distance)
 {
     for (int i = 0; i < MORE; i++) {
-        stitch_rig_draw(&c, 0, way / MORE);
-        stitch_rig_draw(&c, 1, way / MORE);
+        stitch_rig_draw(&c, 0, distance / MORE);
+        stitch_rig_draw(&c, 1, distance / MORE);
         stitch_rig_wait(&c, 1);
     }
     stitch_rig_wait(&c, REST);

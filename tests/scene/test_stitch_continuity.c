@@ -20,14 +20,14 @@ static double share_at(const suture_hole *hole, double away)
     const scene_body *thread = vbss_scene_body(s, hole->thread);
     const scene_body *drain = vbss_scene_body(s, hole->drain);
     const thread_object *t = thread->thread.thread;
-    const scene_wall_point spot = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
+    const scene_wall_point point = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
     double arc = hole->arc + away;
     uint32_t segment = 0;
     while (vbss_thread_arc_length(t, segment + 1) < arc) {
         segment++;
     }
     double share = (arc - vbss_thread_arc_length(t, segment)) / t->rest[segment];
-    return vbss_scene_contact_scale_at(s, thread, false, segment, share, drain, &spot, REACH);
+    return vbss_scene_contact_scale_at(s, thread, false, segment, share, drain, &point, REACH);
 }
 
 static void contact_grows_gradually_outside_hole(void **state)
@@ -84,11 +84,11 @@ enum { PULLED = 200, RESTED = 500, ALL = 1200 };
 static const double slackens[] = {5e-3, 8e-3};
 
 /* A change of the mesh is made at the end of a step and shows in the next. */
-typedef struct looked_at {
+typedef struct hole_sample {
     vbss_hole hole;
     bool still;   /* it has slid so little in the last step */
     bool changed; /* the mesh has changed at its end, while it was still */
-} looked_at;
+} hole_sample;
 
 typedef struct jumps {
     uint32_t changes, still, waited;
@@ -96,27 +96,27 @@ typedef struct jumps {
 } jumps;
 
 /* Where the scene has waited nothing is still, and what comes next is what hands have done meanwhile. */
-static void look_at_hole(looked_at *l, int side, bool changed, jumps *found)
+static void sample_hole(hole_sample *l, int side, bool changed, jumps *found)
 {
     vbss_hole now;
     assert_true(stitch_case_hole(&c, side, &now));
-    const double way = fabs(now.arc_length - l->hole.arc_length);
+    const double change = fabs(now.arc_length - l->hole.arc_length);
     if (c.booked > 0 && l->changed) {
         vec3 before = vec3_load(l->hole.force);
         found->still++;
-        found->moved = fmax(found->moved, way);
+        found->moved = fmax(found->moved, change);
         found->jump = fmax(found->jump, vec3_distance(vec3_load(now.force), before));
     }
-    l->still = c.booked > 0 && way < STILL;
+    l->still = c.booked > 0 && change < STILL;
     l->changed = changed && l->still;
     l->hole = now;
 }
 
 static void move_hands(uint32_t step, double slow)
 {
-    const double way = step < PULLED ? 0.05 * c.h : step < RESTED ? 0.0 : -slow * c.h;
-    for (int k = 0; k < 2 && way != 0.0; k++) {
-        stitch_case_shift(&c, k, vec3_make(0.0, 0.0, k == 0 ? -way : way));
+    const double travel = step < PULLED ? 0.05 * c.h : step < RESTED ? 0.0 : -slow * c.h;
+    for (int k = 0; k < 2 && travel != 0.0; k++) {
+        stitch_case_shift(&c, k, vec3_make(0.0, 0.0, k == 0 ? -travel : travel));
     }
 }
 
@@ -125,7 +125,7 @@ static void move_hands(uint32_t step, double slow)
 static uint32_t change_meshes(double slow)
 {
     jumps found = {0};
-    looked_at holes[2];
+    hole_sample holes[2];
     stitch_case_begin(&c);
     c.options.crossings = 1;
     c.options.scene.node_capacity = 2048;
@@ -133,7 +133,7 @@ static uint32_t change_meshes(double slow)
     c.options.segment = 1.2e-3;
     stitch_case_make(&c);
     for (int k = 0; k < 2; k++) {
-        holes[k] = (looked_at){.still = false};
+        holes[k] = (hole_sample){.still = false};
         assert_true(stitch_case_hole(&c, k, &holes[k].hole));
     }
     for (uint32_t i = 0; i < ALL; i++) {
@@ -144,7 +144,7 @@ static uint32_t change_meshes(double slow)
         found.changes += changed;
         found.waited += c.booked == 0;
         for (int k = 0; k < 2; k++) {
-            look_at_hole(&holes[k], k, changed && i >= PULLED, &found);
+            sample_hole(&holes[k], k, changed && i >= PULLED, &found);
         }
     }
     print_message("mesh: %u changes, %u steps waited, beside holes at rest %u: arc %.1f um, "

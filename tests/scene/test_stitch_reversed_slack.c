@@ -21,13 +21,13 @@ static double arc_in_hole(void)
     return in[i].arc_length;
 }
 
-static void push_back(double way, double speed)
+static void push_back(double distance, double speed)
 {
     needle_stitch_begin(&n);
     needle_stitch_into_second(&n, speed);
     const double before = arc_in_hole();
-    needle_stitch_turn(&n, -way, speed, 0, 0);
-    assert_true(before - arc_in_hole() < 0.25 * way); /* the rest it is held back */
+    needle_stitch_turn(&n, -distance, speed, 0, 0);
+    assert_true(before - arc_in_hole() < 0.25 * distance); /* the rest it is held back */
     assert_int_equal(n.c.counts[VBSS_EVENT_RETURNED], 0);
     assert_int_equal(n.c.counts[VBSS_EVENT_WITHDRAWN], 0);
     assert_int_equal(n.c.counts[VBSS_EVENT_UNTHREADED], 0);

@@ -16,13 +16,13 @@ static vec3 outward(int hand)
     return vec3_scale(right, hand == 0 ? -1.0 : 1.0);
 }
 
-/* Both hands go their ways at that speed. */
-static void pull_both(vec3 left_way, vec3 right_way, double way, double speed)
+/* Both hands go in their directions at that speed. */
+static void pull_both(vec3 left_direction, vec3 right_direction, double distance, double speed)
 {
-    uint32_t steps = (uint32_t)ceil(way / (speed * c.h));
+    uint32_t steps = (uint32_t)ceil(distance / (speed * c.h));
     for (uint32_t i = 0; i < steps; i++) {
-        stitch_case_shift(&c, 0, vec3_scale(left_way, way / steps));
-        stitch_case_shift(&c, 1, vec3_scale(right_way, way / steps));
+        stitch_case_shift(&c, 0, vec3_scale(left_direction, distance / steps));
+        stitch_case_shift(&c, 1, vec3_scale(right_direction, distance / steps));
         stitch_case_step(&c);
     }
 }

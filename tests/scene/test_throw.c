@@ -133,9 +133,9 @@ static void spoil(const throw_scene *scene, uint64_t seed, double deep)
     vbss_random random;
     vbss_random_seed(&random, seed, 0);
     expect_ok(vbss_scene_open(scene->scene, &s));
-    vec3 way = vbss_random_direction(&random);
+    vec3 direction = vbss_random_direction(&random);
     scene_rigid *w = &vbss_scene_body(s, scene->w.body)->rigid;
-    w->body.now.pose.position = vec3_add_scaled(w->body.now.pose.position, deep, way);
+    w->body.now.pose.position = vec3_add_scaled(w->body.now.pose.position, deep, direction);
     thread_object *t = vbss_scene_body(s, scene->thread_body)->thread.thread;
     for (uint32_t i = scene->left_mark + 1; i < t->node_count; i++) {
         vec3 off = vbss_random_direction(&random);

@@ -1,5 +1,5 @@
-/* Hand and tool, a loop in which the force comes late: no energy from closed ways of the hand, no growing swing at
- * a wall. A coupling of stiffness K gains K times the delay times the way's mean square speed, and pays its
+/* Hand and tool, a loop in which the force comes late: no energy from closed paths of the hand, no growing swing at
+ * a wall. A coupling of stiffness K gains K times the delay times the path's mean square speed, and pays its
  * damping: what it needs is B > K (delay + 1/2 step). */
 #include "scene/tools_rig.h"
 #include "fixtures/hand_path.h"
@@ -35,7 +35,7 @@ static vec3 begin(tools_rig *r, meeting what, double stiffness, double damping)
     }
     tools_add(r, tip);
     tools_close(r, 0);
-    tools_way(r, 0, tip, vec3_add(tip, in), 100);
+    tools_move_along(r, 0, tip, vec3_add(tip, in), 100);
     return vec3_add(tip, in);
 }
 
@@ -59,14 +59,14 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
     vec3 late[MAX_DELAY + 1] = {{0.0, 0.0, 0.0}};
     gains g = {{0.0}, 0.0};
     for (int i = 0; i < 2 * ROUND; i++) {
-        vec3 x = along(p, i), way = vec3_sub(along(p, i + 1), x);
+        vec3 x = along(p, i), displacement = vec3_sub(along(p, i + 1), x);
         tools_move(&r, 0, vec3_add(home, x));
         tools_steps(&r, 1);
         memmove(late + 1, late, sizeof late - sizeof late[0]);
         late[0] = tools_hand_force(&r, 0);
         g.largest = vbss_max(g.largest, vec3_norm(late[0]));
         for (int d = 0; i >= ROUND && d <= MAX_DELAY; d++) {
-            g.gained[d] += vec3_dot(late[d], way);
+            g.gained[d] += vec3_dot(late[d], displacement);
         }
     }
     tools_end(&r);
@@ -75,18 +75,18 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
 
 static gains max_gained(meeting what, double stiffness, double damping)
 {
-    gains most = {{-1.0, -1.0, -1.0}, 0.0};
+    gains max_gains = {{-1.0, -1.0, -1.0}, 0.0};
     vbss_random random;
     vbss_random_seed(&random, 5, 7);
     for (int i = 0; i < PATHS; i++) {
         hand_path p = hand_path_draw(&random, 1e-3 + 4e-3 * i / PATHS);
         gains g = gained(what, stiffness, damping, &p);
         for (int d = 0; d <= MAX_DELAY; d++) {
-            most.gained[d] = vbss_max(most.gained[d], g.gained[d]);
+            max_gains.gained[d] = vbss_max(max_gains.gained[d], g.gained[d]);
         }
-        most.largest = vbss_max(most.largest, g.largest);
+        max_gains.largest = vbss_max(max_gains.largest, g.largest);
     }
-    return most;
+    return max_gains;
 }
 
 /* The bar is 1 mJ; with an arm that damps nothing. */
@@ -94,12 +94,12 @@ static void closed_paths_gain_no_energy_at_400_n_per_m(void **state)
 {
     (void)state;
     for (int what = NOTHING; what < MEETINGS; what++) {
-        gains most = max_gained((meeting)what, 400.0, 5.0);
+        gains max_gains = max_gained((meeting)what, 400.0, 5.0);
         assert_true(what == NOTHING ||
-                    most.largest > (what == SLIDING ? 0.4 : 1.0)); /* it was felt */
+                    max_gains.largest > (what == SLIDING ? 0.4 : 1.0)); /* it was felt */
         for (int d = 0; d <= MAX_DELAY; d++) {
-            assert_true(most.gained[d] < 1e-3);
-            assert_true(most.gained[d] <= 1e-6); /* and none it is */
+            assert_true(max_gains.gained[d] < 1e-3);
+            assert_true(max_gains.gained[d] <= 1e-6); /* and none it is */
         }
     }
 }
@@ -108,9 +108,9 @@ static void closed_paths_gain_no_energy_at_400_n_per_m(void **state)
 static void undamped_coupling_gains_energy(void **state)
 {
     (void)state;
-    gains most = max_gained(THREAD, 2000.0, 1.0);
-    assert_true(most.gained[2] > 1e-3);
-    assert_true(most.gained[2] > most.gained[1]);
+    gains max_gains = max_gained(THREAD, 2000.0, 1.0);
+    assert_true(max_gains.gained[2] > 1e-3);
+    assert_true(max_gains.gained[2] > max_gains.gained[1]);
 }
 
 /* ---- a hand of a mass, which a force presses to the wall and what it feels pushes back */

@@ -61,7 +61,7 @@ static void opening_jaws_push_neighbours(void **state)
     tools_open(&r, 0, 0.0);
     tools_steps(&r, 60);
     small_stick(&r.s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.0, 0.0), vec3_make(0.0, 0.01, 0.0), 1e-3);
-    tools_way(&r, 0, vec3_make(-5e-3, 0.0, -2e-3), vec3_make(-2.6e-3, 0.0, -2e-3), 200);
+    tools_move_along(&r, 0, vec3_make(-5e-3, 0.0, -2e-3), vec3_make(-2.6e-3, 0.0, -2e-3), 200);
     expect_near(0.0, vec3_norm(tools_hand_force(&r, 0)), 1e-2);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 300);
@@ -130,7 +130,7 @@ static void floor_carries_jaws(void **state)
     tools_open(&r, 0, 0.0);
     tools_steps(&r, 100);
     double touching = r.config.driver_radius;
-    tools_way(&r, 0, vec3_make(0.0, 0.0, 2e-3), vec3_make(0.0, 0.0, touching - 1e-3), 300);
+    tools_move_along(&r, 0, vec3_make(0.0, 0.0, 2e-3), vec3_make(0.0, 0.0, touching - 1e-3), 300);
     tools_steps(&r, 500);
     double force = r.config.stiffness * 1e-3;
     force /= 1.0 + r.config.stiffness / (2.0 * r.s.config.contact_stiffness); /* two jaws */
@@ -221,7 +221,8 @@ static void tools_are_exchanged_only_empty_and_outside(void **state)
         tools_close(&r, 0);
         assert_int_equal(tools_state(&r, 0).grasp_count, 1);
     }
-    tools_way(&r, 0, in, out, 600); /* outside, with the thread's rest in the jaws or without */
+    tools_move_along(&r, 0, in, out,
+                     600); /* outside, with the thread's rest in the jaws or without */
     bool holds = tools_state(&r, 0).grasp_count > 0;
     expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
     tools_steps(&r, 1);

@@ -46,10 +46,10 @@ static void begin(wall_rig *r)
     r->ahead = vec3_cross(vec3_make(1.0, 0.0, 0.0), out);
     r->tip = vec3_add_scaled(lip, 2.5e-3, r->ahead);
     /* Shaft along z = -ahead, jaws open along x = out: y = z x x is along the drain. */
-    quat stand = quat_make(0.5, 0.5, 0.5, 0.5); /* x to y, y to z, z to x */
+    quat axes = quat_make(0.5, 0.5, 0.5, 0.5); /* x to y, y to z, z to x */
     quat swing = quat_make(quarter, 0.0, quarter, 0.0);
     quat about = quat_make(vbss_cos(half), vbss_sin(half), 0.0, 0.0);
-    quat turn = quat_mul(about, quat_mul(swing, stand));
+    quat turn = quat_mul(about, quat_mul(swing, axes));
     vec3 z = quat_rotate(turn, vec3_make(0.0, 0.0, 1.0)),
          x = quat_rotate(turn, vec3_make(1.0, 0.0, 0.0));
     expect_near(0.0, vec3_distance(z, vec3_neg(r->ahead)), 1e-12);
@@ -62,7 +62,7 @@ static void begin(wall_rig *r)
     (void)tools_add_turned(&r->tools, from, turn);
     tools_open(&r->tools, 0, OPENING);
     tools_steps(&r->tools, 100);
-    tools_way(&r->tools, 0, from, r->tip, 200);
+    tools_move_along(&r->tools, 0, from, r->tip, 200);
 }
 
 static void pinch(wall_rig *r)
@@ -111,7 +111,7 @@ static void wall_follows_tool(void **state)
     wall_rig r;
     pinch(&r);
     vec3 before = node_at(&r, r.lip), up = vec3_make(0.0, 3e-3, 0.0);
-    tools_way(&r.tools, 0, r.tip, vec3_add(r.tip, up), 300);
+    tools_move_along(&r.tools, 0, r.tip, vec3_add(r.tip, up), 300);
     tools_steps(&r.tools, 300);
     vec3 rise = vec3_sub(node_at(&r, r.lip), before);
     assert_true(rise.y > 2e-3 && rise.y < 4e-3);
@@ -134,7 +134,7 @@ static void released_wall_springs_back(void **state)
     expect_ok(vbss_drain_open(r.drain, &d));
     vec3 rest = d->mesh.rest[r.lip];
     tools_close(&r.tools, 0);
-    tools_way(&r.tools, 0, r.tip, vec3_add(r.tip, vec3_make(0.0, 2e-3, 0.0)), 200);
+    tools_move_along(&r.tools, 0, r.tip, vec3_add(r.tip, vec3_make(0.0, 2e-3, 0.0)), 200);
     tools_open(&r.tools, 0, OPENING);
     for (uint32_t i = 0; i < 200; i++) {
         tools_steps(&r.tools, 1);
@@ -142,7 +142,7 @@ static void released_wall_springs_back(void **state)
     }
     assert_int_equal(let_go, 1);
     vec3 back = vec3_add_scaled(vec3_add(r.tip, vec3_make(0.0, 2e-3, 0.0)), -15e-3, r.ahead);
-    tools_way(&r.tools, 0, vec3_add(r.tip, vec3_make(0.0, 2e-3, 0.0)), back, 300);
+    tools_move_along(&r.tools, 0, vec3_add(r.tip, vec3_make(0.0, 2e-3, 0.0)), back, 300);
     tools_steps(&r.tools, 500);
     assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
     expect_near(0.0, vec3_distance(rest, node_at(&r, r.lip)), 0.05e-3);
@@ -196,7 +196,7 @@ static void torn_out_wall_collides_with_jaws(void **state)
     }
     assert_int_equal(torn, 1);
     vec3 lip = node_at(&r, r.lip);
-    tools_way(&r.tools, 0, back, vec3_add_scaled(r.tip, 1e-3, r.ahead), 600);
+    tools_move_along(&r.tools, 0, back, vec3_add_scaled(r.tip, 1e-3, r.ahead), 600);
     assert_true(vec3_dot(r.ahead, tools_hand_force(&r.tools, 0)) < -0.05);
     assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
     assert_true(vec3_distance(lip, node_at(&r, r.lip)) > 1e-3);
@@ -209,7 +209,7 @@ static void restored_grasp_continues_bit_equal(void **state)
     wall_rig r;
     pinch(&r);
     vec3 up = vec3_make(0.0, 1e-3, 0.0);
-    tools_way(&r.tools, 0, r.tip, vec3_add(r.tip, up), 50);
+    tools_move_along(&r.tools, 0, r.tip, vec3_add(r.tip, up), 50);
     small_state saved = small_save(&r.tools.s);
     tools_steps(&r.tools, 30);
     uint64_t wanted = small_hash(&r.tools.s);

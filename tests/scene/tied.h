@@ -64,9 +64,10 @@ static inline double tied_min_distance(const tied *t)
             double s, u;
             arc += vec3_distance(x[b - 1], x[b]);
             if (arc >= apart) {
-                vec3 way = closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
-                                                 vec3_sub(x[b], x[a]), &s, &u);
-                smallest = vbss_min(vec3_norm(way), smallest);
+                vec3 separation =
+                    closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
+                                          vec3_sub(x[b], x[a]), &s, &u);
+                smallest = vbss_min(vec3_norm(separation), smallest);
             }
         }
     }
@@ -151,11 +152,11 @@ static inline void tied_pull_at_once(tied *t)
     tied_knot *k = &t->knot;
     k->stage = k->throws - 1;
     for (int i = 0; i < 2; i++) {
-        vec3 way = vec3_make(i == 0 ? -1.0 : 1.0, 0.0, 0.0);
+        vec3 direction = vec3_make(i == 0 ? -1.0 : 1.0, 0.0, 0.0);
         expect_ok(contact_hand_release(&k->hands[i]));
         expect_ok(vbss_thread_detach(k->thread, k->ends[i]));
         k->ends[i] = 0;
-        expect_ok(contact_hand_take(&k->hands[i], k->thread, k->nodes[k->stage][i], way,
+        expect_ok(contact_hand_take(&k->hands[i], k->thread, k->nodes[k->stage][i], direction,
                                     &t->options.pull, t->options.thread.axial_stiffness / k->length,
                                     contact_hand_scene_waits(&t->options.scene)));
     }

@@ -71,7 +71,7 @@ void tools_steps(tools_rig *r, uint32_t count)
     small_steps(&r->s, count, 1e-3);
 }
 
-void tools_way(tools_rig *r, uint32_t tool, vec3 from, vec3 to, uint32_t steps)
+void tools_move_along(tools_rig *r, uint32_t tool, vec3 from, vec3 to, uint32_t steps)
 {
     for (uint32_t i = 1; i <= steps; i++) {
         tools_move(r, tool, vec3_lerp(from, to, (double)i / steps));

@@ -32,7 +32,7 @@ void tools_move(tools_rig *r, uint32_t tool, vec3 tip);
 void tools_open(tools_rig *r, uint32_t tool, double opening);
 void tools_steps(tools_rig *r, uint32_t count);
 /* The tip from one point to another, evenly. */
-void tools_way(tools_rig *r, uint32_t tool, vec3 from, vec3 to, uint32_t steps);
+void tools_move_along(tools_rig *r, uint32_t tool, vec3 from, vec3 to, uint32_t steps);
 /* Closes the handle, and waits until what is held has come to lie in the jaws and hangs still. */
 void tools_close(tools_rig *r, uint32_t tool);
 

@@ -4,15 +4,15 @@
 #include <string.h>
 #include <time.h>
 
-typedef struct look {
+typedef struct chain_set {
     passing_chain chains[WATCH_CHAINS];
     uint32_t owners[WATCH_CHAINS]; /* of tools: their bodies' numbers */
     uint32_t count, nodes;
-} look;
+} chain_set;
 
 /* ---- what is there */
 
-static void add_chain(watch *w, look *l, const vec3 *start, const vec3 *end, uint32_t nodes,
+static void add_chain(watch *w, chain_set *l, const vec3 *start, const vec3 *end, uint32_t nodes,
                       uint32_t owner)
 {
     if (l->count == WATCH_CHAINS || l->nodes + nodes > WATCH_NODES) {
@@ -26,7 +26,7 @@ static void add_chain(watch *w, look *l, const vec3 *start, const vec3 *end, uin
     l->nodes += nodes;
 }
 
-static void look_at(watch *w, const scene_object *s, look *l)
+static void collect_chains(watch *w, const scene_object *s, chain_set *l)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
@@ -43,7 +43,7 @@ static void look_at(watch *w, const scene_object *s, look *l)
 
 /* ---- what is asked */
 
-static uint64_t jumps(watch *w, const look *l)
+static uint64_t jumps(watch *w, const chain_set *l)
 {
     uint64_t found = 0;
     if (w->count == l->nodes && w->count > 0) {
@@ -55,7 +55,7 @@ static uint64_t jumps(watch *w, const look *l)
 }
 
 /* Axes of different tools: passing_count does not ask about them. */
-static void ask_tools(const look *l, passing_report *all)
+static void ask_tools(const chain_set *l, passing_report *all)
 {
     for (uint32_t i = 0; i < l->count; i++) {
         for (uint32_t k = i + 1; l->owners[i] != 0 && k < l->count; k++) {
@@ -132,9 +132,9 @@ static void see(void *watcher, const scene_object *s)
 {
     watch *w = watcher;
     double begin = now();
-    look l = {.count = 0};
+    chain_set l = {.count = 0};
     passing_report report;
-    look_at(w, s, &l);
+    collect_chains(w, s, &l);
     passing_count(l.chains, l.count, &report);
     ask_tools(&l, &report);
     w->parts++;

@@ -17,10 +17,10 @@ void rig_make(rig *r)
     c.duration = 60.0;
     expect_ok(vbss_metrics_create(r->context, &c, &r->metrics));
     r->scene.config.metrics = r->metrics;
-    r->look.thread = r->scene.config.thread;
-    r->look.thread_length = LENGTH;
-    r->look.gap = r->look.max_gap = r->look.signed_gap = 3e-3;
-    r->look.drain_radius = 6.5e-3;
+    r->observation.thread = r->scene.config.thread;
+    r->observation.thread_length = LENGTH;
+    r->observation.gap = r->observation.max_gap = r->observation.signed_gap = 3e-3;
+    r->observation.drain_radius = 6.5e-3;
 }
 
 void rig_start(rig *r)
@@ -52,7 +52,7 @@ void rig_run(rig *r, double seconds)
         s->time += s->steps > 0 ? RIG_STEP : 0.0;
         s->steps++;
         s->events_before_step = s->event_count;
-        s->observation = r->look;
+        s->observation = r->observation;
         vbss_session_update_progress(s, &s->observation);
         expect_ok(vbss_session_feed_metrics(s, &s->observation));
     }
@@ -97,19 +97,19 @@ vbss_session_status rig_status(const rig *r)
 
 void rig_take(rig *r, uint32_t tool)
 {
-    r->look.tools[tool].has_needle = true;
+    r->observation.tools[tool].has_needle = true;
 }
 
 void rig_drop(rig *r, uint32_t tool)
 {
-    r->look.tools[tool].has_needle = false;
+    r->observation.tools[tool].has_needle = false;
 }
 
 static session_hole_observation *find(rig *r, uint32_t id)
 {
-    for (uint32_t i = 0; i < r->look.hole_count; i++) {
-        if (r->look.holes[i].id == id) {
-            return &r->look.holes[i];
+    for (uint32_t i = 0; i < r->observation.hole_count; i++) {
+        if (r->observation.holes[i].id == id) {
+            return &r->observation.holes[i];
         }
     }
     fail_msg("there is no hole %u", id);
@@ -118,7 +118,7 @@ static session_hole_observation *find(rig *r, uint32_t id)
 
 void rig_pierce(rig *r, uint32_t id, uint32_t mark, double axial)
 {
-    session_hole_observation *hole = &r->look.holes[r->look.hole_count++];
+    session_hole_observation *hole = &r->observation.holes[r->observation.hole_count++];
     *hole = (session_hole_observation){.id = id, .mark = mark, .distance_from_tip = 1e-3};
     hole->axial[mark] = axial;
 }
@@ -126,28 +126,28 @@ void rig_pierce(rig *r, uint32_t id, uint32_t mark, double axial)
 void rig_thread_through(rig *r, uint32_t id, double arc)
 {
     session_hole_observation *hole = find(r, id);
-    hole->thread = r->look.thread;
+    hole->thread = r->observation.thread;
     hole->arc = arc;
 }
 
 void rig_leave(rig *r, uint32_t id)
 {
     session_hole_observation *hole = find(r, id);
-    *hole = r->look.holes[--r->look.hole_count];
+    *hole = r->observation.holes[--r->observation.hole_count];
 }
 
 void rig_set_throw(rig *r, uint32_t number, int32_t wraps, int32_t handedness,
                    vbss_metrics_relation relation)
 {
-    session_knot_observation *knot = &r->look.knot;
+    session_knot_observation *knot = &r->observation.knot;
     knot->throws[number] = (session_throw_observation){wraps, handedness, relation};
     knot->throw_count = wraps > 0 ? number + 1 : number;
 }
 
 void rig_pull(rig *r, double force, double gap)
 {
-    r->look.tension[0] = r->look.tension[1] = force;
-    r->look.gap = r->look.max_gap = r->look.signed_gap = gap;
+    r->observation.tension[0] = r->observation.tension[1] = force;
+    r->observation.gap = r->observation.max_gap = r->observation.signed_gap = gap;
 }
 
 /* ---- from the begin to there */
@@ -188,7 +188,7 @@ void rig_to_tail(rig *r)
 
 static void hand_over(rig *r, uint32_t tool)
 {
-    if (!r->look.tools[1 - tool].has_needle) {
+    if (!r->observation.tools[1 - tool].has_needle) {
         return;
     }
     rig_take(r, tool);
@@ -206,24 +206,24 @@ void rig_expect_stage(rig *r, uint32_t number, vbss_session_stage stage)
 
 void rig_tie(rig *r, uint32_t number)
 {
-    r->look.knot.next_throw = VBSS_KNOT_VERDICT_WRAPPING;
+    r->observation.knot.next_throw = VBSS_KNOT_VERDICT_WRAPPING;
     rig_run(r, 0.1);
     rig_expect_stage(r, number, VBSS_SESSION_STAGE_WRAP);
-    r->look.knot.next_throw = VBSS_KNOT_VERDICT_PASSED;
+    r->observation.knot.next_throw = VBSS_KNOT_VERDICT_PASSED;
     rig_run(r, 0.1);
     rig_expect_stage(r, number, VBSS_SESSION_STAGE_PASSED);
     rig_set_throw(r, number, number == 0 ? 2 : 1, number % 2 == 0 ? 1 : -1,
                   number == 0 ? VBSS_METRICS_RELATION_FIRST : VBSS_METRICS_RELATION_SQUARE);
     rig_run(r, 0.12);
     rig_expect(r, VBSS_SESSION_EVENT_THROW, number, 0);
-    r->look.knot.next_throw = VBSS_KNOT_VERDICT_NONE;
+    r->observation.knot.next_throw = VBSS_KNOT_VERDICT_NONE;
     rig_run(r, 0.1);
     rig_expect_stage(r, number, VBSS_SESSION_STAGE_SEATING);
 }
 
 void rig_to_throw(rig *r, uint32_t number, uint32_t tool)
 {
-    bool over = r->look.tools[1 - tool].has_needle;
+    bool over = r->observation.tools[1 - tool].has_needle;
     uint32_t phase = VBSS_SESSION_PHASE_THROW_1 + 2 * number;
     hand_over(r, tool);
     if (over && number > 0) {

@@ -14,8 +14,8 @@ typedef struct rig {
     vbss_metrics *metrics;
     vbss_session *session;
     session_object *s;
-    session_observation look; /* what the task sees */
-    uint64_t read;            /* events that were expected so far */
+    session_observation observation; /* what the task sees */
+    uint64_t read;                   /* events that were expected so far */
 } rig;
 
 enum { RIG_LEFT = 0, RIG_RIGHT = 1, RIG_ENTRY = 7, RIG_EXIT = 8 };

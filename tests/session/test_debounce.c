@@ -7,7 +7,7 @@ static void condition_must_hold_for_dwell_time(void **state)
     rig r;
     rig_begin(&r);
     for (int i = 0; i < 50; i++) {
-        r.look.tools[RIG_RIGHT].has_needle = i % 2 == 0;
+        r.observation.tools[RIG_RIGHT].has_needle = i % 2 == 0;
         rig_run(&r, 0.049);
     }
     rig_expect_quiet(&r);
@@ -98,7 +98,7 @@ static void flickering_knot_reports_paired_events(void **state)
         for (uint32_t k = 0; k < 3; k++) {
             rig_set_throw(&r, k, k < count ? 1 : 0, 1, VBSS_METRICS_RELATION_UNKNOWN);
         }
-        r.look.knot.throw_count = count;
+        r.observation.knot.throw_count = count;
         rig_pull(&r, vbss_random_uniform(&random), 2e-3 * vbss_random_uniform(&random));
         rig_run(&r, 0.3 * vbss_random_uniform(&random));
         for (; r.read < r.s->event_count; r.read++) { /* each undone what was, and no other */

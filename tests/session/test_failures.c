@@ -41,10 +41,10 @@ static void drain_torn_off(void **state)
     rig r;
     rig_begin(&r);
     rig_to_approach(&r);
-    r.look.torn_fraction = 0.49;
+    r.observation.torn_fraction = 0.49;
     rig_run(&r, 0.3);
     rig_expect_quiet(&r);
-    r.look.torn_fraction = 0.5;
+    r.observation.torn_fraction = 0.5;
     rig_run(&r, RIG_STEP);
     expect_failed(&r, VBSS_SESSION_FAILURE_AVULSED);
     assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_AVULSED) != 0);
@@ -57,7 +57,7 @@ static void thread_cut_early(void **state)
     rig r;
     rig_begin(&r);
     rig_to_tail(&r);
-    r.look.thread_length -= 0.005;
+    r.observation.thread_length -= 0.005;
     rig_run(&r, RIG_STEP);
     expect_failed(&r, VBSS_SESSION_FAILURE_CUT_EARLY);
     assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_BROKEN) != 0);
@@ -69,7 +69,7 @@ static void thread_cut_before_stitch(void **state)
     (void)state;
     rig r;
     rig_begin(&r);
-    r.look.thread_length = 0.1;
+    r.observation.thread_length = 0.1;
     rig_run(&r, RIG_STEP);
     expect_failed(&r, VBSS_SESSION_FAILURE_CUT_EARLY);
     rig_end(&r);
@@ -81,8 +81,8 @@ static void to_located_knot(rig *r)
     rig_begin(r);
     rig_to_cut(r);
     r->s->knot.is_located = true;
-    r->s->knot.end_arcs[SESSION_ENTRY] = r->look.holes[0].arc + 4e-3;
-    r->s->knot.end_arcs[SESSION_EXIT] = r->look.holes[1].arc - 4e-3;
+    r->s->knot.end_arcs[SESSION_ENTRY] = r->observation.holes[0].arc + 4e-3;
+    r->s->knot.end_arcs[SESSION_EXIT] = r->observation.holes[1].arc - 4e-3;
 }
 
 static void knot_cut_from_tail_side(void **state)
@@ -90,7 +90,7 @@ static void knot_cut_from_tail_side(void **state)
     (void)state;
     rig r;
     to_located_knot(&r);
-    r.look.thread_length = r.look.holes[0].arc + 3.9e-3;
+    r.observation.thread_length = r.observation.holes[0].arc + 3.9e-3;
     rig_run(&r, RIG_STEP);
     expect_failed(&r, VBSS_SESSION_FAILURE_CUT_KNOT);
     rig_end(&r);
@@ -98,10 +98,10 @@ static void knot_cut_from_tail_side(void **state)
 
 static void cut_limb(rig *r, double left)
 {
-    double lost = r->look.holes[1].arc - left;
-    r->look.thread = 33;
-    r->look.thread_length -= lost;
-    rig_thread_through(r, RIG_ENTRY, r->look.holes[0].arc - lost);
+    double lost = r->observation.holes[1].arc - left;
+    r->observation.thread = 33;
+    r->observation.thread_length -= lost;
+    rig_thread_through(r, RIG_ENTRY, r->observation.holes[0].arc - lost);
     rig_thread_through(r, RIG_EXIT, left);
 }
 
@@ -124,7 +124,7 @@ static void cut_distance_is_measured_from_knot(void **state)
     cut_limb(&r, 4.1e-3);
     rig_run(&r, RIG_STEP);
     expect_near(0.1e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_EXIT, 0)->amount, 1e-12);
-    r.look.thread_length = r.look.holes[0].arc + 4.2e-3;
+    r.observation.thread_length = r.observation.holes[0].arc + 4.2e-3;
     rig_run(&r, RIG_STEP);
     expect_near(0.2e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_ENTRY, 0)->amount, 1e-12);
     rig_end(&r);
@@ -137,7 +137,7 @@ static void stitch_cut_in_tissue(void **state)
     rig_begin(&r);
     rig_to_cut(&r);
     cut_limb(&r, 2e-3);
-    r.look.holes[1].thread = r.scene.config.thread;
+    r.observation.holes[1].thread = r.scene.config.thread;
     rig_run(&r, RIG_STEP);
     rig_expect(&r, VBSS_SESSION_EVENT_FAILED, VBSS_SESSION_FAILURE_CUT_KNOT, 0);
     rig_end(&r);
@@ -148,19 +148,19 @@ static void thread_breaks_if_breakable(void **state)
     (void)state;
     rig r;
     rig_begin(&r);
-    r.look.max_tension = 100.0;
+    r.observation.max_tension = 100.0;
     rig_run(&r, 0.3);
     rig_expect_quiet(&r);
     rig_end(&r);
     rig_make(&r);
     r.scene.config.break_force = 20.0;
     rig_start(&r);
-    r.look.max_tension = 21.0;
+    r.observation.max_tension = 21.0;
     rig_run(&r, 0.04);
-    r.look.max_tension = 19.0; /* too short to break it */
+    r.observation.max_tension = 19.0; /* too short to break it */
     rig_run(&r, 0.1);
     rig_expect_quiet(&r);
-    r.look.max_tension = 21.0;
+    r.observation.max_tension = 21.0;
     rig_run(&r, 0.1);
     expect_failed(&r, VBSS_SESSION_FAILURE_BROKEN);
     assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_BROKEN) != 0);

@@ -157,8 +157,8 @@ static void parts_must_be_alive_and_of_this_context(void **state)
     expect_refused(&r, VBSS_ERROR_INVALID_HANDLE, &c);
     c.devices[0] = NULL;
     expect_ok(vbss_record_create(other.scene.scene, NULL, &c.record));
-    expect_refused(&r, VBSS_ERROR_OUT_OF_RANGE, &c);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_set_record(r.session, c.record));
+    expect_refused(&r, VBSS_ERROR_INVALID_HANDLE, &c);
+    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_session_set_record(r.session, c.record));
     c.record = NULL;
     expect_ok(vbss_knot_config_init(&small, sizeof small));
     small.point_capacity = 60;
@@ -311,7 +311,7 @@ static void lost_events_are_reported(void **state)
     r.scene.config.event_capacity = 8;
     rig_start(&r);
     for (uint32_t i = 0; i < 20; i++) {
-        r.look.tools[RIG_LEFT].has_needle = i % 2 == 0;
+        r.observation.tools[RIG_LEFT].has_needle = i % 2 == 0;
         rig_run(&r, 0.1);
     }
     const vbss_session_status status = rig_status(&r);

@@ -210,7 +210,7 @@ static void end_of_task_stops_both_clocks(void **state)
     rig_begin(&r);
     lose(&r, 1.0, 0.5);
     rig_expect(&r, VBSS_SESSION_EVENT_TIME_LOST, 0, 0);
-    r.look.has_lost_body = true;
+    r.observation.has_lost_body = true;
     rig_run(&r, RIG_STEP);
     const vbss_session_status end = rig_status(&r);
     assert_int_equal(end.phase, VBSS_SESSION_PHASE_FAILED);

@@ -74,7 +74,7 @@ static void returning_swage_unthreads_hole(void **state)
     rig r;
     rig_begin(&r);
     rig_to_tail(&r);
-    r.look.holes[1].thread = 0; /* the needle is in it again */
+    r.observation.holes[1].thread = 0; /* the needle is in it again */
     rig_run(&r, 0.1);
     rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_EXIT, 1);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_PULL_THROUGH, 1);
@@ -189,18 +189,18 @@ static void missed_transfer_is_reported_without_blocking(void **state)
     rig_begin(&r);
     rig_to_tail(&r);
     rig_to_throw(&r, 0, RIG_RIGHT);
-    r.look.knot.next_throw = VBSS_KNOT_VERDICT_WRAPPING;
+    r.observation.knot.next_throw = VBSS_KNOT_VERDICT_WRAPPING;
     rig_run(&r, 0.1);
     rig_expect_stage(&r, 1, VBSS_SESSION_STAGE_WRAP);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_THROW_2, 0);
     rig_set_throw(&r, 1, 1, 1, VBSS_METRICS_RELATION_GRANNY);
-    r.look.knot.faults = VBSS_KNOT_FAULT_GRANNY | VBSS_KNOT_FAULT_FEW;
+    r.observation.knot.faults = VBSS_KNOT_FAULT_GRANNY | VBSS_KNOT_FAULT_FEW;
     rig_run(&r, 0.11);
     rig_expect(&r, VBSS_SESSION_EVENT_THROW, 1, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_TRANSFER_MISSED, 1, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_FAULT, VBSS_KNOT_FAULT_GRANNY, 0);
-    r.look.knot.next_throw = VBSS_KNOT_VERDICT_NONE;
-    r.look.knot.faults = 0;
+    r.observation.knot.next_throw = VBSS_KNOT_VERDICT_NONE;
+    r.observation.knot.faults = 0;
     rig_set_throw(&r, 1, 0, 0, 0);
     rig_run(&r, 0.3);
     expect_ok(vbss_metrics_get_report(r.metrics, &report, sizeof report));
@@ -219,7 +219,7 @@ static void capsized_knot_is_a_fault_until_mended(void **state)
     rig_to_tail(&r);
     rig_to_throw(&r, 0, RIG_RIGHT);
     for (uint32_t undone = 0; undone < 2; undone++) {
-        r.look.knot.faults = undone ? 0 : VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_FEW;
+        r.observation.knot.faults = undone ? 0 : VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_FEW;
         rig_run(&r, 1.9);
         rig_expect_quiet(&r);
         rig_run(&r, 0.3);
@@ -239,14 +239,14 @@ static void flickering_half_hitch_is_reported_once(void **state)
     rig_to_throw(&r, 0, RIG_RIGHT);
     for (uint32_t i = 0; i < 40; i++) {
         uint32_t others = VBSS_KNOT_FAULT_FEW | (i < 20 ? 0 : VBSS_KNOT_FAULT_STRAY);
-        r.look.knot.faults = others | (i % 2 == 0 ? VBSS_KNOT_FAULT_HITCH : 0);
+        r.observation.knot.faults = others | (i % 2 == 0 ? VBSS_KNOT_FAULT_HITCH : 0);
         rig_run(&r, i < 20 && i % 4 == 0 ? 0.7 : 0.06);
         if (i == 21) {
             rig_expect(&r, VBSS_SESSION_EVENT_FAULT, VBSS_KNOT_FAULT_STRAY, 0);
         }
         rig_expect_quiet(&r);
     }
-    r.look.knot.faults = VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_STRAY | VBSS_KNOT_FAULT_FEW;
+    r.observation.knot.faults = VBSS_KNOT_FAULT_HITCH | VBSS_KNOT_FAULT_STRAY | VBSS_KNOT_FAULT_FEW;
     rig_run(&r, 30.0);
     rig_expect(&r, VBSS_SESSION_EVENT_FAULT, VBSS_KNOT_FAULT_HITCH, 0);
     rig_expect_quiet(&r);

@@ -19,14 +19,14 @@ static void session_snapshots_take_below_a_third_of_log(void **state)
 static void seek_to_any_step_is_bit_equal(void **state)
 {
     (void)state;
-    static const uint32_t ways[] = {150, 30, 0, TRIAL_STEPS, 20, 60, 61, 1, 259};
+    static const uint32_t targets[] = {150, 30, 0, TRIAL_STEPS, 20, 60, 61, 1, 259};
     static trial_log was;
     static session_trial t;
     trial_record(&was);
     trial_follow(&t, &was.log);
-    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
-        expect_ok(vbss_session_seek(t.session, ways[i]));
-        trial_expect_at(&t, &was, ways[i]);
+    for (size_t i = 0; i < sizeof targets / sizeof targets[0]; i++) {
+        expect_ok(vbss_session_seek(t.session, targets[i]));
+        trial_expect_at(&t, &was, targets[i]);
     }
     expect_ok(vbss_session_seek(t.session, 200));
     for (uint32_t i = 201; i <= TRIAL_STEPS; i++) {

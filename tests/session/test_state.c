@@ -104,23 +104,23 @@ static vbss_result create_alone(vbss_context *context, void *user, void **handle
 
 static void see(session_object *s)
 {
-    session_observation *look = &s->observation;
-    *look = (session_observation){
+    session_observation *observation = &s->observation;
+    *observation = (session_observation){
         .thread = s->config.thread, .thread_length = 0.15, .drain_radius = 6.5e-3};
-    look->tools[RIG_LEFT].has_needle = s->steps % 2 == 0;
-    look->hole_count = 2;
+    observation->tools[RIG_LEFT].has_needle = s->steps % 2 == 0;
+    observation->hole_count = 2;
     for (uint32_t k = 0; k < 2; k++) {
-        look->holes[k] = (session_hole_observation){.id = k + 1,
-                                                    .mark = k,
-                                                    .thread = look->thread,
-                                                    .distance_from_tip = 0.2 - 0.02 * k,
-                                                    .arc = 0.133 - 0.02 * k,
-                                                    .axial = {1e-3, 2e-3}};
+        observation->holes[k] = (session_hole_observation){.id = k + 1,
+                                                           .mark = k,
+                                                           .thread = observation->thread,
+                                                           .distance_from_tip = 0.2 - 0.02 * k,
+                                                           .arc = 0.133 - 0.02 * k,
+                                                           .axial = {1e-3, 2e-3}};
     }
-    look->knot.throw_count = 1;
-    look->knot.throws[0] = (session_throw_observation){2, 1, VBSS_METRICS_RELATION_FIRST};
-    look->tension[0] = look->tension[1] = 1.0;
-    s->knot = look->knot;
+    observation->knot.throw_count = 1;
+    observation->knot.throws[0] = (session_throw_observation){2, 1, VBSS_METRICS_RELATION_FIRST};
+    observation->tension[0] = observation->tension[1] = 1.0;
+    s->knot = observation->knot;
 }
 
 static vbss_result step_alone(void *handle)

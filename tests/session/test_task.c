@@ -6,15 +6,15 @@ static void cut(rig *r, uint32_t limb, double left)
 {
     double lost;
     if (limb == SESSION_ENTRY) {
-        lost = r->look.thread_length - r->look.holes[0].arc - left;
-        r->look.thread_length -= lost;
+        lost = r->observation.thread_length - r->observation.holes[0].arc - left;
+        r->observation.thread_length -= lost;
         return;
     }
     /* what goes through the drain is a new piece */
-    lost = r->look.holes[1].arc - left;
-    r->look.thread = 40;
-    r->look.thread_length -= lost;
-    rig_thread_through(r, RIG_ENTRY, r->look.holes[0].arc - lost);
+    lost = r->observation.holes[1].arc - left;
+    r->observation.thread = 40;
+    r->observation.thread_length -= lost;
+    rig_thread_through(r, RIG_ENTRY, r->observation.holes[0].arc - lost);
     rig_thread_through(r, RIG_EXIT, left);
 }
 
@@ -96,9 +96,9 @@ static void completed_phases_stay_complete(void **state)
     rig_run(&r, RIG_STEP);
     r.read = r.s->event_count;
     const double time = rig_status(&r).time;
-    r.look.hole_count = 0;
-    r.look.torn_fraction = 1.0;
-    r.look.thread_length = 0.01;
+    r.observation.hole_count = 0;
+    r.observation.torn_fraction = 1.0;
+    r.observation.thread_length = 0.01;
     rig_set_throw(&r, 0, 0, 0, 0);
     rig_run(&r, 7.0);
     rig_expect_quiet(&r);
@@ -140,8 +140,8 @@ static void instant_stitch_is_read_from_tail(void **state)
     rig_pierce(&r, 2, 1, 2e-3);
     rig_thread_through(&r, 1, 0.121);
     rig_thread_through(&r, 2, 0.133);
-    r.look.holes[0].distance_from_tip = 0.154;
-    r.look.holes[1].distance_from_tip = 0.166;
+    r.observation.holes[0].distance_from_tip = 0.154;
+    r.observation.holes[1].distance_from_tip = 0.166;
     rig_run(&r, 0.1);
     rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 0);

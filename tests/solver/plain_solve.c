@@ -215,11 +215,11 @@ double plain_residual(const plain_system *p, const double *x)
 
 static double largest(uint32_t n, const double *x)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (uint32_t i = 0; i < n; i++) {
-        most = larger(most, fabs(x[i]));
+        largest = larger(largest, fabs(x[i]));
     }
-    return most;
+    return largest;
 }
 
 double plain_condition(const plain_system *p)

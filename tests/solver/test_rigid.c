@@ -160,9 +160,10 @@ static void bodies_beside_each_other_do_not_meet(harness_source *source, void *u
     begin_bodies(mixed);
     step_bodies(0, BODIES);
     for (int i = 0; i < BODIES; i++) {
-        vec3 way = vec3_sub(alone[i].now.pose.position, start[i].now.pose.position);
+        vec3 displacement = vec3_sub(alone[i].now.pose.position, start[i].now.pose.position);
         vec3 other = vec3_sub(all.body[i].now.pose.position, start[i].now.pose.position);
-        expect_near(0.0, vec3_distance(way, other), 1e-12 * vec3_norm(way) + 1e-16);
+        expect_near(0.0, vec3_distance(displacement, other),
+                    1e-12 * vec3_norm(displacement) + 1e-16);
         expect_near(0.0,
                     rigid_turn(alone[i].now.pose.orientation, all.body[i].now.pose.orientation),
                     1e-11);

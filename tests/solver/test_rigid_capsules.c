@@ -96,9 +96,9 @@ static void overlaps_count_twice(void **state)
 static void slender_shaft_axis_is_found(void **state)
 {
     (void)state;
-    vec3 way = vec3_unit_or(vec3_make(0.3, -0.5, 0.7), vec3_zero());
+    vec3 direction = vec3_unit_or(vec3_make(0.3, -0.5, 0.7), vec3_zero());
     vbss_rigid_capsule shaft = {
-        {0.4, 0.5, 0.6}, vec3_add_scaled(vec3_make(0.4, 0.5, 0.6), 0.3, way), 0.0025, 7800.0};
+        {0.4, 0.5, 0.6}, vec3_add_scaled(vec3_make(0.4, 0.5, 0.6), 0.3, direction), 0.0025, 7800.0};
     vbss_rigid_capsule plain = {{0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}, 0.0025, 7800.0};
     vbss_rigid_mass m = mass_of(&shaft, 1), wanted = mass_of(&plain, 1);
     const double moments[3] = {m.inertia.x, m.inertia.y, m.inertia.z};
@@ -106,7 +106,7 @@ static void slender_shaft_axis_is_found(void **state)
     smallest = moments[2] < moments[smallest] ? 2 : smallest;
     vec3 axis =
         quat_rotate(m.frame.orientation, vec3_make(smallest == 0, smallest == 1, smallest == 2));
-    expect_near(1.0, fabs(vec3_dot(axis, way)), 1e-15);
+    expect_near(1.0, fabs(vec3_dot(axis, direction)), 1e-15);
     expect_near(wanted.inertia.x, moments[smallest], 1e-12 * wanted.inertia.x);
     expect_near(wanted.inertia.y, moments[(smallest + 1) % 3], 1e-14 * wanted.inertia.y);
     expect_near(wanted.inertia.y, moments[(smallest + 2) % 3], 1e-14 * wanted.inertia.y);
@@ -204,8 +204,8 @@ static void axes_are_principal_to_rounding(harness_source *source, void *user)
     quat q = harness_draw_unit_quat(source);
     double arm = harness_draw_real(source, 0.1, 1.0);
     for (int i = 0; i < 3; i++) { /* three alike at right angles: a ball's moments */
-        vec3 way = quat_rotate(q, vec3_scale(vec3_make(i == 0, i == 1, i == 2), arm));
-        capsules[i] = (vbss_rigid_capsule){vec3_neg(way), way, 0.1, 100.0};
+        vec3 half = quat_rotate(q, vec3_scale(vec3_make(i == 0, i == 1, i == 2), arm));
+        capsules[i] = (vbss_rigid_capsule){vec3_neg(half), half, 0.1, 100.0};
         far[i] = capsules[i];
         far[i].a = vec3_add(far[i].a, vec3_make(1000.0, -1000.0, 1000.0));
         far[i].b = vec3_add(far[i].b, vec3_make(1000.0, -1000.0, 1000.0));

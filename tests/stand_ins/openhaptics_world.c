@@ -107,9 +107,9 @@ static void move(arm *a, double h)
             double pull = hand->stiffness * (hand->target[i] - s->position[i]);
             double all = s->force[i] + pull - hand->damping * s->velocity[i];
             s->velocity[i] += h / SUBSTEPS * all / hand->mass;
-            double way = h / SUBSTEPS * s->velocity[i];
-            s->position[i] += way;
-            s->work += s->force[i] * way;
+            double displacement = h / SUBSTEPS * s->velocity[i];
+            s->position[i] += displacement;
+            s->work += s->force[i] * displacement;
         }
     }
     a->now.ticks++;
@@ -254,7 +254,7 @@ static void press(int which, int buttons)
     leave();
 }
 
-static void look(int which, stand_in_arm *now)
+static void get_state(int which, stand_in_arm *now)
 {
     enter();
     *now = world.arms[which].now;
@@ -281,6 +281,6 @@ static int illegal(const char **first)
 const stand_in_hd_table *stand_in_hd(void)
 {
     static const stand_in_hd_table table = {reset, tick,  set_fault, set_hand,
-                                            place, press, look,      illegal};
+                                            place, press, get_state, illegal};
     return &table;
 }

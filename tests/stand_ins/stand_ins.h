@@ -61,7 +61,7 @@ typedef struct stand_in_hd_table {
     void (*place)(int arm, const double position[3], const double *turn);
     /* Bits of the buttons that are held. At first one is stuck: 1 of the first arm, 2 of the second. */
     void (*press)(int arm, int buttons);
-    void (*look)(int arm, stand_in_arm *arm_now);
+    void (*get_state)(int arm, stand_in_arm *arm_now);
     /* Illegal calls so far, and the first of them. What is left open counts. */
     int (*illegal)(const char **first);
 } stand_in_hd_table;

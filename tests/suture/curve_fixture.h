@@ -26,21 +26,23 @@ static inline void place_nodes(laid *l, uint32_t count)
 }
 
 /* On from a place by a segment, unstretched. */
-static inline void place_on(laid *l, uint32_t node, double length, vec3 way)
+static inline void place_on(laid *l, uint32_t node, double length, vec3 direction)
 {
     l->rest[node - 1] = length;
-    l->x[node] = vec3_add_scaled(l->x[node - 1], length, way);
+    l->x[node] = vec3_add_scaled(l->x[node - 1], length, direction);
 }
 
-/* Segments of 0.7 to 1.3 mm that turn by some degrees each; of a begin and a way that are given. */
-static inline void place_any(harness_source *source, laid *l, uint32_t count, vec3 begin, vec3 way)
+/* Segments of 0.7 to 1.3 mm that turn by some degrees each; from a given begin in a given direction. */
+static inline void place_any(harness_source *source, laid *l, uint32_t count, vec3 begin,
+                             vec3 direction)
 {
     place_nodes(l, count);
     l->x[0] = begin;
     for (uint32_t i = 1; i < count; i++) {
         double length = harness_draw_real(source, 0.7e-3, 1.3e-3);
-        place_on(l, i, length, way);
-        way = vec3_unit_or(vec3_add(way, harness_draw_vec3(source, -0.3, 0.3)), way);
+        place_on(l, i, length, direction);
+        direction =
+            vec3_unit_or(vec3_add(direction, harness_draw_vec3(source, -0.3, 0.3)), direction);
     }
 }
 
@@ -72,7 +74,7 @@ static inline void control_point(const laid *l, int node, vec3 *at, vec3 *arc)
 
 /* Of a parameter: the point and its derivatives; the same of the arc length. */
 typedef struct hand_place {
-    vec3 point, way, bend;
+    vec3 point, derivative, bend;
     double arc, rate;
 } hand_place;
 
@@ -103,7 +105,7 @@ static inline hand_place by_hand(const laid *l, uint32_t span, double u)
 /* Toward the tip. */
 static inline vec3 tangent_by_hand(const hand_place *place)
 {
-    return vec3_unit_or(vec3_neg(place->way), vec3_zero());
+    return vec3_unit_or(vec3_neg(place->derivative), vec3_zero());
 }
 
 /* How that turns by length, from thread to tip: the curvature. */
@@ -111,7 +113,7 @@ static inline vec3 turn_by_hand(const hand_place *place)
 {
     const vec3 along = tangent_by_hand(place);
     vec3 aside = vec3_add_scaled(place->bend, -vec3_dot(place->bend, along), along);
-    return vec3_scale(aside, -1.0 / vec3_norm_squared(place->way));
+    return vec3_scale(aside, -1.0 / vec3_norm_squared(place->derivative));
 }
 
 /* Seen from either side of a joint: no step in place, arc length or direction; with `turns` none in curvature. */

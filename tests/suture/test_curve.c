@@ -6,8 +6,8 @@ enum { NODES = 9, FEWEST = 3 };
 static void draw(harness_source *source, laid *l, uint32_t count)
 {
     vec3 begin = harness_draw_vec3(source, -0.1, 0.1);
-    vec3 way = harness_draw_vec3(source, -1.0, 1.0);
-    place_any(source, l, count, begin, vec3_unit_or(way, vec3_make(1.0, 0.0, 0.0)));
+    vec3 direction = harness_draw_vec3(source, -1.0, 1.0);
+    place_any(source, l, count, begin, vec3_unit_or(direction, vec3_make(1.0, 0.0, 0.0)));
 }
 
 static void draw_any_count(harness_source *source, laid *l)
@@ -80,22 +80,22 @@ static void straight_thread_is_measured_exactly(void **state)
     (void)state;
     const double rest[2][6] = {{1e-3, 0.2e-3, 3e-3, 0.5e-3, 0.5e-3, 1.7e-3},
                                {1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3}};
-    const vec3 way = vec3_make(0.48, -0.6, 0.64), aside = vec3_make(0.8, 0.0, -0.6);
+    const vec3 direction = vec3_make(0.48, -0.6, 0.64), aside = vec3_make(0.8, 0.0, -0.6);
     for (int which = 0; which < 2; which++) {
         laid l;
         place_nodes(&l, 7);
         l.x[0] = vec3_make(0.01, 0.02, 0.03);
         for (uint32_t i = 1; i < 7; i++) {
-            place_on(&l, i, rest[which][i - 1], way);
+            place_on(&l, i, rest[which][i - 1], direction);
         }
         for (int i = -40; i <= 110; i++) {
             double arc = 1e-4 * i;
-            vec3 on = vec3_add_scaled(l.x[0], arc, way), moved = vec3_zero();
+            vec3 on = vec3_add_scaled(l.x[0], arc, direction), moved = vec3_zero();
             const suture_curve_point place =
                 vbss_suture_nearest_point(&l.line, 3e-3, vec3_add_scaled(on, 0.4e-3, aside));
             expect_near(arc, place.arc, 1e-15);
             expect_near(0.0, vec3_distance(on, place.position), 1e-15);
-            expect_near(0.0, vec3_distance(vec3_neg(way), place.tangent), 1e-12);
+            expect_near(0.0, vec3_distance(vec3_neg(direction), place.tangent), 1e-12);
             expect_near(0.0, vec3_distance(point_by_weights(&l, &place), on), 1e-15);
             expect_near(0.0, vec3_norm(place.curvature), 1e-8);
             /* Weights of what slides on: their slopes move the point by as much. */
@@ -103,7 +103,7 @@ static void straight_thread_is_measured_exactly(void **state)
                 moved =
                     vec3_add_scaled(moved, number_of(&place, place.weight_derivatives, k), l.x[k]);
             }
-            expect_near(0.0, vec3_distance(moved, way), 1e-9);
+            expect_near(0.0, vec3_distance(moved, direction), 1e-9);
         }
     }
 }
@@ -190,9 +190,9 @@ static void any_search_beside_a_span_goes_on_straight(harness_source *source, vo
     for (int end = 0; end < 2; end++) {
         const hand_place at = by_hand(&l, end ? by + 1 : by - 1, end ? 1.0 : 0.0);
         const vec3 back = tangent_by_hand(&at);
-        const double speed = vec3_norm(at.way), on = end ? 0.4e-3 : -0.4e-3;
+        const double speed = vec3_norm(at.derivative), on = end ? 0.4e-3 : -0.4e-3;
         const vec3 wanted = vec3_add_scaled(at.point, -on, back);
-        vec3 aside = vec3_cross(back, harness_draw_vec3(source, -1e-4, 1e-4)), way = vec3_zero();
+        vec3 aside = vec3_cross(back, harness_draw_vec3(source, -1e-4, 1e-4)), total = vec3_zero();
         const suture_curve_point place =
             vbss_suture_nearest_point_around_span(&l.line, by, at.arc, vec3_add(wanted, aside));
         expect_near(0.0, vec3_distance(wanted, place.position), 1e-15);
@@ -201,9 +201,9 @@ static void any_search_beside_a_span_goes_on_straight(harness_source *source, vo
         expect_near(at.arc + on * at.rate / speed, place.arc, 1e-15);
         expect_near(0.0, vec3_norm(place.curvature), 0.0);
         for (uint32_t k = 0; k < NODES; k++) {
-            way = vec3_add_scaled(way, number_of(&place, place.weight_derivatives, k), l.x[k]);
+            total = vec3_add_scaled(total, number_of(&place, place.weight_derivatives, k), l.x[k]);
         }
-        expect_near(0.0, vec3_distance(vec3_neg(back), way), 1e-9);
+        expect_near(0.0, vec3_distance(vec3_neg(back), total), 1e-9);
     }
 }
 

@@ -11,9 +11,9 @@ static void draw(harness_source *source, const fixture *f, laid *l)
     vec3 position = harness_draw_vec3(source, -0.1, 0.1);
     const pose at = pose_make(position, harness_draw_unit_quat(source));
     vec3 begin = pose_apply(at, vbss_needle_point(f->n, swage));
-    vec3 way = vec3_neg(quat_rotate(at.orientation, vbss_needle_direction(f->n, swage)));
-    way = vec3_unit_or(vec3_add(way, harness_draw_vec3(source, -0.3, 0.3)), way);
-    place_any(source, l, NODES, begin, way);
+    vec3 direction = vec3_neg(quat_rotate(at.orientation, vbss_needle_direction(f->n, swage)));
+    direction = vec3_unit_or(vec3_add(direction, harness_draw_vec3(source, -0.3, 0.3)), direction);
+    place_any(source, l, NODES, begin, direction);
     l->line.needle = f->n;
     l->line.needle_pose = at;
     l->line.swage_arc = swage;
@@ -45,7 +45,7 @@ static hand_place swage_by_hand(const laid *l, double u)
     const hand_place next = by_hand(l, 1, 0.0);
     const vec3 out = vec3_scale(end_of_needle(l), -l->rest[0]);
     const vec3 points[4] = {l->x[0], vec3_add_scaled(l->x[0], 1.0 / 3.0, out),
-                            vec3_add_scaled(next.point, -1.0 / 3.0, next.way), next.point};
+                            vec3_add_scaled(next.point, -1.0 / 3.0, next.derivative), next.point};
     const double begin = l->line.swage_arc;
     const vec3 arcs[4] = {{begin, 0.0, 0.0},
                           {begin + l->rest[0] / 3.0, 0.0, 0.0},
@@ -161,7 +161,7 @@ static void any_search_passes_the_swage(harness_source *source, void *user)
     }
 }
 
-static void search_crosses_swage_both_ways(void **state)
+static void search_crosses_swage_in_both_directions(void **state)
 {
     (void)state;
     fixture f;
@@ -269,7 +269,7 @@ int test_curve_swage(void)
     const struct CMUnitTest tests[] = {
         harness_test(curve_is_smooth_over_swage),
         harness_test(curve_leaves_needle_tangentially_and_joins_thread),
-        harness_test(search_crosses_swage_both_ways),
+        harness_test(search_crosses_swage_in_both_directions),
         harness_test(nearest_point_is_perpendicular_and_minimal),
         cmocka_unit_test(needle_alone_is_its_arc),
         harness_test(jacobian_holds_over_swage),

@@ -44,10 +44,10 @@ static void symmetric_bend_grip_is_capstan(void **state)
             vbss_sincos(0.5 * theta, &sine, &cosine);
             /* tanh(mu theta / 2) / tan(theta / 2) */
             double e = exp(mu * theta), rope = tanh(0.5 * mu * theta) * cosine / sine;
-            for (int way = 0; way < 2; way++) {
-                expect_near(mixed((e - 1.0) * cosine, (e + 1.0) * sine, mu), grip[way], 1e-9);
+            for (int sense = 0; sense < 2; sense++) {
+                expect_near(mixed((e - 1.0) * cosine, (e + 1.0) * sine, mu), grip[sense], 1e-9);
                 double little = MIXED / ((e + 1.0) * sine + MIXED);
-                expect_near(rope, grip[way], 1.01 * little * fabs(mu - rope) + 1e-9);
+                expect_near(rope, grip[sense], 1.01 * little * fabs(mu - rope) + 1e-9);
             }
         }
     }
@@ -76,7 +76,7 @@ static void straight_grip_is_friction_coefficient(void **state)
 }
 
 /* Nearer to one limb than to the other, it holds back more against what runs toward the nearer: the pull of that limb, which is
- * the greater by then, is along. Bent are the two spans beside the corner; from one and a half on one of the ways, two segments off, begins to
+ * the greater by then, is along. Bent are the two spans beside the corner; from one and a half in one of the directions, two segments off, begins to
  * turn round it. */
 static void grip_depends_on_direction_beside_middle(void **state)
 {
@@ -160,13 +160,13 @@ static void grip_behind_swage_is_of_needle(void **state)
     begin(&f);
     const double swage = vbss_needle_length(f.n);
     const vec3 out = vec3_neg(vbss_needle_direction(f.n, swage));
-    const vec3 way = vec3_unit_or(vec3_add(out, vec3_any_normal(out)), out);
+    const vec3 direction = vec3_unit_or(vec3_add(out, vec3_any_normal(out)), out);
     place_nodes(&l, 8);
     l.line.needle = f.n;
     l.line.swage_arc = swage;
     l.x[0] = vbss_needle_point(f.n, swage);
     for (uint32_t i = 1; i < 8; i++) {
-        place_on(&l, i, 1e-3, way);
+        place_on(&l, i, 1e-3, direction);
     }
     for (uint32_t k = 0; k < 6; k++) {
         const hand_place at = by_hand(&l, k, 0.7);

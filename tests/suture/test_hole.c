@@ -155,8 +155,9 @@ static void bend_at_swage_grips_as_needle(void **state)
         vbss_sincos(0.5 * askew, &sine, &cosine); /* up to 143 degrees */
         const vec3 on = vec3_neg(vbss_needle_direction(f.n, t.line.swage_arc));
         for (int i = 1; i < NODES; i++) {
-            vec3 way = vec3_add_scaled(vec3_scale(on, cosine), sine, vec3_make(0.0, 0.0, 1.0));
-            t.x[i] = vec3_add_scaled(t.x[i - 1], t.rest[i - 1], way);
+            vec3 direction =
+                vec3_add_scaled(vec3_scale(on, cosine), sine, vec3_make(0.0, 0.0, 1.0));
+            t.x[i] = vec3_add_scaled(t.x[i - 1], t.rest[i - 1], direction);
         }
         const vbss_drain_config c = f.d->config;
         const suture_hole hole = some_hole();

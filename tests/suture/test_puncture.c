@@ -25,9 +25,10 @@ static void oblique_push_slides(void **state)
     expect_ok(vbss_drain_config_init(&c, sizeof c));
     for (int i = 0; i <= 100; i++) {
         double cosine = i / 100.0;
-        vec3 way = vec3_make(sqrt(1.0 - cosine * cosine), -cosine, 0.0);
-        suture_tip tip = {
-            .direction = way, .normal = {0.0, 1.0, 0.0}, .force = vec3_scale(way, -5.0)};
+        vec3 direction = vec3_make(sqrt(1.0 - cosine * cosine), -cosine, 0.0);
+        suture_tip tip = {.direction = direction,
+                          .normal = {0.0, 1.0, 0.0},
+                          .force = vec3_scale(direction, -5.0)};
         if (i != 30) {
             assert_int_equal(vbss_suture_tip_punctures(&c, &tip), cosine > 0.3);
         }

@@ -148,9 +148,9 @@ static void move_all(tug *t, double h)
         }
         /* Hands give way before the thread is torn: 2 N pull them back. */
         double pull = vec3_norm(vec3_load(r.force));
-        vec3 way = vbss_random_direction(&t->random);
+        vec3 direction = vbss_random_direction(&t->random);
         /* Not further in a long step, or they would outrun what gives way. */
-        t->at[i] = vec3_add_scaled(t->at[i], 0.3 * fmin(h, 1e-3), way);
+        t->at[i] = vec3_add_scaled(t->at[i], 0.3 * fmin(h, 1e-3), direction);
         if (pull > 2.0) {
             t->at[i] = vec3_add_scaled(t->at[i], -1e-4 / pull, vec3_load(r.force));
         }

@@ -264,10 +264,10 @@ static void attach_detach_order_does_not_matter(void **state)
         for (int i = 0; i < 40; i++) {
             vbss_thread_attachment a = plain((vbss_attachment_kind)vbss_random_below(&random, 5),
                                              vbss_random_below(&random, nodes_of(thread)));
-            vec3 x = place_of(thread, a.node), way = vbss_random_direction(&random);
-            vec3_store(a.position, vec3_add_scaled(x, 1e-3, way));
+            vec3 x = place_of(thread, a.node), direction = vbss_random_direction(&random);
+            vec3_store(a.position, vec3_add_scaled(x, 1e-3, direction));
             vec3_store(a.direction, vbss_random_direction(&random));
-            vec3_store(a.force, vec3_scale(way, 1e-5));
+            vec3_store(a.force, vec3_scale(direction, 1e-5));
             a.stiffness = 10.0 * vbss_random_uniform(&random);
             a.damping = 1e-3 * vbss_random_uniform(&random);
             a.mass = 1e-5 * vbss_random_uniform(&random);

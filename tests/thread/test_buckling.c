@@ -113,9 +113,9 @@ static void fifty_millimetre_thread_buckles(void **state)
 
 /* ---- far beyond the threshold */
 
-static vec3 tip_of_standing(double standing)
+static vec3 tip_of_upright(double upright)
 {
-    vbss_thread_config c = rig_config(standing, 20);
+    vbss_thread_config c = rig_config(upright, 20);
     c.gravity[0] = -9.81;
     c.gravity[1] = 0.0;
     c.drag = 60.0;
@@ -134,8 +134,8 @@ static vec3 tip_of_standing(double standing)
 static void short_thread_recovers_and_long_one_falls(void **state)
 {
     (void)state;
-    vec3 standing = tip_of_standing(0.042), fallen = tip_of_standing(0.06);
-    expect_near(0.042, standing.x, 1e-6);
+    vec3 upright = tip_of_upright(0.042), fallen = tip_of_upright(0.06);
+    expect_near(0.042, upright.x, 1e-6);
     assert_true(fallen.y > 0.03);
     assert_true(fallen.x < 0.03);
 }

@@ -46,13 +46,14 @@ static void damping_keeps_momentum(harness_source *source, void *user)
     double thickness = s->thickness, mass[MAX_NODES];
     vec3 x[MAX_NODES], v[MAX_NODES];
     uint32_t n = 2 + harness_draw_below(source, MAX_NODES - 1);
-    vec3 from = harness_draw_vec3(source, -1.0, 1.0), way = harness_draw_vec3(source, -1.0, 1.0);
-    way = vec3_unit_or(way, vec3_make(1.0, 0.0, 0.0));
+    vec3 from = harness_draw_vec3(source, -1.0, 1.0),
+         direction = harness_draw_vec3(source, -1.0, 1.0);
+    direction = vec3_unit_or(direction, vec3_make(1.0, 0.0, 0.0));
     for (uint32_t i = 0; i < n; i++) {
         mass[i] = pow(10.0, harness_draw_real(source, -5.0, -3.0));
         double place = (double)i / (n - 1);
         vec3 aside = harness_draw_vec3(source, -thickness, thickness);
-        x[i] = vec3_add(vec3_add_scaled(from, place, way), aside);
+        x[i] = vec3_add(vec3_add_scaled(from, place, direction), aside);
         v[i] = harness_draw_vec3(source, -1.0, 1.0);
     }
     sum before = sum_up(mass, x, v, n);

@@ -315,9 +315,9 @@ static void place_of_cut_does_not_depend_on_scale(void **state)
                 t.config.radius = scale * 0.125e-3;
                 assert_true(vbss_thread_locate_cut(&t, (1.0 + fractions[i]) * l, &cut[large]));
             }
-            const double least = vbss_max(0.01, 1e-7 / lengths[k]);
+            const double min_fraction = vbss_max(0.01, 1e-7 / lengths[k]);
             const double nearest = vbss_min(fractions[i], 1.0 - fractions[i]);
-            assert_int_equal(cut[0].fraction == 1.0, nearest < least);
+            assert_int_equal(cut[0].fraction == 1.0, nearest < min_fraction);
             assert_int_equal(cut[0].segment, cut[1].segment);
             expect_near(cut[0].fraction, cut[1].fraction, 0.0);
         }

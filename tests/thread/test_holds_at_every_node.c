@@ -203,8 +203,8 @@ static double zigzag_energy(uint32_t segments, bool from_far, int clamps)
         uint32_t near = c == 0 ? 0 : segments, node = from_far ? segments - near : near;
         vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
         vec3_store(a.position, place_of(thread, node));
-        vec3 way = c == 0 ? vec3_make(1.0, 0.3, 0.1) : vec3_make(1.0, -0.2, 0.4);
-        vec3_store(a.direction, from_far ? vec3_neg(way) : way);
+        vec3 direction = c == 0 ? vec3_make(1.0, 0.3, 0.1) : vec3_make(1.0, -0.2, 0.4);
+        vec3_store(a.direction, from_far ? vec3_neg(direction) : direction);
         attach(thread, &a);
     }
     double bending = energies_of(thread).bending;

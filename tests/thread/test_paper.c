@@ -49,8 +49,9 @@ static void forces_are_slopes(harness_source *source, void *user)
     rig_clamp_here(&l.r, clamped, harness_draw_vec3(source, -1, 1));
     thread_object *t = l.object;
     for (uint32_t i = 1; i < NODES; i++) {
-        vec3 way = vec3_unit_or(harness_draw_vec3(source, -1, 1), along);
-        t->now.x[i] = vec3_add_scaled(t->now.x[i - 1], harness_draw_real(source, 0.2, 1.0), way);
+        vec3 direction = vec3_unit_or(harness_draw_vec3(source, -1, 1), along);
+        t->now.x[i] =
+            vec3_add_scaled(t->now.x[i - 1], harness_draw_real(source, 0.2, 1.0), direction);
     }
     expect_ok(vbss_thread_update_derived(t));
     energy_of(&l);

@@ -5,7 +5,7 @@
 
 static const double length = 0.15, density = 6.4e-5, gravity = 9.81;
 
-static vbss_thread_config settling(uint32_t segments, vbss_bending bending)
+static vbss_thread_config damped_config(uint32_t segments, vbss_bending bending)
 {
     vbss_thread_config c = rig_config(length, segments);
     c.bending = bending;
@@ -33,7 +33,7 @@ static void clamp_carries_weight_and_moment(void **state)
     const vec3 directions[] = {
         {1.0, 0.0, 0.0}, {0.6, 0.8, 0.0}, {0.0, -0.6, -0.8}, {1.0, 2.0, 2.0}};
     for (int i = 0; i < 8; i++) {
-        vbss_thread_config c = settling(20, bending_of(i));
+        vbss_thread_config c = damped_config(20, bending_of(i));
         vec3_store(c.direction, directions[i / 2]);
         rig r;
         rig_begin(&r, &c);
@@ -55,7 +55,7 @@ static void attachment_forces_balance(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
-        vbss_thread_config c = settling(18, bending_of(i));
+        vbss_thread_config c = damped_config(18, bending_of(i));
         rig r;
         rig_begin(&r, &c);
         uint32_t ids[] = {
@@ -89,7 +89,7 @@ static void spring_extension_is_hanging_weight(void **state)
     (void)state;
     const double stiffness = 0.02;
     const vec3 end = {0.01, 0.02, 0.03};
-    vbss_thread_config c = settling(15, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(15, VBSS_BENDING_SPLINE);
     c.drag = 8.0;
     rig r;
     rig_begin(&r, &c);
@@ -135,7 +135,7 @@ static void forces_and_masses_report_themselves(void **state)
 {
     (void)state;
     const vec3 pull = {1e-4, 2e-4, -1e-4};
-    vbss_thread_config c = settling(12, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(12, VBSS_BENDING_SPLINE);
     rig r;
     rig_begin(&r, &c);
     uint32_t pin = rig_pin_here(&r, 0);
@@ -168,7 +168,7 @@ static void mass_in_free_fall_is_weightless(void **state)
 static void held_node_carries_applied_load(void **state)
 {
     (void)state;
-    vbss_thread_config c = settling(12, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(12, VBSS_BENDING_SPLINE);
     rig r;
     rig_begin(&r, &c);
     uint32_t clamp = rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
@@ -188,7 +188,7 @@ static void twenty_newtons_are_held(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
-        vbss_thread_config c = settling(30, bending_of(i));
+        vbss_thread_config c = damped_config(30, bending_of(i));
         rig r;
         rig_begin(&r, &c);
         uint32_t clamp = rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
@@ -212,7 +212,7 @@ static void twenty_newtons_are_held(void **state)
 static void separated_clamps_feel_stretch(void **state)
 {
     (void)state;
-    vbss_thread_config c = settling(30, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(30, VBSS_BENDING_SPLINE);
     c.gravity[1] = 0.0;
     rig r;
     rig_begin(&r, &c);
@@ -230,10 +230,10 @@ static void separated_clamps_feel_stretch(void **state)
 
 /* ---- when: what they say is of the last step, whatever is changed after it */
 
-static vbss_thread_config of_way(int way, vbss_thread_config c)
+static vbss_thread_config with_variant(int variant, vbss_thread_config c)
 {
-    c.method = way == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
-    c.bending = way == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+    c.method = variant == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
+    c.bending = variant == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
     return c;
 }
 
@@ -249,8 +249,8 @@ static const vec3 x_axis = {1.0, 0.0, 0.0};
 static void reactions_are_of_last_step(void **state)
 {
     (void)state;
-    for (int way = 0; way < 3; way++) {
-        vbss_thread_config c = of_way(way, settling(12, VBSS_BENDING_SPLINE));
+    for (int variant = 0; variant < 3; variant++) {
+        vbss_thread_config c = with_variant(variant, damped_config(12, VBSS_BENDING_SPLINE));
         vec3 x[13], v[13];
         rig r;
         rig_begin(&r, &c);

@@ -94,18 +94,19 @@ static void both_ends_clamped_and_pulled(void **state)
 static void teleported_end(void **state)
 {
     (void)state;
-    const vec3 ways[] = {{0.0, 0.02, 0.0}, {-0.02, 0.0, 0.0}, {0.0, -0.02, 0.0}, {0.0, 0.0, 0.02}};
+    const vec3 displacements[] = {
+        {0.0, 0.02, 0.0}, {-0.02, 0.0, 0.0}, {0.0, -0.02, 0.0}, {0.0, 0.0, 0.02}};
     for (int bending = 0; bending < 2; bending++) {
         for (int hanging = 0; hanging < 2; hanging++) {
-            for (int way = 0; way < 4; way++) {
+            for (int k = 0; k < 4; k++) {
                 fixture f;
                 vbss_thread *thread = make_of(&f, bending, 60);
-                uint32_t hand = hold(thread, way % 2, 0, vec3_zero());
+                uint32_t hand = hold(thread, k % 2, 0, vec3_zero());
                 if (hanging == 0) {
                     hold(thread, VBSS_ATTACHMENT_PIN, 60, vec3_make(0.14, 0.0, 0.0));
                 }
                 run(thread, 200, 1e-3);
-                move(thread, hand, ways[way]);
+                move(thread, hand, displacements[k]);
                 run(thread, 1, 1e-3);
                 expect_at_rest(thread, 200, 1e-3);
                 expect_kept("teleported by 20 mm", thread, 420);
@@ -232,8 +233,8 @@ static void tug(uint32_t segments, vbss_bending bending, double h, uint32_t coun
                          hold(thread, VBSS_ATTACHMENT_PIN, segments, at[1])};
     for (uint32_t i = 0; i < count; i++) {
         for (int k = 0; k < 2; k++) {
-            vec3 way = vbss_random_direction(&random);
-            at[k] = vec3_add_scaled(at[k], speed * h, way);
+            vec3 direction = vbss_random_direction(&random);
+            at[k] = vec3_add_scaled(at[k], speed * h, direction);
         }
         vec3 apart = vec3_sub(at[1], at[0]);
         if (vec3_norm(apart) > 0.1502) { /* taut, up to 0.6 N */

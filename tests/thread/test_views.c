@@ -3,11 +3,11 @@
 #include "fixture.h"
 
 /* OURS with either bending, and PAPER. */
-enum { WAYS = 3 };
-static void choose_way(fixture *f, int way)
+enum { VARIANTS = 3 };
+static void choose_variant(fixture *f, int variant)
 {
-    f->config.method = way == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
-    f->config.bending = way == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+    f->config.method = variant == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
+    f->config.bending = variant == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
 }
 
 static void view_dimensions(void **state)
@@ -26,11 +26,11 @@ static void view_dimensions(void **state)
         {VBSS_THREAD_CURVATURES, VBSS_TYPE_F64, 3, 0},
         {VBSS_THREAD_SAGITTAS, VBSS_TYPE_F64, 1, 1},
     };
-    for (int k = 0; k < 5 * WAYS; k++) {
-        uint32_t segments = 1 + (uint32_t)k / WAYS;
+    for (int k = 0; k < 5 * VARIANTS; k++) {
+        uint32_t segments = 1 + (uint32_t)k / VARIANTS;
         fixture f;
         begin(&f);
-        choose_way(&f, k % WAYS);
+        choose_variant(&f, k % VARIANTS);
         f.config.segment_count = segments;
         vbss_thread *thread = make(&f);
         for (int i = 0; i < 7; i++) {
@@ -52,11 +52,11 @@ static void view_dimensions(void **state)
     }
 }
 
-static void sections_are_divided_by_what_is_held_once(int way)
+static void sections_are_divided_by_what_is_held_once(int variant)
 {
     fixture f;
     begin(&f);
-    choose_way(&f, way);
+    choose_variant(&f, variant);
     vbss_thread *thread = make(&f);
     uint32_t ids[4];
     const uint32_t nodes[4] = {7, 0, 3, 12}; /* ends divide anyway */
@@ -80,8 +80,8 @@ static void sections_are_divided_by_what_is_held_once(int way)
 static void sections_are_divided_by_holds(void **state)
 {
     (void)state;
-    for (int way = 0; way < WAYS; way++) {
-        sections_are_divided_by_what_is_held_once(way);
+    for (int variant = 0; variant < VARIANTS; variant++) {
+        sections_are_divided_by_what_is_held_once(variant);
     }
 }
 
@@ -96,14 +96,14 @@ static uint64_t generation(vbss_thread *thread)
     return g;
 }
 
-static void the_generation_changes_with_every_step_and_edit_once(int way)
+static void the_generation_changes_with_every_step_and_edit_once(int variant)
 {
     fixture f;
     uint8_t bytes[8192];
     uint64_t written;
     double x[39] = {0.0};
     begin(&f);
-    choose_way(&f, way);
+    choose_variant(&f, variant);
     f.config.cut_capacity = 1;
     vbss_thread *thread = make(&f), *piece;
     expect_ok(vbss_thread_save(thread, bytes, sizeof bytes, &written));
@@ -148,8 +148,8 @@ static void the_generation_changes_with_every_step_and_edit_once(int way)
 static void generation_changes_with_every_step_and_edit(void **state)
 {
     (void)state;
-    for (int way = 0; way < WAYS; way++) {
-        the_generation_changes_with_every_step_and_edit_once(way);
+    for (int variant = 0; variant < VARIANTS; variant++) {
+        the_generation_changes_with_every_step_and_edit_once(variant);
     }
 }
 
@@ -159,19 +159,19 @@ static void tension_is_positive_under_pull(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
-        int sign = k % 2 == 0 ? -1 : 1, way = 1 + k / 2;
+        int sign = k % 2 == 0 ? -1 : 1, variant = 1 + k / 2;
         fixture f;
         begin(&f);
-        choose_way(&f, way);
+        choose_variant(&f, variant);
         f.config.gravity[1] = 0.0;
         f.config.length = 0.01;
         f.config.drag = 1e3;
         vbss_thread *thread = make(&f);
         hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
         vbss_thread_attachment a = plain(VBSS_ATTACHMENT_FORCE, 12);
-        a.force[0] = sign < 0   ? -1e-5
-                     : way == 2 ? 1e-4
-                                : 0.1; /* -: a twenty-fifth of what buckles */
+        a.force[0] = sign < 0       ? -1e-5
+                     : variant == 2 ? 1e-4
+                                    : 0.1; /* -: a twenty-fifth of what buckles */
         attach(thread, &a);
         steps(thread, 3000, 1e-3);
         for (uint32_t i = 0; i < 12; i++) {
@@ -179,9 +179,9 @@ static void tension_is_positive_under_pull(void **state)
                                number_at(thread, VBSS_THREAD_REST_LENGTHS, i);
             expect_near(a.force[0], number_at(thread, VBSS_THREAD_TENSIONS, i),
                         sign > 0 ? 4.3e-3 * a.force[0] : 1e-8); /* OURS: 1e-6 of EA */
-            expect_near(way == 2 ? 1.0 : 1.0 + a.force[0] / 427.0, stretched, 1e-6);
+            expect_near(variant == 2 ? 1.0 : 1.0 + a.force[0] / 427.0, stretched, 1e-6);
         }
-        double longer = sign > 0 && way == 1 ? 0.1 / 427.0 : 0.0; /* PAPER: never */
+        double longer = sign > 0 && variant == 1 ? 0.1 / 427.0 : 0.0; /* PAPER: never */
         expect_near(longer, statistics_of(thread).last_stretch, 1e-6);
         end(&f);
     }
@@ -191,11 +191,11 @@ static void circle_curvature(void **state)
 {
     (void)state;
     const double radius = 0.02;
-    for (int way = 0; way < WAYS; way++) {
+    for (int variant = 0; variant < VARIANTS; variant++) {
         fixture f;
         double x[3 * 25];
         begin(&f);
-        choose_way(&f, way);
+        choose_variant(&f, variant);
         f.config.segment_count = 24;
         f.config.length = 0.048;
         for (int i = 0; i <= 24; i++) {
@@ -214,7 +214,7 @@ static void circle_curvature(void **state)
         }
         for (uint32_t i = 1; i + 2 < 24; i++) { /* chords, or arcs: both known */
             double chord = 2.0 * radius * vbss_sin(0.05), arc = 0.1 * radius;
-            expect_near(way == 0 ? arc : chord, number_at(thread, VBSS_THREAD_LENGTHS, i),
+            expect_near(variant == 0 ? arc : chord, number_at(thread, VBSS_THREAD_LENGTHS, i),
                         1e-5 * arc);
         }
         /* A clamp along the circle changes nothing of that, at an end or inside. */
@@ -233,11 +233,11 @@ static void circle_curvature(void **state)
     }
 }
 
-static void energies_add_up_once(int way)
+static void energies_add_up_once(int variant)
 {
     fixture f;
     begin(&f);
-    choose_way(&f, way);
+    choose_variant(&f, variant);
     f.config.segment_count = 30;
     vbss_thread *thread = make(&f);
     hold(thread, VBSS_ATTACHMENT_CLAMP, 4, place_of(thread, 4));
@@ -251,7 +251,7 @@ static void energies_add_up_once(int way)
         expect_near(e.kinetic + e.stretching + e.bending + e.gravity, e.total, 1e-18);
         assert_true(e.kinetic >= 0.0 && e.stretching >= 0.0 && e.bending >= 0.0);
         /* Falling: nothing is gained, little lost. */
-        expect_near(0.0, e.total, (way == 2 ? 1e-2 : 5e-3) * scale);
+        expect_near(0.0, e.total, (variant == 2 ? 1e-2 : 5e-3) * scale);
         assert_true(e.total <= 1e-4 * scale);
     }
     end(&f);
@@ -260,18 +260,18 @@ static void energies_add_up_once(int way)
 static void energies_sum_to_total(void **state)
 {
     (void)state;
-    for (int way = 0; way < WAYS; way++) {
-        energies_add_up_once(way);
+    for (int variant = 0; variant < VARIANTS; variant++) {
+        energies_add_up_once(variant);
     }
 }
 
 /* A straight free thread that flies and turns about its centre. */
-static void rigid_motion_has_its_momentum_once(int way)
+static void rigid_motion_has_its_momentum_once(int variant)
 {
     fixture f;
     double x[39], v[39];
     begin(&f);
-    choose_way(&f, way);
+    choose_variant(&f, variant);
     f.config.gravity[1] = 0.0;
     f.config.linear_density = 1e-3;
     vbss_thread *thread = make(&f);
@@ -291,8 +291,8 @@ static void rigid_motion_has_its_momentum_once(int way)
     vec3 angular = vec3_cross(vec3_load(m.centre), vec3_load(m.linear));
     angular.z += own;
     /* Method PAPER puts half a segment at either end of it: 2 / 12^2 too much. */
-    angular.z += way == 2 ? own * 2.0 / 144.0 : 0.0;
-    expect_near_vec3(angular, vec3_load(m.angular), (way == 2 ? 1e-12 : 1e-2) * own);
+    angular.z += variant == 2 ? own * 2.0 / 144.0 : 0.0;
+    expect_near_vec3(angular, vec3_load(m.angular), (variant == 2 ? 1e-12 : 1e-2) * own);
     for (int i = 0; i < 50; i++) {
         steps(thread, 1, 1e-3);
         vbss_thread_momentum now = momentum_of(thread);
@@ -304,8 +304,8 @@ static void rigid_motion_has_its_momentum_once(int way)
 static void rigid_motion_momentum(void **state)
 {
     (void)state;
-    for (int way = 0; way < WAYS; way++) {
-        rigid_motion_has_its_momentum_once(way);
+    for (int variant = 0; variant < VARIANTS; variant++) {
+        rigid_motion_has_its_momentum_once(variant);
     }
 }
 

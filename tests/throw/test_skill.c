@@ -32,7 +32,7 @@ static void take(rest *r)
 {
     const uint8_t *bytes;
     uint64_t count;
-    expect_ok(vbss_record_take(r->hands.site.stand.record, &bytes, &count));
+    expect_ok(vbss_record_take(r->hands.site.rig.record, &bytes, &count));
     assert_true(r->size + count <= ROOM);
     memcpy(r->log + r->size, bytes, count);
     r->size += count;
@@ -41,7 +41,7 @@ static void take(rest *r)
 static void begin(rest *r, const hand_skill *skill, uint64_t seed)
 {
     stitch_plan plan;
-    stand *s = &r->hands.site.stand;
+    throw_rig *s = &r->hands.site.rig;
     memset(r, 0, sizeof *r);
     r->log = malloc(ROOM);
     assert_non_null(r->log);
@@ -64,7 +64,7 @@ static void begin(rest *r, const hand_skill *skill, uint64_t seed)
 static void end(rest *r)
 {
     free(r->log);
-    stand_destroy(&r->hands.site.stand);
+    throw_rig_destroy(&r->hands.site.rig);
 }
 
 /* From what the log says that the tool was told. */
@@ -74,7 +74,7 @@ static double recorded_tremor(const rest *r, const hand *h)
     vbss_replay *replay;
     vec mean = v3(0.0, 0.0, 0.0);
     double sum = 0.0;
-    expect_ok(vbss_replay_create(r->hands.site.stand.context, r->log, r->size, &replay));
+    expect_ok(vbss_replay_create(r->hands.site.rig.context, r->log, r->size, &replay));
     for (uint64_t i = 0; i < SECOND; i++) {
         vbss_log_step step;
         uint32_t found = 0;

@@ -16,12 +16,12 @@ static vbss_result perform(uint64_t seed, const char *path)
     static surgeon s;
     const surgeon_options o = {.seed = seed, .until = SURGEON_DONE, .log = path};
     TRY(surgeon_create(&s, &o));
-    stand *st = &s.stitch.site.stand;
+    throw_rig *st = &s.stitch.site.rig;
     while (s.stage < SURGEON_DONE && st->time < LONGEST) {
         TRY(surgeon_step(&s, STEP));
     }
-    TRY(stand_end(st));
-    stand_destroy(st);
+    TRY(throw_rig_end(st));
+    throw_rig_destroy(st);
     return VBSS_OK;
 }
 

@@ -9,18 +9,18 @@
 #include <vblast_ss/mock.h>
 
 /* World axes of motions: right, up, toward who trains. */
-static const double ways[3][3] = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
+static const double directions[3][3] = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}};
 
-/* An arm that stands so: its axis i is world axis |stand[i]|. */
+/* The mounting of an arm: its axis i is world axis |axes[i]|. */
 typedef struct bench {
-    int stand[3];
+    int axes[3];
     guide g;
 } bench;
 
 static void to_arm(const bench *b, const double world[3], double out[3])
 {
     for (int i = 0; i < 3; i++) {
-        int axis = b->stand[i];
+        int axis = b->axes[i];
         out[i] = axis < 0 ? -world[-axis - 1] : world[axis - 1];
     }
 }
@@ -37,11 +37,11 @@ static void see(bench *b, const double world[3], double raw)
     guide_see(&b->g, &in);
 }
 
-static const char *move(bench *b, const double way[3], double length)
+static const char *move(bench *b, const double direction[3], double length)
 {
     double at[3];
     for (int i = 0; i < 3; i++) {
-        at[i] = 0.01 * (i + 1) + length * way[i];
+        at[i] = 0.01 * (i + 1) + length * direction[i];
     }
     see(b, at, 0.0);
     return guide_next(&b->g);
@@ -51,7 +51,7 @@ static void begin(bench *b, int x, int y, int z)
 {
     vbss_device_calibration usual;
     const double nowhere[3] = {0.0, 0.0, 0.0};
-    *b = (bench){.stand = {x, y, z}};
+    *b = (bench){.axes = {x, y, z}};
     expect_ok(vbss_device_calibration_init(&usual, sizeof usual));
     expect_ok(guide_begin(&b->g, true, true, &usual));
     assert_null(move(b, nowhere, 0.0));
@@ -72,7 +72,7 @@ static void reach(bench *b)
 static const char *squeeze(bench *b, double raw)
 {
     for (int i = 0; i < 500; i++) {
-        see(b, ways[0], raw);
+        see(b, directions[0], raw);
     }
     return guide_next(&b->g);
 }
@@ -80,10 +80,10 @@ static const char *squeeze(bench *b, double raw)
 static void finish(bench *b)
 {
     for (int i = 0; i < 3; i++) {
-        assert_null(move(b, ways[i], 0.05));
+        assert_null(move(b, directions[i], 0.05));
     }
     assert_int_equal(b->g.step, GUIDE_POINT);
-    assert_null(move(b, ways[0], 0.0));
+    assert_null(move(b, directions[0], 0.0));
     reach(b);
     assert_null(squeeze(b, 3.1));
     assert_null(squeeze(b, 1.7));
@@ -148,11 +148,11 @@ static void uninformative_motion_is_repeated(void **state)
     const double askew[3] = {1.0, 0.7, 0.0};
     begin(&b, 1, 2, 3);
     assert_non_null(guide_next(&b.g)); /* nothing was seen */
-    assert_non_null(move(&b, ways[0], 0.015));
+    assert_non_null(move(&b, directions[0], 0.015));
     assert_non_null(move(&b, askew, 0.05));
     assert_int_equal(b.g.step, GUIDE_RIGHT);
-    assert_null(move(&b, ways[0], -0.05)); /* an arm that mirrors may say so */
-    assert_non_null(move(&b, ways[0], 0.05));
+    assert_null(move(&b, directions[0], -0.05)); /* an arm that mirrors may say so */
+    assert_non_null(move(&b, directions[0], 0.05));
     assert_int_equal(b.g.step, GUIDE_UP);
 }
 
@@ -162,10 +162,10 @@ static void small_reach_or_handle_range_is_repeated(void **state)
     bench b;
     begin(&b, 1, 2, 3);
     for (int i = 0; i < 3; i++) {
-        assert_null(move(&b, ways[i], 0.05));
+        assert_null(move(&b, directions[i], 0.05));
     }
-    assert_null(move(&b, ways[0], 0.0));
-    assert_non_null(move(&b, ways[0], 0.05));
+    assert_null(move(&b, directions[0], 0.0));
+    assert_non_null(move(&b, directions[0], 0.05));
     reach(&b);
     assert_null(squeeze(&b, 1.0));
     assert_non_null(squeeze(&b, 1.04));

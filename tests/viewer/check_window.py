@@ -58,7 +58,7 @@ def check_size(desk, folder):
     window = desk.find_window()
     for width, height in ((480, 300), (200, 260), SMALL):
         desk.do(f"windowsize {window} {width} {height}")
-        desk.wait(until=lambda s, wanted=(width, height): s.size == wanted, most=60.0)
+        desk.wait(until=lambda s, wanted=(width, height): s.size == wanted, max_seconds=60.0)
         desk.wait(4)
         desk.picture(folder / f"size-{width}x{height}.png")
         rows = blocks.read_png(folder / f"size-{width}x{height}.png")
@@ -90,24 +90,24 @@ def check_overlays(desk, folder):
 
 
 def check_hands(desk):
-    start = desk.state.tools["right"].told
+    start = desk.state.tools["right"].commanded
     desk.nudge("right", add((0.0, 0.0, 0.0), UP, 10e-3))
-    moved = desk.wait(20).tools["right"].told
+    moved = desk.wait(20).tools["right"].commanded
     assert abs(dot(add(moved, start, -1.0), UP) - 10e-3) < 1e-4, (start, moved)
     desk.do("keydown space")
     desk.wait(3)
     desk.nudge("right", (20e-3, 0.0, 0.0))
-    held = desk.wait(20).tools["right"].told
+    held = desk.wait(20).tools["right"].commanded
     assert distance(held, moved) < NEARLY, "the clutch does not hold"
     desk.do("keyup space")
     desk.nudge("right", (5e-3, 0.0, 0.0))
-    after = desk.wait(20).tools["right"].told
+    after = desk.wait(20).tools["right"].commanded
     assert abs(after[0] - held[0] - 5e-3) < 2 * COUNT, "the clutch jumps"
     desk.select("left")
-    left = desk.state.tools["left"].told
+    left = desk.state.tools["left"].commanded
     desk.nudge("left", (-5e-3, 0.0, 0.0))
     s = desk.wait(20)
-    assert abs(s.tools["left"].told[0] - left[0] + 5e-3) < 2 * COUNT and distance(s.tools["right"].told, after) < NEARLY
+    assert abs(s.tools["left"].commanded[0] - left[0] + 5e-3) < 2 * COUNT and distance(s.tools["right"].commanded, after) < NEARLY
     jaw = s.tools["left"].jaw
     desk.jaws("left", jaw > 0.5)
     time = desk.wait(1).time
@@ -156,8 +156,8 @@ def check_throw(viewer, folder):
         s = tie.tie_throw(desk)
         desk.wait(10)
         desk.picture(folder / "throw.png")
-        print(f"verdict {s.verdict}, {s.throws} throws, {s.notation} after {s.time:.1f} s, {s.frame} frames")
-        assert s.verdict == tie.CERTIFIED and s.throws == 1 and s.notation == "1"
+        print(f"verdict {s.result}, {s.throws} throws, {s.notation} after {s.time:.1f} s, {s.frame} frames")
+        assert s.result == tie.CERTIFIED and s.throws == 1 and s.notation == "1"
         end(desk)
     play_back(viewer, log, folder)
 
@@ -175,18 +175,18 @@ def check_pad(viewer, folder, library):
     extra = {"LD_PRELOAD": library, "VBSS_STAND_IN_GAMEPAD": str(state)}
     with Desk(viewer, ["--live", "throw", "--log", str(log)], every=0.0, environment=extra) as desk:
         desk.run(2)
-        start = desk.state.tools["right"].told
+        start = desk.state.tools["right"].commanded
         plug()
         desk.run(2)
         plug(axes=(1, 0, 0, 0, -1, -1))
         desk.run(10)
         plug()
-        moved = desk.run(3).tools["right"].told
+        moved = desk.run(3).tools["right"].commanded
         assert abs(moved[0] - start[0] - 16e-3) < 1e-4 and distance(moved, start) < 16.2e-3, (start, moved)  # 0.1 m/s
         plug(axes=(0, 0, 0, -1, 1, -1))  # away, finer
         desk.run(10)
         plug()
-        deep = desk.run(3).tools["right"].told
+        deep = desk.run(3).tools["right"].commanded
         assert abs(dot(add(deep, moved, -1.0), AWAY) - 4e-3) < 1e-4, (moved, deep)
         jaw = desk.state.tools["right"].jaw
         plug(axes=(0, 0, 0, 0, -1, 1))
@@ -195,12 +195,12 @@ def check_pad(viewer, folder, library):
         plug(buttons=(5,))
         assert desk.run(2).active == "left"
         plug(axes=(-1, 0, 0, 0, -1, -1))
-        left = desk.state.tools["left"].told
+        left = desk.state.tools["left"].commanded
         desk.run(10)
         state.unlink()  # pulled out with its stick at its end
-        at = desk.run(3).tools["left"].told
+        at = desk.run(3).tools["left"].commanded
         assert at[0] < left[0] - 10e-3
-        assert distance(desk.run(10).tools["left"].told, at) < NEARLY, "a tool goes on without its gamepad"
+        assert distance(desk.run(10).tools["left"].commanded, at) < NEARLY, "a tool goes on without its gamepad"
         desk.picture(folder / "gone.png")
         end(desk)
     play_back(viewer, log, folder)
@@ -283,7 +283,7 @@ def check_near(viewer, folder):
         desk.picture(folder / "far.png")
         far = middle_of(folder / "far.png")
         for name, before in (("seen", 52e-3), ("near", 26e-3)):
-            desk.go("right", add(EYE, AWAY, before), pace=0.1)
+            desk.go("right", add(EYE, AWAY, before), speed=0.1)
             desk.run(20)
             desk.picture(folder / f"{name}.png")
         off = blocks.apart(far, middle_of(folder / "near.png"))
@@ -299,12 +299,12 @@ ANEW = "viewer: the graphics context was lost and is made anew\n"
 SAME = 0.5  # of 255, the mean over a block
 
 
-def look_before(desk, folder, name):
+def check_before(desk, folder, name):
     desk.picture(folder / f"{name}-before.png")
     return blocks.blocks(blocks.read_png(folder / f"{name}-before.png"))
 
 
-def look_after(desk, folder, name, before):
+def check_after(desk, folder, name, before):
     desk.picture(folder / f"{name}-after.png")
     off = blocks.apart(before, blocks.blocks(blocks.read_png(folder / f"{name}-after.png")))
     print(f"{name}: {off:.2f} off at most")
@@ -317,15 +317,15 @@ def check_lost(viewer, folder, log):
         desk.press("key p")
         desk.run(3)
         assert desk.state.frame < 29 and desk.state.renewed == 0
-        before = look_before(desk, folder, "live")
+        before = check_before(desk, folder, "live")
         desk.wait(until=lambda s: s.renewed == 1)
         desk.run(3)
-        look_after(desk, folder, "live", before)
+        check_after(desk, folder, "live", before)
         desk.press("key p")
         desk.press("keyup shift", "keydown shift", count=1)  # what was held is not known to the new window
-        start = desk.run(2).tools["right"].told
+        start = desk.run(2).tools["right"].commanded
         desk.nudge("right", (5e-3, 0.0, 0.0))  # the mouse is still the tool's
-        assert abs(desk.run(20).tools["right"].told[0] - start[0] - 5e-3) < 2 * COUNT
+        assert abs(desk.run(20).tools["right"].commanded[0] - start[0] - 5e-3) < 2 * COUNT
         code = desk.close()
         assert code == 0 and desk.errors == ANEW, (code, desk.errors)
     with Desk(viewer, ["--replay", log, "--show", "task", "--renew", "60"], parse=Played, every=0.0,
@@ -334,10 +334,10 @@ def check_lost(viewer, folder, log):
         desk.do("key space")
         desk.wait(until=lambda s: not s.playing)
         assert desk.wait(3).frame < 50, "too late to look at it before"
-        before = look_before(desk, folder, "log")
+        before = check_before(desk, folder, "log")
         desk.wait(until=lambda s: s.renewed == 1)
         desk.wait(3)
-        look_after(desk, folder, "log", before)
+        check_after(desk, folder, "log", before)
         code = desk.close()
         assert code == 0 and desk.errors == ANEW, (code, desk.errors)
 
@@ -352,7 +352,7 @@ class Played:
         words = line.split()
         self.frame, self.step, self.steps, self.time = int(words[1]), int(words[3]), int(words[5]), float(words[7])
         self.playing, self.speed = words[9] == "1", float(words[11])
-        self.verdict, self.throws, self.notation = int(words[15]), int(words[16]), words[17]
+        self.result, self.throws, self.notation = int(words[15]), int(words[16]), words[17]
         self.renewed = int(words[words.index("renewed") + 1])
         self.size = tuple(int(w) for w in words[-2:])
         at = words.index("task") if "task" in words else len(words)  # what session and metrics say
@@ -416,7 +416,7 @@ def check_surgeon(viewer, folder, log):
             desk.do(f"mousemove {round(7 + share * (width - 14))} {height - 9}", "click 1")
             desk.wait(until=lambda s, share=share: abs(s.step - share * s.steps) < 0.02 * s.steps)
             s = desk.wait(2)
-            print(f"step {s.step}: verdict {s.verdict}, {s.throws} throws, {s.notation}")
+            print(f"step {s.step}: verdict {s.result}, {s.throws} throws, {s.notation}")
             desk.picture(folder / f"at-{100 * share:.0f}.png")
             assert s.throws == throws
             phase, failure, off_in, off_out, slit, tied, _, scores[share] = s.task
@@ -433,9 +433,9 @@ def check_film(viewer, folder, log):
     run = subprocess.run([viewer, "--replay", log, "--mp4", str(film), "--to", "1.0", "--size", "320x240", "--show",
                           "task,knot"], capture_output=True, text=True)
     assert run.returncode == 0, (run.returncode, run.stderr)
-    told = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of", "json", str(film)],
+    probed = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of", "json", str(film)],
                           capture_output=True, text=True, check=True).stdout
-    stream = json.loads(told)["streams"][0]
+    stream = json.loads(probed)["streams"][0]
     print({k: stream[k] for k in ("codec_name", "width", "height", "avg_frame_rate", "nb_read_frames", "duration")})
     assert stream["codec_name"] == "h264" and stream["pix_fmt"] == "yuv420p"
     assert (stream["width"], stream["height"], stream["avg_frame_rate"]) == (320, 240, "30/1")

@@ -14,7 +14,7 @@ NEEDED = ("Xvfb", "xdotool", "ffmpeg")
 COUNT = 1e-4  # m
 NOTCH = 2e-3 / 4  # m, with Shift
 ROLL = 0.1  # rad a notch
-MOST = 60  # counts a frame: the pointer is warped back to the middle of a small window after it
+MAX_COUNTS = 60  # counts a frame: the pointer is warped back to the middle of a small window after it
 DOWN = math.radians(50.0)  # the camera looks down by so much, along +y
 RIGHT = (1.0, 0.0, 0.0)
 UP = (0.0, math.sin(DOWN), math.cos(DOWN))
@@ -41,7 +41,7 @@ class Tool:
     def __init__(self, words):
         numbers = [float(w) for w in words if w.replace(".", "").replace("-", "").isdigit()]
         self.at = tuple(1e-3 * v for v in numbers[0:3])
-        self.told = tuple(1e-3 * v for v in numbers[3:6])
+        self.commanded = tuple(1e-3 * v for v in numbers[3:6])
         self.turned = tuple(numbers[6:10])
         self.jaw, self.holds, self.needle, self.force = numbers[10], int(numbers[11]), int(numbers[12]), numbers[13]
 
@@ -68,7 +68,7 @@ class State:
         self.tools = {"left": Tool(words[left + 1:right]), "right": Tool(words[right + 1:at("ends")])}
         ends = [1e-3 * float(w) for w in words[at("ends") + 1:at("ends") + 7]]
         self.ends = (tuple(ends[:3]), tuple(ends[3:]))
-        self.verdict, self.throws, self.notation = int(words[at("knot") + 1]), int(words[at("knot") + 2]), words[
+        self.result, self.throws, self.notation = int(words[at("knot") + 1]), int(words[at("knot") + 2]), words[
             at("knot") + 3]
         self.size = tuple(int(w) for w in words[-2:])
 
@@ -108,9 +108,9 @@ class Desk:
     def _listen_errors(self):
         self.errors = self.viewer.stderr.read()
 
-    def hear(self, until, most=120.0):
+    def hear(self, until, max_seconds=120.0):
         """Until what is told is as it is wanted; grants nothing."""
-        end = time.monotonic() + most
+        end = time.monotonic() + max_seconds
         with self.changed:
             while True:
                 if self.viewer.poll() is not None:
@@ -120,7 +120,7 @@ class Desk:
                     return s
                 self.changed.wait(timeout=1.0)
                 if time.monotonic() > end:
-                    raise TimeoutError(f"not within {most} s: {self.lines[-1:]}")
+                    raise TimeoutError(f"not within {max_seconds} s: {self.lines[-1:]}")
 
     def run(self, frames):
         """So many frames more."""
@@ -130,16 +130,16 @@ class Desk:
             self.viewer.stdin.flush()
         return self.hear(lambda s: s.frame >= first + frames)
 
-    def wait(self, frames=1, until=None, most=120.0):
+    def wait(self, frames=1, until=None, max_seconds=120.0):
         """For so many frames more, or until a state is as it is wanted."""
         if until is None:
             return self.run(frames)
-        end = time.monotonic() + most
+        end = time.monotonic() + max_seconds
         while self.lockstep and (self.state is None or not until(self.state)):
             self.run(1)
             if time.monotonic() > end:
-                raise TimeoutError(f"not within {most} s: {self.lines[-1:]}")
-        return self.hear(until, most)
+                raise TimeoutError(f"not within {max_seconds} s: {self.lines[-1:]}")
+        return self.hear(until, max_seconds)
 
     def do(self, *commands):
         self.hand.stdin.write("".join(c + "\n" for c in commands))
@@ -229,61 +229,61 @@ class Desk:
     def jaws(self, side, closed):
         self.select(side)
         self.press("click 1")
-        return self.wait(until=lambda s: (s.tools[side].jaw < 0.02) == closed, most=60.0)
+        return self.wait(until=lambda s: (s.tools[side].jaw < 0.02) == closed, max_seconds=60.0)
 
-    def nudge(self, side, way):
+    def nudge(self, side, displacement):
         """Of a vector in m; returns what is left of it, as counts and notches are whole. Fine counts are a quarter."""
         self.select(side)
-        rest = [dot(way, RIGHT) / (COUNT / 4), -dot(way, UP) / (COUNT / 4)]
-        notches = round(dot(way, AWAY) / NOTCH)
+        rest = [dot(displacement, RIGHT) / (COUNT / 4), -dot(displacement, UP) / (COUNT / 4)]
+        notches = round(dot(displacement, AWAY) / NOTCH)
         counts = [round(c) for c in rest]
         if notches:
             self.turn_wheel(notches)
         sent = [0, 0]
         while sent != counts:
-            step = [max(-MOST, min(MOST, c - s)) for c, s in zip(counts, sent)]
+            step = [max(-MAX_COUNTS, min(MAX_COUNTS, c - s)) for c, s in zip(counts, sent)]
             want = add(self.state.motion, step)
             self.do(f"mousemove_relative -- {step[0]} {step[1]}")
-            self.hear(lambda s, want=want: max(abs(p - q) for p, q in zip(s.motion, want)) < 0.5, most=20.0)
+            self.hear(lambda s, want=want: max(abs(p - q) for p, q in zip(s.motion, want)) < 0.5, max_seconds=20.0)
             self.wait(1)
             sent = [s + d for s, d in zip(sent, step)]
         return counts, notches
 
-    def go(self, side, to, pace=0.05, near=0.5e-3, corrections=4):
+    def go(self, side, to, speed=0.05, near=0.5e-3, corrections=4):
         """The tool to a place, in a straight line, not faster than that; then what is missing. Returns the state."""
         s = self.wait(1)
-        start = s.tools[side].told
-        way = add(to, start, -1.0)
-        parts = max(1, math.ceil(math.sqrt(dot(way, way)) / 4e-3))
+        start = s.tools[side].commanded
+        displacement = add(to, start, -1.0)
+        parts = max(1, math.ceil(math.sqrt(dot(displacement, displacement)) / 4e-3))
         virtual = start
         for i in range(1, parts + 1):
-            want = add(start, way, i / parts)
+            want = add(start, displacement, i / parts)
             counts, notches = self.nudge(side, add(want, virtual, -1.0))
             moved = add(add((0.0, 0.0, 0.0), RIGHT, counts[0] * COUNT / 4), UP, -counts[1] * COUNT / 4)
             virtual = add(add(virtual, moved), AWAY, notches * NOTCH)
-            self.wait(max(1, math.ceil(4e-3 / pace / FRAME)))
+            self.wait(max(1, math.ceil(4e-3 / speed / FRAME)))
         for _ in range(corrections):
             s = self.wait(12)
-            off = add(to, s.tools[side].told, -1.0)
+            off = add(to, s.tools[side].commanded, -1.0)
             if math.sqrt(dot(off, off)) < near:
                 break
             self.nudge(side, off)
         return s
 
-    def roll_to(self, side, way, axis=(0.0, 1.0, 0.0)):
+    def roll_to(self, side, direction, axis=(0.0, 1.0, 0.0)):
         """Turns a tool about its own axis until a vector of its frame, across that axis, points that way, or nearly."""
         for _ in range(2):
             tool = self.wait(1).tools[side]
             z, now = tool.axis((0.0, 0.0, 1.0)), tool.axis(axis)
-            want = add(way, z, -dot(way, z))
+            want = add(direction, z, -dot(direction, z))
             across = (z[1] * now[2] - z[2] * now[1], z[2] * now[0] - z[0] * now[2], z[0] * now[1] - z[1] * now[0])
             notches = round(math.atan2(dot(want, across), dot(want, now)) / ROLL)
             if notches == 0:
                 break
             self.roll(side, notches)
 
-    def follow(self, side, places, pace=0.08):
+    def follow(self, side, places, speed=0.08):
         """From place to place without a stop; what is missing is made good at the end."""
         for place in places[:-1]:
-            self.go(side, place, pace, corrections=0)
-        return self.go(side, places[-1], pace)
+            self.go(side, place, speed, corrections=0)
+        return self.go(side, places[-1], speed)

@@ -119,15 +119,15 @@ static void full_stick_moves_at_mapping_speed(void **state)
     const vbss_device_input before = r.hand.in;
     mouse_hand_pull(&r.hand, axes, 1.0);
     run(&r, 0, 100);
-    const double way = 0.1 * r.hand.mapping.pad_speed;
-    assert_true(fabs(r.hand.in.position[0] - before.position[0] - way) < 1e-9);
-    assert_true(fabs(r.hand.in.position[2] - before.position[2] + way) < 1e-9);
+    const double travel = 0.1 * r.hand.mapping.pad_speed;
+    assert_true(fabs(r.hand.in.position[0] - before.position[0] - travel) < 1e-9);
+    assert_true(fabs(r.hand.in.position[2] - before.position[2] + travel) < 1e-9);
     mouse_hand_pull(&r.hand, axes, 0.25);
     run(&r, 100, 100);
-    assert_true(fabs(r.hand.in.position[0] - before.position[0] - 1.25 * way) < 1e-9);
+    assert_true(fabs(r.hand.in.position[0] - before.position[0] - 1.25 * travel) < 1e-9);
     mouse_hand_pull(&r.hand, nothing, 1.0);
     run(&r, 200, 100);
-    assert_true(fabs(r.hand.in.position[0] - before.position[0] - 1.25 * way) < 1e-9);
+    assert_true(fabs(r.hand.in.position[0] - before.position[0] - 1.25 * travel) < 1e-9);
     assert_true(r.hand.in.jaw == before.jaw);
     assert_int_equal(vbss_context_destroy(r.context), VBSS_OK);
 }

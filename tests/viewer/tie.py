@@ -22,7 +22,7 @@ WRAPPED_ABOUT = places((-44.8, -47.7, 53.4), (-22.7, -29.8, 43.9), (-.6, -11.9, 
 ROUND = places((0, -25.1, 18), (-4.7, -23.9, 38.9), (-2.4, -7.4, 54.6), (2, 14.8, 52.4), (5.9, 27.7, 33.9), (6.7, 22, 11.9),
                (3.8, 1.4, 3.8), (-.1, -16.4, 16.5), (-1.1, -15.8, 39.1), (1.8, 2.5, 50.3), (3.5, 10.4, 48.2),
                (4.7, 15.4, 45.4))
-EASED = places((7, 13, 39), (9.5, 13, 34))  # or the turns hold the left tool
+RELEASED = places((7, 13, 39), (9.5, 13, 34))  # or the turns hold the left tool
 OVER_TAIL = places((20, -.6, 25.5))
 # drawn through: the left tool with the tail, the right one that gives way, a piece each
 DRAWN = list(zip(
@@ -70,7 +70,7 @@ def draw(desk, pieces):
     for left, right in pieces:
         desk.go("right", right, corrections=0)
         desk.go("left", left, corrections=0)
-        if desk.wait(10).verdict == CERTIFIED:
+        if desk.wait(10).result == CERTIFIED:
             return True
     return False
 
@@ -83,7 +83,7 @@ def tie_throw(desk):
     desk.follow("left", WRAPPED_ABOUT)
     desk.roll_to("left", (-1.0, 0.1, 0.0))
     desk.follow("right", ROUND)
-    desk.follow("right", EASED)
+    desk.follow("right", RELEASED)
     desk.follow("left", OVER_TAIL)
     take_tail(desk)
     if not draw(desk, DRAWN):

@@ -41,12 +41,12 @@ typedef struct drawn {
     const visual_vertex *vertices;
     const triangle *triangles;
     const visual_part *parts;
-    const visual_decal *spots;
-    uint32_t vertex_count, triangle_count, part_count, spot_count;
+    const visual_decal *decals;
+    uint32_t vertex_count, triangle_count, part_count, decal_count;
 } drawn;
 /* Updates, and looks. */
 drawn draw(const fixture *f);
-drawn look(const fixture *f);
+drawn get_drawn(const fixture *f);
 static inline vec3 position_of(const drawn *d, uint32_t vertex)
 {
     const float *p = d->vertices[vertex].position;

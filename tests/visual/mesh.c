@@ -11,7 +11,7 @@ static vbss_view view_of(const fixture *f, vbss_visual_field field)
     return view;
 }
 
-drawn look(const fixture *f)
+drawn get_drawn(const fixture *f)
 {
     const vbss_view v = view_of(f, VBSS_VISUAL_VIEW_VERTICES),
                     t = view_of(f, VBSS_VISUAL_VIEW_TRIANGLES),
@@ -29,7 +29,7 @@ drawn look(const fixture *f)
 drawn draw(const fixture *f)
 {
     expect_ok(vbss_visual_update(f->visual));
-    return look(f);
+    return get_drawn(f);
 }
 
 /* ---- closed surfaces */

@@ -202,9 +202,9 @@ static void material_coordinates_are_of_rest_nodes(void **state)
         expect_near(m->rest[i].x, (double)d.vertices[i].texture[0], 1e-9);
         expect_near(fabs(m->material_coordinates[i][0]), (double)d.vertices[i].texture[1], 1e-9);
     }
-    assert_int_equal(d.spot_count, 2);
+    assert_int_equal(d.decal_count, 2);
     for (int side = 0; side < 2; side++) {
-        const visual_decal *s = &d.spots[side];
+        const visual_decal *s = &d.decals[side];
         vec3 at = vec3_make((double)s->material[0], (double)s->material[1], (double)s->material[2]);
         assert_true((double)s->kind == VBSS_SPOT_MARK && (double)s->part == 0.0);
         assert_true(vec3_distance(at, m->rest[m->marks[side]]) < 1e-9);

@@ -271,7 +271,7 @@ static void expect_full(fixture *f)
     }
     expect_ok(vbss_visual_get_view(f->visual, 0, &after, sizeof after));
     assert_memory_equal(&before, &after, sizeof before);
-    assert_int_equal(look(f).part_count, 1);
+    assert_int_equal(get_drawn(f).part_count, 1);
     expect_sound(&shown, &shown.parts[0]);
     end(f);
 }

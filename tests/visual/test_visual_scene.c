@@ -58,7 +58,7 @@ static void pieces_and_exchanged_tools_are_drawn(void **state)
 }
 
 /* Spots of holes are where the scene says that they are, in the material of the wall around them. */
-static void holes_are_spots_of_their_drain(void **state)
+static void holes_are_decals_of_their_drain(void **state)
 {
     (void)state;
     static stitch_scene_options options;
@@ -72,8 +72,8 @@ static void holes_are_spots_of_their_drain(void **state)
     expect_ok(vbss_visual_add_scene(f.visual, stitch.scene, NULL));
     const drawn d = draw(&f);
     uint32_t holes = 0;
-    for (uint32_t i = 0; i < d.spot_count; i++) {
-        const visual_decal *s = &d.spots[i];
+    for (uint32_t i = 0; i < d.decal_count; i++) {
+        const visual_decal *s = &d.decals[i];
         const visual_part *part = &d.parts[(uint32_t)s->part];
         assert_int_equal(part->kind, VBSS_VISUAL_DRAIN);
         if ((double)s->kind < VBSS_SPOT_HOLE - 0.5) {
@@ -131,7 +131,7 @@ int test_visual_scene(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(pieces_and_exchanged_tools_are_drawn),
-        harness_test(holes_are_spots_of_their_drain),
+        harness_test(holes_are_decals_of_their_drain),
         harness_test(pictures_are_bit_equal),
     };
     return cmocka_run_group_tests_name("visual.visual_scene", tests, NULL, NULL);

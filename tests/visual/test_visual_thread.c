@@ -122,13 +122,13 @@ static void line_tolerance_holds(void **state)
 
 static double twist_of(const drawn *d, uint32_t first, uint32_t stride)
 {
-    /* Between the first normals of two rings, about the way between them: what bending does not explain. */
+    /* Between the first normals of two rings, about the line between them: what bending does not explain. */
     vec3 a = normal_of(d, first), b = normal_of(d, first + stride);
-    vec3 way = vec3_unit_or(
+    vec3 tangent = vec3_unit_or(
         vec3_sub(middle_of(d, first + stride, stride - 1), middle_of(d, first, stride - 1)), a);
-    a = vec3_unit_or(vec3_add_scaled(a, -vec3_dot(a, way), way), a);
-    b = vec3_unit_or(vec3_add_scaled(b, -vec3_dot(b, way), way), b);
-    return vbss_atan2(vec3_dot(vec3_cross(a, b), way), vec3_dot(a, b));
+    a = vec3_unit_or(vec3_add_scaled(a, -vec3_dot(a, tangent), tangent), a);
+    b = vec3_unit_or(vec3_add_scaled(b, -vec3_dot(b, tangent), tangent), b);
+    return vbss_atan2(vec3_dot(vec3_cross(a, b), tangent), vec3_dot(a, b));
 }
 
 /* A frame that does not turn about a helix turns in its Frenet frame by the torsion, back (Bishop 1975). */
@@ -227,9 +227,9 @@ static void frames_are_continuous_in_time(void **state)
         }
         expect_ok(vbss_thread_set_state(thread, positions, NULL, 30));
         const drawn d = draw(&f);
-        const uint32_t looked[3] = {1, d.vertex_count / 2, d.vertex_count - 3};
+        const uint32_t vertices[3] = {1, d.vertex_count / 2, d.vertex_count - 3};
         for (int k = 0; k < 3; k++) {
-            vec3 n = normal_of(&d, looked[k]);
+            vec3 n = normal_of(&d, vertices[k]);
             if (i > 0) { /* it turns by 0.0314 rad */
                 assert_true(vec3_distance(n, before[k]) < 0.05);
             }

@@ -92,12 +92,12 @@ static void expect_within_capsules(const drawn *d, vbss_grasper *grasper)
         double nearest = 1.0;
         const double *capsule = view.data;
         for (uint64_t k = 0; k < view.count; k++, capsule += 7) {
-            vec3 a = vec3_load(capsule), b = vec3_load(capsule + 3), way = vec3_sub(b, a);
+            vec3 a = vec3_load(capsule), b = vec3_load(capsule + 3), axis = vec3_sub(b, a);
             vec3 p = position_of(d, i);
-            double length = vec3_norm_squared(way);
-            double share = length > 0.0 ? vec3_dot(vec3_sub(p, a), way) / length : 0.0;
+            double length = vec3_norm_squared(axis);
+            double share = length > 0.0 ? vec3_dot(vec3_sub(p, a), axis) / length : 0.0;
             share = vbss_min(vbss_max(share, 0.0), 1.0);
-            double away = vec3_distance(p, vec3_add_scaled(a, share, way)) / capsule[6];
+            double away = vec3_distance(p, vec3_add_scaled(a, share, axis)) / capsule[6];
             nearest = vbss_min(nearest, (away - 1.0) * capsule[6]);
         }
         outside = vbss_max(outside, nearest);

@@ -159,9 +159,7 @@ class Saved(Object):
         with self._context._lock:
             if self._handle is None or self._context.closed or self._context._broken:
                 self._refuse()
-            self._context._quiet = True  # asking how much is no error
             function(self._handle, None, 0, ctypes.byref(written))
-            self._context._quiet = False
             buffer = (ctypes.c_uint8 * written.value)()
             self._call(function, buffer, written.value, ctypes.byref(written))
         return bytes(buffer)

@@ -33,7 +33,8 @@ def build_info() -> str:
 
 
 def arithmetic_check() -> None:
-    """Raises ArithmeticModeError unless the calling thread computes as the library needs."""
+    """Raises ArithmeticModeError unless the calling thread rounds to nearest and keeps subnormal numbers. The library computes
+    in its own mode; the answer concerns Python's arithmetic."""
     check(lib.vbss_arithmetic_check())
 
 

@@ -69,12 +69,12 @@ class CapacityError(Error):
 
 
 class BusyError(Error, RuntimeError):
-    """Not allowed inside a callback of the same context."""
+    """Another thread, or the call whose callback this is, uses the context."""
     status = Result.ERROR_BUSY
 
 
 class ArithmeticModeError(Error, ArithmeticError):
-    """The thread does not round to nearest, or flushes subnormal numbers."""
+    """The thread does not round to nearest, or flushes subnormal numbers, and the library cannot set another mode."""
     status = Result.ERROR_ARITHMETIC_MODE
 
 

@@ -5,9 +5,10 @@ import ctypes
 from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union
 
 from ._api.base import Method
-from ._api.scene import (Blocker, BlockerCause, ContactKind, EventKind, Grasp, Hole, RigidKind, RigidState, SceneField,
-                         SceneMode, SceneStatistics, vbss_blocker, vbss_capsule, vbss_grasp, vbss_hole, vbss_rigid_config,
-                         vbss_rigid_state, vbss_scene, vbss_scene_config, vbss_scene_statistics)
+from ._api.scene import (Blocker, BlockerCause, ContactKind, EventKind, Grasp, Hole, Overlap, OverlapPolicy, RigidKind,
+                         RigidState, SceneField, SceneMode, SceneStatistics, vbss_blocker, vbss_capsule, vbss_grasp, vbss_hole,
+                         vbss_overlap, vbss_rigid_config, vbss_rigid_state, vbss_scene, vbss_scene_config,
+                         vbss_scene_statistics)
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
@@ -20,8 +21,8 @@ from .needle import Needle
 from .thread import Thread
 from .views import Array
 
-__all__ = ["Blocker", "BlockerCause", "Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method", "RigidKind",
-           "RigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
+__all__ = ["Blocker", "BlockerCause", "Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method", "Overlap",
+           "OverlapPolicy", "RigidKind", "RigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
 
 Body = Union[Thread, Drain, Needle, Grasper]
 
@@ -179,6 +180,10 @@ class Scene(Configured, Viewed, Saved):
         if not isinstance(grasper, Grasper):
             raise OutOfRangeError(f"body {tool} is no grasper")
         return [self.grasp(tool, number) for number in range(grasper.state.grasp_count)]
+
+    def overlap(self, body: int) -> Overlap:
+        """The deepest overlap of a body with another body or the floor, where they are now."""
+        return self._read("get_overlap", Overlap, vbss_overlap, index(body))
 
     def hole(self, number: int) -> Hole:
         """One of the holes of needles and threads in drains."""

@@ -3,7 +3,7 @@ import { AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight,
   PCFSoftShadowMap, PerspectiveCamera, Quaternion, Scene, Vector3, Vector4, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three-orbit';
 import { columnsOf, trianglesOf } from './film.js';
-import { MOST_SPOTS, isFloor, isMark, materialOf, paintFloor, themes } from './looks.js';
+import { MAX_DECALS, isFloor, isMark, materialOf, paintFloor, themes } from './styles.js';
 import { Surface } from './surface.js';
 import { Tube } from './tube.js';
 
@@ -50,7 +50,7 @@ class DrainBody {
     this.body = model.body;
     this.spots = spots;
     this.uniforms = {
-      spots: { value: Array.from({ length: MOST_SPOTS }, () => new Vector4()) },
+      spots: { value: Array.from({ length: MAX_DECALS }, () => new Vector4()) },
       spotCount: { value: 0 },
     };
     const face = columnsOf(model, 'face');
@@ -64,7 +64,7 @@ class DrainBody {
 
   mark(frame) {
     const known = this.spots.filter(s => s.frame <= frame).pop();
-    const rows = known ? known.rows.filter(row => row[0] === this.body).slice(0, MOST_SPOTS) : [];
+    const rows = known ? known.rows.filter(row => row[0] === this.body).slice(0, MAX_DECALS) : [];
     rows.forEach((row, i) => this.uniforms.spots.value[i].set(row[2], row[3], row[4], isMark(row) ? row[5] : -row[5]));
     this.uniforms.spotCount.value = rows.length;
   }

@@ -1,24 +1,27 @@
 /* Adds a drain to a scene: its collision shape, its free edges, and its arrays. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
-static vbss_result check_drain(const scene_object *s, const vbss_slot *slot, const uint32_t *number)
+/* Returns the slot of the drain and a free entry for it. */
+static vbss_result check_drain(scene_object *s, vbss_drain *drain, const uint32_t *number,
+                               vbss_slot **found, scene_body **body)
 {
+    VBSS_TRY(vbss_slot_check_other(s->context, drain, "drain"));
+    VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, found));
+    const vbss_slot *slot = *found;
     const drain_object *d = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "drain %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (d->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the drain's method is not the scene's");
     }
-    return VBSS_OK;
+    *body = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
+    return *body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
@@ -72,18 +75,13 @@ static vbss_result create_drain_data(scene_object *s, scene_drain *b, uint32_t *
     return result;
 }
 
-vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body)
+static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
 {
-    scene_object *s;
     vbss_slot *slot;
+    scene_body *b;
     uint32_t shape = 0;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
-    VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, &slot));
-    VBSS_TRY(check_drain(s, slot, body));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    VBSS_TRY(check_drain(s, drain, body, &slot, &b));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
     scene_drain own = {.slot = slot, .drain = slot->object};
     vbss_result result = create_drain_data(s, &own, &shape);
     if (result != VBSS_OK) {
@@ -96,4 +94,17 @@ vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t 
     slot->owner = s;
     vbss_scene_register_body(s, b, SCENE_BODY_DRAIN, shape, body);
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    vbss_slot *slot;
+    scene_body *b;
+    scene_edit edit;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(check_drain(s, drain, body, &slot, &b));
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    return vbss_scene_end_edit(s, &edit, add_drain(s, drain, body));
 }

@@ -1,7 +1,9 @@
 /* Adds a grasper to a scene, as a rigid body with four capsules. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/tools/tools.h"
 #include "scene/tuning.h"
 #include "scene/world/method.h"
@@ -27,16 +29,21 @@ static void init_rigid(scene_rigid *r, vbss_rigid_kind kind, const grasper_objec
     }
 }
 
-static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
-                                 const uint32_t *number)
+/* What a new grasper needs; found by the checks. */
+typedef struct new_grasper {
+    vbss_slot *slot;
+    scene_body *body; /* a free entry */
+    pose target;
+} new_grasper;
+
+static vbss_result check_grasper(scene_object *s, vbss_grasper *grasper, const uint32_t *number,
+                                 new_grasper *found)
 {
+    VBSS_TRY(vbss_slot_check_other(s->context, grasper, "grasper"));
+    VBSS_TRY(vbss_slot_edit_unowned(grasper, &vbss_grasper_kind_of_slot, &found->slot));
+    const vbss_slot *slot = found->slot;
     const grasper_object *g = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "grasper %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (g->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the grasper's method is not the scene's");
@@ -45,7 +52,12 @@ static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
                          s->config.capsule_capacity);
     }
-    return VBSS_OK;
+    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &found->target)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the trocar is nearer to the tip than the jaws reach aside");
+    }
+    found->body = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
+    return found->body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 /* A proxy has the mass that its coupling needs, at the tip, where the hand is to feel what acts. */
@@ -57,25 +69,19 @@ static vbss_rigid_mass proxy_mass(const grasper_object *g)
     return mass;
 }
 
-vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uint32_t *body)
+static vbss_result add_grasper(scene_object *s, vbss_grasper *grasper, uint32_t *body)
 {
-    scene_object *s;
-    vbss_slot *slot;
-    pose target;
+    new_grasper found;
     uint32_t shape = 0;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
-    VBSS_TRY(vbss_slot_edit_unowned(grasper, &vbss_grasper_kind_of_slot, &slot));
-    VBSS_TRY(check_grasper(s, slot, body));
-    grasper_object *g = slot->object;
-    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &target)) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "the trocar is nearer to the tip than the jaws reach aside");
-    }
+    VBSS_TRY(check_grasper(s, grasper, body, &found));
+    vbss_slot *slot = found.slot;
+    scene_body *b = found.body;
+    const grasper_object *g = slot->object;
+    const vbss_rigid_kind kind = s->method->drives_tools ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED;
+    const scene_outline outline = {
+        .grasper = g, .at = found.target, .is_prescribed = kind == VBSS_RIGID_DRIVEN};
+    VBSS_TRY(vbss_scene_check_overlap(s, &outline, "grasper"));
     const vbss_rigid_mass mass = proxy_mass(g);
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
     VBSS_TRY(vbss_collision_add_capsules(
         scene_collision(s), GRASPER_CAPSULES,
         vbss_max(g->config.shaft_radius,
@@ -83,8 +89,7 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
         &shape));
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
-    init_rigid(&b->rigid, s->method->drives_tools ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED, g, slot,
-               &mass, target);
+    init_rigid(&b->rigid, kind, g, slot, &mass, found.target);
     b->rigid.first_capsule = s->capsule_count;
     b->rigid.capsule_count = GRASPER_CAPSULES;
     s->capsule_count += GRASPER_CAPSULES;
@@ -96,4 +101,16 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     vbss_scene_publish_grasper(s, b);
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uint32_t *body)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    new_grasper found;
+    scene_edit edit;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(check_grasper(s, grasper, body, &found));
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    return vbss_scene_end_edit(s, &edit, add_grasper(s, grasper, body));
 }

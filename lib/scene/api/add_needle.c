@@ -1,20 +1,21 @@
 /* Adds a needle to a scene, as a free rigid body. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
-static vbss_result check_needle(const scene_object *s, const vbss_slot *slot,
-                                const uint32_t *number)
+/* Returns the slot of the needle and a free entry for it. */
+static vbss_result check_needle(scene_object *s, vbss_needle *needle, const uint32_t *number,
+                                vbss_slot **found, scene_body **body)
 {
+    VBSS_TRY(vbss_slot_check_other(s->context, needle, "needle"));
+    VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, found));
+    const vbss_slot *slot = *found;
     const needle_object *n = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "needle %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (n->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the needle's method is not the scene's");
@@ -23,7 +24,8 @@ static vbss_result check_needle(const scene_object *s, const vbss_slot *slot,
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
                          s->config.capsule_capacity);
     }
-    return VBSS_OK;
+    *body = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
+    return *body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 static void add_capsules(scene_object *s, scene_rigid *r)
@@ -43,19 +45,14 @@ static void add_capsules(scene_object *s, scene_rigid *r)
     }
 }
 
-vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32_t *body)
+static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *body)
 {
-    scene_object *s;
     vbss_slot *slot;
+    scene_body *b;
     uint32_t shape = 0;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
-    VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, &slot));
-    VBSS_TRY(check_needle(s, slot, body));
+    VBSS_TRY(check_needle(s, needle, body, &slot, &b));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.needle = slot->object}, "needle"));
     needle_object *n = slot->object;
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), n->config.segment_count,
                                          n->config.wire_radius, &shape));
     s->collision->shapes[shape]->is_rigid = true;
@@ -72,4 +69,17 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     vbss_scene_publish_needle(b);
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32_t *body)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    vbss_slot *slot;
+    scene_body *b;
+    scene_edit edit;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(check_needle(s, needle, body, &slot, &b));
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    return vbss_scene_end_edit(s, &edit, add_needle(s, needle, body));
 }

@@ -1,7 +1,9 @@
 /* Adds a rigid body to a scene, with its mass spread over its capsules. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/world/world.h"
 
 _Static_assert(sizeof(vbss_rigid_config) == 200, "published size");
@@ -33,6 +35,21 @@ static vbss_result check_capsule(vbss_context *context, const vbss_capsule *c)
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->begin, 3), 0.0, 1e3, "begin of a capsule"));
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->end, 3), 0.0, 1e3, "end of a capsule"));
     return vbss_check_range(context, c->radius, 1e-6, 1.0, "radius of a capsule");
+}
+
+static void warn_of_units(vbss_context *context, const vbss_rigid_config *c)
+{
+    double farthest = 0.0, thickest = 0.0;
+    for (uint32_t i = 0; i < c->capsule_count; i++) {
+        const vbss_capsule *p = &c->capsules[i];
+        farthest = vbss_max(farthest, vbss_max(vbss_max_abs(p->begin, 3), vbss_max_abs(p->end, 3)));
+        thickest = vbss_max(thickest, p->radius);
+    }
+    vbss_warn_if_unlikely(context, farthest, VBSS_LIKELY_LENGTH, "a coordinate of a capsule", "m",
+                          "mm");
+    vbss_warn_if_unlikely(context, thickest, VBSS_LIKELY_RADIUS, "radius of a capsule", "m", "mm");
+    vbss_warn_if_unlikely(context, vbss_max_abs(c->gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
+                          "m/s^2", "mm/s^2");
 }
 
 static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c)
@@ -116,33 +133,64 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
     }
 }
 
-vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config, uint32_t *body)
-{
-    scene_object *s;
-    vbss_rigid_config own;
+/* Everything that a new body needs, computed before anything changes. */
+typedef struct new_rigid {
+    vbss_rigid_config config;
     vbss_rigid_mass mass;
     quat orientation;
+    double radius; /* of its thickest capsule, m */
+} new_rigid;
+
+static vbss_result read_rigid(const scene_object *s, const vbss_rigid_config *config,
+                              new_rigid *read)
+{
+    VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &read->config));
+    VBSS_TRY(check_rigid(s, &read->config));
+    VBSS_TRY(vbss_read_orientation(s->context, read->config.orientation, &read->orientation));
+    VBSS_TRY(distribute_mass(s, &read->config, &read->mass));
+    read->radius = 0.0;
+    for (uint32_t i = 0; i < read->config.capsule_count; i++) {
+        read->radius = vbss_max(read->config.capsules[i].radius, read->radius);
+    }
+    return VBSS_OK;
+}
+
+static vbss_result add_rigid(scene_object *s, const new_rigid *added, uint32_t *body)
+{
+    const vbss_rigid_config *c = &added->config;
     uint32_t shape = 0;
-    double radius = 0.0;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
-    VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
-    VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &own));
-    VBSS_TRY(check_rigid(s, &own));
-    VBSS_TRY(vbss_read_orientation(s->context, own.orientation, &orientation));
-    VBSS_TRY(distribute_mass(s, &own, &mass));
+    const scene_outline outline = {.capsules = c,
+                                   .at = pose_make(vec3_load(c->position), added->orientation),
+                                   .is_prescribed = c->kind == VBSS_RIGID_DRIVEN};
+    VBSS_TRY(vbss_scene_check_overlap(s, &outline, "rigid body"));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
-    for (uint32_t i = 0; i < own.capsule_count; i++) {
-        radius = vbss_max(own.capsules[i].radius, radius);
-    }
-    VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), own.capsule_count, radius, &shape));
+    VBSS_TRY(
+        vbss_collision_add_capsules(scene_collision(s), c->capsule_count, added->radius, &shape));
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
-    init_rigid(&b->rigid, &own, &mass, orientation);
-    add_capsules(s, b, &own);
+    init_rigid(&b->rigid, c, &added->mass, added->orientation);
+    add_capsules(s, b, c);
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     vbss_scene_list_overlaps_of(s, b);
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config, uint32_t *body)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    new_rigid added;
+    scene_edit edit;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
+    VBSS_TRY(read_rigid(s, config, &added));
+    if (vbss_scene_find_free_body(s, SCENE_BODY_RIGID) == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    warn_of_units(s->context, &added.config);
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    return vbss_scene_end_edit(s, &edit, add_rigid(s, &added, body));
 }

@@ -1,24 +1,28 @@
 /* Adds a thread to a scene, with room for all pieces that may be cut from it. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/api/overlap.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
-static vbss_result check_thread(const scene_object *s, const vbss_slot *slot, uint32_t *number)
+/* Returns the slot of the thread and a free entry for it. */
+static vbss_result check_thread(scene_object *s, vbss_thread *thread, const uint32_t *number,
+                                vbss_slot **found, scene_body **body)
 {
+    VBSS_TRY(vbss_slot_check_other(s->context, thread, "thread"));
+    VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, found));
+    const vbss_slot *slot = *found;
     const thread_object *t = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (slot->context != s->context) {
-        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
-                         "thread %llu belongs to another context",
-                         (unsigned long long)slot->ordinal);
-    }
     if (t->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the thread's method is not the scene's");
     }
-    return vbss_scene_check_thread_capacity(s, t);
+    VBSS_TRY(vbss_scene_check_thread_capacity(s, t));
+    *body = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
+    return *body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 /* The shape of an adaptive thread has room for all nodes that its mesh may get. */
@@ -34,18 +38,13 @@ static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body)
+static vbss_result add_thread(scene_object *s, vbss_thread *thread, uint32_t *body)
 {
-    scene_object *s;
     vbss_slot *slot;
+    scene_body *b;
     uint32_t shape = 0;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
-    VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, &slot));
-    VBSS_TRY(check_thread(s, slot, body));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    VBSS_TRY(check_thread(s, thread, body, &slot, &b));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.thread = slot->object}, "thread"));
     thread_object *t = slot->object;
     VBSS_TRY(add_shape(s, t, &shape));
     VBSS_TRY(vbss_scene_create_piece_shapes(s, t, shape));
@@ -57,4 +56,17 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     vbss_scene_add_spares(s, t, shape + 1);
     vbss_scene_number_nodes(s);
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    vbss_slot *slot;
+    scene_body *b;
+    scene_edit edit;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(check_thread(s, thread, body, &slot, &b));
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    return vbss_scene_end_edit(s, &edit, add_thread(s, thread, body));
 }

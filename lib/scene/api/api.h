@@ -15,13 +15,26 @@ extern const vbss_kind vbss_scene_kind;
  * is not that of a living scene. */
 vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene);
 
-/* Opens a scene for an edit and abandons a suspended step first. Returns
- * VBSS_ERROR_INVALID_HANDLE as vbss_scene_open does, VBSS_ERROR_BUSY inside a callback of the
- * context, or the error of that step. */
-vbss_result vbss_scene_open_for_edit(vbss_scene *handle, scene_object **scene);
-
-/* Opens a scene for a change that keeps a suspended step: a step, a target, destruction. Returns
- * VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY, the latter inside a callback of the context. */
+/* Opens a scene for a change. Returns VBSS_ERROR_INVALID_HANDLE as vbss_scene_open does, or
+ * VBSS_ERROR_BUSY inside a callback of the context. */
 vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene);
+
+/* ---- edit.c */
+
+/* An edit under way, with the state before it. */
+typedef struct scene_edit {
+    uint8_t
+        *backup;  /* NULL: no step is suspended, and the edit itself changes nothing on failure */
+    size_t count; /* bytes */
+} scene_edit;
+
+/* Begins an edit, for which a suspended step ends. The caller has checked its arguments, and must
+ * call vbss_scene_end_edit. Returns VBSS_ERROR_OUT_OF_MEMORY, without any change, if there is no
+ * room for the way back. */
+vbss_result vbss_scene_begin_edit(scene_object *s, scene_edit *edit);
+
+/* Ends an edit with its result, which it returns. On failure the scene returns to the suspended
+ * step. */
+vbss_result vbss_scene_end_edit(scene_object *s, scene_edit *edit, vbss_result result);
 
 #endif

@@ -1,4 +1,5 @@
 /* Describes what holds back bodies to hosts. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -6,6 +7,7 @@
 vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index, vbss_blocker *blocker,
                                    uint32_t struct_size)
 {
+    VBSS_ENTER(scene);
     static const uint32_t sizes[] = {sizeof(vbss_blocker), 0};
     static const vbss_layout layout = {"vbss_blocker", NULL, sizes};
     scene_object *s;

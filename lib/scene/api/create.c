@@ -1,4 +1,5 @@
 /* Creates scenes: default configuration, checks of the configuration, and memory. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/stream.h"
@@ -10,7 +11,7 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_scene_config) == 176, "published size");
+_Static_assert(sizeof(vbss_scene_config) == 192, "published size");
 _Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
 
 static const vbss_scene_config defaults = {
@@ -42,8 +43,9 @@ static const vbss_scene_config defaults = {
     .slot_limit = 210000,
     .drain_capacity = 1,
     .hole_capacity = 16,
+    .speed_limit = SCENE_DEFAULT_SPEED_LIMIT,
 };
-static const uint32_t config_sizes[] = {160, 168, 176, 0};
+static const uint32_t config_sizes[] = {160, 168, 176, 192, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
@@ -86,6 +88,9 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
         {"hole_capacity", c->hole_capacity, 0.0, 256.0},
         {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
         {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
+        {"speed_limit", c->speed_limit, 0.0, 1e6},
+        {"overlap", c->overlap, VBSS_OVERLAP_WARN, VBSS_OVERLAP_ALLOW},
+        {"reserved", c->reserved, 0.0, 0.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         const range *r = &ranges[i];
@@ -199,11 +204,11 @@ static vbss_result create_members(scene_object *s)
 vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
                               vbss_scene **scene)
 {
+    VBSS_ENTER_WITH_RESULT(context, scene);
     if (scene == NULL) {
         VBSS_TRY(vbss_context_open(context));
         return vbss_check_pointer(context, scene, "scene");
     }
-    *scene = NULL;
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_scene_config own = defaults;

@@ -1,4 +1,5 @@
 /* Describes the grasps of a tool to hosts. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"
@@ -8,6 +9,7 @@
 vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
                                  vbss_grasp *grasp, uint32_t struct_size)
 {
+    VBSS_ENTER(scene);
     static const uint32_t sizes[] = {sizeof(vbss_grasp), 0};
     static const vbss_layout layout = {"vbss_grasp", NULL, sizes};
     scene_object *s;

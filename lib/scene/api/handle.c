@@ -1,11 +1,12 @@
-/* Opens scene handles for reading or editing, and destroys scenes. */
+/* Opens scene handles, and destroys scenes. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "scene/api/api.h"
-#include "scene/step/step.h"
 #include "scene/world/world.h"
 
 vbss_result vbss_scene_destroy(vbss_scene *scene)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     if (scene == NULL) {
         return VBSS_OK;
@@ -34,10 +35,4 @@ vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene)
     VBSS_TRY(vbss_slot_edit(handle, &vbss_scene_kind, &slot));
     *scene = slot->object;
     return VBSS_OK;
-}
-
-vbss_result vbss_scene_open_for_edit(vbss_scene *handle, scene_object **scene)
-{
-    VBSS_TRY(vbss_scene_open_mutable(handle, scene));
-    return vbss_scene_abandon_suspended_step(*scene);
 }

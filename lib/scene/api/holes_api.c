@@ -1,4 +1,5 @@
 /* Makes holes for hosts, and describes the holes of a scene to them. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -93,14 +94,12 @@ static vbss_result check_place(const scene_object *s, const suture_hole *made,
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
-                                 uint32_t drain, uint32_t triangle, const double *weights,
-                                 uint32_t *id)
+/* Checks the arguments of vbss_scene_make_hole and initialises the hole with them. */
+static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_length,
+                                uint32_t body, const double *weights)
 {
-    scene_object *s;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     const scene_body *suture = vbss_scene_body(s, body);
-    const scene_body *d = vbss_scene_require_body(s, drain, SCENE_BODY_DRAIN);
+    const scene_body *d = vbss_scene_require_body(s, made->drain, SCENE_BODY_DRAIN);
     if (!s->method->accepts_holes) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "holes are made by hosts in scenes of method OURS");
@@ -109,23 +108,39 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     if (d == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
-    VBSS_TRY(vbss_check_range(s->context, triangle, 0.0, d->drain.drain->mesh.triangle_count - 1.0,
-                              "triangle"));
+    VBSS_TRY(vbss_check_range(s->context, made->triangle, 0.0,
+                              d->drain.drain->mesh.triangle_count - 1.0, "triangle"));
     VBSS_TRY(check_weights(s->context, weights));
-    suture_hole *hole = vbss_scene_find_free_hole(s);
-    if (hole == NULL) {
+    if (vbss_scene_find_free_hole(s) == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u holes",
                          s->config.hole_capacity);
     }
-    suture_hole made = {
-        .id = s->last_hole_id + 1, .drain = drain, .triangle = triangle, .arc = arc_length};
-    made.needle = suture->kind == SCENE_BODY_RIGID ? body : 0;
-    made.thread = suture->kind == SCENE_BODY_THREAD ? body : 0;
-    memcpy(made.barycentric, weights, sizeof made.barycentric);
-    VBSS_TRY(init_hole(s, &made, suture));
-    VBSS_TRY(check_place(s, &made, suture));
-    made.max_arc = vbss_max(made.max_arc, d->drain.drain->config.tip_length); /* the hole is open */
-    *hole = made;
+    made->id = s->last_hole_id + 1;
+    made->arc = arc_length;
+    made->needle = suture->kind == SCENE_BODY_RIGID ? body : 0;
+    made->thread = suture->kind == SCENE_BODY_THREAD ? body : 0;
+    memcpy(made->barycentric, weights, sizeof made->barycentric);
+    VBSS_TRY(init_hole(s, made, suture));
+    VBSS_TRY(check_place(s, made, suture));
+    made->max_arc = vbss_max(made->max_arc, d->drain.drain->config.tip_length); /* it is open */
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
+                                 uint32_t drain, uint32_t triangle, const double *weights,
+                                 uint32_t *id)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    scene_edit edit;
+    const suture_hole place = {.drain = drain, .triangle = triangle};
+    suture_hole made = place;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(prepare_hole(s, &made, arc_length, body, weights));
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    made = place;
+    VBSS_TRY(vbss_scene_end_edit(s, &edit, prepare_hole(s, &made, arc_length, body, weights)));
+    *vbss_scene_find_free_hole(s) = made;
     s->last_hole_id = made.id;
     s->report.generation++;
     if (id != NULL) {
@@ -137,6 +152,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
 vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
                                 uint32_t struct_size)
 {
+    VBSS_ENTER(scene);
     static const uint32_t sizes[] = {168, sizeof(vbss_hole), 0};
     static const vbss_layout layout = {"vbss_hole", NULL, sizes};
     scene_object *s;

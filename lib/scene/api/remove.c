@@ -1,6 +1,8 @@
 /* Removes a body from a scene, with its pins, grasps and holes. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "scene/api/api.h"
+#include "scene/step/step.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
@@ -25,12 +27,14 @@ static void remove_capsules(scene_object *s, const scene_rigid *gone)
 
 vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
-    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     scene_body *b = vbss_scene_body(s, body);
     if (b == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u", body);
     }
+    VBSS_TRY(vbss_scene_abandon_suspended_step(s)); /* which removes no body */
     vbss_scene_remove_pins_of(s, body);
     vbss_scene_remove_thread_grasps_of(s, body);
     vbss_scene_remove_needle_grasps_of(s, body);

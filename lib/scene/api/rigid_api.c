@@ -1,4 +1,5 @@
 /* Sets targets of rigid bodies and describes their states. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -17,6 +18,7 @@ static scene_body *find_rigid(const scene_object *s, uint32_t number)
 vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double position[3],
                                   const double *orientation)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, position, "position"));
@@ -38,6 +40,11 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     if (orientation != NULL) {
         VBSS_TRY(vbss_read_orientation(s->context, orientation, &target.orientation));
     }
+    const double jump = vec3_distance(vec3_load(position), target.position);
+    if (!r->has_jumped && jump > VBSS_LIKELY_JUMP) {
+        r->has_jumped = true; /* a host with the wrong unit is warned once, not each step */
+        vbss_warn_if_unlikely(s->context, jump, VBSS_LIKELY_JUMP, "the way to position", "m", "mm");
+    }
     target.position = vec3_load(position);
     target = pose_mul(target, r->frame);
     if (orientation == NULL) { /* keeps the same bits; rounding would turn the body */
@@ -51,6 +58,7 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
 vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_state *state,
                                  uint32_t struct_size)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     const scene_body *b = find_rigid(s, body);

@@ -1,4 +1,5 @@
 /* Steps a scene; statistics, snapshots and hash of a scene. */
+#include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
@@ -11,6 +12,7 @@ static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, sta
 vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
                                       uint32_t struct_size)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     vbss_scene_statistics own = s->report.statistics;
@@ -20,10 +22,10 @@ vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *
 
 vbss_result vbss_scene_step(vbss_scene *scene, double h)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
-    VBSS_TRY(vbss_check_arithmetic(s->context));
     const vbss_result result = s->method->step_scene(s, h);
     VBSS_TRY(result);
     s->report.generation++;
@@ -34,15 +36,18 @@ vbss_result vbss_scene_step(vbss_scene *scene, double h)
 
 vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t capacity, uint64_t *written)
 {
+    VBSS_ENTER(scene);
     return vbss_object_save(scene, &vbss_scene_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count)
 {
+    VBSS_ENTER(scene);
     return vbss_object_restore(scene, &vbss_scene_kind, bytes, count);
 }
 
 vbss_result vbss_scene_get_hash(vbss_scene *scene, uint64_t *hash)
 {
+    VBSS_ENTER(scene);
     return vbss_object_hash(scene, &vbss_scene_kind, hash);
 }

@@ -1,10 +1,12 @@
 /* Views of a scene's contacts and events. */
+#include "base/api_call.h"
 #include "base/error.h"
 #include "scene/api/api.h"
 
 vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_view *view,
                                 uint32_t struct_size)
 {
+    VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     const uint32_t f64 = (uint32_t)sizeof(double), u32 = (uint32_t)sizeof(uint32_t);

@@ -2,6 +2,35 @@
 #include "collision/closest.h"
 #include "scene/ccd/pair.h"
 
+/* Vertices of a pair: two of each edge, or a point and the corners of a triangle. */
+static void get_vertices(const scene_object *s, const collision_candidate *q,
+                         const collision_shape *shapes[4], uint32_t vertices[4])
+{
+    const collision_shape *a = s->collision->shapes[q->shape_a];
+    const collision_shape *b = s->collision->shapes[q->shape_b];
+    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
+    for (uint32_t k = 0; k < 4; k++) {
+        bool is_a = k < (edges ? 2u : 1u);
+        shapes[k] = is_a ? a : b;
+        vertices[k] = !edges ? (is_a ? q->a : b->triangles[q->b][k - 1])
+                             : (is_a ? a->edges[q->a][k] : b->edges[q->b][k - 2]);
+    }
+}
+
+bool vbss_scene_touches_lip(const scene_object *s, const collision_candidate *q, bool is_b)
+{
+    const collision_shape *shapes[4];
+    uint32_t vertices[4], first = q->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    const uint32_t shape = is_b ? q->shape_b : q->shape_a;
+    const uint32_t *lips = s->bodies[s->body_of_shape[shape]].drain.lip_of_node;
+    get_vertices(s, q, shapes, vertices);
+    bool is_lip = false;
+    for (uint32_t k = is_b ? first : 0; k < (is_b ? 4 : first); k++) {
+        is_lip = is_lip || lips[vertices[k]] != SCENE_NO_FACE;
+    }
+    return is_lip;
+}
+
 typedef struct swept_vertices {
     vec3 start[4], end[4];
 } swept_vertices;
@@ -23,7 +52,7 @@ static void set_swept_vertices(const scene_object *s, const ccd_query *query, sw
     const scene_axis_interval *interval = query->interval;
     const collision_shape *shapes[4];
     uint32_t vertices[4];
-    scene_vertices_of_pair(s, q, shapes, vertices);
+    get_vertices(s, q, shapes, vertices);
     for (uint32_t k = 0; k < 4; k++) {
         vec3 start = shapes[k]->start[vertices[k]], end = shapes[k]->end[vertices[k]];
         c->start[k] =

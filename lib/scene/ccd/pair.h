@@ -6,39 +6,15 @@
 #include "scene/tuning.h"
 #include "scene/world/scene_data.h"
 
-/* Vertices of a pair: two of each edge, or a point and the corners of a triangle. */
-static inline void scene_vertices_of_pair(const scene_object *s, const collision_candidate *q,
-                                          const collision_shape *shapes[4], uint32_t vertices[4])
-{
-    const collision_shape *a = s->collision->shapes[q->shape_a];
-    const collision_shape *b = s->collision->shapes[q->shape_b];
-    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
-    for (uint32_t k = 0; k < 4; k++) {
-        bool is_a = k < (edges ? 2u : 1u);
-        shapes[k] = is_a ? a : b;
-        /* Remainders keep each index in its array, also where a compiler cannot see that it is. */
-        vertices[k] = !edges ? (is_a ? q->a : b->triangles[q->b][(k + 2) % 3])
-                             : (is_a ? a->edges[q->a][k % 2] : b->edges[q->b][k % 2]);
-    }
-}
+/* Whether a vertex of a feature of a drain is at a lip (pair.c). */
+bool vbss_scene_touches_lip(const scene_object *s, const collision_candidate *q, bool is_b);
 
 /* Whether a feature touches a lip. It may come nearer to a wall than other features do. */
 static inline bool scene_is_on_lip(const scene_object *s, const collision_candidate *q, bool is_b)
 {
-    const collision_shape *shapes[4];
-    uint32_t vertices[4], first = q->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
-    const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
-    const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    if (a->kind != SCENE_BODY_DRAIN || b->kind != SCENE_BODY_DRAIN) {
-        return false;
-    }
-    scene_vertices_of_pair(s, q, shapes, vertices);
-    const uint32_t *lips = (is_b ? b : a)->drain.lip_of_node;
-    bool is_lip = false;
-    for (uint32_t k = is_b ? first : 0; k < (is_b ? 4 : first); k++) {
-        is_lip = is_lip || lips[vertices[k]] != SCENE_NO_FACE;
-    }
-    return is_lip;
+    return s->bodies[s->body_of_shape[q->shape_a]].kind == SCENE_BODY_DRAIN &&
+           s->bodies[s->body_of_shape[q->shape_b]].kind == SCENE_BODY_DRAIN &&
+           vbss_scene_touches_lip(s, q, is_b);
 }
 
 static inline double scene_ccd_radius(const scene_object *s, const collision_candidate *q,

@@ -24,9 +24,18 @@ typedef struct contact_scales {
     bool leaves_hole;
 } contact_scales;
 
+/* Whether a query's pair is farther apart at its end than `distance`. */
+static bool does_part(const scene_object *s, const ccd_query *query, double distance)
+{
+    const ccd_query end = {query->candidate, query->interval, 1.0};
+    double coordinates[3];
+    return vbss_scene_distance_at_start(s, &end, coordinates) > distance;
+}
+
 /* Time of impact of a pair that hit, as a fraction of the substep; 1 if it does not come too near.
  * A pair that starts near has a contact that keeps it apart. One that starts farther away may have
- * none, so it has to keep the contact distance. */
+ * none, so it has to keep the contact distance. Axes that meet have no side: they may part, and only
+ * that. */
 static double time_of_impact(scene_object *s, const ccd_query *query, contact_scales scales)
 {
     double coordinates[3], contact_distance = scene_ccd_contact_distance(s, query->candidate),
@@ -42,10 +51,12 @@ static double time_of_impact(scene_object *s, const ccd_query *query, contact_sc
     bool near = distance <= ccd_distance * (1.0 + 2.0 * s->collision->ccd_options.tolerance);
     double hit =
         time_of_approach(s, query, near ? SCENE_CCD_RATIO_WHEN_NEARER * distance : ccd_distance);
-    return hit < 1.0 && distance < SCENE_CCD_MIN_DISTANCE_RATIO * ccd_distance &&
-                   !scales.leaves_hole
-               ? query->start_fraction
-               : hit;
+    if (hit < 1.0 && distance < SCENE_CCD_MIN_DISTANCE_RATIO * ccd_distance &&
+        !scales.leaves_hole) {
+        bool has_no_side = distance <= SCENE_MIN_DISTANCE_RATIO * contact_distance;
+        return has_no_side && does_part(s, query, distance) ? 1.0 : query->start_fraction;
+    }
+    return hit;
 }
 
 /* Time of impact of a suture and a wall near holes. The contact scale changes on the way, so it is

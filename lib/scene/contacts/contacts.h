@@ -216,7 +216,7 @@ bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep);
 /* ---- warm_start.c */
 
 /* Gives contacts the status and forces that they had in the last substep, also where they slid to
- * an adjacent feature. Then absorbs overlaps of folds that no force accounts for. */
+ * an adjacent feature. Then bounds the speed at which overlaps that no force accounts for are removed. */
 void vbss_scene_warm_start_contacts(scene_object *s, const scene_substep *substep);
 
 #endif

@@ -58,26 +58,55 @@ static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *
     return best;
 }
 
-/* A fold knows no inside: as its sides turn, other pairs are nearest, and those may begin far deeper than what they bear. What
- * they have not been pressed in by nobody has done: they are let off by no more than they open. In real time parts leave
- * overlaps that no force knows of; let be, these would grow from part to part. */
-static void absorb_fold_overlap(scene_object *s, double h)
+/* Whether the parts of one wall touch in a fold. As they turn, other pairs are nearest, which may
+ * begin far deeper than their forces press. Truncated substeps in real time leave overlaps in folds
+ * that would grow from substep to substep. */
+static bool is_patient_fold(const scene_object *s, const contact_constraint *constraint)
 {
-    for (uint32_t i = 0; s->config.mode == VBSS_MODE_OFFLINE && i < s->contacts->count; i++) {
+    return s->config.mode == VBSS_MODE_OFFLINE && scene_is_surface_contact(constraint->key.kind) &&
+           constraint->key.body_a == constraint->key.body_b;
+}
+
+/* Overlap at the start of a substep that is left to later ones, m. The substep bears what the contact
+ * force explains, or removes as much as a bounded speed does. An overlap within the tolerance is no
+ * fault and goes at once, as do those of threads and drains, which leave bad states by forces of
+ * their own. */
+static double deferred_overlap(const scene_object *s, const contact_constraint *constraint,
+                               double h)
+{
+    const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
+    double overlap = -geometry->start_gap;
+    double explained = constraint->solution.status == CONTACT_OPEN
+                           ? 0.0
+                           : constraint->solution.normal_force / constraint->stiffness;
+    if (is_patient_fold(s, constraint)) {
+        double opening = SCENE_FOLD_OPENING_RATE * constraint->thickness * h;
+        return overlap - vbss_max(explained, opening);
+    }
+    bool is_rigid = constraint->key.kind == VBSS_CONTACT_CAPSULES ||
+                    constraint->key.kind == VBSS_CONTACT_CAPSULE_FLOOR;
+    double removable = SCENE_RECOVERY_RATE * geometry->contact_distance * h;
+    bool is_fault = is_rigid && overlap > s->config.penetration_tolerance * constraint->thickness &&
+                    overlap > explained + removable;
+    return is_fault ? overlap - vbss_max(explained, removable) : 0.0;
+}
+
+/* Rigid bodies that the host has placed in each other would fly apart if one substep removed all of their
+ * overlap. */
+static void bound_recovery_speed(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_constraint *constraint = &s->contacts->constraints[i];
         scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
-        bool is_fold = scene_is_surface_contact(constraint->key.kind) &&
-                       constraint->key.body_a == constraint->key.body_b;
-        double force_overlap = constraint->solution.status == CONTACT_OPEN
-                                   ? 0.0
-                                   : constraint->solution.normal_force / constraint->stiffness;
-        double opening = SCENE_FOLD_OPENING_RATE * constraint->thickness * h;
-        double excess = -geometry->start_gap - vbss_max(force_overlap, opening);
-        if (is_fold && excess > 0.0) {
-            constraint->fold_allowance = excess;
-            geometry->overlap_allowance += excess;
-            geometry->start_gap += excess;
-            constraint->gap += excess;
+        if (constraint->is_bilateral || geometry->start_gap >= 0.0) {
+            continue;
+        }
+        double deferred = deferred_overlap(s, constraint, h);
+        if (deferred > 0.0) {
+            constraint->recovery_allowance = deferred;
+            geometry->overlap_allowance += deferred;
+            geometry->start_gap += deferred;
+            constraint->gap += deferred;
         }
     }
 }
@@ -100,5 +129,5 @@ void vbss_scene_warm_start_contacts(scene_object *s, const scene_substep *subste
             vbss_contact_warm_start_one(set, m, adjacent);
         }
     }
-    absorb_fold_overlap(s, substep->h);
+    bound_recovery_speed(s, substep->h);
 }

@@ -598,4 +598,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
         s->report.event_count = 0;
         s->report.generation++;
     }
+    if (stream->trusted) {
+        vbss_scene_visit_report(stream, s);
+    }
 }

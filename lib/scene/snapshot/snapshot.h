@@ -11,6 +11,10 @@
 /* Visits the cursor, and the rest of a suspended step if there is one. */
 void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s);
 
+/* Visits what hosts see of the last step: events, contact views and the generation. Only the way
+ * back from a refused call has them. */
+void vbss_scene_visit_report(vbss_stream *stream, scene_object *s);
+
 /* ---- snapshot_pieces.c */
 
 /* Visits whether an entry that is reserved for a piece has one, and the fields that only pieces

@@ -9,7 +9,14 @@
 #include "scene/world/world.h"
 
 /* Parts of the state that follow the cursor, as bits of its first word. */
-enum { IS_SUSPENDED = 1, HAS_GROUPS = 2, HAS_OVERLAPS = 4, HAS_BLOCKERS = 8 };
+enum {
+    IS_SUSPENDED = 1,
+    HAS_GROUPS = 2,
+    HAS_OVERLAPS = 4,
+    HAS_BLOCKERS = 8,
+    HAS_LIMIT = 16,
+    IS_EDITED = 32
+};
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
 {
@@ -61,16 +68,21 @@ static bool is_valid_group(const scene_object *s, const scene_waiting_group *g)
            g->substep.start_fraction + g->size <= 1.0;
 }
 
-/* Visits the contacts in the views. */
-static void visit_contact_views(vbss_stream *stream, scene_report *r, uint32_t capacity)
+/* Visits the contacts in the views from the entry `first` on. */
+static void visit_contact_views(vbss_stream *stream, scene_report *r, uint32_t first,
+                                uint32_t capacity)
 {
-    vbss_stream_count(stream, 176, &r->contact_count, capacity);
-    const size_t count = stream->result == VBSS_OK ? r->contact_count : 0;
-    vbss_stream_u32(stream, 177, r->contact_features[0], 5 * count);
-    vbss_stream_f64(stream, 178, &r->contact_points->x, 3 * count);
-    vbss_stream_f64(stream, 178, &r->contact_normals->x, 3 * count);
-    vbss_stream_f64(stream, 178, &r->contact_forces->x, 3 * count);
-    vbss_stream_f64(stream, 178, r->contact_gaps, count);
+    uint32_t words = r->contact_count - first;
+    vbss_stream_count(stream, 176, &words, capacity - first);
+    const size_t count = stream->result == VBSS_OK ? words : 0;
+    r->contact_count = first + (uint32_t)count;
+    if (count > 0) {
+        vbss_stream_u32(stream, 177, r->contact_features[first], 5 * count);
+        vbss_stream_f64(stream, 178, &r->contact_points[first].x, 3 * count);
+        vbss_stream_f64(stream, 178, &r->contact_normals[first].x, 3 * count);
+        vbss_stream_f64(stream, 178, &r->contact_forces[first].x, 3 * count);
+        vbss_stream_f64(stream, 178, r->contact_gaps + first, count);
+    }
 }
 
 /* Visits the groups of a step that is divided among some. */
@@ -108,9 +120,9 @@ static void visit_groups(vbss_stream *stream, scene_object *s)
     if (reads && !is_valid) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such group of bodies");
     }
-    if (cursor->group > 0) { /* earlier groups have published their contacts */
-        visit_contact_views(stream, &s->report, s->config.contact_capacity);
-    }
+    /* Those of the step before, which the groups that wait still show, are no part of the state. */
+    visit_contact_views(stream, &s->report, s->report.old_contact_count,
+                        s->config.contact_capacity);
 }
 
 /* Visits the cursor of a suspended step, and how far its attempt had progressed for the replay. */
@@ -165,22 +177,30 @@ static void visit_suspended_step(vbss_stream *stream, scene_object *s)
     }
 }
 
+/* Without one, states have the same bytes as in older libraries, whose logs have their hashes. */
+static bool has_own_speed_limit(const scene_object *s)
+{
+    return s->config.speed_limit != SCENE_DEFAULT_SPEED_LIMIT && s->config.speed_limit != 0.0;
+}
+
 static uint32_t parts_of(const scene_object *s)
 {
     const scene_step_cursor *cursor = &s->cursor;
     bool has_groups = cursor->is_suspended && cursor->group_count > 1;
+    bool is_edited = cursor->is_suspended && cursor->edit_count != vbss_scene_count_edits(s);
     return (cursor->is_suspended ? IS_SUSPENDED : 0) | (has_groups ? HAS_GROUPS : 0) |
            (s->overlap_count > 0 ? HAS_OVERLAPS : 0) |
-           (s->report.blocker_count > 0 ? HAS_BLOCKERS : 0);
+           (s->report.blocker_count > 0 ? HAS_BLOCKERS : 0) |
+           (has_own_speed_limit(s) ? HAS_LIMIT : 0) | (is_edited ? IS_EDITED : 0);
 }
 
 static bool is_valid_state(const scene_object *s, const uint32_t words[3])
 {
     const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
     bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
-    return parts <= (IS_SUSPENDED | HAS_GROUPS | HAS_OVERLAPS | HAS_BLOCKERS) &&
-           ((parts & HAS_GROUPS) == 0 || is_suspended) && words[1] + is_suspended <= 2 &&
-           words[1] <= 2 && (is_implicit || (is_suspended == 0 && words[1] == 0));
+    return parts < 2 * IS_EDITED && ((parts & (HAS_GROUPS | IS_EDITED)) == 0 || is_suspended) &&
+           words[1] + is_suspended <= 2 && words[1] <= 2 &&
+           (is_implicit || (is_suspended == 0 && words[1] == 0));
 }
 
 static void put_in_one_group(scene_object *s)
@@ -191,7 +211,7 @@ static void put_in_one_group(scene_object *s)
     }
 }
 
-/* Visits the driven bodies that overlap (world/overlaps.c). */
+/* Visits the driven bodies that overlap (world/driven_overlaps.c). */
 static void visit_overlaps(vbss_stream *stream, scene_object *s, bool has_overlaps)
 {
     s->overlap_count = has_overlaps ? s->overlap_count : 0;
@@ -226,6 +246,17 @@ static void visit_blockers(vbss_stream *stream, scene_report *r, bool has_blocke
     }
 }
 
+/* Visits the speed limit. A snapshot without one is of the default limit, or of no limit as in older
+ * libraries. */
+static void visit_speed_limit(vbss_stream *stream, const scene_object *s, bool has_limit)
+{
+    if (has_limit) {
+        vbss_stream_expect_f64(stream, 182, s->config.speed_limit);
+    } else if (has_own_speed_limit(s)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another speed limit");
+    }
+}
+
 void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
@@ -246,7 +277,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
                                       .steps_behind = words[1],
                                       .unsliced_steps_left = words[2]};
         put_in_one_group(s);
-        s->report.contact_count = 0;
+        s->report.contact_count = s->report.old_contact_count = 0;
     }
     if (cursor->is_suspended) {
         visit_suspended_step(stream, s);
@@ -256,9 +287,26 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     }
     visit_overlaps(stream, s, (words[0] & HAS_OVERLAPS) != 0);
     visit_blockers(stream, &s->report, (words[0] & HAS_BLOCKERS) != 0);
+    visit_speed_limit(stream, s, (words[0] & HAS_LIMIT) != 0);
     if (reads) {
         vbss_scene_set_substep_limits(s);
         s->report.has_pending_events = false;
-        cursor->edit_count = vbss_scene_count_edits(s);
+        /* Another count than that of the bodies ends the suspended step. */
+        cursor->edit_count = vbss_scene_count_edits(s) - ((words[0] & IS_EDITED) != 0);
     }
+}
+
+void vbss_scene_visit_report(vbss_stream *stream, scene_object *s)
+{
+    scene_report *r = &s->report;
+    vbss_stream_bool(stream, 190, &r->has_pending_events);
+    vbss_stream_count(stream, 191, &r->event_count, s->config.event_capacity);
+    const size_t count = stream->result == VBSS_OK ? r->event_count : 0;
+    if (count > 0) {
+        vbss_stream_u32(stream, 192, r->events[0], 4 * count);
+    }
+    vbss_stream_u32(stream, 193, &r->lost_events, 1);
+    visit_contact_views(stream, r, 0, s->config.contact_capacity);
+    vbss_stream_u32(stream, 195, &r->old_contact_count, 1);
+    vbss_stream_u64(stream, 194, &r->generation, 1);
 }

@@ -21,8 +21,8 @@ static void set_allowed_penetrations(scene_object *s)
         double allowed_penetration = s->config.penetration_tolerance * constraint->thickness;
         constraint->allowed_penetration = vbss_max(
             allowed_penetration, SCENE_ALLOWED_DEEPENING * allowed_penetration - start_gap);
-        s->step.is_recovering =
-            s->step.is_recovering || constraint->fold_allowance - start_gap > allowed_penetration;
+        s->step.is_recovering = s->step.is_recovering ||
+                                constraint->recovery_allowance - start_gap > allowed_penetration;
     }
 }
 

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "scene/step/step.h"
 #include "scene/tools/tools.h"
+#include "scene/world/world.h"
 
 #include <string.h>
 
@@ -33,6 +34,9 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
     s->checkpoint.blocker_count = s->report.blocker_count;
     memcpy(s->checkpoint.blockers, s->report.blockers,
            s->report.blocker_count * sizeof *s->report.blockers);
+    s->checkpoint.overlap_count = s->overlap_count;
+    memcpy(s->checkpoint.overlaps, s->overlaps, s->overlap_count * sizeof *s->overlaps);
+    vbss_scene_checkpoint_pin_targets(s);
     vbss_contact_checkpoint(s->contacts);
     return VBSS_OK;
 }
@@ -77,6 +81,9 @@ void vbss_scene_rollback(scene_object *s)
     memcpy(s->report.blockers, s->checkpoint.blockers,
            s->checkpoint.blocker_count * sizeof *s->report.blockers);
     s->cursor.is_attempt_in_memory = false;
+    s->overlap_count = s->checkpoint.overlap_count;
+    memcpy(s->overlaps, s->checkpoint.overlaps, s->overlap_count * sizeof *s->overlaps);
+    vbss_scene_rollback_pin_targets(s);
     vbss_contact_rollback(s->contacts);
     s->report.event_count = s->checkpoint.event_count;
     s->report.lost_events = s->checkpoint.lost_events;
@@ -115,9 +122,13 @@ void vbss_scene_checkpoint_tools(scene_object *s)
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
+        if (s->bodies[i].kind != SCENE_BODY_RIGID) {
+            continue;
+        }
+        r->checkpoint.target_end = r->body.target_end;
+        r->checkpoint.has_pending_target = r->has_pending_target;
+        if (r->grasper != NULL) {
             const grasper_object *g = r->grasper;
-            r->checkpoint.target_end = r->body.target_end;
             r->checkpoint.needle_grasp = r->needle_grasp;
             r->checkpoint.wall_grasp = r->wall_grasp;
             r->checkpoint.jaws = (struct scene_checkpoint_jaws){g->kind, g->commanded_kind,
@@ -143,9 +154,13 @@ void vbss_scene_rollback_tools(scene_object *s)
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
+        if (s->bodies[i].kind != SCENE_BODY_RIGID) {
+            continue;
+        }
+        r->body.target_end = r->checkpoint.target_end;
+        r->has_pending_target = r->checkpoint.has_pending_target;
+        if (r->grasper != NULL) {
             grasper_object *g = r->grasper;
-            r->body.target_end = r->checkpoint.target_end;
             r->needle_grasp = r->checkpoint.needle_grasp;
             r->wall_grasp = r->checkpoint.wall_grasp;
             g->kind = r->checkpoint.jaws.kind;

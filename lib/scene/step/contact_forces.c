@@ -15,8 +15,34 @@ void vbss_scene_add_force(scene_body *b, vec3 point, vec3 force)
     }
 }
 
+static void copy_view(scene_report *r, uint32_t to, uint32_t from)
+{
+    memcpy(r->contact_features[to], r->contact_features[from], sizeof r->contact_features[to]);
+    r->contact_points[to] = r->contact_points[from];
+    r->contact_normals[to] = r->contact_normals[from];
+    r->contact_forces[to] = r->contact_forces[from];
+    r->contact_gaps[to] = r->contact_gaps[from];
+}
+
+/* Removes the contacts of the step before, which groups that wait still show. */
+static void remove_old_contacts(scene_report *r)
+{
+    for (uint32_t i = r->old_contact_count; i < r->contact_count; i++) {
+        copy_view(r, i - r->old_contact_count, i);
+    }
+    r->contact_count -= r->old_contact_count;
+    r->old_contact_count = 0;
+}
+
 void vbss_scene_publish_contact(scene_object *s, const scene_contact_record *contact)
 {
+    /* All groups together may have more contacts than the views can show. */
+    if (s->report.contact_count == s->config.contact_capacity) {
+        remove_old_contacts(&s->report);
+    }
+    if (s->report.contact_count == s->config.contact_capacity) {
+        return;
+    }
     uint32_t i = s->report.contact_count++;
     const contact_key *key = &contact->key;
     const uint32_t features[5] = {key->kind, key->body_a, key->feature_a, key->body_b,
@@ -77,7 +103,7 @@ void vbss_scene_publish_constraints(scene_object *s)
             continue;
         }
         const vec3 point = scene_geometry_of(s, constraint)->point;
-        const double gap = constraint->gap - constraint->fold_allowance;
+        const double gap = constraint->gap - constraint->recovery_allowance;
         const scene_contact_record contact = {constraint->key, constraint->normal, force, point,
                                               gap};
         vbss_scene_publish_contact(s, &contact);
@@ -107,26 +133,26 @@ static void add_pin_forces(scene_object *s)
     }
 }
 
-/* Removes the contacts of the step before from the views, and of bodies that took part in the last
- * substep. New ones follow. So the views depend on this step only, and a restored scene has the same. */
+/* Removes the contacts of bodies that took part in the last substep from the views. New ones
+ * follow. */
 static void remove_renewed_contacts(scene_object *s)
 {
     scene_report *r = &s->report;
-    uint32_t count = 0;
-    for (uint32_t i = 0; s->cursor.group > 0 && i < r->contact_count; i++) {
+    uint32_t count = 0, old_count = 0;
+    for (uint32_t i = 0; s->cursor.group_count > 1 && i < r->contact_count; i++) {
         const uint32_t *features = r->contact_features[i];
         const scene_body *a = vbss_scene_body(s, features[1]), *b = vbss_scene_body(s, features[3]);
         if (a == NULL || scene_is_active(a) || scene_is_active(b)) {
             continue;
         }
-        memmove(r->contact_features[count], features, sizeof r->contact_features[count]);
-        r->contact_points[count] = r->contact_points[i];
-        r->contact_normals[count] = r->contact_normals[i];
-        r->contact_forces[count] = r->contact_forces[i];
-        r->contact_gaps[count] = r->contact_gaps[i];
+        if (count < i) {
+            copy_view(r, count, i);
+        }
+        old_count += i < r->old_contact_count;
         count++;
     }
     r->contact_count = count;
+    r->old_contact_count = old_count;
 }
 
 void vbss_scene_collect_forces(scene_object *s)
@@ -139,5 +165,7 @@ void vbss_scene_collect_forces(scene_object *s)
     }
     s->method->publish_contacts(s);
     add_pin_forces(s);
-    s->report.statistics.contacts = s->report.contact_count;
+    if (s->cursor.group + 1 >= s->cursor.group_count) { /* no group waits */
+        s->report.statistics.contacts = s->report.contact_count;
+    }
 }

@@ -65,10 +65,8 @@ static void record_errors(scene_object *s)
 static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cursor)
 {
     uint64_t next_attempt_cost = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
-    bool is_over_budget =
-        s->contacts->counters.operations + next_attempt_cost >= s->config.work_limit;
-    return vbss_scene_has_step_budget(s) &&
-           (cursor->attempts >= s->config.attempt_limit || is_over_budget);
+    return vbss_scene_is_beyond_step_limits(s, s->contacts->counters.operations + next_attempt_cost,
+                                            cursor->attempts);
 }
 
 /* Whether the substep is attempted again: with the displacements that are known now, with a search
@@ -339,9 +337,15 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
         replay_attempt(s);
     }
     cursor->is_suspended = true;
-    for (;;) {
+    for (bool has_finished_group = false;; has_finished_group = true) {
         bool is_complete;
-        VBSS_TRY(run_group(s, &is_complete));
+        vbss_result result = run_group(s, &is_complete);
+        if (result != VBSS_OK && has_finished_group) {
+            /* What the other groups did stays. The next call fails in this one and returns the error. */
+            vbss_scene_rollback(s);
+            return VBSS_OK;
+        }
+        VBSS_TRY(result);
         if (!is_complete) {
             return VBSS_OK;
         }
@@ -350,6 +354,7 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
         }
         vbss_scene_finish_group(s);
         (void)vbss_scene_begin_next_group(s);
+        VBSS_TRY(vbss_scene_checkpoint(s));
     }
     cursor->is_suspended = false;
     return VBSS_OK;

@@ -54,6 +54,9 @@ vbss_result vbss_scene_abandon_suspended_step(scene_object *s)
         return VBSS_OK;
     }
     VBSS_TRY(vbss_scene_checkpoint(s));
+    /* The attempt in memory does not know the edits of bodies; a restored scene repeats it as well. */
+    s->cursor.is_attempt_in_memory =
+        s->cursor.is_attempt_in_memory && vbss_scene_count_edits(s) == s->cursor.edit_count;
     swap_targets(s);
     s->contacts->counters.operations = s->cursor.operations;
     vbss_scene_abandon_step(s);
@@ -145,25 +148,27 @@ static void drop_overdue_steps(scene_object *s, double h)
 vbss_result vbss_scene_implicit_step(scene_object *s, double h)
 {
     scene_step_cursor *cursor = &s->cursor;
+    const bool ends_suspended =
+        cursor->is_suspended && vbss_scene_count_edits(s) != cursor->edit_count;
     if (!s->report.has_pending_events) {
         vbss_scene_clear_events(s);
     }
-    if (cursor->is_suspended && vbss_scene_count_edits(s) != cursor->edit_count) {
+    if (ends_suspended) {
         VBSS_TRY(vbss_scene_abandon_suspended_step(s));
     }
-    const bool is_sliced = vbss_scene_has_step_budget(s) && s->config.slot_limit > 0 &&
-                           cursor->unsliced_steps_left == 0;
+    const bool can_slice = vbss_scene_has_step_budget(s) && s->config.slot_limit > 0;
+    const bool is_sliced = can_slice && cursor->unsliced_steps_left == 0;
     s->contacts->call_budget.has_progress = false;
     cursor->operations_left = s->config.slot_limit;
     cursor->steps_behind++;
     vbss_result result = run_slice_or_rollback(s, h, is_sliced);
-    if (result != VBSS_OK) {
+    if (result != VBSS_OK && !ends_suspended) {
         cursor->steps_behind--;
         return result;
     }
+    /* If a step fails after another has ended, the next call fails in it and returns the error. */
     while (result == VBSS_OK && !cursor->is_suspended && cursor->steps_behind > 0 &&
-           can_begin_step(s, is_sliced)) {
-        /* If it fails, the next call fails in this step and returns the error. */
+           (!can_slice || can_begin_step(s, is_sliced))) {
         result = run_slice_or_rollback(s, h, is_sliced);
     }
     if (cursor->is_suspended) {

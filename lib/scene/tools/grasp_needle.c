@@ -34,18 +34,37 @@ static void emit_needle_grasp_event(scene_object *s, vbss_event_kind kind, const
 
 /* ---- grasping */
 
+/* Largest distance of a wire beyond the tip at which friction holds it, m. The contact normals lean
+ * outward there, by an angle whose sine is the distance over that of the axes. Up to the friction
+ * angle the jaws hold the wire; beyond it they push it out. */
+static double max_overhang(const scene_rigid *tool, const scene_rigid *needle)
+{
+    double friction = sqrt(tool->friction * needle->friction);
+    double sine = friction / sqrt(1.0 + friction * friction);
+    double touching =
+        vbss_grasper_current_jaws(tool->grasper)->radius + needle->needle->config.wire_radius;
+    return sine * touching;
+}
+
 /* Jaw angle at which round jaws touch a wire between them, rad. `direction` is that of the wire
- * in the jaws' frame, unit. Returns 0 if the wire is too steep to be grasped. */
-static double touching_angle(const grasper_object *g, double wire, vec3 direction,
+ * in the jaws' frame, unit. Beyond the tip it touches the round ends. Near the pivot, where jaws
+ * cannot open so far, it is in them only because the host has put it there. Returns 0 if friction
+ * does not hold the wire: it is too steep, or too far beyond the tip. */
+static double touching_angle(const scene_rigid *tool, const scene_rigid *needle, vec3 direction,
                              double from_pivot)
 {
-    double jaw = vbss_grasper_current_jaws(g)->radius,
+    const grasper_jaws *jaws = vbss_grasper_current_jaws(tool->grasper);
+    double touching = jaws->radius + needle->needle->config.wire_radius,
            flat = sqrt(direction.x * direction.x + direction.y * direction.y);
     double across = flat > 0.0 ? fabs(direction.y) / flat : 1.0;
-    if (across < SCENE_NEEDLE_MIN_ACROSS) {
+    double overhang = vbss_max(from_pivot - jaws->length, 0.0);
+    if (across < SCENE_NEEDLE_MIN_ACROSS || overhang > max_overhang(tool, needle)) {
         return 0.0;
     }
-    return vbss_grasper_touching_angle(2.0 * ((jaw + wire) / across - jaw), from_pivot);
+    double apart = overhang > 0.0 ? sqrt(touching * touching - overhang * overhang) : touching;
+    double angle =
+        vbss_grasper_touching_angle(2.0 * (apart / across - jaws->radius), from_pivot - overhang);
+    return vbss_min(angle, jaws->opening);
 }
 
 static void find_grasp_on_needle(const scene_body *tool, const scene_body *b,
@@ -57,17 +76,17 @@ static void find_grasp_on_needle(const scene_body *tool, const scene_body *b,
     pose needle =
         pose_mul(pose_inverse(jaws), vbss_scene_needle_frame(&b->rigid, b->rigid.body.now.pose));
     uint32_t pieces = SCENE_NEEDLE_ARC_SAMPLES * n->config.segment_count;
-    double length = vbss_needle_length(n) / pieces;
+    double length = vbss_needle_length(n) / pieces,
+           overhang = max_overhang(&tool->rigid, &b->rigid);
     for (uint32_t i = 0; i < pieces; i++) {
         grasper_jaw_point at;
         vec3 start = pose_apply(needle, vbss_needle_point(n, i * length));
         vec3 end = pose_apply(needle, vbss_needle_point(n, (i + 1) * length));
-        if (!vbss_grasper_find_between(g, start, end, &at) || !(at.offset < *beside)) {
+        if (!vbss_grasper_find_between(g, start, end, overhang, &at) || !(at.offset < *beside)) {
             continue;
         }
-        double angle =
-            touching_angle(g, n->config.wire_radius,
-                           vec3_unit_or(vec3_sub(end, start), vec3_zero()), at.from_pivot);
+        vec3 direction = vec3_unit_or(vec3_sub(end, start), vec3_zero());
+        double angle = touching_angle(&tool->rigid, &b->rigid, direction, at.from_pivot);
         if (angle > 0.0) {
             *beside = at.offset;
             *found = (scene_needle_grasp){

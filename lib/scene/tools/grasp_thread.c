@@ -70,7 +70,7 @@ static void find_strands_of_thread(const scene_object *s, const scene_body *b, s
         bool between =
             vec3_norm_squared(off) < reach * reach &&
             vbss_grasper_find_between(m->grasper, pose_apply_inverse(m->jaws, t->now.x[i]),
-                                      pose_apply_inverse(m->jaws, t->now.x[i + 1]), &found.at);
+                                      pose_apply_inverse(m->jaws, t->now.x[i + 1]), 0.0, &found.at);
         if (!between) {
             last = NULL;
             is_torn_run = false;

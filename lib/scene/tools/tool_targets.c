@@ -48,6 +48,7 @@ static void apply_target(scene_object *s, scene_body *b, double h)
     if (vbss_grasper_apply_trocar(g, g->commanded_pose,
                                   &target)) { /* cannot fail: checked when the host set it */
         r->body.target_end = pose_mul(target, r->frame);
+        (void)vbss_scene_limit_target(s, r, h);
     }
     s->method->move_jaws(s, b, h);
     g->jaw_force = vbss_scene_count_grasps(s, b->number) > 0

@@ -1,5 +1,6 @@
 /* Cuts of threads in a scene. The part beyond the cut becomes a body of its own, together with
  * its pins, grasps and holes; the warm start of contacts follows the features. */
+#include "base/error.h"
 #include "collision/closest.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
@@ -181,21 +182,36 @@ static void divide_thread(scene_object *s, scene_body *old, scene_body *piece,
     vbss_scene_number_nodes(s);
 }
 
+/* Finds where the thread is cut, beside its holes, and the spare for the piece. */
+static vbss_result prepare_cut(scene_object *s, const scene_body *thread, double *arc_length,
+                               thread_cut *cut, scene_body **spare)
+{
+    *arc_length = vbss_scene_move_cut_out_of_holes(s, thread->number, *arc_length);
+    if (!(*arc_length >= 0.0) || !vbss_thread_locate_cut(thread->thread.thread, *arc_length, cut)) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    *spare = vbss_scene_find_spare(s, thread);
+    if (*spare == NULL || s->last_body_number == UINT32_MAX) {
+        vbss_scene_emit_cut_event(s, thread, NULL, *arc_length);
+        return VBSS_ERROR_CAPACITY;
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_check_cut(scene_object *s, const scene_body *thread, double arc_length)
+{
+    thread_cut cut;
+    scene_body *spare;
+    return prepare_cut(s, thread, &arc_length, &cut, &spare);
+}
+
 vbss_result vbss_scene_apply_cut(scene_object *s, scene_body *thread, double arc_length,
                                  scene_body **piece)
 {
     renumbering r = {.old = thread};
+    scene_body *b;
     *piece = NULL;
-    arc_length = vbss_scene_move_cut_out_of_holes(s, thread->number, arc_length);
-    if (!(arc_length >= 0.0) ||
-        !vbss_thread_locate_cut(thread->thread.thread, arc_length, &r.cut)) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    scene_body *b = vbss_scene_find_spare(s, thread);
-    if (b == NULL || s->last_body_number == UINT32_MAX) {
-        vbss_scene_emit_cut_event(s, thread, NULL, arc_length);
-        return VBSS_ERROR_CAPACITY;
-    }
+    VBSS_TRY(prepare_cut(s, thread, &arc_length, &r.cut, &b));
     r.piece = b;
     record_sides(s, &r);
     divide_thread(s, thread, b, &r.cut);

@@ -67,6 +67,10 @@ bool vbss_scene_is_spare_piece(const scene_body *b);
 
 /* ---- cuts.c */
 
+/* Checks a cut with the results of vbss_scene_apply_cut. The lack of a piece is an event already;
+ * nothing else changes. */
+vbss_result vbss_scene_check_cut(scene_object *s, const scene_body *thread, double arc_length);
+
 /* Cuts a thread between steps or at the end of one, and adds the event. `arc_length` is from its
  * first node at rest, m; `piece` receives the new body. Sets no error text. Returns
  * VBSS_ERROR_OUT_OF_RANGE if the cut is at an end of the thread, VBSS_ERROR_CAPACITY if the pool

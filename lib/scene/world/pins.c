@@ -72,12 +72,11 @@ static vbss_result attach(const scene_body *thread, uint32_t node, vec3 position
     return vbss_thread_attach((vbss_thread *)thread->thread.slot, &a, id);
 }
 
-vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
-                                const double *point, uint32_t *pin)
+vbss_result vbss_scene_check_pin(const scene_object *s, uint32_t thread, uint32_t node,
+                                 uint32_t body, const double *point)
 {
-    scene_body *t = vbss_scene_require_body(s, thread, SCENE_BODY_THREAD);
-    scene_body *b = body == 0 ? NULL : vbss_scene_require_body(s, body, SCENE_BODY_RIGID);
-    if (t == NULL || (body != 0 && b == NULL)) {
+    const scene_body *t = vbss_scene_require_body(s, thread, SCENE_BODY_THREAD);
+    if (t == NULL || (body != 0 && vbss_scene_require_body(s, body, SCENE_BODY_RIGID) == NULL)) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     VBSS_TRY(check_node(s, t, node));
@@ -85,10 +84,16 @@ vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node,
         VBSS_TRY(vbss_check_finite(s->context, point, 3, "point"));
         VBSS_TRY(vbss_check_range(s->context, vbss_max_abs(point, 3), 0.0, 1e3, "point"));
     }
+    return find_free_pin(s) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+}
+
+vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
+                                const double *point, uint32_t *pin)
+{
+    VBSS_TRY(vbss_scene_check_pin(s, thread, node, body, point));
+    scene_body *t = vbss_scene_body(s, thread);
+    scene_body *b = vbss_scene_body(s, body);
     scene_pin *p = find_free_pin(s);
-    if (p == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
     vec3 current = t->thread.thread->now.x[node];
     vec3 at = point != NULL ? vec3_load(point) : current;
     if (b != NULL) {
@@ -124,6 +129,16 @@ static void remove_pin(scene_object *s, scene_pin *p)
     *p = (scene_pin){0};
 }
 
+bool vbss_scene_has_pin(const scene_object *s, uint32_t pin)
+{
+    for (uint32_t i = 0; pin != 0 && i < s->config.pin_capacity; i++) {
+        if (s->pins[i].id == pin) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool vbss_scene_unpin_node(scene_object *s, uint32_t pin)
 {
     for (uint32_t i = 0; pin != 0 && i < s->config.pin_capacity; i++) {
@@ -157,16 +172,40 @@ const scene_pin *vbss_scene_find_weld(const scene_object *s, uint32_t thread, ui
     return NULL;
 }
 
+/* The attachment of the thread that a pin moves, or NULL. */
+static thread_attachment *attachment_of(const scene_object *s, const scene_pin *p)
+{
+    return p->id != 0 && p->attachment != 0
+               ? find_attachment(vbss_scene_body(s, p->thread), p->attachment)
+               : NULL;
+}
+
 void vbss_scene_set_pin_targets(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
-        const scene_pin *p = &s->pins[i];
-        if (p->id == 0 || p->attachment == 0) {
-            continue;
-        }
-        thread_attachment *a = find_attachment(vbss_scene_body(s, p->thread), p->attachment);
+        thread_attachment *a = attachment_of(s, &s->pins[i]);
         if (a != NULL) {
-            a->target = pin_target(vbss_scene_body(s, p->body), p->point);
+            a->target = pin_target(vbss_scene_body(s, s->pins[i].body), s->pins[i].point);
+        }
+    }
+}
+
+void vbss_scene_checkpoint_pin_targets(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const thread_attachment *a = attachment_of(s, &s->pins[i]);
+        if (a != NULL) {
+            s->pins[i].checkpoint_target = a->target;
+        }
+    }
+}
+
+void vbss_scene_rollback_pin_targets(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        thread_attachment *a = attachment_of(s, &s->pins[i]);
+        if (a != NULL) {
+            a->target = s->pins[i].checkpoint_target;
         }
     }
 }

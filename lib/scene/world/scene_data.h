@@ -32,6 +32,8 @@ enum { SCENE_MAX_SHAPES = 4096, SCENE_MAX_THREADS = 64 };
 enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
 /* Pairs of driven bodies that overlap since they were added. Chosen. */
 enum { SCENE_MAX_OVERLAPS = 256 };
+/* Default of speed_limit, m/s. Chosen: a hand is slower than 5 m/s. */
+#define SCENE_DEFAULT_SPEED_LIMIT 20.0
 #define SCENE_NO_FACE UINT32_MAX
 
 /* ---- bodies */
@@ -143,6 +145,7 @@ typedef struct scene_rigid {
     vbss_rigid body;     /* motion, mass, and the target poses at the start and end of the step */
     pose pending_target; /* target pose for the next step, if has_pending_target; principal frame */
     bool has_pending_target;               /* the host set a target that no step has used yet */
+    bool has_jumped;                       /* a target was unlikely far away, and a warning given */
     pose frame;                            /* principal frame in the frame that hosts see */
     double friction;                       /* coefficient */
     uint32_t first_capsule, capsule_count; /* its capsules in scene_object::capsules */
@@ -164,10 +167,11 @@ typedef struct scene_rigid {
     struct scene_rigid_checkpoint {
         vbss_rigid_motion motion;
         vbss_rigid_wrench coupling_wrench;
+        pose target_end; /* target pose at the end of the step: body.target_end */
+        bool has_pending_target;
         /* For graspers only. */
         scene_needle_grasp needle_grasp;
         scene_wall_grasp wall_grasp;
-        pose target_end; /* target pose at the end of the step: body.target_end */
         struct scene_checkpoint_jaws {
             vbss_grasper_kind kind, target_kind;
             double angle, pressure; /* jaw angle, rad; jaw force, N */
@@ -223,6 +227,7 @@ typedef struct scene_pin {
     uint32_t thread, node, body; /* numbers; body 0: the world */
     uint32_t attachment;         /* id of the thread's attachment that moves the node; 0: a weld */
     vec3 point;                  /* position of the node in the principal frame of the body, m */
+    vec3 checkpoint_target;      /* checkpoint: target of the attachment, m */
 } scene_pin;
 
 /* A strand of thread between the jaws of a grasper: it is held, or excluded from contact with the
@@ -289,8 +294,8 @@ typedef struct scene_contact_geometry {
     double contact_distance; /* distance of the axes or centres at contact, m */
     double lip_thickness;    /* contact of two lips: thickness of the wall along the normal, m */
     double
-        overlap_allowance; /* overlap that is allowed without a force, at a hole or in a fold, m */
-    double start_gap;      /* at the start of the substep, allowance included, m */
+        overlap_allowance; /* overlap that is allowed without a force, at a hole or from before the substep, m */
+    double start_gap; /* at the start of the substep, allowance included, m */
     /* Hole: arc length at the start of the substep, m; span of the thread along which it may
      * slide. */
     double start_arc_length;
@@ -447,6 +452,8 @@ typedef struct scene_checkpoint {
     uint32_t event_count, lost_events;
     scene_blocker blockers[SCENE_MAX_BLOCKERS];
     uint32_t blocker_count;
+    scene_touching_pair overlaps[SCENE_MAX_OVERLAPS];
+    uint32_t overlap_count;
     vbss_scene_statistics statistics;
 } scene_checkpoint;
 
@@ -464,6 +471,8 @@ typedef struct scene_report {
     bool has_pending_events; /* events were emitted after the last call; the next keeps them */
     /* The contact views: contact_count entries, in the order of the features. */
     uint32_t contact_count;
+    /* The first entries are those of the step before, of groups that wait. A restored scene has none. */
+    uint32_t old_contact_count;
     uint32_t (*contact_features)[5]; /* vbss_contact_kind, body a, feature a, body b, feature b */
     /* Points between the surfaces, m; unit, from b to a; on a by b, N. */
     vec3 *contact_points, *contact_normals, *contact_forces;
@@ -486,7 +495,7 @@ struct scene_object {
     /* config.grasp_capacity grasps and config.hole_capacity holes; unused entries have id 0. */
     scene_thread_grasp *thread_grasps;
     suture_hole *holes;
-    /* Driven bodies that overlap since they were added (world/overlaps.c). */
+    /* Driven bodies that overlap since they were added (world/driven_overlaps.c). */
     scene_touching_pair overlaps[SCENE_MAX_OVERLAPS];
     uint32_t overlap_count;
     uint32_t body_count, body_capacity; /* entries used so far, free ones included; all */

@@ -18,9 +18,24 @@ bool vbss_scene_is_over_budget(const scene_object *s)
     return s->step.budget > 0 && s->contacts->counters.operations >= s->step.budget;
 }
 
-/* The first step has no budget, because bodies may overlap as the host has placed them. */
+static bool is_first_step(const scene_object *s)
+{
+    return s->report.statistics.steps == 0;
+}
+
+static bool has_limits(const scene_object *s)
+{
+    return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0;
+}
+
 bool vbss_scene_has_step_budget(const scene_object *s)
 {
-    return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0 &&
-           s->report.statistics.steps > 0;
+    return has_limits(s) && !is_first_step(s);
+}
+
+bool vbss_scene_is_beyond_step_limits(const scene_object *s, uint64_t operations, uint32_t attempts)
+{
+    const uint64_t limits = is_first_step(s) ? SCENE_FIRST_STEP_LIMITS : 1;
+    return has_limits(s) && (operations >= limits * s->config.work_limit ||
+                             attempts >= limits * s->config.attempt_limit);
 }

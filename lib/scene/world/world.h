@@ -185,11 +185,24 @@ const scene_pin *vbss_scene_find_weld(const scene_object *s, uint32_t thread, ui
  * end of the step. */
 void vbss_scene_set_pin_targets(scene_object *s);
 
+/* Copies the targets of all pinned nodes that are attachments to the checkpoint. */
+void vbss_scene_checkpoint_pin_targets(scene_object *s);
+
+/* Restores these targets from the checkpoint. */
+void vbss_scene_rollback_pin_targets(scene_object *s);
+
 /* Pins a node to a body (number; 0: the world). `point` is in the frame of the body that hosts see;
  * NULL: where the node is. Checks all arguments and sets the error text; on failure nothing
  * changes. */
 vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
                                 const double *point, uint32_t *pin);
+
+/* Checks the arguments of vbss_scene_pin_node, and that there is room for another pin. */
+vbss_result vbss_scene_check_pin(const scene_object *s, uint32_t thread, uint32_t node,
+                                 uint32_t body, const double *point);
+
+/* Whether the scene has a pin with this id. */
+bool vbss_scene_has_pin(const scene_object *s, uint32_t pin);
 
 /* Removes a pin by its id. Returns false if there is no such pin. */
 bool vbss_scene_unpin_node(scene_object *s, uint32_t pin);
@@ -202,6 +215,15 @@ void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target);
 
 /* Makes all pending targets the targets of the step, together with those of pinned nodes. */
 void vbss_scene_apply_rigid_targets(scene_object *s);
+
+/* Moves the target at the end of a step of length h, s, towards that at its start, so that no point
+ * of the body is asked to move faster than speed_limit. Returns whether it moved. A method that
+ * drives tools has no limit. */
+bool vbss_scene_limit_target(const scene_object *s, scene_rigid *r, double h);
+
+/* Limits the targets of all bodies that are no graspers, whose targets the host sets anew each step.
+ * What is left stays pending for the next step. */
+void vbss_scene_limit_rigid_targets(scene_object *s, double h);
 
 /* ---- events.c */
 
@@ -221,7 +243,7 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
 /* If events were lost, replaces the last event by VBSS_EVENT_LOST with their number. */
 void vbss_scene_write_lost_event(scene_object *s);
 
-/* ---- overlaps.c */
+/* ---- driven_overlaps.c */
 
 /* Lists the driven bodies that a new driven body overlaps. At most SCENE_MAX_OVERLAPS are listed;
  * others hold each other back. */
@@ -249,8 +271,14 @@ void vbss_scene_end_blockers(scene_object *s);
  * last attempt. */
 uint32_t vbss_scene_attempt_cost(const scene_object *s);
 
-/* Whether this step has an operation budget. The first step of a scene has none. */
+/* Whether the attempts of this step have an operation budget. Those of the first step of a scene have
+ * none, because bodies may overlap as the host has placed them. */
 bool vbss_scene_has_step_budget(const scene_object *s);
+
+/* Whether a step with so many operations and attempts has reached its limits, between two attempts.
+ * Those of the first step are larger. */
+bool vbss_scene_is_beyond_step_limits(const scene_object *s, uint64_t operations,
+                                      uint32_t attempts);
 
 /* Counts operations of the present step. An operation costs about as much as a product of two
  * blocks. */

@@ -32,7 +32,7 @@ class Result(IntEnum):
     ERROR_CAPACITY = -8
     """a capacity fixed at creation or a given buffer is exhausted"""
     ERROR_BUSY = -9
-    """not allowed inside a callback of the same context"""
+    """another thread, or the caller of this callback, uses the context"""
     ERROR_ARITHMETIC_MODE = -10
     """rounding is not to nearest or subnormal numbers are flushed to zero"""
     ERROR_TRUNCATED = -11
@@ -78,7 +78,8 @@ class Type(IntEnum):
 
 
 class vbss_context(ctypes.Structure):
-    """Owner of all objects, their memory and their error texts. One thread at a time may use it."""
+    """Owner of all objects, their memory and their error texts. One thread at a time may use it;
+    the library detects a second one (VBSS_ERROR_BUSY)."""
 
 
 # Allocates memory for a context. Must return (no longjmp, no exception); calls back into the same

@@ -24,6 +24,16 @@ class SceneMode(IntEnum):
     that, which is counted in `clamped`. For experiments."""
 
 
+class OverlapPolicy(IntEnum):
+    """The constants of vbss_overlap_policy."""
+    WARN = 0
+    """The body is added; a warning in the log names the other body and the depth."""
+    REFUSE = 1
+    """VBSS_ERROR_OUT_OF_RANGE; nothing has changed."""
+    ALLOW = 2
+    """The body is added without a check."""
+
+
 class RigidKind(IntEnum):
     """The constants of vbss_rigid_kind."""
     DRIVEN = 0
@@ -244,7 +254,16 @@ class vbss_scene_config(ctypes.Structure):
     graspers, driven bodies and attachments are told to go meanwhile is for the next step. A
     host that changes anything else while a step waits ends it, which is counted there, too, and
     the next 1000 do not wait. Beyond the limit a call does what follows at the end of a step,
-    and what the guard has refused. 0: a call makes its step, all of it; default 210000."""
+    and what the guard has refused. 0: a call makes its step, all of it; default 210000.
+
+    speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
+    way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
+    is farther away at this speed, over several steps. So a pose in the wrong unit, or a device
+    that jumps, causes no long step and no extreme force. Method OURS only. Logs and snapshots
+    store the limit, and a scene with another one rejects them. One exception: scenes without a
+    limit and with the default limit accept each other's snapshots.
+
+    overlap: Default VBSS_OVERLAP_WARN."""
     struct_size: int
     method: int
     mode: int
@@ -276,7 +295,10 @@ class vbss_scene_config(ctypes.Structure):
     drain_capacity: int
     hole_capacity: int
     slot_limit: int
-    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode}
+    speed_limit: float
+    overlap: int
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode, "overlap": OverlapPolicy}
     _fields_ = [
         ("struct_size", c_uint32),
         ("method", c_int32),
@@ -309,7 +331,33 @@ class vbss_scene_config(ctypes.Structure):
         ("drain_capacity", c_uint32),
         ("hole_capacity", c_uint32),
         ("slot_limit", c_uint32),
+        ("speed_limit", c_double),
+        ("overlap", c_int32),
+        ("reserved", c_uint32),
     ]
+
+
+class vbss_overlap(ctypes.Structure):
+    """The deepest overlap of a body.
+
+    body: Number of the other body; 0: the floor, or none if depth is 0.
+
+    depth: How far the two surfaces are inside each other, m; 0: no overlap."""
+    struct_size: int
+    body: int
+    depth: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("body", c_uint32),
+        ("depth", c_double),
+    ]
+
+
+class Overlap(NamedTuple):
+    """The deepest overlap of a body. Fields as vbss_overlap says."""
+    body: int
+    depth: float
 
 
 class vbss_capsule(ctypes.Structure):
@@ -864,6 +912,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_uint32)),
     "vbss_scene_get_view": (c_int32, (POINTER(vbss_scene), c_int32, POINTER(vbss_view), c_uint32)),
     "vbss_scene_get_statistics": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_statistics),
+        c_uint32)),
+    "vbss_scene_get_overlap": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_overlap),
         c_uint32)),
     "vbss_scene_save": (c_int32, (POINTER(vbss_scene), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),

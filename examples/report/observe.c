@@ -116,7 +116,7 @@ static void take_back(again *a, uint32_t id, double time)
 }
 
 /* Those of the step that was made last. */
-static vbss_result look_at_events(again *a, const stage *s, double time)
+static vbss_result observe_events(again *a, const stage *s, double time)
 {
     vbss_view view;
     TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
@@ -171,7 +171,7 @@ static vbss_result read_knot(again *a, stage *s, bool last)
 
 /* ---- a session, from its first step to its last */
 
-vbss_result facts_look_begin(facts *f, stage *s)
+vbss_result facts_observe_begin(facts *f, stage *s)
 {
     again *a = &f->again;
     a->name = s->name;
@@ -182,7 +182,7 @@ vbss_result facts_look_begin(facts *f, stage *s)
     return a->watch != NULL ? a->watch(a->user, s, 0, 0.0) : VBSS_OK;
 }
 
-vbss_result facts_look(facts *f, stage *s, double time, double spent)
+vbss_result facts_observe(facts *f, stage *s, double time, double cpu_time)
 {
     again *a = &f->again;
     if (!facts_room((void **)&a->steps, &a->step_room, (size_t)a->count, sizeof *a->steps)) {
@@ -194,15 +194,15 @@ vbss_result facts_look(facts *f, stage *s, double time, double spent)
     TRY(measure_slit(s, here));
     TRY(vbss_scene_get_statistics(s->scene, &a->scene, sizeof a->scene));
     here->contacts = a->scene.contacts;
-    here->spent = spent;
+    here->cpu_time = cpu_time;
     a->count++;
     a->time = time;
-    TRY(look_at_events(a, s, time));
+    TRY(observe_events(a, s, time));
     TRY(a->watch != NULL ? a->watch(a->user, s, a->count, time) : VBSS_OK);
     return a->count % JUDGED_EVERY == 0 ? read_knot(a, s, false) : VBSS_OK;
 }
 
-vbss_result facts_look_end(facts *f, stage *s)
+vbss_result facts_observe_end(facts *f, stage *s)
 {
     again *a = &f->again;
     const bool read = a->reading_count > 0 && a->readings[a->reading_count - 1].step == a->count;
@@ -210,7 +210,7 @@ vbss_result facts_look_end(facts *f, stage *s)
 }
 
 /* What it told and measured; the tools must be those of the page. */
-vbss_result facts_look_at_session(facts *f, stage *s)
+vbss_result facts_observe_session(facts *f, stage *s)
 {
     followed *t = &f->again.session;
     if (s->task.session == NULL || f->again.count == 0) {

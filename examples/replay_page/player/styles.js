@@ -3,7 +3,7 @@ import { Color, DoubleSide, MeshPhongMaterial } from 'three';
 
 const THREAD = 1, DRAIN = 2, NEEDLE = 3, DRIVER = 4, SHEARS = 5, FLOOR = 7;
 const MARK = 1;
-export const MOST_SPOTS = 24;
+export const MAX_DECALS = 24;
 
 export const themes = {
   light: { background: 0xe4e9ef, floor: 0xcf9d8f, grid: 0xa8776b },
@@ -12,7 +12,7 @@ export const themes = {
 
 // Marks and holes are where a point of the wall rests, so they are as sharp as the picture.
 const spotsInside = `
-  for (int i = 0; i < ${MOST_SPOTS}; i++) {
+  for (int i = 0; i < ${MAX_DECALS}; i++) {
     if (i >= spotCount) break;
     float off = distance(rest, spots[i].xyz), radius = abs(spots[i].w);
     float edge = fwidth(off) + 1e-6;
@@ -30,7 +30,7 @@ function latex(uniforms) {
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader = 'attribute vec3 matter; attribute float face; varying vec3 rest; varying float side;\n' +
       shader.vertexShader.replace('#include <begin_vertex>', '#include <begin_vertex>\nrest = matter; side = face;');
-    shader.fragmentShader = `uniform vec4 spots[${MOST_SPOTS}]; uniform int spotCount; varying vec3 rest; varying float side;\n` +
+    shader.fragmentShader = `uniform vec4 spots[${MAX_DECALS}]; uniform int spotCount; varying vec3 rest; varying float side;\n` +
       shader.fragmentShader.replace('#include <color_fragment>', '#include <color_fragment>' + spotsInside);
   };
   return material;

@@ -1,7 +1,7 @@
 /* What the tests of method PAPER share: a scene in a watched context, threads and tools made in one line, looks at
  * them. */
-#ifndef VBSS_TESTS_SCENE_PAPER_STAGE_H
-#define VBSS_TESTS_SCENE_PAPER_STAGE_H
+#ifndef VBSS_TESTS_SCENE_PAPER_FIXTURE_H
+#define VBSS_TESTS_SCENE_PAPER_FIXTURE_H
 
 #include <string.h>
 
@@ -90,7 +90,7 @@ static inline const vec3 *places(vbss_thread *thread, uint32_t *count)
     return v.data;
 }
 
-static inline vbss_view look(stage *s, vbss_scene_field field)
+static inline vbss_view view_of(stage *s, vbss_scene_field field)
 {
     vbss_view v;
     expect_ok(vbss_scene_get_view(s->scene, field, &v, sizeof v));

@@ -1,12 +1,13 @@
-/* The stand: a rigid drain on a floor, and a thread that stands up from two fixed points on it. */
-#ifndef VBSS_EXAMPLES_THROW_STAND_H
-#define VBSS_EXAMPLES_THROW_STAND_H
+/* The rig: a rigid drain on a floor, and a thread that stands up from two fixed points on it. */
+#ifndef VBSS_EXAMPLES_THROW_RIG_H
+#define VBSS_EXAMPLES_THROW_RIG_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
 #include <vblast_ss/vblast_ss.h>
 
+#include "throw/log_file.h"
 #include "throw/vec.h"
 
 #define DRAIN_RADIUS 6.5e-3
@@ -16,7 +17,7 @@
 #define THREAD_RADIUS 0.125e-3
 #define EXCHANGE_DISTANCE 0.05 /* from the middle of the drain's top */
 
-enum { STAND_NODES = 1024 };
+enum { MAX_THREAD_NODES = 1024 };
 
 #define TRY(call)                     \
     do {                              \
@@ -26,13 +27,13 @@ enum { STAND_NODES = 1024 };
         }                             \
     } while (0)
 
-typedef struct stand {
+typedef struct throw_rig {
     vbss_context *context;
     vbss_scene *scene;
     vbss_thread *thread;
     vbss_record *record;   /* steps are made through it, */
     vbss_session *session; /* or through that, which writes to it; may be NULL */
-    FILE *log;             /* gets it; may be NULL */
+    log_file log;          /* receives its bytes */
     uint32_t thread_body, drain;
     uint32_t nodes;
     uint32_t marks[2]; /* nodes at the right mark (the tail's) and the left one (the long limb's) */
@@ -45,31 +46,31 @@ typedef struct stand {
         took; /* of the last step, CPU time of this thread: devices, scene, session, log; no hand's thoughts */
     bool
         reversed; /* the scene's thread begins at the limb's end; here all counts from the tail's */
-    vec turned[STAND_NODES]; /* its nodes then */
-} stand;
+    vec turned[MAX_THREAD_NODES]; /* its nodes then */
+} throw_rig;
 
 /* Above the drain's round, m. */
-static inline double stand_height(vec x)
+static inline double height_above_drain(vec x)
 {
     return v_hypotenuse(x.x, x.z + DRAIN_RADIUS) - DRAIN_RADIUS;
 }
 
-vbss_result stand_create(stand *s, double tail, double limb);
+vbss_result throw_rig_create(throw_rig *s, double tail, double limb);
 /* Begins the log, when all is there. The note says what the scene is made from. */
-vbss_result stand_begin(stand *s, const char *log, const char *note);
+vbss_result throw_rig_begin(throw_rig *s, const char *log, const char *note);
 /* Holds the limb up beside a node, until a hand has it; lets it go. */
-vbss_result stand_offer(stand *s, uint32_t node);
-vbss_result stand_let_go(stand *s);
-vbss_result stand_step(stand *s, double dt);
+vbss_result throw_rig_hold_limb(throw_rig *s, uint32_t node);
+vbss_result throw_rig_release_limb(throw_rig *s);
+vbss_result throw_rig_step(throw_rig *s, double dt);
 /* After a step that was made otherwise: where its nodes are; `thread` is what is left of it on the drain, if it was cut. */
-vbss_result stand_follow(stand *s);
+vbss_result throw_rig_follow(throw_rig *s);
 /* Ends the log. */
-vbss_result stand_end(stand *s);
-void stand_destroy(stand *s);
+vbss_result throw_rig_end(throw_rig *s);
+void throw_rig_destroy(throw_rig *s);
 /* From the tail's end on. */
-const vec *stand_nodes(const stand *s);
+const vec *throw_rig_nodes(const throw_rig *s);
 /* Of the scene's arc length of the thread, in segments from the tail's end; of its segments. */
-double stand_place(const stand *s, double arc_length);
-uint32_t stand_segment(const stand *s, uint32_t segment);
+double throw_rig_place(const throw_rig *s, double arc_length);
+uint32_t throw_rig_segment(const throw_rig *s, uint32_t segment);
 
 #endif

@@ -8,7 +8,7 @@
 #define MEASURED_EVERY 0.1 /* s */
 #define MILLI 1e3
 
-enum { STANDING_LINE = 160, STANDING_LINES = 5 };
+enum { STATUS_LINE = 160, STATUS_LINES = 5 };
 
 /* Another moment than it was measured at. */
 static bool is_old(const show *s, double time)
@@ -16,7 +16,7 @@ static bool is_old(const show *s, double time)
     return !s->scored || fabs(time - s->scored_at) >= MEASURED_EVERY;
 }
 
-bool standing_read(show *s, double time)
+bool status_read(show *s, double time)
 {
     const task *k = &s->stage->task;
     if (k->session == NULL) {
@@ -30,9 +30,9 @@ bool standing_read(show *s, double time)
     return s->scored;
 }
 
-int standing_lines(const show *s)
+int status_lines(const show *s)
 {
-    return s->stage->task.session != NULL ? STANDING_LINES : 1;
+    return s->stage->task.session != NULL ? STATUS_LINES : 1;
 }
 
 /* ---- words */
@@ -47,7 +47,7 @@ static void put_phase(show *s, float *y)
 {
     const vbss_session_status *k = &s->status;
     const bool failed = k->failure != VBSS_SESSION_FAILURE_NONE;
-    char line[STANDING_LINE];
+    char line[STATUS_LINE];
     snprintf(line, sizeof line, "%s%s%s, %.1f s, events %llu", task_phase_name(k->phase),
              failed                                ? ": "
              : k->stage != VBSS_SESSION_STAGE_NONE ? ": "
@@ -71,7 +71,7 @@ static void write_mark(const vbss_session_status *k, int mark, char text[16])
 static void put_measures(show *s, float *y)
 {
     const vbss_session_status *k = &s->status;
-    char line[STANDING_LINE], in[16], out[16];
+    char line[STATUS_LINE], in[16], out[16];
     write_mark(k, 0, in);
     write_mark(k, 1, out);
     snprintf(line, sizeof line, "off the marks, mm: in %s, out %s", in, out);
@@ -88,16 +88,16 @@ static void put_measures(show *s, float *y)
 static void put_score(show *s, float *y)
 {
     const vbss_metrics_report *m = &s->report;
-    char line[STANDING_LINE];
+    char line[STATUS_LINE];
     snprintf(line, sizeof line, "score as it stands %.0f, penalties %.0f, drops %u", m->score,
              m->penalties, (unsigned)m->drops);
     put(s, y, PEN_WHITE, line);
 }
 
-float standing_put(show *s, float y, double time)
+float status_put(show *s, float y, double time)
 {
-    char line[STANDING_LINE];
-    if (standing_read(s, time)) {
+    char line[STATUS_LINE];
+    if (status_read(s, time)) {
         put_phase(s, &y);
         put_measures(s, &y);
         put_score(s, &y);
@@ -105,12 +105,12 @@ float standing_put(show *s, float y, double time)
     }
     snprintf(line, sizeof line, "%.1f s", time);
     put(s, &y, PEN_WHITE, line);
-    return s->stage->task.session != NULL ? y + SHOW_LINE * (STANDING_LINES - 1) : y;
+    return s->stage->task.session != NULL ? y + SHOW_LINE * (STATUS_LINES - 1) : y;
 }
 
-void standing_tell(show *s, double time)
+void status_print(show *s, double time)
 {
-    if (standing_read(s, time)) {
+    if (status_read(s, time)) {
         printf(" task %d %d off %.4f %.4f slit %.4f tail %.3f throws %u %u score %.2f",
                (int)s->status.phase, (int)s->status.failure, s->status.deviation_mm[0],
                s->status.deviation_mm[1], MILLI * s->status.gap, MILLI * s->status.tail,

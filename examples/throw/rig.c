@@ -1,4 +1,4 @@
-#include "throw/stand.h"
+#include "throw/rig.h"
 
 #include <string.h>
 #include <time.h>
@@ -10,17 +10,17 @@ enum { CUTS = 4, HASH_INTERVAL = 100 };
 /* ---- the line of the thread */
 
 /* Radially out of the drain on both sides; between the marks along the circle that does so smoothly. */
-static vec place(double s, const stand *st, double inside, double bend, double angle)
+static vec place(double s, const throw_rig *st, double inside, double bend, double angle)
 {
-    vec centre = v3(0.0, 0.0, -DRAIN_RADIUS), way = v3(vbss_sin(angle), 0.0, vbss_cos(angle));
-    vec mark = v_along(centre, DRAIN_RADIUS, way);
+    vec centre = v3(0.0, 0.0, -DRAIN_RADIUS), outward = v3(vbss_sin(angle), 0.0, vbss_cos(angle));
+    vec mark = v_along(centre, DRAIN_RADIUS, outward);
     if (s <= st->tail) {
-        return v_along(mark, st->tail - s, way);
+        return v_along(mark, st->tail - s, outward);
     }
     if (s >= st->tail + inside) {
         mark.x = -mark.x;
-        way.x = -way.x;
-        return v_along(mark, s - st->tail - inside, way);
+        outward.x = -outward.x;
+        return v_along(mark, s - st->tail - inside, outward);
     }
     double turn = (s - st->tail) / bend; /* from the right mark, below the middle, to the left */
     double from = angle;
@@ -28,9 +28,9 @@ static vec place(double s, const stand *st, double inside, double bend, double a
     return v_add(middle, v3(bend * vbss_cos(from + turn), 0.0, -bend * vbss_sin(from + turn)));
 }
 
-static vbss_result make_thread(stand *s)
+static vbss_result make_thread(throw_rig *s)
 {
-    static vec x[STAND_NODES];
+    static vec x[MAX_THREAD_NODES];
     double angle = MARK_ARC / DRAIN_RADIUS,
            bend = DRAIN_RADIUS * (vbss_sin(angle) / vbss_cos(angle));
     double inside = bend * (3.14159265358979 - 2.0 * angle);
@@ -62,7 +62,7 @@ static vbss_result make_thread(stand *s)
 
 /* ---- the scene */
 
-static vbss_result make_scene(stand *s)
+static vbss_result make_scene(throw_rig *s)
 {
     vbss_scene_config c;
     TRY(vbss_scene_config_init(&c, sizeof c));
@@ -78,7 +78,7 @@ static vbss_result make_scene(stand *s)
     return vbss_scene_create(s->context, &c, &s->scene);
 }
 
-static vbss_result add_drain(stand *s)
+static vbss_result add_drain(throw_rig *s)
 {
     vbss_rigid_config c;
     vbss_capsule rod = {
@@ -93,7 +93,7 @@ static vbss_result add_drain(stand *s)
 
 /* What is inside, and a node on either side, so that it stands. In the world and not on the drain, which would not
  * touch the thread within 1.6 times its own radius of a pin, and let the knot sink in. */
-static vbss_result fix_thread(stand *s)
+static vbss_result fix_thread(throw_rig *s)
 {
     uint32_t pin;
     for (uint32_t i = s->marks[0] - 1; i <= s->marks[1] + 1; i++) {
@@ -102,7 +102,7 @@ static vbss_result fix_thread(stand *s)
     return VBSS_OK;
 }
 
-vbss_result stand_create(stand *s, double tail, double limb)
+vbss_result throw_rig_create(throw_rig *s, double tail, double limb)
 {
     memset(s, 0, sizeof *s);
     s->tail = tail;
@@ -115,50 +115,49 @@ vbss_result stand_create(stand *s, double tail, double limb)
     return fix_thread(s);
 }
 
-/* ---- looks */
+/* ---- views */
 
-static const void *look(const stand *s, vbss_thread_field field)
+static const void *view_of(const throw_rig *s, vbss_thread_field field)
 {
     vbss_view view;
     return vbss_thread_get_view(s->thread, field, &view, sizeof view) == VBSS_OK ? view.data : NULL;
 }
 
-static void turn_round(stand *s)
+static void turn_round(throw_rig *s)
 {
-    const vec *x = look(s, VBSS_THREAD_POSITIONS);
+    const vec *x = view_of(s, VBSS_THREAD_POSITIONS);
     for (uint32_t i = 0; s->reversed && i < s->nodes; i++) {
         s->turned[i] = x[s->nodes - 1 - i];
     }
 }
 
-const vec *stand_nodes(const stand *s)
+const vec *throw_rig_nodes(const throw_rig *s)
 {
-    return s->reversed ? s->turned : look(s, VBSS_THREAD_POSITIONS);
+    return s->reversed ? s->turned : view_of(s, VBSS_THREAD_POSITIONS);
 }
 
-double stand_place(const stand *s, double arc_length)
+double throw_rig_place(const throw_rig *s, double arc_length)
 {
     double place = arc_length / SEGMENT;
     return s->reversed ? s->nodes - 1 - place : place;
 }
 
-uint32_t stand_segment(const stand *s, uint32_t segment)
+uint32_t throw_rig_segment(const throw_rig *s, uint32_t segment)
 {
     return s->reversed ? s->nodes - 2 - segment : segment;
 }
 
 /* ---- the log */
 
-static vbss_result write_log(stand *s)
+static vbss_result write_log(throw_rig *s)
 {
     const uint8_t *bytes;
     uint64_t count;
     TRY(vbss_record_take(s->record, &bytes, &count));
-    bool full = s->log != NULL && fwrite(bytes, 1, count, s->log) != count;
-    return full ? VBSS_ERROR_CAPACITY : VBSS_OK;
+    return log_file_write(&s->log, bytes, count) ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
-vbss_result stand_begin(stand *s, const char *log, const char *note)
+vbss_result throw_rig_begin(throw_rig *s, const char *log, const char *note)
 {
     vbss_record_config c;
     turn_round(s);
@@ -167,21 +166,15 @@ vbss_result stand_begin(stand *s, const char *log, const char *note)
     c.note = note;
     c.note_bytes = (uint32_t)strlen(note);
     TRY(vbss_record_create(s->scene, &c, &s->record));
-    if (log != NULL) {
-        s->log = fopen(log, "wb");
-        if (s->log == NULL) {
-            return VBSS_ERROR_NULL_ARGUMENT;
-        }
-    }
-    return write_log(s);
+    return log_file_open(&s->log, log) ? write_log(s) : VBSS_ERROR_CAPACITY;
 }
 
-vbss_result stand_offer(stand *s, uint32_t node)
+vbss_result throw_rig_hold_limb(throw_rig *s, uint32_t node)
 {
     return vbss_scene_pin_thread(s->scene, s->thread_body, node + 8, 0, NULL, &s->support);
 }
 
-vbss_result stand_let_go(stand *s)
+vbss_result throw_rig_release_limb(throw_rig *s)
 {
     uint32_t pin = s->support;
     s->support = 0;
@@ -189,7 +182,7 @@ vbss_result stand_let_go(stand *s)
 }
 
 /* Off the tail's end, so many nodes. */
-static vbss_result shorten(stand *s, uint32_t nodes)
+static vbss_result shorten(throw_rig *s, uint32_t nodes)
 {
     if (nodes > s->marks[0]) {
         return VBSS_ERROR_OUT_OF_RANGE; /* through the knot */
@@ -202,7 +195,7 @@ static vbss_result shorten(stand *s, uint32_t nodes)
 }
 
 /* The thread is from now on what is left of it on the drain: the piece before the cut, as the scene counts, or the new one. */
-static vbss_result follow_cut(stand *s, uint32_t piece)
+static vbss_result follow_cut(throw_rig *s, uint32_t piece)
 {
     vbss_thread *beyond;
     vbss_view before, after;
@@ -227,7 +220,7 @@ static vbss_result follow_cut(stand *s, uint32_t piece)
     return VBSS_OK;
 }
 
-vbss_result stand_follow(stand *s)
+vbss_result throw_rig_follow(throw_rig *s)
 {
     vbss_view view;
     TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
@@ -248,29 +241,27 @@ static double cpu_clock(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-vbss_result stand_step(stand *s, double dt)
+vbss_result throw_rig_step(throw_rig *s, double dt)
 {
     const double begin = cpu_clock();
     TRY(s->session != NULL ? vbss_session_step(s->session, s->time, dt)
                            : vbss_record_step(s->record, dt));
-    TRY(stand_follow(s));
+    TRY(throw_rig_follow(s));
     s->time += dt;
     vbss_result result = write_log(s);
     s->took = cpu_clock() - begin;
     return result;
 }
 
-vbss_result stand_end(stand *s)
+vbss_result throw_rig_end(throw_rig *s)
 {
     TRY(vbss_record_end(s->record));
     return write_log(s);
 }
 
-void stand_destroy(stand *s)
+void throw_rig_destroy(throw_rig *s)
 {
-    if (s->log != NULL) {
-        (void)fclose(s->log);
-    }
+    log_file_close(&s->log);
     vbss_context_destroy(s->context);
     s->context = NULL;
 }

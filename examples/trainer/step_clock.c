@@ -1,4 +1,4 @@
-#include "trainer/pace.h"
+#include "trainer/step_clock.h"
 
 #include <errno.h>
 #include <sched.h>
@@ -23,7 +23,7 @@ static double read_clock(clockid_t clock)
 
 /* ---- slots */
 
-void pace_begin(pace *p, bool simulated)
+void step_clock_begin(step_clock *p, bool simulated)
 {
     memset(p, 0, sizeof *p);
     p->simulated = simulated;
@@ -40,7 +40,7 @@ static void advance(struct timespec *t)
     }
 }
 
-double pace_wait(pace *p)
+double step_clock_wait(step_clock *p)
 {
     if (p->simulated) {
         (void)clock_gettime(CLOCK_MONOTONIC, &p->slot);
@@ -49,29 +49,29 @@ double pace_wait(pace *p)
     double now = read_clock(CLOCK_MONOTONIC);
     do { /* slots that went by are not made up for */
         advance(&p->slot);
-    } while (seconds(&p->slot) + PACE_PERIOD < now);
+    } while (seconds(&p->slot) + STEP_CLOCK_PERIOD < now);
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &p->slot, NULL) == EINTR) {
     }
     return read_clock(CLOCK_MONOTONIC) - seconds(&p->slot);
 }
 
-double pace_slot_time(const pace *p)
+double step_clock_slot_time(const step_clock *p)
 {
     return seconds(&p->slot) - p->began;
 }
 
-double pace_elapsed(const pace *p)
+double step_clock_elapsed(const step_clock *p)
 {
     return read_clock(CLOCK_MONOTONIC) - p->began;
 }
 
-void pace_work_begins(pace *p)
+void step_clock_work_begins(step_clock *p)
 {
     p->cpu = read_clock(CLOCK_THREAD_CPUTIME_ID);
     p->woke = p->simulated ? read_clock(CLOCK_MONOTONIC) : seconds(&p->slot);
 }
 
-double pace_work_ends(const pace *p, double *wall)
+double step_clock_work_ends(const step_clock *p, double *wall)
 {
     *wall = read_clock(CLOCK_MONOTONIC) - p->woke;
     return read_clock(CLOCK_THREAD_CPUTIME_ID) - p->cpu;
@@ -106,8 +106,8 @@ static bool start_in_turn(pthread_t *thread, void *(*run)(void *), void *user)
     return good;
 }
 
-bool pace_start(pthread_t *thread, void *(*run)(void *), void *user, bool simulated, char *text,
-                size_t bytes)
+bool step_clock_start(pthread_t *thread, void *(*run)(void *), void *user, bool simulated,
+                      char *text, size_t bytes)
 {
     char governor[32];
     if (simulated) {

@@ -1,0 +1,108 @@
+/* Line segments of bodies, in the scene or about to be added. */
+#include "scene/api/overlap.h"
+
+scene_outline vbss_scene_outline_of(const scene_body *b)
+{
+    scene_outline o = {.number = b->number};
+    switch (b->kind) {
+    case SCENE_BODY_THREAD:
+        o.thread = b->thread.thread;
+        break;
+    case SCENE_BODY_DRAIN:
+        o.drain = b->drain.drain;
+        break;
+    default:
+        o.rigid = &b->rigid;
+        o.is_prescribed = b->rigid.kind == VBSS_RIGID_DRIVEN;
+    }
+    return o;
+}
+
+uint32_t vbss_scene_outline_segments(const scene_outline *o)
+{
+    if (o->thread != NULL) {
+        return o->thread->node_count - 1;
+    }
+    if (o->drain != NULL) {
+        return 3 * o->drain->mesh.triangle_count;
+    }
+    if (o->needle != NULL) {
+        return o->needle->config.segment_count;
+    }
+    if (o->grasper != NULL) {
+        return GRASPER_CAPSULES;
+    }
+    return o->capsules != NULL ? o->capsules->capsule_count : o->rigid->capsule_count;
+}
+
+/* An edge of a triangle of a drain. */
+static scene_segment drain_segment(const drain_object *d, uint32_t index)
+{
+    const uint32_t *corners = d->mesh.triangles[index / 3];
+    return (scene_segment){{d->x[corners[index % 3]], d->x[corners[(index + 1) % 3]]},
+                           0.5 * d->config.thickness};
+}
+
+static scene_segment needle_segment(const needle_object *n, uint32_t index)
+{
+    return (scene_segment){{vbss_needle_point(n, vbss_needle_vertex_arc(n, index)),
+                            vbss_needle_point(n, vbss_needle_vertex_arc(n, index + 1))},
+                           n->config.wire_radius};
+}
+
+static scene_segment placed_segment(pose at, vec3 begin, vec3 end, double radius)
+{
+    return (scene_segment){{pose_apply(at, begin), pose_apply(at, end)}, radius};
+}
+
+scene_segment vbss_scene_outline_segment(const scene_object *s, const scene_outline *o,
+                                         uint32_t index)
+{
+    if (o->thread != NULL) {
+        const thread_object *t = o->thread;
+        return (scene_segment){{t->now.x[index], t->now.x[index + 1]}, t->config.radius};
+    }
+    if (o->drain != NULL) {
+        return drain_segment(o->drain, index);
+    }
+    if (o->needle != NULL) {
+        return needle_segment(o->needle, index);
+    }
+    if (o->grasper != NULL) {
+        grasper_capsule capsules[GRASPER_CAPSULES];
+        vbss_grasper_compute_capsules(o->grasper, o->grasper->jaw_angle, capsules);
+        const grasper_capsule *c = &capsules[index];
+        return placed_segment(o->at, c->axis[0], c->axis[1], c->radius);
+    }
+    if (o->capsules != NULL) {
+        const vbss_capsule *c = &o->capsules->capsules[index];
+        return placed_segment(o->at, vec3_load(c->begin), vec3_load(c->end), c->radius);
+    }
+    const scene_capsule *c = &s->capsules[o->rigid->first_capsule + index];
+    scene_segment segment = {.radius = c->radius};
+    vbss_scene_transform_capsule(c, o->rigid->body.now.pose, segment.ends);
+    return segment;
+}
+
+collision_aabb vbss_scene_segment_box(const scene_segment *g)
+{
+    const double a[3] = {g->ends[0].x, g->ends[0].y, g->ends[0].z};
+    const double b[3] = {g->ends[1].x, g->ends[1].y, g->ends[1].z};
+    collision_aabb box;
+    for (int k = 0; k < 3; k++) {
+        box.low[k] = vbss_min(a[k], b[k]) - g->radius;
+        box.high[k] = vbss_max(a[k], b[k]) + g->radius;
+    }
+    return box;
+}
+
+collision_aabb vbss_scene_outline_box(const scene_object *s, const scene_outline *o)
+{
+    collision_aabb box = aabb_empty();
+    for (uint32_t i = 0; i < vbss_scene_outline_segments(o); i++) {
+        const scene_segment g = vbss_scene_outline_segment(s, o, i);
+        const collision_aabb part = vbss_scene_segment_box(&g);
+        aabb_extend(&box, &part);
+    }
+    return box;
+}

@@ -1,0 +1,44 @@
+/* Overlaps of bodies where they are: when a body is added, and when a host asks. */
+#ifndef VBSS_SCENE_OVERLAP_H
+#define VBSS_SCENE_OVERLAP_H
+
+#include "collision/shapes.h"
+#include "scene/world/world.h"
+
+/* A body as line segments, each with a radius, and a drain as triangles too. Exactly one of the first
+ * five members is set. */
+typedef struct scene_outline {
+    const thread_object *thread;
+    const drain_object *drain;
+    const needle_object *needle;       /* not yet in the scene */
+    const grasper_object *grasper;     /* the same */
+    const vbss_rigid_config *capsules; /* the same */
+    const scene_rigid *rigid;          /* in the scene: needles and graspers too */
+    pose at;                           /* frame of `grasper` or `capsules` in the world */
+    uint32_t number;                   /* body number; 0 before it is added */
+    bool is_prescribed; /* moved by the host alone: see world/driven_overlaps.c for two of them */
+} scene_outline;
+
+typedef struct scene_segment {
+    vec3 ends[2];  /* m */
+    double radius; /* m */
+} scene_segment;
+
+/* ---- outline.c */
+
+scene_outline vbss_scene_outline_of(const scene_body *b);
+uint32_t vbss_scene_outline_segments(const scene_outline *o);
+scene_segment vbss_scene_outline_segment(const scene_object *s, const scene_outline *o,
+                                         uint32_t index);
+/* Smallest box around a segment with its radius, and around all segments of a body, m. */
+collision_aabb vbss_scene_segment_box(const scene_segment *g);
+collision_aabb vbss_scene_outline_box(const scene_object *s, const scene_outline *o);
+
+/* ---- overlap.c */
+
+/* Warns, or fails with VBSS_ERROR_OUT_OF_RANGE, if a body that is about to be added overlaps another
+ * one or the floor, as the configuration says. `name` is its kind in the message. */
+vbss_result vbss_scene_check_overlap(const scene_object *s, const scene_outline *added,
+                                     const char *name);
+
+#endif
