@@ -227,6 +227,38 @@ static void state_saved_while_an_island_waits_continues_equally(void **state)
     assert_true(divided > 10);
 }
 
+/* A scene that is restored to its own state before each call has the same state as one that is not, also while an
+ * island waits. */
+static void restore_before_each_call_changes_no_state(void **state)
+{
+    (void)state;
+    uint32_t divided = 0;
+    for (uint32_t limit = 200; limit < 20000; limit = limit * 5 / 4) {
+        small s[2];
+        press p[2];
+        for (int k = 0; k < 2; k++) {
+            small_begin(&s[k]);
+            s[k].config.slot_limit = limit;
+            small_create(&s[k]);
+            p[k] = add_press(&s[k]);
+        }
+        for (uint32_t i = 1; i <= 60; i++) {
+            small_state saved = small_save(&s[0]);
+            expect_ok(vbss_scene_restore(s[0].scene, saved.bytes, saved.count));
+            free(saved.bytes);
+            for (int k = 0; k < 2; k++) {
+                close_press(&s[k], &p[k], i);
+                small_steps(&s[k], 1, STEP);
+            }
+            divided += small_object(&s[0])->cursor.group_count > 1;
+            assert_true(small_hash(&s[0]) == small_hash(&s[1]));
+        }
+        small_end(&s[0]);
+        small_end(&s[1]);
+    }
+    assert_true(divided > 10);
+}
+
 /* Contacts of the islands that do not fail are in the views after the step, too. */
 static void contacts_of_all_islands_are_published(void **state)
 {
@@ -336,6 +368,7 @@ int test_islands(void)
         cmocka_unit_test(pair_that_exhausts_its_attempts_is_known_in_the_next_step),
         cmocka_unit_test(thread_without_room_for_its_pairs_waits_alone),
         cmocka_unit_test(state_saved_while_an_island_waits_continues_equally),
+        cmocka_unit_test(restore_before_each_call_changes_no_state),
         cmocka_unit_test(contacts_of_all_islands_are_published),
         cmocka_unit_test(blocked_pair_is_reported_once_until_it_is_free),
     };

@@ -359,6 +359,44 @@ static void queries_during_suspension_change_nothing(void **state)
     end(&unseen);
 }
 
+/* A thread whose clamp is turned, in steps of a few operations; views after each call if a host looks at it. */
+static uint64_t hash_of_turned_clamp(bool is_viewed)
+{
+    small s;
+    vbss_thread *thread;
+    vbss_view v;
+    uint32_t id, suspended = 0;
+    vbss_thread_attachment a;
+    small_begin(&s);
+    s.config.slot_limit = 500;
+    small_create(&s);
+    small_thread(&s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 10, &thread);
+    expect_ok(vbss_thread_attachment_init(&a, sizeof a));
+    a.kind = VBSS_ATTACHMENT_CLAMP;
+    a.node = 4;
+    vec3_store(a.position, vec3_make(8e-3, 0.0, 0.0));
+    expect_ok(vbss_thread_attach(thread, &a, &id));
+    for (uint32_t i = 0; i < 60; i++) {
+        const double direction[3] = {1.0, 0.02 * i, 0.0};
+        expect_ok(vbss_thread_move(thread, id, a.position, direction));
+        small_steps(&s, 1, STEP);
+        suspended += small_statistics(&s).behind > 0;
+        if (is_viewed) {
+            expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_CURVATURES, &v, sizeof v));
+        }
+    }
+    assert_true(suspended > 10);
+    const uint64_t hash = small_hash(&s);
+    small_end(&s);
+    return hash;
+}
+
+static void query_of_suspended_clamp_changes_nothing(void **state)
+{
+    (void)state;
+    assert_true(hash_of_turned_clamp(true) == hash_of_turned_clamp(false));
+}
+
 /* The drain's forces are such a room. */
 static void drain_queries_during_suspension_change_nothing(void **state)
 {
@@ -627,6 +665,7 @@ int test_time_slicing(void)
         cmocka_unit_test(damaged_suspended_snapshots_are_rejected),
         cmocka_unit_test(suspended_steps_do_not_allocate),
         cmocka_unit_test(queries_during_suspension_change_nothing),
+        cmocka_unit_test(query_of_suspended_clamp_changes_nothing),
         cmocka_unit_test(drain_queries_during_suspension_change_nothing),
         cmocka_unit_test(edits_end_suspended_step),
         cmocka_unit_test(restored_abandoned_step_is_bit_equal),

@@ -365,7 +365,8 @@ bool fuzz_build_scene(fuzz_scene *f)
     if (!create_scenes(f)) {
         return false;
     }
-    f->comparison_interval = FUZZ_PICK(f, 1, 1, 1, 7);
+    const uint32_t interval = FUZZ_PICK(f, 1, 1, 1, 7);
+    f->comparison_interval = f->findings->is_traced ? 1 : interval;
     f->h = 1e-4 * FUZZ_PICK(f, 10, 10, 10, 10, 1, 5, 20, 160);
     fuzz_begin_checks(f);
     if (fuzz_chance(f, 0.8)) {
