@@ -430,7 +430,7 @@ void call_sequence(harness_source *source, void *user)
 
 void call_sequence_expect_variety(const call_counts *counts)
 {
-    if (counts->calls > 10 * CALLS) {
+    if (counts->calls > (size_t)10 * CALLS) {
         assert_true(counts->refused > counts->calls / 5);
         assert_true(counts->refused_suspended > counts->calls / 100);
         assert_true(counts->failed_steps > counts->calls / 100);

@@ -137,7 +137,7 @@ static void edited_suspended_step_is_restored(void **state)
             small_steps(&one.s, 1, STEP);
         }
         for (uint32_t n = 0; n < 21; n++) {
-            vec3_store(raised + 3 * n,
+            vec3_store(raised + (size_t)3 * n,
                        vec3_add(small_node(one.thread, n), vec3_make(0.0, 5e-3, 0.0)));
         }
         if (edited_first != 0) {

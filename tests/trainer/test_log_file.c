@@ -39,7 +39,7 @@ static void expect_pieces(uint32_t count)
     assert_int_equal(fclose(file), 0);
     assert_int_equal(size, count * PIECE);
     for (uint32_t i = 0; i < count; i++) {
-        assert_memory_equal(found + i * PIECE, make_piece((uint8_t)i), PIECE);
+        assert_memory_equal(found + (size_t)i * PIECE, make_piece((uint8_t)i), PIECE);
     }
 }
 

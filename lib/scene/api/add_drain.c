@@ -78,7 +78,7 @@ static vbss_result create_drain_data(scene_object *s, scene_drain *b, uint32_t *
 static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
 {
     vbss_slot *slot;
-    scene_body *b;
+    scene_body *b = NULL;
     uint32_t shape = 0;
     VBSS_TRY(check_drain(s, drain, body, &slot, &b));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
@@ -101,7 +101,7 @@ vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t 
     VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
-    scene_body *b;
+    scene_body *b = NULL;
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_drain(s, drain, body, &slot, &b));

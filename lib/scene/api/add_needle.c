@@ -48,7 +48,7 @@ static void add_capsules(scene_object *s, scene_rigid *r)
 static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *body)
 {
     vbss_slot *slot;
-    scene_body *b;
+    scene_body *b = NULL;
     uint32_t shape = 0;
     VBSS_TRY(check_needle(s, needle, body, &slot, &b));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.needle = slot->object}, "needle"));
@@ -76,7 +76,7 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
-    scene_body *b;
+    scene_body *b = NULL;
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_needle(s, needle, body, &slot, &b));

@@ -41,7 +41,7 @@ static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *
 static vbss_result add_thread(scene_object *s, vbss_thread *thread, uint32_t *body)
 {
     vbss_slot *slot;
-    scene_body *b;
+    scene_body *b = NULL;
     uint32_t shape = 0;
     VBSS_TRY(check_thread(s, thread, body, &slot, &b));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.thread = slot->object}, "thread"));
@@ -63,7 +63,7 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
-    scene_body *b;
+    scene_body *b = NULL;
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_thread(s, thread, body, &slot, &b));
