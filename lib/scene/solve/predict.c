@@ -2,6 +2,8 @@
 #include "scene/solve/solve.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
+
+#include <string.h>
 #include "thread/tuning.h"
 
 static bool needs_damping(const scene_thread *b, double h)
@@ -58,12 +60,12 @@ static void predict_rigid(scene_object *s, scene_rigid *r, const scene_substep *
     }
 }
 
-/* The trial state of a frozen body is where it is. */
+/* The trial state of a frozen body is where it is, also that of nodes whose motion is prescribed. */
 static void hold_body(scene_object *s, scene_body *b)
 {
     if (b->kind == SCENE_BODY_THREAD) {
         thread_object *t = b->thread.thread;
-        vbss_thread_reset_trial(t);
+        memcpy(t->trial, t->now.x, t->node_count * sizeof *t->trial);
         vbss_thread_compute_strains(t, t->trial, t->strains);
     } else if (b->kind == SCENE_BODY_RIGID) {
         scene_rigid *r = &b->rigid;
