@@ -64,8 +64,12 @@ static int run_apart(int (*program)(void), char *errors, size_t size)
         _exit(program());
     }
     close(pipes[1]);
-    ssize_t count = read(pipes[0], errors, size - 1);
-    errors[count > 0 ? count : 0] = '\0';
+    size_t length = 0;
+    for (ssize_t count = 1; count > 0 && length + 1 < size;
+         length += count > 0 ? (size_t)count : 0) {
+        count = read(pipes[0], errors + length, size - 1 - length);
+    }
+    errors[length] = '\0';
     close(pipes[0]);
     assert_true(waitpid(child, &how, 0) == child);
     return how;
