@@ -37,6 +37,9 @@ static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep 
         return SCENE_SUBSTEP_REGROUPED;
     }
     if (!has_all_pairs) {
+        /* Which contacts an incomplete list has depends on the separation cache, which a restored
+         * scene does not have. So their forces are not published. */
+        vbss_contact_clear(s->contacts);
         return SCENE_SUBSTEP_OUT_OF_CAPACITY;
     }
     vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));
