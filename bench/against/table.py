@@ -1,4 +1,4 @@
-"""Prints what was measured."""
+"""Prints the table of measurements."""
 
 ALONE = 0.97  # share of the core's time from which on the runs count as undisturbed
 

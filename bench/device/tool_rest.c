@@ -59,7 +59,7 @@ static vbss_result relax(tool_rest *s)
 
 static vbss_result measure(tool_rest *s)
 {
-    static vec3 force[SAMPLES]; /* beyond the first, so that the mean of what is even is exact */
+    static vec3 force[SAMPLES]; /* minus the first, so that the mean of equal forces is exact */
     vec3 low = vec3_zero(), high = low, mean = low, first = low;
     double sum = 0.0;
     for (uint32_t i = 0; i < SAMPLES; i++) {

@@ -1,5 +1,5 @@
-/* All that a report is made from: what the log says (read.c), what is seen of its steps (again.c, observe.c), what follows from both
- * (phases.c, measure.c). What is not known says so. */
+/* The facts of a report: those of the log (read.c), those of its steps as they are repeated (again.c, observe.c), and those that
+ * follow from both (phases.c, measure.c). Unknown facts are marked as unknown. */
 #ifndef VBSS_EXAMPLES_REPORT_FACTS_H
 #define VBSS_EXAMPLES_REPORT_FACTS_H
 

@@ -28,7 +28,7 @@ typedef struct pull_run {
     pull_state state;
     double since;
     const char *why;
-    pose held;         /* the needle in the frame of what its bearer was told */
+    pose held;         /* the needle in the frame of the pose that its bearer is commanded to */
     pose from;         /* of the needle, when a motion begins */
     pose back;         /* of a tool that leaves */
     double turned;     /* rad */

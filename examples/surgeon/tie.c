@@ -89,7 +89,7 @@ static void sway(surgeon *s, double dt)
     hand_through(h, v_add(h->trocar, v_limit(lag, SWAY * h->nature.speed * dt)));
 }
 
-/* C rolls so that what lies in that direction from its tip points where it shall. */
+/* Tool C rolls about its handle until `from`, a direction at its tip, points along `direction`. */
 static void roll(surgeon *s, vec from, vec direction)
 {
     const senses *e = &s->see;

@@ -1,4 +1,4 @@
-/* A trial once more, from its log: the same rig is made again and told what was told then. */
+/* Repeats a trial from its log: creates the same rig and gives it the recorded commands. */
 #ifndef VBSS_EXAMPLES_THROW_REPLAY_H
 #define VBSS_EXAMPLES_THROW_REPLAY_H
 
