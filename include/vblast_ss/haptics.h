@@ -139,8 +139,8 @@ typedef struct vbss_nidaqmx_config {
     /** 1 (default): a low line switches the solenoid's current on, so undriven lines, which are
      * pulled high, keep it off. 0: a high line switches it on. */
     uint32_t active_low;
-    uint32_t
-        own_thread; /**< 1 (default): a thread of the library moves the data; 0: the host calls #vbss_nidaqmx_pump. */
+    /** 1 (default): a thread of the library moves the data; 0: the host calls #vbss_nidaqmx_pump. */
+    uint32_t own_thread;
     uint32_t reserved; /**< Zero. */
     double low;        /**< Lowest input voltage, V, -10 to 10; default -10. */
     double high;       /**< Highest input voltage, V, above `low`, to 10; default 10. */

@@ -492,8 +492,9 @@ VBSS_API vbss_result vbss_metrics_destroy(vbss_metrics *metrics);
  * @param metrics  the measurement
  * @param sample   the sample
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: time runs backwards, or the measurement is finished),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; nothing has changed then
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: time runs backwards, or the
+ *         measurement has finished), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_ARITHMETIC_MODE or
+ *         VBSS_ERROR_BUSY; nothing has changed then
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -99,8 +99,8 @@ typedef struct vbss_log_step {
     const uint32_t *events; /**< x 4: the events of the step, as in #VBSS_SCENE_VIEW_EVENTS. */
     uint32_t input_count;   /**< Number of inputs. */
     uint32_t event_count;   /**< Number of events; each has four words. */
-    /** Part of `h` that the scene has left out, s, by #VBSS_EVENT_CLAMPED. Each such event is up to h / 65536 too small. A
-     * paused step may be reported in a later one. */
+    /** Part of `h` that the scene has left out, s, by #VBSS_EVENT_CLAMPED. Each such event is up to
+     * h / 65536 too small. A step may report the time of an earlier paused step. */
     double time_lost;
 } vbss_log_step;
 

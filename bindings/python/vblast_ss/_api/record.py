@@ -151,7 +151,7 @@ class vbss_log_step(ctypes.Structure):
     event_count: Number of events; each has four words.
 
     time_lost: Part of `h` that the scene has left out, s, by VBSS_EVENT_CLAMPED. Each such
-    event is up to h / 65536 too small. A paused step may be reported in a later one."""
+    event is up to h / 65536 too small. A step may report the time of an earlier paused step."""
     struct_size: int
     hashed: int
     number: int

@@ -190,7 +190,7 @@ class vbss_scene_config(ctypes.Structure):
 
     event_capacity: Largest number of events of a step that are kept, 0 to 65536; default 256.
 
-    floor: 1: there is a floor, a plane with the half-space below it; default 0.
+    floor: 1: a floor fills the half-space below a plane; default 0.
 
     floor_normal: Direction up, of any length from 1e-100 to 1e100; default (0, 1, 0).
 
@@ -246,8 +246,8 @@ class vbss_scene_config(ctypes.Structure):
     parts, and driven bodies continue from where they stopped. The attempts of a scene's first
     step share 32 times both limits, because bodies may overlap initially; that step is never
     left out. The smallest part that halving_limit allows has no limit. If its contact states
-    are not found, it is tried once more with a limit of its own. In a scene with drains the
-    smallest part has the limit too, and a part that exceeds it is halved up to three more
+    are not found, it is tried once more with the full limit for itself. In a scene with drains
+    the smallest part has the limit too, and a part that exceeds it is halved up to three more
     times, after which it has none.
 
     drain_capacity: Largest number of drains at a time, 0 to 16; default 1.
