@@ -133,12 +133,12 @@ typedef struct vbss_scene_config {
      * limit. The rest of the step is left out (vbss_scene_statistics::paused) when lengths do not
      * converge, after attempt_limit attempts, or when these forces add too much energy without
      * work: 20 uJ, or 1 mJ in a scene without drains. The next step then begins with smaller
-     * parts, and driven bodies continue from where they stopped. The attempts of a scene's first
-     * step share 32 times both limits, because bodies may overlap initially; that step is never
-     * left out. The smallest part that halving_limit allows has no limit. If its contact states
-     * are not found, it is tried once more with the full limit for itself. In a scene with drains
-     * the smallest part has the limit too, and a part that exceeds it is halved up to three more
-     * times, after which it has none. */
+     * parts, and driven bodies continue from where they stopped. In a scene's first step, whose
+     * bodies may overlap as they were placed, an attempt has no limit. Between its attempts 32
+     * times work_limit and attempt_limit apply, and it is never suspended. The smallest part that
+     * halving_limit allows has no limit. If its contact states are not found, it is tried once
+     * more with the full limit for itself. In a scene with drains the smallest part has the limit
+     * too, and a part that exceeds it is halved up to three more times, after which it has none. */
     uint32_t work_limit;
     uint32_t drain_capacity; /**< Largest number of drains at a time, 0 to 16; default 1. */
     /** Largest number of holes of needles and threads in drains at a time, 0 to 256; default 16. */
