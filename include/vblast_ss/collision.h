@@ -72,12 +72,12 @@ enum {
 typedef struct vbss_closest {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double distance;      /**< m; capsules that overlap: minus the penetration depth. */
-    double normal[3];     /**< Unit vector from a to b; zero if undefined (axes that meet). */
-    double point_a[3];    /**< On a, m. */
-    double point_b[3];    /**< On b, m. */
-    double weights_a[3];  /**< point_a as a weighted sum of the vertices of a, or of its axis. */
-    double weights_b[3];  /**< point_b likewise. */
+    double distance;     /**< Distance, m; minus the penetration depth for capsules that overlap. */
+    double normal[3];    /**< Unit vector from a to b; zero if undefined (axes that meet). */
+    double point_a[3];   /**< On a, m. */
+    double point_b[3];   /**< On b, m. */
+    double weights_a[3]; /**< Weights of the vertices of a, or of its axis, that give point_a. */
+    double weights_b[3]; /**< Weights of the vertices of b, or of its axis, that give point_b. */
 } vbss_closest;
 
 /** Result of a continuous test. */
@@ -139,7 +139,7 @@ typedef struct vbss_collision_batch {
     /** Positions at time 0, m. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x of vertex 1,
      * and so on. No two arrays of a batch overlap. */
     const double *start;
-    const double *end;       /**< Positions at time 1, m, likewise. */
+    const double *end;       /**< Positions at time 1, m, in rows as for `start`. */
     const double *thickness; /**< D of each question, m; NULL: D of the configuration. */
     int32_t *hit;            /**< Receives #vbss_impact.hit of each question. */
     int32_t *decision;       /**< Receives #vbss_impact.decision; may be NULL. */

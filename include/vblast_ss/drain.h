@@ -270,7 +270,8 @@ VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
  * Advances a drain by one step. The call allocates nothing. If the new state is not finite, the
  * call fails and the drain keeps its state from before the step. With method PAPER the call also
  * fails if a node is farther from its rest position than 100 times the length of the drain plus the
- * largest such distance of an attachment: the explicit steps have diverged, and the text says so.
+ * largest such distance of an attachment: the explicit steps have diverged, and the error text
+ * states it.
  *
  * @param drain  the drain
  * @param h length of the step, s, 1e-7 to 0.1

@@ -311,8 +311,8 @@ enum {
     VBSS_KNOT_EVENT_WRAPPED = 1,   /**< The thread winds round a tool: tool, 1 + (turns > 0), 0. */
     VBSS_KNOT_EVENT_UNWRAPPED = 2, /**< The thread no longer winds round a tool: tool, 0, 0. */
     VBSS_KNOT_EVENT_WRONG_WAY = 3, /**< The thread winds towards the handle: tool, 0, 0. */
-    VBSS_KNOT_EVENT_PASSED =
-        4, /**< A throw is tied if the tools withdraw: tool, wraps, 1 + (right-handed). */
+    /** A throw is tied as soon as the tools withdraw: tool, wraps, 1 + (right-handed). */
+    VBSS_KNOT_EVENT_PASSED = 4,
     /** A throw is formed: its number from 0, wraps, 1 + (right-handed). */
     VBSS_KNOT_EVENT_FORMED = 5,
     /** A throw is certified: its number from 0, wraps, 1 + (right-handed). */

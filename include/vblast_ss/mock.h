@@ -51,7 +51,7 @@ enum {
     /** In every second interval of v s, samples of v s ago, so that their order is broken. */
     VBSS_MOCK_SHUFFLE = 6,
     VBSS_MOCK_NORM = 7,        /**< Orientations of length v. */
-    VBSS_MOCK_JUMP = 8,        /**< x larger by v m. */
+    VBSS_MOCK_JUMP = 8,        /**< The x coordinate is larger by v m. */
     VBSS_MOCK_TEMPERATURE = 9, /**< A temperature of v. */
     VBSS_MOCK_JAW = 10,        /**< A raw opening of v, like that of a broken wire. */
     VBSS_MOCK_STOP = 11,       /**< VBSS_DEVICE_FLAG_STOP. */

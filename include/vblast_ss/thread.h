@@ -362,9 +362,9 @@ VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
  * Advances a thread by one step. The call allocates nothing. If the new state is not finite, the
  * call fails and the thread keeps its state from before the step. With method PAPER the call also
  * fails if a segment has become longer than 100 times the length of the thread plus the distance
- * that its attachments span: the explicit steps have diverged, and the text says so. A thread with
- * an adaptive mesh then adapts it by its curvature alone, because only a scene knows the distance
- * to other bodies.
+ * that its attachments span: the explicit steps have diverged, and the error text states it. A
+ * thread with an adaptive mesh then adapts it by its curvature alone, because only a scene knows
+ * the distance to other bodies.
  *
  * @param thread  the thread
  * @param h length of the step, s, 1e-7 to 0.1

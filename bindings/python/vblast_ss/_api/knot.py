@@ -136,7 +136,7 @@ class KnotEvent(IntEnum):
     WRONG_WAY = 3
     """The thread winds towards the handle: tool, 0, 0."""
     PASSED = 4
-    """A throw is tied if the tools withdraw: tool, wraps, 1 + (right-handed)."""
+    """A throw is tied as soon as the tools withdraw: tool, wraps, 1 + (right-handed)."""
     FORMED = 5
     """A throw is formed: its number from 0, wraps, 1 + (right-handed)."""
     CERTIFIED = 6

@@ -28,7 +28,7 @@ class MockFault(IntEnum):
     NORM = 7
     """Orientations of length v."""
     JUMP = 8
-    """x larger by v m."""
+    """The x coordinate is larger by v m."""
     TEMPERATURE = 9
     """A temperature of v."""
     JAW = 10
