@@ -1,13 +1,13 @@
 /**
  * @file base.h
- * @brief Ground of libvblast_ss: results, version, and the context that owns every object.
+ * @brief Foundation of libvblast_ss: results, version, and the context that owns every object.
  *
  * Conventions of the whole library:
- * - SI units everywhere; a reported metric in millimetres says so in its name (`_mm`).
- * - Functions return a #vbss_result and hand results out through pointers. The few that cannot
- *   fail (texts, version) return their value.
- * - Pointers must not be NULL unless the parameter says so.
- * - A failed call has changed nothing; the reason stands in #vbss_context_get_last_error.
+ * - Units are SI everywhere; the name of a metric in millimetres ends in `_mm`.
+ * - Functions return a #vbss_result and write results through pointers. The few that cannot fail
+ *   (texts, version) return their value.
+ * - Pointers must not be NULL unless the parameter's comment allows it.
+ * - A failed call has changed nothing; #vbss_context_get_last_error returns the reason.
  * - One thread at a time may use a context. A call from another thread, while one is inside the
  *   context, returns #VBSS_ERROR_BUSY. It leaves no error text, as the text belongs to the thread
  *   inside.
@@ -31,7 +31,7 @@
 #define VBSS_VERSION_MAJOR 0
 /** Minor version: new functions; before 1.0 the ABI may change with it. */
 #define VBSS_VERSION_MINOR 1
-/** Patch version: repairs only. */
+/** Patch version: fixes only. */
 #define VBSS_VERSION_PATCH 0
 /** Version of these headers as one number, 10000 major + 100 minor + patch. */
 #define VBSS_VERSION_NUM \
@@ -88,17 +88,17 @@ typedef int32_t vbss_log_level;
 enum {
     VBSS_LOG_NONE = 0,    /**< As a limit: no messages at all. */
     VBSS_LOG_ERROR = 1,   /**< A call failed; the message is its error text. */
-    VBSS_LOG_WARNING = 2, /**< Something is probably not what the host wanted. */
+    VBSS_LOG_WARNING = 2, /**< A setting is probably not the intended one. */
     VBSS_LOG_INFO = 3     /**< Rare milestones, such as the creation of a context. */
 };
 
-/** Which of two ways of computing an object uses: a VBSS_METHOD_ constant. */
+/** Method of computation of an object: a VBSS_METHOD_ constant. */
 typedef int32_t vbss_method;
 
 /** The constants of #vbss_method. */
 enum {
-    VBSS_METHOD_OURS = 0, /**< The library's own, the default. */
-    VBSS_METHOD_PAPER = 1 /**< As in VBLaST-SS (Qi et al. 2017), the baseline. */
+    VBSS_METHOD_OURS = 0, /**< The library's own method, the default. */
+    VBSS_METHOD_PAPER = 1 /**< The method of VBLaST-SS (Qi et al. 2017), as a baseline. */
 };
 
 /** Type of the values of a view: a VBSS_TYPE_ constant. */
@@ -108,22 +108,22 @@ typedef int32_t vbss_type;
 enum {
     VBSS_TYPE_F64 = 1, /**< double */
     VBSS_TYPE_U32 = 2, /**< uint32_t */
-    VBSS_TYPE_F32 = 3  /**< float, of 32 bits; only what is drawn */
+    VBSS_TYPE_F32 = 3  /**< float, of 32 bits; only in meshes for drawing */
 };
 
 /**
  * A read-only array inside the library. Item i starts `i * stride_bytes` after data and has
- * `components` values of the type one behind the other. Valid until the next step, edit or
- * destruction of the object it belongs to; whether that has happened shows in the generation.
+ * `components` contiguous values of the type. It is valid until the next step, edit or destruction
+ * of its object; a step or an edit changes the generation.
  */
 typedef struct vbss_view {
     uint32_t struct_size;  /**< Bytes of this struct that the library filled. */
-    vbss_type type;        /**< Of each value. */
-    uint32_t components;   /**< Values in an item, such as 3 for a vector. */
-    uint32_t stride_bytes; /**< From one item to the next. */
-    uint64_t count;        /**< Items. */
+    vbss_type type;        /**< Type of each value. */
+    uint32_t components;   /**< Number of values in an item, such as 3 for a vector. */
+    uint32_t stride_bytes; /**< Distance from one item to the next, bytes. */
+    uint64_t count;        /**< Number of items. */
     const void *data;      /**< The first item; never NULL. */
-    uint64_t generation;   /**< Changes with every step or edit of the object. */
+    uint64_t generation;   /**< Number that changes with every step or edit of the object. */
 } vbss_view;
 
 /** Owner of all objects, their memory and their error texts. One thread at a time may use it; the
@@ -131,30 +131,31 @@ typedef struct vbss_view {
 typedef struct vbss_context vbss_context;
 
 /**
- * Allocates memory for a context. Must return (no longjmp, no exception); calls back into the same
- * context that would change it return VBSS_ERROR_BUSY.
+ * Allocates memory for a context. The function must return (no longjmp, no exception). Its calls
+ * that would change the same context return VBSS_ERROR_BUSY.
  *
  * @param user       the context's allocator_user; may be NULL
  * @param size       bytes wanted, > 0
  * @param alignment  alignment in bytes, a power of two
- * @return the block, or NULL when there is no memory; its contents may be anything; a block that is
- *         not aligned is given back and counts as NULL
+ * @return the block, or NULL when there is no memory; its contents are arbitrary; the library
+ *         releases a block that is not aligned and treats it as NULL
  */
 typedef void *(*vbss_allocate_fn)(void *user, uint64_t size, uint64_t alignment);
 
 /**
- * Takes back a block of a #vbss_allocate_fn. The same rules hold as there.
+ * Releases a block of a #vbss_allocate_fn. The function must return (no longjmp, no exception). Its
+ * calls that would change the same context return VBSS_ERROR_BUSY.
  *
  * @param user       the context's allocator_user; may be NULL
  * @param block      the block, never NULL
- * @param size       the size it was allocated with, in bytes
- * @param alignment  the alignment it was allocated with, in bytes
+ * @param size       its size at allocation, bytes
+ * @param alignment  its alignment at allocation, bytes
  */
 typedef void (*vbss_release_fn)(void *user, void *block, uint64_t size, uint64_t alignment);
 
 /**
- * Receives log messages, on the thread that called the library. Must return (no longjmp, no
- * exception); calls back into the same context that would change it return VBSS_ERROR_BUSY.
+ * Receives log messages, on the thread that called the library. The function must return (no
+ * longjmp, no exception). Its calls that would change the same context return VBSS_ERROR_BUSY.
  *
  * @param user     the context's log_user; may be NULL
  * @param level    importance
@@ -162,23 +163,25 @@ typedef void (*vbss_release_fn)(void *user, void *block, uint64_t size, uint64_t
  */
 typedef void (*vbss_log_fn)(void *user, vbss_log_level level, const char *message);
 
-/** How to make a context. Fill it with #vbss_context_config_init, then change what you need. */
+/** Configuration of a context. Fill it with #vbss_context_config_init, then change fields. */
 typedef struct vbss_context_config {
-    uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
-    vbss_log_level log_level;  /**< Least important level that is sent; default VBSS_LOG_WARNING. */
-    vbss_allocate_fn allocate; /**< NULL (default): the C library; set both or neither. */
-    vbss_release_fn release;   /**< NULL (default): the C library; set both or neither. */
-    void *allocator_user;      /**< Handed to allocate and release; may be NULL. */
-    vbss_log_fn log;           /**< NULL (default): messages are dropped. */
-    void *log_user;            /**< Handed to log; may be NULL. */
+    uint32_t struct_size;     /**< Size of this struct in bytes, set by the init function. */
+    vbss_log_level log_level; /**< Least important level that is sent; default VBSS_LOG_WARNING. */
+    /** Allocator; NULL (default): the C library; set both functions or neither. */
+    vbss_allocate_fn allocate;
+    /** Counterpart of allocate; NULL (default): the C library; set both functions or neither. */
+    vbss_release_fn release;
+    void *allocator_user; /**< Pointer that allocate and release receive; may be NULL. */
+    vbss_log_fn log;      /**< Function for log messages; NULL (default): messages are dropped. */
+    void *log_user;       /**< Pointer that log receives; may be NULL. */
 } vbss_context_config;
 
-/** What a context holds at the moment. */
+/** Memory and objects of a context. */
 typedef struct vbss_context_statistics {
     uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
     uint32_t reserved;         /**< Zero. */
-    uint64_t bytes_allocated;  /**< Memory now held from the allocator, in bytes. */
-    uint64_t bytes_peak;       /**< Largest value of bytes_allocated so far, in bytes. */
+    uint64_t bytes_allocated;  /**< Memory currently allocated, bytes. */
+    uint64_t bytes_peak;       /**< Largest value of bytes_allocated so far, bytes. */
     uint64_t allocation_count; /**< Successful calls of the allocator so far. */
     uint64_t objects_alive;    /**< Objects created and not yet destroyed. */
     uint64_t objects_created;  /**< Objects created so far; the last creation ordinal. */
@@ -189,7 +192,7 @@ extern "C" {
 #endif
 
 /**
- * Version of the library that is running, in the form of #VBSS_VERSION_NUM.
+ * Returns the version of the running library, in the form of #VBSS_VERSION_NUM.
  *
  * @return 10000 major + 100 minor + patch
  * @threads any thread, any time
@@ -198,7 +201,7 @@ extern "C" {
 VBSS_API uint32_t vbss_version(void);
 
 /**
- * How the library was built: version, source revision, compiler, flags that matter for
+ * Returns build information: version, source revision, compiler, and the flags that matter for
  * reproducible results.
  *
  * @return a constant text, never NULL
@@ -208,29 +211,29 @@ VBSS_API uint32_t vbss_version(void);
 VBSS_API const char *vbss_build_info(void);
 
 /**
- * The name of a status, such as "VBSS_ERROR_CAPACITY".
+ * Returns the name of a status, such as "VBSS_ERROR_CAPACITY".
  *
  * @param result  any number
- * @return a constant text, never NULL; "unknown result" for a number that is no status
+ * @return a constant text, never NULL; "unknown result" for any other number
  * @threads any thread, any time
  * @since 0.1
  */
 VBSS_API const char *vbss_result_name(vbss_result result);
 
 /**
- * A status in words.
+ * Returns a description of a status.
  *
  * @param result  any number
- * @return a constant text, never NULL; "unknown result" for a number that is no status
+ * @return a constant text, never NULL; "unknown result" for any other number
  * @threads any thread, any time
  * @since 0.1
  */
 VBSS_API const char *vbss_result_string(vbss_result result);
 
 /**
- * Whether the calling thread rounds to nearest and keeps subnormal numbers. Hosts linked with
- * fast-math flags often flush them to zero. The library computes in its own mode, so the answer
- * concerns the arithmetic of the host only, such as the computation of poses that a log shall repeat.
+ * Checks whether the calling thread rounds to nearest and keeps subnormal numbers. Hosts linked
+ * with fast-math flags often flush them to zero. The library computes in its own mode, so the
+ * answer concerns the arithmetic of the host only, such as the computation of poses.
  *
  * @return VBSS_OK or VBSS_ERROR_ARITHMETIC_MODE
  * @threads any thread, any time; the answer is for the calling thread
@@ -252,7 +255,7 @@ VBSS_API vbss_result vbss_context_config_init(vbss_context_config *config, uint3
 /**
  * Creates a context.
  *
- * @param config        how; NULL for the defaults
+ * @param config        configuration; NULL for the defaults
  * @param[out] context  the new context; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
  *         VBSS_ERROR_OUT_OF_RANGE (log_level, or only one of allocate and release) or
@@ -263,7 +266,8 @@ VBSS_API vbss_result vbss_context_config_init(vbss_context_config *config, uint3
 VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss_context **context);
 
 /**
- * Destroys a context and every object in it, youngest first. Afterwards neither the context nor any handle of it may be used.
+ * Destroys a context and every object in it, youngest first. Afterwards neither the context nor any
+ * of its handles may be used.
  *
  * @param context  the context; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (called from a callback of its own, or
@@ -274,9 +278,9 @@ VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss
 VBSS_API vbss_result vbss_context_destroy(vbss_context *context);
 
 /**
- * The last failure in this context. A successful call does not clear it. Only the status reports a
- * failure inside a callback of the context, a call from a second thread, or a size query, which is a
- * call of a save function with no buffer.
+ * Returns the last failure in this context. A successful call does not clear it. The following
+ * failures are reported by their status alone: a call inside a callback of the context, a call from
+ * a second thread, and a size query (a call of a save function without a buffer).
  *
  * @param context      the context
  * @param[out] result  its status, VBSS_OK when nothing has failed yet; may be NULL
@@ -291,12 +295,12 @@ VBSS_API vbss_result vbss_context_get_last_error(const vbss_context *context, vb
                                                  const char **text);
 
 /**
- * Memory and objects of a context.
+ * Returns the memory and objects of a context.
  *
  * @param context          the context
- * @param[out] statistics  receives the numbers
- * @param struct_size      `sizeof *statistics` as the caller was compiled; fields the library does
- *                         not know become zero
+ * @param[out] statistics  receives the statistics
+ * @param struct_size      `sizeof *statistics` as the caller was compiled; fields that the library
+ *         does not know become zero
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
  * @since 0.1

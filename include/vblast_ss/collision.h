@@ -72,12 +72,12 @@ enum {
 typedef struct vbss_closest {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double distance;      /**< m; capsules that overlap: minus the penetration depth. */
-    double normal[3];     /**< Unit vector from a to b; zero if undefined (axes that meet). */
-    double point_a[3];    /**< On a, m. */
-    double point_b[3];    /**< On b, m. */
-    double weights_a[3];  /**< point_a as a weighted sum of the vertices of a, or of its axis. */
-    double weights_b[3];  /**< point_b likewise. */
+    double distance;     /**< Distance, m; minus the penetration depth for capsules that overlap. */
+    double normal[3];    /**< Unit vector from a to b; zero if undefined (axes that meet). */
+    double point_a[3];   /**< On a, m. */
+    double point_b[3];   /**< On b, m. */
+    double weights_a[3]; /**< Weights of the vertices of a, or of its axis, that give point_a. */
+    double weights_b[3]; /**< Weights of the vertices of b, or of its axis, that give point_b. */
 } vbss_closest;
 
 /** Result of a continuous test. */
@@ -139,7 +139,7 @@ typedef struct vbss_collision_batch {
     /** Positions at time 0, m. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x of vertex 1,
      * and so on. No two arrays of a batch overlap. */
     const double *start;
-    const double *end;       /**< Positions at time 1, m, likewise. */
+    const double *end;       /**< Positions at time 1, m, in rows as for `start`. */
     const double *thickness; /**< D of each question, m; NULL: D of the configuration. */
     int32_t *hit;            /**< Receives #vbss_impact.hit of each question. */
     int32_t *decision;       /**< Receives #vbss_impact.decision; may be NULL. */
@@ -322,10 +322,11 @@ VBSS_API vbss_result vbss_point_triangle_test(const vbss_collision_config *confi
                                               vbss_impact *impact, uint32_t struct_size);
 
 /**
- * Computes the paper's response to a hit (algorithm 2): displacements of the four vertices at the end of
- * the step after which the features are D apart, on the side they came from. With TIME_OF_IMPACT they are
- * D apart in the positions of that time, and at the end nearer by their approach since then. The shift of the contact point is shared between the two vertices of an
- * edge, or the three of a triangle, by weights and inverse masses. docs/paper-collision.md has the source,
+ * Computes the paper's response to a hit (algorithm 2): displacements of the four vertices at the
+ * end of the step after which the features are D apart, on the side they came from. With
+ * TIME_OF_IMPACT they are D apart in the positions of that time, and at the end nearer by their
+ * approach since then. Weights and inverse masses distribute the shift of the contact point over
+ * the two vertices of an edge, or the three of a triangle. docs/paper-collision.md has the source,
  * the signs, and the rules for cases that the paper leaves open.
  *
  * @param kind            kinds of the features
@@ -410,7 +411,8 @@ VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_ki
 VBSS_API vbss_result vbss_collision_batch_init(vbss_collision_batch *batch, uint32_t struct_size);
 
 /**
- * Runs many tests, four at a time. The answers have the bits of #vbss_collision_test. Nothing is allocated.
+ * Runs many tests, four at a time. The answers have the bits of #vbss_collision_test. The call
+ * allocates nothing.
  *
  * @param collision  the object: method, tolerance, counters
  * @param batch      questions, and arrays for the answers
@@ -435,7 +437,7 @@ VBSS_API vbss_result vbss_collision_test_batch(vbss_collision *collision,
  * @param rest_lengths  rest lengths of the node_count - 1 edges, m, 0 to 1e30, which the call copies.
  *                      `exclusion` measures the arc by them. NULL excludes neighbours only.
  * @param radius        m, 0 or 1e-30 to 1e29
- * @param[out] shape    names the shape, from 0 on, never used again in this object
+ * @param[out] shape    identifier of the shape, from 0 on, never reused in this object
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -452,7 +454,7 @@ VBSS_API vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_
  * @param collision      the object
  * @param capsule_count  1 to 32768
  * @param radius         radius of all capsules, m, 0 or 1e-30 to 1e29
- * @param[out] shape     names the shape, from 0 on, never used again in this object
+ * @param[out] shape     identifier of the shape, from 0 on, never reused in this object
  * @return as #vbss_collision_add_chain
  * @threads one thread at a time per context
  * @since 0.1
@@ -470,7 +472,7 @@ VBSS_API vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint
  * @param triangles       three different nodes each
  * @param triangle_count  1 to 131072
  * @param radius          half the thickness of the sheet, m, 0 or 1e-30 to 1e29
- * @param[out] shape      names the shape, from 0 on, never used again in this object
+ * @param[out] shape      identifier of the shape, from 0 on, never reused in this object
  * @return as #vbss_collision_add_chain
  * @threads one thread at a time per context
  * @since 0.1
@@ -480,10 +482,10 @@ VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t
                                              double radius, uint32_t *shape);
 
 /**
- * Removes a shape; the others keep their names. The call clears candidates and impacts.
+ * Removes a shape; the others keep their identifiers. The call clears candidates and impacts.
  *
  * @param collision  the object
- * @param shape      which
+ * @param shape identifier of the shape
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -497,7 +499,7 @@ VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t s
  * a mesh does not collide with itself. The call clears candidates and impacts.
  *
  * @param collision  the object
- * @param shape      which
+ * @param shape identifier of the shape
  * @param category   bits; 1 when the shape was added
  * @param mask       bits; all when the shape was added
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
@@ -512,10 +514,10 @@ VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32
  * Sets the motion of a shape for the next searches. The call clears candidates and impacts.
  *
  * @param collision   the object
- * @param shape       which
- * @param start       3 doubles a node at time 0, m; NULL: where the last move ended
- * @param end         3 doubles a node at time 1, m
- * @param node_count  nodes in the arrays, the shape's number of nodes
+ * @param shape identifier of the shape
+ * @param start       3 doubles per node at time 0, m; NULL: the end of the last move
+ * @param end         3 doubles per node at time 1, m
+ * @param node_count  number of nodes in the arrays, equal to the shape's
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -526,11 +528,11 @@ VBSS_API vbss_result vbss_collision_move(vbss_collision *collision, uint32_t sha
                                          uint32_t node_count);
 
 /**
- * Lists the pairs of features whose boxes overlap. Boxes are swept over the motion, and inflated by the
- * radii, `thickness`, the tolerance and `margin`. Pairs are edges with edges, and points with triangles
- * where a mesh takes part: points of chains, capsules and other meshes, and of the mesh itself. The list
- * is complete and depends on the positions alone, not on earlier searches. Nothing is allocated. The call
- * clears the impacts.
+ * Lists the pairs of features whose boxes overlap. Boxes are swept over the motion, and inflated by
+ * the radii, `thickness`, the tolerance and `margin`. Pairs are edges with edges, and points with
+ * triangles where a mesh takes part: points of chains, capsules and other meshes, and of the mesh
+ * itself. The list is complete and depends on the positions alone, not on earlier searches. The
+ * call allocates nothing. The call clears the impacts.
  *
  * @param collision  the object
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (pair_capacity: there are no
@@ -541,9 +543,10 @@ VBSS_API vbss_result vbss_collision_move(vbss_collision *collision, uint32_t sha
 VBSS_API vbss_result vbss_collision_find_candidates(vbss_collision *collision);
 
 /**
- * Tests all candidates of the last search; the hits are the impacts. Nothing is allocated. The tests see
- * edges with edges and points with triangles only. They report no impact for a feature that went through
- * a triangle earlier, is not near its edges, and has no point near its inside.
+ * Tests all candidates of the last search; the hits are the impacts. The call allocates nothing.
+ * The tests see edges with edges and points with triangles only. They report no impact for a
+ * feature that went through a triangle earlier, is not near its edges, and has no point near its
+ * inside.
  *
  * @param collision  the object
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (impact_capacity: there are no
@@ -557,7 +560,7 @@ VBSS_API vbss_result vbss_collision_find_impacts(vbss_collision *collision);
  * Returns a view of the candidates or the impacts.
  *
  * @param collision    the object
- * @param field        which array
+ * @param field        the array
  * @param[out] view    receives the address and the shape of the array
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
@@ -569,11 +572,11 @@ VBSS_API vbss_result vbss_collision_get_view(vbss_collision *collision, vbss_col
                                              vbss_view *view, uint32_t struct_size);
 
 /**
- * The nodes of an edge of a shape.
+ * Returns the nodes of an edge of a shape.
  *
  * @param collision   the object
- * @param shape       which
- * @param edge        which, as candidates name it
+ * @param shape identifier of the shape
+ * @param edge index of the edge, as in candidates
  * @param[out] nodes  receives two nodes
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
  * @threads one thread at a time per context
@@ -583,7 +586,7 @@ VBSS_API vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t
                                              uint32_t edge, uint32_t nodes[2]);
 
 /**
- * The object's counters.
+ * Returns the object's counters.
  *
  * @param collision        the object
  * @param[out] statistics  receives the numbers
@@ -611,8 +614,8 @@ VBSS_API vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *byt
                                          uint64_t capacity, uint64_t *written);
 
 /**
- * Restores a saved state into this object or one created alike, with the same shapes added and removed.
- * On failure the object is as it was. Candidates and impacts are forgotten.
+ * Restores a saved state into this object or an equally configured one, with the same shapes added
+ * and removed. On failure the object is unchanged. The call clears candidates and impacts.
  *
  * @param collision  the object
  * @param bytes      the state
@@ -626,10 +629,10 @@ VBSS_API vbss_result vbss_collision_restore(vbss_collision *collision, const uin
                                             uint64_t count);
 
 /**
- * A number for the whole state: equal states, on any machine, have equal hashes.
+ * Returns a hash of the whole state; equal states have equal hashes on every machine.
  *
  * @param collision  the object
- * @param[out] hash  receives it
+ * @param[out] hash  receives the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
  * @since 0.1

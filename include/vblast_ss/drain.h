@@ -37,11 +37,11 @@ enum {
     VBSS_DRAIN_MESH_225 = 3  /**< 225 nodes, 400 triangles: for walls thinner than 0.6 mm. */
 };
 
-/** How to make a drain. Fill it with #vbss_drain_config_init, then change what you need. */
+/** Configuration of a drain. Fill it with #vbss_drain_config_init, then change fields. */
 typedef struct vbss_drain_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;   /**< Default VBSS_METHOD_OURS. */
-    vbss_drain_mesh mesh; /**< Method OURS; default VBSS_DRAIN_MESH_137. */
+    vbss_method method;   /**< Method; default VBSS_METHOD_OURS. */
+    vbss_drain_mesh mesh; /**< Method OURS: mesh; default VBSS_DRAIN_MESH_137. */
     /** Method OURS: divisions of each cell in each direction, 1 to 4; default 1. */
     uint32_t mesh_divisions;
     uint32_t attachment_capacity; /**< Largest number of attachments, 0 to 256; default 8. */
@@ -60,13 +60,15 @@ typedef struct vbss_drain_config {
     /** Arc from the middle of the slit to each mark, along the surface before the slit was opened, m. It is
      * longer than half the opening and lies between 20 and 90 degrees. Default 4.5e-3. */
     double mark_arc;
-    /** Method OURS: Pa, 1e3 to 1e12; default 1.2e6 (not verified for real drains). */
+    /** Method OURS: Young's modulus, Pa, 1e3 to 1e12; default 1.2e6 (not verified for real
+     * drains). */
     double young_modulus;
-    double poisson_ratio; /**< Method OURS: 0 to 0.49; default 0.47. */
-    double density;       /**< kg/m^3, 1 to 1e5; default 950. */
-    double drag;          /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 20. */
-    /** Acceleration, m/s^2, each at most 1e6; default 0: the rest shape is that of a drain that lies on its
-     * block. */
+    double poisson_ratio; /**< Method OURS: Poisson's ratio, 0 to 0.49; default 0.47. */
+    double density;       /**< Density, kg/m^3, 1 to 1e5; default 950. */
+    /** Drag coefficient, 1/s, 0 to 1e6; default 20. The force is -drag * mass * velocity. */
+    double drag;
+    /** Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default 0,
+     * because the rest shape is that of a drain that lies on its block. */
     double gravity[3];
     double position
         [3]; /**< Origin of the drain's frame in the world, m, each at most 1e3; default 0. */
@@ -123,16 +125,17 @@ enum {
     VBSS_DRAIN_ATTACHMENT_SPRING = 2 /**< A spring from `position` to the node. */
 };
 
-/** Something that acts on one node. Fill it with #vbss_drain_attachment_init. */
+/** An attachment acts on one node. Fill it with #vbss_drain_attachment_init. */
 typedef struct vbss_drain_attachment {
     uint32_t struct_size;            /**< Size of this struct in bytes, set by the init function. */
-    vbss_drain_attachment_kind kind; /**< Default VBSS_DRAIN_ATTACHMENT_PIN. */
-    uint32_t node;                   /**< A node that is not anchored. */
+    vbss_drain_attachment_kind kind; /**< Kind; default VBSS_DRAIN_ATTACHMENT_PIN. */
+    uint32_t node;                   /**< Node, which is not anchored. */
     uint32_t reserved;               /**< Zero. */
-    /** PIN: target of the node in the next step; SPRING: its fixed end; m, each at most 1e3. */
+    /** PIN: target of the node in the next step; SPRING: its fixed end; m, each coordinate at most
+     * 1e3 in magnitude. */
     double position[3];
-    double force[3];  /**< FORCE: N, each at most 1e6. */
-    double stiffness; /**< SPRING: N/m, 0 to 1e9. */
+    double force[3];  /**< FORCE: force, N, each component at most 1e6 in magnitude. */
+    double stiffness; /**< SPRING: stiffness, N/m, 0 to 1e9. */
 } vbss_drain_attachment;
 
 /** An array of a drain: a VBSS_DRAIN_ constant. */
@@ -146,24 +149,27 @@ enum {
     VBSS_DRAIN_TRIANGLES = 3, /**< m x 3 uint32_t, nodes counter-clockwise seen from outside. */
     VBSS_DRAIN_SLIT_LEFT =
         4, /**< uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x. */
-    VBSS_DRAIN_SLIT_RIGHT = 5, /**< Nodes of the right edge (+z), likewise. */
-    VBSS_DRAIN_ANCHORS = 6,    /**< uint32_t: nodes of the bottom strip; method PAPER: none. */
+    /** uint32_t: nodes of the slit's edge on the right (+z), with both tips, along x. */
+    VBSS_DRAIN_SLIT_RIGHT = 5,
+    VBSS_DRAIN_ANCHORS = 6, /**< uint32_t: nodes of the bottom strip; method PAPER: none. */
     /** 3 doubles for each of VBSS_DRAIN_ANCHORS, N: the force of the anchor on the drain; zero once it is
      * torn off. */
     VBSS_DRAIN_ANCHOR_FORCES = 7,
     /** m x 3 doubles: strains of the middle surface along and across the triangle's first side, and shear
      * (2 e12). Method PAPER reports strains and curvatures too, although it does not resist them. */
     VBSS_DRAIN_STRAINS = 8,
-    VBSS_DRAIN_CURVATURES = 9 /**< m x 3 doubles, 1/m: changes of curvature, likewise (2 k12). */
+    /** m x 3 doubles, 1/m: changes of curvature along and across the triangle's first side, and
+     * twist (2 k12). */
+    VBSS_DRAIN_CURVATURES = 9
 };
 
 /** Places on a drain, as nodes. */
 typedef struct vbss_drain_places {
     uint32_t struct_size;    /**< Bytes of this struct that the library filled. */
-    uint32_t node_count;     /**< Nodes of the mesh. */
-    uint32_t triangle_count; /**< Its triangles. */
+    uint32_t node_count;     /**< Number of nodes of the mesh. */
+    uint32_t triangle_count; /**< Number of triangles of the mesh. */
     uint32_t marks[2];       /**< The marks, left and right. */
-    /** The middles of the slit's edges, left and right: the paper's points. */
+    /** The middles of the slit's edges, left and right, which are the paper's points. */
     uint32_t gap_points[2];
     uint32_t reserved; /**< Zero. */
 } vbss_drain_places;
@@ -177,10 +183,11 @@ typedef struct vbss_drain_gap {
     /** Component of the vector between the middles, left to right, along that vector at rest, which moves
      * with the drain's frame, m. It is negative when the edges have crossed. */
     double signed_gap;
-    /** Distance between the lips at the middles of the edges, m: that of the lines through the wall there.
-     * At rest it is about the gap. Where lips meet it is 0 to a fifth of the wall, for any rotation of the
-     * lips: raised lips meet with their inner corners or face to face, when `gap` is up to a whole wall.
-     * It is 0 (shut) where one lip lies on the other. Method PAPER: likewise. */
+    /** Distance between the lips at the middles of the edges, m, measured between the lines
+     * through the wall there. At rest it is about the gap. Where lips meet it is 0 to a fifth of
+     * the wall's thickness, for any rotation of the lips. Raised lips meet with their inner
+     * corners or face to face, while `gap` is up to a whole wall. The opening is 0 (shut) where
+     * one lip lies on the other. Method PAPER measures it in the same manner. */
     double opening;
     double widest_opening; /**< Largest opening between opposite nodes of the edges, m. */
     double lips[2][3];     /**< End points of `opening`, left and right, m. */
@@ -199,14 +206,16 @@ typedef struct vbss_drain_energies {
     double total;   /**< Sum of the energies. */
 } vbss_drain_energies;
 
-/** Counters since creation, and figures of the last step. */
+/** Counters since creation, and results of the last step. */
 typedef struct vbss_drain_statistics {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t torn;        /**< Anchors that have torn off. */
     uint32_t inverted;    /**< Triangles that are inverted or collapsed at present. */
     uint32_t reserved;    /**< Zero. */
     uint64_t steps;       /**< Calls of #vbss_drain_step that succeeded, and steps of its scene. */
-    uint64_t parts;       /**< Equal to steps if none was halved; method PAPER: explicit steps. */
+    /** Accepted parts of steps, equal to `steps` if none was halved; method PAPER: explicit
+     * steps. */
+    uint64_t parts;
     uint64_t linearisations; /**< Linearisations assembled and solved. */
     /** Corrections that were not small against the increment, and were left out. */
     uint64_t corrections_dropped;
@@ -258,13 +267,14 @@ VBSS_API vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_c
 VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
 
 /**
- * Moves a drain forward in time. Nothing is allocated. If the new state is not finite, the call fails
- * and the drain keeps its state from before the step. With method PAPER the call also fails if a node
- * is farther from its rest position than 100 times the length of the drain plus the largest such
- * distance of an attachment: the explicit steps have diverged, and the text says so.
+ * Advances a drain by one step. The call allocates nothing. If the new state is not finite, the
+ * call fails and the drain keeps its state from before the step. With method PAPER the call also
+ * fails if a node is farther from its rest position than 100 times the length of the drain plus the
+ * largest such distance of an attachment: the explicit steps have diverged, and the error text
+ * states it.
  *
  * @param drain  the drain
- * @param h      s, 1e-7 to 0.1
+ * @param h length of the step, s, 1e-7 to 0.1
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -277,9 +287,9 @@ VBSS_API vbss_result vbss_drain_step(vbss_drain *drain, double h);
  * position and have no velocity.
  *
  * @param drain       the drain
- * @param positions   3 doubles a node, m, each at most 1e3; NULL leaves them
- * @param velocities  3 doubles a node, m/s, each at most 1e5; NULL leaves them
- * @param node_count  nodes in the arrays, the drain's number of nodes
+ * @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
+ * @param velocities  3 doubles per node, m/s, each at most 1e5 in magnitude; NULL keeps them
+ * @param node_count  number of nodes in the arrays, equal to the drain's
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE (also: an anchored node
  *         would move) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -306,7 +316,7 @@ VBSS_API vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachmen
  *
  * @param drain       the drain
  * @param attachment  the attachment
- * @param[out] id     names the attachment, from 1 on, never used again in this drain
+ * @param[out] id     identifier of the attachment, from 1 on, never reused in this drain
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is pinned or anchored already),
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
@@ -317,8 +327,8 @@ VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attac
                                        uint32_t *id);
 
 /**
- * Sets where an attachment shall be at the end of the next step. A PIN, or the end of a SPRING, moves
- * there at constant velocity during the step, and then stays.
+ * Sets the target of an attachment for the end of the next step. A PIN, or the end of a SPRING,
+ * moves there at constant velocity during the step, and then stays.
  *
  * @param drain   the drain
  * @param id      the attachment
@@ -347,7 +357,7 @@ VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
  *
  * @param drain       the drain
  * @param id          the attachment
- * @param[out] force  receives it, N
+ * @param[out] force  receives the force, N
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE (no such
  *         attachment)
  * @threads one thread at a time per context
@@ -437,7 +447,8 @@ VBSS_API vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t
                                      uint64_t *written);
 
 /**
- * Restores a saved state into this drain or one created alike. On failure the drain is as it was.
+ * Restores a saved state into this drain or an equally configured one. On failure the drain is
+ * unchanged.
  *
  * @param drain  the drain
  * @param bytes  the state
@@ -451,8 +462,8 @@ VBSS_API vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t
 VBSS_API vbss_result vbss_drain_restore(vbss_drain *drain, const uint8_t *bytes, uint64_t count);
 
 /**
- * XXH64 of the drain's state, its counters included: equal states have equal hashes, on every
- * machine.
+ * Returns the XXH64 of the drain's state, its counters included; equal states have equal hashes on
+ * every machine.
  *
  * @param drain      the drain
  * @param[out] hash  the hash

@@ -3,7 +3,7 @@
  * @brief Elementary functions with the same bits on every processor, compiler and system.
  *
  * The functions of libm differ in their last bits from one machine to the next. A host that moves
- * tools along computed ways uses these instead, so that its inputs are the same everywhere.
+ * tools along computed paths uses these instead, so that its inputs are the same everywhere.
  *
  * All are pure functions: they keep no state, cannot fail, and any thread may call them at any time.
  * They take every double. A NaN as an argument gives a NaN; every NaN that they return is quiet and
@@ -43,7 +43,7 @@ VBSS_API double vbss_cos(double angle);
 /**
  * The angle of a point in the plane, from the x axis towards the y axis; the error is below 0.52
  * ulp. Zeros and infinities are as in C11 Annex F: atan2(+-0, x) is +-0 for x > 0 or +0, and +-pi
- * for x < 0 or -0; two infinities stand for a point on a diagonal. Thread-safe.
+ * for x < 0 or -0; two infinities denote a point on a diagonal. Thread-safe.
  *
  * @param y  coordinate on the y axis, any unit; any double
  * @param x  coordinate on the x axis, the same unit; any double

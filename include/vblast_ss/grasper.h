@@ -50,7 +50,7 @@ enum {
     VBSS_GRASPER_SHEARS = 2         /**< Blades that cut. */
 };
 
-/** How to make a grasper. Fill it with #vbss_grasper_config_init, then change what you need. */
+/** Configuration of a grasper. Fill it with #vbss_grasper_config_init, then change fields. */
 typedef struct vbss_grasper_config {
     uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
     vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_OURS. */
@@ -65,16 +65,21 @@ typedef struct vbss_grasper_config {
     double driver_bend; /**< Angle between jaws and shaft, rad, -1.5 to 1.5; default 0. */
     /** Angle of each jaw from the middle when the handle is open, rad, 1e-3 to 1.2; default 0.35. */
     double driver_opening;
-    double shears_length;  /**< Length of the blades of shears, as driver_length; default 15e-3. */
-    double shears_radius;  /**< As driver_radius; default 0.5e-3. */
-    double shears_bend;    /**< As driver_bend; default 0. */
-    double shears_opening; /**< As driver_opening; default 0.35. */
-    double driver_neck;    /**< Length from the pivot back to the bend, m, 0 to 1; default 0. */
-    double shears_neck;    /**< As driver_neck; default 0. */
-    double neck_radius;    /**< Radius of either neck, m, 1e-6 to 0.1; default 1.2e-3. */
-    double shaft_length;   /**< Length from the bend on, m, 1e-3 to 10; default 0.15. */
-    double shaft_radius;   /**< Radius of the shaft, m, 1e-6 to 0.1; default 2.5e-3. */
-    double friction; /**< Coefficient for contacts outside the grasp, 0 to 10; default 0.15. */
+    /** Length of the blades of shears, pivot to tip, m, 1e-4 to 1; default 15e-3. */
+    double shears_length;
+    /** Radius of each blade, m, 1e-6 to 0.1, below the length; default 0.5e-3. */
+    double shears_radius;
+    double shears_bend; /**< Angle between blades and shaft, rad, -1.5 to 1.5; default 0. */
+    /** Angle of each blade from the middle when the handle is open, rad, 1e-3 to 1.2; default
+     * 0.35. */
+    double shears_opening;
+    double driver_neck; /**< Length from the pivot back to the bend, m, 0 to 1; default 0. */
+    /** Length from the pivot of the blades back to the bend, m, 0 to 1; default 0. */
+    double shears_neck;
+    double neck_radius;  /**< Radius of either neck, m, 1e-6 to 0.1; default 1.2e-3. */
+    double shaft_length; /**< Length from the bend on, m, 1e-3 to 10; default 0.15. */
+    double shaft_radius; /**< Radius of the shaft, m, 1e-6 to 0.1; default 2.5e-3. */
+    double friction;     /**< Coefficient for contacts outside the grasp, 0 to 10; default 0.15. */
     /** Pressure of the jaws on a grasped body when the handle is closed, N, 0 to 1e4; default 8. */
     double closing_force;
     /** Angle by which the jaws of a closed handle would close further without a grasped body, rad, 1e-3
@@ -137,7 +142,7 @@ enum {
 typedef struct vbss_grasper_state {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
     vbss_grasper_kind kind;       /**< Present kind. */
-    uint32_t body;                /**< Its number in its scene; 0: not in a scene. */
+    uint32_t body;                /**< Number of the grasper in its scene; 0: not in a scene. */
     uint32_t grasp_count;         /**< Number of grasps: places of threads, a needle, a wall. */
     double position[3];           /**< Position of the tip, m. */
     double orientation[4];        /**< Unit quaternion, w, x, y, z. */
@@ -224,16 +229,17 @@ VBSS_API vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasp
 VBSS_API vbss_result vbss_grasper_destroy(vbss_grasper *grasper);
 
 /**
- * Sets the pose that the tool shall reach at the end of the next step. Before the tool is added to a
- * scene, the call sets its initial pose. With a trocar, the tip moves to the given position. The given
- * orientation is turned along the shortest path until the shaft passes through the trocar, so only its
- * roll about the shaft is free.
+ * Sets the pose that the tool reaches at the end of the next step. Before the tool is added to a
+ * scene, the call sets its initial pose. With a trocar, the tip moves to the given position. The
+ * given orientation is turned along the shortest path until the shaft passes through the trocar, so
+ * only its roll about the shaft is free.
  *
  * @param grasper      the grasper
  * @param position     target of the tip, m, each at most 1e3
  * @param orientation  target, w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the last one
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (also: the
- *         trocar is nearer to the tip than the bent jaws reach aside), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE
+ *         (also: the trocar is nearer to the tip than the lateral reach of the bent jaws),
+ *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -244,7 +250,7 @@ VBSS_API vbss_result vbss_grasper_move(vbss_grasper *grasper, const double posit
  * Sets how far the handle is open from the next step on. The jaws follow with at most jaw_speed.
  *
  * @param grasper  the grasper
- * @param opening  0 closed to 1 open
+ * @param opening  opening, 0 (closed) to 1 (open)
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -253,10 +259,10 @@ VBSS_API vbss_result vbss_grasper_move(vbss_grasper *grasper, const double posit
 VBSS_API vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening);
 
 /**
- * Requests another kind of tool. The next step of the scene exchanges the tool or refuses the request,
- * with an event either way. It refuses while the tool holds something, where exchange_distance forbids
- * the exchange, and where the tip is too near to the trocar for the other jaws. A refused request is not
- * repeated.
+ * Requests another kind of tool. The next step of the scene exchanges the tool or refuses the
+ * request, with an event either way. It refuses while the tool holds a body, where
+ * exchange_distance forbids the exchange, and where the tip is too near to the trocar for the other
+ * jaws. A refused request is not repeated.
  *
  * @param grasper  the grasper
  * @param kind     the new kind; the present kind changes nothing

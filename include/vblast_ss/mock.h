@@ -21,17 +21,18 @@ typedef struct vbss_mock vbss_mock;
  */
 typedef void (*vbss_mock_measure_fn)(void *user, double time, vbss_device_sample *sample);
 
-/** How to make a mock. Fill it with #vbss_mock_config_init, then change what you need. */
+/** Configuration of a mock. Fill it with #vbss_mock_config_init, then change fields. */
 typedef struct vbss_mock_config {
     uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
     uint32_t fault_capacity; /**< Largest number of faults, 0 to 4096; default 16. */
     /** Largest number of stored rows, one for each write, 0 to 2^20; default 1024. */
     uint32_t row_capacity;
-    uint32_t reserved;            /**< Zero. */
-    vbss_mock_measure_fn measure; /**< NULL (default): the sample of #vbss_mock_set_sample. */
-    void *user;                   /**< Argument of measure; may be NULL. */
-    /** NULL (default): 6 and 3 degrees of freedom, 3.3 N, 400 N/m, 4 N s/m, 1 kHz, a box of 0.15 m, all signals and
-     * outputs. Copied. */
+    uint32_t reserved; /**< Zero. */
+    /** Function of time for samples; NULL (default): the sample of #vbss_mock_set_sample. */
+    vbss_mock_measure_fn measure;
+    void *user; /**< Argument of measure; may be NULL. */
+    /** Capabilities; NULL (default): 6 and 3 degrees of freedom, 3.3 N, 400 N/m, 4 N s/m, 1 kHz,
+     * a box of 0.15 m, all signals and outputs. The library copies them. */
     const vbss_device_capabilities *capabilities;
 } vbss_mock_config;
 
@@ -40,7 +41,8 @@ typedef int32_t vbss_mock_fault;
 
 /** The constants of #vbss_mock_fault; t0: start of the fault, v: its value. */
 enum {
-    /** A NaN in the position (v = 0), orientation (1), velocity (2), jaw, raw and not (3), or time (4). */
+    /** A NaN in the position (v = 0), orientation (1), velocity (2), jaw and jaw_raw (3), or
+     * time (4). */
     VBSS_MOCK_NAN = 1,
     VBSS_MOCK_STALL = 2,      /**< Each read repeats the sample of t0. */
     VBSS_MOCK_DISCONNECT = 3, /**< Reads and writes fail, with VBSS_DEVICE_FLAG_LOST. */
@@ -49,7 +51,7 @@ enum {
     /** In every second interval of v s, samples of v s ago, so that their order is broken. */
     VBSS_MOCK_SHUFFLE = 6,
     VBSS_MOCK_NORM = 7,        /**< Orientations of length v. */
-    VBSS_MOCK_JUMP = 8,        /**< x larger by v m. */
+    VBSS_MOCK_JUMP = 8,        /**< The x coordinate is larger by v m. */
     VBSS_MOCK_TEMPERATURE = 9, /**< A temperature of v. */
     VBSS_MOCK_JAW = 10,        /**< A raw opening of v, like that of a broken wire. */
     VBSS_MOCK_STOP = 11,       /**< VBSS_DEVICE_FLAG_STOP. */
@@ -68,7 +70,7 @@ typedef struct vbss_mock_statistics {
     uint64_t rows_lost;   /**< Rows beyond row_capacity. */
 } vbss_mock_statistics;
 
-/** An array to view: a VBSS_MOCK_VIEW_ constant. */
+/** An array: a VBSS_MOCK_VIEW_ constant. */
 typedef int32_t vbss_mock_field;
 
 /** The constants of #vbss_mock_field. */
@@ -121,7 +123,7 @@ VBSS_API vbss_result vbss_mock_destroy(vbss_mock *mock);
  * Fills an adapter table for the mock, for one device at a time.
  *
  * @param mock             the mock
- * @param[in,out] adapter  an initialised table; every field of it is set
+ * @param[in,out] adapter an initialised table; the call sets every field
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
  * @since 0.1
@@ -129,8 +131,8 @@ VBSS_API vbss_result vbss_mock_destroy(vbss_mock *mock);
 VBSS_API vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter *adapter);
 
 /**
- * Hands in the sample that is given from now on, unless the mock has a function of time. It is given as it is, wrong
- * numbers too; faults come on top.
+ * Sets the sample that later reads return, unless the mock has a function of time. Reads return it
+ * unchecked, even with invalid numbers; faults act on it afterwards.
  *
  * @param mock    the mock
  * @param sample  an initialised sample
@@ -145,10 +147,11 @@ VBSS_API vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sam
  * Adds a fault. STALL, RATE, LATE and SHUFFLE need a function of time; faults act in the order they were added.
  *
  * @param mock   the mock
- * @param fault  what goes wrong
- * @param from   first `now` at which it does, s
- * @param until  first `now` at which it does not any more, s, not before `from`; up to 1e9
- * @param value  as the fault says; RATE, SHUFFLE: 1e-6 to 1e3, LATE: 0 to 1e3, NAN: 0 to 4, others: up to 1e9
+ * @param fault  the fault
+ * @param from   first `now` with the fault, s
+ * @param until  first `now` without the fault, s, not before `from`; up to 1e9
+ * @param value  value of the fault; RATE, SHUFFLE: 1e-6 to 1e3, LATE: 0 to 1e3, NAN: 0 to 4,
+ *         others: up to 1e9
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (also: there is no function of time),
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -182,7 +185,7 @@ VBSS_API vbss_result vbss_mock_clear_rows(vbss_mock *mock);
  *
  * @param mock         the mock
  * @param field        the array
- * @param[out] view    receives it; valid until the next write or change
+ * @param[out] view    receives the view; valid until the next write or change
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
@@ -193,7 +196,7 @@ VBSS_API vbss_result vbss_mock_get_view(vbss_mock *mock, vbss_mock_field field, 
                                         uint32_t struct_size);
 
 /**
- * Figures since creation.
+ * Returns the counters since creation.
  *
  * @param mock             the mock
  * @param[out] statistics  receives them

@@ -21,26 +21,31 @@
 /** A needle. */
 typedef struct vbss_needle vbss_needle;
 
-/** How to make a needle. Fill it with #vbss_needle_config_init, then change what you need. */
+/** Configuration of a needle. Fill it with #vbss_needle_config_init, then change fields. */
 typedef struct vbss_needle_config {
     uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
     vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_OURS. */
     uint32_t segment_count; /**< Capsules along the arc, 2 to 64; default 8. */
     uint32_t reserved;      /**< Zero. */
-    /** Radius of the arc's centre line, m, 1e-4 to 1; default 10.5e-3, that of the paper. */
+    /** Radius of the arc's centre line, m, 1e-4 to 1; default 10.5e-3, the paper's radius. */
     double radius;
     /** Radius of the wire, m, 1e-6 to radius / 5; default 0.35e-3 (not verified). */
     double wire_radius;
-    double arc;         /**< Angle from tip to swage, rad, 0.1 to 6; default pi. */
-    double density;     /**< kg/m^3, 1 to 1e5; default 7900, steel. */
-    double friction;    /**< In a scene: coefficient with other bodies, 0 to 10; default 0.2. */
-    double drag;        /**< Both momenta decay at this rate, 1/s, 0 to 1e6; default 0. */
-    double gravity[3];  /**< m/s^2, each at most 1e6; default 0. */
-    double position[3]; /**< Origin of the frame, m, each at most 1e3; default 0. */
-    /** w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
+    double arc;     /**< Angle from tip to swage, rad, 0.1 to 6; default pi. */
+    double density; /**< Density, kg/m^3, 1 to 1e5; default 7900, steel. */
+    /** Coefficient of friction with other bodies of a scene, 0 to 10; default 0.2. */
+    double friction;
+    double drag; /**< Decay rate of linear and angular momentum, 1/s, 0 to 1e6; default 0. */
+    /** Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default 0. */
+    double gravity[3];
+    /** Position of the frame's origin, m, each coordinate at most 1e3 in magnitude; default 0. */
+    double position[3];
+    /** Orientation w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
     double orientation[4];
-    double velocity[3];         /**< Velocity of the origin, m/s, each at most 1e5; default 0. */
-    double angular_velocity[3]; /**< rad/s, each at most 1e6; default 0. */
+    /** Velocity of the origin, m/s, each component at most 1e5 in magnitude; default 0. */
+    double velocity[3];
+    /** Angular velocity, rad/s, each component at most 1e6 in magnitude; default 0. */
+    double angular_velocity[3];
 } vbss_needle_config;
 
 /** A known needle: a VBSS_NEEDLE_PRESET_ constant. */
@@ -56,14 +61,14 @@ enum {
 /** Pose and velocity of a needle. */
 typedef struct vbss_needle_state {
     uint32_t struct_size;       /**< Bytes of this struct that the library filled. */
-    uint32_t body;              /**< Its number in its scene; 0: not in a scene. */
-    double position[3];         /**< Origin of the frame, m. */
-    double orientation[4];      /**< w, x, y, z, unit. */
+    uint32_t body;              /**< Number of the needle in its scene; 0: not in a scene. */
+    double position[3];         /**< Position of the frame's origin, m. */
+    double orientation[4];      /**< Orientation, unit quaternion w, x, y, z. */
     double velocity[3];         /**< Velocity of the origin, m/s. */
-    double angular_velocity[3]; /**< rad/s. */
-    double tip[3];              /**< m. */
+    double angular_velocity[3]; /**< Angular velocity, rad/s. */
+    double tip[3];              /**< Position of the tip, m. */
     double tip_direction[3];    /**< Unit vector out of the tip. */
-    double swage[3];            /**< m. */
+    double swage[3];            /**< Position of the swage, m. */
     double swage_direction[3];  /**< Unit vector of the thread, away from the needle. */
 } vbss_needle_state;
 
@@ -71,7 +76,7 @@ typedef struct vbss_needle_state {
 typedef struct vbss_needle_mass {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double mass;          /**< kg. */
+    double mass;          /**< Mass, kg. */
     double length;        /**< Length of the centre line, m. */
     double centre[3];     /**< Centre of mass in the needle's frame, m. */
     double inertia[3];    /**< Principal moments about it, kg m^2. */
@@ -83,7 +88,7 @@ typedef struct vbss_needle_energies {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
     double kinetic;       /**< Kinetic energy of translation and rotation. */
-    double gravity;       /**< Zero at the world's origin. */
+    double gravity;       /**< Potential energy, zero at the world's origin. */
     double total;         /**< Their sum. */
 } vbss_needle_energies;
 
@@ -92,8 +97,8 @@ typedef int32_t vbss_needle_field;
 
 /** The constants of #vbss_needle_field. */
 enum {
-    VBSS_NEEDLE_VIEW_POINTS =
-        0 /**< x 3: ends of the capsules' axes, m, from the tip to the swage: segment_count + 1. */
+    /** x 3: ends of the capsules' axes, m, from the tip to the swage; segment_count + 1 rows. */
+    VBSS_NEEDLE_VIEW_POINTS = 0
 };
 
 #ifdef __cplusplus
@@ -115,7 +120,7 @@ VBSS_API vbss_result vbss_needle_config_init(vbss_needle_config *config, uint32_
  * Sets radius, wire radius and arc to those of a known needle.
  *
  * @param[in,out] config  an initialised configuration
- * @param preset          which needle
+ * @param preset          the known needle
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
  *         such preset)
  * @threads any thread, any time
@@ -125,10 +130,10 @@ VBSS_API vbss_result vbss_needle_config_preset(vbss_needle_config *config,
                                                vbss_needle_preset preset);
 
 /**
- * Creates a needle where its configuration says.
+ * Creates a needle with the pose and velocity of its configuration.
  *
  * @param context      owner
- * @param config       how; NULL for the defaults
+ * @param config       configuration; NULL for the defaults
  * @param[out] needle  the new needle; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
@@ -150,9 +155,9 @@ VBSS_API vbss_result vbss_needle_create(vbss_context *context, const vbss_needle
 VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
 
 /**
- * Makes one step of free flight: gravity and drag, nothing touched. Angular momentum is kept to rounding; turning is of
- * second order, by the splitting of docs/needle.md. A needle turns by a quarter of a turn in a step at most: a faster one
- * slows down.
+ * Makes one step of free flightunder gravity and drag, without contacts. Angular momentum is
+ * conserved up to rounding; the rotation is of second order (the splitting of docs/needle.md). A
+ * needle turns by at most a quarter of a turn in a step; a faster one slows down.
  *
  * @param needle  the needle
  * @param h       length of the step, s, 1e-7 to 0.1
@@ -164,13 +169,15 @@ VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
 VBSS_API vbss_result vbss_needle_step(vbss_needle *needle, double h);
 
 /**
- * Puts a needle somewhere. Not while it is in a scene.
+ * Sets the pose and velocity of a needle that is not in a scene.
  *
  * @param needle            the needle
- * @param position          of its frame, m, each at most 1e3
- * @param orientation       w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves it
- * @param velocity          of the frame's origin, m/s, each at most 1e5; NULL: it rests
- * @param angular_velocity  rad/s, each at most 1e6; NULL: it does not turn
+ * @param position          position of the frame's origin, m, each coordinate at most 1e3 in
+ *         magnitude
+ * @param orientation       w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps it
+ * @param velocity          velocity of the frame's origin, m/s, each component at most 1e5 in
+ *         magnitude; NULL: zero
+ * @param angular_velocity  rad/s, each component at most 1e6 in magnitude; NULL: zero
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -211,9 +218,9 @@ VBSS_API vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass 
  * continues straight.
  *
  * @param needle          the needle
- * @param arc_length      from the tip toward the swage, m, each way at most 10
- * @param[out] position   m
- * @param[out] direction  unit; may be NULL
+ * @param arc_length      from the tip towards the swage, m, at most 10 in magnitude
+ * @param[out] position position on the centre line, m
+ * @param[out] direction unit vector; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_NOT_FINITE
  * @threads one thread at a time per context
@@ -239,8 +246,8 @@ VBSS_API vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_e
  * Returns a view of one of the needle's arrays after the last step.
  *
  * @param needle       the needle
- * @param field        which
- * @param[out] view    receives where the array is
+ * @param field        the array
+ * @param[out] view    receives the view
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
@@ -251,12 +258,12 @@ VBSS_API vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field
                                           vbss_view *view, uint32_t struct_size);
 
 /**
- * Saves the needle's state. Call it with no room to learn how much it takes.
+ * Saves the needle's state.
  *
  * @param needle        the needle
  * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
- * @param capacity      bytes there is room for
- * @param[out] written  bytes written, or needed
+ * @param capacity      size of `bytes`
+ * @param[out] written  bytes written, or bytes needed with VBSS_ERROR_CAPACITY
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
  * @since 0.1
@@ -265,11 +272,12 @@ VBSS_API vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint6
                                       uint64_t *written);
 
 /**
- * Restores a saved state into this needle or one created alike. On failure the needle is as it was.
+ * Restores a saved state into this needle or an equally configured one. On failure the needle is
+ * unchanged.
  *
  * @param needle  the needle
- * @param bytes   what #vbss_needle_save wrote
- * @param count   how many bytes
+ * @param bytes   the state that #vbss_needle_save wrote
+ * @param count   its size
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
  *         VBSS_ERROR_CORRUPT (also of another configuration), VBSS_ERROR_CAPACITY,
  *         VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
@@ -279,7 +287,7 @@ VBSS_API vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint6
 VBSS_API vbss_result vbss_needle_restore(vbss_needle *needle, const uint8_t *bytes, uint64_t count);
 
 /**
- * XXH64 of the needle's state: equal states have equal hashes, on every architecture.
+ * Returns the XXH64 of the needle's state; equal states have equal hashes on every machine.
  *
  * @param needle     the needle
  * @param[out] hash  the hash

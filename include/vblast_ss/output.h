@@ -2,10 +2,10 @@
  * @file output.h
  * @brief The output stage limits forces and solenoids to safe values before they reach the hardware.
  *
- * Every device (device.h) has this stage. Hosts with a device layer of their own can use it alone. Each of its
- * limits reduces a force or leaves it, in this order: finite numbers only, largest magnitude, continuous load
- * (I^2 t, motor temperature), rate of rise, watchdog, emergency stop. docs/devices.md has the formulas, and the
- * consequences for passivity.
+ * Every device (device.h) has this stage. Hosts with their own device layer can use it alone. Each
+ * of its limits reduces a force or leaves it unchanged, in this order: finite numbers only, largest
+ * magnitude, continuous load (I^2 t, motor temperature), rate of rise, watchdog, emergency stop.
+ * docs/devices.md has the formulas, and the consequences for passivity.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -14,10 +14,10 @@
 
 #include <vblast_ss/base.h>
 
-/** An output stage alone, for hosts with a device layer of their own. */
+/** An output stage on its own, for hosts with their own device layer. */
 typedef struct vbss_output vbss_output;
 
-/** Actions of an output stage in a step: bits. */
+/** Bits for the actions of an output stage in a step. */
 enum {
     VBSS_OUTPUT_NOT_FINITE = 1,      /**< A number was NaN or infinite: all off. */
     VBSS_OUTPUT_FAULT = 2,           /**< The device refuses forces: all off. */
@@ -36,8 +36,9 @@ enum {
     VBSS_OUTPUT_NOT_WRITTEN = 4096     /**< Devices: an adapter did not accept the result. */
 };
 
-/** Limits of an output stage. Fill it with #vbss_output_config_init, then change what you need. A device lowers
- * them to the capabilities of its adapters, and its timeouts are at least 2.5 of their periods. */
+/** Limits of an output stage. Fill it with #vbss_output_config_init, then change fields. A
+ * device lowers them to the capabilities of its adapters, and its timeouts are at least 2.5 of
+ * their periods. */
 typedef struct vbss_output_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
     uint32_t reserved;    /**< Zero. */
@@ -62,15 +63,15 @@ typedef struct vbss_output_config {
     double solenoid_duty;
 } vbss_output_config;
 
-/** Command to an output stage. Fill it with #vbss_output_command_init, then set what you need. */
+/** Command to an output stage. Fill it with #vbss_output_command_init, then set its fields. */
 typedef struct vbss_output_command {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
     uint32_t solenoid;    /**< 1: on; default 0. */
     uint32_t fault;       /**< 1: the device refuses forces; default 0. */
     uint32_t reserved;    /**< Zero. */
-    /** N; for a device: in the world. A flag reports numbers that are not finite. */
+    /** Force, N; for a device, in the world's frame. A flag reports numbers that are not finite. */
     double force[3];
-    double torque[3]; /**< N m, likewise. */
+    double torque[3]; /**< Torque, N m; for a device, in the world's frame. */
     /** Age of the command, s, such as that of the anchor it was computed from; default 0. */
     double age;
     /** Age of the pose, s; default 0. A device uses the age of its own pose if that is older. */
@@ -111,8 +112,8 @@ typedef struct vbss_output_result {
     uint32_t flags;       /**< VBSS_OUTPUT_ bits: actions of the stage. */
     uint32_t solenoid;    /**< 1: on, 0: off. */
     uint32_t reserved;    /**< Zero. */
-    double force[3];      /**< N; for an adapter: in the device's frame. */
-    double torque[3];     /**< N m. */
+    double force[3];      /**< Force, N; for an adapter, in the device's frame. */
+    double torque[3];     /**< Torque, N m; for an adapter, in the device's frame. */
     double force_load;    /**< Mean square force over the square of its limit; 1: at the limit. */
     double torque_load;   /**< Mean square torque over the square of its limit. */
     double solenoid_left; /**< Time that the solenoid may stay on from now on, s. */
@@ -172,7 +173,7 @@ VBSS_API vbss_result vbss_output_create(vbss_context *context, const vbss_output
 VBSS_API vbss_result vbss_output_destroy(vbss_output *output);
 
 /**
- * Applies the limits to a command. Nothing is allocated.
+ * Applies the limits to a command. The call allocates nothing.
  *
  * @param output       the stage
  * @param h            time since the last step, s, 0 to 1e6

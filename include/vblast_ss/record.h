@@ -1,15 +1,18 @@
 /**
  * @file record.h
- * @brief A log of a scene: where it began, what the host told it, hashes; and its replay.
+ * @brief Records a scene in a log (initial state, inputs of the host, hashes) and replays the log.
  *
- * A *record* writes the log. It begins with a snapshot of the scene; from then on the host moves, pins, cuts
- * and steps the scene by the functions of this header, which do what those of scene.h, thread.h and grasper.h
- * do and note it. The library writes no files: the host takes what the log has grown by and appends it to its own.
+ * A *record* writes the log. It begins with a snapshot of the scene. From then on the host moves,
+ * pins, cuts and steps the scene by the functions of this header. They call their namesakes of
+ * scene.h, thread.h and grasper.h and log the call. The library writes no files: the host takes the
+ * new bytes of the log and appends them to its own file.
  *
- * A *replay* reads a log, complete or cut off, with a scene or without. It brings a scene that was made alike to where the record
- * began, tells it what the host told it then, steps it, and compares hashes: it ends, or names the
- * first step that differs. Page docs/session-log.md has the format. Steps are coded as differences from what
- * the steps before predict, to the bit; logs of format 2, which were not, are read, replayed and continued.
+ * A *replay* reads a log, complete or truncated, with a scene or without. It restores the initial
+ * state in a scene of the same configuration, applies the recorded inputs, steps the scene and
+ * compares hashes. It reports the end of the log or the first step that differs.
+ * docs/session-log.md describes the format. Steps are coded without loss as differences from a
+ * prediction from earlier steps. Logs of format 2, which is uncoded, can be read, replayed and
+ * continued.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -27,126 +30,138 @@ typedef struct vbss_record vbss_record;
 /** Reads a log. */
 typedef struct vbss_replay vbss_replay;
 
-/** How to write a log. Fill it with #vbss_record_config_init, then change what you need. */
+/** Configuration of a record. Fill it with #vbss_record_config_init, then change fields. */
 typedef struct vbss_record_config {
-    uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
-    uint32_t hash_interval;  /**< The state is hashed every so many steps, 1 to 1e9; default 1. */
-    uint32_t input_capacity; /**< Most inputs before a step, 0 to 65536; default 64. */
-    uint32_t note_bytes;     /**< Size of the note, at most 2^24; default 0. */
-    /** Room for what the host has not taken yet, beyond the begin of the log, in bytes, 4096 to 2^30;
-     * default 2^20. A step needs room for its largest form: 274 where two rigid bodies move, 332 where
-     * two graspers move and open. Smooth movements take about a tenth of that in the log. */
+    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
+    /** Number of steps between hashes of the state, 1 to 1e9; default 1. */
+    uint32_t hash_interval;
+    /** Largest number of inputs before a step, 0 to 65536; default 64. */
+    uint32_t input_capacity;
+    uint32_t note_bytes; /**< Size of the note, at most 2^24; default 0. */
+    /** Size of the buffer for bytes that the host has not taken yet, without the beginning of the
+     * log, bytes, 4096 to 2^30; default 2^20. A step is coded in at most 274 bytes when two rigid
+     * bodies move, and 332 when two graspers move and open. Smooth movements take about a tenth of
+     * that in the log. */
     uint64_t buffer_bytes;
-    /** Anything the host wants to find in the log again, such as what its scene is made from; NULL
-     * (default) when note_bytes is 0. Copied. */
+    /** Data of the host that the log stores, such as a description of its scene; default NULL,
+     * allowed when note_bytes is 0. The library copies it. */
     const void *note;
-    /** A snapshot of the scene is put in the log every so many steps, 0 to 1e9; 0: only at the begin; default 2000.
-     * #vbss_replay_seek goes on from them. One that finds no room in the buffer waits for a later step that has it. */
+    /** Number of steps between snapshots of the scene in the log, 0 to 1e9; default 2000. With 0
+     * there is only the first snapshot. #vbss_replay_seek starts from snapshots. A snapshot that
+     * does not fit in the buffer is written after a later step. */
     uint32_t snapshot_interval;
     uint32_t reserved; /**< Zero. */
 } vbss_record_config;
 
-/** What a host has told a scene: a VBSS_INPUT_ constant. */
+/** Kind of an input: a VBSS_INPUT_ constant. */
 typedef int32_t vbss_input_kind;
 
-/** The constants of #vbss_input_kind, with the words and numbers of each. They are numbers of the format. */
+/** The constants of #vbss_input_kind, with their words and their numbers. The log format uses the
+ * same constants. */
 enum {
-    VBSS_INPUT_MOVE_RIGID = 1, /**< Body, whether turned; position 3, orientation 4. */
-    VBSS_INPUT_PIN = 2,        /**< Thread, node, body, whether at a point; point 3. */
-    VBSS_INPUT_UNPIN = 3,      /**< Pin. */
-    /** Thread, kind, node; position 3, direction 3, force 3, stiffness, damping, mass. */
+    /** Words: body, 1 if turned. Numbers: position (3), orientation (4). */
+    VBSS_INPUT_MOVE_RIGID = 1,
+    VBSS_INPUT_PIN = 2,   /**< Words: thread, node, body, 1 if at a point. Numbers: point (3). */
+    VBSS_INPUT_UNPIN = 3, /**< Words: pin. */
+    /** Words: thread, kind, node. Numbers: position (3), direction (3), force (3), stiffness,
+     * damping, mass. */
     VBSS_INPUT_ATTACH = 4,
-    VBSS_INPUT_MOVE = 5,   /**< Thread, attachment, whether directed; target 3, direction 3. */
-    VBSS_INPUT_DETACH = 6, /**< Thread, attachment. */
-    VBSS_INPUT_CUT = 7,    /**< Thread; arc length. */
-    VBSS_INPUT_MOVE_GRASPER = 8, /**< Grasper, whether turned; position 3, orientation 4. */
-    VBSS_INPUT_SET_OPENING = 9,  /**< Grasper; opening. */
-    VBSS_INPUT_EXCHANGE = 10     /**< Grasper, kind. */
+    /** Words: thread, attachment, 1 if directed. Numbers: target (3), direction (3). */
+    VBSS_INPUT_MOVE = 5,
+    VBSS_INPUT_DETACH = 6, /**< Words: thread, attachment. */
+    VBSS_INPUT_CUT = 7,    /**< Words: thread. Numbers: arc length. */
+    /** Words: grasper, 1 if turned. Numbers: position (3), orientation (4). */
+    VBSS_INPUT_MOVE_GRASPER = 8,
+    VBSS_INPUT_SET_OPENING = 9, /**< Words: grasper. Numbers: opening. */
+    VBSS_INPUT_EXCHANGE = 10    /**< Words: grasper, kind. */
 };
 
-/** One thing that a host has told a scene. */
+/** One input of the host. */
 typedef struct vbss_log_input {
-    vbss_input_kind kind;  /**< What. */
-    uint32_t word_count;   /**< Of the words below. */
-    uint32_t number_count; /**< Of the numbers below. */
+    vbss_input_kind kind;  /**< Kind of the input. */
+    uint32_t word_count;   /**< Number of valid entries in `words`. */
+    uint32_t number_count; /**< Number of valid entries in `numbers`. */
     uint32_t reserved;     /**< Zero. */
-    uint32_t words[4];     /**< As #vbss_input_kind says. */
-    double numbers[12];    /**< The same. */
+    uint32_t words[4];     /**< Words; #vbss_input_kind lists their meanings. */
+    double numbers[12];    /**< Numbers; #vbss_input_kind lists their meanings. */
 } vbss_log_input;
 
-/** What a log says of a step. */
+/** A step as the log describes it. */
 typedef struct vbss_log_step {
-    uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
-    uint32_t hashed;              /**< 1: the hash is there. */
-    uint64_t number;              /**< From 1 on. */
-    uint64_t hash;                /**< Of the scene after it; 0 if it was not hashed. */
-    uint64_t position;            /**< Byte of the log at which what follows it begins. */
-    double h;                     /**< Its length, s. */
-    double time;                  /**< Sum of the lengths up to it, s: the clock of the hands. */
-    const vbss_log_input *inputs; /**< What was told before it, in that order. */
-    const uint32_t *events;       /**< x 4, as in #VBSS_SCENE_VIEW_EVENTS: what happened in it. */
-    uint32_t input_count;         /**< Of inputs. */
-    uint32_t event_count;         /**< Of events: four words each. */
-    /** Part of `h` that the scene has left out, s, by #VBSS_EVENT_CLAMPED. Each such event is up to h / 65536 too small. A
-     * paused step may be reported in a later one. */
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t hashed;      /**< 1: `hash` is valid. */
+    uint64_t number;      /**< Number of the step, from 1 on. */
+    uint64_t hash;        /**< Hash of the scene after the step; 0 if it was not hashed. */
+    uint64_t position;    /**< Byte of the log just after this step. */
+    double h;             /**< Length of the step, s. */
+    double time; /**< Sum of the lengths of the steps up to this one, s: the clock of the hands. */
+    const vbss_log_input *inputs; /**< Inputs before the step, in their order. */
+    const uint32_t *events; /**< x 4: the events of the step, as in #VBSS_SCENE_VIEW_EVENTS. */
+    uint32_t input_count;   /**< Number of inputs. */
+    uint32_t event_count;   /**< Number of events; each has four words. */
+    /** Part of `h` that the scene has left out, s, by #VBSS_EVENT_CLAMPED. Each such event is up to
+     * h / 65536 too small. A step may report the time of an earlier paused step. */
     double time_lost;
 } vbss_log_step;
 
-/** What is in a log, and what is wrong with it. The counts are those of its good part, before the first fault. */
+/** Contents and faults of a log. The counts cover its good part, before the first fault. */
 typedef struct vbss_log_report {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    vbss_result result; /**< VBSS_OK, or of the first fault; VBSS_ERROR_TRUNCATED: it is cut off. */
-    uint32_t ended;     /**< 1: the end is there. */
-    uint32_t fault_count;          /**< Of faults, of which the first eight are told below. */
-    uint64_t log_bytes;            /**< Size of the log. */
-    uint64_t good_bytes;           /**< Of its good part, which replays. */
-    uint64_t steps;                /**< Complete ones. */
-    uint64_t inputs;               /**< Told before them. */
-    uint64_t events;               /**< In them. */
-    uint64_t snapshots;            /**< With that at the begin. */
-    double time;                   /**< Sum of their lengths, s: the clock of the hands. */
-    uint64_t fault_positions[8];   /**< Bytes of the log. */
-    const char *fault_problems[8]; /**< Constant texts, in English. */
+    /** VBSS_OK, or the result of the first fault; VBSS_ERROR_TRUNCATED when the log is truncated. */
+    vbss_result result;
+    uint32_t ended;       /**< 1: the log has its end record. */
+    uint32_t fault_count; /**< Number of faults. The arrays below hold the first eight. */
+    uint64_t log_bytes;   /**< Size of the log. */
+    uint64_t good_bytes;  /**< Size of its good part, which can be replayed. */
+    uint64_t steps;       /**< Number of complete steps. */
+    uint64_t inputs;      /**< Number of inputs before these steps. */
+    uint64_t events;      /**< Number of events in these steps. */
+    uint64_t snapshots;   /**< Number of snapshots, the first one included. */
+    double time;          /**< Sum of the lengths of these steps, s: the clock of the hands. */
+    uint64_t fault_positions[8];   /**< Positions of the faults, as bytes of the log. */
+    const char *fault_problems[8]; /**< Descriptions of the faults, constant English strings. */
     /** VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION. */
     vbss_result fault_results[8];
-    double
-        time_lost; /**< Part of `time` that the scene has left out, s: see #vbss_log_step.time_lost. */
+    /** Part of `time` that the scene has left out, s; see #vbss_log_step.time_lost. */
+    double time_lost;
 } vbss_log_report;
 
-/** What a log says about itself. */
+/** General information on a log. */
 typedef struct vbss_replay_info {
-    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
-    uint32_t library_version; /**< Of the library that wrote it, as #VBSS_VERSION_NUM. */
-    uint32_t hash_interval;   /**< As it was recorded. */
-    uint32_t note_bytes;      /**< Size of the note. */
-    uint64_t snapshot_bytes;  /**< Size of the snapshot it begins with, unpacked. */
-    uint64_t log_bytes;       /**< Size of the log, what may be cut off or damaged included. */
-    const char *build_info;   /**< Of the library that wrote it; lives as long as the replay. */
-    const void *note;         /**< The host's note; never NULL; lives as long as the replay. */
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    /** Version of the library that wrote the log, as #VBSS_VERSION_NUM. */
+    uint32_t library_version;
+    uint32_t hash_interval;  /**< Number of steps between hashes. */
+    uint32_t note_bytes;     /**< Size of the note. */
+    uint64_t snapshot_bytes; /**< Size of the first snapshot, unpacked. */
+    uint64_t log_bytes;      /**< Size of the log, truncated and damaged parts included. */
+    /** Build information of the library that wrote the log; valid as long as the replay lives. */
+    const char *build_info;
+    const void *note; /**< The host's note; never NULL; valid as long as the replay lives. */
 } vbss_replay_info;
 
-/** How far a replay is: a VBSS_REPLAY_ constant. */
+/** Outcome of a replay: a VBSS_REPLAY_ constant. */
 typedef int32_t vbss_replay_outcome;
 
 /** The constants of #vbss_replay_outcome. */
 enum {
-    VBSS_REPLAY_STEPPED = 0, /**< On its way; all hashes so far agree. */
-    VBSS_REPLAY_ENDED = 1,   /**< The log has ended as it should; all hashes agree. */
+    VBSS_REPLAY_STEPPED = 0, /**< The replay has not ended; all hashes so far agree. */
+    VBSS_REPLAY_ENDED = 1,   /**< The log has ended with its end record; all hashes agree. */
     VBSS_REPLAY_DIFFERS = 2, /**< The state after `step` is not the recorded one. */
-    VBSS_REPLAY_STOPPED =
-        3 /**< The call has failed: the log is cut off or damaged, or a step is refused. */
+    /** The call has failed: the log is truncated or damaged, or the scene refused a step. */
+    VBSS_REPLAY_STOPPED = 3
 };
 
-/** Where a replay is, and what it has found. */
+/** Position and outcome of a replay. */
 typedef struct vbss_replay_report {
     uint32_t struct_size;        /**< Bytes of this struct that the library filled. */
-    vbss_replay_outcome outcome; /**< How far it is. */
-    uint64_t step;               /**< Number of the last step that was made, from 1 on; 0: none. */
-    /** Number of the last step whose hash was recorded and agrees; 0: only the begin does. The first
-     * step that differs comes after it and is `step` at the latest. */
+    vbss_replay_outcome outcome; /**< Outcome so far. */
+    uint64_t step; /**< Number of the last step that was made, from 1 on; 0: no step. */
+    /** Number of the last step whose recorded hash agrees; 0: only the initial state agrees. The
+     * first step that differs comes after this one, and not after `step`. */
     uint64_t agreed_step;
-    uint64_t recorded_hash; /**< After `step`; 0 where none was recorded. */
-    uint64_t found_hash;    /**< Of the scene that is replayed; 0 where none was recorded. */
+    uint64_t recorded_hash; /**< Recorded hash after `step`; 0 if none was recorded. */
+    uint64_t found_hash;    /**< Hash of the replayed scene after `step`; 0 if none was recorded. */
     uint64_t position;      /**< Byte of the log at which the next record begins. */
 } vbss_replay_report;
 
@@ -166,12 +181,12 @@ extern "C" {
 VBSS_API vbss_result vbss_record_config_init(vbss_record_config *config, uint32_t struct_size);
 
 /**
- * Begins the log of a scene: what library writes it, the scene's configuration and a snapshot of its
- * state. All memory that steps need is allocated here.
+ * Begins the log of a scene with the version of the library, the scene's configuration and a
+ * snapshot of its state. The call allocates all memory that steps need.
  *
- * @param scene        the scene; it may be destroyed before the record, which is then only good for
- *                     taking what is left
- * @param config       how; NULL for the defaults
+ * @param scene        the scene; after it is destroyed, only #vbss_record_take and
+ *         #vbss_record_destroy are useful
+ * @param config   configuration; NULL for the defaults
  * @param[out] record  the new record; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (a snapshot of 3 GiB),
@@ -183,7 +198,8 @@ VBSS_API vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_con
                                         vbss_record **record);
 
 /**
- * Destroys a record. What was not taken is lost; a log whose end was not recorded counts as cut off.
+ * Destroys a record. Bytes that were not taken are lost; a log without an end record counts as
+ * truncated.
  *
  * @param record  the record; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -193,19 +209,21 @@ VBSS_API vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_con
 VBSS_API vbss_result vbss_record_destroy(vbss_record *record);
 
 /**
- * Goes on with a log, complete or cut off: brings the scene of the replay to its last complete step, as
- * #vbss_replay_seek does, and makes a record that appends to it. The host first cuts its file off at `position`.
- * A damaged log is refused; its good part (#vbss_log_check) can be gone on with by a replay of that alone.
+ * Continues a log, complete or truncated. The call brings the scene of the replay to the last
+ * complete step, as #vbss_replay_seek does, and creates a record that appends to the log. The host
+ * first truncates its file at `position`. A damaged log is refused. To continue its good part
+ * (#vbss_log_check), open a replay of that part alone.
  *
- * @param replay         a replay that has begun; what it replays afterwards is past the record
- * @param config         how; NULL for the defaults. Only buffer_bytes and snapshot_interval count; the rest is as
- *                       the log has it.
- * @param[out] record    the new record; NULL when the call fails. Nothing is in it to be taken yet.
- * @param[out] position  byte of the log at which what it takes is to be appended
- * @return VBSS_OK, VBSS_ERROR_CORRUPT (also: the steps are not made as they were recorded),
- *         VBSS_ERROR_DATA_VERSION (also: begun by another version of the library), VBSS_ERROR_CAPACITY (the scene
- *         keeps more events than that of the log), VBSS_ERROR_OUT_OF_RANGE (the replay has not begun), what
- *         #vbss_replay_step and #vbss_scene_restore return, or what #vbss_record_create does
+ * @param replay         a replay that has begun; the record does not log its later steps
+ * @param config         configuration; NULL for the defaults. Only buffer_bytes and
+ *         snapshot_interval are used; the log determines the rest.
+ * @param[out] record    the new record; NULL when the call fails. It has no bytes to take yet.
+ * @param[out] position  byte of the log at which the host appends the bytes that it takes
+ * @return VBSS_OK, VBSS_ERROR_CORRUPT (also: the steps differ from the recorded ones),
+ *         VBSS_ERROR_DATA_VERSION (also: another version of the library began the log),
+ *         VBSS_ERROR_CAPACITY (the scene keeps more events than the recorded one),
+ *         VBSS_ERROR_OUT_OF_RANGE (the replay has not begun), or a result of #vbss_replay_step,
+ *         #vbss_scene_restore or #vbss_record_create
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -213,12 +231,12 @@ VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_c
                                         vbss_record **record, uint64_t *position);
 
 /**
- * Hands out what the log has grown by since it was asked last, to be appended to a file or sent. It
- * consists of complete steps.
+ * Returns the bytes that were added to the log since the last call, for the host to store or send.
+ * They form complete steps.
  *
  * @param record      the record
  * @param[out] bytes  the bytes, valid until the next call that records something; never NULL
- * @param[out] count  how many; 0 when there is nothing new
+ * @param[out] count  number of bytes; 0 when there are no new ones
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -226,15 +244,18 @@ VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_c
 VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_t *count);
 
 /**
- * #vbss_scene_move_rigid of the recorded scene. Like the functions below it fails without changing
- * anything as that does, and further with VBSS_ERROR_OUT_OF_RANGE after #vbss_record_end, or when the scene,
- * or a thread, drain or grasper in it, was changed past the record since (then begin a new one), and with
- * VBSS_ERROR_CAPACITY when input_capacity is exhausted. An input belongs to the step that follows.
+ * Calls #vbss_scene_move_rigid of the recorded scene and logs it. An input belongs to the step that
+ * follows. Like all logging functions below, it changes nothing when it fails, and has two further
+ * errors. VBSS_ERROR_OUT_OF_RANGE: #vbss_record_end was called, or the host has changed the scene
+ * or a thread, drain or grasper in it without the record (a new record is needed then).
+ * VBSS_ERROR_CAPACITY: input_capacity is exhausted.
  *
  * @param record       the record
  * @param body         a rigid body, neither a free one nor a grasper
- * @param position     of the origin of its frame, m, each at most 1e3
- * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves it
+ * @param position     position of the origin of its frame, m, each coordinate at most 1e3 in
+ *         magnitude
+ * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
+ *         orientation
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed), VBSS_ERROR_NULL_ARGUMENT,
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -244,12 +265,13 @@ VBSS_API vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body,
                                             const double position[3], const double *orientation);
 
 /**
- * #vbss_grasper_move of a grasper in the recorded scene.
+ * Calls #vbss_grasper_move for a grasper of the recorded scene and logs it.
  *
  * @param record       the record
  * @param body         number of the grasper in the scene
- * @param position     of the tip, m, each at most 1e3
- * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves what was told
+ * @param position     position of the tip, m, each coordinate at most 1e3 in magnitude
+ * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
+ *         last orientation
  * @return as #vbss_record_move_rigid
  * @threads one thread at a time per context
  * @since 0.1
@@ -258,11 +280,11 @@ VBSS_API vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body
                                               const double position[3], const double *orientation);
 
 /**
- * #vbss_grasper_set_opening of a grasper in the recorded scene.
+ * Calls #vbss_grasper_set_opening for a grasper of the recorded scene and logs it.
  *
  * @param record   the record
  * @param body     number of the grasper in the scene
- * @param opening  of the handle, 0 closed to 1 open
+ * @param opening  opening of the handle, 0 (closed) to 1 (open)
  * @return as #vbss_record_move_rigid
  * @threads one thread at a time per context
  * @since 0.1
@@ -270,11 +292,11 @@ VBSS_API vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body
 VBSS_API vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening);
 
 /**
- * #vbss_grasper_exchange of a grasper in the recorded scene.
+ * Calls #vbss_grasper_exchange for a grasper of the recorded scene and logs it.
  *
  * @param record  the record
  * @param body    number of the grasper in the scene
- * @param kind    what it shall be
+ * @param kind    kind of the new instrument
  * @return as #vbss_record_move_rigid
  * @threads one thread at a time per context
  * @since 0.1
@@ -283,15 +305,17 @@ VBSS_API vbss_result vbss_record_exchange(vbss_record *record, uint32_t body,
                                           vbss_grasper_kind kind);
 
 /**
- * #vbss_scene_pin_thread of the recorded scene.
+ * Calls #vbss_scene_pin_thread of the recorded scene and logs it.
  *
  * @param record    the record
  * @param thread    number of the thread in the scene
  * @param node      0 to its number of nodes - 1
  * @param body      number of a rigid body; 0: the world
- * @param point     m, in the frame of the body, each at most 1e3; NULL: where the node is now
- * @param[out] pin  names the pin, from 1 on, never used again
- * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also: pins, or the thread's attachments
+ * @param point     point in the frame of the body, m, each coordinate at most 1e3 in magnitude;
+ *         NULL: the current position of the node
+ * @param[out] pin  identifier of the pin, from 1 on, never reused
+ * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also when pins or the thread's
+ *         attachments are exhausted
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -299,10 +323,10 @@ VBSS_API vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread
                                             uint32_t body, const double *point, uint32_t *pin);
 
 /**
- * #vbss_scene_unpin_thread of the recorded scene.
+ * Calls #vbss_scene_unpin_thread of the recorded scene and logs it.
  *
  * @param record  the record
- * @param pin     its name
+ * @param pin     identifier of the pin
  * @return as #vbss_record_move_rigid
  * @threads one thread at a time per context
  * @since 0.1
@@ -310,13 +334,14 @@ VBSS_API vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread
 VBSS_API vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin);
 
 /**
- * #vbss_scene_cut_thread of the recorded scene.
+ * Calls #vbss_scene_cut_thread of the recorded scene and logs it.
  *
  * @param record      the record
  * @param thread      number of the thread in the scene
- * @param arc_length  of the cut from the thread's node 0, unstretched, m, within its length and not at an end
+ * @param arc_length  unstretched arc length from the thread's node 0 to the cut, m, within its
+ *         length and not at an end
  * @param[out] piece  number of the new body
- * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also: no cuts left
+ * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also when no cuts are left
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -324,14 +349,14 @@ VBSS_API vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread
                                             uint32_t *piece);
 
 /**
- * #vbss_thread_attach to a thread of the recorded scene.
+ * Calls #vbss_thread_attach for a thread of the recorded scene and logs it.
  *
  * @param record      the record
  * @param thread      number of the thread in the scene
- * @param attachment  what
- * @param[out] id     names the attachment, from 1 on, never used again in this thread
- * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also: the thread's attachments; further
- *         VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_UNKNOWN_FIELD
+ * @param attachment the attachment
+ * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
+ * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also when the thread's attachments are
+ *         exhausted; VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_UNKNOWN_FIELD
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -339,13 +364,13 @@ VBSS_API vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
                                         const vbss_thread_attachment *attachment, uint32_t *id);
 
 /**
- * #vbss_thread_move of an attachment of a thread of the recorded scene.
+ * Calls #vbss_thread_move for an attachment of a thread of the recorded scene and logs it.
  *
  * @param record     the record
  * @param thread     number of the thread in the scene
  * @param id         the attachment, not a MASS
  * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N
- * @param direction  CLAMP: of any length from 1e-100 to 1e100; NULL leaves it
+ * @param direction  CLAMP: direction of any length from 1e-100 to 1e100; NULL keeps the direction
  * @return as #vbss_record_move_rigid
  * @threads one thread at a time per context
  * @since 0.1
@@ -354,7 +379,7 @@ VBSS_API vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t t
                                                  const double target[3], const double *direction);
 
 /**
- * #vbss_thread_detach from a thread of the recorded scene.
+ * Calls #vbss_thread_detach for a thread of the recorded scene and logs it.
  *
  * @param record  the record
  * @param thread  number of the thread in the scene
@@ -366,22 +391,24 @@ VBSS_API vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t t
 VBSS_API vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id);
 
 /**
- * #vbss_scene_step of the recorded scene; appends the inputs since the last step, the length of this one, its
- * events and, when they are due, the hash of the state and a snapshot. Nothing is allocated. When the step fails the log and the
- * scene are as they were, and the inputs belong to the step that succeeds.
+ * Calls #vbss_scene_step of the recorded scene and logs it. The log receives the inputs since the
+ * last step, the length of this one, its events and, when they are due, the hash of the state and a
+ * snapshot. The call allocates nothing. When the step fails, the log and the scene are unchanged,
+ * and the inputs belong to the next step that succeeds.
  *
  * @param record  the record
- * @param h       s, 1e-7 to 0.1
- * @return as #vbss_record_move_rigid and #vbss_scene_step; VBSS_ERROR_CAPACITY also, before anything is
- *         done: the log's room, so that #vbss_record_take comes first
+ * @param h       length of the step, s, 1e-7 to 0.1
+ * @return as #vbss_record_move_rigid and #vbss_scene_step; VBSS_ERROR_CAPACITY also when the buffer
+ *         is full: nothing has changed then, and #vbss_record_take makes room
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_record_step(vbss_record *record, double h);
 
 /**
- * Ends the log; there is always room for it. Inputs since the last step are not part of the log, which
- * then ends without a last hash. Afterwards there is only #vbss_record_take.
+ * Ends the log; the end record always fits in the buffer. With inputs since the last step the log
+ * ends without them and without a last hash. Afterwards only #vbss_record_take and
+ * #vbss_record_destroy succeed.
  *
  * @param record  the record
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (it has ended before) or
@@ -392,15 +419,15 @@ VBSS_API vbss_result vbss_record_step(vbss_record *record, double h);
 VBSS_API vbss_result vbss_record_end(vbss_record *record);
 
 /**
- * Opens a log and checks how it begins; whatever follows is checked when it is read.
+ * Opens a log and checks its beginning. The rest is checked when it is read.
  *
  * @param context      owner
- * @param bytes        the log; must stay as it is while the replay lives
+ * @param bytes        the log; it must stay valid and unchanged while the replay lives
  * @param count        its size
  * @param[out] replay  the new replay; NULL when the call fails
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED (the begin
- *         is not complete), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY or
- *         VBSS_ERROR_BUSY; texts name the byte
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED (the
+ *         beginning is incomplete), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY; error texts name the byte
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -408,7 +435,7 @@ VBSS_API vbss_result vbss_replay_create(vbss_context *context, const uint8_t *by
                                         vbss_replay **replay);
 
 /**
- * Destroys a replay; the scene is the host's as before.
+ * Destroys a replay; the host keeps the scene.
  *
  * @param replay  the replay; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -418,10 +445,10 @@ VBSS_API vbss_result vbss_replay_create(vbss_context *context, const uint8_t *by
 VBSS_API vbss_result vbss_replay_destroy(vbss_replay *replay);
 
 /**
- * What the log says about itself.
+ * Returns general information on the log.
  *
  * @param replay       the replay
- * @param[out] info    receives it
+ * @param[out] info        receives the information
  * @param struct_size  `sizeof *info` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
@@ -431,10 +458,10 @@ VBSS_API vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info 
                                           uint32_t struct_size);
 
 /**
- * The configuration of the recorded scene, to make one like it.
+ * Returns the configuration of the recorded scene, with which the host can create an equal one.
  *
  * @param replay          the replay
- * @param[in,out] config  an initialised configuration; every field of it is set
+ * @param[in,out] config an initialised configuration; the call sets every field
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
  * @since 0.1
@@ -444,42 +471,43 @@ VBSS_API vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scen
 /**
  * Reads a log to its end without a scene.
  *
- * @param replay      the replay, which stays where it is
- * @param[out] steps  complete steps in it, also when the call fails with what comes after them
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED (it has no
- *         end), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY;
- *         texts name the byte
+ * @param replay      the replay; its position does not change
+ * @param[out] steps  number of complete steps, also when the call fails because of later bytes
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED (the
+ *         log has no end), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_ARITHMETIC_MODE
+ *         or VBSS_ERROR_BUSY; error texts name the byte
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps);
 
 /**
- * Brings a scene to where the record began, and the replay before its first step; also to replay once
- * more. On failure the scene is as it was.
+ * Restores the initial state of the record in a scene and moves the replay to before its first
+ * step. A replay can begin more than once. On failure the scene is unchanged.
  *
  * @param replay  the replay
- * @param scene   a scene of the same context, made like the recorded one: the same configuration but for
- *                capacities (those of pins and grasps are the same as well), the same bodies added in the same order
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_CORRUPT (another
- *         scene; a text names the field), VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION,
- *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @param scene   a scene of the same context with the configuration of the recorded one and equal
+ *         bodies added in the same order; capacities may differ, except those of pins and grasps
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene is of another context),
+ *         VBSS_ERROR_CORRUPT (another scene; the error text names the field), VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene);
 
 /**
- * Replays the next step: tells the scene what it was told, steps it and compares the hash. Nothing is
- * allocated. Where it has ended, differs or has failed it stays: the call does nothing and returns the
- * same again until #vbss_replay_begin.
+ * Replays the next step: applies its inputs, steps the scene and compares the hash. The call
+ * allocates nothing. After the end, a difference or a failure, further calls do nothing and return
+ * the same result until #vbss_replay_begin.
  *
  * @param replay       the replay, which has begun
- * @param[out] report  receives what was found, also when the log cannot be read or the step not be made
+ * @param[out] report  receives the report, also when the log cannot be read or the scene refuses
+ *         the step
  * @param struct_size  `sizeof *report` as the caller was compiled
- * @return VBSS_OK, also for a step that differs and for the end; VBSS_ERROR_TRUNCATED (all complete steps
- *         were replayed, the end is missing), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, with texts that
- *         name the byte; what an input or #vbss_scene_step was refused with;
+ * @return VBSS_OK, also for a step that differs and for the end; VBSS_ERROR_TRUNCATED (all complete
+ *         steps were replayed, the end is missing), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
+ *         with texts that name the byte; any error of an input or of #vbss_scene_step;
  *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_OUT_OF_RANGE (it has not begun) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -489,13 +517,14 @@ VBSS_API vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *r
                                       uint32_t struct_size);
 
 /**
- * Brings the replay and its scene to after a step: restores the newest snapshot at or before it, makes the steps
- * from there on and compares their hashes. #vbss_replay_step goes on from there to the same bits as without. When
- * the log does not have the step, scene and replay stay as they are.
+ * Moves the replay and its scene to just after a step: restores the newest snapshot at or before
+ * it, replays the steps that follow and compares their hashes. #vbss_replay_step then continues
+ * with the same bits as without the seek. When the log does not have the step, scene and replay are
+ * unchanged.
  *
  * @param replay       the replay, which has begun
- * @param step         number of the step; 0: the begin
- * @param[out] report  receives what was found, as in #vbss_replay_step
+ * @param step         number of the step; 0: the initial state
+ * @param[out] report  receives the report, as in #vbss_replay_step
  * @param struct_size  `sizeof *report` as the caller was compiled
  * @return as #vbss_replay_step and #vbss_scene_restore; VBSS_ERROR_OUT_OF_RANGE also: the log ends before the step
  * @threads one thread at a time per context
@@ -505,16 +534,18 @@ VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
                                       vbss_replay_report *report, uint32_t struct_size);
 
 /**
- * What the log says of a step, without a scene; the replay stays where it is. Quickly done for the step after the
- * one that was read last; for one before it the log is read from its begin.
+ * Reads a step from the log without a scene; the position of the replay does not change. Reading
+ * steps in ascending order is fast. To read an earlier step, the call reads the log from its
+ * beginning.
  *
  * @param replay       the replay
- * @param number       of the step, from 1 on
- * @param[out] step    receives it; its arrays are valid until the next call for this replay
+ * @param number       number of the step, from 1 on
+ * @param[out] step    receives the step; its arrays are valid until the next call for this replay
  * @param struct_size  `sizeof *step` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the log ends before it), VBSS_ERROR_TRUNCATED (it is cut off before it),
- *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT,
- *         VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the log ends before it), VBSS_ERROR_TRUNCATED (the log
+ *         is truncated before it), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
+ *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -522,16 +553,17 @@ VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss
                                       uint32_t struct_size);
 
 /**
- * Walks through all of a log, which may be any bytes, and says what is in it, what is wrong, and where.
- * What follows a fault is looked at as far as records can be found there.
+ * Checks a whole log, which may be any bytes, and reports its contents, its faults and their
+ * positions. After a fault the check continues at the next record that can be found.
  *
- * @param context      for the memory that this takes meanwhile
+ * @param context      context whose allocator supplies temporary memory
  * @param bytes        the log
  * @param count        its size
- * @param[out] report  receives what was found
+ * @param[out] report  receives the report
  * @param struct_size  `sizeof *report` as the caller was compiled
- * @return VBSS_OK, whatever is wrong; VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_CORRUPT (larger than any memory), VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or
+ * @return VBSS_OK, whatever faults the log has; VBSS_ERROR_INVALID_HANDLE,
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_CORRUPT (the log states a
+ *         size larger than any memory), VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1

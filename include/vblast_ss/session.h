@@ -2,23 +2,26 @@
  * @file session.h
  * @brief The suturing task over a scene: one stitch through two marks, a knot of three throws, both tails cut.
  *
- * A session knows which bodies of a scene are the thread, the needle, the drain and the tools. It steps the scene, looks at
- * what has become of it, and says how far the task is: a *phase*, found anew in every step from facts (the needle is held, it is
- * through the first mark, throw 2 is seated, ...), and an *event* for each fact that begins or ceases. A fact that rests on a
- * measured number changes only when that has been so for some time (`dwell`, `throw_dwell`), with another limit to go back
- * than to come; so what the geometry undoes is undone, and nothing chatters. docs/session.md has the table of phases, facts
+ * A session knows which bodies of a scene are the thread, the needle, the drain and the tools. It
+ * steps the scene and derives facts from the result: the needle is held, it has passed the first
+ * mark, throw 2 is seated, and so on. In every step the *phase* of the task follows from these
+ * facts alone. An *event* reports each fact that begins or ceases. A fact that the geometry undoes
+ * is undone. Facts that rest on a measured number are debounced: they change only after a dwell
+ * time (`dwell`, `throw_dwell`) and with hysteresis. docs/session.md has the table of phases, facts
  * and failures.
  *
- * The clock of a session runs with the hands: it adds up the lengths of the steps from the needle's appearance on. All
- * times, limits and dwells, the metrics and the score use it. A scene that exceeds its limits of work leaves out part of
- * that time. The status reports how much of it is lost and how much is simulated; above `lost_share` there is an event.
+ * The clock of a session runs with the hands: it adds up the lengths of the steps since the
+ * needle's appearance. All times, limits and dwells, the metrics and the score use it. A scene that
+ * exceeds its work limits leaves out part of that time. The status reports the lost and the
+ * simulated time; above `lost_share` there is an event.
  *
- * Devices, a knot detector, metrics and a record or replay are the host's; each may be absent and then costs nothing. A step:
+ * Devices, a knot detector, metrics and a record or replay belong to the host. Each is optional,
+ * and costs nothing when it is absent. A step runs in this order:
  *
  *     devices -> scene step -> knots -> metrics -> forces out -> record
  *
- * All of a session but its devices follows from the inputs of the scene and from the state, so that a log of the scene,
- * replayed in the place of devices, makes the same events.
+ * Everything in a session except its devices follows from the state and the inputs of the scene. A
+ * replayed log of the scene, used in place of devices, therefore produces the same events.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -32,221 +35,254 @@
 #include <vblast_ss/record.h>
 #include <vblast_ss/scene.h>
 
-/** A session. */
+/** A run of the suturing task on a scene. */
 typedef struct vbss_session vbss_session;
 
-/** How far the task is: a VBSS_SESSION_PHASE_ constant. They are the numbers of the metrics' phases, too. */
+/** Phase of the task: a VBSS_SESSION_PHASE_ constant. The metrics' phases have the same numbers. */
 typedef int32_t vbss_session_phase;
 
 /** The constants of #vbss_session_phase, in the order of the task. */
 enum {
-    VBSS_SESSION_PHASE_IDLE = 0,     /**< No step was made: the needle has not appeared. */
-    VBSS_SESSION_PHASE_LOADING = 1,  /**< The needle is to be taken. */
-    VBSS_SESSION_PHASE_APPROACH = 2, /**< A tool has it; on to the first mark. */
-    VBSS_SESSION_PHASE_IN_DRAIN = 3, /**< Its tip is in; on to the second mark. */
-    VBSS_SESSION_PHASE_PULL_THROUGH =
-        4,                          /**< It is out again: thread is drawn to the tail's length. */
-    VBSS_SESSION_PHASE_THROW_1 = 5, /**< The first throw is tied and seated. */
-    VBSS_SESSION_PHASE_TRANSFER_1 = 6, /**< The needle is to change hands. */
-    VBSS_SESSION_PHASE_THROW_2 = 7,    /**< The second throw. */
-    VBSS_SESSION_PHASE_TRANSFER_2 = 8, /**< The needle is to change hands. */
-    VBSS_SESSION_PHASE_THROW_3 = 9,    /**< The third throw. */
-    VBSS_SESSION_PHASE_CUT = 10,       /**< Both tails are to be cut. */
-    VBSS_SESSION_PHASE_DONE = 11,      /**< They are. For good. */
-    VBSS_SESSION_PHASE_FAILED = 12     /**< See #vbss_session_failure. For good. */
+    VBSS_SESSION_PHASE_IDLE = 0,     /**< No step was made; the needle has not appeared. */
+    VBSS_SESSION_PHASE_LOADING = 1,  /**< A tool must take the needle. */
+    VBSS_SESSION_PHASE_APPROACH = 2, /**< A tool holds the needle and approaches the first mark. */
+    /** The needle's tip is in the drain, on its way to the second mark. */
+    VBSS_SESSION_PHASE_IN_DRAIN = 3,
+    /** The tip is out again; the thread is drawn until the tail has its length. */
+    VBSS_SESSION_PHASE_PULL_THROUGH = 4,
+    VBSS_SESSION_PHASE_THROW_1 = 5,    /**< The first throw must be tied and seated. */
+    VBSS_SESSION_PHASE_TRANSFER_1 = 6, /**< The needle must change hands after the first throw. */
+    VBSS_SESSION_PHASE_THROW_2 = 7,    /**< The second throw must be tied and seated. */
+    VBSS_SESSION_PHASE_TRANSFER_2 = 8, /**< The needle must change hands after the second throw. */
+    VBSS_SESSION_PHASE_THROW_3 = 9,    /**< The third throw must be tied and seated. */
+    VBSS_SESSION_PHASE_CUT = 10,       /**< Both tails must be cut. */
+    VBSS_SESSION_PHASE_DONE = 11,      /**< Both tails are cut; final. */
+    VBSS_SESSION_PHASE_FAILED = 12 /**< The task has failed; final. See #vbss_session_failure. */
 };
 
-/** How far a throw is: a VBSS_SESSION_STAGE_ constant. */
+/** Stage of a throw: a VBSS_SESSION_STAGE_ constant. */
 typedef int32_t vbss_session_stage;
 
 /** The constants of #vbss_session_stage. */
 enum {
-    VBSS_SESSION_STAGE_NONE = 0,    /**< Nothing of it is there. */
-    VBSS_SESSION_STAGE_WRAP = 1,    /**< The thread winds round a tool, */
-    VBSS_SESSION_STAGE_GRASPED = 2, /**< and a tool holds its tail near the end; */
-    VBSS_SESSION_STAGE_PASSED = 3,  /**< it is tied if the tools withdraw. */
-    VBSS_SESSION_STAGE_SEATING = 4, /**< It is tied, and to be pulled down. */
-    VBSS_SESSION_STAGE_SEATED = 5   /**< It lies on the tissue. */
+    VBSS_SESSION_STAGE_NONE = 0, /**< The throw has not begun. */
+    VBSS_SESSION_STAGE_WRAP = 1, /**< The thread winds round a tool. */
+    /** The thread winds round a tool that holds the tail near its end. */
+    VBSS_SESSION_STAGE_GRASPED = 2,
+    VBSS_SESSION_STAGE_PASSED = 3,  /**< The throw is tied if the tools withdraw. */
+    VBSS_SESSION_STAGE_SEATING = 4, /**< The throw is tied and must be pulled down. */
+    VBSS_SESSION_STAGE_SEATED = 5   /**< The throw lies on the tissue. */
 };
 
-/** Why the task has failed: a VBSS_SESSION_FAILURE_ constant. */
+/** Reason why the task has failed: a VBSS_SESSION_FAILURE_ constant. */
 typedef int32_t vbss_session_failure;
 
 /** The constants of #vbss_session_failure. */
 enum {
-    VBSS_SESSION_FAILURE_NONE = 0,    /**< It has not. */
-    VBSS_SESSION_FAILURE_TIMEOUT = 1, /**< The time is up. */
+    VBSS_SESSION_FAILURE_NONE = 0,    /**< The task has not failed. */
+    VBSS_SESSION_FAILURE_TIMEOUT = 1, /**< The time limit has passed. */
     VBSS_SESSION_FAILURE_AVULSED = 2, /**< The drain was torn off its anchors. */
-    VBSS_SESSION_FAILURE_CUT_EARLY =
-        3,                             /**< The thread was cut before the third throw was seated, */
-    VBSS_SESSION_FAILURE_CUT_KNOT = 4, /**< or where it goes through the tissue or the knot. */
-    VBSS_SESSION_FAILURE_BROKEN = 5,   /**< It bore more than it bears. */
+    /** The thread was cut before the third throw was seated. */
+    VBSS_SESSION_FAILURE_CUT_EARLY = 3,
+    /** The thread was cut inside the knot, or between the two holes. */
+    VBSS_SESSION_FAILURE_CUT_KNOT = 4,
+    VBSS_SESSION_FAILURE_BROKEN = 5, /**< The thread broke: its tension exceeded `break_force`. */
     VBSS_SESSION_FAILURE_LOST =
         6 /**< Thread, needle, drain or a tool was removed from the scene. */
 };
 
-/** What happened: a VBSS_SESSION_EVENT_ constant. */
+/** Kind of an event: a VBSS_SESSION_EVENT_ constant. */
 typedef int32_t vbss_session_event_kind;
 
-/** The constants of #vbss_session_event_kind. Those that say "undone" come again with `undone` 1 when it is no longer so. */
+/** The constants of #vbss_session_event_kind. A comment that says "Undone" describes the event with
+ * `undone` 1, which reports that the fact has ceased. */
 enum {
-    VBSS_SESSION_EVENT_APPEARED = 1, /**< The needle has appeared: the clock starts. */
-    /** The phase `number` begins; undone 1: it is an earlier one than before. */
+    VBSS_SESSION_EVENT_APPEARED = 1, /**< The needle has appeared, and the clock starts. */
+    /** The phase `number` begins. Undone: the task has fallen back to this phase. */
     VBSS_SESSION_EVENT_PHASE = 2,
-    VBSS_SESSION_EVENT_TAKEN = 3, /**< `tool` holds the needle. Undone: it does no longer. */
-    VBSS_SESSION_EVENT_DROPPED =
-        4, /**< Before the stitch: nobody holds the needle, and it is in no wall. */
-    /** Mark `number` (0: in, 1: out) was pierced, `amount` mm off; `position` is of the hole. Undone: the needle, or in the
-     * end the thread, has left the hole. */
+    /** `tool` holds the needle. Undone: it has released the needle. */
+    VBSS_SESSION_EVENT_TAKEN = 3,
+    /** Before the stitch: no tool holds the needle, and it is in no wall. */
+    VBSS_SESSION_EVENT_DROPPED = 4,
+    /** Mark `number` (0: in, 1: out) was pierced, `amount` mm off; `position` is that of the hole.
+     * Undone: the needle has left the hole, or the thread's end has slipped through it. */
     VBSS_SESSION_EVENT_PUNCTURE = 5,
-    VBSS_SESSION_EVENT_STRAY = 6, /**< A wall was pierced elsewhere: hole `number`. Undone. */
-    /** The swage has gone through hole `number` (0, 1), the thread follows. Undone: it has come back. */
+    /** A wall was pierced elsewhere, as hole `number`. Undone: the hole is empty again. */
+    VBSS_SESSION_EVENT_STRAY = 6,
+    /** The swage has passed through hole `number` (0, 1), and the thread follows. Undone: it has
+     * come back. */
     VBSS_SESSION_EVENT_THREADED = 7,
-    VBSS_SESSION_EVENT_TAIL = 8,  /**< The tail is `amount` m long, as it should. Undone. */
-    VBSS_SESSION_EVENT_STAGE = 9, /**< Throw `number` (0, 1, ...) is at `stage`, whichever way. */
-    /** Throw `number` is tied: `wraps`, `handedness`, `relation`; told again when these are known better. Undone: it came
-     * undone. */
+    /** The tail has a permitted length, `amount` m. Undone: it no longer has. */
+    VBSS_SESSION_EVENT_TAIL = 8,
+    /** Throw `number` (0, 1, ...) has reached `stage`, forwards or backwards. */
+    VBSS_SESSION_EVENT_STAGE = 9,
+    /** Throw `number` is tied, with `wraps`, `handedness` and `relation`; a repeated event corrects
+     * them. Undone: the throw came undone. */
     VBSS_SESSION_EVENT_THROW = 10,
-    VBSS_SESSION_EVENT_SEATED =
-        11, /**< Throw `number` is seated; the slit gapes `amount` m. Undone. */
-    VBSS_SESSION_EVENT_TRANSFER = 12, /**< After throw `number` `tool` has taken over the needle. */
-    /** Throw `number` is tied, but the needle has not changed hands since the one before. Undone: with the throw. */
+    /** Throw `number` is seated; the slit gapes `amount` m. Undone: it is no longer seated. */
+    VBSS_SESSION_EVENT_SEATED = 11,
+    /** `tool` has taken over the needle after throw `number`. */
+    VBSS_SESSION_EVENT_TRANSFER = 12,
+    /** Throw `number` is tied, but the needle has not changed hands since the throw before. Undone:
+     * the throw came undone. */
     VBSS_SESSION_EVENT_TRANSFER_MISSED = 13,
-    /** The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`; HITCH (a throw has capsized): for
-     * 20 times `throw_dwell`, because its measure swings while a throw is drawn tight. Undone: after the same time. */
+    /** The knot has had the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`. HITCH (a
+     * throw has capsized) takes 20 times `throw_dwell`, because its measure oscillates while a
+     * throw is drawn tight. Undone: the fault has been absent for the same time. */
     VBSS_SESSION_EVENT_FAULT = 14,
-    /** Tail `number` (0: the short one, 1: the needle's) was cut; `amount` m are left of it. */
+    /** Tail `number` (0: the short one, 1: the needle's) was cut; its remaining length is `amount`
+     * m. */
     VBSS_SESSION_EVENT_CUT = 15,
-    VBSS_SESSION_EVENT_DONE = 16,   /**< The task is complete. */
-    VBSS_SESSION_EVENT_FAILED = 17, /**< It has failed: `number` is a #vbss_session_failure. */
-    /** More than `lost_share` of the time is lost: `amount` s of it, since the needle appeared. Times and score do not
-     * compare with those of other trials. Undone: it is less than half of that share again. */
+    VBSS_SESSION_EVENT_DONE = 16, /**< The task is complete. */
+    /** The task has failed; `number` is a #vbss_session_failure. */
+    VBSS_SESSION_EVENT_FAILED = 17,
+    /** More than `lost_share` of the time since the needle's appearance is lost: `amount` s. Times
+     * and score do not compare with those of other trials. Undone: the share has fallen below half
+     * of `lost_share`. */
     VBSS_SESSION_EVENT_TIME_LOST = 18
 };
 
-/** Something that happened. */
+/** An event of a session. */
 typedef struct vbss_session_event {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
-    vbss_session_event_kind kind; /**< What. */
-    vbss_metrics_tool tool;       /**< With which tool; VBSS_METRICS_NO_TOOL: none, or not known. */
-    uint32_t number;              /**< As the kind says. */
-    uint32_t undone;              /**< 1: it is no longer so. */
-    vbss_session_stage stage;     /**< STAGE: which. */
-    int32_t wraps;                /**< THROW: 1 single, 2 double, ... */
-    int32_t handedness;           /**< THROW: +1 right-handed, -1 left-handed. */
-    vbss_metrics_relation relation; /**< THROW: to the throw before. */
-    vbss_session_phase phase;       /**< The phase after the step in which it happened. */
-    uint64_t ordinal;               /**< Of the event, from 0 on. */
-    uint64_t step;                  /**< Of the session, from 1 on. */
-    double time;                    /**< Since the needle appeared, s, on the clock of the hands. */
-    double position[3];             /**< Of the tool's tip, or where the kind says, m. */
-    double force[3];                /**< On the tool's hand, N; zero without a tool. */
-    double amount;                  /**< As the kind says. */
+    vbss_session_event_kind kind; /**< Kind of the event. */
+    vbss_metrics_tool tool;   /**< Tool of the event; VBSS_METRICS_NO_TOOL: none, or not known. */
+    uint32_t number;          /**< Meaning depends on the kind. */
+    uint32_t undone;          /**< 1: the fact has ceased. */
+    vbss_session_stage stage; /**< STAGE: the stage that the throw has reached. */
+    int32_t wraps;            /**< THROW: number of wraps, 1 single, 2 double, ... */
+    int32_t handedness;       /**< THROW: +1 right-handed, -1 left-handed. */
+    vbss_metrics_relation relation; /**< THROW: relation to the throw before. */
+    vbss_session_phase phase;       /**< The phase after the step of the event. */
+    uint64_t ordinal;               /**< Ordinal number of the event, from 0 on. */
+    uint64_t step;                  /**< Step of the session, from 1 on. */
+    double time;        /**< Time since the needle's appearance, s, on the clock of the hands. */
+    double position[3]; /**< Position of the tool's tip, or as the kind says, m. */
+    double force[3];    /**< Force on the tool's hand, N; zero without a tool. */
+    double amount;      /**< Meaning depends on the kind. */
 } vbss_session_event;
 
 /**
- * A function of the host that hears of each event, at the end of the step in which it happened. It may look at everything and
- * must not change anything of the context.
+ * A function of the host that receives each event, at the end of its step. It may read all objects
+ * of the context and must not change any.
  *
  * @param user   the config's `user`
- * @param event  what happened; valid during the call
+ * @param event  the event; valid during the call
  */
 typedef void (*vbss_session_event_fn)(void *user, const vbss_session_event *event);
 
-/** What the gap of the slit is between: a VBSS_SESSION_GAP_ constant. */
+/** Measure of the slit's gap: a VBSS_SESSION_GAP_ constant. */
 typedef int32_t vbss_session_gap;
 
 /** The constants of #vbss_session_gap. */
 enum {
-    /** The lips, which are as high as the wall: #vbss_drain_gap.opening. A wall that rises is shut when it meets the other
-     * one's face. Drains of method PAPER: EDGES. */
+    /** Gap between the lips, which are as high as the wall: #vbss_drain_gap.opening. A wall that
+     * rises counts as closed when it meets the face of the other wall. A drain of
+     * VBSS_METHOD_PAPER uses EDGES instead. */
     VBSS_SESSION_GAP_LIPS = 0,
-    /** The edges in the middle of the wall: #vbss_drain_gap.gap, the paper's measure. */
+    /** Gap between the edges in the middle of the wall: #vbss_drain_gap.gap, the paper's measure. */
     VBSS_SESSION_GAP_EDGES = 1
 };
 
-/** How to make a session. Fill it with #vbss_session_config_init, then set the numbers of the bodies. */
+/** Configuration of a session. Fill it with #vbss_session_config_init, then set the numbers of the
+ * bodies. */
 typedef struct vbss_session_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    /** Numbers in the scene. The thread's node 0 is at the swage, its last node the end of the tail. */
+    /** Number of the thread in the scene. Its node 0 is at the swage; its last node is the end of
+     * the tail. */
     uint32_t thread;
-    uint32_t needle;   /**< The same of the needle, */
-    uint32_t drain;    /**< the drain, */
-    uint32_t tools[2]; /**< the left and the right grasper; */
-    uint32_t shears;   /**< a third one that cuts. 0 (default): a tool is exchanged. */
-    uint32_t
-        event_capacity; /**< Most events that are kept, the newest; 8 to 65536; default 1024. */
-    /** The knot detector looks every so many steps, 1 to 1000; default 4. Its work_limit bounds the work of a look. */
+    uint32_t needle;   /**< Number of the needle in the scene. */
+    uint32_t drain;    /**< Number of the drain in the scene. */
+    uint32_t tools[2]; /**< Numbers of the left and the right grasper in the scene. */
+    /** Number of a third grasper, which cuts; default 0: a tool is exchanged for shears. */
+    uint32_t shears;
+    /** Largest number of events that are kept, the newest ones; 8 to 65536; default 1024. */
+    uint32_t event_capacity;
+    /** Number of steps between inputs of the knot detector, 1 to 1000; default 4. The detector's
+     * own work_limit bounds the work of an input. */
     uint32_t knot_interval;
-    /** With a record: the task is hashed in the log every so many steps, and after those with events, for replays to compare;
-     * 1 to 1e9; default 100. */
+    /** Number of steps between hashes of the task in the log, for replays to compare; 1 to 1e9;
+     * default 100. Steps with events are hashed too. Used only with a record. */
     uint32_t hash_interval;
-    vbss_device *devices
-        [2]; /**< Of the left and the right hand; NULL (default): the host moves that tool. */
-    vbss_knot_detector *
-        knots; /**< NULL (default): throws are not seen. It has room for the thread and all tools. */
-    vbss_metrics *metrics; /**< NULL (default): nothing is measured. */
-    vbss_record *record;   /**< Of the scene; NULL (default): nothing is written down. */
-    vbss_replay *
-        replay; /**< In the place of devices and record; has begun with the scene. NULL (default). */
-    vbss_session_event_fn listen; /**< NULL (default): nobody. */
-    void *user;                   /**< Handed to it; may be NULL. */
-    double time_limit; /**< From the needle's appearing on, s, 1e-3 to 1e6; default 600. */
-    double
-        dwell; /**< A fact changes after it has differed for this time, s, 0 to 10; default 0.05. */
-    /** The same time for throws and faults of the knot, s, 0 to 10; default 0.1. A half hitch has 20 times that. */
+    /** Devices of the left and the right hand; NULL (default): the host moves that tool. */
+    vbss_device *devices[2];
+    /** Knot detector, with capacity for the thread and all tools; NULL (default): throws are not
+     * detected. */
+    vbss_knot_detector *knots;
+    vbss_metrics *metrics; /**< Metrics; NULL (default): nothing is measured. */
+    vbss_record *record;   /**< Record of the scene; NULL (default): nothing is logged. */
+    /** Replay that has begun with the scene, in place of devices and record; NULL (default):
+     * none. */
+    vbss_replay *replay;
+    vbss_session_event_fn listen; /**< Function that receives the events; NULL (default): none. */
+    void *user;                   /**< Pointer that `listen` receives; may be NULL. */
+    /** Time limit from the needle's appearance on, s, 1e-3 to 1e6; default 600. */
+    double time_limit;
+    /** Time for which a fact must differ before it changes, s, 0 to 10; default 0.05. */
+    double dwell;
+    /** Dwell time of throws and of faults of the knot, s, 0 to 10; default 0.1. A half hitch takes
+     * 20 times as long. */
     double throw_dwell;
-    double tail_low;  /**< Shortest tail, m, 0 to 1; default 15e-3; */
-    double tail_high; /**< longest tail, tail_low to 1; default 20e-3. */
-    /** So far beyond these it is not as it should any more, m, 0 to 1; default 1e-3. */
+    double tail_low;  /**< Shortest permitted tail, m, 0 to 1; default 15e-3. */
+    double tail_high; /**< Longest permitted tail, m, tail_low to 1; default 20e-3. */
+    /** Hysteresis of both limits: a tail that is set stays set up to this far beyond them, m, 0 to
+     * 1; default 1e-3. */
     double tail_margin;
-    double tail_reach; /**< The tail is grasped within this of its end, m, 0 to 1; default 0.01. */
-    /** A throw is seated when the slit gapes no more than this (edges that have crossed do not), m, 0 to 1; default 0.5e-3, */
+    /** Largest distance from the end at which a tail counts as grasped, m, 0 to 1; default 0.01. */
+    double tail_reach;
+    /** Largest gap of the slit at which a throw becomes seated, m, 0 to 1; default 0.5e-3. Edges
+     * that have crossed do not gape. */
     double seat_gap;
-    double seat_release; /**< no longer from this on, seat_gap to 1; default 1e-3. */
-    double seat_force;   /**< Tension of both limbs that seats it, N, 0 to 1e3; default 0.5. */
-    /** Share of the anchors torn from which the drain is off, 0 to 1; default 0.5. */
+    /** Gap at which a throw is no longer seated, m, seat_gap to 1; default 1e-3. */
+    double seat_release;
+    double seat_force; /**< Tension of both limbs that seats a throw, N, 0 to 1e3; default 0.5. */
+    /** Share of torn anchors at which the drain counts as torn off, 0 to 1; default 0.5. */
     double avulsed_share;
-    double
-        break_force; /**< Tension at which the thread breaks, N, 0 to 1e6; default 0: it does not. */
-    /** What seats throws and is told as gap, to status, events and metrics; default LIPS. */
+    /** Tension at which the thread breaks, N, 0 to 1e6; default 0: it never breaks. */
+    double break_force;
+    /** Measure of the gap that seats throws and that status, events and metrics report; default
+     * LIPS. */
     vbss_session_gap gap_measure;
     uint32_t reserved; /**< Zero. */
-    /** Share of the time, 0 to 1, above which lost time is an event and sets `is_lossy`; default 0.02. A trial shorter
-     * than 1 s counts as 1 s. */
+    /** Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to 1; default
+     * 0.02. A trial shorter than 1 s counts as 1 s. */
     double lost_share;
 } vbss_session_config;
 
-/** How far a session is. */
+/** Status of a session. */
 typedef struct vbss_session_status {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
-    vbss_session_phase phase;     /**< How far the task is. */
-    vbss_session_stage stage;     /**< Of the throw that is under way; NONE if none is. */
-    vbss_session_failure failure; /**< Why it has failed. */
-    vbss_metrics_tool
-        holder; /**< Who holds the needle, the first of two; VBSS_METRICS_NO_TOOL: nobody. */
-    uint32_t punctured;    /**< Bits: 1, 2: the hole in, the hole out is there, */
-    uint32_t threaded;     /**< and the thread goes through it. */
-    uint32_t tail_set;     /**< 1: the tail is as it should. */
-    uint32_t throws;       /**< Throws that are tied, */
-    uint32_t seated;       /**< of them seated, counted from the tissue. */
-    uint32_t transfers;    /**< Transfers between them that were made, at most two. */
-    uint32_t cut;          /**< Bits: 1 the short tail, 2 the needle's. */
-    uint32_t faults;       /**< Of the knot: VBSS_KNOT_FAULT_ bits, as last reported by events. */
-    uint32_t metrics_lost; /**< Events for which the metrics had no room. */
-    uint64_t steps;        /**< Steps so far. */
-    uint64_t first_event;  /**< The oldest event that is kept; so many are lost. */
-    uint64_t event_count;  /**< Events so far. */
-    /** Since the needle appeared, until the end or now, s, on the clock of the hands. It includes `time_lost`. */
+    vbss_session_phase phase;     /**< Phase of the task. */
+    vbss_session_stage stage;     /**< Stage of the throw in progress; NONE if there is none. */
+    vbss_session_failure failure; /**< Reason of the failure; NONE if the task has not failed. */
+    /** The tool that holds the needle, the first of two; VBSS_METRICS_NO_TOOL: none. */
+    vbss_metrics_tool holder;
+    uint32_t punctured; /**< Bits: 1 the hole in exists, 2 the hole out exists. */
+    uint32_t threaded;  /**< Bits: 1 the thread goes through the hole in, 2 through the hole out. */
+    uint32_t tail_set;  /**< 1: the tail has a permitted length. */
+    uint32_t throws;    /**< Number of tied throws. */
+    uint32_t seated;    /**< Number of seated throws, counted from the tissue. */
+    uint32_t transfers; /**< Number of needle transfers between throws, at most two. */
+    uint32_t cut;       /**< Bits: 1 the short tail is cut, 2 the needle's tail is cut. */
+    uint32_t faults; /**< Faults of the knot, VBSS_KNOT_FAULT_ bits, as last reported by events. */
+    uint32_t metrics_lost; /**< Number of events that did not fit into the metrics. */
+    uint64_t steps;        /**< Number of steps. */
+    /** Ordinal of the oldest event that is kept; this is also the number of lost events. */
+    uint64_t first_event;
+    uint64_t event_count; /**< Number of events. */
+    /** Time since the needle's appearance until the end or now, s, on the clock of the hands. It
+     * includes `time_lost`. */
     double time;
-    double tail;            /**< Length of the short tail, from the hole, m; 0 without. */
-    double gap;             /**< Of the slit's middle, as `gap_measure` says, m. */
-    double tension[2];      /**< Largest of the short limb, of the needle's, N. */
-    double deviation_mm[2]; /**< Of the holes from the marks. */
-    /** Part of `time` that the scene has left out, s: paused steps (vbss_scene_statistics::time_paused) and truncated
-     * substeps (#VBSS_EVENT_CLAMPED), from the second step on. */
+    double tail;            /**< Length of the short tail from the hole on, m; 0 without a tail. */
+    double gap;             /**< Gap of the slit's middle by `gap_measure`, m. */
+    double tension[2];      /**< Largest tension of the short limb and of the needle's limb, N. */
+    double deviation_mm[2]; /**< Deviation of each hole from its mark, mm. */
+    /** Part of `time` that the scene has left out, s. It counts paused steps
+     * (vbss_scene_statistics::time_paused) and truncated substeps (#VBSS_EVENT_CLAMPED), from
+     * the second step on. */
     double time_lost;
-    /** `time` without `time_lost`, s. Up to two steps of it may still wait (vbss_scene_statistics::behind). */
+    /** Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it may still be
+     * deferred (vbss_scene_statistics::behind). */
     double time_simulated;
     uint32_t is_lossy; /**< 1: more than `lost_share` of the time is lost, with hysteresis. */
     uint32_t reserved; /**< Zero. */
@@ -257,7 +293,7 @@ extern "C" {
 #endif
 
 /**
- * Fills a configuration with the defaults; the bodies come from the host.
+ * Fills a configuration with the defaults; the host sets the numbers of the bodies.
  *
  * @param[out] config  the configuration to fill
  * @param struct_size  `sizeof *config` as the caller was compiled
@@ -268,16 +304,19 @@ extern "C" {
 VBSS_API vbss_result vbss_session_config_init(vbss_session_config *config, uint32_t struct_size);
 
 /**
- * Creates a session over a scene. Scene, devices, detector, metrics, record and replay remain the host's, and must live as long
- * as the session is stepped. All memory that steps need is allocated here.
+ * Creates a session over a scene. The host keeps scene, devices, detector, metrics, record and
+ * replay; they must live as long as the session is stepped. The call allocates all memory that
+ * steps need.
  *
  * @param scene         the scene
- * @param config        how
+ * @param config        the configuration
  * @param[out] session  the new session; NULL when the call fails
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part, or one of another context), VBSS_ERROR_NULL_ARGUMENT,
- *         VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: no such body; a record or replay
- *         of another scene, or both), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (the detector has no room for the thread or
- *         the tools), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of a device, detector, metrics, record or
+ *         replay, or one of another context), VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: no such body; a record or replay
+ *         of another scene, or both), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (the detector's
+ *         capacity is too small for the thread or the tools), VBSS_ERROR_OUT_OF_MEMORY or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -285,7 +324,7 @@ VBSS_API vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_c
                                          vbss_session **session);
 
 /**
- * Destroys a session; its scene and parts are the host's as before.
+ * Destroys a session; the host keeps its scene and all other objects.
  *
  * @param session  the session; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -295,55 +334,60 @@ VBSS_API vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_c
 VBSS_API vbss_result vbss_session_destroy(vbss_session *session);
 
 /**
- * One step of the task. Nothing is allocated. When devices cannot be read or the scene refuses the step, the task is as it was;
- * tools may have been told where to go. What fails after the scene's step (a part that was destroyed or has no room) is
- * returned too, and that step of the task counts.
+ * Makes one step of the task. The call allocates nothing. When devices cannot be read or the scene
+ * refuses the step, the task is unchanged, but tools may have new targets. Failures after the
+ * scene's step (an object was destroyed or is full) are returned too, and the step counts.
  *
  * @param session  the session
- * @param now      the host's clock, s, for devices; ignored without
- * @param h        s, 1e-7 to 0.1; ignored with a replay, which has its own
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part), what #vbss_device_read, #vbss_record_step or #vbss_scene_step,
- *         #vbss_knot_detector_step, #vbss_metrics_add_sample and #vbss_device_write return; with a replay what
- *         #vbss_replay_step returns, further VBSS_ERROR_OUT_OF_RANGE at its end, and VBSS_ERROR_CORRUPT when the scene's hash
- *         or the session's is not the recorded one
+ * @param now      the host's clock, s, for devices; ignored without devices
+ * @param h        length of the step, s, 1e-7 to 0.1; ignored with a replay, which sets it
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of a device, detector, metrics, record or
+ *         replay), or a result of #vbss_device_read, #vbss_record_step or #vbss_scene_step,
+ *         #vbss_knot_detector_step, #vbss_metrics_add_sample or #vbss_device_write. With a replay
+ *         also the results of #vbss_replay_step, VBSS_ERROR_OUT_OF_RANGE at its end, and
+ *         VBSS_ERROR_CORRUPT when the hash of the scene or of the session differs from the recorded
+ *         one
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_session_step(vbss_session *session, double now, double h);
 
 /**
- * Brings a session that follows a replay, and its scene, to after a step of the log: restores the newest states of both at or
- * before it, and makes the steps from there on, comparing as #vbss_session_step does. What follows has the same bits as without.
- * Nobody hears of the events on the way; those that are kept can be read. When the log does not have the step, or no such state
- * can be restored, session, scene and replay stay as they are.
+ * Moves a session that follows a replay, and its scene, to just after a step of the log. The call
+ * restores the newest states of both at or before the step, then replays the steps that follow with
+ * the comparisons of #vbss_session_step. Later steps have the same bits as without the seek.
+ * `listen` does not receive the events of the seek; kept events can be read. When the log does not
+ * have the step, or no such state can be restored, session, scene and replay are unchanged.
  *
  * @param session  the session; its replay has begun with its scene
- * @param step     number of the step in the log, from 1 on; 0: the begin
- * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (it follows no replay, the log ends before the step, or has no state of a session
- *         at or before it), what #vbss_replay_seek, #vbss_session_restore and #vbss_session_step return
+ * @param step     number of the step in the log, from 1 on; 0: the initial state
+ * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the session follows no replay, the log ends before the
+ *         step, or has no state of a session at or before it), or a result of #vbss_replay_seek,
+ *         #vbss_session_restore or #vbss_session_step
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_session_seek(vbss_session *session, uint64_t step);
 
 /**
- * From now on the session writes to a record, or to none, as after a replay that has ended and #vbss_record_resume.
- * A replay that it had is left. Into a record that has just begun its state is put, so that what follows can be replayed.
+ * Sets the record to which the session writes, for example after a replay has ended and
+ * #vbss_record_resume was called. The session leaves the replay that it followed. A record that has
+ * just begun receives the state of the session, so that later steps can be replayed.
  *
  * @param session  the session
- * @param record   of the session's scene; NULL: none
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of the record or a part), VBSS_ERROR_OUT_OF_RANGE (of another scene) or
- *         VBSS_ERROR_BUSY
+ * @param record   a record of the session's scene; NULL: none
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the record or another object),
+ *         VBSS_ERROR_OUT_OF_RANGE (the record belongs to another scene) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record);
 
 /**
- * How far the session is.
+ * Returns the status of a session.
  *
  * @param session      the session
- * @param[out] status  receives it
+ * @param[out] status  receives the status
  * @param struct_size  `sizeof *status` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
@@ -353,14 +397,14 @@ VBSS_API vbss_result vbss_session_get_status(vbss_session *session, vbss_session
                                              uint32_t struct_size);
 
 /**
- * An event.
+ * Returns an event.
  *
  * @param session      the session
  * @param index        first_event to event_count - 1
- * @param[out] event   receives it
+ * @param[out] event   receives the event
  * @param struct_size  `sizeof *event` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE
- *         (there is none yet, or it is lost)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (the event has not happened yet, or is lost)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -368,14 +412,15 @@ VBSS_API vbss_result vbss_session_get_event(vbss_session *session, uint64_t inde
                                             vbss_session_event *event, uint32_t struct_size);
 
 /**
- * Saves the state of the task, with that of its knot detector and its metrics. The scene is saved by itself
- * (#vbss_scene_save), at the same time; devices and records are not saved.
+ * Saves the state of the task, of its knot detector and of its metrics. The host saves the scene
+ * separately (#vbss_scene_save), at the same step. Devices and records are not saved.
  *
  * @param session       the session
  * @param[out] bytes    receives the snapshot; NULL with capacity 0 asks for its size, which logs no error
- * @param capacity      bytes there is room for
- * @param[out] written  bytes written or, with VBSS_ERROR_CAPACITY, wanted
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part), VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
+ * @param capacity      size of `bytes`
+ * @param[out] written  bytes written, or bytes needed with VBSS_ERROR_CAPACITY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the detector or the metrics),
+ *         VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -383,15 +428,18 @@ VBSS_API vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, ui
                                        uint64_t *written);
 
 /**
- * Restores what was saved from a session made alike, after its scene was. All or nothing.
+ * Restores a snapshot of a session with the same configuration, completely or not at all. Restore
+ * its scene first.
  *
  * @param session  the session
  * @param bytes    the snapshot
  * @param count    its size
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part), VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
- *         VBSS_ERROR_CORRUPT (also: of another session, or the scene is at another step), VBSS_ERROR_DATA_VERSION,
- *         VBSS_ERROR_CAPACITY (it counts more than the detector has room for), VBSS_ERROR_OUT_OF_MEMORY,
- *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the detector or the metrics),
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT (also: the snapshot is
+ *         of another session, or the scene is at another step), VBSS_ERROR_DATA_VERSION,
+ *         VBSS_ERROR_CAPACITY (the snapshot exceeds the detector's capacity),
+ *         VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure
+ *         nothing has changed
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -399,12 +447,14 @@ VBSS_API vbss_result vbss_session_restore(vbss_session *session, const uint8_t *
                                           uint64_t count);
 
 /**
- * A hash of what is saved: equal for equal histories, on every machine. Takes time with the length of the trial when there are
- * metrics: not for every step.
+ * Returns a hash of the state that #vbss_session_save saves; equal histories give equal hashes on
+ * every machine. With metrics the cost grows with the length of the trial; do not call it in every
+ * step.
  *
  * @param session    the session
- * @param[out] hash  receives it
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of a part) or VBSS_ERROR_NULL_ARGUMENT
+ * @param[out] hash  receives the hash
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the detector or the metrics) or
+ *         VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -11,8 +11,8 @@
  * backward Euler where a motion starts or breaks. Method PAPER is that of VBLaST-SS (Qi et al.
  * 2017): explicit springs, curvature-binormal bending, fast projection.
  *
- * The mesh is fixed, or adapts itself to the shape (#VBSS_MESH_ADAPTIVE): then the number of nodes in the views
- * changes after steps, with their generation.
+ * The mesh is fixed or adapts to the shape (#VBSS_MESH_ADAPTIVE). An adaptive mesh changes the
+ * number of nodes in the views, and their generation, after steps.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -24,94 +24,106 @@
 /** A suture thread. */
 typedef struct vbss_thread vbss_thread;
 
-/** How bending is discretised: a VBSS_BENDING_ constant. Method PAPER has its own bending. */
+/** Discretisation of bending: a VBSS_BENDING_ constant. Method PAPER has its own bending. */
 typedef int32_t vbss_bending;
 
 /** The constants of #vbss_bending. */
 enum {
-    /** Fourth order: the energy of the cubic spline through the nodes, cut off to neighbours three
-     * apart; a segment's length is that of its arc. */
+    /** Fourth order: the energy of the cubic spline through the nodes, truncated to neighbours
+     * three apart. The length of a segment is that of its arc. */
     VBSS_BENDING_SPLINE = 0,
-    /** Second order: each node sees its two neighbours only; a segment's length is its chord. */
+    /** Second order: each node couples with its two neighbours only. The length of a segment is its
+     * chord. */
     VBSS_BENDING_LOCAL = 1
 };
 
-/** Whether a thread changes its mesh: a VBSS_MESH_ constant. */
+/** Kind of a thread's mesh: a VBSS_MESH_ constant. */
 typedef int32_t vbss_mesh;
 
 /** The constants of #vbss_mesh. */
 enum {
     /** Nodes and rest lengths stay as they were created. */
     VBSS_MESH_FIXED = 0,
-    /** Segments are divided where the thread is bent or near something, and nodes removed where it is straight
-     * and alone, between two steps: docs/adaptive.md. Numbers of nodes and segments change with it, those of
-     * attachments, pins, grasps and contacts too. Method OURS. */
+    /** Method OURS, docs/adaptive.md: between two steps the thread divides segments where it is
+     * bent or near another body, and removes nodes where it is straight and has clearance. This
+     * renumbers nodes, segments, attachments, pins, grasps and contacts. */
     VBSS_MESH_ADAPTIVE = 1
 };
 
-/** A material to start from: a VBSS_PRESET_ constant. */
+/** Material of a thread: a VBSS_PRESET_ constant. */
 typedef int32_t vbss_thread_preset;
 
 /** The constants of #vbss_thread_preset. */
 enum {
     /** 2-0 silk: 0.32 mm, 1.05e-4 kg/m, EA = 700 N (8.7 GPa), EI = 2.7e-8 N m^2. Diameter by USP
-     * <861> (0.30 to 0.339 mm), density of a solid braid; EI is the paper thread's, scaled with the
-     * fourth power of the radius, and uncertain by a factor of five. */
+     * <861> (0.30 to 0.339 mm), density of a solid braid; EI is that of the paper's thread,
+     * scaled with the fourth power of the radius, and uncertain by a factor of five. */
     VBSS_PRESET_SILK_2_0 = 0,
     /** The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2. */
     VBSS_PRESET_PAPER_THREAD = 1
 };
 
-/** How to make a thread. Fill it with #vbss_thread_config_init, then change what you need. */
+/** Configuration of a thread. Fill it with #vbss_thread_config_init, then change fields. */
 typedef struct vbss_thread_config {
-    uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;           /**< Default VBSS_METHOD_OURS. */
-    vbss_bending bending;         /**< Default VBSS_BENDING_SPLINE; read by method OURS. */
-    uint32_t segment_count;       /**< 1 to 65536; default 120. */
+    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;   /**< Method; default VBSS_METHOD_OURS. */
+    /** Method OURS: discretisation of bending; default VBSS_BENDING_SPLINE. */
+    vbss_bending bending;
+    uint32_t segment_count;       /**< Number of segments, 1 to 65536; default 120. */
     uint32_t attachment_capacity; /**< Largest number of attachments, 0 to 256; default 8. */
-    uint32_t cut_capacity; /**< Most cuts of this thread and its pieces, 0 to 64; default 0. */
-    /** m, 1e-6 to 1e3, at least 1e-7 a segment; default 0.15; ignored with rest_lengths. */
+    /** Largest number of cuts of this thread and its pieces, 0 to 64; default 0. */
+    uint32_t cut_capacity;
+    /** Length, m, 1e-6 to 1e3, at least 1e-7 per segment; default 0.15; ignored with
+     * rest_lengths. */
     double length;
-    /** m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. For contact and display to come; without
-     * effect on a thread alone. */
+    /** Radius, m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. Contact in a scene and display
+     * use it; a thread alone does not. */
     double radius;
-    double linear_density;    /**< kg/m, 1e-9 to 1e3; default of that preset. */
-    double axial_stiffness;   /**< EA in N, 1e-6 to 1e9; default of that preset. */
-    double bending_stiffness; /**< EI in N m^2, 0 to 1e3; default of that preset. */
-    /** 1/m, 0 to 1e4; default 0. Its plane is free, as there is no twist. */
+    double linear_density;  /**< Mass per length, kg/m, 1e-9 to 1e3; default of that preset. */
+    double axial_stiffness; /**< Axial stiffness EA, N, 1e-6 to 1e9; default of that preset. */
+    /** Bending stiffness EI, N m^2, 0 to 1e3; default of that preset. */
+    double bending_stiffness;
+    /** Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because the thread has no
+     * twist. */
     double rest_curvature;
-    double gravity[3]; /**< m/s^2, each at most 1e6; default (0, -9.81, 0). */
-    double drag;       /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 0. */
-    /** Rate at which motion relative to the rigid motion of each section dies away, 1/s, 0 to 1e6;
-     * default 0. Keeps linear and angular momentum. Read by method OURS. */
+    /** Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default (0,
+     * -9.81, 0). */
+    double gravity[3];
+    /** Drag coefficient, 1/s, 0 to 1e6; default 0. The force is -drag * mass * velocity. */
+    double drag;
+    /** Method OURS: decay rate of the motion relative to the rigid motion of each section, 1/s,
+     * 0 to 1e6; default 0. It conserves linear and angular momentum. */
     double damping;
-    /** Node 0, m, each at most 1e3; default (0, 0, 0); ignored with positions. */
+    /** Position of node 0, m, each coordinate at most 1e3 in magnitude; default (0, 0, 0); ignored
+     * with positions. */
     double start[3];
-    /** From node 0 on, of any length from 1e-100 to 1e100; default (1, 0, 0); ignored with
-     * positions. */
+    /** Direction from node 0 on, of any length from 1e-100 to 1e100; default (1, 0, 0); ignored
+     * with positions. */
     double direction[3];
     /** Rest length of each segment, m, 1e-7 to 1e2; segment_count values, or NULL (default) for
-     * length / segment_count each. #vbss_thread_grade fills such an array. Copied. */
+     * length / segment_count each. #vbss_thread_grade fills such an array. The library copies
+     * it. */
     const double *rest_lengths;
-    /** Positions of the nodes, m, each at most 1e3; 3 (segment_count + 1) values, or NULL (default)
-     * for a straight thread from start along direction. Copied. */
+    /** Positions of the nodes, m, each at most 1e3; 3 (segment_count + 1) values, or NULL
+     * (default) for a straight thread from start along direction. The library copies them. */
     const double *positions;
     /** Method OURS: spectral radius at infinite frequency of the time integration, 0 (strongest
      * damping) to 1 (none); default 0.3. Above 0.5 stiff motion may gain energy. */
     double spectral_radius;
     /** Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2; default 1e-6. */
     double stretch_tolerance;
-    /** Method OURS: largest distance that a further linearisation would move a node, m, 1e-12 to 1;
-     * an estimate; default 1e-6. */
+    /** Method OURS: largest distance by which a further linearisation would move a node, m, 1e-12
+     * to 1; an estimate; default 1e-6. */
     double position_tolerance;
-    /** Method OURS: linearisations of a try, 1 to 100; default 40. Smooth motion takes one or two, the
-     * worst that was met (ends shaken by 3 mm every ms) 300 in a step with its halves. */
+    /** Method OURS: largest number of linearisations of an attempt, 1 to 100; default 40. Smooth
+     * motion takes one or two. The worst known case (ends shaken by 3 mm every ms) takes 300 in a
+     * step with its halves. */
     uint32_t iteration_limit;
-    /** Method OURS: how often a step is halved before its state is taken as it is, 0 to 10; default
-     * 5. Such states are counted in `forced`: look at it. */
+    /** Method OURS: how often a step is halved before its state is accepted unconverged, 0 to
+     * 10; default 5. `forced` counts such states and should stay zero. */
     uint32_t halving_limit;
-    /** Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0: chosen from mass and
-     * step as docs/paper-thread.md says. */
+    /** Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0: derived from mass and
+     * step by docs/paper-thread.md. */
     double paper_stiffness;
     /** Method PAPER: share of the velocity relative to the section's rigid motion that is removed at
      * each explicit step, 0 to 1; default 0. */
@@ -119,32 +131,35 @@ typedef struct vbss_thread_config {
     /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
      * bending mode and the tension need. */
     uint32_t paper_substeps;
-    /** Method PAPER: limit of the projection, 1 to 1000; default 50. */
+    /** Method PAPER: largest number of iterations of the projection, 1 to 1000; default 50. */
     uint32_t paper_iteration_limit;
     /** Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
     double paper_tolerance;
     vbss_mesh mesh; /**< Default VBSS_MESH_FIXED, which ignores the following fields. */
-    /** ADAPTIVE: most nodes, segment_count + 1 to 65537; 0 (default): four times as many segments as at first, at most
-     * 65536. A scene must have room for all of them when the thread is added. */
+    /** ADAPTIVE: largest number of nodes, segment_count + 1 to 65537; default 0: four times the
+     * initial number of segments, at most 65536. A scene must have capacity for all of them when
+     * the thread is added. */
     uint32_t node_capacity;
-    /** ADAPTIVE: length of the finest segments, m, 1e-7 to coarsest_length; default 3e-4, 1.2 diameters of the paper's
-     * thread, at which a tight knot is converged. As segments are halved, theirs is within 0.63 and 1.25 of it: begin
-     * with it times a power of two. */
+    /** ADAPTIVE: length of the finest segments, m, 1e-7 to coarsest_length; default 3e-4, 1.2
+     * diameters of the paper's thread, at which a tight knot is converged. Because segments are
+     * halved, the finest ones have 0.63 to 1.25 times this length. Choose initial lengths of
+     * this length times a power of two. */
     double finest_length;
-    /** ADAPTIVE: no node is removed where a segment longer than 1.25 times this would be left, m, at most 1e2; default
-     * 2e-3. */
+    /** ADAPTIVE: a node is not removed if that leaves a segment longer than 1.25 times this
+     * length, m, at most 1e2; default 2e-3. */
     double coarsest_length;
     /** ADAPTIVE: curvature times length, rad, above which a segment is divided, 0.01 to 1; default 0.25. */
     double refine_angle;
-    /** ADAPTIVE: the same below which a node may be removed, 0 to half of refine_angle; default 0.05. */
+    /** ADAPTIVE: curvature times length, rad, below which a node may be removed, 0 to half of
+     * refine_angle; default 0.05. */
     double coarsen_angle;
     /** ADAPTIVE, in a scene: gap, m, to another strand below which a segment is divided down to finest_length, and
      * to a tool down to a quarter of its radius; 0 to 0.1; default 1e-3. The floor does not count. */
     double near_distance;
-    /** ADAPTIVE, in a scene: gap, m, within which nothing may be where a node is removed; near_distance to 0.1; default
-     * 3e-3. */
+    /** ADAPTIVE, in a scene: a node is removed only if no other body is within this gap, m,
+     * near_distance to 0.1; default 3e-3. */
     double clear_distance;
-    /** ADAPTIVE: most divisions and removals after a step, 0 to 64; default 4. */
+    /** ADAPTIVE: largest number of divisions and removals after a step, 0 to 64; default 4. */
     uint32_t mesh_operations;
     uint32_t reserved; /**< Zero. */
 } vbss_thread_config;
@@ -154,29 +169,31 @@ typedef int32_t vbss_attachment_kind;
 
 /** The constants of #vbss_attachment_kind. */
 enum {
-    VBSS_ATTACHMENT_PIN = 0,    /**< The node is at `position`. */
-    VBSS_ATTACHMENT_CLAMP = 1,  /**< Also the thread's direction at the node is `direction`. */
+    VBSS_ATTACHMENT_PIN = 0, /**< The node is held at `position`. */
+    /** The node is held at `position`, and the thread's direction there is `direction`. */
+    VBSS_ATTACHMENT_CLAMP = 1,
     VBSS_ATTACHMENT_FORCE = 2,  /**< `force` pulls at the node. */
     VBSS_ATTACHMENT_SPRING = 3, /**< A spring-damper from `position` to the node. */
-    VBSS_ATTACHMENT_MASS = 4 /**< `mass` sits on the node and is accelerated and weighed with it. */
+    VBSS_ATTACHMENT_MASS = 4    /**< `mass` is fixed to the node; it has inertia and weight. */
 };
 
-/** Something that acts on one node. Fill it with #vbss_thread_attachment_init. */
+/** An attachment acts on one node. Fill it with #vbss_thread_attachment_init. */
 typedef struct vbss_thread_attachment {
     uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
-    vbss_attachment_kind kind; /**< Default VBSS_ATTACHMENT_PIN. */
-    uint32_t node;             /**< 0 to segment_count; default 0. */
+    vbss_attachment_kind kind; /**< Kind; default VBSS_ATTACHMENT_PIN. */
+    uint32_t node;             /**< Node, 0 to segment_count; default 0. */
     uint32_t reserved;         /**< Zero. */
-    /** PIN, CLAMP: target of the node in the next step, m, each at most 1e3; SPRING: its fixed end. */
+    /** PIN, CLAMP: target of the node in the next step; SPRING: its fixed end; m, each coordinate
+     * at most 1e3 in magnitude. */
     double position[3];
-    /** CLAMP: toward higher nodes, of any length from 1e-100 to 1e100; default (1, 0, 0). A thread
-     * that has moved is turned there in the next step. */
+    /** CLAMP: direction of the thread towards higher nodes, of any length from 1e-100 to 1e100;
+     * default (1, 0, 0). A thread with another direction turns there in the next step. */
     double direction[3];
-    double force[3];  /**< FORCE: N, each at most 1e6. */
-    double stiffness; /**< SPRING: N/m, 0 to 1e9. */
+    double force[3];  /**< FORCE: force, N, each component at most 1e6 in magnitude. */
+    double stiffness; /**< SPRING: stiffness, N/m, 0 to 1e9. */
     /** SPRING: damping of the velocity relative to the moving end, N s/m, 0 to 1e6. */
     double damping;
-    double mass; /**< MASS: kg, 0 to 1e3. */
+    double mass; /**< MASS: mass, kg, 0 to 1e3. */
 } vbss_thread_attachment;
 
 /** Reaction of an attachment in the last step. */
@@ -196,14 +213,15 @@ enum {
     VBSS_THREAD_VELOCITIES = 1,   /**< n x 3 doubles, m/s. */
     VBSS_THREAD_REST_LENGTHS = 2, /**< n - 1 doubles, m. */
     VBSS_THREAD_LENGTHS = 3,      /**< n - 1 doubles, m: chords, or arcs with BENDING_SPLINE. */
-    /** n - 1 doubles, N: force along each segment at the end of the last step, from tension and bending. */
+    /** n - 1 doubles, N: force along each segment at the end of the last step, due to stretching
+     * and bending. */
     VBSS_THREAD_TENSIONS = 4,
     VBSS_THREAD_CURVATURES =
         5, /**< n x 3 doubles, 1/m: from the node to the centre of curvature. */
     VBSS_THREAD_SECTIONS =
         6, /**< First node of each section, uint32_t; the last ends at node n - 1. */
-    /** n - 1 doubles, m: sagitta of each segment, the error of the shape by the mesh. It is rest length^2 / 8 times
-     * the larger curvature at the two nodes. Fixed meshes have it too. */
+    /** n - 1 doubles, m: sagitta of each segment, the shape error due to the mesh. It is rest
+     * length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too. */
     VBSS_THREAD_SAGITTAS = 7
 };
 
@@ -222,13 +240,13 @@ typedef struct vbss_thread_energies {
 typedef struct vbss_thread_momentum {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
-    double mass;          /**< kg. */
+    double mass;          /**< Mass, kg. */
     double centre[3];     /**< Centre of mass, m. */
-    double linear[3];     /**< kg m/s. */
-    double angular[3];    /**< About the origin, kg m^2/s. */
+    double linear[3];     /**< Linear momentum, kg m/s. */
+    double angular[3];    /**< Angular momentum about the origin, kg m^2/s. */
 } vbss_thread_momentum;
 
-/** Counters since creation, and figures of the last step. */
+/** Counters since creation, and results of the last step. */
 typedef struct vbss_thread_statistics {
     uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
     uint32_t last_iterations; /**< Linearisations, or projection iterations, of the last step. */
@@ -236,28 +254,29 @@ typedef struct vbss_thread_statistics {
     uint64_t iterations;      /**< OURS: linearisations; PAPER: iterations of the projection. */
     uint64_t substeps;        /**< Accepted parts of steps; equal to steps if none was divided. */
     uint64_t first_order;     /**< OURS: substeps made by backward Euler. */
-    uint64_t rejections;      /**< OURS: tries that were undone and halved. */
+    uint64_t rejections;      /**< OURS: attempts that were rejected and halved. */
     uint64_t forced;          /**< OURS: substeps accepted unconverged, at the last halving. */
-    uint64_t fallbacks; /**< PAPER: sections that did not converge, point constraints alone. */
+    /** PAPER: sections that did not converge and kept the point constraints alone. */
+    uint64_t fallbacks;
     /** OURS: linearisations repeated with less compression, parts that started from the old positions because
      * the prediction was unusable, and parts in which the force of rest curvature was kept constant. */
     uint64_t softened;
     /** OURS: max |length / rest length - 1 - T / EA| after the last step; PAPER: max |length / rest
      * length - 1|. */
     double last_stretch_error;
-    double stretch_error; /**< Largest so far, after any part of a step. */
+    double stretch_error; /**< Largest stretch error after any part of a step. */
     double last_stretch;  /**< max (length / rest length - 1) after the last step. */
     double time;          /**< Simulated time, s. */
     /* The following counters are 0 for a fixed mesh, except where they say otherwise. */
     uint64_t refined;   /**< Segments divided. */
     uint64_t coarsened; /**< Nodes removed. */
-    /** Divisions whose new node is on the chord instead of the arc, for lack of room. */
+    /** Divisions whose new node is on the chord instead of the arc, for lack of clearance. */
     uint64_t laid_on_chord;
-    /** Requests for a division without a free node in thread or scene. */
+    /** Divisions refused because thread or scene had no free node. */
     uint64_t refused_capacity;
-    /** Requests for a change at or beside attachments, pins, grasps or the ends at a cut. */
+    /** Changes refused at or beside attachments, pins, grasps or the ends at a cut. */
     uint64_t refused_held;
-    uint64_t refused_near; /**< Requests for a removal with something too near. */
+    uint64_t refused_near; /**< Removals refused because another body was too near. */
     uint32_t nodes;        /**< Present number of nodes; also for a fixed mesh. */
     uint32_t most_nodes;   /**< Largest number of nodes so far; 0 for a fixed mesh. */
     double sagitta;        /**< Largest of VBSS_THREAD_SAGITTAS, m; also for a fixed mesh. */
@@ -282,7 +301,7 @@ VBSS_API vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_
  * Sets radius, linear density, EA and EI of a configuration to those of a known thread.
  *
  * @param[in,out] config  an initialised configuration
- * @param preset          which thread
+ * @param preset          the known thread
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
  *         such preset)
  * @threads any thread, any time
@@ -293,17 +312,17 @@ VBSS_API vbss_result vbss_thread_config_preset(vbss_thread_config *config,
 
 /**
  * Divides a length into segments that are fine about one place and grow away from it by a constant
- * ratio, until they are as long as allowed. The lengths sum to `length` up to rounding: on either side
- * the ratio is lowered so that they fit; if they are too long even when equal they are scaled, to no
- * less than half. A place closer to an end than half the finest length is moved to the end.
+ * ratio, up to the largest length. The lengths sum to `length` up to rounding. For this the ratio
+ * is lowered on either side. Segments that are too long even when equal are scaled, to no less than
+ * half. A place closer to an end than half the finest length is moved to the end.
  *
- * @param length             m, 1e-6 to 1e3
+ * @param length the length, m, 1e-6 to 1e3
  * @param centre             arc length of the fine place, m, 0 to length
  * @param finest             length of the segments there, m, 2e-7 to coarsest
  * @param coarsest           largest length, m, at most length
- * @param ratio              of neighbours, at most, 1 to 2
+ * @param ratio              largest ratio of neighbours, 1 to 2
  * @param[out] rest_lengths  receives the lengths, m; may be NULL when capacity is 0
- * @param capacity           how many fit
+ * @param capacity           size of `rest_lengths`
  * @param[out] count         number of segments, also when they do not fit; 0 above 65536
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_CAPACITY (more than capacity, or more than 65536)
@@ -318,7 +337,7 @@ VBSS_API vbss_result vbss_thread_grade(double length, double centre, double fine
  * Creates a thread at rest.
  *
  * @param context      owner
- * @param config       how
+ * @param config       the configuration
  * @param[out] thread  the new thread; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
@@ -330,7 +349,7 @@ VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread
                                         vbss_thread **thread);
 
 /**
- * Destroys a thread; pieces cut from it live on.
+ * Destroys a thread; pieces cut from it remain.
  *
  * @param thread  the thread; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -340,14 +359,15 @@ VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread
 VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
 
 /**
- * Moves a thread forward in time. Nothing is allocated. If the new state is not finite, the call fails
- * and the thread keeps its state from before the step. With method PAPER the call also fails if a
- * segment has become longer than 100 times the length of the thread plus the distance that its
- * attachments span: the explicit steps have diverged, and the text says so. A thread with an adaptive mesh then adapts it by its
- * curvature alone, because only a scene knows the distance to other bodies.
+ * Advances a thread by one step. The call allocates nothing. If the new state is not finite, the
+ * call fails and the thread keeps its state from before the step. With method PAPER the call also
+ * fails if a segment has become longer than 100 times the length of the thread plus the distance
+ * that its attachments span: the explicit steps have diverged, and the error text states it. A
+ * thread with an adaptive mesh then adapts it by its curvature alone, because only a scene knows
+ * the distance to other bodies.
  *
  * @param thread  the thread
- * @param h       s, 1e-7 to 0.1
+ * @param h length of the step, s, 1e-7 to 0.1
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -359,9 +379,9 @@ VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
  * Sets positions and velocities of the nodes. Nodes held by attachments move to their targets in the next step.
  *
  * @param thread      the thread
- * @param positions   3 doubles a node, m, each at most 1e3; NULL leaves them
- * @param velocities  3 doubles a node, m/s, each at most 1e5; NULL leaves them
- * @param node_count  nodes in the arrays, the thread's number of nodes
+ * @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
+ * @param velocities  3 doubles per node, m/s, each at most 1e5 in magnitude; NULL keeps them
+ * @param node_count  number of nodes in the arrays, equal to the thread's
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -387,8 +407,8 @@ VBSS_API vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachm
  * must be in their ranges, also those that the kind does not read.
  *
  * @param thread      the thread
- * @param attachment  what
- * @param[out] id     names the attachment, from 1 on, never used again in this thread
+ * @param attachment the attachment
+ * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is held already),
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
@@ -399,13 +419,13 @@ VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
                                         const vbss_thread_attachment *attachment, uint32_t *id);
 
 /**
- * Says where an attachment shall be at the end of the next step; it moves there evenly in the step
- * and then stays.
+ * Sets the target of an attachment for the end of the next step. The attachment moves there at
+ * constant velocity during the step, and then stays.
  *
  * @param thread     the thread
  * @param id         the attachment, not a MASS
  * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N, which changes at once
- * @param direction  CLAMP: as in #vbss_thread_attachment; NULL leaves it
+ * @param direction  CLAMP: as in #vbss_thread_attachment; NULL keeps it
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
  *         such attachment, a MASS, or a value out of range), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -427,13 +447,15 @@ VBSS_API vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const do
 VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
 
 /**
- * What an attachment did in the last step, whatever was changed since; zero before its first. While a scene waits with a
- * step (vbss_scene_config::slot_limit) that is some calls ago: a host whose hand goes by the force of a spring takes that
- * from where its end and the node are now, stiffness times distance, or it winds the thread up.
+ * Returns the reaction of an attachment in the last step, regardless of later changes; zero before
+ * its first step. While a scene has a suspended step (vbss_scene_config::slot_limit), the last step
+ * may be some calls ago. A host that feeds a spring's force back to a hand should then compute it
+ * as stiffness times the current distance of both ends; a delayed force lets the hand wind the
+ * thread up.
  *
  * @param thread         the thread
  * @param id             the attachment
- * @param[out] reaction  receives the numbers
+ * @param[out] reaction  receives the reaction
  * @param struct_size    `sizeof *reaction` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such attachment)
@@ -451,7 +473,7 @@ VBSS_API vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
  * cut_capacity, which both parts share.
  *
  * @param thread      the thread
- * @param arc_length  where, m from node 0, measured in rest lengths, inside the thread
+ * @param arc_length  place of the cut, m from node 0, measured in rest lengths, inside the thread
  * @param[out] piece  the far part; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_RANGE (not inside, or within 1 % of a segment of an end),
@@ -462,11 +484,11 @@ VBSS_API vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
 VBSS_API vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece);
 
 /**
- * A look at one of the thread's arrays.
+ * Returns a view of one of the thread's arrays.
  *
  * @param thread       the thread
- * @param field        which
- * @param[out] view    receives where the array is
+ * @param field the array
+ * @param[out] view    receives the view
  * @param struct_size  `sizeof *view` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
@@ -477,7 +499,7 @@ VBSS_API vbss_result vbss_thread_get_view(vbss_thread *thread, vbss_thread_field
                                           vbss_view *view, uint32_t struct_size);
 
 /**
- * The thread's energies.
+ * Returns the thread's energies.
  *
  * @param thread         the thread
  * @param[out] energies  receives the numbers
@@ -490,7 +512,7 @@ VBSS_API vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_e
                                               uint32_t struct_size);
 
 /**
- * The thread's momentum.
+ * Returns the thread's momentum.
  *
  * @param thread         the thread
  * @param[out] momentum  receives the numbers
@@ -503,7 +525,7 @@ VBSS_API vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_m
                                               uint32_t struct_size);
 
 /**
- * The thread's counters.
+ * Returns the thread's counters.
  *
  * @param thread           the thread
  * @param[out] statistics  receives the numbers
@@ -531,8 +553,8 @@ VBSS_API vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint6
                                       uint64_t *written);
 
 /**
- * Restores a saved state into this thread or one created alike. Cuts made since are not undone in
- * the pieces, which are threads of their own. On failure the thread is as it was.
+ * Restores a saved state into this thread or an equally configured one. Later cuts are not undone
+ * in the pieces, which are separate threads. On failure the thread is unchanged.
  *
  * @param thread  the thread
  * @param bytes   the state
@@ -546,8 +568,8 @@ VBSS_API vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint6
 VBSS_API vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count);
 
 /**
- * XXH64 of the thread's state, its counters included: equal states have equal hashes, on every
- * machine.
+ * Returns the XXH64 of the thread's state, its counters included; equal states have equal hashes on
+ * every machine.
  *
  * @param thread     the thread
  * @param[out] hash  the hash

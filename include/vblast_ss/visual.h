@@ -33,7 +33,7 @@
 /** Meshes of scenes and bodies. */
 typedef struct vbss_visual vbss_visual;
 
-/** How to make a visual. Fill it with #vbss_visual_config_init, then change what you need. */
+/** Configuration of a visual. Fill it with #vbss_visual_config_init, then change fields. */
 typedef struct vbss_visual_config {
     uint32_t struct_size;     /**< Size of this struct in bytes, set by the init function. */
     uint32_t source_capacity; /**< Largest number of scenes and bodies, 1 to 256; default 8. */
@@ -88,7 +88,7 @@ enum {
     VBSS_SPOT_HOLE = 2  /**< A hole with a needle or a thread in it, through the wall. */
 };
 
-/** An array to view: a VBSS_VISUAL_VIEW_ constant. */
+/** An array: a VBSS_VISUAL_VIEW_ constant. */
 typedef int32_t vbss_visual_field;
 
 /** The constants of #vbss_visual_field. */
@@ -169,7 +169,7 @@ VBSS_API vbss_result vbss_visual_destroy(vbss_visual *visual);
  *
  * @param visual       the visual
  * @param scene        a scene of the same context
- * @param[out] source  its number, from 1 on, never used again; may be NULL
+ * @param[out] source  its number, from 1 on, never reused; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a scene of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -183,7 +183,7 @@ VBSS_API vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scen
  *
  * @param visual       the visual
  * @param thread       a thread of the same context
- * @param[out] source  its number, from 1 on, never used again; may be NULL
+ * @param[out] source  its number, from 1 on, never reused; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a thread of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -197,7 +197,7 @@ VBSS_API vbss_result vbss_visual_add_thread(vbss_visual *visual, vbss_thread *th
  *
  * @param visual       the visual
  * @param drain        a drain of the same context
- * @param[out] source  its number, from 1 on, never used again; may be NULL
+ * @param[out] source  its number, from 1 on, never reused; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a drain of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -211,7 +211,7 @@ VBSS_API vbss_result vbss_visual_add_drain(vbss_visual *visual, vbss_drain *drai
  *
  * @param visual       the visual
  * @param needle       a needle of the same context
- * @param[out] source  its number, from 1 on, never used again; may be NULL
+ * @param[out] source  its number, from 1 on, never reused; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a needle of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -225,7 +225,7 @@ VBSS_API vbss_result vbss_visual_add_needle(vbss_visual *visual, vbss_needle *ne
  *
  * @param visual       the visual
  * @param grasper      a grasper of the same context
- * @param[out] source  its number, from 1 on, never used again; may be NULL
+ * @param[out] source  its number, from 1 on, never reused; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a grasper of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
@@ -247,8 +247,8 @@ VBSS_API vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *
 VBSS_API vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source);
 
 /**
- * Computes the meshes of all sources in their present state. Nothing is allocated. Earlier views keep their
- * content until the update after this one. On failure the meshes do not change.
+ * Computes the meshes of all sources in their current state. The call allocates nothing. Earlier
+ * views keep their content until the update after this one. On failure the meshes do not change.
  *
  * @param visual  the visual
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (the error text names it),

@@ -32,7 +32,7 @@ void vbss_call_leave(vbss_call *call);
 #define VBSS_ENTER(handle)                                     \
     __attribute__((cleanup(vbss_call_leave))) vbss_call call_; \
     VBSS_TRY(vbss_call_enter(&call_, handle))
-/* The same for a function that returns a pointer in *out: NULL on every failure. */
+/* VBSS_ENTER for a function that returns a pointer in *out, which is NULL on every failure. */
 #define VBSS_ENTER_WITH_RESULT(handle, out) \
     if ((out) != NULL) {                    \
         *(out) = NULL;                      \

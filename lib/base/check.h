@@ -25,12 +25,12 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
 void vbss_warn_if_unlikely(vbss_context *context, double value, double likely, const char *name,
                            const char *unit, const char *small_unit);
 /* Largest values that are likely in surgery, SI units. They decide about warnings only. */
-#define VBSS_LIKELY_LENGTH 10.0         /* of a thread; from the origin of a body to its parts */
+#define VBSS_LIKELY_LENGTH 10.0         /* a thread; distance of parts from a body's origin */
 #define VBSS_LIKELY_THREAD_RADIUS 5e-3  /* ten times the thickest suture */
 #define VBSS_LIKELY_LINEAR_DENSITY 2e-2 /* twenty times a steel wire of the thickest suture */
-#define VBSS_LIKELY_RADIUS 0.5          /* of a capsule */
+#define VBSS_LIKELY_RADIUS 0.5          /* radius of a capsule */
 #define VBSS_LIKELY_GRAVITY 100.0
-#define VBSS_LIKELY_JUMP 1.0 /* of a tool from one pose to the next */
+#define VBSS_LIKELY_JUMP 1.0 /* distance between two poses of a tool */
 /* Largest absolute value of the array; ignores NaN. 0 for an empty array. */
 double vbss_max_abs(const double *values, size_t count);
 /* VBSS_ERROR_NOT_FINITE or VBSS_ERROR_OUT_OF_RANGE unless all three components are finite and at

@@ -10,7 +10,7 @@
 
 double vbss_sine(double x);
 double vbss_cosine(double x);
-double vbss_arc_tangent(double y, double x); /* of y / x, in the quadrant of the point (x, y) */
+double vbss_arc_tangent(double y, double x); /* angle of the point (x, y) */
 double vbss_arc_cosine(double x);
 void vbss_sincos(double x, double *sine, double *cosine);
 double vbss_exp(double x);

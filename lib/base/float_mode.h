@@ -52,7 +52,7 @@ static inline void float_mode_write_register(uint64_t value)
 #define FLOAT_MODE_NEEDED 0u
 static inline uint64_t float_mode_read_register(void)
 {
-    uintptr_t value; /* of the width of a general register */
+    uintptr_t value; /* as wide as a general register */
     __asm__ volatile(FLOAT_MODE_READ : "=r"(value));
     return value;
 }

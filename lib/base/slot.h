@@ -57,7 +57,7 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind);
 vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *object);
 /* Checks a handle that a call gets beside the one that it was made on, before it is opened. The call
  * is inside `context` only, so it must not touch another one. VBSS_ERROR_INVALID_HANDLE, with a text
- * that starts with `name`, for NULL, for a pointer that is no handle, and for a handle of another
+ * that starts with `name`, for NULL, for a pointer that is not a handle, and for a handle of another
  * context. */
 vbss_result vbss_slot_check_other(vbss_context *context, const void *handle, const char *name);
 /* Checks a context pointer from the host: for reading, and for changes. VBSS_ERROR_INVALID_HANDLE,

@@ -175,7 +175,7 @@ vbss_result vbss_object_save(const void *handle, const vbss_kind *kind, uint8_t 
     VBSS_TRY(vbss_snapshot_size(slot, &need));
     *written = need;
     if (bytes == NULL && capacity == 0) {
-        return VBSS_ERROR_CAPACITY; /* a size query is no failure, so it leaves no error text */
+        return VBSS_ERROR_CAPACITY; /* a size query does not fail, so it leaves no error text */
     }
     if (capacity < need) {
         return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "%s save: %llu bytes of %llu",

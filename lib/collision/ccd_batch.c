@@ -50,7 +50,7 @@ static void run_scalar(const collision_ccd_options *options, const collision_ccd
  * a list. Groups of four are taken from the list until it is empty, so no lane waits for
  * another. */
 
-/* A block of questions whose list of the open ones stands on the stack. */
+/* Number of queries whose list of open ones fits on the stack. */
 enum { BLOCK = 128 };
 
 typedef struct pending_query {

@@ -1,10 +1,10 @@
-/* Collision: what two features do to each other, and which features to ask about.
+/* Collision: continuous tests of two features, and the search for pairs to test.
  *
- * Bottom up: closest points (closest.h, closest.c); one continuous test by one of three methods:
- * conservative_advancement.c, without thickness with ccd_crossing.c and ccd_exact.c on polynomials.c and integers.c; ccd_cubic.c;
- * that of lib/baseline; ccd.c chooses. The same in rows (ccd_batch.c, ccd_simd.c). Shapes (shapes.c, aabb.c,
- * bvh.c), the search (broad_phase.c, bvh_traversal.c), the tests of what it found (narrow_phase.c), and the object that
- * holds them (object.c, batch.c, views.c, snapshot.c).
+ * Closest points are in closest.h and closest.c. One continuous test uses one of three methods, which ccd.c chooses:
+ * conservative_advancement.c, ccd_cubic.c, or that of lib/baseline. Without thickness conservative advancement also needs
+ * ccd_crossing.c and ccd_exact.c, which use polynomials.c and integers.c. ccd_batch.c and ccd_simd.c make many tests at once.
+ * Shapes are in shapes.c, aabb.c and bvh.c. The broad phase finds candidates (broad_phase.c, bvh_traversal.c), and the
+ * narrow phase tests them (narrow_phase.c). The object owns all of these (object.c, batch.c, views.c, snapshot.c).
  *
  * Vertices: a0 a1 b0 b1 of two edges; the point and b0 b1 b2 of a triangle. They move evenly from
  * start (time 0) to end (time 1). D is the contact distance. */
@@ -50,14 +50,14 @@ struct collision_ccd_options {
     const collision_ccd_method *method;
     uint32_t pass_limit;
     double tolerance; /* relative to D */
-    /* Of the baseline: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below parallel_threshold length_unit^4; m. */
+    /* Baseline: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below parallel_threshold length_unit^4; m. */
     double parallel_threshold, length_unit;
     /* Workspace of the exact predicate: ccd_exact.h. */
     uint32_t *limbs;
     uint32_t limb_count;
 };
-/* Enough for any doubles so far; and what fits on a stack, enough if the bits of the coordinates spread
- * over no more than some 250 binary places. */
+/* The first number has been enough for all doubles so far. The second one fits on a stack; it is enough
+ * if the bits of the coordinates spread over some 250 binary places. */
 enum { COLLISION_LIMBS = 16384, COLLISION_STACK_LIMBS = 2900 };
 
 struct collision_ccd_query {

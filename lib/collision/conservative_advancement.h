@@ -17,7 +17,7 @@ static inline vec3 relative_at(const collision_relative_motion *m, int vertex, d
 }
 
 /* Rounding of the volume of the four vertices as a share of the product of their largest coordinates,
- * and the least of it that is no underflow: docs/collision.md derives both. */
+ * and its smallest value without underflow: docs/collision.md derives both. */
 #define VOLUME_ROUNDING (32.0 * DBL_EPSILON)
 #define VOLUME_UNDERFLOW 1e-290
 

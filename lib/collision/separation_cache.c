@@ -7,7 +7,7 @@
  * positions may differ. */
 #include "collision/shapes.h"
 
-/* What is proved is so by more than rounding: share of the distance. Chosen. */
+/* Factors that make proved bounds safe against rounding, relative to the distance. Chosen. */
 #define ROUNDED_UP (1.0 + 1e-9)
 #define ROUNDED_DOWN (1.0 - 1e-9)
 

@@ -162,8 +162,8 @@ void vbss_collision_update_pair_rules(collision_object *c, collision_shape *shap
 
 /* ---- geodesic exclusion (geodesic_exclusion.c) */
 
-/* Of all bits, while they are worked out: a row for each node, edge and triangle. Enough for a surface of 4700
- * nodes; lanes take twice as much again. */
+/* Memory for the exclusion bits while they are computed: a row for each node, edge and triangle. It is enough
+ * for a surface of 4700 nodes. Lanes take twice as much in addition. */
 #define COLLISION_EXCLUSION_BYTES (16u << 20)
 /* Excludes pairs of features of a mesh that are close along its surface: edge pairs, and points
  * with triangles. A pair is excluded if the shortest path along edges between a node of one and a

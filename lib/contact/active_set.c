@@ -96,11 +96,11 @@ static void accept_solution(contact_set *set)
  * The iterates before and after a solve are in equilibrium, and so is every interpolation of both
  * with interpolated forces. The slope is the work of the residual of such a force along the step.
  * It is negative as long as the contact law drives the motion on, and zero where the contacts would
- * come to rest. For fixed friction bounds, the energy along the step is minimal there. */
+ * stop. For fixed friction bounds, the energy along the step is minimal there. */
 
-/* False position; an end that stays twice counts half (Illinois). Where a row closes on the way work rises so sharply that
- * this stays before it, all states would be as they were, and the next solve would lead to the same place: then halves, and
- * what is beyond. */
+/* False position; an end that stays twice counts half (Illinois). Where a contact closes along the step, the slope rises
+ * sharply, and false position stays before it. All states would stay as they are, and the next solve would lead to the same
+ * point. The search then bisects, and continues beyond. */
 static double line_search(contact_set *set, bool wide, bool softened)
 {
     vbss_contact_begin_line_search(set, wide);
@@ -173,7 +173,7 @@ static void advance_iterates(contact_set *set, const contact_active_set_options 
 
 /* ---- iteration */
 
-/* What comes nearer to the law with each solve is not left before it is there. */
+/* An iteration that reduces the residual with each solve continues until it has converged. */
 static void track_convergence(contact_active_set_progress *progress,
                               const contact_active_set_options *options,
                               const active_set_residual *residual, bool first)

@@ -38,7 +38,7 @@
 /* Bisection continues a search that ended below this fraction, unless contacts have been softened.
  * Unit: 1, relative to the full step. Origin: chosen. Test: scene-mesh, needle-hands, session. */
 #define CONTACT_SHORT_STEP_FRACTION VBSS_TUNE(CONTACT_SHORT_STEP_FRACTION, 0.1)
-/* Step length where the slope at the start is no descent and the one at the end is worse.
+/* Step length where the step does not descend at its start and the slope at its end is worse.
  * Unit: 1, relative to the full step. Origin: chosen. Test: scene-tools, scene-mesh, graspers, needle-hands,
  * session. */
 #define CONTACT_DOUBTFUL_STEP_FRACTION VBSS_TUNE(CONTACT_DOUBTFUL_STEP_FRACTION, 0.5)

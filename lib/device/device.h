@@ -93,9 +93,9 @@ void vbss_device_update_jaw(device_jaw *jaw, const vbss_device_calibration *c, d
 
 /* Jaws that wait for the handle to take them over. */
 typedef struct device_takeover {
-    bool is_waiting, is_new; /* is_new: the host was not told yet; not saved */
+    bool is_waiting, is_new; /* is_new: not yet reported to the host; not saved */
     bool has_side, is_above; /* the handle was seen; it is further open than the jaws */
-    double opening;          /* of the jaws, 0 to 1 */
+    double opening;          /* opening of the jaws, 0 to 1 */
 } device_takeover;
 
 /* ---- motion.c */
@@ -135,7 +135,7 @@ typedef struct device_source {
     bool is_lost, has_fault, read_failed, /* read_failed: by the last read */
         has_time;                         /* `time` and `received_at` are known */
     double time, received_at; /* last accepted sample: adapter's clock, host's clock, s */
-    bool is_slow; /* outputs go off too late; it is told again after a restore, so not saved */
+    bool is_slow; /* outputs go off too late; reported again after a restore, so not saved */
 } device_source;
 
 /* Copies a function table of this library to a struct of the host. Returns VBSS_OK,

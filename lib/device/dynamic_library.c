@@ -61,8 +61,8 @@ static size_t name_length(const char *reason)
     return length;
 }
 
-/* The loader's message starts with the name of the file that it is about: of the library, or of
- * another one that it needs. */
+/* The loader's message starts with a file name: that of the library, or of another one that it
+ * needs. */
 static bool is_about(const char *reason, const char *name)
 {
     const size_t length = strlen(name);

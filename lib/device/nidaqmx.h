@@ -32,7 +32,7 @@ enum {
 };
 
 enum {
-    DAQ_TIMEOUTS_IN_A_ROW = 2, /* a single timeout is no sign of a slow device */
+    DAQ_TIMEOUTS_IN_A_ROW = 2, /* a single timeout does not show a slow device */
     DAQ_OPENING_ATTEMPTS = 10  /* for the first write, while it times out */
 };
 
@@ -72,7 +72,7 @@ vbss_result vbss_nidaqmx_load(vbss_context *context, const char *name, daq_funct
 /* Description of an error code, never NULL. */
 const char *vbss_nidaqmx_error_name(int32_t code);
 
-/* What helps after a code of the vendor. */
+/* Remedy after an error code of the vendor. */
 typedef enum daq_remedy {
     DAQ_FINE,
     DAQ_RETRY,  /* a timeout: the next call may succeed */
@@ -141,7 +141,7 @@ struct nidaqmx_object {
     bool must_reopen, is_slow;   /* is_slow: solenoids go off later than commands expire */
     uint8_t levels[DAQ_HANDLES]; /* 0 or 1 per line */
     uint32_t read_timeouts, write_timeouts, quick_calls; /* each in a row */
-    double timeout, write_time;      /* of calls, in force; duration of the last write, s */
+    double timeout, write_time;      /* current timeout of calls; duration of the last write, s */
     double trouble_since, reopen_at; /* first error; earliest next attempt to open the lines, s */
     /* Start of this cycle, and time since the start of the one before, at least a period, s. */
     double cycle_start, cycle_interval;

@@ -118,7 +118,7 @@ static void read_slow_signals(openhaptics_object *o, haptic_arm *a)
 }
 
 /* The hand's tremor changes a measured pose all the time. A pose that is constant to the bit comes
- * from an arm that nobody holds, or from one whose encoders give no data. */
+ * from an arm that no hand holds, or from one whose encoders give no data. */
 static void watch_transform(openhaptics_object *o, haptic_arm *a, const double transform[16])
 {
     if (memcmp(transform, a->last_transform, sizeof a->last_transform) != 0) {

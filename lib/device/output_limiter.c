@@ -10,7 +10,7 @@
 #include "device/device.h"
 #include "device/tuning.h"
 
-/* Of a part that has nothing to say. */
+/* Limit of a stage that does not reduce the output. */
 #define NO_LIMIT DBL_MAX
 
 /* ---- one vector */

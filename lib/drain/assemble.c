@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* A pinned node's equation is overruled: of 1e30 N/m nothing else is left. Elimination then takes its way to the
+/* A stiffness of 1e30 N/m dominates the equation of a pinned node. Elimination then moves its displacement to the
  * right-hand sides of its neighbours, where prescribed motion belongs. */
 #define PENALTY_STIFFNESS 1e30
 

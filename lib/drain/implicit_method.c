@@ -1,4 +1,4 @@
-/* The implicit method of drains: its memory, and the table of what it does. */
+/* The implicit method of drains: its memory and its function table. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "drain/drain.h"

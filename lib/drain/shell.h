@@ -17,7 +17,7 @@
 
 enum {
     SHELL_NODES = 6,
-    SHELL_PAIRS = 15, /* of different nodes of a patch: 01 02 .. 05 12 .. 45 */
+    SHELL_PAIRS = 15, /* pairs of different nodes of a patch: 01 02 .. 05 12 .. 45 */
 };
 
 /* The node beyond a side that is free. */

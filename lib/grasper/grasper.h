@@ -20,7 +20,7 @@
 /* Capsules of a grasper: shaft, the jaws at +x and -x, neck. */
 enum { GRASPER_CAPSULES = 4, GRASPER_SHAFT = 0, GRASPER_JAW = 1, GRASPER_NECK = 3 };
 
-/* Of a needle driver or of shears. */
+/* The jaws of a needle driver, or the blades of shears. */
 typedef struct grasper_jaws {
     /* from the configuration; lengths in m, bend and opening in rad */
     double length, radius, bend, opening, neck;

@@ -8,7 +8,7 @@
 #include "grasper/grasper.h"
 #include "grasper/tuning.h"
 
-/* What has no direction, N. */
+/* Force below which its direction is undefined, N. */
 #define MIN_FORCE 1e-150
 
 enum { FIRST, MIDDLE, LAST };

@@ -237,7 +237,7 @@ typedef struct knot_bracket {
     uint32_t loop[KNOT_JONES_POINTS];                            /* -A^2 - A^-2 */
     uint32_t crossing_count, swept_count, pairing_count;
     knot_bracket_crossing *crossing; /* the crossing under way; NULL: none */
-    knot_bracket_addition addition;  /* of that crossing */
+    knot_bracket_addition addition;  /* addition of that crossing */
     uint32_t cursor, old_count;      /* next pairing without that crossing; number of these */
     knot_bracket_crossing *crossings;
     uint8_t *ends; /* arc -> its end; KNOT_BRACKET_ENDS if the arc is not open */
@@ -572,7 +572,7 @@ struct knot_detector {
     knot_tool_state *tools;
     knot_job job;
     struct baseline_detector *baseline; /* state of lib/baseline; NULL by method TOPOLOGY */
-    vbss_random random;                 /* of method PROJECTION, saved by both */
+    vbss_random random;                 /* used by method PROJECTION, saved by both */
     bool reading_due;                   /* a reading should start as soon as none is in progress */
     bool thread_may_differ;             /* the thread may not be the one that was read before */
     /* number of steps, and the step in which the last job started */

@@ -14,7 +14,7 @@
  * So all blocks are found, inner ones first. */
 #include "knot/knot.h"
 
-/* Of a torus knot T(2, m), derived. */
+/* Smallest number of crossings of a torus knot T(2, m), derived. */
 enum { MIN_CROSSINGS = 3 };
 
 /* Whether 2 m entries are a block. The caller knows that some crossing is the last entry of each

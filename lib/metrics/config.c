@@ -26,7 +26,7 @@ static const vbss_metrics_config defaults = {
     .weight_gap = 10.0,
     .weight_tightness = 1.0,
     .weight_host = 1.0,
-    .max_speed = 2.0, /* of a hand: ISO 13855 */
+    .max_speed = 2.0, /* upper limbs, ISO 13855 */
     .lost_share = 0.02,
 };
 static const uint32_t config_sizes[] = {176, 192, 0};

@@ -45,7 +45,7 @@ typedef struct metrics_kernel {
 /* One tool: its last samples and its ticks. */
 typedef struct metrics_hand {
     /* number of the last points of the run below, at most 3, the newest last; a point is a sample
-     * that is no outlier */
+     * that is not an outlier */
     uint32_t point_count;
     double time[3];
     vec3 position[3];
@@ -202,7 +202,7 @@ vbss_metrics_tightness vbss_metrics_tightness_by_strain(const metrics_pull *pull
 double vbss_metrics_stop_time(const metrics_object *m);
 bool vbss_metrics_is_stopped(const metrics_object *m);
 double vbss_metrics_task_time(const metrics_object *m);      /* duration of the task, s */
-double vbss_metrics_task_time_lost(const metrics_object *m); /* of it, simulated time lost, s */
+double vbss_metrics_task_time_lost(const metrics_object *m); /* its lost part, s */
 /* Whether more than a share of a time was lost. Sessions use it, too. */
 static inline bool vbss_metrics_is_time_lost(double lost, double time, double share)
 {

@@ -7,7 +7,7 @@
 
 enum {
     DEGREE = 5,
-    /* of a run with fewer samples than one half of the filter; its jerk is 0; chosen */
+    /* degree for a run shorter than one half of the filter; its jerk is 0; chosen */
     SHORT_DEGREE = 2,
     /* The speed at the outermost ticks is that of the quartic fit, which has half the noise of the
      * quintic one there: windows below this count of samples; chosen. */

@@ -5,7 +5,7 @@
 #include "base/stream.h"
 #include "metrics/metrics.h"
 
-/* Sums and squares of what is no larger stay finite. */
+/* Largest value whose sums and squares stay finite. */
 #define LARGEST_FIGURE 1e30
 
 static void refuse(vbss_stream *stream, bool wrong)

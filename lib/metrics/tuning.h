@@ -11,7 +11,7 @@
 
 /* ---- Motion (outliers.c, tracks.c, motion.c, smoothing.c, spectrum.c) */
 
-/* A sample this far beyond the reach of the hand is no outlier yet: noise of sensors and of clocks.
+/* A sample this far beyond the reach of the hand is not an outlier yet: noise of sensors and of clocks.
  * Unit: m, absolute. Origin: chosen. Test: none known. */
 #define METRICS_OUTLIER_TOLERANCE VBSS_TUNE(METRICS_OUTLIER_TOLERANCE, 1e-3)
 
@@ -34,7 +34,7 @@
 
 /* ---- Lost time (report.c) */
 
-/* A shorter time counts as this long, so that a single lost step is no large share of it.
+/* A shorter time counts as this long, so that a single lost step is a small share of it.
  * Unit: s, absolute. Origin: chosen. Test: none known. */
 #define METRICS_LOST_TIME_WINDOW VBSS_TUNE(METRICS_LOST_TIME_WINDOW, 1.0)
 

@@ -69,7 +69,7 @@ typedef struct session_throw_observation {
 typedef struct session_knot_observation {
     uint32_t throw_count; /* throws that are tied */
     session_throw_observation throws[SESSION_MAX_THROWS];
-    vbss_knot_verdict next_throw; /* of the throw that is being tied */
+    vbss_knot_verdict next_throw; /* verdict of the throw that is being tied */
     uint32_t faults;              /* VBSS_KNOT_FAULT_ bits */
     bool is_located;              /* end_arcs is known */
     /* Arc lengths at which the knot ends, toward the tail and toward the needle's limb, m. */
@@ -91,8 +91,9 @@ typedef struct session_observation {
      * is negative if the edges have crossed. config.gap_measure says between what. */
     double gap, max_gap, signed_gap;
     vec3 lips[2]; /* the points that the gap in the middle is between, left and right */
-    double torn_fraction, drain_radius; /* torn anchors of the drain, 0 to 1; of its tube, m */
-    vec3 into_tissue;                   /* from the slit to the centre of the drain, m */
+    double torn_fraction,
+        drain_radius; /* share of torn anchors of the drain; radius of its tube, m */
+    vec3 into_tissue; /* from the slit to the centre of the drain, m */
     session_knot_observation knot;
 } session_observation;
 
@@ -126,11 +127,11 @@ typedef struct session_object {
 
     bool takes_over; /* in the next step the handles have to take over the jaws; not saved */
     /* State. Snapshots save all of it but h. */
-    uint64_t steps, scene_steps; /* of the session; of the scene after the session's last step */
+    uint64_t steps, scene_steps; /* steps of the session; those of the scene after the last one */
     double time, h;              /* since the needle appeared, s; length of the last step, s */
     double end_time;             /* when the task ended, s; 0: it has not ended */
     double time_lost;            /* part of `time` that the scene has left out, s */
-    double end_time_lost;        /* of end_time */
+    double end_time_lost;        /* lost part of end_time, s */
     /* Statistics of the scene after the last step: time_paused, s, and clamped. */
     double scene_time_paused;
     uint64_t scene_clamped;
@@ -150,7 +151,7 @@ typedef struct session_object {
      * broken: 1 if the tension exceeds config.break_force. */
     session_debounced_value tail_set, throw_stage, newest_seated, knot_faults, half_hitch, broken;
     session_throw throws[SESSION_MAX_THROWS];
-    uint32_t throw_count, seated_count; /* throws that are tied; of them, throws that are seated */
+    uint32_t throw_count, seated_count; /* tied throws; seated throws among them */
     /* Bit per throw: the needle did not change hands before it. */
     uint32_t missed_transfers;
     /* Per throw: hand that held the needle when it was tied, or VBSS_METRICS_NO_TOOL. */

@@ -3,7 +3,7 @@
 #include "session/session.h"
 #include "session/tuning.h"
 
-/* Faults of a knot that is being tied. Too few throws are no fault yet. */
+/* Faults of a knot that is being tied. Too few throws are not a fault yet. */
 #define FAULTS                                                                           \
     ((uint32_t)(VBSS_KNOT_FAULT_FIRST | VBSS_KNOT_FAULT_LATER | VBSS_KNOT_FAULT_MANY |   \
                 VBSS_KNOT_FAULT_GRANNY | VBSS_KNOT_FAULT_STRAY | VBSS_KNOT_FAULT_HITCH | \

@@ -18,7 +18,7 @@
 /* A refused tool exchange is requested again after this many steps. At 2 kHz that is half the time.
  * Unit: steps. Origin: chosen. Test: none known. */
 #define SESSION_EXCHANGE_RETRY_STEPS VBSS_TUNE(SESSION_EXCHANGE_RETRY_STEPS, 250)
-/* A cut that takes off less is no cut of a limb.
+/* Smallest share of the thread whose removal counts as a cut of a limb.
  * Unit: 1, relative to the length of the thread. Origin: chosen: above rounding, below the thread's diameter.
  * Test: none known. */
 #define SESSION_MIN_CUT_RATIO VBSS_TUNE(SESSION_MIN_CUT_RATIO, 1e-5)

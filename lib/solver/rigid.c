@@ -6,8 +6,8 @@
 #include "base/rotation.h"
 #include "base/stream.h"
 
-/* The most that a body turns in one part, half of what could be told from turning the other way: a
- * faster spin, met once a part, would look like a slower one, and a stiff coupling would hold it. Derived. */
+/* Largest rotation of a body in one substep: half of the largest one whose sense is unambiguous. A faster
+ * spin, sampled once a substep, would look like a slower one, and a stiff coupling would hold it. Derived. */
 #define MAX_TURN (0.5 * VBSS_PI)
 
 /* ---- rotation */

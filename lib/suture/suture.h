@@ -1,9 +1,9 @@
-/* What couples needle, thread and drain: where a tip enters a wall, and the hole that it leaves, which slides along the needle
- * and on along the thread behind it.
+/* Coupling of needle, thread and drain by holes. A tip makes a hole where it enters a wall. The hole then slides along the
+ * needle and along the thread behind it.
  *
- * A hole is a material point of the drain on the suture's middle line. Across the line it ties the two with a stiffness; along
- * it rubs (docs/puncture.md, docs/stitch.md). puncture.c says when a tip enters and where; curve.c what line that is; hole.c
- * what a hole does. */
+ * A hole is a material point of the drain on the suture's centre line. A stiffness ties both across the line, and friction acts
+ * along it (docs/puncture.md, docs/stitch.md). puncture.c decides when and where a tip enters, curve.c has the line, and hole.c
+ * the forces of a hole. */
 #ifndef VBSS_SUTURE_SUTURE_H
 #define VBSS_SUTURE_SUTURE_H
 

@@ -3,7 +3,7 @@
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
-/* ---- segments of threads: of two that share a node, the contact of the next stays */
+/* ---- segments of threads: if two share a node, the contact of the next one stays */
 
 static bool is_repeated_by_next_segment(const scene_object *s, const contact_constraint *constraint)
 {

@@ -6,7 +6,7 @@
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 
-/* Of a needle's reach. */
+/* Reach of a thread relative to that of a needle. */
 #define THREAD_REACH_RATIO (SCENE_THREAD_EXCLUSION_ARC / SCENE_EXCLUSION_ARC_RATIO)
 
 /* Exclusion radius of a hole for a point of the suture, m. A needle that enters at a small angle

@@ -1,4 +1,4 @@
-/* Jacobian blocks of a constraint: of a node, of a welded node, of a point of a rigid body. */
+/* Jacobian blocks of a constraint for nodes, welded nodes and points of rigid bodies. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 

@@ -502,7 +502,7 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
     }
 }
 
-/* Stands in the snapshot in place of a size if bodies begin with different sizes, which follow.
+/* Replaces a size in the snapshot if bodies begin with different sizes, which follow.
  * Unit: 1. Origin: chosen: no size is negative. Test: scene.islands. */
 #define SIZE_PER_BODY (-1.0)
 

@@ -120,7 +120,7 @@ static void visit_groups(vbss_stream *stream, scene_object *s)
     if (reads && !is_valid) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such group of bodies");
     }
-    /* Those of the step before, which the groups that wait still show, are no part of the state. */
+    /* Groups that wait still show the contacts of the step before, which do not belong to the state. */
     visit_contact_views(stream, &s->report, s->report.old_contact_count,
                         s->config.contact_capacity);
 }

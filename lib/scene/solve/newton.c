@@ -9,7 +9,7 @@
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 
-/* Numbers beyond this are no motion. */
+/* A larger number means that the iteration has diverged. */
 #define DIVERGENCE_LIMIT 1e100
 
 /* ---- one linearisation */

@@ -74,7 +74,7 @@ void vbss_scene_commit_capsules(scene_object *s);
  * be halved. */
 void vbss_scene_request_damping_of(scene_body *b);
 
-/* The same for all bodies that take part in the present substep. */
+/* Requests damping for all bodies that take part in the present substep. */
 void vbss_scene_request_damping(scene_object *s);
 
 #endif

@@ -8,7 +8,7 @@
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 
-/* The jaws are looked at in so many places along their length. */
+/* Number of sections along the jaws in which a wall is searched. */
 enum { JAW_SECTIONS = 16 };
 
 /* ---- walls between the jaws */

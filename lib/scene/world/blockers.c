@@ -1,4 +1,4 @@
-/* Blockers: what holds back bodies, since when, and how much time they have lost. */
+/* Blockers: pairs of bodies that hold each other back, since when, and how much time they have lost. */
 #include "base/error.h"
 #include "scene/world/world.h"
 

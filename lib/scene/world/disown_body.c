@@ -31,7 +31,7 @@ void vbss_scene_disown_needle(scene_body *b)
     }
 }
 
-/* Of a surface: most sides of triangles a node. Derived from Euler. */
+/* Largest number of sides of triangles per node of a surface. Derived from Euler's formula. */
 #define EDGES_PER_NODE 3u
 
 void vbss_scene_list_drain_arrays(scene_drain *b, uint32_t nodes,

@@ -55,7 +55,7 @@ struct scene_method {
     /* The pin by which grasp `index` holds its node; NULL: the method has no such pins. */
     uint32_t *(*grasp_pin)(const scene_object *s, uint32_t index);
 
-    bool has_separation_cache; /* of the collision object */
+    bool has_separation_cache; /* the collision object has one */
     bool drives_tools;         /* graspers are driven bodies, else coupled ones */
     bool welds_pins;           /* pins on bodies that forces move are welds, else attachments */
     bool grasps_when_closed;   /* closed jaws grasp: one node of a thread, or a needle at angle 0 */

@@ -28,7 +28,7 @@
 
 /* Bodies ever added, and so shapes; threads at a time. Capacities, chosen. */
 enum { SCENE_MAX_SHAPES = 4096, SCENE_MAX_THREADS = 64 };
-/* Strands between two jaws that are told apart; cuts of a step. */
+/* Strands between two jaws that are distinguished; cuts of a step. */
 enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
 /* Pairs of driven bodies that overlap since they were added. Chosen. */
 enum { SCENE_MAX_OVERLAPS = 256 };
@@ -187,7 +187,7 @@ typedef struct scene_body {
     uint32_t shape;  /* shape in the collision object */
     /* Substep. */
     double max_displacement; /* largest displacement of a vertex that the CCD tests, m */
-    /* Persistent: the body's next step begins with a substep that is halved so often. */
+    /* Persistent: the body's next step begins with a substep that is halved this number of times. */
     uint32_t next_halvings;
     /* Step: its group. The body is frozen while another group takes its substeps (step/groups.c). */
     uint32_t group;
@@ -201,9 +201,9 @@ typedef struct scene_body {
      * but it has a shape and a spare thread. */
     bool is_reserved;
     union {
-        scene_thread thread; /* of kind SCENE_BODY_THREAD, and of a reserved entry */
-        scene_rigid rigid;   /* of kind SCENE_BODY_RIGID */
-        scene_drain drain;   /* of kind SCENE_BODY_DRAIN */
+        scene_thread thread; /* for kind SCENE_BODY_THREAD, and a reserved entry */
+        scene_rigid rigid;   /* for kind SCENE_BODY_RIGID */
+        scene_drain drain;   /* for kind SCENE_BODY_DRAIN */
     };
 } scene_body;
 
@@ -285,8 +285,8 @@ typedef struct scene_contact_record {
 
 /* Geometry of a contact constraint: what the contact law does not need. Substep. */
 typedef struct scene_contact_geometry {
-    /* Contact point on both features: fractions of two lines; of a point and a triangle, weights
-     * of its second and third corner. */
+    /* Contact point on both features: fractions of two lines, or for a point and a triangle the
+     * weights of its second and third corner. */
     double barycentric[2];
     /* Lines: interval of each axis on which contact is possible, as fractions of it. */
     double axis_interval[2][2];
@@ -423,12 +423,12 @@ typedef struct scene_step_context {
 /* Buffers that are meaningless outside the function that fills them. */
 typedef struct scene_scratch {
     vec3 *vertices;                    /* start and end positions of the vertices of one body, m */
-    uint32_t *near_features;           /* of topology/remeshing.c: features near a probe */
+    uint32_t *near_features;           /* for topology/remeshing.c: features near a probe */
     collision_block *ccd_batch;        /* queries of the CCD */
     vbss_rigid_capsule *mass_capsules; /* for the inertia of a new body */
     uint8_t *keeps_entry;              /* per warm-start entry: whether it stays */
-    bool *is_duplicate; /* of contacts/duplicate_contacts.c: per constraint; such are removed */
-    /* Of topology/cuts.c: per warm-start entry, the sides that are beyond the cut; bit 0 is side a,
+    bool *is_duplicate; /* for contacts/duplicate_contacts.c: constraints to remove */
+    /* For topology/cuts.c: per warm-start entry, the sides that are beyond the cut; bit 0 is side a,
      * bit 1 side b. */
     uint8_t *sides_beyond_cut;
 } scene_scratch;

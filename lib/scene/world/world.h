@@ -221,8 +221,8 @@ void vbss_scene_apply_rigid_targets(scene_object *s);
  * drives tools has no limit. */
 bool vbss_scene_limit_target(const scene_object *s, scene_rigid *r, double h);
 
-/* Limits the targets of all bodies that are no graspers, whose targets the host sets anew each step.
- * What is left stays pending for the next step. */
+/* Limits the targets of all bodies except graspers, whose targets the host sets in each step. The rest of
+ * a motion stays pending for the next step. */
 void vbss_scene_limit_rigid_targets(scene_object *s, double h);
 
 /* ---- events.c */
@@ -275,8 +275,8 @@ uint32_t vbss_scene_attempt_cost(const scene_object *s);
  * none, because bodies may overlap as the host has placed them. */
 bool vbss_scene_has_step_budget(const scene_object *s);
 
-/* Whether a step with so many operations and attempts has reached its limits, between two attempts.
- * Those of the first step are larger. */
+/* Whether a step with this number of operations and attempts has reached its limits, between two
+ * attempts. The limits of the first step are larger. */
 bool vbss_scene_is_beyond_step_limits(const scene_object *s, uint64_t operations,
                                       uint32_t attempts);
 

@@ -10,105 +10,106 @@ from .output import vbss_output_result
 
 
 class DeviceHasBits(IntFlag):
-    """Parts of a sample: bits."""
+    """Bits for the parts of a sample."""
     POSITION = 1
-    """`position`"""
+    """`position` is valid."""
     ORIENTATION = 2
-    """`orientation`"""
+    """`orientation` is valid."""
     VELOCITY = 4
-    """`velocity`"""
+    """`velocity` is valid."""
     ANGULAR_VELOCITY = 8
-    """`angular_velocity`"""
+    """`angular_velocity` is valid."""
     JAW_RAW = 16
-    """`jaw_raw`"""
+    """`jaw_raw` is valid."""
     JAW = 32
-    """`jaw`, which then counts instead of `jaw_raw`."""
+    """`jaw` is valid and replaces `jaw_raw`."""
     BUTTONS = 64
-    """`buttons`"""
+    """`buttons` is valid."""
     TOOL = 128
-    """`tool`"""
+    """`tool` is valid."""
     TEMPERATURE = 256
-    """`temperature`"""
+    """`temperature` is valid."""
 
 
 class DeviceOutBits(IntFlag):
-    """What a device can put out: bits."""
+    """Bits for the outputs of a device."""
     FORCE = 1
-    """Force."""
+    """Force on the hand."""
     TORQUE = 2
-    """Torque."""
+    """Torque on the hand."""
     SOLENOID = 4
-    """A solenoid in the handle."""
+    """Solenoid in the handle."""
 
 
 class DeviceFlagBits(IntFlag):
-    """What a device says about itself with a sample: bits."""
+    """Bits for the state that a device reports with a sample."""
     LOST = 1
-    """It is not there: unplugged, or its driver has given up."""
+    """The hardware is missing: unplugged, or its driver has failed."""
     STOP = 2
-    """Emergency stop: latches as vbss_device_stop does."""
+    """Emergency stop; it latches as vbss_device_stop does."""
     FAULT = 4
-    """It refuses forces for now: all outputs are off while this is set."""
+    """The hardware refuses forces for now; all outputs are off while this bit is set."""
     SLOW = 8
-    """It is too slow to put outputs off within vbss_output_result::expires. `explain` says how
-    slow."""
+    """The hardware is too slow to switch outputs off within vbss_output_result::expires. `explain`
+    gives its speed."""
 
 
 class DeviceTool(IntEnum):
     """The constants of vbss_device_tool."""
     NONE = 0
-    """None."""
+    """No tool."""
     NEEDLE_DRIVER = 1
     """A needle driver."""
     SHEARS = 2
     """Shears."""
 
 
-# Opens the hardware. May take its time, unlike `read` and `write`.
+# Opens the hardware. Unlike `read` and `write`, it may block.
 vbss_device_open_fn = CFUNCTYPE(c_int32, c_void_p)
 
 
-# Closes it. Outputs have been put off before.
+# Closes the hardware. The library has switched its outputs off before.
 vbss_device_close_fn = CFUNCTYPE(None, c_void_p)
 
 
-# Takes what is to be put out, at once.
+# Writes the outputs without waiting.
 vbss_device_write_fn = CFUNCTYPE(c_int32, c_void_p, c_double, POINTER(vbss_output_result))
 
 
-# Says in words what failed last.
+# Describes the last failure in words.
 vbss_device_explain_fn = CFUNCTYPE(None, c_void_p, POINTER(c_char), c_uint32)
 
 
 class vbss_device_sample(ctypes.Structure):
-    """What an adapter knows at the moment. The library hands out a cleared one; the adapter fills
-    what it has and says so in `valid`. The library's memory goes on for 4096 bytes from the
-    beginning, so an adapter with a newer header may fill fields that an older library does not
-    know; they are ignored, as are unknown bits.
+    """A sample of an adapter. The library passes a cleared one; the adapter fills the fields that
+    it has and sets their bits in `valid`. The library's memory has 4096 bytes, so an adapter
+    with a newer header may fill fields that an older library does not know. The library ignores
+    them, and unknown bits.
 
     valid: VBSS_DEVICE_HAS_ bits.
 
-    flags: VBSS_DEVICE_FLAG_ bits; looked at even if the read fails.
+    flags: VBSS_DEVICE_FLAG_ bits; evaluated even if the read fails.
 
-    buttons: One bit each.
+    buttons: Pressed buttons, one bit each.
 
     tool: Kind of tool.
 
-    time: When this was measured, s, by any clock that only goes forward.
+    time: Time of the measurement, s, by any clock that never runs backwards.
 
-    position: m, each at most 1e3.
+    position: Position, m, each coordinate at most 1e3 in magnitude.
 
-    orientation: w, x, y, z, unit: handle to device frame.
+    orientation: Orientation from handle to device frame, unit quaternion w, x, y, z.
 
-    velocity: m/s, each at most 1e3.
+    velocity: Velocity, m/s, each component at most 1e3 in magnitude.
 
-    angular_velocity: rad/s, in the device's frame, each at most 1e4.
+    angular_velocity: Angular velocity in the device's frame, rad/s, each component at most 1e4
+    in magnitude.
 
-    jaw_raw: Opening as the sensor tells it, such as V, at most 1e6.
+    jaw_raw: Opening in the sensor's unit, such as V, at most 1e6 in magnitude.
 
-    jaw: Opening, 0 closed to 1 open.
+    jaw: Opening, 0 (closed) to 1 (open).
 
-    temperature: Of the hottest motor: 0 cold to 1 about to fail."""
+    temperature: Temperature of the hottest motor, 0 (cold) to 1 (about to fail)."""
     struct_size: int
     valid: int
     flags: int
@@ -143,10 +144,10 @@ class vbss_device_sample(ctypes.Structure):
 
 
 class DeviceSample(NamedTuple):
-    """What an adapter knows at the moment. The library hands out a cleared one; the adapter fills
-    what it has and says so in `valid`. The library's memory goes on for 4096 bytes from the
-    beginning, so an adapter with a newer header may fill fields that an older library does not
-    know; they are ignored, as are unknown bits. Fields as vbss_device_sample says."""
+    """A sample of an adapter. The library passes a cleared one; the adapter fills the fields that
+    it has and sets their bits in `valid`. The library's memory has 4096 bytes, so an adapter
+    with a newer header may fill fields that an older library does not know. The library ignores
+    them, and unknown bits. Fields as vbss_device_sample says."""
     valid: DeviceHasBits
     flags: DeviceFlagBits
     buttons: int
@@ -161,39 +162,39 @@ class DeviceSample(NamedTuple):
     temperature: float
 
 
-# Gives the newest sample, at once. The same sample may be given again: its time says so.
+# Returns the newest sample without waiting. It may return a sample again, with an unchanged time.
 vbss_device_read_fn = CFUNCTYPE(c_int32, c_void_p, c_double, POINTER(vbss_device_sample))
 
 
 class vbss_device_capabilities(ctypes.Structure):
-    """What a device can do; 0 where it is not known. Handed to adapters and grown as
-    vbss_device_sample.
+    """Capabilities of a device; 0 means unknown. The library passes a cleared struct of 4096
+    bytes, as with vbss_device_sample.
 
     signals: VBSS_DEVICE_HAS_ bits that samples may have.
 
-    outputs: VBSS_DEVICE_OUT_ bits.
+    outputs: VBSS_DEVICE_OUT_ bits of the available outputs.
 
     input_dof: Degrees of freedom that are measured.
 
     output_dof: Degrees of freedom that are driven.
 
-    max_force: Peak, N.
+    max_force: Peak force, N.
 
-    max_continuous_force: That it can keep up, N.
+    max_continuous_force: Largest continuous force, N.
 
-    max_torque: Peak, N m.
+    max_torque: Peak torque, N m.
 
-    max_continuous_torque: That it can keep up, N m.
+    max_continuous_torque: Largest continuous torque, N m.
 
-    max_stiffness: That can be felt without buzzing, N/m.
+    max_stiffness: Largest stiffness that does not make the arm buzz, N/m.
 
-    max_damping: The same, N s/m.
+    max_damping: Largest damping that does not make the arm buzz, N s/m.
 
-    update_rate: Samples a second, Hz.
+    update_rate: Sample rate, Hz.
 
-    workspace_low: Corner of the box it reaches, device frame, m.
+    workspace_low: Lower corner of the reachable box, device frame, m.
 
-    workspace_high: The opposite corner; equal to `low`: not known."""
+    workspace_high: Upper corner of the reachable box; equal to `workspace_low` if unknown."""
     struct_size: int
     signals: int
     outputs: int
@@ -230,8 +231,8 @@ class vbss_device_capabilities(ctypes.Structure):
 
 
 class DeviceCapabilities(NamedTuple):
-    """What a device can do; 0 where it is not known. Handed to adapters and grown as
-    vbss_device_sample. Fields as vbss_device_capabilities says."""
+    """Capabilities of a device; 0 means unknown. The library passes a cleared struct of 4096
+    bytes, as with vbss_device_sample. Fields as vbss_device_capabilities says."""
     signals: DeviceHasBits
     outputs: DeviceOutBits
     input_dof: int
@@ -247,29 +248,30 @@ class DeviceCapabilities(NamedTuple):
     workspace_high: tuple[float, ...]
 
 
-# Tells what the hardware can do; called once, after `open`.
+# Reports the capabilities of the hardware. The library calls it once, after `open`.
 vbss_device_describe_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(vbss_device_capabilities))
 
 
 class vbss_device_coupling(ctypes.Structure):
-    """A virtual coupling between the hand and the tool: to the hand goes
+    """A virtual coupling between the hand and the tool. The force on the hand is
 
     force + stiffness (position - p) + damping (velocity - v)
 
-    with p and v the hand's. Fill it with vbss_device_coupling_init, then set what you want. A
-    device computes this force where it is written to, from what was read last; an adapter with
-    a servo of its own (haptics.h) computes it again in every tick, from what it has just
-    measured, so that no delay of the simulation stands between the hand and its spring.
+    with p and v the hand's position and velocity. Fill it with vbss_device_coupling_init, then
+    set its fields. A device computes this force in each write, from the pose that was read
+    last. An adapter with its own servo (haptics.h) recomputes it in every tick from the pose
+    just measured. The simulation then adds no delay between the hand and its spring.
 
-    position: Of the tool that the hand is tied to, m, each at most 1e3.
+    position: Position of the tool that is coupled to the hand, m, each coordinate at most 1e3
+    in magnitude.
 
-    velocity: Of the tool, m/s, each at most 1e3; default 0.
+    velocity: Velocity of the tool, m/s, each component at most 1e3 in magnitude; default 0.
 
-    force: N, added, each at most 1e3; default 0.
+    force: Force that is added, N, each component at most 1e3 in magnitude; default 0.
 
-    stiffness: N/m, 0 to 1e6; default 0.
+    stiffness: Stiffness, N/m, 0 to 1e6; default 0.
 
-    damping: N s/m, 0 to 1e6; default 0."""
+    damping: Damping, N s/m, 0 to 1e6; default 0."""
     struct_size: int
     reserved: int
     position: Any
@@ -289,35 +291,36 @@ class vbss_device_coupling(ctypes.Structure):
     ]
 
 
-# As vbss_device_write_fn, and instead of it where there is a coupling and nothing speaks against
-# it: the output's force is the coupling's at the pose that was read last. The adapter may put out
-# the coupling's force at newer poses, within limits as in the output stage, until `expires` has
-# passed.
+# Writes like vbss_device_write_fn, and replaces it when there is a coupling and forces are on.
+# The output has the coupling's force at the pose that was read last. Until `expires` has passed,
+# the adapter may apply the coupling's force at newer poses, within the limits of the output
+# stage.
 vbss_device_couple_fn = CFUNCTYPE(c_int32, c_void_p, c_double, POINTER(vbss_output_result), POINTER(vbss_device_coupling))
 
 
 class vbss_device_adapter(ctypes.Structure):
-    """An adapter. Fill it with vbss_device_adapter_init, then set what there is. All functions are
-    called on the thread that calls the device, must return (no longjmp, no exception), and must
-    not change the context.
+    """An adapter. Fill it with vbss_device_adapter_init, then set the functions that exist. The
+    library calls them on the thread that calls the device. They must return (no longjmp, no
+    exception) and must not change the context.
 
-    name: For texts; NULL (default): "device". At most 31 bytes are kept.
+    name: Name in messages; NULL (default): "device". At most 31 bytes are kept.
 
-    user: Handed to the functions; may be NULL.
+    user: Pointer that the functions receive; may be NULL.
 
-    open: NULL (default): nothing to open.
+    open: Opens the hardware; NULL (default): nothing to open.
 
-    close: NULL (default): nothing to close.
+    close: Closes the hardware; NULL (default): nothing to close.
 
-    describe: NULL (default): all signals and outputs there are functions for.
+    describe: Reports the capabilities; NULL (default): all signals, and the outputs that there
+    are functions for.
 
-    read: NULL (default) only beside another adapter, if `write` is not.
+    read: Reads a sample; NULL (default) only beside another adapter, and if `write` is set.
 
-    write: NULL (default): no outputs.
+    write: Writes outputs; NULL (default): no outputs.
 
-    explain: NULL (default): no texts.
+    explain: Describes failures; NULL (default): no texts.
 
-    couple: NULL (default): no servo of its own."""
+    couple: Writes outputs with a coupling; NULL (default): the adapter has no servo."""
     struct_size: int
     reserved: int
     name: Any

@@ -54,7 +54,7 @@ class LogLevel(IntEnum):
     ERROR = 1
     """A call failed; the message is its error text."""
     WARNING = 2
-    """Something is probably not what the host wanted."""
+    """A setting is probably not the intended one."""
     INFO = 3
     """Rare milestones, such as the creation of a context."""
 
@@ -62,9 +62,9 @@ class LogLevel(IntEnum):
 class Method(IntEnum):
     """The constants of vbss_method."""
     OURS = 0
-    """The library's own, the default."""
+    """The library's own method, the default."""
     PAPER = 1
-    """As in VBLaST-SS (Qi et al. 2017), the baseline."""
+    """The method of VBLaST-SS (Qi et al. 2017), as a baseline."""
 
 
 class Type(IntEnum):
@@ -74,7 +74,7 @@ class Type(IntEnum):
     U32 = 2
     """uint32_t"""
     F32 = 3
-    """float, of 32 bits; only what is drawn"""
+    """float, of 32 bits; only in meshes for drawing"""
 
 
 class vbss_context(ctypes.Structure):
@@ -82,36 +82,37 @@ class vbss_context(ctypes.Structure):
     the library detects a second one (VBSS_ERROR_BUSY)."""
 
 
-# Allocates memory for a context. Must return (no longjmp, no exception); calls back into the same
-# context that would change it return VBSS_ERROR_BUSY.
+# Allocates memory for a context. The function must return (no longjmp, no exception). Its calls
+# that would change the same context return VBSS_ERROR_BUSY.
 vbss_allocate_fn = CFUNCTYPE(c_void_p, c_void_p, c_uint64, c_uint64)
 
 
-# Takes back a block of a vbss_allocate_fn. The same rules hold as there.
+# Releases a block of a vbss_allocate_fn. The function must return (no longjmp, no exception). Its
+# calls that would change the same context return VBSS_ERROR_BUSY.
 vbss_release_fn = CFUNCTYPE(None, c_void_p, c_void_p, c_uint64, c_uint64)
 
 
-# Receives log messages, on the thread that called the library. Must return (no longjmp, no
-# exception); calls back into the same context that would change it return VBSS_ERROR_BUSY.
+# Receives log messages, on the thread that called the library. The function must return (no
+# longjmp, no exception). Its calls that would change the same context return VBSS_ERROR_BUSY.
 vbss_log_fn = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
 
 
 class vbss_view(ctypes.Structure):
     """A read-only array inside the library. Item i starts `i * stride_bytes` after data and has
-    `components` values of the type one behind the other. Valid until the next step, edit or
-    destruction of the object it belongs to; whether that has happened shows in the generation.
+    `components` contiguous values of the type. It is valid until the next step, edit or
+    destruction of its object; a step or an edit changes the generation.
 
-    type: Of each value.
+    type: Type of each value.
 
-    components: Values in an item, such as 3 for a vector.
+    components: Number of values in an item, such as 3 for a vector.
 
-    stride_bytes: From one item to the next.
+    stride_bytes: Distance from one item to the next, bytes.
 
-    count: Items.
+    count: Number of items.
 
     data: The first item; never NULL.
 
-    generation: Changes with every step or edit of the object."""
+    generation: Number that changes with every step or edit of the object."""
     struct_size: int
     type: int
     components: int
@@ -132,19 +133,20 @@ class vbss_view(ctypes.Structure):
 
 
 class vbss_context_config(ctypes.Structure):
-    """How to make a context. Fill it with vbss_context_config_init, then change what you need.
+    """Configuration of a context. Fill it with vbss_context_config_init, then change fields.
 
     log_level: Least important level that is sent; default VBSS_LOG_WARNING.
 
-    allocate: NULL (default): the C library; set both or neither.
+    allocate: Allocator; NULL (default): the C library; set both functions or neither.
 
-    release: NULL (default): the C library; set both or neither.
+    release: Counterpart of allocate; NULL (default): the C library; set both functions or
+    neither.
 
-    allocator_user: Handed to allocate and release; may be NULL.
+    allocator_user: Pointer that allocate and release receive; may be NULL.
 
-    log: NULL (default): messages are dropped.
+    log: Function for log messages; NULL (default): messages are dropped.
 
-    log_user: Handed to log; may be NULL."""
+    log_user: Pointer that log receives; may be NULL."""
     struct_size: int
     log_level: int
     allocate: Any
@@ -165,11 +167,11 @@ class vbss_context_config(ctypes.Structure):
 
 
 class vbss_context_statistics(ctypes.Structure):
-    """What a context holds at the moment.
+    """Memory and objects of a context.
 
-    bytes_allocated: Memory now held from the allocator, in bytes.
+    bytes_allocated: Memory currently allocated, bytes.
 
-    bytes_peak: Largest value of bytes_allocated so far, in bytes.
+    bytes_peak: Largest value of bytes_allocated so far, bytes.
 
     allocation_count: Successful calls of the allocator so far.
 
@@ -196,7 +198,7 @@ class vbss_context_statistics(ctypes.Structure):
 
 
 class ContextStatistics(NamedTuple):
-    """What a context holds at the moment. Fields as vbss_context_statistics says."""
+    """Memory and objects of a context. Fields as vbss_context_statistics says."""
     bytes_allocated: int
     bytes_peak: int
     allocation_count: int

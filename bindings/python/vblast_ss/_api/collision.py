@@ -82,7 +82,7 @@ class vbss_collision(ctypes.Structure):
 class vbss_closest(ctypes.Structure):
     """Two closest points.
 
-    distance: m; capsules that overlap: minus the penetration depth.
+    distance: Distance, m; minus the penetration depth for capsules that overlap.
 
     normal: Unit vector from a to b; zero if undefined (axes that meet).
 
@@ -90,9 +90,9 @@ class vbss_closest(ctypes.Structure):
 
     point_b: On b, m.
 
-    weights_a: point_a as a weighted sum of the vertices of a, or of its axis.
+    weights_a: Weights of the vertices of a, or of its axis, that give point_a.
 
-    weights_b: point_b likewise."""
+    weights_b: Weights of the vertices of b, or of its axis, that give point_b."""
     struct_size: int
     reserved: int
     distance: float
@@ -261,7 +261,7 @@ class vbss_collision_batch(ctypes.Structure):
     start: Positions at time 0, m. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x
     of vertex 1, and so on. No two arrays of a batch overlap.
 
-    end: Positions at time 1, m, likewise.
+    end: Positions at time 1, m, in rows as for `start`.
 
     thickness: D of each question, m; NULL: D of the configuration.
 

@@ -19,51 +19,53 @@ from .output import (
 class DeviceClock(IntEnum):
     """The constants of vbss_device_clock."""
     OWN = 0
-    """Of any origin: a sample is as old as the read that found its time advanced."""
+    """The adapter's clock has its own origin. The age of a sample is the time since the first read
+    that returned it."""
     SHARED = 1
-    """The host's own: a sample is as old as it says, so that one that comes late is known to."""
+    """The adapter uses the host's clock. The age of a sample follows from its own time, so that
+    delays are known."""
 
 
 class DeviceStatus(IntEnum):
     """The constants of vbss_device_status."""
     WAITING = 0
-    """There was no pose yet."""
+    """There is no pose yet."""
     READY = 1
-    """The pose is new."""
+    """The pose is current."""
     STALE = 2
-    """The pose is old and held."""
+    """The pose is stale; the last one is held."""
     LOST = 3
-    """An adapter says that its hardware is not there."""
+    """An adapter reports that its hardware is missing."""
 
 
 class DeviceEventBits(IntFlag):
-    """What happened in a read: bits."""
+    """Bits of the events of a read."""
     LOST = 1
-    """An adapter's hardware is gone,"""
+    """An adapter's hardware is missing."""
     FOUND = 2
-    """or back."""
+    """An adapter's hardware is back."""
     STALE = 4
-    """The pose became stale,"""
+    """The pose became stale."""
     FRESH = 8
-    """or new again, or came for the first time."""
+    """The pose is current again, or came for the first time."""
     JAW_STALE = 16
-    """The opening became stale,"""
+    """The opening became stale."""
     JAW_FRESH = 32
-    """or new again, or came for the first time."""
+    """The opening is current again, or came for the first time."""
     REFUSED = 64
     """A sample or raw opening was refused."""
     FAILED = 128
-    """An adapter gave no sample."""
+    """An adapter returned no sample."""
     STOPPED = 256
     """The device latched the emergency stop."""
     FAULT = 512
     """A device began to refuse forces."""
     RESTARTED = 1024
-    """The clock of an adapter began anew."""
+    """The clock of an adapter restarted."""
     TOOL = 2048
-    """The tool is another."""
+    """The kind of tool has changed."""
     SLOW = 4096
-    """An adapter became too slow to put outputs off in time."""
+    """An adapter became too slow to switch outputs off in time."""
     JAW_HELD = 8192
     """The opening is held until the handle has passed it."""
     JAW_TAKEN = 16384
@@ -75,8 +77,9 @@ class vbss_device(ctypes.Structure):
 
 
 class vbss_device_calibration(ctypes.Structure):
-    """From the device to the world. Fill it with vbss_device_calibration_init, then change what
-    you need. With C the rotation times the matrix of `axes`:
+    """Transform from the device to the world. Fill it with vbss_device_calibration_init, then
+    change fields. Let p be a position and R an orientation of the device, f a force of the
+    world, and C the rotation times the matrix of `axes`:
 
     position offset + C scale p, then the clutch's shift, then into the workspace orientation C
     R C^T mount: at the device's identity the tool is oriented as `mount` force to the device:
@@ -84,37 +87,42 @@ class vbss_device_calibration(ctypes.Structure):
 
     A stiffness k in the world is felt as k scale force_scale.
 
-    axes: World axis i is device axis |axes[i]| (1 to 3), negative: reversed; default 1, 2, 3.
-    An odd one mirrors.
+    axes: World axis i is device axis |axes[i]| (1 to 3), reversed if negative; default 1, 2, 3.
+    A left-handed choice mirrors.
 
-    rotation: Then this rotation, row by row, right to 1e-6; default identity.
+    rotation: Rotation applied after `axes`, row by row, orthonormal to 1e-6; default identity.
 
     scale: World metres per device metre, 1e-3 to 1e3; default 1.
 
-    offset: m, each at most 1e3; default 0.
+    offset: Offset, m, each coordinate at most 1e3 in magnitude; default 0.
 
-    mount: Tool frame in the handle's, w, x, y, z, any length; default 1, 0, 0, 0.
+    mount: Orientation of the tool frame in the handle's frame, w, x, y, z, any length; default
+    1, 0, 0, 0.
 
-    workspace_low: Corner of the box that poses are kept in, world, m; default -1.
+    workspace_low: Lower corner of the box to which poses are confined, world, m; default -1.
 
-    workspace_high: The opposite corner, above it; each within 1e3; default 1.
+    workspace_high: Upper corner of the box, above the lower one, at most 1e3 in magnitude;
+    default 1.
 
-    force_scale: 1e-3 to 1e3; default 1.
+    force_scale: Device force per world force, 1e-3 to 1e3; default 1.
 
     jaw_closed: `jaw_raw` of the closed handle; default 0.
 
-    jaw_open: The same of the open one; more or less, but 1e-9 apart; default 1.
+    jaw_open: `jaw_raw` of the open handle, at least 1e-9 away from jaw_closed, above or below;
+    default 1.
 
-    jaw_margin: How far outside this range, as a part of it, a raw value is believed, 0 to 10;
-    default 0.25. Beyond, the sensor is broken and the value refused.
+    jaw_margin: Largest distance of a raw value outside the range from closed to open, as a
+    share of the range, 0 to 10; default 0.25. A value farther outside is refused, because the
+    sensor must be broken.
 
-    jaw_play: Movements of the opening smaller than this are not seen, 0 to 0.5; default 0.02.
+    jaw_play: Backlash: largest movement of the opening that is ignored, 0 to 0.5; default 0.02.
 
-    jaw_time: Time constant of the filter of the opening, s, 0 to 10; default 0.01.
+    jaw_time: Time constant of the opening's filter, s, 0 to 10; default 0.01.
 
-    jaw_close_at: The jaws count as closed from this opening down, 0 to 1; default 0.05,
+    jaw_close_at: Opening at and below which the jaws become closed, 0 to 1; default 0.05.
 
-    jaw_open_at: and as not closed again from this one up, at least jaw_close_at; default 0.1."""
+    jaw_open_at: Opening at and above which closed jaws become open, jaw_close_at to 1; default
+    0.1."""
     struct_size: int
     axes: Any
     rotation: Any
@@ -153,41 +161,44 @@ class vbss_device_calibration(ctypes.Structure):
 
 
 class vbss_device_config(ctypes.Structure):
-    """How to make a device. Fill it with vbss_device_config_init, then change what you need.
+    """Configuration of a device. Fill it with vbss_device_config_init, then change fields.
 
-    tool: Where no adapter tells; default VBSS_DEVICE_TOOL_NEEDLE_DRIVER.
+    tool: Kind of tool, where no adapter reports one; default VBSS_DEVICE_TOOL_NEEDLE_DRIVER.
 
-    second_signals: VBSS_DEVICE_HAS_ bits that come from the second adapter, if there is one;
-    default the jaw. One of the pose (position, orientation, velocities) brings all of it, one
-    opening the other.
+    second_signals: VBSS_DEVICE_HAS_ bits of the signals that come from the second adapter, if
+    there is one; default the jaw. A bit of the pose (position, orientation, velocities) selects
+    the whole pose; either bit of the opening selects both.
 
-    clock: Default VBSS_DEVICE_CLOCK_OWN.
+    clock: Interpretation of sample times; default VBSS_DEVICE_CLOCK_OWN.
 
-    stop_when_lost: 1 (default): a lost adapter latches the emergency stop; 0: its samples just
-    grow old.
+    stop_when_lost: 1 (default): a lost adapter latches the emergency stop; 0: its samples only
+    become stale.
 
-    clutch_orientation: 1: the clutch holds the orientation too; 0 (default): it always follows.
+    clutch_orientation: 1: the clutch holds the orientation too; 0 (default): the orientation
+    always follows the hand.
 
-    jaw_takeover: 1: the opening does not jump. It stays as it was reported last while the
-    clutch is held, after vbss_device_restore, after another tool was taken, and after
-    vbss_device_hold_jaw, until the handle has passed it; a session also does so in its first
-    step and after vbss_session_restore. 0 (default): it always follows.
+    jaw_takeover: 1: the reported opening never jumps. It is held while the clutch is held, and
+    after vbss_device_restore, a change of tool or vbss_device_hold_jaw, until the handle has
+    passed it. A session also holds it in its first step and after vbss_session_restore. 0
+    (default): the opening always follows the handle.
 
-    jaw_timeout: Age at which the jaw's opening is stale, s, 1e-4 to 1e3; default 0.1. The
-    pose's is the output's input_timeout.
+    jaw_timeout: Age at which the jaw's opening is stale, s, 1e-4 to 1e3; default 0.1. The pose
+    uses input_timeout of the output stage.
 
     velocity_time: Time constant of estimated velocities, s, 0 to 10; default 0.005.
 
-    norm_tolerance: |1 - length| of an orientation that is taken and made unit, 0 to 0.5;
-    default 1e-3.
+    norm_tolerance: Largest |1 - length| of an orientation that is accepted and normalised, 0 to
+    0.5; default 1e-3.
 
-    max_stiffness: Ceiling for couplings, N/m, 0 to 1e6; default 400. Only told.
+    max_stiffness: Upper limit of couplings, N/m, 0 to 1e6; default 400. The device only reports
+    it.
 
-    max_damping: The same, N s/m; default 4. Only told.
+    max_damping: Upper limit of couplings, N s/m, 0 to 1e6; default 4. The device only reports
+    it.
 
-    calibration: NULL (default): as initialised. Copied.
+    calibration: Calibration; NULL (default): the initialised one. The library copies it.
 
-    output: NULL (default): as initialised. Copied."""
+    output: Output stage; NULL (default): the initialised one. The library copies it."""
     struct_size: int
     tool: int
     second_signals: int
@@ -224,53 +235,54 @@ class vbss_device_config(ctypes.Structure):
 
 
 class vbss_device_input(ctypes.Structure):
-    """What a read found, in the world's frame.
+    """Result of a read, in the world's frame.
 
-    status: How the device is.
+    status: Status of the device.
 
-    valid: VBSS_DEVICE_HAS_ bits of what is known; estimated velocities count.
+    valid: VBSS_DEVICE_HAS_ bits of the known values; estimated velocities count.
 
-    stale: Of them, those that are too old and held; stale velocities are zero.
+    stale: VBSS_DEVICE_HAS_ bits of the values that are stale and held; stale velocities are
+    zero.
 
     events: VBSS_DEVICE_EVENT_ bits.
 
-    clamped: 1, 2, 4: x, y, z is held at the workspace.
+    clamped: Bits 1, 2, 4: the workspace limits x, y, z.
 
-    buttons: As told last.
+    buttons: Buttons as last reported, one bit each.
 
-    pressed: Those that were up in the last read.
+    pressed: Buttons that were up in the last read and are down now.
 
-    released: Those that were down in the last read.
+    released: Buttons that were down in the last read and are up now.
 
     tool: Kind of tool.
 
     jaw_closed: 1: the jaws count as closed.
 
-    clutched: 1: the clutch is held: the pose stays, there is no force.
+    clutched: 1: the clutch is held, so the pose stays and there is no force.
 
     stopped: 1: the emergency stop is latched.
 
     jaw_held: 1: `jaw` is held until the handle has passed it.
 
-    time: Of the pose, by the adapter's clock, s.
+    time: Time of the pose, by the adapter's clock, s.
 
-    age: Of the pose, s; -1: there was none.
+    age: Age of the pose, s; -1: there is none.
 
-    jaw_age: Of the opening, s; -1: there was none.
+    jaw_age: Age of the opening, s; -1: there is none.
 
-    position: m.
+    position: Position, m.
 
-    orientation: w, x, y, z, unit: tool to world.
+    orientation: Orientation from tool to world, unit quaternion w, x, y, z.
 
-    velocity: m/s.
+    velocity: Velocity, m/s.
 
-    angular_velocity: rad/s, in the world's frame.
+    angular_velocity: Angular velocity in the world's frame, rad/s.
 
-    jaw: Opening, 0 closed to 1 open.
+    jaw: Opening, 0 (closed) to 1 (open).
 
-    jaw_raw: As told last.
+    jaw_raw: Raw opening as last reported.
 
-    temperature: As told last."""
+    temperature: Temperature as last reported, 0 to 1."""
     struct_size: int
     status: int
     valid: int
@@ -295,7 +307,7 @@ class vbss_device_input(ctypes.Structure):
     jaw: float
     jaw_raw: float
     temperature: float
-    _kinds_: ClassVar[dict[str, Any]] = {"status": DeviceStatus, "valid": DeviceHasBits, "events": DeviceEventBits, "tool": DeviceTool}
+    _kinds_: ClassVar[dict[str, Any]] = {"status": DeviceStatus, "valid": DeviceHasBits, "stale": DeviceHasBits, "events": DeviceEventBits, "tool": DeviceTool}
     _fields_ = [
         ("struct_size", c_uint32),
         ("status", c_int32),
@@ -325,10 +337,10 @@ class vbss_device_input(ctypes.Structure):
 
 
 class DeviceInput(NamedTuple):
-    """What a read found, in the world's frame. Fields as vbss_device_input says."""
+    """Result of a read, in the world's frame. Fields as vbss_device_input says."""
     status: DeviceStatus
     valid: DeviceHasBits
-    stale: int
+    stale: DeviceHasBits
     events: DeviceEventBits
     clamped: int
     buttons: int
@@ -352,45 +364,45 @@ class DeviceInput(NamedTuple):
 
 
 class vbss_device_statistics(ctypes.Structure):
-    """Figures of a device since creation; [0] and [1]: of the first and the second adapter.
+    """Counts of a device since creation. Entry [0] is of the first adapter and [1] of the second.
 
     reads: Calls of vbss_device_read.
 
     writes: Calls of vbss_device_write.
 
-    accepted: Samples that were taken.
+    accepted: Samples accepted.
 
     repeated: Samples whose time had not advanced.
 
-    out_of_order: Refused: older than the one before.
+    out_of_order: Samples refused because they are older than the one before.
 
-    not_finite: Refused: with a NaN or an infinity.
+    not_finite: Samples refused because of a NaN or an infinity.
 
-    out_of_range: Refused: outside what the fields allow.
+    out_of_range: Samples refused because a field is out of range.
 
-    not_unit: Refused: an orientation outside norm_tolerance.
+    not_unit: Samples refused because of an orientation outside norm_tolerance.
 
     failed_reads: Reads without a sample.
 
-    failed_writes: Outputs that were not taken.
+    failed_writes: Outputs that an adapter did not accept.
 
-    lost: How often the hardware was lost.
+    lost: Times the hardware was lost.
 
-    faults: How often it began to refuse forces.
+    faults: Times the hardware began to refuse forces.
 
-    restarts: How often its clock began anew.
+    restarts: Times the adapter's clock restarted.
 
-    jaw_refused: Raw openings outside jaw_margin.
+    jaw_refused: Raw openings refused because they are outside jaw_margin.
 
-    pose_stale: How often the pose became stale.
+    pose_stale: Times the pose became stale.
 
-    pose_stale_reads: Reads in which it was.
+    pose_stale_reads: Reads with a stale pose.
 
-    jaw_stale: How often the opening became stale.
+    jaw_stale: Times the opening became stale.
 
-    clamped_reads: Reads in which the workspace held the pose.
+    clamped_reads: Reads in which the workspace limited the pose.
 
-    clutches: How often the clutch was held.
+    clutches: Times the clutch was held.
 
     oldest_pose: Largest age of a pose, s."""
     struct_size: int
@@ -443,8 +455,8 @@ class vbss_device_statistics(ctypes.Structure):
 
 
 class DeviceStatistics(NamedTuple):
-    """Figures of a device since creation; [0] and [1]: of the first and the second adapter. Fields
-    as vbss_device_statistics says."""
+    """Counts of a device since creation. Entry [0] is of the first adapter and [1] of the second.
+    Fields as vbss_device_statistics says."""
     reads: int
     writes: int
     accepted: tuple[int, ...]

@@ -44,7 +44,7 @@ class DrainField(IntEnum):
     SLIT_LEFT = 4
     """uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x."""
     SLIT_RIGHT = 5
-    """Nodes of the right edge (+z), likewise."""
+    """uint32_t: nodes of the slit's edge on the right (+z), with both tips, along x."""
     ANCHORS = 6
     """uint32_t: nodes of the bottom strip; method PAPER: none."""
     ANCHOR_FORCES = 7
@@ -55,7 +55,8 @@ class DrainField(IntEnum):
     shear (2 e12). Method PAPER reports strains and curvatures too, although it does not resist
     them."""
     CURVATURES = 9
-    """m x 3 doubles, 1/m: changes of curvature, likewise (2 k12)."""
+    """m x 3 doubles, 1/m: changes of curvature along and across the triangle's first side, and
+    twist (2 k12)."""
 
 
 class vbss_drain(ctypes.Structure):
@@ -63,11 +64,11 @@ class vbss_drain(ctypes.Structure):
 
 
 class vbss_drain_config(ctypes.Structure):
-    """How to make a drain. Fill it with vbss_drain_config_init, then change what you need.
+    """Configuration of a drain. Fill it with vbss_drain_config_init, then change fields.
 
-    method: Default VBSS_METHOD_OURS.
+    method: Method; default VBSS_METHOD_OURS.
 
-    mesh: Method OURS; default VBSS_DRAIN_MESH_137.
+    mesh: Method OURS: mesh; default VBSS_DRAIN_MESH_137.
 
     mesh_divisions: Method OURS: divisions of each cell in each direction, 1 to 4; default 1.
 
@@ -94,16 +95,17 @@ class vbss_drain_config(ctypes.Structure):
     was opened, m. It is longer than half the opening and lies between 20 and 90 degrees.
     Default 4.5e-3.
 
-    young_modulus: Method OURS: Pa, 1e3 to 1e12; default 1.2e6 (not verified for real drains).
+    young_modulus: Method OURS: Young's modulus, Pa, 1e3 to 1e12; default 1.2e6 (not verified
+    for real drains).
 
-    poisson_ratio: Method OURS: 0 to 0.49; default 0.47.
+    poisson_ratio: Method OURS: Poisson's ratio, 0 to 0.49; default 0.47.
 
-    density: kg/m^3, 1 to 1e5; default 950.
+    density: Density, kg/m^3, 1 to 1e5; default 950.
 
-    drag: Force -drag * mass * velocity, 1/s, 0 to 1e6; default 20.
+    drag: Drag coefficient, 1/s, 0 to 1e6; default 20. The force is -drag * mass * velocity.
 
-    gravity: Acceleration, m/s^2, each at most 1e6; default 0: the rest shape is that of a drain
-    that lies on its block.
+    gravity: Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default
+    0, because the rest shape is that of a drain that lies on its block.
 
     position: Origin of the drain's frame in the world, m, each at most 1e3; default 0.
 
@@ -232,18 +234,18 @@ class vbss_drain_config(ctypes.Structure):
 
 
 class vbss_drain_attachment(ctypes.Structure):
-    """Something that acts on one node. Fill it with vbss_drain_attachment_init.
+    """An attachment acts on one node. Fill it with vbss_drain_attachment_init.
 
-    kind: Default VBSS_DRAIN_ATTACHMENT_PIN.
+    kind: Kind; default VBSS_DRAIN_ATTACHMENT_PIN.
 
-    node: A node that is not anchored.
+    node: Node, which is not anchored.
 
-    position: PIN: target of the node in the next step; SPRING: its fixed end; m, each at most
-    1e3.
+    position: PIN: target of the node in the next step; SPRING: its fixed end; m, each
+    coordinate at most 1e3 in magnitude.
 
-    force: FORCE: N, each at most 1e6.
+    force: FORCE: force, N, each component at most 1e6 in magnitude.
 
-    stiffness: SPRING: N/m, 0 to 1e9."""
+    stiffness: SPRING: stiffness, N/m, 0 to 1e9."""
     struct_size: int
     kind: int
     node: int
@@ -266,13 +268,13 @@ class vbss_drain_attachment(ctypes.Structure):
 class vbss_drain_places(ctypes.Structure):
     """Places on a drain, as nodes.
 
-    node_count: Nodes of the mesh.
+    node_count: Number of nodes of the mesh.
 
-    triangle_count: Its triangles.
+    triangle_count: Number of triangles of the mesh.
 
     marks: The marks, left and right.
 
-    gap_points: The middles of the slit's edges, left and right: the paper's points."""
+    gap_points: The middles of the slit's edges, left and right, which are the paper's points."""
     struct_size: int
     node_count: int
     triangle_count: int
@@ -310,11 +312,11 @@ class vbss_drain_gap(ctypes.Structure):
     signed_gap: Component of the vector between the middles, left to right, along that vector at
     rest, which moves with the drain's frame, m. It is negative when the edges have crossed.
 
-    opening: Distance between the lips at the middles of the edges, m: that of the lines through
-    the wall there. At rest it is about the gap. Where lips meet it is 0 to a fifth of the wall,
-    for any rotation of the lips: raised lips meet with their inner corners or face to face,
-    when `gap` is up to a whole wall. It is 0 (shut) where one lip lies on the other. Method
-    PAPER: likewise.
+    opening: Distance between the lips at the middles of the edges, m, measured between the
+    lines through the wall there. At rest it is about the gap. Where lips meet it is 0 to a
+    fifth of the wall's thickness, for any rotation of the lips. Raised lips meet with their
+    inner corners or face to face, while `gap` is up to a whole wall. The opening is 0 (shut)
+    where one lip lies on the other. Method PAPER measures it in the same manner.
 
     widest_opening: Largest opening between opposite nodes of the edges, m.
 
@@ -398,7 +400,7 @@ class DrainEnergies(NamedTuple):
 
 
 class vbss_drain_statistics(ctypes.Structure):
-    """Counters since creation, and figures of the last step.
+    """Counters since creation, and results of the last step.
 
     torn: Anchors that have torn off.
 
@@ -406,7 +408,8 @@ class vbss_drain_statistics(ctypes.Structure):
 
     steps: Calls of vbss_drain_step that succeeded, and steps of its scene.
 
-    parts: Equal to steps if none was halved; method PAPER: explicit steps.
+    parts: Accepted parts of steps, equal to `steps` if none was halved; method PAPER: explicit
+    steps.
 
     linearisations: Linearisations assembled and solved.
 
@@ -451,7 +454,7 @@ class vbss_drain_statistics(ctypes.Structure):
 
 
 class DrainStatistics(NamedTuple):
-    """Counters since creation, and figures of the last step. Fields as vbss_drain_statistics says."""
+    """Counters since creation, and results of the last step. Fields as vbss_drain_statistics says."""
     torn: int
     inverted: int
     steps: int

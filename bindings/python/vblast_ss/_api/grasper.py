@@ -37,7 +37,7 @@ class vbss_grasper(ctypes.Structure):
 
 
 class vbss_grasper_config(ctypes.Structure):
-    """How to make a grasper. Fill it with vbss_grasper_config_init, then change what you need.
+    """Configuration of a grasper. Fill it with vbss_grasper_config_init, then change fields.
 
     method: Must be that of the scene; default VBSS_METHOD_OURS.
 
@@ -56,17 +56,18 @@ class vbss_grasper_config(ctypes.Structure):
     driver_opening: Angle of each jaw from the middle when the handle is open, rad, 1e-3 to 1.2;
     default 0.35.
 
-    shears_length: Length of the blades of shears, as driver_length; default 15e-3.
+    shears_length: Length of the blades of shears, pivot to tip, m, 1e-4 to 1; default 15e-3.
 
-    shears_radius: As driver_radius; default 0.5e-3.
+    shears_radius: Radius of each blade, m, 1e-6 to 0.1, below the length; default 0.5e-3.
 
-    shears_bend: As driver_bend; default 0.
+    shears_bend: Angle between blades and shaft, rad, -1.5 to 1.5; default 0.
 
-    shears_opening: As driver_opening; default 0.35.
+    shears_opening: Angle of each blade from the middle when the handle is open, rad, 1e-3 to
+    1.2; default 0.35.
 
     driver_neck: Length from the pivot back to the bend, m, 0 to 1; default 0.
 
-    shears_neck: As driver_neck; default 0.
+    shears_neck: Length from the pivot of the blades back to the bend, m, 0 to 1; default 0.
 
     neck_radius: Radius of either neck, m, 1e-6 to 0.1; default 1.2e-3.
 
@@ -215,7 +216,7 @@ class vbss_grasper_state(ctypes.Structure):
 
     kind: Present kind.
 
-    body: Its number in its scene; 0: not in a scene.
+    body: Number of the grasper in its scene; 0: not in a scene.
 
     grasp_count: Number of grasps: places of threads, a needle, a wall.
 

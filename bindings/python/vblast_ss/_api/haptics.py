@@ -14,17 +14,17 @@ from .output import vbss_output_config
 class HardwareState(IntEnum):
     """The constants of vbss_hardware_state."""
     WAITING = 0
-    """Nothing was measured yet."""
+    """There is no measurement yet."""
     RUNNING = 1
-    """All is well."""
+    """The hardware works."""
     REFUSING = 2
-    """It measures, but takes no forces for now: motors warm, force or speed too high."""
+    """It measures, but accepts no forces for now: motors warm, force or speed too high."""
     UNCALIBRATED = 3
-    """No forces until it is calibrated: put the stylus into the inkwell. Also an arm whose pose
-    has not changed by a bit for 1 s: it is not calibrated, its encoders give no data, or nobody
-    holds it. It gets forces again when its pose changes."""
+    """It accepts no forces until it is calibrated: put the stylus into the inkwell. An arm whose
+    pose has been constant to the bit for 1 s is in this state, too: it is uncalibrated, its
+    encoders give no data, or no hand holds it. It accepts forces again when its pose changes."""
     LOST = 4
-    """It is not there: unplugged, or its driver has failed."""
+    """The hardware is missing: unplugged, or its driver has failed."""
 
 
 class NidaqmxTerminal(IntEnum):
@@ -43,36 +43,36 @@ class vbss_nidaqmx(ctypes.Structure):
     """One or two handles: a potentiometer and a solenoid each."""
 
 
-# Called in the vendor's servo thread at the end of each tick, after the forces have gone out: a
-# host that steps inside the servo does so here, and its forces go out in the next tick. From the
-# first call to the return of vbss_openhaptics_destroy nothing but this function may use the
-# context that the devices belong to; it must not destroy the arms, and must not wait.
+# A function of the host that the vendor's servo thread calls at the end of each tick, after it
+# has applied the forces. A host can step its scene here; the new forces are applied in the next
+# tick. From the first call to the return of vbss_openhaptics_destroy only this function may use
+# the context of the devices. It must not destroy the arms and must not wait.
 vbss_openhaptics_tick_fn = CFUNCTYPE(None, c_void_p, c_double)
 
 
 class vbss_openhaptics_config(ctypes.Structure):
-    """Which arms, and how. Fill it with vbss_openhaptics_config_init, then change what you need.
-    Texts are copied.
+    """Configuration of the arms. Fill it with vbss_openhaptics_config_init, then change fields.
+    The library copies the texts.
 
-    device_count: 1 (default) or 2.
+    device_count: Number of arms, 1 (default) or 2.
 
-    rate: Of the servo, Hz, 100 to 8000; default 1000. The vendor takes 500, 1000 and 2000, or
-    other ones for some arms.
+    rate: Rate of the servo, Hz, 100 to 8000; default 1000. The vendor accepts 500, 1000 and
+    2000, and other rates for some arms.
 
-    library: Path or name; NULL (default): `libHD.so`, `libHD.so.3.4` or `libHD.so.3.0`;
-    `hd.dll`; or `libHD.dylib`.
+    library: Path or name of the vendor's library; NULL (default): `libHD.so`, `libHD.so.3.4` or
+    `libHD.so.3.0`; `hd.dll`; or `libHD.dylib`.
 
-    first_name: As the vendor's set-up calls it; NULL (default): its default device, or the one
-    that is called `Default Device` or `Default PHANToM`.
+    first_name: Name of the first arm in the vendor's set-up; NULL (default): its default
+    device, or the one called `Default Device` or `Default PHANToM`.
 
-    second_name: The same of the second; default `Device2`.
+    second_name: Name of the second arm in the vendor's set-up; default `Device2`.
 
-    output: Limits of the stage in the servo, lowered to what the arms say they can; NULL
-    (default): as initialised. Copied.
+    output: Limits of the output stage in the servo, lowered to the limits that the arms report;
+    NULL (default): the initialised ones. The library copies them.
 
-    tick: NULL (default): the host steps in a thread of its own.
+    tick: Function called in each tick; NULL (default): the host steps in its own thread.
 
-    user: Handed to tick; may be NULL."""
+    user: Pointer that `tick` receives; may be NULL."""
     struct_size: int
     device_count: int
     rate: int
@@ -99,33 +99,34 @@ class vbss_openhaptics_config(ctypes.Structure):
 
 
 class vbss_openhaptics_status(ctypes.Structure):
-    """What an arm went through.
+    """Status and counts of an arm.
 
-    state: How it is.
+    state: State of the arm.
 
-    error: What the vendor's library said last of it, its code; 0: nothing.
+    error: Last error code of the vendor's library for this arm; 0: none.
 
-    internal_error: The vendor's own number for that.
+    internal_error: The vendor's internal number of that error.
 
-    ticks: Of the servo.
+    ticks: Number of ticks of the servo.
 
-    late_ticks: Ticks after which more time had passed than the servo has for one.
+    late_ticks: Ticks that began later than one tick length after the tick before.
 
     failed_ticks: Ticks without a pose.
 
-    errors: Errors that the vendor's library told of this arm.
+    errors: Errors that the vendor's library reported for this arm.
 
-    orders: Outputs of the host that were taken.
+    orders: Outputs of the host that the servo has received.
 
-    silent_ticks: Ticks with forces ramped down, as the host was silent.
+    silent_ticks: Ticks with forces ramped down because the host was silent.
 
-    temperature: Of the hottest motor, 0 to 1.
+    temperature: Temperature of the hottest motor, 0 to 1.
 
-    longest_tick: From the beginning of a tick to the end of our work in it, s.
+    longest_tick: Longest time from the beginning of a tick to the end of the library's work in
+    it, s.
 
-    force: That went out last, device's frame, N.
+    force: Force last applied, in the device's frame, N.
 
-    is_constant: 1: the pose has not changed by a bit for 1 s."""
+    is_constant: 1: the pose has been constant to the bit for 1 s."""
     struct_size: int
     state: int
     error: int
@@ -162,7 +163,7 @@ class vbss_openhaptics_status(ctypes.Structure):
 
 
 class OpenhapticsStatus(NamedTuple):
-    """What an arm went through. Fields as vbss_openhaptics_status says."""
+    """Status and counts of an arm. Fields as vbss_openhaptics_status says."""
     state: HardwareState
     error: int
     internal_error: int
@@ -179,42 +180,43 @@ class OpenhapticsStatus(NamedTuple):
 
 
 class vbss_nidaqmx_config(ctypes.Structure):
-    """Which lines, and how. Fill it with vbss_nidaqmx_config_init, then change what you need.
-    Texts are copied; a name has at most 127 bytes.
+    """Configuration of the lines. Fill it with vbss_nidaqmx_config_init, then change fields. The
+    library copies the texts; a name has at most 127 bytes.
 
-    handle_count: 1 or 2 (default).
+    handle_count: Number of handles, 1 or 2 (default).
 
-    library: Path or name; NULL (default): `libnidaqmx.so.1` or, without it,
-    `libnidaqmxbase.so`; `nicaiu.dll` on Windows. NI-DAQmx Base is recognised by its functions.
-    It needs all lines on one port, such as `Dev1/port0/line0` and `Dev1/port0/line1`, and the
-    other lines of that port stay high.
+    library: Path or name of the vendor's library; NULL (default): `libnidaqmx.so.1` or, without
+    it, `libnidaqmxbase.so`; `nicaiu.dll` on Windows. NI-DAQmx Base is recognised by its
+    functions. It needs all lines on one port, such as `Dev1/port0/line0` and
+    `Dev1/port0/line1`, and the other lines of that port stay high.
 
     first_input: Analog input of the first handle; default `Dev1/ai0`.
 
-    second_input: Of the second; default `Dev1/ai1`.
+    second_input: Analog input of the second handle; default `Dev1/ai1`.
 
-    first_line: Digital line of the first solenoid, NULL: there are no solenoids; default
+    first_line: Digital line of the first solenoid; NULL: there are no solenoids; default
     `Dev1/port0/line0`.
 
-    second_line: Of the second; default `Dev1/port0/line1`.
+    second_line: Digital line of the second solenoid; default `Dev1/port0/line1`.
 
-    terminal: Default VBSS_NIDAQMX_SINGLE_ENDED.
+    terminal: Wiring of the potentiometers; default VBSS_NIDAQMX_SINGLE_ENDED.
 
-    active_low: 1 (default): a low line lets the current flow, so that lines that nobody drives,
-    which are pulled high, are off; 0: a high one.
+    active_low: 1 (default): a low line switches the solenoid's current on, so undriven lines,
+    which are pulled high, keep it off. 0: a high line switches it on.
 
     own_thread: 1 (default): a thread of the library moves the data; 0: the host calls
     vbss_nidaqmx_pump.
 
-    low: Lowest voltage, V, -10 to 10; default -10.
+    low: Lowest input voltage, V, -10 to 10; default -10.
 
-    high: Highest voltage, above `low`, to 10; default 10.
+    high: Highest input voltage, V, above `low`, to 10; default 10.
 
     period: Time between two samples, s, 5e-4 to 1; default 0.002.
 
     timeout: Longest wait of a call for the hardware, s, 1e-3 to 10, or 0 (default): the library
-    chooses it. It starts with 0.004 s, and doubles it up to 0.064 s while calls time out. A
-    wait that the host chooses stays; the text of the handle's error says when it is too short."""
+    chooses it. It starts with 0.004 s and doubles the wait up to 0.064 s while calls time out.
+    A wait that the host sets does not change; the error text of the handle reports when it is
+    too short."""
     struct_size: int
     handle_count: int
     library: Any
@@ -251,39 +253,39 @@ class vbss_nidaqmx_config(ctypes.Structure):
 
 
 class vbss_nidaqmx_status(ctypes.Structure):
-    """What the lines went through.
+    """Status and counts of the lines.
 
-    state: How they are. REFUSING: the last read failed, or the lines are being opened again
-    after an error that passes; solenoids are off. LOST: an error that stays; the library opens
-    the lines again when it can.
+    state: State of the lines. REFUSING: the last read failed, or the lines are being reopened
+    after a transient error; solenoids are off. LOST: a permanent error; the library reopens the
+    lines when it can.
 
-    error: What the vendor's library said last, its code; 0: nothing.
+    error: Last error code of the vendor's library; 0: none.
 
-    solenoids: 1, 2: solenoids that are on.
+    solenoids: Bits 1, 2: the first, the second solenoid is on.
 
-    cycles: Rounds of write and read.
+    cycles: Rounds of one write and one read.
 
     failed_reads: Reads without a sample.
 
-    failed_writes: Writes that were not taken.
+    failed_writes: Writes that failed.
 
     warnings: Calls that succeeded with a warning.
 
-    silent_cycles: Rounds in which a solenoid was put off, as the host was silent.
+    silent_cycles: Rounds in which a solenoid was switched off because the host was silent.
 
     timeouts: Reads and writes that timed out.
 
-    reopened: How often the lines were opened again after an error.
+    reopened: Times the lines were reopened after an error.
 
-    late_rounds: Rounds at a pace at which a solenoid goes off later than its command expires.
+    late_rounds: Rounds so slow that a solenoid would switch off later than its command expires.
 
-    timeout: Longest wait of a call for the hardware, in force now, s.
+    timeout: Current longest wait of a call for the hardware, s.
 
-    round_time: Time from round to round, mean of about the last 16, s.
+    round_time: Time from round to round, mean over about the last 16 rounds, s.
 
-    off_time: Longest time from the host's last command to a solenoid that is off, at that pace,
-    s; 0: unknown. A command expires after vbss_output_result::expires, 10 ms by default; rounds
-    above half of that are too slow for it."""
+    off_time: Longest time from the host's last command until a solenoid is off, at the current
+    round time, s; 0: unknown. A command expires after vbss_output_result::expires, 10 ms by
+    default; rounds longer than half of that are too slow."""
     struct_size: int
     state: int
     error: int
@@ -320,7 +322,7 @@ class vbss_nidaqmx_status(ctypes.Structure):
 
 
 class NidaqmxStatus(NamedTuple):
-    """What the lines went through. Fields as vbss_nidaqmx_status says."""
+    """Status and counts of the lines. Fields as vbss_nidaqmx_status says."""
     state: HardwareState
     error: int
     solenoids: int

@@ -12,203 +12,204 @@ from .base import vbss_context, vbss_view
 class KnotMethod(IntEnum):
     """The constants of vbss_knot_method."""
     TOPOLOGY = 0
-    """Winding, then the topology of the closed thread."""
+    """Winding numbers, and the topology of the closed thread."""
     PROJECTION = 1
-    """Loops in a projection, as the paper does."""
+    """Loops in a projection, as in the paper."""
 
 
 class KnotHeld(IntEnum):
     """The constants of vbss_knot_held."""
     NOTHING = 0
-    """Empty jaws."""
+    """The jaws are empty."""
     THREAD = 1
-    """The thread, at a place."""
+    """The jaws hold the thread at a place."""
     NEEDLE = 2
-    """The needle, at the last point of the polyline."""
+    """The jaws hold the needle, which is at the last point of the polyline."""
 
 
 class KnotVerdict(IntEnum):
     """The constants of vbss_knot_verdict."""
     NONE = 0
-    """There is none."""
+    """There is no throw."""
     WRAPPING = 1
     """The thread winds round a tool."""
     PASSED = 2
-    """Tied if the tools withdraw with what they hold."""
+    """The throw is tied if the tools withdraw with their load."""
     FORMED = 3
-    """The ends are through; invariants agree."""
+    """The ends have passed through; invariants agree."""
     CERTIFIED = 4
-    """Its type is proved, its ends clear, its order known."""
+    """The type is proved, the ends are clear, the order is known."""
     UNCERTAIN = 5
-    """Cannot be told; `reason` says why."""
+    """The verdict is uncertain; `reason` says why."""
 
 
 class KnotReason(IntEnum):
     """The constants of vbss_knot_reason."""
     NONE = 0
-    """It is not."""
+    """The reading is certain."""
     ENDS = 1
     """Closures differ: an end lies inside the knot."""
     DEGENERATE = 2
     """The thread touches itself in every projection."""
     CAPACITY = 3
-    """The diagram has more crossings than the detector has room for, or is too wide for the Jones
+    """The diagram has more crossings than the detector's capacity, or is too wide for the Jones
     polynomial that must confirm the result."""
     CONFLICT = 4
     """Twist regions and invariants differ."""
 
 
 class KnotName(IntEnum):
-    """The constants of vbss_knot_name. "=": the next throw has the other handedness; "x": the
-    same."""
+    """The constants of vbss_knot_name. Numbers are the wraps of the throws. After "=" the next
+    throw has the opposite handedness, after "x" the same one."""
     NONE = 0
-    """No knot."""
+    """There is no knot."""
     SINGLE = 1
     """One throw of one wrap: 3_1."""
     DOUBLE = 2
-    """One of two, the surgeon's first: 5_1."""
+    """One throw of two wraps, the surgeon's first: 5_1."""
     TRIPLE = 3
-    """One of three: 7_1."""
+    """One throw of three wraps: 7_1."""
     SQUARE = 4
-    """1=1"""
+    """Square knot, 1=1."""
     GRANNY = 5
-    """1x1"""
+    """Granny knot, 1x1."""
     SURGEONS = 6
-    """2=1"""
+    """Surgeon's knot, 2=1."""
     SURGEONS_GRANNY = 7
-    """2x1"""
+    """Granny form of the surgeon's knot, 2x1."""
     FLS = 8
-    """2=1=1"""
+    """The FLS knot, 2=1=1."""
     STACK = 9
-    """Other throws; see vbss_knot_detector_get_notation."""
+    """Another stack of throws; see vbss_knot_detector_get_notation."""
     OTHER = 10
-    """A knot that is no stack of throws."""
+    """A knot that is not a stack of throws."""
 
 
 class KnotFaultBits(IntFlag):
-    """What keeps a knot from being the FLS knot 2=1=1: bits."""
+    """Bits for the differences of a knot from the FLS knot 2=1=1."""
     FIRST = 1
-    """The first throw has not two wraps."""
+    """The first throw does not have two wraps."""
     LATER = 2
-    """A later throw has not one wrap."""
+    """A later throw does not have one wrap."""
     FEW = 4
-    """Fewer than three throws."""
+    """There are fewer than three throws."""
     MANY = 8
-    """More than three."""
+    """There are more than three throws."""
     GRANNY = 16
-    """A throw of the same handedness as the one before."""
+    """A throw has the same handedness as the one before."""
     STRAY = 32
-    """A knot in one limb alone."""
+    """There is a knot in one limb alone."""
     HITCH = 64
-    """A throw turned into a half hitch, which slides."""
+    """A throw has turned into a half hitch, which slides."""
     ORDER = 128
     """The order of the throws is not known."""
     TYPE = 256
-    """Not a stack of throws."""
+    """The knot is not a stack of throws."""
     UNCERTAIN = 512
     """The reading is uncertain."""
 
 
 class KnotThrowBits(IntFlag):
-    """Flags of a throw: bits."""
+    """Bits of the flags of a throw."""
     LOCATED = 1
     """Its places on the limbs are known."""
     ORDERED = 2
-    """Its position in the stack is known: sub-chains show it, or (in vbss_knot_detector_step) the
-    throws were in this order when they were read before, and at most one came."""
+    """Its position in the stack is known: sub-chains show it. In vbss_knot_detector_step it is
+    also known if an earlier reading had the throws in this order and at most one was added."""
     GRANNY = 4
-    """Same handedness as the throw before."""
+    """The throw has the same handedness as the throw before."""
     STRAY = 8
-    """In one limb alone: not round the other."""
+    """The throw lies in one limb alone and not round the other limb."""
     HITCH = 16
-    """|slip| is at least slip_limit."""
+    """|slip| is at least `slip_limit`."""
     REVOCABLE = 32
-    """Its tail is shorter than tail_least, or undone if tools withdraw."""
+    """The tail is shorter than tail_least, or the throw is undone if the tools withdraw."""
 
 
 class KnotEvent(IntEnum):
-    """The constants of vbss_knot_event. In the view an event is followed by three numbers, told
-    here."""
+    """The constants of vbss_knot_event. In the view three numbers follow each event; each comment
+    lists them after its colon."""
     WRAPPED = 1
-    """Thread winds round a tool: tool, 1 + (turns > 0), 0."""
+    """The thread winds round a tool: tool, 1 + (turns > 0), 0."""
     UNWRAPPED = 2
-    """It does no longer: tool, 0, 0."""
+    """The thread no longer winds round a tool: tool, 0, 0."""
     WRONG_WAY = 3
-    """It winds towards the handle: tool, 0, 0."""
+    """The thread winds towards the handle: tool, 0, 0."""
     PASSED = 4
-    """A throw is tied if the tools withdraw: tool, wraps, 1 + (right-handed)."""
+    """A throw is tied as soon as the tools withdraw: tool, wraps, 1 + (right-handed)."""
     FORMED = 5
-    """A throw: its number from 0, wraps, 1 + (right-handed)."""
+    """A throw is formed: its number from 0, wraps, 1 + (right-handed)."""
     CERTIFIED = 6
-    """The same."""
+    """A throw is certified: its number from 0, wraps, 1 + (right-handed)."""
     REVOKED = 7
-    """A throw is gone or no longer sure: number, wraps, 1 + (right-handed)."""
+    """A throw is gone or uncertain: number, wraps, 1 + (right-handed)."""
     STRAY = 8
-    """A knot in one limb: number, wraps, 1 + (right-handed)."""
+    """A knot lies in one limb: number, wraps, 1 + (right-handed)."""
     UNCERTAIN = 9
     """The reading is uncertain: vbss_knot_reason, 0, 0."""
     READ = 10
-    """A reading of the topology ended: throws, name, verdict."""
+    """A reading of the topology has ended: throws, name, verdict."""
     LOST = 11
-    """Events beyond the capacity: how many, 0, 0."""
+    """Events exceeded the capacity: number of lost events, 0, 0."""
 
 
 class KnotField(IntEnum):
     """The constants of vbss_knot_field."""
     EVENTS = 0
-    """x 4 uint32_t: vbss_knot_event and its numbers, of the last step."""
+    """x 4 uint32_t: vbss_knot_event and its three numbers, of the last step."""
     LOOPS = 1
     """PROJECTION, x 4 uint32_t: tool, the two segments of the intersecting pair, 1 if the tool is
     inside; all loops of the last step."""
 
 
 class vbss_knot_detector(ctypes.Structure):
-    """A knot detector."""
+    """Finds knots in a thread, step by step."""
 
 
 class vbss_knot_config(ctypes.Structure):
-    """How to make a detector. Fill it with vbss_knot_config_init, then change what you need.
+    """Configuration of a detector. Fill it with vbss_knot_config_init, then change fields.
 
-    method: Default VBSS_KNOT_TOPOLOGY.
+    method: Method; default VBSS_KNOT_TOPOLOGY.
 
-    point_capacity: Most points of the polyline, 2 to 8192; default 1024.
+    point_capacity: Largest number of points of the polyline, 2 to 8192; default 1024.
 
-    tool_capacity: Most tools, 0 to 16; default 4.
+    tool_capacity: Largest number of tools, 0 to 16; default 4.
 
-    crossing_capacity: Most crossings that a diagram may have before it is simplified, 8 to
-    2048; default 512. A quarter of them may be left.
+    crossing_capacity: Largest number of crossings of a diagram before it is simplified, 8 to
+    2048; default 512. A quarter as many may remain afterwards.
 
-    direction_limit: Directions of projection that are tried, 1 to 64; default 6.
+    direction_limit: Largest number of directions of projection to try, 1 to 64; default 6.
 
-    closure_count: Directions in which the ends are closed besides straight outward, 0 to 16;
-    default 8.
+    closure_count: Number of directions in which the ends are closed besides straight outward, 0
+    to 16; default 8.
 
-    closure_tolerance: Of these the most that may contradict the outward closure, 0 to 16;
-    default 2. With more an end lies inside the knot, and the verdict is uncertain.
+    closure_tolerance: Largest number of these closures that may contradict the outward closure,
+    0 to 16; default 2. With more an end lies inside the knot, and the verdict is uncertain.
 
-    work_limit: TOPOLOGY: operations (about a nanosecond each) that a step spends on it at most,
-    but for the last indivisible piece, 100 to 1e9; default 8000.
+    work_limit: TOPOLOGY: largest number of operations (about a nanosecond each) in a step,
+    exceeded at most by the last indivisible operation, 100 to 1e9; default 8000.
 
-    interval: TOPOLOGY: a new reading of the topology begins this many steps after the last one
-    began, if that has ended; 0: at events only; default 20.
+    interval: TOPOLOGY: number of steps from the start of a reading to the start of the next
+    one, if the first has ended; 0: read at events only; default 20.
 
-    event_capacity: Most events of a step that are kept, 8 to 4096; default 64.
+    event_capacity: Largest number of events of a step that are kept, 8 to 4096; default 64.
 
-    tail_reach: The thread is held near its end if what hangs beyond the jaws is shorter, m, 0
-    to 1; default 0.03. Longer, it is a bight.
+    tail_reach: Largest length beyond the jaws with which the thread counts as held near its
+    end, m, 0 to 1; default 0.03. A longer one is a bight.
 
-    tail_least: A throw can be undone by its tail slipping back if that is shorter, m, 0 to 1;
-    default 0.003.
+    tail_least: Length below which a tail can slip back and undo its throw, m, 0 to 1; default
+    0.003.
 
     wrap_turns: Signed turns about a tool from which the thread is wrapped round it, 0.1 to 2;
-    default 0.75. It ends a quarter of a turn below.
+    default 0.75. The wrap ends a quarter of a turn lower.
 
-    slip_limit: |slip measure| of a throw from which it is a half hitch, 0 to 1; default 0.6.
+    slip_limit: Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1;
+    default 0.6.
 
-    plane_offset: PROJECTION: where the plane crosses the tool's axis, m from the tip towards
+    plane_offset: PROJECTION: position of the plane on the tool's axis, m from the tip towards
     the handle, -1 to 1; default -0.002, ahead of the tip.
 
-    seed: PROJECTION: of the directions of its rays; default 1."""
+    seed: PROJECTION: seed of the directions of its rays; default 1."""
     struct_size: int
     method: int
     point_capacity: int
@@ -251,17 +252,17 @@ class vbss_knot_config(ctypes.Structure):
 
 
 class vbss_knot_tool(ctypes.Structure):
-    """One tool: capsules between successive points of its axis.
+    """A tool: a chain of capsules between successive points of its axis.
 
-    point_count: Of the axis, 2 to 4.
+    point_count: Number of points of the axis, 2 to 4.
 
-    held: What its jaws hold.
+    held: Object in the jaws.
 
-    axis: From the handle (or trocar) to the tip, m; successive points differ.
+    axis: Points from the handle (or trocar) to the tip, m; successive points differ.
 
-    radius: Of each capsule, m, 0 to 1.
+    radius: Radius of each capsule, m, 0 to 1.
 
-    held_place: THREAD: place on the polyline where the jaws are; otherwise ignored."""
+    held_place: THREAD: place of the jaws on the polyline; otherwise ignored."""
     point_count: int
     held: int
     axis: Any
@@ -278,35 +279,37 @@ class vbss_knot_tool(ctypes.Structure):
 
 
 class vbss_knot_input(ctypes.Structure):
-    """What a detector is shown. Fill it with vbss_knot_input_init, then change what you need. All
-    of it is copied.
+    """Input of a detector. Fill it with vbss_knot_input_init, then set its fields. The library
+    copies all of it.
 
-    point_count: 2 to point_capacity; the default 0 is refused.
+    point_count: Number of points, 2 to point_capacity; the default 0 is refused.
 
-    points: x, y, z of each, m, each at most 1e3; from the tail's end on.
+    points: x, y, z of each point from the tail's end on, m, each coordinate at most 1e3 in
+    magnitude.
 
-    stride_bytes: From one point to the next, at least 24; default 24.
+    stride_bytes: Distance from one point to the next, bytes, at least 24; default 24.
 
-    tool_count: 0 (default) to tool_capacity.
+    tool_count: Number of tools, 0 (default) to tool_capacity.
 
-    tools: tool_count of them; may be NULL when there are none.
+    tools: Array of tool_count tools; may be NULL without tools.
 
-    hole_count: 0 (default): it is not known where the thread goes through tissue; 1: at one
-    point; 2: in at the first, out at the second. Without tissue nothing is stray, and throws
-    are told in the order in which they nest.
+    hole_count: Number of points where the thread goes through tissue. 0 (default): not known;
+    1: one point; 2: in at the first, out at the second. Without tissue no throw is stray, and
+    throws are listed in the order in which they nest.
 
-    reversed: 1: the points are given from the long limb's end on; places too count from there.
-    Default 0.
+    reversed: 1: the points start at the long limb's end, and places count from there; default
+    0.
 
-    holes: Where the holes are, m.
+    holes: Positions of the holes, m.
 
-    hole_places: Their places on the polyline; negative (default): the nearest to `holes`.
+    hole_places: Places of the holes on the polyline; negative (default): the place nearest to
+    `holes`.
 
-    away: Away from the knot into the tissue, of any length; zero (default): from the middle of
-    the thread to that of the holes.
+    away: Direction away from the knot into the tissue, of any length; zero (default): from the
+    middle of the thread to the middle of the holes.
 
-    may_have_passed: 1: the thread may have passed through itself or a tool since the last step
-    (a guard has failed, or there is none): read the topology anew. Default 0."""
+    may_have_passed: 1: the thread may have passed through itself or a tool since the last step,
+    for example without a collision guard, so the topology is read again; default 0."""
     struct_size: int
     point_count: int
     points: Any
@@ -339,28 +342,29 @@ class vbss_knot_input(ctypes.Structure):
 
 
 class vbss_knot_throw(ctypes.Structure):
-    """One throw of a knot, counted from the tissue outward.
+    """A throw of a knot. Throws are counted from the tissue outward.
 
-    verdict: FORMED or CERTIFIED.
+    verdict: Certainty, FORMED or CERTIFIED.
 
-    wraps: k, from 1 on.
+    wraps: Number of wraps, from 1 on.
 
     handedness: +1 right-handed, -1 left-handed.
 
     flags: VBSS_KNOT_THROW_ bits.
 
-    tail_places: LOCATED: from where to where it lies on the tail limb, ascending.
+    tail_places: LOCATED: first and last place on the tail limb, ascending.
 
-    long_places: The same on the long limb.
+    long_places: LOCATED: first and last place on the long limb, ascending.
 
-    slip: LOCATED: (kT - kL) / (kT + kL) of the total turning of both limbs inside the throw: 0
-    a flat half knot, +1 the tail hitched round a straight long limb, -1 the reverse.
+    slip: LOCATED: (kT - kL) / (kT + kL), with the total turning kT of the tail limb and kL of
+    the long limb inside the throw. 0: a flat half knot; +1: the tail is hitched round a
+    straight long limb; -1: the reverse.
 
-    tail_length: LOCATED: of thread between the throw and the tail's end, m.
+    tail_length: LOCATED: length of thread between the throw and the tail's end, m.
 
-    formed_step: Steps of the detector when it was first seen.
+    formed_step: Step of the detector in which the throw was first found.
 
-    reading_step: Step of the input in which it was last confirmed."""
+    reading_step: Step of the input that last confirmed the throw."""
     struct_size: int
     verdict: int
     wraps: int
@@ -391,7 +395,8 @@ class vbss_knot_throw(ctypes.Structure):
 
 
 class KnotThrow(NamedTuple):
-    """One throw of a knot, counted from the tissue outward. Fields as vbss_knot_throw says."""
+    """A throw of a knot. Throws are counted from the tissue outward. Fields as vbss_knot_throw
+    says."""
     verdict: KnotVerdict
     wraps: int
     handedness: int
@@ -405,25 +410,26 @@ class KnotThrow(NamedTuple):
 
 
 class vbss_knot_winding(ctypes.Structure):
-    """How the thread winds about one tool. Updated in every step, by both methods.
+    """Winding of the thread about one tool. Both methods update it in every step.
 
-    wrapped: 1: |turns| of the longest run reached wrap_turns, and is not a quarter below.
+    wrapped: 1: |turns| of the longest run has reached wrap_turns, and has not since fallen a
+    quarter of a turn below.
 
-    turns: Signed turns about the axis looking from the tip to the handle, of all thread beside
-    the tool, walking from the tail's to the long limb's end; what is beyond tip or handle does
-    not count.
+    turns: Signed turns about the axis, seen from the tip to the handle, walking from the tail's
+    end to the long limb's. All thread beside the tool counts; thread beyond the tip or the
+    handle does not.
 
-    run_turns: Of the run that winds most: thread beside the tool without a gap.
+    run_turns: Turns of the run that winds most. A run is thread beside the tool without a gap.
 
-    run_places: Where it begins and ends.
+    run_places: First and last place of that run.
 
-    run_heights: How far from the tip that is along the axis, m.
+    run_heights: Distance of these places from the tip along the axis, m.
 
-    sense: Along the tool while it winds, from the tissue's end of the run to the other: +1
-    towards the tip, as a throw needs; -1 towards the handle, which ties nothing; 0 neither by a
-    thread's width, or not wrapped.
+    sense: Direction along the tool in which the run winds, from its end nearer to the tissue to
+    the other. +1: towards the tip, as a throw needs; -1: towards the handle, which ties
+    nothing; 0: less than the thread's width either way, or not wrapped.
 
-    runs: How many runs there are."""
+    runs: Number of runs."""
     struct_size: int
     wrapped: int
     turns: float
@@ -446,7 +452,7 @@ class vbss_knot_winding(ctypes.Structure):
 
 
 class KnotWinding(NamedTuple):
-    """How the thread winds about one tool. Updated in every step, by both methods. Fields as
+    """Winding of the thread about one tool. Both methods update it in every step. Fields as
     vbss_knot_winding says."""
     wrapped: int
     turns: float
@@ -458,53 +464,54 @@ class KnotWinding(NamedTuple):
 
 
 class vbss_knot_state(ctypes.Structure):
-    """What a detector knows.
+    """State of a detector.
 
-    name: Of what is tied.
+    name: Name of the knot.
 
-    verdict: Of the least certain throw; UNCERTAIN when the reading is; NONE: no knot.
+    verdict: Verdict of the least certain throw; UNCERTAIN when the reading is; NONE without a
+    knot.
 
-    reason: Why it is uncertain.
+    reason: Reason why the reading is uncertain.
 
-    throw_count: Throws that are tied, at most 8.
+    throw_count: Number of tied throws, at most 8.
 
-    faults: Against the FLS knot: VBSS_KNOT_FAULT_ bits.
+    faults: Differences from the FLS knot: VBSS_KNOT_FAULT_ bits.
 
-    next_verdict: Of a throw that is being tied: NONE, WRAPPING or PASSED.
+    next_verdict: Verdict of the throw that is being tied: NONE, WRAPPING or PASSED.
 
-    next_wraps: Its wraps if the tools withdrew now; 0: it would tie nothing.
+    next_wraps: Its wraps if the tools withdrew now; 0: no throw would be tied.
 
-    next_handedness: +1, -1; 0 when there is none.
+    next_handedness: Its handedness, +1 or -1; 0 without such a throw.
 
     next_tool: The tool that the thread winds round, from 0.
 
     loops: PROJECTION: loops round a tool that one segment crosses.
 
-    undone: PROJECTION: crossings of loops that tie nothing.
+    undone: PROJECTION: number of crossings of loops that tie nothing.
 
-    crossings: Of the simplest diagram found.
+    crossings: Number of crossings of the simplest diagram found.
 
-    certified: 1: it was taken apart into twist regions.
+    certified: 1: the diagram was decomposed into twist regions.
 
-    signature: sigma; right-handed 3_1: -2.
+    signature: Signature sigma; -2 for the right-handed 3_1.
 
-    signature_tristram: Levine-Tristram at 0.27 pi.
+    signature_tristram: Levine-Tristram signature at 0.27 pi.
 
-    determinant: |Delta(-1)|.
+    determinant: Determinant |Delta(-1)|.
 
-    v2: Vassiliev invariant of degree 2 (Conway's z^2).
+    v2: Vassiliev invariant of degree 2 (coefficient of z^2 of the Conway polynomial).
 
-    v3: Of degree 3; right-handed 3_1: 1.
+    v3: Vassiliev invariant of degree 3; 1 for the right-handed 3_1.
 
-    closures: Other closures that were compared.
+    closures: Number of other closures that were compared.
 
-    closures_agreeing: Of them those that gave the same.
+    closures_agreeing: Number of other closures that gave the same result.
 
     ends_free: 1: both ends are outermost, so that all closures agree.
 
-    steps: Steps and judgements so far.
+    steps: Number of calls of vbss_knot_detector_step and vbss_knot_detector_judge.
 
-    reading_step: The one whose input the last reading is of; 0: there was none."""
+    reading_step: Step whose input the last reading used; 0: there was no reading."""
     struct_size: int
     name: int
     verdict: int
@@ -561,7 +568,7 @@ class vbss_knot_state(ctypes.Structure):
 
 
 class KnotState(NamedTuple):
-    """What a detector knows. Fields as vbss_knot_state says."""
+    """State of a detector. Fields as vbss_knot_state says."""
     name: KnotName
     verdict: KnotVerdict
     reason: KnotReason
@@ -588,29 +595,29 @@ class KnotState(NamedTuple):
 
 
 class vbss_knot_statistics(ctypes.Structure):
-    """Figures since creation.
+    """Counts since creation or reset.
 
-    readings: Readings of the topology that ended.
+    readings: Finished readings of the topology.
 
     closures: Closed curves that were read.
 
-    certified: Of them taken apart into twist regions.
+    certified: Closed curves that were decomposed into twist regions.
 
     uncertain: Readings that ended uncertain.
 
-    projections: Diagrams made.
+    projections: Diagrams that were made.
 
-    degenerate: Of them thrown away: a crossing was not certain.
+    degenerate: Diagrams rejected because a crossing was not certain.
 
-    overflows: Of them thrown away: too many crossings.
+    overflows: Diagrams rejected because of too many crossings.
 
     removed: Vertices removed by proved moves.
 
-    work: Operations spent on readings.
+    work: Operations used by readings.
 
-    most_step_work: In the step that spent most.
+    most_step_work: Largest number of operations in a step.
 
-    most_work: In the reading that took most.
+    most_work: Largest number of operations of a reading.
 
     revoked: Verdicts that were revoked."""
     struct_size: int
@@ -647,7 +654,7 @@ class vbss_knot_statistics(ctypes.Structure):
 
 
 class KnotStatistics(NamedTuple):
-    """Figures since creation. Fields as vbss_knot_statistics says."""
+    """Counts since creation or reset. Fields as vbss_knot_statistics says."""
     readings: int
     closures: int
     certified: int

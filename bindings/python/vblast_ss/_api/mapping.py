@@ -10,16 +10,16 @@ from .adapter import vbss_device_sample
 
 
 class MappingMouseBits(IntFlag):
-    """Buttons of a mouse: bits."""
+    """Bits for the buttons of a mouse."""
     TURN = 1
-    """Movements turn instead of shift."""
+    """Movements of the mouse turn the tool instead of shifting it."""
     CLOSE = 2
     """The jaws close; otherwise they open."""
 
 
 class vbss_mapping_config(ctypes.Structure):
-    """How movements of hands on a desk become a pose. Fill it with vbss_mapping_config_init, then
-    change what you need. Turns are about axes of the frame the pose is in.
+    """Mapping from mouse, keyboard or gamepad to a pose. Fill it with vbss_mapping_config_init,
+    then change fields. Rotations are about axes of the pose's frame.
 
     pad_curve: Gamepad: power of the deflection, 1 to 4; default 2.
 
@@ -28,31 +28,31 @@ class vbss_mapping_config(ctypes.Structure):
     up: Direction to the top of the screen, normal to `right`; default y. Right x up points
     towards the user.
 
-    low: Corner of the box that positions are kept in, m; default -0.1.
+    low: Lower corner of the box to which positions are confined, m; default -0.1.
 
-    high: The opposite corner; each within 1e3; default 0.1.
+    high: Upper corner of the box, m, each coordinate at most 1e3 in magnitude; default 0.1.
 
-    mouse_metres: Mouse: m a count; default 1e-4.
+    mouse_metres: Mouse: metres per count; default 1e-4.
 
-    mouse_depth: Mouse: m away from the user a notch of the wheel; default 2e-3.
+    mouse_depth: Mouse: metres away from the user per notch of the wheel; default 2e-3.
 
-    mouse_radians: Mouse, turning: rad a count; default 5e-3.
+    mouse_radians: Mouse, turning: rad per count; default 5e-3.
 
-    mouse_roll: Mouse, turning: rad about the direction of depth a notch; default 0.1.
+    mouse_roll: Mouse, turning: rad about the direction of depth per notch; default 0.1.
 
-    jaw_rate: Mouse: how fast the jaws close and open, 1/s, 0 to 1e3; default 4.
+    jaw_rate: Mouse: speed at which the jaws close and open, 1/s, 0 to 1e3; default 4.
 
-    key_metres: Keyboard: m a press; default 1e-3.
+    key_metres: Keyboard: metres per press; default 1e-3.
 
-    key_radians: Keyboard: rad a press; default 0.05.
+    key_radians: Keyboard: rad per press; default 0.05.
 
-    key_jaw: Keyboard: opening a press; default 0.1.
+    key_jaw: Keyboard: change of the opening per press; default 0.1.
 
     pad_speed: Gamepad: m/s at full deflection; default 0.1.
 
     pad_turning: Gamepad: rad/s at full deflection; default 1.
 
-    pad_dead: Gamepad: deflection that counts as none, 0 to 0.9; default 0.15."""
+    pad_dead: Gamepad: deflection that counts as zero, 0 to 0.9; default 0.15."""
     struct_size: int
     pad_curve: int
     right: Any

@@ -12,100 +12,99 @@ from .base import Method, vbss_context, vbss_view
 class MetricsTool(IntEnum):
     """The constants of vbss_metrics_tool."""
     LEFT = 0
-    """The left one,"""
+    """The left tool."""
     RIGHT = 1
-    """the right one,"""
+    """The right tool."""
     NO_TOOL = 2
-    """none, or not known: in events only."""
+    """No tool, or an unknown one; for events only."""
 
 
 class MetricsHasBits(IntFlag):
-    """Parts of a sample: bits."""
+    """Bits for the parts of a sample."""
     LEFT = 1
-    """Where the left tool is,"""
+    """The position of the left tool is valid."""
     RIGHT = 2
-    """the right one,"""
+    """The position of the right tool is valid."""
     LEFT_FORCE = 4
-    """what the left one bears,"""
+    """The force on the left tool is valid."""
     RIGHT_FORCE = 8
-    """the right one."""
+    """The force on the right tool is valid."""
 
 
 class MetricsEventKind(IntEnum):
-    """The constants of vbss_metrics_event_kind; what can be undone says so. What stands and is
-    told again is replaced."""
+    """The constants of vbss_metrics_event_kind. Each says whether it can be undone. An event that
+    is reported again replaces its predecessor."""
     NEEDLE_APPEARS = 1
     """The clock starts. Can be undone."""
     PHASE = 2
-    """A phase of the task begins: `number` names it."""
+    """The phase `number` of the task begins."""
     PUNCTURE = 3
-    """The needle has gone through at mark `number` (0, 1), off by `angle` and `axial`. Undone: it
-    was withdrawn, which is an attempt."""
+    """The needle has passed through at mark `number` (0, 1), off by `angle` and `axial`. Undone:
+    the puncture was withdrawn and counts as an attempt."""
     TAIL = 4
     """Tail `number` (0, 1) is `amount` m long. Can be undone."""
     TAIL_CUT = 5
-    """It was cut; `amount` m are left. Can be undone."""
+    """Tail `number` (0, 1) was cut; `amount` m are left. Can be undone."""
     GAP = 6
-    """The slit gapes: from `position` to `other`, and by `amount` m where it gapes most. Can be
-    undone."""
+    """The slit gapes from `position` to `other`; its widest gap is `amount` m. Can be undone."""
     THROW = 7
-    """Throw `number` (0 next to the tissue) is tied: `wraps`, `handedness`, `relation`. Told
-    again: known better. Undone: it is untied."""
+    """Throw `number` (0 next to the tissue) is tied, with `wraps`, `handedness` and `relation`. A
+    repeated event corrects them. Undone: the throw was untied."""
     TRANSFER = 8
     """`tool` took over the needle. Can be undone."""
     TRANSFER_MISSED = 9
-    """It should have, and did not. Can be undone."""
+    """`tool` should have taken over the needle, and did not. Can be undone."""
     DROP = 10
-    """What the host calls `number` was dropped. Can be undone."""
+    """The host's object `number` was dropped. Can be undone."""
     HOST = 11
-    """A penalty of the host's own: it calls it `number`, and it costs `amount` points. Can be
-    undone."""
+    """A penalty that the host defines: `number` identifies it, and it costs `amount` points. Can
+    be undone."""
     AVULSED = 12
-    """The drain was torn off. Score zero. Can be undone."""
+    """The drain was torn off. The score becomes zero. Can be undone."""
     BROKEN = 13
-    """The thread broke, or was cut early. Score zero. Can be undone."""
+    """The thread broke, or was cut early. The score becomes zero. Can be undone."""
 
 
 class MetricsRelation(IntEnum):
     """The constants of vbss_metrics_relation."""
     UNKNOWN = 0
-    """Not known,"""
+    """The relation is not known."""
     FIRST = 1
-    """there is none before,"""
+    """There is no throw before."""
     SQUARE = 2
-    """the other way round,"""
+    """The throw has the opposite handedness."""
     GRANNY = 3
-    """the same way round."""
+    """The throw has the same handedness."""
 
 
 class MetricsTightness(IntEnum):
     """The constants of vbss_metrics_tightness."""
     UNKNOWN = -1
-    """It was not pulled, or not to an end."""
+    """The knot was not pulled, or the pull test is incomplete."""
     TIGHT = 0
-    """It holds."""
+    """The knot holds."""
     SLIPS = 10
-    """It slips."""
+    """The knot slips."""
     UNTIED = 20
-    """It comes apart."""
+    """The knot comes apart."""
 
 
 class MetricsBits(IntFlag):
-    """What a report knows: bits."""
+    """Bits of the flags of a report."""
     STARTED = 1
     """The needle has appeared."""
     STOPPED = 2
-    """Both tails are cut: the time stands."""
+    """Both tails are cut, and the time has stopped."""
     PUNCTURE_0 = 4
-    """The deviation from the first mark is known,"""
+    """The deviation from the first mark is known."""
     PUNCTURE_1 = 8
-    """from the second,"""
+    """The deviation from the second mark is known."""
     GAP = 16
-    """the gap,"""
+    """The gap is known."""
     TAIL_0 = 32
-    """the length of the first tail,"""
+    """The length of the first tail is known."""
     TAIL_1 = 64
-    """of the second."""
+    """The length of the second tail is known."""
     FINISHED = 128
     """vbss_metrics_finish was called."""
     AVULSED = 256
@@ -113,10 +112,10 @@ class MetricsBits(IntFlag):
     BROKEN = 512
     """The thread broke."""
     TIMEOUT = 1024
-    """The time is up."""
+    """The time has run out."""
     FINAL = 2048
     """The score is that of a whole trial: stopped, with deviations, gap and tightness known, or
-    zero for good. Without it the score is what it would be if nothing more were found."""
+    zero for good. Without this bit the score assumes that nothing more is found."""
     TIME_LOST = 4096
     """More than `lost_share` of the time is lost. Time and score include it and do not compare
     with those of other trials."""
@@ -125,133 +124,140 @@ class MetricsBits(IntFlag):
 class MetricsPenaltyKind(IntEnum):
     """The constants of vbss_metrics_penalty_kind."""
     DEVIATION = 1
-    """A puncture off its mark, by `measure` mm."""
+    """A puncture is off its mark by `measure` mm."""
     GAP = 2
-    """The slit gapes, by `measure` mm."""
+    """The slit gapes by `measure` mm."""
     TIGHTNESS = 3
-    """The knot slips or is untied: `measure` 10 or 20."""
+    """The knot slips (`measure` is 10) or is untied (20)."""
     THROWS = 4
-    """Throws are missing: `measure` of them."""
+    """`measure` throws are missing."""
     GRANNY = 5
-    """A throw the same way round as the one before."""
+    """A throw has the same handedness as the one before."""
     ATTEMPT = 6
     """A puncture was withdrawn."""
     DROP = 7
     """Something was dropped."""
     TRANSFER = 8
-    """The needle did not change hands."""
+    """A needle transfer was missed."""
     HOST = 9
-    """A penalty of the host, of `measure` points."""
+    """A penalty of the host of `measure` points."""
     TIMEOUT = 10
-    """The time is up: all that was left."""
+    """The time has run out; it costs all remaining points."""
     AVULSED = 11
-    """The drain was torn off: all that was left."""
+    """The drain was torn off; it costs all remaining points."""
     BROKEN = 12
-    """The thread broke: all that was left."""
+    """The thread broke; it costs all remaining points."""
     INCOMPLETE = 13
-    """Finished before both tails were cut: all that was left."""
+    """The trial ended before both tails were cut; it costs all remaining points."""
     TIME_LOST = 14
-    """More than `lost_share` of the time was lost: `measure` s. It costs no points."""
+    """More than `lost_share` of the time was lost; `measure` is the lost time, s. It costs no
+    points."""
 
 
 class MetricsTask(IntEnum):
-    """The phase of a question that is about the whole task."""
+    """The `phase` argument for the whole task."""
     WHOLE = -1
-    """From the needle until both tails were cut; without a needle: all there is."""
+    """From the needle's appearance until both tails were cut; without a needle, the whole
+    recording."""
 
 
 class MetricsMotionBits(IntFlag):
-    """What could be computed of a motion: bits."""
+    """Bits for the measures of motion that could be computed."""
     LDJ = 1
-    """`ldj_length`, `ldj_speed`"""
+    """`ldj_length` and `ldj_speed` are valid."""
     SPARC = 2
-    """`sparc`: not above 40.96 s."""
+    """`sparc` is valid: the motion lasts at most 40.96 s."""
     MOVEMENTS = 4
-    """`movement_sparc`"""
+    """`movement_sparc` is valid."""
     CORRELATION = 8
-    """`correlation`"""
+    """`correlation` is valid."""
 
 
 class MetricsField(IntEnum):
-    """The constants of vbss_metrics_field. Row i is of the time of the first sample + i / 100 s."""
+    """The constants of vbss_metrics_field. Row i belongs to the time of the first sample plus i /
+    100 s."""
     LEFT_SPEED = 0
-    """x 1 double: of the left tool, m/s; 0 where it was not seen,"""
+    """x 1 double: speed of the left tool, m/s; 0 where it was not seen."""
     RIGHT_SPEED = 1
-    """of the right one."""
+    """x 1 double: speed of the right tool, m/s; 0 where it was not seen."""
     LEFT_JERK = 2
     """x 1 double: |jerk|^2 of the left tool, m^2/s^6; 0 where it was not seen for 0.25 s without a
-    gap,"""
+    gap."""
     RIGHT_JERK = 3
-    """of the right one."""
+    """x 1 double: |jerk|^2 of the right tool, m^2/s^6; 0 where it was not seen for 0.25 s without
+    a gap."""
     LEFT_FORCE = 4
-    """x 1 double: largest |force| in that hundredth, N, of the left tool,"""
+    """x 1 double: largest |force| on the left tool in that hundredth of a second, N."""
     RIGHT_FORCE = 5
-    """of the right one."""
+    """x 1 double: largest |force| on the right tool in that hundredth of a second, N."""
 
 
 class vbss_metrics(ctypes.Structure):
-    """What was measured of one trial."""
+    """The measurement of one trial."""
 
 
 class vbss_metrics_config(ctypes.Structure):
-    """How to measure. Fill it with vbss_metrics_config_init, then change what you need.
+    """Configuration of a measurement. Fill it with vbss_metrics_config_init, then change fields.
 
-    tightness_method: Whose tightness counts in the score; default VBSS_METHOD_OURS. Both are
-    always reported.
+    tightness_method: The method whose tightness counts in the score; default VBSS_METHOD_OURS.
+    Both are always reported.
 
-    throw_capacity: Records of throws, undone ones too, 1 to 4096; default 64.
+    throw_capacity: Largest number of throw records, undone throws included, 1 to 4096; default
+    64.
 
-    phase_capacity: Visits of phases, 1 to 65536; default 256.
+    phase_capacity: Largest number of phase visits, 1 to 65536; default 256.
 
-    incident_capacity: Transfers, attempts, drops, faults, 1 to 65536; default 256.
+    incident_capacity: Largest number of transfers, attempts, drops and faults, 1 to 65536;
+    default 256.
 
     throws_wanted: Throws that the knot should have, 0 to 64; default 3.
 
-    duration: Of motion there is room for, s, 1 to 7200; default 600.
+    duration: Longest motion that can be stored, s, 1 to 7200; default 600.
 
-    drain_radius: Of the cylinder with the marks, m, 1e-4 to 1; default 6.5e-3.
+    drain_radius: Radius of the cylinder that carries the marks, m, 1e-4 to 1; default 6.5e-3.
 
-    stiffness: EA of the thread, N, 1e-3 to 1e9; default 427 (silk, 0.25 mm).
+    stiffness: Axial stiffness EA of the thread, N, 1e-3 to 1e9; default 427 (silk, 0.25 mm).
 
-    pull_force: Of the pull test, N, 1e-3 to 1e3; default 2.
+    pull_force: Force of the pull test, N, 1e-3 to 1e3; default 2.
 
-    pull_time: That it must be borne, s, 0 to 1e3; default 1.
+    pull_time: Time that the knot must bear the pull, s, 0 to 1e3; default 1.
 
-    slip_limit: Tail drawn in from which a knot slips, m, 1e-6 to 1; default 1e-3.
+    slip_limit: Length of tail drawn in above which the knot slips, m, 1e-6 to 1; default 1e-3.
 
-    strain_threshold: PAPER: strain from which a knot is tight, 0 to 1; default 0: pull_force /
-    stiffness.
+    strain_threshold: VBSS_METHOD_PAPER: strain above which a knot is tight, 0 to 1; default 0,
+    which means pull_force / stiffness.
 
-    idle_speed: Below it a tool is idle, m/s, 0 to 1; default 5e-3,
+    idle_speed: Speed below which a tool becomes idle, m/s, 0 to 1; default 5e-3.
 
-    idle_release: until it is faster than this, idle_speed to 1; default 6e-3.
+    idle_release: Speed above which an idle tool moves again, m/s, idle_speed to 1; default
+    6e-3.
 
-    max_time: From which the score is zero, s, 1e-3 to 1e6; default 600.
+    max_time: Time from which the score is zero, s, 1e-3 to 1e6; default 600.
 
-    weight_deviation: Points a mm from a mark; this and all weights 0 to 1e6; default 10.
+    weight_deviation: Points per mm of deviation from a mark, 0 to 1e6; default 10.
 
-    weight_gap: Points a mm of gap; default 10.
+    weight_gap: Points per mm of gap, 0 to 1e6; default 10.
 
-    weight_tightness: Points a point of tightness (0, 10, 20); default 1.
+    weight_tightness: Points per point of tightness (0, 10, 20), 0 to 1e6; default 1.
 
-    weight_throw: Points a throw that is missing; default 0.
+    weight_throw: Points per missing throw, 0 to 1e6; default 0.
 
-    weight_granny: Points a throw that makes a granny; default 0.
+    weight_granny: Points per throw that makes a granny, 0 to 1e6; default 0.
 
-    weight_attempt: Points a puncture that was withdrawn; default 0.
+    weight_attempt: Points per puncture that was withdrawn, 0 to 1e6; default 0.
 
-    weight_drop: Points a drop; default 0.
+    weight_drop: Points per drop, 0 to 1e6; default 0.
 
-    weight_transfer: Points a needle transfer that was missed; default 0.
+    weight_transfer: Points per missed needle transfer, 0 to 1e6; default 0.
 
-    weight_host: Times the points of a penalty of the host; default 1.
+    weight_host: Factor of the points of the host's penalties, 0 to 1e6; default 1.
 
     max_speed: Largest speed of a hand, m/s, 0 to 1e6; default 2, for the upper limbs by ISO
     13855. A sample that is farther from the last one than this speed allows, plus 1 mm for
-    noise, is an outlier: see vbss_metrics_add_sample. 0: no sample is an outlier.
+    noise, is an outlier: see vbss_metrics_add_sample. With 0 no sample is an outlier.
 
-    lost_share: Share of the time, 0 to 1, above which lost time sets VBSS_METRICS_TIME_LOST;
-    default 0.02. A trial shorter than 1 s counts as 1 s."""
+    lost_share: Share of lost time above which VBSS_METRICS_TIME_LOST is set, 0 to 1; default
+    0.02. A trial shorter than 1 s counts as 1 s."""
     struct_size: int
     tightness_method: int
     throw_capacity: int
@@ -312,17 +318,19 @@ class vbss_metrics_config(ctypes.Structure):
 
 
 class vbss_metrics_sample(ctypes.Structure):
-    """Where the tools are. Fill it with vbss_metrics_sample_init, then set what there is.
+    """Positions of the tools and forces on them. Fill it with vbss_metrics_sample_init, then set
+    the known parts.
 
     valid: VBSS_METRICS_HAS_ bits; default 0.
 
-    step: Of the simulator; only told again.
+    step: Step number of the simulator; it is only passed on.
 
-    time: s, at most 1e9 in magnitude, after the last sample.
+    time: Time of the sample, s, at most 1e9 in magnitude, after the last sample.
 
-    position: Of the tips, left and right, m, each at most 1e3.
+    position: Positions of the left and the right tip, m, each coordinate at most 1e3 in
+    magnitude.
 
-    force: On the tools, N, each at most 1e6.
+    force: Forces on the left and the right tool, N, each component at most 1e6 in magnitude.
 
     time_lost: Time that the simulation has left out since its clock began, s, at most 1e9 and
     not less than in the last sample; default 0. It is part of `time`."""
@@ -346,37 +354,37 @@ class vbss_metrics_sample(ctypes.Structure):
 
 
 class vbss_metrics_event(ctypes.Structure):
-    """Something that happened. Fill it with vbss_metrics_event_init, then set what the kind wants.
+    """An event. Fill it with vbss_metrics_event_init, then set the fields of its kind.
 
-    kind: What; the default 0 is refused.
+    kind: Kind of the event; the default 0 is refused.
 
-    tool: With which tool; default VBSS_METRICS_NO_TOOL.
+    tool: The tool that was used; default VBSS_METRICS_NO_TOOL.
 
-    number: As the kind says; throws: 0 to 63; default 0.
+    number: Meaning depends on the kind; for throws 0 to 63; default 0.
 
-    undone: 1: it is no longer so; default 0.
+    undone: 1: the event is undone; default 0.
 
-    wraps: THROW: 1 single, 2 double, ..., 0 not known (default), to 64.
+    wraps: THROW: wraps, 1 single, 2 double, at most 64; default 0: not known.
 
     handedness: THROW: +1 right-handed, -1 left-handed, 0 not known (default).
 
-    relation: THROW: to the throw before; default UNKNOWN.
+    relation: THROW: relation to the throw before; default UNKNOWN.
 
-    step: Of the simulator; only told again.
+    step: Step number of the simulator; it is only passed on.
 
-    time: s, at most 1e9 in magnitude, not before what was told last.
+    time: Time, s, at most 1e9 in magnitude, not before that of the last input.
 
-    position: Where, m, each at most 1e3.
+    position: Position of the event, m, each coordinate at most 1e3 in magnitude.
 
-    force: With which force, N, each at most 1e6.
+    force: Force at the event, N, each component at most 1e6 in magnitude.
 
-    other: GAP: the other side, m, each at most 1e3.
+    other: GAP: point on the other side, m, each coordinate at most 1e3 in magnitude.
 
-    angle: PUNCTURE: about the axis, rad, -pi to pi.
+    angle: PUNCTURE: offset about the axis, rad, -pi to pi.
 
-    axial: PUNCTURE: along the axis, m, at most 1e3.
+    axial: PUNCTURE: offset along the axis, m, at most 1e3 in magnitude.
 
-    amount: As the kind says, 0 to 1e6."""
+    amount: Meaning depends on the kind; 0 to 1e6."""
     struct_size: int
     kind: int
     tool: int
@@ -415,19 +423,19 @@ class vbss_metrics_event(ctypes.Structure):
 
 
 class vbss_metrics_pull(ctypes.Structure):
-    """A reading of the pull test. Fill it with vbss_metrics_pull_init, then set what there is.
+    """A reading of the pull test. Fill it with vbss_metrics_pull_init, then set its fields.
 
-    begins: 1: a new test begins, what an earlier one found is forgotten; default 0.
+    begins: 1: a new test begins, and the results of an earlier one are discarded; default 0.
 
     tied: 1 (default): the knot is still there; 0: its topology is lost.
 
-    step: Of the simulator; only told again.
+    step: Step number of the simulator; it is only passed on.
 
-    time: s, as of events.
+    time: Time, s, at most 1e9 in magnitude, not before that of the last input.
 
-    strain: Of the thread between knot and each tool, -1 to 1.
+    strain: Strain of the thread between the knot and each tool, -1 to 1.
 
-    force: With which each tool pulls, N, 0 to 1e6.
+    force: Force with which each tool pulls, N, 0 to 1e6.
 
     drawn_in: Tail drawn into the knot since the test began, m, at most 1e3."""
     struct_size: int
@@ -454,60 +462,60 @@ class vbss_metrics_pull(ctypes.Structure):
 
 
 class vbss_metrics_report(ctypes.Structure):
-    """What is known of a trial. What is not known is 0, and its bit is not set.
+    """The results of a trial so far. An unknown value is 0, and its bit is not set.
 
-    flags: VBSS_METRICS_ bits of what is known.
+    flags: VBSS_METRICS_ bits: which values are known, and how the trial ended.
 
-    tightness_ours: By the pull test,
+    tightness_ours: Tightness by the pull test.
 
-    tightness_paper: by the strain when both tools pull.
+    tightness_paper: Tightness by the strain when both tools pull.
 
-    throw_count: Throws that stand,
+    throw_count: Number of throws in the knot.
 
-    square_count: of them square to the one before,
+    square_count: Number of throws that are square to the one before.
 
-    granny_count: granny to it,
+    granny_count: Number of throws that make a granny with the one before.
 
-    unknown_count: not known which.
+    unknown_count: Number of throws whose relation is not known.
 
-    throw_records: For vbss_metrics_get_throw: undone throws too.
+    throw_records: Number of records for vbss_metrics_get_throw, undone throws included.
 
-    phase_count: For vbss_metrics_get_phase.
+    phase_count: Number of visits for vbss_metrics_get_phase.
 
-    penalty_count: For vbss_metrics_get_penalty.
+    penalty_count: Number of penalties for vbss_metrics_get_penalty.
 
-    transfers: The needle changed hands,
+    transfers: Number of needle transfers.
 
-    transfers_missed: should have,
+    transfers_missed: Number of missed needle transfers.
 
-    attempts: punctures that were withdrawn, at each mark,
+    attempts: Number of withdrawn punctures at each mark.
 
-    drops: things that were dropped,
+    drops: Number of drops.
 
-    host_penalties: penalties of the host.
+    host_penalties: Number of penalties of the host.
 
-    samples: Samples taken.
+    samples: Number of samples accepted.
 
-    ticks: Of motion that are known, of the tool of which more are.
+    ticks: Number of ticks of motion evaluated so far, for the tool that has more of them.
 
-    ticks_lost: Beyond the room for motion: not measured.
+    ticks_lost: Number of ticks not measured because `duration` was used up.
 
-    time: From the needle until both tails were cut, or until now, s, on the clock of the hands.
-    It includes `time_lost`.
+    time: Time from the needle's appearance until both tails were cut, or until now, s, on the
+    clock of the hands. It includes `time_lost`.
 
-    deviation_mm: Of the punctures from their marks, along the drain.
+    deviation_mm: Deviation of each puncture from its mark, along the drain, mm.
 
-    gap_mm: Between the two points,
+    gap_mm: Gap between the two points of the event GAP, mm.
 
-    gap_largest_mm: where the slit gapes most.
+    gap_largest_mm: Gap where the slit gapes most, mm.
 
-    tail_mm: Of the tails, after the cut if they were.
+    tail_mm: Length of each tail, after the cut if it was cut, mm.
 
-    pull_held: Longest time the pull was borne, s.
+    pull_held: Longest time for which the knot bore the pull, s.
 
-    pull_strain: Largest strain that both sides had,
+    pull_strain: Largest strain that both sides reached.
 
-    drawn_in_mm: Most tail that was drawn in.
+    drawn_in_mm: Largest length of tail drawn in, mm.
 
     score: max_time - time - penalties, not below zero.
 
@@ -515,11 +523,12 @@ class vbss_metrics_report(ctypes.Structure):
 
     outliers: Samples of the left and the right tool left out as outliers.
 
-    jumps: Times that outliers lasted for more than 0.1 s: a new run began.
+    jumps: How often outliers lasted for more than 0.1 s, so that a new run began, for each
+    tool.
 
     time_lost: Part of `time` that the simulation left out, s.
 
-    time_simulated: `time` without `time_lost`, s."""
+    time_simulated: Time that was simulated, s: `time` minus `time_lost`."""
     struct_size: int
     flags: int
     tightness_ours: int
@@ -594,7 +603,7 @@ class vbss_metrics_report(ctypes.Structure):
 
 
 class MetricsReport(NamedTuple):
-    """What is known of a trial. What is not known is 0, and its bit is not set. Fields as
+    """The results of a trial so far. An unknown value is 0, and its bit is not set. Fields as
     vbss_metrics_report says."""
     flags: MetricsBits
     tightness_ours: MetricsTightness
@@ -631,29 +640,29 @@ class MetricsReport(NamedTuple):
 
 
 class vbss_metrics_throw(ctypes.Structure):
-    """A throw that was tied, in the order in which they were told.
+    """A throw that was tied. Records are in the order of their first events.
 
-    number: Its place in the knot, 0 next to the tissue.
+    number: Position in the knot; 0 is next to the tissue.
 
-    standing: 1: it is there; 0: it was untied.
+    standing: 1: the throw is tied; 0: it was untied.
 
-    tool: With which tool.
+    tool: The tool that tied it.
 
-    wraps: 1 single, 2 double, 0 not known.
+    wraps: Number of wraps: 1 single, 2 double, 0 not known.
 
     handedness: +1 right-handed, -1 left-handed, 0 not known.
 
-    relation: To the throw before.
+    relation: Relation to the throw before.
 
-    step: When it was told first.
+    step: Step of its first event.
 
-    time: The same, s.
+    time: Time of its first event, s.
 
-    undone_time: When it was untied, s; 0 while it stands.
+    undone_time: Time at which it was untied, s; 0 while it is tied.
 
-    position: Where, m.
+    position: Position of the throw, m.
 
-    force: With which force, N."""
+    force: Force at the throw, N."""
     struct_size: int
     number: int
     standing: int
@@ -686,8 +695,8 @@ class vbss_metrics_throw(ctypes.Structure):
 
 
 class MetricsThrow(NamedTuple):
-    """A throw that was tied, in the order in which they were told. Fields as vbss_metrics_throw
-    says."""
+    """A throw that was tied. Records are in the order of their first events. Fields as
+    vbss_metrics_throw says."""
     number: int
     standing: int
     tool: MetricsTool
@@ -702,17 +711,17 @@ class MetricsThrow(NamedTuple):
 
 
 class vbss_metrics_phase(ctypes.Structure):
-    """A visit of a phase, which may be entered again.
+    """A visit of a phase. A phase may be visited more than once.
 
-    number: The host's name of the phase.
+    number: The host's number of the phase.
 
-    ended: 1: another has begun; 0: `end` is now, or the end of the trial.
+    ended: 1: another phase has begun; 0: `end` is the current time, or the end of the trial.
 
-    step: When it was entered.
+    step: Step at which the phase began.
 
-    begin: The same, s.
+    begin: Time at which the phase began, s.
 
-    end: When it was left, s."""
+    end: Time at which the phase ended, s."""
     struct_size: int
     number: int
     ended: int
@@ -733,7 +742,8 @@ class vbss_metrics_phase(ctypes.Structure):
 
 
 class MetricsPhase(NamedTuple):
-    """A visit of a phase, which may be entered again. Fields as vbss_metrics_phase says."""
+    """A visit of a phase. A phase may be visited more than once. Fields as vbss_metrics_phase
+    says."""
     number: int
     ended: int
     step: int
@@ -742,27 +752,27 @@ class MetricsPhase(NamedTuple):
 
 
 class vbss_metrics_penalty(ctypes.Structure):
-    """One reason why the score is not max_time - time. Faults that cost nothing are told too.
+    """One reason why the score is not max_time - time. Faults that cost no points are listed too.
 
-    kind: What.
+    kind: Kind of the penalty.
 
-    number: Of the mark, throw, ... as in the event.
+    number: Number of the mark, throw or other object, as in the event.
 
-    tool: With which tool.
+    tool: The tool that was used.
 
-    step: When.
+    step: Step of the penalty.
 
-    time: The same, s.
+    time: Time of the penalty, s.
 
-    measure: How much, as the kind says.
+    measure: Size of the fault; its meaning depends on the kind.
 
-    amount: Points it took.
+    amount: Points that it costs.
 
-    position: Where, m.
+    position: Position, m.
 
-    force: With which force, N.
+    force: Force, N.
 
-    text: In words, a constant text, never NULL."""
+    text: Description, a constant string; never NULL."""
     struct_size: int
     kind: int
     number: int
@@ -791,7 +801,7 @@ class vbss_metrics_penalty(ctypes.Structure):
 
 
 class MetricsPenalty(NamedTuple):
-    """One reason why the score is not max_time - time. Faults that cost nothing are told too.
+    """One reason why the score is not max_time - time. Faults that cost no points are listed too.
     Fields as vbss_metrics_penalty says."""
     kind: MetricsPenaltyKind
     number: int
@@ -806,37 +816,39 @@ class MetricsPenalty(NamedTuple):
 
 
 class vbss_metrics_motion(ctypes.Structure):
-    """How one tool moved, and what it bore.
+    """Motion of one tool, and the force on it.
 
     valid: VBSS_METRICS_HAS_ bits.
 
-    movement_count: Movements of 0.2 s to 40.96 s between rests.
+    movement_count: Number of movements between rests that last 0.2 s to 40.96 s.
 
-    time: In which it was seen, s,
+    time: Time in which the tool was seen, s.
 
-    unseen_time: and not.
+    unseen_time: Time in which the tool was not seen, s.
 
-    path_length: m
+    path_length: Length of the path, m.
 
-    mean_speed: m/s,
+    mean_speed: Mean speed, m/s.
 
-    peak_speed: m/s.
+    peak_speed: Peak speed, m/s.
 
-    idle_time: In which it rested, s,
+    idle_time: Time in which the tool was idle, s.
 
-    idle_share: as a part of the time.
+    idle_share: Idle share of `time`, 0 to 1.
 
-    ldj_length: -ln(T^5/L^2 integral of |jerk|^2): higher is smoother,
+    ldj_length: Log dimensionless jerk by length, -ln(T^5/L^2 integral of |jerk|^2); higher is
+    smoother.
 
-    ldj_speed: -ln(T^3/v_peak^2 integral of |jerk|^2).
+    ldj_speed: Log dimensionless jerk by peak speed, -ln(T^3/v_peak^2 integral of |jerk|^2);
+    higher is smoother.
 
-    sparc: Of all of it as one movement,
+    sparc: Spectral arc length of the whole motion as one movement.
 
-    movement_sparc: mean over the movements.
+    movement_sparc: Mean spectral arc length over the movements.
 
     force_peak: Largest force, N.
 
-    force_integral: Of its magnitude over time, N s."""
+    force_integral: Integral of the magnitude of the force over time, N s."""
     struct_size: int
     valid: int
     movement_count: int
@@ -877,7 +889,7 @@ class vbss_metrics_motion(ctypes.Structure):
 
 
 class MetricsMotion(NamedTuple):
-    """How one tool moved, and what it bore. Fields as vbss_metrics_motion says."""
+    """Motion of one tool, and the force on it. Fields as vbss_metrics_motion says."""
     valid: MetricsMotionBits
     movement_count: int
     time: float
@@ -896,21 +908,21 @@ class MetricsMotion(NamedTuple):
 
 
 class vbss_metrics_bimanual(ctypes.Structure):
-    """How both tools moved together.
+    """Joint motion of both tools.
 
     valid: VBSS_METRICS_HAS_CORRELATION, or 0.
 
-    time: In which both were seen, s.
+    time: Time in which both tools were seen, s.
 
-    correlation: Pearson's, of their speeds.
+    correlation: Pearson's correlation of their speeds, -1 to 1.
 
-    both_moving_time: In which neither rested, s,
+    both_moving_time: Time in which both tools moved, s.
 
-    one_moving_time: in which one did,
+    one_moving_time: Time in which exactly one tool moved, s.
 
-    still_time: in which both did.
+    still_time: Time in which both tools were idle, s.
 
-    both_moving_share: The first of these as a part of the time."""
+    both_moving_share: `both_moving_time` as a share of `time`, 0 to 1."""
     struct_size: int
     valid: int
     time: float
@@ -933,7 +945,7 @@ class vbss_metrics_bimanual(ctypes.Structure):
 
 
 class MetricsBimanual(NamedTuple):
-    """How both tools moved together. Fields as vbss_metrics_bimanual says."""
+    """Joint motion of both tools. Fields as vbss_metrics_bimanual says."""
     valid: int
     time: float
     correlation: float

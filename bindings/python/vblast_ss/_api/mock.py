@@ -13,7 +13,7 @@ from .base import vbss_context, vbss_view
 class MockFault(IntEnum):
     """The constants of vbss_mock_fault; t0: start of the fault, v: its value."""
     NAN = 1
-    """A NaN in the position (v = 0), orientation (1), velocity (2), jaw, raw and not (3), or time
+    """A NaN in the position (v = 0), orientation (1), velocity (2), jaw and jaw_raw (3), or time
     (4)."""
     STALL = 2
     """Each read repeats the sample of t0."""
@@ -28,7 +28,7 @@ class MockFault(IntEnum):
     NORM = 7
     """Orientations of length v."""
     JUMP = 8
-    """x larger by v m."""
+    """The x coordinate is larger by v m."""
     TEMPERATURE = 9
     """A temperature of v."""
     JAW = 10
@@ -59,18 +59,18 @@ vbss_mock_measure_fn = CFUNCTYPE(None, c_void_p, c_double, POINTER(vbss_device_s
 
 
 class vbss_mock_config(ctypes.Structure):
-    """How to make a mock. Fill it with vbss_mock_config_init, then change what you need.
+    """Configuration of a mock. Fill it with vbss_mock_config_init, then change fields.
 
     fault_capacity: Largest number of faults, 0 to 4096; default 16.
 
     row_capacity: Largest number of stored rows, one for each write, 0 to 2^20; default 1024.
 
-    measure: NULL (default): the sample of vbss_mock_set_sample.
+    measure: Function of time for samples; NULL (default): the sample of vbss_mock_set_sample.
 
     user: Argument of measure; may be NULL.
 
-    capabilities: NULL (default): 6 and 3 degrees of freedom, 3.3 N, 400 N/m, 4 N s/m, 1 kHz, a
-    box of 0.15 m, all signals and outputs. Copied."""
+    capabilities: Capabilities; NULL (default): 6 and 3 degrees of freedom, 3.3 N, 400 N/m, 4 N
+    s/m, 1 kHz, a box of 0.15 m, all signals and outputs. The library copies them."""
     struct_size: int
     fault_capacity: int
     row_capacity: int

@@ -20,7 +20,7 @@ class NeedlePreset(IntEnum):
 class NeedleField(IntEnum):
     """The constants of vbss_needle_field."""
     POINTS = 0
-    """x 3: ends of the capsules' axes, m, from the tip to the swage: segment_count + 1."""
+    """x 3: ends of the capsules' axes, m, from the tip to the swage; segment_count + 1 rows."""
 
 
 class vbss_needle(ctypes.Structure):
@@ -28,33 +28,36 @@ class vbss_needle(ctypes.Structure):
 
 
 class vbss_needle_config(ctypes.Structure):
-    """How to make a needle. Fill it with vbss_needle_config_init, then change what you need.
+    """Configuration of a needle. Fill it with vbss_needle_config_init, then change fields.
 
     method: Must be that of the scene; default VBSS_METHOD_OURS.
 
     segment_count: Capsules along the arc, 2 to 64; default 8.
 
-    radius: Radius of the arc's centre line, m, 1e-4 to 1; default 10.5e-3, that of the paper.
+    radius: Radius of the arc's centre line, m, 1e-4 to 1; default 10.5e-3, the paper's radius.
 
     wire_radius: Radius of the wire, m, 1e-6 to radius / 5; default 0.35e-3 (not verified).
 
     arc: Angle from tip to swage, rad, 0.1 to 6; default pi.
 
-    density: kg/m^3, 1 to 1e5; default 7900, steel.
+    density: Density, kg/m^3, 1 to 1e5; default 7900, steel.
 
-    friction: In a scene: coefficient with other bodies, 0 to 10; default 0.2.
+    friction: Coefficient of friction with other bodies of a scene, 0 to 10; default 0.2.
 
-    drag: Both momenta decay at this rate, 1/s, 0 to 1e6; default 0.
+    drag: Decay rate of linear and angular momentum, 1/s, 0 to 1e6; default 0.
 
-    gravity: m/s^2, each at most 1e6; default 0.
+    gravity: Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default
+    0.
 
-    position: Origin of the frame, m, each at most 1e3; default 0.
+    position: Position of the frame's origin, m, each coordinate at most 1e3 in magnitude;
+    default 0.
 
-    orientation: w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0.
+    orientation: Orientation w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0.
 
-    velocity: Velocity of the origin, m/s, each at most 1e5; default 0.
+    velocity: Velocity of the origin, m/s, each component at most 1e5 in magnitude; default 0.
 
-    angular_velocity: rad/s, each at most 1e6; default 0."""
+    angular_velocity: Angular velocity, rad/s, each component at most 1e6 in magnitude; default
+    0."""
     struct_size: int
     method: int
     segment_count: int
@@ -93,21 +96,21 @@ class vbss_needle_config(ctypes.Structure):
 class vbss_needle_state(ctypes.Structure):
     """Pose and velocity of a needle.
 
-    body: Its number in its scene; 0: not in a scene.
+    body: Number of the needle in its scene; 0: not in a scene.
 
-    position: Origin of the frame, m.
+    position: Position of the frame's origin, m.
 
-    orientation: w, x, y, z, unit.
+    orientation: Orientation, unit quaternion w, x, y, z.
 
     velocity: Velocity of the origin, m/s.
 
-    angular_velocity: rad/s.
+    angular_velocity: Angular velocity, rad/s.
 
-    tip: m.
+    tip: Position of the tip, m.
 
     tip_direction: Unit vector out of the tip.
 
-    swage: m.
+    swage: Position of the swage, m.
 
     swage_direction: Unit vector of the thread, away from the needle."""
     struct_size: int
@@ -151,7 +154,7 @@ class NeedleState(NamedTuple):
 class vbss_needle_mass(ctypes.Structure):
     """Mass and inertia of a needle.
 
-    mass: kg.
+    mass: Mass, kg.
 
     length: Length of the centre line, m.
 
@@ -193,7 +196,7 @@ class vbss_needle_energies(ctypes.Structure):
 
     kinetic: Kinetic energy of translation and rotation.
 
-    gravity: Zero at the world's origin.
+    gravity: Potential energy, zero at the world's origin.
 
     total: Their sum."""
     struct_size: int

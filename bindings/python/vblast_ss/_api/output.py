@@ -10,7 +10,7 @@ from .base import vbss_context
 
 
 class OutputBits(IntFlag):
-    """Actions of an output stage in a step: bits."""
+    """Bits for the actions of an output stage in a step."""
     NOT_FINITE = 1
     """A number was NaN or infinite: all off."""
     FAULT = 2
@@ -42,13 +42,13 @@ class OutputBits(IntFlag):
 
 
 class vbss_output(ctypes.Structure):
-    """An output stage alone, for hosts with a device layer of their own."""
+    """An output stage on its own, for hosts with their own device layer."""
 
 
 class vbss_output_config(ctypes.Structure):
-    """Limits of an output stage. Fill it with vbss_output_config_init, then change what you need.
-    A device lowers them to the capabilities of its adapters, and its timeouts are at least 2.5
-    of their periods.
+    """Limits of an output stage. Fill it with vbss_output_config_init, then change fields. A
+    device lowers them to the capabilities of its adapters, and its timeouts are at least 2.5 of
+    their periods.
 
     max_force: Largest force, N, 0 to 1e3; default 3.
 
@@ -117,15 +117,16 @@ class vbss_output_config(ctypes.Structure):
 
 
 class vbss_output_command(ctypes.Structure):
-    """Command to an output stage. Fill it with vbss_output_command_init, then set what you need.
+    """Command to an output stage. Fill it with vbss_output_command_init, then set its fields.
 
     solenoid: 1: on; default 0.
 
     fault: 1: the device refuses forces; default 0.
 
-    force: N; for a device: in the world. A flag reports numbers that are not finite.
+    force: Force, N; for a device, in the world's frame. A flag reports numbers that are not
+    finite.
 
-    torque: N m, likewise.
+    torque: Torque, N m; for a device, in the world's frame.
 
     age: Age of the command, s, such as that of the anchor it was computed from; default 0.
 
@@ -276,9 +277,9 @@ class vbss_output_result(ctypes.Structure):
 
     solenoid: 1: on, 0: off.
 
-    force: N; for an adapter: in the device's frame.
+    force: Force, N; for an adapter, in the device's frame.
 
-    torque: N m.
+    torque: Torque, N m; for an adapter, in the device's frame.
 
     force_load: Mean square force over the square of its limit; 1: at the limit.
 

@@ -12,40 +12,41 @@ from .thread import vbss_thread_attachment
 
 
 class InputKind(IntEnum):
-    """The constants of vbss_input_kind, with the words and numbers of each. They are numbers of
-    the format."""
+    """The constants of vbss_input_kind, with their words and their numbers. The log format uses
+    the same constants."""
     MOVE_RIGID = 1
-    """Body, whether turned; position 3, orientation 4."""
+    """Words: body, 1 if turned. Numbers: position (3), orientation (4)."""
     PIN = 2
-    """Thread, node, body, whether at a point; point 3."""
+    """Words: thread, node, body, 1 if at a point. Numbers: point (3)."""
     UNPIN = 3
-    """Pin."""
+    """Words: pin."""
     ATTACH = 4
-    """Thread, kind, node; position 3, direction 3, force 3, stiffness, damping, mass."""
+    """Words: thread, kind, node. Numbers: position (3), direction (3), force (3), stiffness,
+    damping, mass."""
     MOVE = 5
-    """Thread, attachment, whether directed; target 3, direction 3."""
+    """Words: thread, attachment, 1 if directed. Numbers: target (3), direction (3)."""
     DETACH = 6
-    """Thread, attachment."""
+    """Words: thread, attachment."""
     CUT = 7
-    """Thread; arc length."""
+    """Words: thread. Numbers: arc length."""
     MOVE_GRASPER = 8
-    """Grasper, whether turned; position 3, orientation 4."""
+    """Words: grasper, 1 if turned. Numbers: position (3), orientation (4)."""
     SET_OPENING = 9
-    """Grasper; opening."""
+    """Words: grasper. Numbers: opening."""
     EXCHANGE = 10
-    """Grasper, kind."""
+    """Words: grasper, kind."""
 
 
 class ReplayOutcome(IntEnum):
     """The constants of vbss_replay_outcome."""
     STEPPED = 0
-    """On its way; all hashes so far agree."""
+    """The replay has not ended; all hashes so far agree."""
     ENDED = 1
-    """The log has ended as it should; all hashes agree."""
+    """The log has ended with its end record; all hashes agree."""
     DIFFERS = 2
     """The state after `step` is not the recorded one."""
     STOPPED = 3
-    """The call has failed: the log is cut off or damaged, or a step is refused."""
+    """The call has failed: the log is truncated or damaged, or the scene refused a step."""
 
 
 class vbss_record(ctypes.Structure):
@@ -57,25 +58,25 @@ class vbss_replay(ctypes.Structure):
 
 
 class vbss_record_config(ctypes.Structure):
-    """How to write a log. Fill it with vbss_record_config_init, then change what you need.
+    """Configuration of a record. Fill it with vbss_record_config_init, then change fields.
 
-    hash_interval: The state is hashed every so many steps, 1 to 1e9; default 1.
+    hash_interval: Number of steps between hashes of the state, 1 to 1e9; default 1.
 
-    input_capacity: Most inputs before a step, 0 to 65536; default 64.
+    input_capacity: Largest number of inputs before a step, 0 to 65536; default 64.
 
     note_bytes: Size of the note, at most 2^24; default 0.
 
-    buffer_bytes: Room for what the host has not taken yet, beyond the begin of the log, in
-    bytes, 4096 to 2^30; default 2^20. A step needs room for its largest form: 274 where two
-    rigid bodies move, 332 where two graspers move and open. Smooth movements take about a tenth
-    of that in the log.
+    buffer_bytes: Size of the buffer for bytes that the host has not taken yet, without the
+    beginning of the log, bytes, 4096 to 2^30; default 2^20. A step is coded in at most 274
+    bytes when two rigid bodies move, and 332 when two graspers move and open. Smooth movements
+    take about a tenth of that in the log.
 
-    note: Anything the host wants to find in the log again, such as what its scene is made from;
-    NULL (default) when note_bytes is 0. Copied.
+    note: Data of the host that the log stores, such as a description of its scene; default
+    NULL, allowed when note_bytes is 0. The library copies it.
 
-    snapshot_interval: A snapshot of the scene is put in the log every so many steps, 0 to 1e9;
-    0: only at the begin; default 2000. vbss_replay_seek goes on from them. One that finds no
-    room in the buffer waits for a later step that has it."""
+    snapshot_interval: Number of steps between snapshots of the scene in the log, 0 to 1e9;
+    default 2000. With 0 there is only the first snapshot. vbss_replay_seek starts from
+    snapshots. A snapshot that does not fit in the buffer is written after a later step."""
     struct_size: int
     hash_interval: int
     input_capacity: int
@@ -98,17 +99,17 @@ class vbss_record_config(ctypes.Structure):
 
 
 class vbss_log_input(ctypes.Structure):
-    """One thing that a host has told a scene.
+    """One input of the host.
 
-    kind: What.
+    kind: Kind of the input.
 
-    word_count: Of the words below.
+    word_count: Number of valid entries in `words`.
 
-    number_count: Of the numbers below.
+    number_count: Number of valid entries in `numbers`.
 
-    words: As vbss_input_kind says.
+    words: Words; vbss_input_kind lists their meanings.
 
-    numbers: The same."""
+    numbers: Numbers; vbss_input_kind lists their meanings."""
     kind: int
     word_count: int
     number_count: int
@@ -127,30 +128,30 @@ class vbss_log_input(ctypes.Structure):
 
 
 class vbss_log_step(ctypes.Structure):
-    """What a log says of a step.
+    """A step as the log describes it.
 
-    hashed: 1: the hash is there.
+    hashed: 1: `hash` is valid.
 
-    number: From 1 on.
+    number: Number of the step, from 1 on.
 
-    hash: Of the scene after it; 0 if it was not hashed.
+    hash: Hash of the scene after the step; 0 if it was not hashed.
 
-    position: Byte of the log at which what follows it begins.
+    position: Byte of the log just after this step.
 
-    h: Its length, s.
+    h: Length of the step, s.
 
-    time: Sum of the lengths up to it, s: the clock of the hands.
+    time: Sum of the lengths of the steps up to this one, s: the clock of the hands.
 
-    inputs: What was told before it, in that order.
+    inputs: Inputs before the step, in their order.
 
-    events: x 4, as in VBSS_SCENE_VIEW_EVENTS: what happened in it.
+    events: x 4: the events of the step, as in VBSS_SCENE_VIEW_EVENTS.
 
-    input_count: Of inputs.
+    input_count: Number of inputs.
 
-    event_count: Of events: four words each.
+    event_count: Number of events; each has four words.
 
     time_lost: Part of `h` that the scene has left out, s, by VBSS_EVENT_CLAMPED. Each such
-    event is up to h / 65536 too small. A paused step may be reported in a later one."""
+    event is up to h / 65536 too small. A step may report the time of an earlier paused step."""
     struct_size: int
     hashed: int
     number: int
@@ -181,7 +182,7 @@ class vbss_log_step(ctypes.Structure):
 
 
 class LogStep(NamedTuple):
-    """What a log says of a step. Fields as vbss_log_step says."""
+    """A step as the log describes it. Fields as vbss_log_step says."""
     hashed: int
     number: int
     hash: int
@@ -196,36 +197,36 @@ class LogStep(NamedTuple):
 
 
 class vbss_log_report(ctypes.Structure):
-    """What is in a log, and what is wrong with it. The counts are those of its good part, before
-    the first fault.
+    """Contents and faults of a log. The counts cover its good part, before the first fault.
 
-    result: VBSS_OK, or of the first fault; VBSS_ERROR_TRUNCATED: it is cut off.
+    result: VBSS_OK, or the result of the first fault; VBSS_ERROR_TRUNCATED when the log is
+    truncated.
 
-    ended: 1: the end is there.
+    ended: 1: the log has its end record.
 
-    fault_count: Of faults, of which the first eight are told below.
+    fault_count: Number of faults. The arrays below hold the first eight.
 
     log_bytes: Size of the log.
 
-    good_bytes: Of its good part, which replays.
+    good_bytes: Size of its good part, which can be replayed.
 
-    steps: Complete ones.
+    steps: Number of complete steps.
 
-    inputs: Told before them.
+    inputs: Number of inputs before these steps.
 
-    events: In them.
+    events: Number of events in these steps.
 
-    snapshots: With that at the begin.
+    snapshots: Number of snapshots, the first one included.
 
-    time: Sum of their lengths, s: the clock of the hands.
+    time: Sum of the lengths of these steps, s: the clock of the hands.
 
-    fault_positions: Bytes of the log.
+    fault_positions: Positions of the faults, as bytes of the log.
 
-    fault_problems: Constant texts, in English.
+    fault_problems: Descriptions of the faults, constant English strings.
 
     fault_results: VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION.
 
-    time_lost: Part of `time` that the scene has left out, s: see vbss_log_step.time_lost."""
+    time_lost: Part of `time` that the scene has left out, s; see vbss_log_step.time_lost."""
     struct_size: int
     result: int
     ended: int
@@ -262,8 +263,8 @@ class vbss_log_report(ctypes.Structure):
 
 
 class LogReport(NamedTuple):
-    """What is in a log, and what is wrong with it. The counts are those of its good part, before
-    the first fault. Fields as vbss_log_report says."""
+    """Contents and faults of a log. The counts cover its good part, before the first fault. Fields
+    as vbss_log_report says."""
     result: Result
     ended: int
     fault_count: int
@@ -281,21 +282,22 @@ class LogReport(NamedTuple):
 
 
 class vbss_replay_info(ctypes.Structure):
-    """What a log says about itself.
+    """General information on a log.
 
-    library_version: Of the library that wrote it, as VBSS_VERSION_NUM.
+    library_version: Version of the library that wrote the log, as VBSS_VERSION_NUM.
 
-    hash_interval: As it was recorded.
+    hash_interval: Number of steps between hashes.
 
     note_bytes: Size of the note.
 
-    snapshot_bytes: Size of the snapshot it begins with, unpacked.
+    snapshot_bytes: Size of the first snapshot, unpacked.
 
-    log_bytes: Size of the log, what may be cut off or damaged included.
+    log_bytes: Size of the log, truncated and damaged parts included.
 
-    build_info: Of the library that wrote it; lives as long as the replay.
+    build_info: Build information of the library that wrote the log; valid as long as the replay
+    lives.
 
-    note: The host's note; never NULL; lives as long as the replay."""
+    note: The host's note; never NULL; valid as long as the replay lives."""
     struct_size: int
     library_version: int
     hash_interval: int
@@ -318,7 +320,7 @@ class vbss_replay_info(ctypes.Structure):
 
 
 class ReplayInfo(NamedTuple):
-    """What a log says about itself. Fields as vbss_replay_info says."""
+    """General information on a log. Fields as vbss_replay_info says."""
     library_version: int
     hash_interval: int
     note_bytes: int
@@ -329,18 +331,18 @@ class ReplayInfo(NamedTuple):
 
 
 class vbss_replay_report(ctypes.Structure):
-    """Where a replay is, and what it has found.
+    """Position and outcome of a replay.
 
-    outcome: How far it is.
+    outcome: Outcome so far.
 
-    step: Number of the last step that was made, from 1 on; 0: none.
+    step: Number of the last step that was made, from 1 on; 0: no step.
 
-    agreed_step: Number of the last step whose hash was recorded and agrees; 0: only the begin
-    does. The first step that differs comes after it and is `step` at the latest.
+    agreed_step: Number of the last step whose recorded hash agrees; 0: only the initial state
+    agrees. The first step that differs comes after this one, and not after `step`.
 
-    recorded_hash: After `step`; 0 where none was recorded.
+    recorded_hash: Recorded hash after `step`; 0 if none was recorded.
 
-    found_hash: Of the scene that is replayed; 0 where none was recorded.
+    found_hash: Hash of the replayed scene after `step`; 0 if none was recorded.
 
     position: Byte of the log at which the next record begins."""
     struct_size: int
@@ -363,7 +365,7 @@ class vbss_replay_report(ctypes.Structure):
 
 
 class ReplayReport(NamedTuple):
-    """Where a replay is, and what it has found. Fields as vbss_replay_report says."""
+    """Position and outcome of a replay. Fields as vbss_replay_report says."""
     outcome: ReplayOutcome
     step: int
     agreed_step: int

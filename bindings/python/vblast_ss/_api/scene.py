@@ -16,12 +16,13 @@ from .thread import vbss_thread
 class SceneMode(IntEnum):
     """The constants of vbss_scene_mode."""
     REAL_TIME = 0
-    """A step has a limit of work and of attempts, so that it ends in time, and a call has one: see
-    `work_limit` and `slot_limit`. What is not done by then waits, and what would wait too long
-    is counted in `paused`. Tight knots of many throws slip a little early for it."""
+    """The work and the attempts of a step are limited, and the work of a call, so that it ends in
+    time: see `work_limit` and `slot_limit`. Work left over is deferred to the next call. Time
+    that would be deferred too long is left out and counted in `paused`. As a result tight knots
+    of many throws slip a little early."""
     OFFLINE = 1
-    """All the work it takes; halves as often as halving_limit allows, and is cut short only after
-    that, which is counted in `clamped`. For experiments."""
+    """A step takes all the work that it needs. It is halved as often as halving_limit allows, and
+    only then truncated, which is counted in `clamped`. For experiments."""
 
 
 class OverlapPolicy(IntEnum):
@@ -29,7 +30,7 @@ class OverlapPolicy(IntEnum):
     WARN = 0
     """The body is added; a warning in the log names the other body and the depth."""
     REFUSE = 1
-    """VBSS_ERROR_OUT_OF_RANGE; nothing has changed."""
+    """The call returns VBSS_ERROR_OUT_OF_RANGE, and nothing has changed."""
     ALLOW = 2
     """The body is added without a check."""
 
@@ -37,30 +38,31 @@ class OverlapPolicy(IntEnum):
 class RigidKind(IntEnum):
     """The constants of vbss_rigid_kind."""
     DRIVEN = 0
-    """Exactly as told; stopped only by the guard."""
+    """The body follows its target exactly; only the guard can stop it."""
     COUPLED = 1
-    """A proxy, tied to the pose it is told by a virtual coupling."""
+    """The body is a proxy that a virtual coupling ties to its target."""
     FREE = 2
-    """As forces say."""
+    """The body moves under forces."""
 
 
 class SceneField(IntEnum):
     """The constants of vbss_scene_field. Contacts are those that carried a force at the end of the
-    last step, in the order of their features; of method PAPER, those that were responded to."""
+    last step, in the order of their features. With method PAPER they are those with a response."""
     CONTACTS = 0
-    """x 5 uint32_t: vbss_contact_kind, body a, feature a, body b, feature b. A feature is a
-    segment or a node of a thread, a capsule of a rigid body (times two plus its end, where an
-    end is meant), a node, a triangle or a side of a drain, 0 of the floor. Sides of a drain's
-    triangles are numbered each once, in the order of their two nodes, the lower node first."""
+    """x 5 uint32_t: vbss_contact_kind, body a, feature a, body b, feature b. Features are segments
+    or nodes of a thread, capsules of a rigid body (2 times the capsule, plus the end if an end
+    touches), and nodes, triangles or sides of a drain; the floor has feature 0. Each side of a
+    drain's triangles is numbered once, in the order of its two nodes, the lower node first."""
     CONTACT_POINTS = 1
-    """x 3: between the two surfaces, m."""
+    """x 3: point between the two surfaces, m."""
     CONTACT_NORMALS = 2
-    """x 3: unit, from b to a."""
+    """x 3: unit normal from b to a."""
     CONTACT_FORCES = 3
-    """x 3: of b on a, N. Where a search for contact states ran out of work, those with which all
-    bodies balance: they miss the law by the residual, and may pull."""
+    """x 3: force of b on a, N. When a search for contact states has exhausted its work limit,
+    these are forces with which all bodies balance. They miss the contact law by the residual,
+    and may pull."""
     CONTACT_GAPS = 4
-    """Distance of the surfaces, negative when they overlap, m."""
+    """x 1: distance of the surfaces, m; negative when they overlap."""
     EVENTS = 5
     """x 4 uint32_t: vbss_event_kind, two bodies, a number."""
 
@@ -70,83 +72,86 @@ class ContactKind(IntEnum):
     SEGMENTS = 0
     """Two segments of threads."""
     NODE_CAPSULE = 1
-    """A smoothed point of a fine thread, and a capsule."""
+    """A smoothed point of a fine thread and a capsule."""
     SEGMENT_CAPSULE = 2
-    """A segment of a coarse thread, and a capsule."""
+    """A segment of a coarse thread and a capsule."""
     NODE_FLOOR = 3
-    """A node of a thread, and the floor."""
+    """A node of a thread and the floor."""
     CAPSULES = 4
     """Two capsules of different bodies."""
     CAPSULE_FLOOR = 5
-    """An end of a capsule, and the floor."""
+    """An end of a capsule and the floor."""
     GRASP = 6
-    """One of the three points of a thread that a grasper holds, three times the place of the grasp
-    among all plus which of them; or of a needle or a drain, which of them; and 0 of the
-    grasper."""
+    """A held point and a grasper. The feature of a thread is 3 times the index of the grasp plus
+    the index of one of its three held points. The feature of a needle or a drain is the index
+    of the held point. The feature of the grasper is 0."""
     POINT_FACE = 7
-    """A node of a thread, an end of a capsule or a node of a drain, and a triangle of a drain."""
+    """A node of a thread, an end of a capsule or a node of a drain, with a triangle of a drain."""
     SIDES = 8
-    """A segment of a thread, a capsule or a side of a drain's triangle, and a side of a drain's
+    """A segment of a thread, a capsule or a side of a drain's triangle, with a side of a drain's
     triangle."""
     DRAIN_FLOOR = 9
-    """A node of a drain, and the floor."""
+    """A node of a drain and the floor."""
     HOLE = 10
-    """A needle or a thread, the place of the hole among all; and 0 of the drain. The normal is
-    along the suture. PAPER: where particles were moved."""
+    """A needle or a thread in a hole of a drain. The feature of the suture is the index of the
+    hole; the feature of the drain is 0. The normal is along the suture. PAPER: a place where
+    particles were moved."""
 
 
 class EventKind(IntEnum):
-    """The constants of vbss_event_kind."""
+    """The constants of vbss_event_kind. Each comment lists the three numbers after its colon."""
     TOUCH = 1
-    """Two bodies that did not touch do; a body with itself too."""
+    """Two bodies have come into contact, or a body with itself: body, body, 0."""
     PART = 2
-    """Two bodies that touched do no longer."""
+    """Two bodies in contact have separated: body, body, 0."""
     CLAMPED = 3
-    """A step was cut short, or paused; the number is the share of it in 1/65536 that was lost."""
+    """A step was truncated or paused; the third number is the lost share of the step in 1/65536."""
     LOST = 4
-    """Events beyond the capacity; the number says how many."""
+    """Events exceeded the capacity; the third number is the number of lost events."""
     GRASP = 5
-    """Jaws hold a thread, a needle or a wall: that, grasper, arc length in um; of a wall a
-    triangle that they hold."""
+    """Jaws have grasped a body: thread, needle or drain; grasper; arc length in um, or for a drain
+    a held triangle."""
     RELEASE = 6
-    """They have opened and let it go: the same."""
+    """Jaws have opened and released a body: numbers as for GRASP."""
     TORN = 7
-    """It was pulled out of them: the same."""
+    """A body was pulled out of the jaws: numbers as for GRASP."""
     SLIP = 8
-    """It begins to slide through them, or to turn in them: the same."""
+    """A body begins to slide through the jaws, or to turn in them: numbers as for GRASP."""
     GRASP_LOST = 9
-    """Beyond grasp_capacity: thread, grasper; it is not held."""
+    """A grasp exceeded grasp_capacity, so the body is not held: thread, grasper, 0."""
     CUT = 10
-    """A thread, its new piece, and the arc length of the cut in um; 0 in place of the piece: it
-    would have been cut, but all its cuts are made."""
+    """A thread was cut: thread, its new piece, arc length of the cut in um. The second number is 0
+    if the thread had no cuts left and stayed whole."""
     EXCHANGED = 11
-    """A grasper, 0, and what it is now."""
+    """An instrument was exchanged: grasper, 0, new kind."""
     NOT_EXCHANGED = 12
-    """A grasper, 0, and what it was to be."""
+    """An instrument was not exchanged: grasper, 0, wanted kind."""
     PUNCTURE = 13
-    """A needle's tip enters a wall, PAPER: has gone through: needle, drain, id of the hole
-    (vbss_scene_get_hole)."""
+    """A needle's tip has entered a wall (PAPER: has gone through it): needle, drain, id of the
+    hole (vbss_scene_get_hole)."""
     WITHDRAWN = 14
-    """The tip has left the hole the way it came: the same."""
+    """The tip has left the hole backwards: needle, drain, id of the hole."""
     PASSED = 15
-    """The needle has gone through it, swage and all; the thread follows: the same."""
+    """The needle and its swage have passed through the hole, and the thread follows: needle,
+    drain, id of the hole."""
     HOLE_LOST = 16
-    """Beyond hole_capacity the wall holds: needle, drain, 0."""
+    """A hole exceeded hole_capacity, so the wall is not pierced: needle, drain, 0."""
     RETURNED = 17
-    """The swage has come back through it: the needle is in it again: the same."""
+    """The swage has come back through the hole, and the needle is in it again: needle, drain, id
+    of the hole."""
     UNTHREADED = 18
     """An end of a thread has left the hole: thread, drain, id of the hole."""
     BLOCKED = 19
-    """Bodies are held back, for the first time since a while: the two bodies of vbss_blocker, its
-    cause."""
+    """Two bodies hold each other back: both bodies of vbss_blocker, its cause. Reported once until
+    they have moved freely again."""
     UNBLOCKED = 20
-    """They have moved freely for 0.1 s: the same numbers."""
+    """Two bodies have moved freely for 0.1 s after BLOCKED: both bodies, cause."""
 
 
 class BlockerCause(IntEnum):
     """The constants of vbss_blocker_cause."""
     WORK = 0
-    """The limit of work of the step was exhausted."""
+    """The work limit of the step was exhausted."""
     COLLISION = 1
     """The bodies would pass through each other, or come too near."""
     PENETRATION = 2
@@ -158,113 +163,117 @@ class BlockerCause(IntEnum):
 
 
 class vbss_scene(ctypes.Structure):
-    """A scene."""
+    """Bodies that touch each other and are stepped together."""
 
 
 class vbss_scene_config(ctypes.Structure):
-    """How to make a scene. Fill it with vbss_scene_config_init, then change what you need.
+    """Configuration of a scene. Fill it with vbss_scene_config_init, then change fields.
 
-    method: Default VBSS_METHOD_OURS; threads must have the same.
+    method: Method; default VBSS_METHOD_OURS. Bodies of the scene must have the same method.
 
-    mode: Default VBSS_MODE_REAL_TIME.
+    mode: Mode; default VBSS_MODE_REAL_TIME.
 
-    thread_capacity: Most threads at a time, 0 to 64; default 4.
+    thread_capacity: Largest number of threads at a time, 0 to 64; default 4.
 
-    node_capacity: Most nodes of all threads, 0 to 8192; default 1024.
+    node_capacity: Largest number of nodes of all threads, 0 to 8192; default 1024.
 
-    rigid_capacity: Most rigid bodies, graspers too, 0 to 256; default 4.
+    rigid_capacity: Largest number of rigid bodies and graspers, 0 to 256; default 4.
 
-    capsule_capacity: Most capsules of all of them, 0 to 4096; default 16.
+    capsule_capacity: Largest number of capsules of these bodies, 0 to 4096; default 16.
 
-    pin_capacity: Most pins at a time, 0 to 256; default 8.
+    pin_capacity: Largest number of pins at a time, 0 to 256; default 8.
 
-    contact_capacity: Most contacts that may close at a time, 0 to 65536; default 1024.
+    contact_capacity: Largest number of contacts that may close at a time, 0 to 65536; default
+    1024.
 
-    candidate_capacity: Most pairs looked at, 0 to 1e7; default 16384.
+    candidate_capacity: Largest number of candidate pairs, 0 to 1e7; default 16384.
 
-    event_capacity: Most events of a step that are kept, 0 to 65536; default 256.
+    event_capacity: Largest number of events of a step that are kept, 0 to 65536; default 256.
 
-    floor: 1: there is a floor, all that is above a plane; default 0.
+    floor: 1: a floor fills the half-space below a plane; default 0.
 
-    floor_normal: Up, of any length from 1e-100 to 1e100; default (0, 1, 0).
+    floor_normal: Direction up, of any length from 1e-100 to 1e100; default (0, 1, 0).
 
-    floor_height: Of the plane along its normal, m, each at most 1e3; default 0.
+    floor_height: Height of the plane along its normal, m, at most 1e3 in magnitude; default 0.
 
-    floor_friction: Coefficient, 0 to 10; default 0.3.
+    floor_friction: Coefficient of friction of the floor, 0 to 10; default 0.3.
 
-    thread_friction: Coefficient of friction of threads with each other, 0 to 10; default 0.3
-    (silk on silk; the literature has 0.1 to 0.4).
+    thread_friction: Coefficient of friction between threads, 0 to 10; default 0.3 (silk on
+    silk; the literature has 0.1 to 0.4).
 
     contact_stiffness: Normal and tangential stiffness of a contact, N/m, 1e3 to 1e9; default
     2e5: 5 um at 1 N.
 
-    contact_margin: Contacts are looked for within this distance beyond touching and what things
-    may approach each other in the step, m, 0 to 0.1; default 3e-5. More costs time, less costs
-    retries.
+    contact_margin: Distance for the contact search, beyond the contact distance and the
+    possible approach in the step, m, 0 to 0.1; default 3e-5. A larger margin costs time; a
+    smaller one costs retries.
 
     stretch_tolerance: Largest stretch error that a step may leave, 1e-9 to 1e-1; default 1e-3.
 
     penetration_tolerance: Largest penetration that a step may leave, as a share of the diameter
-    of the thinner one, 1e-3 to 0.5; default 0.1. A state that has more may only have less
-    afterwards.
+    of the thinner body, 1e-3 to 0.5; default 0.1. From a state with more penetration a step is
+    accepted if it reduces it.
 
-    linearisation_limit: Of an attempt, 1 to 100; default 12.
+    linearisation_limit: Largest number of linearisations of an attempt, 1 to 100; default 12.
 
-    state_limit: Solves for the states of the contacts in a linearisation, 1 to 1000; default
-    36.
+    state_limit: Largest number of solves for the contact states in a linearisation, 1 to 1000;
+    default 36.
 
     halving_limit: How often a step may be halved, 0 to 10; default 5.
 
-    attempt_limit: REAL_TIME: attempts in a step after which what is left of it waits, 1 to
-    1000; default 3. Without a work_limit nothing waits: what is left is tried once a part, and
-    cut short where it would harm.
+    attempt_limit: REAL_TIME: number of attempts in a step after which the rest of the step is
+    left out, 1 to 1000; default 3. Without a work_limit nothing is left out: each remaining
+    part is tried once, and truncated if necessary.
 
-    paper_pass_limit: PAPER: passes of detection and response in a step, 1 to 1000; default 4.
+    paper_pass_limit: PAPER: number of passes of detection and response in a step, 1 to 1000;
+    default 4.
 
-    grasp_capacity: Most places of threads in jaws at a time, 0 to 256; default 8. With them
-    count those that jaws have let go but are not clear of yet, and those that blades have cut,
-    two ends each: without room they stay open.
+    grasp_capacity: Largest number of grasped places of threads at a time, 0 to 256; default 8.
+    Places that jaws have released but not cleared count too, and so do the two ends at each cut
+    of blades. Without capacity the jaws stay open.
 
-    paper_thickness: PAPER: distance kept beyond touching (the paper's eps_D), m, 0 to 1e-2;
+    paper_thickness: PAPER: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2;
     default 0.
 
-    work_limit: REAL_TIME, method OURS: operations in a step after which nothing is searched for
-    any longer. Forces of contacts are taken as they have been found by then: they balance, but
-    miss the law of contact by up to vbss_scene_statistics::last_residual; lengths are found all
-    the same, with a few solves beyond the limit. Where that fails, where such forces put in
-    more than 20 uJ that nothing has done the work for (1 mJ in a scene without drains), or
-    after attempt_limit attempts, the rest of the step is left out: everything waits for the
-    next one, which begins with smaller parts (vbss_scene_statistics::paused), and what is
-    driven goes on from where it was stopped. The first step of a scene has 32 times both limits
-    between its attempts, because bodies may overlap as they were placed; it never waits.
-    Without limit is the smallest part that halving_limit allows, until its states are not
-    found: then it is tried once more with as much for itself. Where a drain is, the smallest
-    part has the limit as well, and what takes more is halved three times more before it has
-    none. An operation is what costs about as much as a product of two 3x3 blocks; 250000 are
-    some 0.5 ms of a core of 2.6 GHz (docs/contact.md). 0: no limit; default 250000.
+    work_limit: REAL_TIME, method OURS: operations of a step after which the search for contact
+    states stops; 0: no limit; default 250000. An operation costs about as much as a product of
+    two 3x3 blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md). At the limit
+    the step uses the contact forces found so far. They balance, but miss the contact law by up
+    to vbss_scene_statistics::last_residual. Lengths still converge, with a few solves beyond
+    the limit. The rest of the step is left out (vbss_scene_statistics::paused) when lengths do
+    not converge, after attempt_limit attempts, or when these forces add too much energy without
+    work: 20 uJ, or 1 mJ in a scene without drains. The next step then begins with smaller
+    parts, and driven bodies continue from where they stopped. In a scene's first step, whose
+    bodies may overlap as they were placed, an attempt has no limit. Between its attempts 32
+    times work_limit and attempt_limit apply, and it is never suspended. The smallest part that
+    halving_limit allows has no limit. If its contact states are not found, it is tried once
+    more with the full limit for itself. In a scene with drains the smallest part has the limit
+    too, and a part that exceeds it is halved up to three more times, after which it has none.
 
-    drain_capacity: Most drains at a time, 0 to 16; default 1.
+    drain_capacity: Largest number of drains at a time, 0 to 16; default 1.
 
-    hole_capacity: Most holes of needles and threads in drains at a time, 0 to 256; default 16.
+    hole_capacity: Largest number of holes of needles and threads in drains at a time, 0 to 256;
+    default 16.
 
-    slot_limit: REAL_TIME with a work_limit, method OURS: operations in a call of
-    vbss_scene_step. A step that takes more waits where it is, and the next call goes on with
-    it, to the bits that it would have come to; with what that has left it begins the next step.
-    So bodies are up to two steps behind after a call (vbss_scene_statistics::behind), some of
-    them by a part of a step; what is farther behind is left out and counted in `paused`. Where
-    graspers, driven bodies and attachments are told to go meanwhile is for the next step. A
-    host that changes anything else while a step waits ends it, which is counted there, too, and
-    the next 1000 do not wait. Beyond the limit a call does what follows at the end of a step,
-    and what the guard has refused. 0: a call makes its step, all of it; default 210000.
+    slot_limit: REAL_TIME with a work_limit, method OURS: operations of a call of
+    vbss_scene_step; 0: each call completes its step; default 210000. A step that needs more is
+    suspended. The next call resumes it, with the bits that it would have had without the
+    suspension. With its remaining operations that call begins the next step. After a call
+    bodies are therefore up to two steps behind (vbss_scene_statistics::behind), some of them by
+    a part of a step. Time beyond that is left out and counted in `paused`. New targets of
+    graspers, driven bodies and attachments apply to the next step. Any other change by the host
+    abandons the suspended step, which also counts in `paused`, and the next 1000 steps are not
+    suspended. A call may exceed the limit by the final work of a step and by attempts that the
+    guard refuses.
 
     speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
     way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
-    is farther away at this speed, over several steps. So a pose in the wrong unit, or a device
-    that jumps, causes no long step and no extreme force. Method OURS only. Logs and snapshots
+    is farther away at this speed, over several steps. A pose in the wrong unit, or a jump of a
+    device, then causes no long step and no extreme force. Method OURS only. Logs and snapshots
     store the limit, and a scene with another one rejects them. One exception: scenes without a
     limit and with the default limit accept each other's snapshots.
 
-    overlap: Default VBSS_OVERLAP_WARN."""
+    overlap: Treatment of overlapping new bodies; default VBSS_OVERLAP_WARN."""
     struct_size: int
     method: int
     mode: int
@@ -343,7 +352,7 @@ class vbss_overlap(ctypes.Structure):
 
     body: Number of the other body; 0: the floor, or none if depth is 0.
 
-    depth: How far the two surfaces are inside each other, m; 0: no overlap."""
+    depth: Depth of the overlap of the two surfaces, m; 0: no overlap."""
     struct_size: int
     body: int
     depth: float
@@ -364,11 +373,11 @@ class Overlap(NamedTuple):
 class vbss_capsule(ctypes.Structure):
     """One capsule of a rigid body, in the frame of the body.
 
-    begin: An end of the axis, m.
+    begin: One end of the axis, m.
 
-    end: The other; may be the same: a ball.
+    end: The other end of the axis, m; equal ends make a ball.
 
-    radius: m, 1e-6 to 1."""
+    radius: Radius, m, 1e-6 to 1."""
     begin: Any
     end: Any
     radius: float
@@ -381,38 +390,42 @@ class vbss_capsule(ctypes.Structure):
 
 
 class vbss_rigid_config(ctypes.Structure):
-    """How to make a rigid body. Fill it with vbss_rigid_config_init, then change what you need.
+    """Configuration of a rigid body. Fill it with vbss_rigid_config_init, then change fields.
 
-    kind: Default VBSS_RIGID_DRIVEN.
+    kind: Kind of motion; default VBSS_RIGID_DRIVEN.
 
-    capsule_count: 1 to 256.
+    capsule_count: Number of capsules, 1 to 256.
 
-    capsules: capsule_count of them; copied.
+    capsules: Array of capsule_count capsules; the library copies it.
 
-    position: Of the origin of the frame, m, each at most 1e3; default 0.
+    position: Position of the origin of the frame, m, each coordinate at most 1e3 in magnitude;
+    default 0.
 
-    orientation: w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0.
+    orientation: Orientation w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0.
 
-    velocity: Of the origin, m/s, each at most 1e5; COUPLED, FREE; default 0.
+    velocity: COUPLED, FREE: velocity of the origin, m/s, each component at most 1e5 in
+    magnitude; default 0.
 
-    angular_velocity: rad/s, each at most 1e6; COUPLED, FREE; default 0. A body turns by a
-    quarter of a turn in a part of a step at most: a faster one slows down.
+    angular_velocity: COUPLED, FREE: angular velocity, rad/s, each component at most 1e6 in
+    magnitude; default 0. A body turns by at most a quarter of a turn in a part of a step; a
+    faster one slows down.
 
-    mass: Of the body, kg, 1e-9 to 1e3; default 0.02. It is spread over the capsules as if they
-    were solid and of one material; overlaps count twice.
+    mass: Mass of the body, kg, 1e-9 to 1e3; default 0.02. It is distributed over the capsules
+    as over solids of one material; overlaps count twice.
 
-    gravity: m/s^2, each at most 1e6; default 0: hands carry their tools.
+    gravity: Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default
+    0, because hands carry their tools.
 
-    friction: Coefficient with all others, 0 to 10; default 0.15. Of two bodies the geometric
-    mean counts.
+    friction: Coefficient of friction, 0 to 10; default 0.15. A contact uses the geometric mean
+    of both bodies.
 
-    stiffness: COUPLED: N/m, 0 to 1e9; default 2000.
+    stiffness: COUPLED: stiffness, N/m, 0 to 1e9; default 2000.
 
-    damping: COUPLED: N s/m, 0 to 1e6; default 5.
+    damping: COUPLED: damping, N s/m, 0 to 1e6; default 5.
 
-    turning_stiffness: COUPLED: N m/rad, 0 to 1e9; default 2.
+    turning_stiffness: COUPLED: rotational stiffness, N m/rad, 0 to 1e9; default 2.
 
-    turning_damping: COUPLED: N m s/rad, 0 to 1e6; default 0.005."""
+    turning_damping: COUPLED: rotational damping, N m s/rad, 0 to 1e6; default 0.005."""
     struct_size: int
     kind: int
     capsule_count: int
@@ -451,30 +464,30 @@ class vbss_rigid_config(ctypes.Structure):
 
 
 class vbss_rigid_state(ctypes.Structure):
-    """Where a rigid body is and what acts on it.
+    """State of a rigid body.
 
-    kind: As it was made.
+    kind: Kind of motion.
 
-    position: Of the origin of its frame, m.
+    position: Position of the origin of its frame, m.
 
-    orientation: w, x, y, z; body to world.
+    orientation: Orientation from body to world, w, x, y, z.
 
-    velocity: Of the origin, m/s.
+    velocity: Velocity of the origin, m/s.
 
-    angular_velocity: World frame, rad/s.
+    angular_velocity: Angular velocity in the world frame, rad/s.
 
-    target_position: Where it was told to be.
+    target_position: Target position of the origin, m.
 
-    target_orientation: The same.
+    target_orientation: Target orientation, w, x, y, z.
 
-    hand_force: What the hand feels, N: the opposite of the coupling's force; of a driven body
+    hand_force: Force on the hand, N: the opposite of the coupling's force; for a driven body
     the sum of its contacts and pins. Zero for a free body.
 
-    hand_torque: The same about the origin of its frame, N m.
+    hand_torque: Torque on the hand about the origin of the body's frame, N m.
 
-    contact_force: Of all contacts and pins on it in the last step, N.
+    contact_force: Sum of the forces of all contacts and pins on the body in the last step, N.
 
-    contact_torque: The same about the origin of its frame, N m."""
+    contact_torque: Their torque about the origin of the body's frame, N m."""
     struct_size: int
     kind: int
     position: Any
@@ -505,7 +518,7 @@ class vbss_rigid_state(ctypes.Structure):
 
 
 class RigidState(NamedTuple):
-    """Where a rigid body is and what acts on it. Fields as vbss_rigid_state says."""
+    """State of a rigid body. Fields as vbss_rigid_state says."""
     kind: RigidKind
     position: tuple[float, ...]
     orientation: tuple[float, ...]
@@ -520,74 +533,77 @@ class RigidState(NamedTuple):
 
 
 class vbss_scene_statistics(ctypes.Structure):
-    """Counters since creation, and figures of the last step. Method PAPER counts its passes of
-    detection and response in `attempts`, pairs tested in `guard_pairs`, those listed last in
-    `rows`, and steps whose last pass still moved something in `loose_states`; its stretch error
-    is max |length / rest length - 1|.
+    """Counters since creation, and results of the last step. Method PAPER uses these fields
+    differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
+    pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still
+    moved a body, and the stretch error is max |length / rest length - 1|.
 
-    contacts: That carry a force after the last step.
+    contacts: Contacts that carry a force after the last step.
 
-    rows: That might have closed in its last part.
+    rows: Contacts that could have closed in the last part.
 
-    separators: Blocks of the system in its last part that contacts take part in.
+    separators: Blocks of the last part's system that contacts couple.
 
     steps: Calls of vbss_scene_step that succeeded.
 
-    parts: Accepted parts of steps; equal to steps if none was divided.
+    parts: Accepted parts of steps; equal to `steps` if no step was divided.
 
-    attempts: Tries, rejected ones included.
+    attempts: Attempts, rejected ones included.
 
-    linearisations: Of all attempts.
+    linearisations: Linearisations of all attempts.
 
     state_solves: Solves of the separators' system.
 
-    patterns: How often its pattern was worked out; not part of the state.
+    patterns: Times the sparsity pattern of that system was computed; not part of the state.
 
-    rejected_states: Attempts rejected: states of the contacts not found.
+    rejected_states: Attempts rejected because contact states were not found.
 
-    rejected_stretch: Stretch error or shape not converged; a node of a drain went too far.
+    rejected_stretch: Attempts rejected because lengths or shapes did not converge, or a node of
+    a drain moved too far.
 
-    rejected_depth: Penetration.
+    rejected_depth: Attempts rejected because of penetration.
 
-    rejected_guard: Something would have passed, or come too near.
+    rejected_guard: Attempts rejected by the guard: bodies would pass through each other, or
+    come too near.
 
-    rejected_singular: A pivot was too small, or numbers not finite.
+    rejected_singular: Attempts rejected because a pivot was too small or a number was not
+    finite.
 
-    rejected_full: More candidates or contacts than there is room for.
+    rejected_full: Attempts rejected because candidates or contacts exceeded their capacity.
 
-    loose_states: Attempts accepted with up to 5 % of residual in the contact law.
+    loose_states: Attempts accepted with a residual of up to 5 % in the contact law.
 
-    loose_stretch: Parts accepted with more stretch error than the tolerance.
+    loose_stretch: Parts accepted with a stretch error above the tolerance.
 
-    clamped: Parts cut short by the guard.
+    clamped: Parts truncated by the guard.
 
-    recovering: Parts accepted that began with too much penetration and have less now.
+    recovering: Parts accepted that reduced a penetration above the tolerance.
 
-    guard_pairs: Pairs that the guard has looked at: known to be apart, or tested.
+    guard_pairs: Pairs that the guard has tested or knows to be apart.
 
-    last_penetration: Largest after the last step, m.
+    last_penetration: Largest penetration after the last step, m.
 
-    penetration: Largest so far, m.
+    penetration: Largest penetration of all steps, m.
 
     last_stretch_error: max |length / rest length - 1 - T / EA| after the last step.
 
-    stretch_error: Largest so far.
+    stretch_error: Largest stretch error of all steps.
 
-    last_residual: Of the contact law after the last part, N.
+    last_residual: Residual of the contact law after the last part, N.
 
-    time: Sum of the lengths of the steps, s, with `time_paused`.
+    time: Sum of the lengths of the steps, `time_paused` included, s.
 
-    operations: Of all steps, as work_limit counts them; method OURS.
+    operations: Operations of all steps, as work_limit counts them; method OURS.
 
-    most_operations: Of a step.
+    most_operations: Largest number of operations of a step.
 
     paused: REAL_TIME: steps of which a part, or all, was left out.
 
-    time_paused: Of those parts together, s: simulated time that was lost.
+    time_paused: Simulated time that these steps have lost, s.
 
-    deferred: Calls after which a step waited, or had not begun; see slot_limit.
+    deferred: Calls after which a step was suspended or had not begun; see slot_limit.
 
-    behind: Such steps after the last call, 0 to 2."""
+    behind: Number of suspended and unbegun steps after the last call, 0 to 2."""
     struct_size: int
     contacts: int
     rows: int
@@ -662,10 +678,11 @@ class vbss_scene_statistics(ctypes.Structure):
 
 
 class SceneStatistics(NamedTuple):
-    """Counters since creation, and figures of the last step. Method PAPER counts its passes of
-    detection and response in `attempts`, pairs tested in `guard_pairs`, those listed last in
-    `rows`, and steps whose last pass still moved something in `loose_states`; its stretch error
-    is max |length / rest length - 1|. Fields as vbss_scene_statistics says."""
+    """Counters since creation, and results of the last step. Method PAPER uses these fields
+    differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
+    pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still
+    moved a body, and the stretch error is max |length / rest length - 1|. Fields as
+    vbss_scene_statistics says."""
     contacts: int
     rows: int
     separators: int
@@ -701,15 +718,15 @@ class SceneStatistics(NamedTuple):
 
 
 class vbss_blocker(ctypes.Structure):
-    """Two bodies that hold back each other, and all bodies that touch them. A step that fails is
-    held back for the bodies that are connected with them by contacts, grasps, holes or pins.
-    All other bodies move on.
+    """Two bodies that hold each other back, and all bodies that touch them. A failed step holds
+    back only the bodies that contacts, grasps, holes or pins connect with these two. All other
+    bodies move on.
 
-    cause: Why, in the last step that held them back.
+    cause: Cause in the last step that held them back.
 
-    body_a: Number of a body; 0: unknown.
+    body_a: Number of one body; 0: unknown.
 
-    body_b: Number of the other; 0: the floor, or no second body.
+    body_b: Number of the other body; 0: the floor, or no second body.
 
     since: Simulated time at which they were first held back, s.
 
@@ -736,9 +753,9 @@ class vbss_blocker(ctypes.Structure):
 
 
 class Blocker(NamedTuple):
-    """Two bodies that hold back each other, and all bodies that touch them. A step that fails is
-    held back for the bodies that are connected with them by contacts, grasps, holes or pins.
-    All other bodies move on. Fields as vbss_blocker says."""
+    """Two bodies that hold each other back, and all bodies that touch them. A failed step holds
+    back only the bodies that contacts, grasps, holes or pins connect with these two. All other
+    bodies move on. Fields as vbss_blocker says."""
     cause: BlockerCause
     body_a: int
     body_b: int
@@ -750,33 +767,34 @@ class Blocker(NamedTuple):
 class vbss_hole(ctypes.Structure):
     """A hole of a needle or a thread in a drain.
 
-    id: From 1 on, in the order in which they were made; none twice.
+    id: Identifier from 1 on, in the order of creation; never reused.
 
-    needle: Its number in the scene; 0: a thread is in it.
+    needle: Number of the needle in the hole; 0: a thread is in it.
 
-    drain: The same.
+    drain: Number of the drain.
 
-    triangle: Of the drain.
+    triangle: Triangle of the drain.
 
     outward: 1: the tip went through from inside; 0: from outside.
 
-    weights: Of the triangle's nodes in the hole.
+    weights: Weights of the triangle's nodes at the hole.
 
-    rest_position: Of that point of the drain at rest, m: VBSS_DRAIN_REST_POSITIONS.
+    rest_position: Position of the hole on the drain at rest, m: VBSS_DRAIN_REST_POSITIONS.
 
-    position: Where it is, in the middle of the wall, m.
+    position: Current position of the hole, in the middle of the wall, m.
 
-    direction: Unit: of the suture there, toward the needle's tip, or the thread's begin.
+    direction: Unit direction of the suture at the hole, towards the needle's tip, or the
+    thread's beginning.
 
-    arc_length: Of what is in it, m: of the needle from the tip (below 0 that is still before
-    the middle), of the thread from its begin. Round the swage it may be up to 0.2 mm beyond an
-    end.
+    arc_length: Arc length of the suture at the hole, m. For a needle it is measured from the
+    tip, and is negative before the tip has reached the middle of the wall. For a thread it is
+    measured from the beginning. Near the swage it may be up to 0.2 mm beyond an end.
 
-    friction: On the suture, along `direction`, N.
+    friction: Friction on the suture along `direction`, N.
 
-    force: On the suture, N.
+    force: Force on the suture, N.
 
-    thread: Number of the thread that is in it; 0: a needle is."""
+    thread: Number of the thread in the hole; 0: a needle is in it."""
     struct_size: int
     id: int
     needle: int
@@ -830,21 +848,21 @@ class Hole(NamedTuple):
 
 
 class vbss_grasp(ctypes.Structure):
-    """A place of a thread, of a needle, or of a drain, that a grasper holds.
+    """A grasped place of a thread, a needle or a drain.
 
-    thread: Number of the thread, the needle or the drain in the scene.
+    thread: Number of the held thread, needle or drain in the scene.
 
-    arc_length: Of the middle of what is held, along the thread, unstretched; from the needle's
-    tip; m.
+    arc_length: Arc length of the middle of the held part, m: unstretched along a thread, or
+    from a needle's tip.
 
-    position: Where that is, m.
+    position: Position of that middle, m.
 
-    force: Of the jaws on what they hold in the last step, N: while it slides, above the limit
-    by what the clamp gains in a step.
+    force: Force of the jaws on the held body in the last step, N. While the body slides, it
+    exceeds the limit by the clamp's gain in a step.
 
-    limit: Largest force along their faces that they bear, N; PAPER: 0.
+    limit: Largest force along the jaws' faces that they bear, N; PAPER: 0.
 
-    slid: So far it has slid through them since it was taken, m."""
+    slid: Distance that the body has slid through the jaws since it was grasped, m."""
     struct_size: int
     thread: int
     arc_length: float
@@ -865,8 +883,7 @@ class vbss_grasp(ctypes.Structure):
 
 
 class Grasp(NamedTuple):
-    """A place of a thread, of a needle, or of a drain, that a grasper holds. Fields as vbss_grasp
-    says."""
+    """A grasped place of a thread, a needle or a drain. Fields as vbss_grasp says."""
     thread: int
     arc_length: float
     position: tuple[float, ...]

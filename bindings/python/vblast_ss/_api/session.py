@@ -16,161 +16,163 @@ from .scene import vbss_scene
 class SessionPhase(IntEnum):
     """The constants of vbss_session_phase, in the order of the task."""
     IDLE = 0
-    """No step was made: the needle has not appeared."""
+    """No step was made; the needle has not appeared."""
     LOADING = 1
-    """The needle is to be taken."""
+    """A tool must take the needle."""
     APPROACH = 2
-    """A tool has it; on to the first mark."""
+    """A tool holds the needle and approaches the first mark."""
     IN_DRAIN = 3
-    """Its tip is in; on to the second mark."""
+    """The needle's tip is in the drain, on its way to the second mark."""
     PULL_THROUGH = 4
-    """It is out again: thread is drawn to the tail's length."""
+    """The tip is out again; the thread is drawn until the tail has its length."""
     THROW_1 = 5
-    """The first throw is tied and seated."""
+    """The first throw must be tied and seated."""
     TRANSFER_1 = 6
-    """The needle is to change hands."""
+    """The needle must change hands after the first throw."""
     THROW_2 = 7
-    """The second throw."""
+    """The second throw must be tied and seated."""
     TRANSFER_2 = 8
-    """The needle is to change hands."""
+    """The needle must change hands after the second throw."""
     THROW_3 = 9
-    """The third throw."""
+    """The third throw must be tied and seated."""
     CUT = 10
-    """Both tails are to be cut."""
+    """Both tails must be cut."""
     DONE = 11
-    """They are. For good."""
+    """Both tails are cut; final."""
     FAILED = 12
-    """See vbss_session_failure. For good."""
+    """The task has failed; final. See vbss_session_failure."""
 
 
 class SessionStage(IntEnum):
     """The constants of vbss_session_stage."""
     NONE = 0
-    """Nothing of it is there."""
+    """The throw has not begun."""
     WRAP = 1
-    """The thread winds round a tool,"""
+    """The thread winds round a tool."""
     GRASPED = 2
-    """and a tool holds its tail near the end;"""
+    """The thread winds round a tool that holds the tail near its end."""
     PASSED = 3
-    """it is tied if the tools withdraw."""
+    """The throw is tied if the tools withdraw."""
     SEATING = 4
-    """It is tied, and to be pulled down."""
+    """The throw is tied and must be pulled down."""
     SEATED = 5
-    """It lies on the tissue."""
+    """The throw lies on the tissue."""
 
 
 class SessionFailure(IntEnum):
     """The constants of vbss_session_failure."""
     NONE = 0
-    """It has not."""
+    """The task has not failed."""
     TIMEOUT = 1
-    """The time is up."""
+    """The time limit has passed."""
     AVULSED = 2
     """The drain was torn off its anchors."""
     CUT_EARLY = 3
-    """The thread was cut before the third throw was seated,"""
+    """The thread was cut before the third throw was seated."""
     CUT_KNOT = 4
-    """or where it goes through the tissue or the knot."""
+    """The thread was cut inside the knot, or between the two holes."""
     BROKEN = 5
-    """It bore more than it bears."""
+    """The thread broke: its tension exceeded `break_force`."""
     LOST = 6
     """Thread, needle, drain or a tool was removed from the scene."""
 
 
 class SessionEventKind(IntEnum):
-    """The constants of vbss_session_event_kind. Those that say "undone" come again with `undone` 1
-    when it is no longer so."""
+    """The constants of vbss_session_event_kind. A comment that says "Undone" describes the event
+    with `undone` 1, which reports that the fact has ceased."""
     APPEARED = 1
-    """The needle has appeared: the clock starts."""
+    """The needle has appeared, and the clock starts."""
     PHASE = 2
-    """The phase `number` begins; undone 1: it is an earlier one than before."""
+    """The phase `number` begins. Undone: the task has fallen back to this phase."""
     TAKEN = 3
-    """`tool` holds the needle. Undone: it does no longer."""
+    """`tool` holds the needle. Undone: it has released the needle."""
     DROPPED = 4
-    """Before the stitch: nobody holds the needle, and it is in no wall."""
+    """Before the stitch: no tool holds the needle, and it is in no wall."""
     PUNCTURE = 5
-    """Mark `number` (0: in, 1: out) was pierced, `amount` mm off; `position` is of the hole.
-    Undone: the needle, or in the end the thread, has left the hole."""
+    """Mark `number` (0: in, 1: out) was pierced, `amount` mm off; `position` is that of the hole.
+    Undone: the needle has left the hole, or the thread's end has slipped through it."""
     STRAY = 6
-    """A wall was pierced elsewhere: hole `number`. Undone."""
+    """A wall was pierced elsewhere, as hole `number`. Undone: the hole is empty again."""
     THREADED = 7
-    """The swage has gone through hole `number` (0, 1), the thread follows. Undone: it has come
-    back."""
+    """The swage has passed through hole `number` (0, 1), and the thread follows. Undone: it has
+    come back."""
     TAIL = 8
-    """The tail is `amount` m long, as it should. Undone."""
+    """The tail has a permitted length, `amount` m. Undone: it no longer has."""
     STAGE = 9
-    """Throw `number` (0, 1, ...) is at `stage`, whichever way."""
+    """Throw `number` (0, 1, ...) has reached `stage`, forwards or backwards."""
     THROW = 10
-    """Throw `number` is tied: `wraps`, `handedness`, `relation`; told again when these are known
-    better. Undone: it came undone."""
+    """Throw `number` is tied, with `wraps`, `handedness` and `relation`; a repeated event corrects
+    them. Undone: the throw came undone."""
     SEATED = 11
-    """Throw `number` is seated; the slit gapes `amount` m. Undone."""
+    """Throw `number` is seated; the slit gapes `amount` m. Undone: it is no longer seated."""
     TRANSFER = 12
-    """After throw `number` `tool` has taken over the needle."""
+    """`tool` has taken over the needle after throw `number`."""
     TRANSFER_MISSED = 13
-    """Throw `number` is tied, but the needle has not changed hands since the one before. Undone:
-    with the throw."""
+    """Throw `number` is tied, but the needle has not changed hands since the throw before. Undone:
+    the throw came undone."""
     FAULT = 14
-    """The knot has the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`; HITCH (a throw
-    has capsized): for 20 times `throw_dwell`, because its measure swings while a throw is drawn
-    tight. Undone: after the same time."""
+    """The knot has had the fault `number`, a VBSS_KNOT_FAULT_ bit, for `throw_dwell`. HITCH (a
+    throw has capsized) takes 20 times `throw_dwell`, because its measure oscillates while a
+    throw is drawn tight. Undone: the fault has been absent for the same time."""
     CUT = 15
-    """Tail `number` (0: the short one, 1: the needle's) was cut; `amount` m are left of it."""
+    """Tail `number` (0: the short one, 1: the needle's) was cut; its remaining length is `amount`
+    m."""
     DONE = 16
     """The task is complete."""
     FAILED = 17
-    """It has failed: `number` is a vbss_session_failure."""
+    """The task has failed; `number` is a vbss_session_failure."""
     TIME_LOST = 18
-    """More than `lost_share` of the time is lost: `amount` s of it, since the needle appeared.
-    Times and score do not compare with those of other trials. Undone: it is less than half of
-    that share again."""
+    """More than `lost_share` of the time since the needle's appearance is lost: `amount` s. Times
+    and score do not compare with those of other trials. Undone: the share has fallen below half
+    of `lost_share`."""
 
 
 class SessionGap(IntEnum):
     """The constants of vbss_session_gap."""
     LIPS = 0
-    """The lips, which are as high as the wall: vbss_drain_gap.opening. A wall that rises is shut
-    when it meets the other one's face. Drains of method PAPER: EDGES."""
+    """Gap between the lips, which are as high as the wall: vbss_drain_gap.opening. A wall that
+    rises counts as closed when it meets the face of the other wall. A drain of
+    VBSS_METHOD_PAPER uses EDGES instead."""
     EDGES = 1
-    """The edges in the middle of the wall: vbss_drain_gap.gap, the paper's measure."""
+    """Gap between the edges in the middle of the wall: vbss_drain_gap.gap, the paper's measure."""
 
 
 class vbss_session(ctypes.Structure):
-    """A session."""
+    """A run of the suturing task on a scene."""
 
 
 class vbss_session_event(ctypes.Structure):
-    """Something that happened.
+    """An event of a session.
 
-    kind: What.
+    kind: Kind of the event.
 
-    tool: With which tool; VBSS_METRICS_NO_TOOL: none, or not known.
+    tool: Tool of the event; VBSS_METRICS_NO_TOOL: none, or not known.
 
-    number: As the kind says.
+    number: Meaning depends on the kind.
 
-    undone: 1: it is no longer so.
+    undone: 1: the fact has ceased.
 
-    stage: STAGE: which.
+    stage: STAGE: the stage that the throw has reached.
 
-    wraps: THROW: 1 single, 2 double, ...
+    wraps: THROW: number of wraps, 1 single, 2 double, ...
 
     handedness: THROW: +1 right-handed, -1 left-handed.
 
-    relation: THROW: to the throw before.
+    relation: THROW: relation to the throw before.
 
-    phase: The phase after the step in which it happened.
+    phase: The phase after the step of the event.
 
-    ordinal: Of the event, from 0 on.
+    ordinal: Ordinal number of the event, from 0 on.
 
-    step: Of the session, from 1 on.
+    step: Step of the session, from 1 on.
 
-    time: Since the needle appeared, s, on the clock of the hands.
+    time: Time since the needle's appearance, s, on the clock of the hands.
 
-    position: Of the tool's tip, or where the kind says, m.
+    position: Position of the tool's tip, or as the kind says, m.
 
-    force: On the tool's hand, N; zero without a tool.
+    force: Force on the tool's hand, N; zero without a tool.
 
-    amount: As the kind says."""
+    amount: Meaning depends on the kind."""
     struct_size: int
     kind: int
     tool: int
@@ -209,7 +211,7 @@ class vbss_session_event(ctypes.Structure):
 
 
 class SessionEvent(NamedTuple):
-    """Something that happened. Fields as vbss_session_event says."""
+    """An event of a session. Fields as vbss_session_event says."""
     kind: SessionEventKind
     tool: MetricsTool
     number: int
@@ -227,79 +229,85 @@ class SessionEvent(NamedTuple):
     amount: float
 
 
-# A function of the host that hears of each event, at the end of the step in which it happened. It
-# may look at everything and must not change anything of the context.
+# A function of the host that receives each event, at the end of its step. It may read all objects
+# of the context and must not change any.
 vbss_session_event_fn = CFUNCTYPE(None, c_void_p, POINTER(vbss_session_event))
 
 
 class vbss_session_config(ctypes.Structure):
-    """How to make a session. Fill it with vbss_session_config_init, then set the numbers of the
-    bodies.
+    """Configuration of a session. Fill it with vbss_session_config_init, then set the numbers of
+    the bodies.
 
-    thread: Numbers in the scene. The thread's node 0 is at the swage, its last node the end of
-    the tail.
+    thread: Number of the thread in the scene. Its node 0 is at the swage; its last node is the
+    end of the tail.
 
-    needle: The same of the needle,
+    needle: Number of the needle in the scene.
 
-    drain: the drain,
+    drain: Number of the drain in the scene.
 
-    tools: the left and the right grasper;
+    tools: Numbers of the left and the right grasper in the scene.
 
-    shears: a third one that cuts. 0 (default): a tool is exchanged.
+    shears: Number of a third grasper, which cuts; default 0: a tool is exchanged for shears.
 
-    event_capacity: Most events that are kept, the newest; 8 to 65536; default 1024.
+    event_capacity: Largest number of events that are kept, the newest ones; 8 to 65536; default
+    1024.
 
-    knot_interval: The knot detector looks every so many steps, 1 to 1000; default 4. Its
-    work_limit bounds the work of a look.
+    knot_interval: Number of steps between inputs of the knot detector, 1 to 1000; default 4.
+    The detector's own work_limit bounds the work of an input.
 
-    hash_interval: With a record: the task is hashed in the log every so many steps, and after
-    those with events, for replays to compare; 1 to 1e9; default 100.
+    hash_interval: Number of steps between hashes of the task in the log, for replays to
+    compare; 1 to 1e9; default 100. Steps with events are hashed too. Used only with a record.
 
-    devices: Of the left and the right hand; NULL (default): the host moves that tool.
+    devices: Devices of the left and the right hand; NULL (default): the host moves that tool.
 
-    knots: NULL (default): throws are not seen. It has room for the thread and all tools.
+    knots: Knot detector, with capacity for the thread and all tools; NULL (default): throws are
+    not detected.
 
-    metrics: NULL (default): nothing is measured.
+    metrics: Metrics; NULL (default): nothing is measured.
 
-    record: Of the scene; NULL (default): nothing is written down.
+    record: Record of the scene; NULL (default): nothing is logged.
 
-    replay: In the place of devices and record; has begun with the scene. NULL (default).
+    replay: Replay that has begun with the scene, in place of devices and record; NULL
+    (default): none.
 
-    listen: NULL (default): nobody.
+    listen: Function that receives the events; NULL (default): none.
 
-    user: Handed to it; may be NULL.
+    user: Pointer that `listen` receives; may be NULL.
 
-    time_limit: From the needle's appearing on, s, 1e-3 to 1e6; default 600.
+    time_limit: Time limit from the needle's appearance on, s, 1e-3 to 1e6; default 600.
 
-    dwell: A fact changes after it has differed for this time, s, 0 to 10; default 0.05.
+    dwell: Time for which a fact must differ before it changes, s, 0 to 10; default 0.05.
 
-    throw_dwell: The same time for throws and faults of the knot, s, 0 to 10; default 0.1. A
-    half hitch has 20 times that.
+    throw_dwell: Dwell time of throws and of faults of the knot, s, 0 to 10; default 0.1. A half
+    hitch takes 20 times as long.
 
-    tail_low: Shortest tail, m, 0 to 1; default 15e-3;
+    tail_low: Shortest permitted tail, m, 0 to 1; default 15e-3.
 
-    tail_high: longest tail, tail_low to 1; default 20e-3.
+    tail_high: Longest permitted tail, m, tail_low to 1; default 20e-3.
 
-    tail_margin: So far beyond these it is not as it should any more, m, 0 to 1; default 1e-3.
+    tail_margin: Hysteresis of both limits: a tail that is set stays set up to this far beyond
+    them, m, 0 to 1; default 1e-3.
 
-    tail_reach: The tail is grasped within this of its end, m, 0 to 1; default 0.01.
+    tail_reach: Largest distance from the end at which a tail counts as grasped, m, 0 to 1;
+    default 0.01.
 
-    seat_gap: A throw is seated when the slit gapes no more than this (edges that have crossed
-    do not), m, 0 to 1; default 0.5e-3,
+    seat_gap: Largest gap of the slit at which a throw becomes seated, m, 0 to 1; default
+    0.5e-3. Edges that have crossed do not gape.
 
-    seat_release: no longer from this on, seat_gap to 1; default 1e-3.
+    seat_release: Gap at which a throw is no longer seated, m, seat_gap to 1; default 1e-3.
 
-    seat_force: Tension of both limbs that seats it, N, 0 to 1e3; default 0.5.
+    seat_force: Tension of both limbs that seats a throw, N, 0 to 1e3; default 0.5.
 
-    avulsed_share: Share of the anchors torn from which the drain is off, 0 to 1; default 0.5.
+    avulsed_share: Share of torn anchors at which the drain counts as torn off, 0 to 1; default
+    0.5.
 
-    break_force: Tension at which the thread breaks, N, 0 to 1e6; default 0: it does not.
+    break_force: Tension at which the thread breaks, N, 0 to 1e6; default 0: it never breaks.
 
-    gap_measure: What seats throws and is told as gap, to status, events and metrics; default
-    LIPS.
+    gap_measure: Measure of the gap that seats throws and that status, events and metrics
+    report; default LIPS.
 
-    lost_share: Share of the time, 0 to 1, above which lost time is an event and sets
-    `is_lossy`; default 0.02. A trial shorter than 1 s counts as 1 s."""
+    lost_share: Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to
+    1; default 0.02. A trial shorter than 1 s counts as 1 s."""
     struct_size: int
     thread: int
     needle: int
@@ -368,57 +376,58 @@ class vbss_session_config(ctypes.Structure):
 
 
 class vbss_session_status(ctypes.Structure):
-    """How far a session is.
+    """Status of a session.
 
-    phase: How far the task is.
+    phase: Phase of the task.
 
-    stage: Of the throw that is under way; NONE if none is.
+    stage: Stage of the throw in progress; NONE if there is none.
 
-    failure: Why it has failed.
+    failure: Reason of the failure; NONE if the task has not failed.
 
-    holder: Who holds the needle, the first of two; VBSS_METRICS_NO_TOOL: nobody.
+    holder: The tool that holds the needle, the first of two; VBSS_METRICS_NO_TOOL: none.
 
-    punctured: Bits: 1, 2: the hole in, the hole out is there,
+    punctured: Bits: 1 the hole in exists, 2 the hole out exists.
 
-    threaded: and the thread goes through it.
+    threaded: Bits: 1 the thread goes through the hole in, 2 through the hole out.
 
-    tail_set: 1: the tail is as it should.
+    tail_set: 1: the tail has a permitted length.
 
-    throws: Throws that are tied,
+    throws: Number of tied throws.
 
-    seated: of them seated, counted from the tissue.
+    seated: Number of seated throws, counted from the tissue.
 
-    transfers: Transfers between them that were made, at most two.
+    transfers: Number of needle transfers between throws, at most two.
 
-    cut: Bits: 1 the short tail, 2 the needle's.
+    cut: Bits: 1 the short tail is cut, 2 the needle's tail is cut.
 
-    faults: Of the knot: VBSS_KNOT_FAULT_ bits, as last reported by events.
+    faults: Faults of the knot, VBSS_KNOT_FAULT_ bits, as last reported by events.
 
-    metrics_lost: Events for which the metrics had no room.
+    metrics_lost: Number of events that did not fit into the metrics.
 
-    steps: Steps so far.
+    steps: Number of steps.
 
-    first_event: The oldest event that is kept; so many are lost.
+    first_event: Ordinal of the oldest event that is kept; this is also the number of lost
+    events.
 
-    event_count: Events so far.
+    event_count: Number of events.
 
-    time: Since the needle appeared, until the end or now, s, on the clock of the hands. It
-    includes `time_lost`.
+    time: Time since the needle's appearance until the end or now, s, on the clock of the hands.
+    It includes `time_lost`.
 
-    tail: Length of the short tail, from the hole, m; 0 without.
+    tail: Length of the short tail from the hole on, m; 0 without a tail.
 
-    gap: Of the slit's middle, as `gap_measure` says, m.
+    gap: Gap of the slit's middle by `gap_measure`, m.
 
-    tension: Largest of the short limb, of the needle's, N.
+    tension: Largest tension of the short limb and of the needle's limb, N.
 
-    deviation_mm: Of the holes from the marks.
+    deviation_mm: Deviation of each hole from its mark, mm.
 
-    time_lost: Part of `time` that the scene has left out, s: paused steps
+    time_lost: Part of `time` that the scene has left out, s. It counts paused steps
     (vbss_scene_statistics::time_paused) and truncated substeps (VBSS_EVENT_CLAMPED), from the
     second step on.
 
-    time_simulated: `time` without `time_lost`, s. Up to two steps of it may still wait
-    (vbss_scene_statistics::behind).
+    time_simulated: Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it
+    may still be deferred (vbss_scene_statistics::behind).
 
     is_lossy: 1: more than `lost_share` of the time is lost, with hysteresis."""
     struct_size: int
@@ -479,7 +488,7 @@ class vbss_session_status(ctypes.Structure):
 
 
 class SessionStatus(NamedTuple):
-    """How far a session is. Fields as vbss_session_status says."""
+    """Status of a session. Fields as vbss_session_status says."""
     phase: SessionPhase
     stage: SessionStage
     failure: SessionFailure

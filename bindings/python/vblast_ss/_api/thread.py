@@ -12,10 +12,11 @@ from .base import Method, vbss_context, vbss_view
 class Bending(IntEnum):
     """The constants of vbss_bending."""
     SPLINE = 0
-    """Fourth order: the energy of the cubic spline through the nodes, cut off to neighbours three
-    apart; a segment's length is that of its arc."""
+    """Fourth order: the energy of the cubic spline through the nodes, truncated to neighbours
+    three apart. The length of a segment is that of its arc."""
     LOCAL = 1
-    """Second order: each node sees its two neighbours only; a segment's length is its chord."""
+    """Second order: each node couples with its two neighbours only. The length of a segment is its
+    chord."""
 
 
 class Mesh(IntEnum):
@@ -23,17 +24,17 @@ class Mesh(IntEnum):
     FIXED = 0
     """Nodes and rest lengths stay as they were created."""
     ADAPTIVE = 1
-    """Segments are divided where the thread is bent or near something, and nodes removed where it
-    is straight and alone, between two steps: docs/adaptive.md. Numbers of nodes and segments
-    change with it, those of attachments, pins, grasps and contacts too. Method OURS."""
+    """Method OURS, docs/adaptive.md: between two steps the thread divides segments where it is
+    bent or near another body, and removes nodes where it is straight and has clearance. This
+    renumbers nodes, segments, attachments, pins, grasps and contacts."""
 
 
 class ThreadPreset(IntEnum):
     """The constants of vbss_thread_preset."""
     SILK_2_0 = 0
     """2-0 silk: 0.32 mm, 1.05e-4 kg/m, EA = 700 N (8.7 GPa), EI = 2.7e-8 N m^2. Diameter by USP
-    <861> (0.30 to 0.339 mm), density of a solid braid; EI is the paper thread's, scaled with
-    the fourth power of the radius, and uncertain by a factor of five."""
+    <861> (0.30 to 0.339 mm), density of a solid braid; EI is that of the paper's thread, scaled
+    with the fourth power of the radius, and uncertain by a factor of five."""
     PAPER_THREAD = 1
     """The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2."""
 
@@ -41,15 +42,15 @@ class ThreadPreset(IntEnum):
 class AttachmentKind(IntEnum):
     """The constants of vbss_attachment_kind."""
     PIN = 0
-    """The node is at `position`."""
+    """The node is held at `position`."""
     CLAMP = 1
-    """Also the thread's direction at the node is `direction`."""
+    """The node is held at `position`, and the thread's direction there is `direction`."""
     FORCE = 2
     """`force` pulls at the node."""
     SPRING = 3
     """A spring-damper from `position` to the node."""
     MASS = 4
-    """`mass` sits on the node and is accelerated and weighed with it."""
+    """`mass` is fixed to the node; it has inertia and weight."""
 
 
 class ThreadField(IntEnum):
@@ -63,14 +64,14 @@ class ThreadField(IntEnum):
     LENGTHS = 3
     """n - 1 doubles, m: chords, or arcs with BENDING_SPLINE."""
     TENSIONS = 4
-    """n - 1 doubles, N: force along each segment at the end of the last step, from tension and
-    bending."""
+    """n - 1 doubles, N: force along each segment at the end of the last step, due to stretching
+    and bending."""
     CURVATURES = 5
     """n x 3 doubles, 1/m: from the node to the centre of curvature."""
     SECTIONS = 6
     """First node of each section, uint32_t; the last ends at node n - 1."""
     SAGITTAS = 7
-    """n - 1 doubles, m: sagitta of each segment, the error of the shape by the mesh. It is rest
+    """n - 1 doubles, m: sagitta of each segment, the shape error due to the mesh. It is rest
     length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too."""
 
 
@@ -79,48 +80,53 @@ class vbss_thread(ctypes.Structure):
 
 
 class vbss_thread_config(ctypes.Structure):
-    """How to make a thread. Fill it with vbss_thread_config_init, then change what you need.
+    """Configuration of a thread. Fill it with vbss_thread_config_init, then change fields.
 
-    method: Default VBSS_METHOD_OURS.
+    method: Method; default VBSS_METHOD_OURS.
 
-    bending: Default VBSS_BENDING_SPLINE; read by method OURS.
+    bending: Method OURS: discretisation of bending; default VBSS_BENDING_SPLINE.
 
-    segment_count: 1 to 65536; default 120.
+    segment_count: Number of segments, 1 to 65536; default 120.
 
     attachment_capacity: Largest number of attachments, 0 to 256; default 8.
 
-    cut_capacity: Most cuts of this thread and its pieces, 0 to 64; default 0.
+    cut_capacity: Largest number of cuts of this thread and its pieces, 0 to 64; default 0.
 
-    length: m, 1e-6 to 1e3, at least 1e-7 a segment; default 0.15; ignored with rest_lengths.
+    length: Length, m, 1e-6 to 1e3, at least 1e-7 per segment; default 0.15; ignored with
+    rest_lengths.
 
-    radius: m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. For contact and display to
-    come; without effect on a thread alone.
+    radius: Radius, m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. Contact in a scene and
+    display use it; a thread alone does not.
 
-    linear_density: kg/m, 1e-9 to 1e3; default of that preset.
+    linear_density: Mass per length, kg/m, 1e-9 to 1e3; default of that preset.
 
-    axial_stiffness: EA in N, 1e-6 to 1e9; default of that preset.
+    axial_stiffness: Axial stiffness EA, N, 1e-6 to 1e9; default of that preset.
 
-    bending_stiffness: EI in N m^2, 0 to 1e3; default of that preset.
+    bending_stiffness: Bending stiffness EI, N m^2, 0 to 1e3; default of that preset.
 
-    rest_curvature: 1/m, 0 to 1e4; default 0. Its plane is free, as there is no twist.
+    rest_curvature: Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because the
+    thread has no twist.
 
-    gravity: m/s^2, each at most 1e6; default (0, -9.81, 0).
+    gravity: Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default
+    (0, -9.81, 0).
 
-    drag: Force -drag * mass * velocity, 1/s, 0 to 1e6; default 0.
+    drag: Drag coefficient, 1/s, 0 to 1e6; default 0. The force is -drag * mass * velocity.
 
-    damping: Rate at which motion relative to the rigid motion of each section dies away, 1/s, 0
-    to 1e6; default 0. Keeps linear and angular momentum. Read by method OURS.
+    damping: Method OURS: decay rate of the motion relative to the rigid motion of each section,
+    1/s, 0 to 1e6; default 0. It conserves linear and angular momentum.
 
-    start: Node 0, m, each at most 1e3; default (0, 0, 0); ignored with positions.
+    start: Position of node 0, m, each coordinate at most 1e3 in magnitude; default (0, 0, 0);
+    ignored with positions.
 
-    direction: From node 0 on, of any length from 1e-100 to 1e100; default (1, 0, 0); ignored
-    with positions.
+    direction: Direction from node 0 on, of any length from 1e-100 to 1e100; default (1, 0, 0);
+    ignored with positions.
 
     rest_lengths: Rest length of each segment, m, 1e-7 to 1e2; segment_count values, or NULL
-    (default) for length / segment_count each. vbss_thread_grade fills such an array. Copied.
+    (default) for length / segment_count each. vbss_thread_grade fills such an array. The
+    library copies it.
 
     positions: Positions of the nodes, m, each at most 1e3; 3 (segment_count + 1) values, or
-    NULL (default) for a straight thread from start along direction. Copied.
+    NULL (default) for a straight thread from start along direction. The library copies them.
 
     spectral_radius: Method OURS: spectral radius at infinite frequency of the time integration,
     0 (strongest damping) to 1 (none); default 0.3. Above 0.5 stiff motion may gain energy.
@@ -128,18 +134,18 @@ class vbss_thread_config(ctypes.Structure):
     stretch_tolerance: Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2;
     default 1e-6.
 
-    position_tolerance: Method OURS: largest distance that a further linearisation would move a
-    node, m, 1e-12 to 1; an estimate; default 1e-6.
+    position_tolerance: Method OURS: largest distance by which a further linearisation would
+    move a node, m, 1e-12 to 1; an estimate; default 1e-6.
 
-    iteration_limit: Method OURS: linearisations of a try, 1 to 100; default 40. Smooth motion
-    takes one or two, the worst that was met (ends shaken by 3 mm every ms) 300 in a step with
-    its halves.
+    iteration_limit: Method OURS: largest number of linearisations of an attempt, 1 to 100;
+    default 40. Smooth motion takes one or two. The worst known case (ends shaken by 3 mm every
+    ms) takes 300 in a step with its halves.
 
-    halving_limit: Method OURS: how often a step is halved before its state is taken as it is, 0
-    to 10; default 5. Such states are counted in `forced`: look at it.
+    halving_limit: Method OURS: how often a step is halved before its state is accepted
+    unconverged, 0 to 10; default 5. `forced` counts such states and should stay zero.
 
     paper_stiffness: Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0:
-    chosen from mass and step as docs/paper-thread.md says.
+    derived from mass and step by docs/paper-thread.md.
 
     paper_damping: Method PAPER: share of the velocity relative to the section's rigid motion
     that is removed at each explicit step, 0 to 1; default 0.
@@ -147,37 +153,40 @@ class vbss_thread_config(ctypes.Structure):
     paper_substeps: Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many
     as the stiffest bending mode and the tension need.
 
-    paper_iteration_limit: Method PAPER: limit of the projection, 1 to 1000; default 50.
+    paper_iteration_limit: Method PAPER: largest number of iterations of the projection, 1 to
+    1000; default 50.
 
     paper_tolerance: Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6.
 
     mesh: Default VBSS_MESH_FIXED, which ignores the following fields.
 
-    node_capacity: ADAPTIVE: most nodes, segment_count + 1 to 65537; 0 (default): four times as
-    many segments as at first, at most 65536. A scene must have room for all of them when the
-    thread is added.
+    node_capacity: ADAPTIVE: largest number of nodes, segment_count + 1 to 65537; default 0:
+    four times the initial number of segments, at most 65536. A scene must have capacity for all
+    of them when the thread is added.
 
     finest_length: ADAPTIVE: length of the finest segments, m, 1e-7 to coarsest_length; default
-    3e-4, 1.2 diameters of the paper's thread, at which a tight knot is converged. As segments
-    are halved, theirs is within 0.63 and 1.25 of it: begin with it times a power of two.
+    3e-4, 1.2 diameters of the paper's thread, at which a tight knot is converged. Because
+    segments are halved, the finest ones have 0.63 to 1.25 times this length. Choose initial
+    lengths of this length times a power of two.
 
-    coarsest_length: ADAPTIVE: no node is removed where a segment longer than 1.25 times this
-    would be left, m, at most 1e2; default 2e-3.
+    coarsest_length: ADAPTIVE: a node is not removed if that leaves a segment longer than 1.25
+    times this length, m, at most 1e2; default 2e-3.
 
     refine_angle: ADAPTIVE: curvature times length, rad, above which a segment is divided, 0.01
     to 1; default 0.25.
 
-    coarsen_angle: ADAPTIVE: the same below which a node may be removed, 0 to half of
-    refine_angle; default 0.05.
+    coarsen_angle: ADAPTIVE: curvature times length, rad, below which a node may be removed, 0
+    to half of refine_angle; default 0.05.
 
     near_distance: ADAPTIVE, in a scene: gap, m, to another strand below which a segment is
     divided down to finest_length, and to a tool down to a quarter of its radius; 0 to 0.1;
     default 1e-3. The floor does not count.
 
-    clear_distance: ADAPTIVE, in a scene: gap, m, within which nothing may be where a node is
-    removed; near_distance to 0.1; default 3e-3.
+    clear_distance: ADAPTIVE, in a scene: a node is removed only if no other body is within this
+    gap, m, near_distance to 0.1; default 3e-3.
 
-    mesh_operations: ADAPTIVE: most divisions and removals after a step, 0 to 64; default 4."""
+    mesh_operations: ADAPTIVE: largest number of divisions and removals after a step, 0 to 64;
+    default 4."""
     struct_size: int
     method: int
     bending: int
@@ -262,25 +271,25 @@ class vbss_thread_config(ctypes.Structure):
 
 
 class vbss_thread_attachment(ctypes.Structure):
-    """Something that acts on one node. Fill it with vbss_thread_attachment_init.
+    """An attachment acts on one node. Fill it with vbss_thread_attachment_init.
 
-    kind: Default VBSS_ATTACHMENT_PIN.
+    kind: Kind; default VBSS_ATTACHMENT_PIN.
 
-    node: 0 to segment_count; default 0.
+    node: Node, 0 to segment_count; default 0.
 
-    position: PIN, CLAMP: target of the node in the next step, m, each at most 1e3; SPRING: its
-    fixed end.
+    position: PIN, CLAMP: target of the node in the next step; SPRING: its fixed end; m, each
+    coordinate at most 1e3 in magnitude.
 
-    direction: CLAMP: toward higher nodes, of any length from 1e-100 to 1e100; default (1, 0,
-    0). A thread that has moved is turned there in the next step.
+    direction: CLAMP: direction of the thread towards higher nodes, of any length from 1e-100 to
+    1e100; default (1, 0, 0). A thread with another direction turns there in the next step.
 
-    force: FORCE: N, each at most 1e6.
+    force: FORCE: force, N, each component at most 1e6 in magnitude.
 
-    stiffness: SPRING: N/m, 0 to 1e9.
+    stiffness: SPRING: stiffness, N/m, 0 to 1e9.
 
     damping: SPRING: damping of the velocity relative to the moving end, N s/m, 0 to 1e6.
 
-    mass: MASS: kg, 0 to 1e3."""
+    mass: MASS: mass, kg, 0 to 1e3."""
     struct_size: int
     kind: int
     node: int
@@ -377,13 +386,13 @@ class ThreadEnergies(NamedTuple):
 class vbss_thread_momentum(ctypes.Structure):
     """Momentum of a thread, attached masses included.
 
-    mass: kg.
+    mass: Mass, kg.
 
     centre: Centre of mass, m.
 
-    linear: kg m/s.
+    linear: Linear momentum, kg m/s.
 
-    angular: About the origin, kg m^2/s."""
+    angular: Angular momentum about the origin, kg m^2/s."""
     struct_size: int
     reserved: int
     mass: float
@@ -410,7 +419,7 @@ class ThreadMomentum(NamedTuple):
 
 
 class vbss_thread_statistics(ctypes.Structure):
-    """Counters since creation, and figures of the last step.
+    """Counters since creation, and results of the last step.
 
     last_iterations: Linearisations, or projection iterations, of the last step.
 
@@ -422,11 +431,11 @@ class vbss_thread_statistics(ctypes.Structure):
 
     first_order: OURS: substeps made by backward Euler.
 
-    rejections: OURS: tries that were undone and halved.
+    rejections: OURS: attempts that were rejected and halved.
 
     forced: OURS: substeps accepted unconverged, at the last halving.
 
-    fallbacks: PAPER: sections that did not converge, point constraints alone.
+    fallbacks: PAPER: sections that did not converge and kept the point constraints alone.
 
     softened: OURS: linearisations repeated with less compression, parts that started from the
     old positions because the prediction was unusable, and parts in which the force of rest
@@ -435,7 +444,7 @@ class vbss_thread_statistics(ctypes.Structure):
     last_stretch_error: OURS: max |length / rest length - 1 - T / EA| after the last step;
     PAPER: max |length / rest length - 1|.
 
-    stretch_error: Largest so far, after any part of a step.
+    stretch_error: Largest stretch error after any part of a step.
 
     last_stretch: max (length / rest length - 1) after the last step.
 
@@ -446,14 +455,13 @@ class vbss_thread_statistics(ctypes.Structure):
     coarsened: Nodes removed.
 
     laid_on_chord: Divisions whose new node is on the chord instead of the arc, for lack of
-    room.
+    clearance.
 
-    refused_capacity: Requests for a division without a free node in thread or scene.
+    refused_capacity: Divisions refused because thread or scene had no free node.
 
-    refused_held: Requests for a change at or beside attachments, pins, grasps or the ends at a
-    cut.
+    refused_held: Changes refused at or beside attachments, pins, grasps or the ends at a cut.
 
-    refused_near: Requests for a removal with something too near.
+    refused_near: Removals refused because another body was too near.
 
     nodes: Present number of nodes; also for a fixed mesh.
 
@@ -512,7 +520,7 @@ class vbss_thread_statistics(ctypes.Structure):
 
 
 class ThreadStatistics(NamedTuple):
-    """Counters since creation, and figures of the last step. Fields as vbss_thread_statistics
+    """Counters since creation, and results of the last step. Fields as vbss_thread_statistics
     says."""
     last_iterations: int
     steps: int

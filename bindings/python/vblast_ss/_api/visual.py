@@ -67,7 +67,7 @@ class vbss_visual(ctypes.Structure):
 
 
 class vbss_visual_config(ctypes.Structure):
-    """How to make a visual. Fill it with vbss_visual_config_init, then change what you need.
+    """Configuration of a visual. Fill it with vbss_visual_config_init, then change fields.
 
     source_capacity: Largest number of scenes and bodies, 1 to 256; default 8.
 
