@@ -58,22 +58,44 @@ static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *
     return best;
 }
 
-/* A fold knows no inside: as its sides turn, other pairs are nearest, and those may begin far deeper than what they bear. What
- * they have not been pressed in by nobody has done: they are let off by no more than they open. In real time parts leave
- * overlaps that no force knows of; let be, these would grow from part to part. */
-static void absorb_fold_overlap(scene_object *s, double h)
+/* Whether the contact is one of jaws with the wall that they grasp, or have released but still
+ * overlap. Beside the grasped strip, where contact is excluded, such a contact may begin deep. */
+static bool is_of_wall_in_jaws(const scene_object *s, const contact_key *key)
 {
-    for (uint32_t i = 0; s->config.mode == VBSS_MODE_OFFLINE && i < s->contacts->count; i++) {
+    const scene_body *a = vbss_scene_body(s, key->body_a);
+    return a != NULL && a->kind == SCENE_BODY_RIGID && a->rigid.wall_grasp.drain != 0 &&
+           a->rigid.wall_grasp.drain == key->body_b;
+}
+
+/* Smallest overlap without a force that is allowed, m; INFINITY for none. A fold has no inside: as
+ * its sides turn, other pairs are nearest, and those may begin far deeper than their force explains.
+ * In real time substeps leave small overlaps that no force explains; if these were allowed, they
+ * would grow. */
+static double min_allowed_excess(const scene_object *s, const contact_constraint *constraint)
+{
+    const contact_key *key = &constraint->key;
+    if (!scene_is_surface_contact(key->kind)) {
+        return (double)INFINITY;
+    }
+    if (key->body_a == key->body_b) {
+        return s->config.mode == VBSS_MODE_OFFLINE ? 0.0
+                                                   : SCENE_DEEP_FOLD_RATIO * constraint->thickness;
+    }
+    return is_of_wall_in_jaws(s, key) ? 0.0 : (double)INFINITY;
+}
+
+/* Overlap that no force explains is allowed, but for the part by which it opens in the substep. */
+static void absorb_deep_overlap(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_constraint *constraint = &s->contacts->constraints[i];
         scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
-        bool is_fold = scene_is_surface_contact(constraint->key.kind) &&
-                       constraint->key.body_a == constraint->key.body_b;
         double force_overlap = constraint->solution.status == CONTACT_OPEN
                                    ? 0.0
                                    : constraint->solution.normal_force / constraint->stiffness;
         double opening = SCENE_FOLD_OPENING_RATE * constraint->thickness * h;
         double excess = -geometry->start_gap - vbss_max(force_overlap, opening);
-        if (is_fold && excess > 0.0) {
+        if (excess > min_allowed_excess(s, constraint)) {
             constraint->fold_allowance = excess;
             geometry->overlap_allowance += excess;
             geometry->start_gap += excess;
@@ -100,5 +122,5 @@ void vbss_scene_warm_start_contacts(scene_object *s, const scene_substep *subste
             vbss_contact_warm_start_one(set, m, adjacent);
         }
     }
-    absorb_fold_overlap(s, substep->h);
+    absorb_deep_overlap(s, substep->h);
 }
