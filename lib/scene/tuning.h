@@ -81,7 +81,15 @@
 /* Jaws also grasp a strand that they would touch within this angle of the one that stops them.
  * Unit: rad. Origin: chosen. Test: none known. */
 #define SCENE_JAW_COMPLIANCE_ANGLE VBSS_TUNE(SCENE_JAW_COMPLIANCE_ANGLE, 0.02)
-/* Released jaws exclude contacts with a strand, wall or needle until it is this far away.
+/* Part of the contact distance that jaws keep to the wall that they grasp or have released.
+ * Unit: 1, relative to the contact distance. Origin: chosen, below the distance at the pivot. Test:
+ * scene.hand_speeds. */
+#define SCENE_HELD_WALL_CONTACT_SCALE VBSS_TUNE(SCENE_HELD_WALL_CONTACT_SCALE, 0.25)
+/* Released jaws keep the reduced contact distance until all of the wall is this far away.
+ * Unit: 1, relative to the contact distance. Origin: chosen, 1 less the overlap of a loaded contact.
+ * Test: scene.hand_speeds. */
+#define SCENE_WALL_CLEARANCE_RATIO VBSS_TUNE(SCENE_WALL_CLEARANCE_RATIO, 0.95)
+/* Released jaws exclude contacts with a strand or needle until it is this far away.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: halved none known; doubled needle-hands. */
 #define SCENE_RELEASE_CLEARANCE_RATIO VBSS_TUNE(SCENE_RELEASE_CLEARANCE_RATIO, 0.5)
 /* Straight pieces in which jaws search the arc of a needle.
@@ -182,6 +190,10 @@
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: halved none known; doubled scene-tools,
  * graspers, needle-hands. */
 #define SCENE_MIN_PREDICTED_RATIO VBSS_TUNE(SCENE_MIN_PREDICTED_RATIO, 0.5)
+/* In real time, an overlap of a fold that no force explains is deep from here on.
+ * Unit: 1, relative to the thickness of the wall. Origin: chosen, ten times the overlap that a real-time
+ * substep leaves. Test: scene.hand_speeds. */
+#define SCENE_DEEP_FOLD_RATIO VBSS_TUNE(SCENE_DEEP_FOLD_RATIO, 0.2)
 /* A fold that starts too deep opens at this rate.
  * Unit: 1/s, relative to the thickness of the wall. Origin: chosen. Test: none known. */
 #define SCENE_FOLD_OPENING_RATE VBSS_TUNE(SCENE_FOLD_OPENING_RATE, 20.0)

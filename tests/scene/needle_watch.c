@@ -17,6 +17,7 @@ typedef struct wall {
 typedef struct capsules {
     passing_chain all[NEEDLE_WATCH_CAPSULES], away[NEEDLE_WATCH_CAPSULES];
     size_t count, away_count;
+    box swept;
     uint32_t away_names[NEEDLE_WATCH_CAPSULES];
 } capsules;
 
@@ -69,16 +70,15 @@ static double force_across(const scene_object *s, uint32_t hole)
     return largest;
 }
 
-static void find_holes(const scene_object *s, const needle_case *c, wall *w)
+static void find_holes(const scene_object *s, const needle_watch *n, wall *w)
 {
-    const double touching = c->at_hole * (c->config.wire_radius + 0.5 * c->d.config.thickness);
     w->hole_count = 0;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         if (hole->id != 0) {
             const drain_object *d = w->drain;
             assert_true(w->hole_count < NEEDLE_CASE_HOLES);
-            w->reach[w->hole_count] = touching + c->give * force_across(s, i);
+            w->reach[w->hole_count] = n->touching + n->give * force_across(s, i);
             w->holes[w->hole_count][0] = vbss_hole_point(hole, d, d->x);
             w->holes[w->hole_count][1] = vbss_hole_point(hole, d, d->trial);
             w->at_rest[w->hole_count++] = vbss_hole_point(hole, d, d->mesh.rest);
@@ -92,11 +92,11 @@ static double distance_to_axis(const vec3 axis[2], vec3 p)
     return vec3_norm(vec3_add_scaled(to, -closest_on_edge(e, to), e));
 }
 
-static bool is_capsule_at_hole(const wall *w, const scene_capsule *c)
+static bool is_axis_at_hole(const wall *w, const vec3 now[2], const vec3 trial[2])
 {
     for (uint32_t i = 0; i < w->hole_count; i++) {
-        if (distance_to_axis(c->now, w->holes[i][0]) < w->reach[i] ||
-            distance_to_axis(c->trial, w->holes[i][1]) < w->reach[i]) {
+        if (distance_to_axis(now, w->holes[i][0]) < w->reach[i] ||
+            distance_to_axis(trial, w->holes[i][1]) < w->reach[i]) {
             return true;
         }
     }
@@ -118,23 +118,35 @@ static bool is_feature_at_hole(const wall *w, const uint32_t *nodes, uint32_t co
 
 /* ---- a part */
 
-static box gather_capsules(const scene_object *s, const scene_rigid *r, const wall *w, capsules *to)
+static void gather_axis(const vec3 now[2], const vec3 trial[2], const wall *w, capsules *to)
 {
     static const uint32_t both[2] = {0, 1};
-    box all = {vec3_zero(), vec3_zero()};
+    uint32_t name = (uint32_t)to->count;
+    assert_true(name < NEEDLE_WATCH_CAPSULES);
+    box swept = joined(box_of(now, both, 2), box_of(trial, both, 2));
+    to->swept = name == 0 ? swept : joined(to->swept, swept);
+    to->all[to->count++] = (passing_chain){now, trial, 2, false};
+    if (!is_axis_at_hole(w, now, trial)) {
+        to->away_names[to->away_count] = name;
+        to->away[to->away_count++] = (passing_chain){now, trial, 2, false};
+    }
+}
+
+static void gather_axes(const scene_object *s, const needle_watch *n, const wall *w, capsules *to)
+{
+    const scene_body *needle = vbss_scene_body(s, n->needle);
     to->count = to->away_count = 0;
-    assert_true(r->capsule_count <= NEEDLE_WATCH_CAPSULES);
-    for (uint32_t i = 0; i < r->capsule_count; i++) {
-        const scene_capsule *c = &s->capsules[r->first_capsule + i];
-        box swept = joined(box_of(c->now, both, 2), box_of(c->trial, both, 2));
-        all = i == 0 ? swept : joined(all, swept);
-        to->all[to->count++] = (passing_chain){c->now, c->trial, 2, false};
-        if (!is_capsule_at_hole(w, c)) {
-            to->away_names[to->away_count] = i;
-            to->away[to->away_count++] = (passing_chain){c->now, c->trial, 2, false};
+    for (uint32_t i = 0; needle != NULL && i < needle->rigid.capsule_count; i++) {
+        const scene_capsule *c = &s->capsules[needle->rigid.first_capsule + i];
+        gather_axis(c->now, c->trial, w, to);
+    }
+    for (uint32_t i = 0; n->threads && i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        const thread_object *t = b->thread.thread;
+        for (uint32_t k = 0; b->kind == SCENE_BODY_THREAD && k + 1 < t->node_count; k++) {
+            gather_axis(t->now.x + k, t->trial + k, w, to);
         }
     }
-    return all;
 }
 
 static bool concerns(const wall *w, box needle, bool away, const uint32_t *nodes, uint32_t corners)
@@ -190,29 +202,41 @@ static void ask(needle_watch *n, const wall *w, box needle, bool away, const pas
     n->passed += report.passed;
 }
 
+void needle_watch_look(needle_watch *n, const scene_object *s)
+{
+    const scene_body *drain = vbss_scene_body(s, n->drain);
+    static capsules of;
+    if (drain == NULL) {
+        return;
+    }
+    wall w = {.drain = drain->drain.drain};
+    find_holes(s, n, &w);
+    gather_axes(s, n, &w, &of);
+    n->parts++;
+    /* Pairs of which one or the other is away from holes; without holes these are all. */
+    ask(n, &w, of.swept, true, of.all, of.count, NULL);
+    if (w.hole_count > 0) {
+        ask(n, &w, of.swept, false, of.away, of.away_count, of.away_names);
+    }
+}
+
 static void watch(void *watcher, const scene_object *s)
 {
     needle_watch *n = watcher;
-    const scene_body *needle = vbss_scene_body(s, n->of->body);
-    wall w = {.drain = vbss_scene_body(s, n->of->d.body)->drain.drain};
-    static capsules of;
-    if (needle == NULL) {
-        return;
-    }
-    find_holes(s, n->of, &w);
-    box swept = gather_capsules(s, &needle->rigid, &w, &of);
-    n->parts++;
-    /* Pairs of which one or the other is away from holes; without holes these are all. */
-    ask(n, &w, swept, true, of.all, of.count, NULL);
-    if (w.hole_count > 0) {
-        ask(n, &w, swept, false, of.away, of.away_count, of.away_names);
+    n->needle = n->of->body;
+    if (vbss_scene_body(s, n->needle) != NULL) {
+        needle_watch_look(n, s);
     }
 }
 
 void needle_watch_begin(needle_watch *w, const needle_case *c)
 {
     scene_object *s = small_object(&c->d.s);
-    *w = (needle_watch){.of = c};
+    *w = (needle_watch){.of = c,
+                        .drain = c->d.body,
+                        .touching =
+                            c->at_hole * (c->config.wire_radius + 0.5 * c->d.config.thickness),
+                        .give = c->give};
     s->on_substep = watch;
     s->on_substep_data = w;
 }

@@ -1,5 +1,5 @@
-/* Excludes contact of the suture with the wall around a hole, and of jaws with the wall that
- * they grasp. */
+/* Contact scales: the suture does not touch the wall around a hole, and jaws come nearer to the wall
+ * that they grasp. */
 #include "scene/contacts/contacts.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
@@ -124,7 +124,7 @@ double vbss_scene_contact_scale_at(const scene_object *s, const scene_body *body
     }
     if (body->kind == SCENE_BODY_RIGID &&
         vbss_scene_is_wall_in_grasp(s, drain, wall_point->now, body, feature)) {
-        return 0.0;
+        return SCENE_HELD_WALL_CONTACT_SCALE;
     }
     bool node = is_point && body->kind == SCENE_BODY_THREAD;
     return vbss_scene_is_suture(body)

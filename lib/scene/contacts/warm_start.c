@@ -58,19 +58,32 @@ static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *
     return best;
 }
 
-/* Whether the parts of one wall touch in a fold. As they turn, other pairs are nearest, which may
- * begin far deeper than their forces press. Truncated substeps in real time leave overlaps in folds
- * that would grow from substep to substep. */
-static bool is_patient_fold(const scene_object *s, const contact_constraint *constraint)
+/* Whether the contact is one of jaws with the wall that they grasp, or have released but still
+ * overlap. Beside the grasped strip, where contact is excluded, such a contact may begin deep. */
+static bool is_of_wall_in_jaws(const scene_object *s, const contact_key *key)
 {
-    return s->config.mode == VBSS_MODE_OFFLINE && scene_is_surface_contact(constraint->key.kind) &&
-           constraint->key.body_a == constraint->key.body_b;
+    const scene_body *a = vbss_scene_body(s, key->body_a);
+    return a != NULL && a->kind == SCENE_BODY_RIGID && a->rigid.wall_grasp.drain != 0 &&
+           a->rigid.wall_grasp.drain == key->body_b;
+}
+
+/* Smallest overlap of a wall without a force that is left to later substeps, m; INFINITY for none. A
+ * fold has no inside: as its sides turn, other pairs are nearest, and those may begin far deeper than
+ * their force explains. In real time substeps leave small overlaps that no force explains; if these
+ * were left, they would grow. */
+static double min_deferred_overlap(const scene_object *s, const contact_constraint *constraint)
+{
+    const contact_key *key = &constraint->key;
+    if (key->body_a == key->body_b) {
+        return s->config.mode == VBSS_MODE_OFFLINE ? 0.0
+                                                   : SCENE_DEEP_FOLD_RATIO * constraint->thickness;
+    }
+    return is_of_wall_in_jaws(s, key) ? 0.0 : (double)INFINITY;
 }
 
 /* Overlap at the start of a substep that is left to later ones, m. The substep bears what the contact
  * force explains, or removes as much as a bounded speed does. An overlap within the tolerance is no
- * fault and goes at once, as do those of threads and drains, which leave bad states by forces of
- * their own. */
+ * fault and goes at once, as do those of threads, which leave bad states by forces of their own. */
 static double deferred_overlap(const scene_object *s, const contact_constraint *constraint,
                                double h)
 {
@@ -79,9 +92,10 @@ static double deferred_overlap(const scene_object *s, const contact_constraint *
     double explained = constraint->solution.status == CONTACT_OPEN
                            ? 0.0
                            : constraint->solution.normal_force / constraint->stiffness;
-    if (is_patient_fold(s, constraint)) {
+    if (scene_is_surface_contact(constraint->key.kind)) {
         double opening = SCENE_FOLD_OPENING_RATE * constraint->thickness * h;
-        return overlap - vbss_max(explained, opening);
+        double excess = overlap - vbss_max(explained, opening);
+        return excess > min_deferred_overlap(s, constraint) ? excess : 0.0;
     }
     bool is_rigid = constraint->key.kind == VBSS_CONTACT_CAPSULES ||
                     constraint->key.kind == VBSS_CONTACT_CAPSULE_FLOOR;
@@ -92,7 +106,7 @@ static double deferred_overlap(const scene_object *s, const contact_constraint *
 }
 
 /* Rigid bodies that the host has placed in each other would fly apart if one substep removed all of their
- * overlap. */
+ * overlap; so would a wall. */
 static void bound_recovery_speed(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {

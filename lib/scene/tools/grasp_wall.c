@@ -178,23 +178,44 @@ static const drain_object *held_drain(const scene_object *s, const scene_wall_gr
     return vbss_scene_body(s, p->drain)->drain.drain;
 }
 
-/* Whether the axes of both jaws are at least this fraction of the contact distance away from the
- * grasped points. */
-static bool is_wall_clear(const scene_object *s, const scene_body *tool, double fraction)
+/* Whether an axis is at least this far from all edges and triangles of a drain. */
+static bool is_axis_clear(const vec3 axis[2], const drain_object *d, double distance)
 {
-    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
-    const drain_object *d = held_drain(s, p);
+    const drain_mesh *m = &d->mesh;
+    const vec3 along = vec3_sub(axis[1], axis[0]);
+    double weights[3], at[2];
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        vec3 start = d->x[m->edges[i].nodes[0]], end = d->x[m->edges[i].nodes[1]];
+        vec3 separation = closest_between_edges(along, vec3_sub(end, start),
+                                                vec3_sub(start, axis[0]), &at[0], &at[1]);
+        if (vec3_norm(separation) < distance) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < 2 * m->triangle_count; i++) {
+        vec3 corners[3];
+        for (int k = 0; k < 3; k++) {
+            corners[k] = vec3_sub(d->x[m->triangles[i / 2][k]], axis[i % 2]);
+        }
+        if (vec3_norm(closest_on_triangle(corners, weights)) < distance) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Whether both jaws are clear of the wall that they have released: of all of it, as jaws and wall
+ * that still overlap anywhere would be thrown apart. */
+static bool is_wall_clear(const scene_object *s, const scene_body *tool)
+{
+    const drain_object *d = held_drain(s, &tool->rigid.wall_grasp);
     for (uint32_t j = GRASPER_JAW; j < GRASPER_NECK; j++) {
         const scene_capsule *jaw = &s->capsules[tool->rigid.first_capsule + j];
-        double min_distance = fraction * (jaw->radius + 0.5 * d->config.thickness);
         vec3 axis[2];
         vbss_scene_transform_capsule(jaw, tool->rigid.body.now.pose, axis);
-        for (uint32_t k = 0; k < p->point_count; k++) {
-            vec3 along = vec3_sub(axis[1], axis[0]);
-            vec3 to = vec3_sub(vbss_scene_wall_grasp_point(p, d, d->x, k), axis[0]);
-            if (vec3_norm(vec3_add_scaled(to, -closest_on_edge(along, to), along)) < min_distance) {
-                return false;
-            }
+        double contact_distance = jaw->radius + 0.5 * d->config.thickness;
+        if (!is_axis_clear(axis, d, SCENE_WALL_CLEARANCE_RATIO * contact_distance)) {
+            return false;
         }
     }
     return true;
@@ -211,7 +232,7 @@ void vbss_scene_release_wall_grasp(scene_object *s, scene_body *tool)
         emit_wall_grasp_event(s, VBSS_EVENT_RELEASE, tool);
         p->is_released = true;
         p->force = vec3_zero();
-        if (is_wall_clear(s, tool, SCENE_RELEASE_CLEARANCE_RATIO)) {
+        if (is_wall_clear(s, tool)) {
             *p = (scene_wall_grasp){0};
         }
     }
@@ -306,7 +327,7 @@ void vbss_scene_update_wall_grasps(scene_object *s, double h)
         }
         if (!b->rigid.wall_grasp.is_released) {
             update_wall_grasp(s, b, h);
-        } else if (is_wall_clear(s, b, 1.0)) {
+        } else if (is_wall_clear(s, b)) {
             b->rigid.wall_grasp = (scene_wall_grasp){0};
         }
     }
