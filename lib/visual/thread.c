@@ -92,11 +92,13 @@ void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_threa
     const scene_thread_info t = vbss_scene_inspect_thread(thread);
     const uint32_t segments = t.node_count - 1;
     const double radius = t.radius;
-    visual_section section;
-    vbss_visual_round_section(v, radius, &section);
+    const visual_section *section = vbss_visual_round_section(v, radius);
     vbss_visual_solve_spline(t.positions, t.rest_lengths, t.node_count, v->node_vectors,
                              v->elimination_ratios);
-    tube w = {vbss_visual_begin_loft(v, f, &section), {.radius = radius, .radial = 1.0}, false};
+    tube w;
+    vbss_visual_begin_loft(&w.loft, v, f, section);
+    w.ring = (visual_ring){.radius = radius, .radial = 1.0};
+    w.has_ring = false;
     double arc = 0.0;
     for (uint32_t i = 0; i < segments; i++) {
         const visual_segment s = {t.positions[i], t.positions[i + 1], v->node_vectors[i],

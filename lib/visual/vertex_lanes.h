@@ -1,0 +1,114 @@
+/* Four vertices in SIMD lanes: unit vectors, and the conversion to the floats of a renderer. */
+#ifndef VBSS_VISUAL_VERTEX_LANES_H
+#define VBSS_VISUAL_VERTEX_LANES_H
+
+#include <string.h>
+
+#include "base/vlanes.h"
+#include "visual/visual.h"
+
+/* ---- four floats */
+
+#if defined(__GNUC__)
+typedef float lanes_floats __attribute__((vector_size(16)));
+#define FLOAT_OF(v, i) ((v)[i])
+#else
+typedef struct lanes_floats {
+    float at[LANES];
+} lanes_floats;
+#define FLOAT_OF(v, i) ((v).at[i])
+#endif
+
+static inline lanes_floats lanes_floats_make(float a, float b, float c, float d)
+{
+#if defined(__GNUC__)
+    lanes_floats v = {a, b, c, d};
+#else
+    lanes_floats v = {{a, b, c, d}};
+#endif
+    return v;
+}
+
+/* visual_to_float for each lane */
+static inline lanes_floats lanes_to_floats(lanes v)
+{
+    v = lanes_min(lanes_max(v, lanes_splat(-VISUAL_LARGEST)), lanes_splat(VISUAL_LARGEST));
+#if defined(__GNUC__) && defined(__AVX__)
+    return __builtin_ia32_cvtpd2ps256(v);
+#elif defined(LANES_SHUFFLE) && defined(__SSE2__)
+    return LANES_SHUFFLE(__builtin_ia32_cvtpd2ps(v.low), __builtin_ia32_cvtpd2ps(v.high), 0, 1, 4,
+                         5);
+#else
+    return lanes_floats_make((float)lanes_at(v, 0), (float)lanes_at(v, 1), (float)lanes_at(v, 2),
+                             (float)lanes_at(v, 3));
+#endif
+}
+
+/* Transposes four rows in place. */
+static inline void lanes_floats_transpose(lanes_floats r[LANES])
+{
+    const lanes_floats a = r[0], b = r[1], c = r[2], d = r[3];
+#if defined(LANES_SHUFFLE)
+    const lanes_floats ab_low = LANES_SHUFFLE(a, b, 0, 4, 1, 5);
+    const lanes_floats ab_high = LANES_SHUFFLE(a, b, 2, 6, 3, 7);
+    const lanes_floats cd_low = LANES_SHUFFLE(c, d, 0, 4, 1, 5);
+    const lanes_floats cd_high = LANES_SHUFFLE(c, d, 2, 6, 3, 7);
+    r[0] = LANES_SHUFFLE(ab_low, cd_low, 0, 1, 4, 5);
+    r[1] = LANES_SHUFFLE(ab_low, cd_low, 2, 3, 6, 7);
+    r[2] = LANES_SHUFFLE(ab_high, cd_high, 0, 1, 4, 5);
+    r[3] = LANES_SHUFFLE(ab_high, cd_high, 2, 3, 6, 7);
+#else
+    for (int i = 0; i < LANES; i++) {
+        r[i] = lanes_floats_make(FLOAT_OF(a, i), FLOAT_OF(b, i), FLOAT_OF(c, i), FLOAT_OF(d, i));
+    }
+#endif
+}
+
+/* ---- four vertices */
+
+/* Stores positions, which are relative to the origin of the vertices, and normals. Two of the
+ * addresses may be equal if their lanes are. */
+static inline void visual_store_points(visual_vertex *const out[LANES], vlanes position,
+                                       vlanes normal)
+{
+    lanes_floats first[LANES] = {lanes_to_floats(position.x), lanes_to_floats(position.y),
+                                 lanes_to_floats(position.z), lanes_to_floats(normal.x)};
+    const lanes_floats y = lanes_to_floats(normal.y), z = lanes_to_floats(normal.z);
+    lanes_floats second[LANES] = {y, z, y, z}; /* half of each is stored */
+    lanes_floats_transpose(first);
+    lanes_floats_transpose(second);
+    for (int l = 0; l < LANES; l++) {
+        uint8_t *bytes = (uint8_t *)out[l];
+        memcpy(bytes, &first[l], 4 * sizeof(float));
+        memcpy(bytes + 4 * sizeof(float), &second[l], 2 * sizeof(float));
+    }
+}
+
+static inline vlanes v_splat(vec3 a)
+{
+    vlanes r = {lanes_splat(a.x), lanes_splat(a.y), lanes_splat(a.z)};
+    return r;
+}
+
+/* The vectors of four indices. */
+static inline vlanes v_gather(const vec3 *from, const uint32_t index[LANES])
+{
+    const vec3 a = from[index[0]], b = from[index[1]], c = from[index[2]], d = from[index[3]];
+    const double x[LANES] = {a.x, b.x, c.x, d.x}, y[LANES] = {a.y, b.y, c.y, d.y},
+                 z[LANES] = {a.z, b.z, c.z, d.z};
+    vlanes r = {lanes_load(x), lanes_load(y), lanes_load(z)};
+    return r;
+}
+
+/* vec3_unit_or for each lane */
+static inline vlanes v_unit_or(vlanes a, vlanes fallback)
+{
+    const lanes n = lanes_sqrt(v_dot(a, a));
+    const lanes_mask is_infinite = lanes_less(lanes_splat(DBL_MAX), n);
+    const lanes_mask is_short = lanes_less(n, lanes_splat(1e-150));
+    const lanes inverse = lanes_div(lanes_splat(1.0), n);
+    return v_select(is_short, fallback,
+                    v_scale(a, lanes_select(is_infinite, lanes_sub(n, n), inverse)));
+}
+
+#endif

@@ -1,0 +1,336 @@
+/* The vertices of a wall, four edges or triangles at a time. If fewer are left, the last one takes
+ * the other lanes too, and is stored more than once. */
+#include "base/simd_dispatch.h"
+#include "visual/vertex_lanes.h"
+
+/* Four indices from `first` on, at most `last`. */
+static inline void clamp_indices(uint32_t first, uint32_t last, uint32_t index[LANES])
+{
+    for (uint32_t l = 0; l < LANES; l++) {
+        index[l] = first + l < last ? first + l : last;
+    }
+}
+
+/* ---- normals of nodes */
+
+/* The weight of a triangle at a node is 1 / (|a|^2 |b|^2) for its edges a and b there, and its
+ * normal is a x b (Max 1999). */
+static void find_terms(const vlanes x[3], vlanes terms[3])
+{
+    const vlanes edge[3] = {v_sub(x[1], x[0]), v_sub(x[2], x[1]), v_sub(x[2], x[0])};
+    const vlanes normal = v_cross(edge[0], edge[2]);
+    lanes squared[3];
+    for (int k = 0; k < 3; k++) {
+        squared[k] = lanes_max(v_dot(edge[k], edge[k]), lanes_splat(1e-300));
+    }
+    for (int k = 0; k < 3; k++) {
+        const lanes both = lanes_times(squared[k], squared[k == 0 ? 2 : k - 1]);
+        terms[k] = v_scale(normal, lanes_div(lanes_splat(1.0), both));
+    }
+}
+
+static void normalise(vec3 *normals, uint32_t count)
+{
+    const vlanes fallback = v_splat(vec3_make(0.0, 1.0, 0.0));
+    for (uint32_t i = 0; i < count; i += LANES) {
+        uint32_t index[LANES];
+        double x[LANES], y[LANES], z[LANES];
+        clamp_indices(i, count - 1, index);
+        const vlanes unit = v_unit_or(v_gather(normals, index), fallback);
+        lanes_store(x, unit.x);
+        lanes_store(y, unit.y);
+        lanes_store(z, unit.z);
+        for (uint32_t l = 0; l < LANES; l++) {
+            normals[index[l]] = vec3_make(x[l], y[l], z[l]);
+        }
+    }
+}
+
+/* Adds the terms of `count` triangles from number t on, one triangle after the other. */
+static void add_terms(const visual_wall *w, uint32_t t, uint32_t count, const vlanes terms[3])
+{
+    double numbers[3][3][LANES];
+    for (int k = 0; k < 3; k++) {
+        lanes_store(numbers[k][0], terms[k].x);
+        lanes_store(numbers[k][1], terms[k].y);
+        lanes_store(numbers[k][2], terms[k].z);
+    }
+    for (uint32_t l = 0; l < count; l++) {
+        for (int k = 0; k < 3; k++) {
+            vec3 *sum = &w->normals[w->drain->triangles[t + l][k]];
+            const vec3 term = {numbers[k][0][l], numbers[k][1][l], numbers[k][2][l]};
+            *sum = vec3_add(*sum, term);
+        }
+    }
+}
+
+void VBSS_WIDE_NAME(vbss_visual_find_wall_normals)(const visual_wall *w)
+{
+    const scene_drain_info *d = w->drain;
+    for (uint32_t i = 0; i < d->node_count; i++) {
+        w->normals[i] = vec3_zero();
+    }
+    for (uint32_t t = 0; t < d->triangle_count; t += LANES) {
+        uint32_t index[LANES];
+        vlanes x[3], terms[3];
+        clamp_indices(t, d->triangle_count - 1, index);
+        for (int k = 0; k < 3; k++) {
+            const uint32_t nodes[LANES] = {d->triangles[index[0]][k], d->triangles[index[1]][k],
+                                           d->triangles[index[2]][k], d->triangles[index[3]][k]};
+            x[k] = v_gather(d->positions, nodes);
+        }
+        find_terms(x, terms);
+        add_terms(w, t, d->triangle_count - t < LANES ? d->triangle_count - t : LANES, terms);
+    }
+    normalise(w->normals, d->node_count);
+}
+
+/* ---- curves of edges: cubic Bezier curves with quadratic normals */
+
+typedef struct edge_curves {
+    vlanes corner[2], control[2], normal[2], middle_normal; /* m; m; unit; unit */
+} edge_curves;
+
+/* The point at a third of the edge, projected into the tangent plane of the corner. */
+static inline vlanes control_point(vlanes corner, vlanes other, vlanes normal)
+{
+    const vlanes chord = v_sub(other, corner);
+    const vlanes flat = v_add_scaled(chord, lanes_scale(-1.0, v_dot(chord, normal)), normal);
+    return v_add_scaled(corner, lanes_splat(1.0 / 3.0), flat);
+}
+
+/* The mean of the normals of the ends, reflected in the middle plane, so that an inflection is
+ * followed. */
+static inline vlanes middle_normal(const edge_curves *e)
+{
+    const vlanes chord = v_sub(e->corner[1], e->corner[0]), sum = v_add(e->normal[0], e->normal[1]);
+    const lanes length = v_dot(chord, chord);
+    const lanes twice = lanes_times(lanes_splat(-2.0), v_dot(chord, sum));
+    const vlanes reflected = v_add_scaled(sum, lanes_div(twice, length), chord);
+    const lanes_mask has_length = lanes_less(lanes_splat(0.0), length);
+    return v_unit_or(v_select(has_length, reflected, sum), e->normal[0]);
+}
+
+static inline void set_ends(edge_curves *e, const visual_wall *w, const uint32_t from[LANES],
+                            const uint32_t to[LANES])
+{
+    e->corner[0] = v_gather(w->drain->positions, from);
+    e->corner[1] = v_gather(w->drain->positions, to);
+    e->normal[0] = v_gather(w->normals, from);
+    e->normal[1] = v_gather(w->normals, to);
+}
+
+static inline void set_controls(edge_curves *e)
+{
+    e->control[0] = control_point(e->corner[0], e->corner[1], e->normal[0]);
+    e->control[1] = control_point(e->corner[1], e->corner[0], e->normal[1]);
+    e->middle_normal = middle_normal(e);
+}
+
+static inline void set_edges(edge_curves *e, const visual_wall *w, const uint32_t index[LANES])
+{
+    uint32_t from[LANES], to[LANES];
+    for (int l = 0; l < LANES; l++) {
+        from[l] = w->drain->edges[index[l]][0];
+        to[l] = w->drain->edges[index[l]][1];
+    }
+    set_ends(e, w, from, to);
+    set_controls(e);
+}
+
+/* Point and unit normal at the fraction k / n. At an end both are those of the node. */
+static inline vlanes edge_point(const edge_curves *e, uint32_t k, uint32_t n, vlanes *normal)
+{
+    if (k == 0 || k == n) {
+        *normal = e->normal[k != 0];
+        return e->corner[k != 0];
+    }
+    const double b = (double)k / (double)n, a = 1.0 - b;
+    vlanes m = v_scale(e->normal[0], lanes_splat(a * a));
+    m = v_add_scaled(m, lanes_splat(a * b), e->middle_normal);
+    m = v_add_scaled(m, lanes_splat(b * b), e->normal[1]);
+    *normal = v_unit_or(m, e->normal[0]);
+    vlanes x = v_scale(e->corner[0], lanes_splat(a * a * a));
+    x = v_add_scaled(x, lanes_splat(3.0 * a * a * b), e->control[0]);
+    x = v_add_scaled(x, lanes_splat(3.0 * a * b * b), e->control[1]);
+    return v_add_scaled(x, lanes_splat(b * b * b), e->corner[1]);
+}
+
+/* Squared largest second difference of the curves. That of a cubic is largest at an end. */
+static inline lanes second_difference(const edge_curves *e)
+{
+    const vlanes middle = v_sub(e->control[1], e->control[0]);
+    const vlanes start = v_sub(middle, v_sub(e->control[0], e->corner[0]));
+    const vlanes end = v_sub(v_sub(e->corner[1], e->control[1]), middle);
+    return lanes_max(v_dot(start, start), v_dot(end, end));
+}
+
+/* ---- vertices of faces */
+
+/* Stores four points of the middle surface on both faces. `vertex` counts on a face. */
+static inline void store_on_faces(const visual_wall *w, const uint32_t vertex[LANES], vlanes middle,
+                                  vlanes normal)
+{
+    visual_vertex *outer[LANES], *inner[LANES];
+    const vlanes origin = v_splat(w->origin);
+    for (int l = 0; l < LANES; l++) {
+        outer[l] = &w->outer[vertex[l]];
+        inner[l] = outer[l] + w->face_count;
+    }
+    const vlanes offset = v_scale(normal, lanes_splat(w->half_thickness));
+    visual_store_points(outer, v_sub(v_add(middle, offset), origin), normal);
+    visual_store_points(inner, v_sub(v_sub(middle, offset), origin),
+                        v_scale(normal, lanes_splat(-1.0)));
+}
+
+static void write_nodes(const visual_wall *w)
+{
+    for (uint32_t i = 0; i < w->drain->node_count; i += LANES) {
+        uint32_t index[LANES];
+        clamp_indices(i, w->drain->node_count - 1, index);
+        store_on_faces(w, index, v_gather(w->drain->positions, index), v_gather(w->normals, index));
+    }
+}
+
+double VBSS_WIDE_NAME(vbss_visual_write_wall_edges)(const visual_wall *w)
+{
+    const uint32_t inside = w->divisions - 1, last = w->drain->edge_count - 1;
+    lanes largest = lanes_splat(0.0);
+    for (uint32_t i = 0; i <= last; i += LANES) {
+        uint32_t index[LANES], vertex[LANES];
+        edge_curves e;
+        clamp_indices(i, last, index);
+        set_edges(&e, w, index);
+        largest = lanes_max(second_difference(&e), largest);
+        for (uint32_t k = 0; k < inside; k++) {
+            vlanes normal, x = edge_point(&e, k + 1, w->divisions, &normal);
+            for (int l = 0; l < LANES; l++) {
+                vertex[l] = w->drain->node_count + index[l] * inside + k;
+            }
+            store_on_faces(w, vertex, x, normal);
+        }
+    }
+    double squared = 0.0;
+    for (int l = 0; l < LANES; l++) {
+        squared = vbss_max(squared, lanes_at(largest, l));
+    }
+    return 0.75 * sqrt(squared);
+}
+
+/* ---- patches over triangles */
+
+typedef struct patches {
+    edge_curves edges[3]; /* edge k runs from corner k to the next one */
+    vlanes centre;        /* inner control point, m */
+} patches;
+
+static void set_patches(patches *p, const visual_wall *w, const uint32_t index[LANES])
+{
+    vlanes controls = v_splat(vec3_zero()), corners = controls;
+    for (int k = 0; k < 3; k++) {
+        uint32_t from[LANES], to[LANES];
+        for (int l = 0; l < LANES; l++) {
+            from[l] = w->drain->triangles[index[l]][k];
+            to[l] = w->drain->triangles[index[l]][k == 2 ? 0 : k + 1];
+        }
+        edge_curves *e = &p->edges[k];
+        set_ends(e, w, from, to);
+        set_controls(e);
+        controls = v_add(controls, v_add(e->control[0], e->control[1]));
+        corners = v_add(corners, e->corner[0]);
+    }
+    p->centre =
+        v_add_scaled(v_scale(controls, lanes_splat(0.25)), lanes_splat(-1.0 / 6.0), corners);
+}
+
+/* Point and unit normal at barycentric coordinates. */
+static vlanes patch_point(const patches *p, const double weights[3], vlanes *normal)
+{
+    vlanes x = v_scale(p->centre, lanes_splat(6.0 * weights[0] * weights[1] * weights[2]));
+    vlanes n = v_splat(vec3_zero());
+    for (int k = 0; k < 3; k++) {
+        const edge_curves *e = &p->edges[k];
+        const double a = weights[k], b = weights[k == 2 ? 0 : k + 1];
+        x = v_add_scaled(x, lanes_splat(a * a * a), e->corner[0]);
+        x = v_add_scaled(x, lanes_splat(3.0 * a * a * b), e->control[0]);
+        x = v_add_scaled(x, lanes_splat(3.0 * a * b * b), e->control[1]);
+        n = v_add_scaled(n, lanes_splat(a * a), e->normal[0]);
+        n = v_add_scaled(n, lanes_splat(a * b), e->middle_normal);
+    }
+    *normal = v_unit_or(n, p->edges[0].normal[0]);
+    return x;
+}
+
+static void write_interior(const visual_wall *w)
+{
+    const uint32_t n = w->divisions, last = w->drain->triangle_count - 1;
+    const uint32_t first = w->drain->node_count + w->drain->edge_count * (n - 1);
+    for (uint32_t t = 0; t <= last && n > 2; t += LANES) {
+        uint32_t index[LANES], vertex[LANES];
+        patches p;
+        clamp_indices(t, last, index);
+        set_patches(&p, w, index);
+        for (int l = 0; l < LANES; l++) {
+            vertex[l] = first + index[l] * visual_interior_vertices(n);
+        }
+        for (uint32_t i = 1; i + 1 < n; i++) {
+            for (uint32_t k = 1; i + k < n; k++) {
+                const double weights[3] = {(double)(n - i - k) / (double)n, (double)i / (double)n,
+                                           (double)k / (double)n};
+                vlanes normal, x = patch_point(&p, weights, &normal);
+                store_on_faces(w, vertex, x, normal);
+                for (int l = 0; l < LANES; l++) {
+                    vertex[l]++;
+                }
+            }
+        }
+    }
+}
+
+/* ---- rims */
+
+/* Writes the rims of four free edges. `rim` has their numbers among the free edges. */
+static void write_rim(const visual_wall *w, const uint32_t edge[LANES], const uint32_t rim[LANES])
+{
+    edge_curves e;
+    const vlanes origin = v_splat(w->origin);
+    visual_vertex *outer[LANES], *inner[LANES];
+    set_edges(&e, w, edge);
+    const vlanes chord = v_sub(e.corner[1], e.corner[0]);
+    for (uint32_t k = 0; k <= w->divisions; k++) {
+        vlanes normal, middle = edge_point(&e, k, w->divisions, &normal);
+        const vlanes out = v_unit_or(v_cross(chord, normal), normal);
+        const vlanes offset = v_scale(normal, lanes_splat(w->half_thickness));
+        for (int l = 0; l < LANES; l++) {
+            outer[l] = &w->outer[2 * (w->face_count + rim[l] * (w->divisions + 1) + k)];
+            inner[l] = outer[l] + 1;
+        }
+        visual_store_points(outer, v_sub(v_add(middle, offset), origin), out);
+        visual_store_points(inner, v_sub(v_sub(middle, offset), origin), out);
+    }
+}
+
+static void write_rims(const visual_wall *w)
+{
+    uint32_t edge[LANES] = {0}, rim[LANES] = {0}, count = 0;
+    for (uint32_t i = 0; i < w->drain->edge_count; i++) {
+        if (w->drain->edges[i][3] != SCENE_INSPECT_NONE) {
+            continue;
+        }
+        for (uint32_t l = count % LANES; l < LANES; l++) {
+            edge[l] = i;
+            rim[l] = count;
+        }
+        count++;
+        if (count % LANES == 0 || count == w->rim_count) {
+            write_rim(w, edge, rim);
+        }
+    }
+}
+
+void VBSS_WIDE_NAME(vbss_visual_write_wall)(const visual_wall *w)
+{
+    write_nodes(w);
+    write_interior(w);
+    write_rims(w);
+}
