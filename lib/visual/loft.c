@@ -17,15 +17,12 @@ void vbss_visual_begin_loft(visual_loft *loft, const visual_object *v, visual_fr
 static void connect_rings(const visual_loft *l)
 {
     visual_frame *f = l->frame;
-    const uint32_t count = 2 * l->section->joint_count, words = 3 * count, first = l->previous;
-    if (f->triangle_count + count <= l->v->config.triangle_capacity) {
-        const uint32_t *strip = l->section->strip[0];
-        uint32_t *out = f->triangles[f->triangle_count];
-        for (uint32_t i = 0; i < words; i++) {
-            out[i] = strip[i] + first;
-        }
+    const uint32_t first = f->triangle_count;
+    f->triangle_count += 2 * l->section->joint_count;
+    if (f->triangle_count <= l->v->config.triangle_capacity) {
+        VBSS_WIDE_CALL(l->v->wide, vbss_visual_write_strip, l->section, l->previous,
+                       f->triangles[first]);
     }
-    f->triangle_count += count;
 }
 
 /* `ring_is_last`: the ring comes after the pole; otherwise before it. */

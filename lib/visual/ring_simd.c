@@ -17,18 +17,21 @@ static void write_points(const visual_section *s, const visual_ring *ring, vec3 
                  second = v_splat(vec3_cross(ring->tangent, ring->normal)),
                  forward = v_splat(vec3_scale(ring->tangent, ring->axial)), shift = v_splat(origin);
     const lanes radius = lanes_splat(ring->radius), radial = lanes_splat(ring->radial);
-    const uint32_t last = s->count - 1;
-    for (uint32_t i = 0; i < s->count; i += LANES) {
+    for (uint32_t i = 0; i < s->distinct; i += LANES) {
         vlanes across = across_line(first, second, s->position, i), normal = across;
         if (s->shape != VISUAL_ROUND) {
             normal = across_line(first, second, s->normal, i);
         }
-        visual_vertex *vertices[LANES];
-        for (uint32_t l = 0; l < LANES; l++) {
-            vertices[l] = &out[i + l < last ? i + l : last];
-        }
+        uint32_t index[LANES];
+        clamp_indices(i, s->count - 1, index);
+        visual_vertex *vertices[LANES] = {&out[index[0]], &out[index[1]], &out[index[2]],
+                                          &out[index[3]]};
         visual_store_points(vertices, v_sub(v_add_scaled(centre, radius, across), shift),
                             v_add(v_scale(normal, radial), forward));
+    }
+    if (s->distinct < s->count) {
+        memcpy(out[s->distinct].position, out->position, sizeof out->position);
+        memcpy(out[s->distinct].normal, out->normal, sizeof out->normal);
     }
 }
 
@@ -50,4 +53,13 @@ void VBSS_WIDE_NAME(vbss_visual_write_ring)(const visual_loft *loft, const visua
 {
     write_points(loft->section, ring, loft->v->origin, out);
     write_attributes(loft, ring, out);
+}
+
+void VBSS_WIDE_NAME(vbss_visual_write_strip)(const visual_section *section, uint32_t first,
+                                             uint32_t *out)
+{
+    const uint32_t *strip = section->strip[0];
+    for (uint32_t i = 0; i < 6 * section->joint_count; i++) {
+        out[i] = strip[i] + first;
+    }
 }

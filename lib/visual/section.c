@@ -48,6 +48,7 @@ static void make_round(visual_section *s)
         set_point(s, i, cosine, sine, cosine, sine);
         add_point(s, i < s->sides, fraction); /* the seam has two points */
     }
+    s->distinct = s->sides;
 }
 
 static void make_jaw(visual_section *s)
@@ -66,6 +67,7 @@ static void make_jaw(visual_section *s)
     add_point(s, true, 0.7);
     set_point(s, s->count, -1.0, -1.0, -1.0, 0.0);
     add_point(s, false, 1.0);
+    s->distinct = s->count;
 }
 
 static void pad(visual_section *s)

@@ -90,6 +90,14 @@ static inline vlanes v_splat(vec3 a)
     return r;
 }
 
+/* Four indices from `first` on. Those beyond `last` are replaced by it. */
+static inline void clamp_indices(uint32_t first, uint32_t last, uint32_t index[LANES])
+{
+    for (uint32_t l = 0; l < LANES; l++) {
+        index[l] = first + l < last ? first + l : last;
+    }
+}
+
 /* The vectors of four indices. */
 static inline vlanes v_gather(const vec3 *from, const uint32_t index[LANES])
 {
@@ -109,6 +117,18 @@ static inline vlanes v_unit_or(vlanes a, vlanes fallback)
     const lanes inverse = lanes_div(lanes_splat(1.0), n);
     return v_select(is_short, fallback,
                     v_scale(a, lanes_select(is_infinite, lanes_sub(n, n), inverse)));
+}
+
+/* Stores four vectors at their indices. */
+static inline void v_scatter(vec3 *out, const uint32_t index[LANES], vlanes v)
+{
+    double x[LANES], y[LANES], z[LANES];
+    lanes_store(x, v.x);
+    lanes_store(y, v.y);
+    lanes_store(z, v.z);
+    for (int l = 0; l < LANES; l++) {
+        out[index[l]] = vec3_make(x[l], y[l], z[l]);
+    }
 }
 
 #endif

@@ -86,8 +86,10 @@ typedef struct visual_source {
 typedef struct visual_section {
     visual_section_shape shape;
     uint32_t sides;      /* of the shape; 0: the section is not made yet */
-    uint32_t count;      /* points; beyond, up to a multiple of LANES, the last one is repeated */
+    uint32_t count;      /* points */
+    uint32_t distinct;   /* without the last point of a circle, which is the first one again */
     uint32_t dome_rings; /* rings of a dome of the same fineness */
+    /* Up to a multiple of LANES points, the last one is repeated. */
     double position[2][VISUAL_MAX_SECTION_POINTS], normal[2][VISUAL_MAX_SECTION_POINTS];
     float perimeter_fraction[VISUAL_MAX_SECTION_POINTS];
     double dome_sine[VISUAL_MAX_DOME_RINGS + 1], dome_cosine[VISUAL_MAX_DOME_RINGS + 1];
@@ -236,12 +238,16 @@ typedef struct visual_capsule {
 
 void vbss_visual_add_capsule(const visual_object *v, visual_frame *f, const visual_section *section,
                              const visual_capsule *capsule);
-/* ---- ring_simd.c: the vertices of a ring, which are stored from `out` on */
+/* ---- ring_simd.c */
 
+/* Writes the vertices of a ring from `out` on. */
 void vbss_visual_write_ring_plain(const visual_loft *loft, const visual_ring *ring,
                                   visual_vertex *out);
 void vbss_visual_write_ring_wide(const visual_loft *loft, const visual_ring *ring,
                                  visual_vertex *out);
+/* Writes the triangles between two rings. `first` is the first vertex of the first one. */
+void vbss_visual_write_strip_plain(const visual_section *section, uint32_t first, uint32_t *out);
+void vbss_visual_write_strip_wide(const visual_section *section, uint32_t first, uint32_t *out);
 
 /* ---- spline.c: the natural cubic spline through the nodes of a thread */
 
@@ -250,15 +256,25 @@ void vbss_visual_write_ring_wide(const visual_loft *loft, const visual_ring *rin
 void vbss_visual_solve_spline(const vec3 *x, const double *lengths, uint32_t node_count,
                               vec3 *second_derivatives, double *ratios);
 
-typedef struct visual_segment {
-    vec3 start, end, start_second_derivative, end_second_derivative; /* m; 1/m */
-    double length;                                                   /* at rest, m */
-} visual_segment;
+/* ---- line_simd.c: points of that spline */
 
-/* Point of the spline at a fraction of the segment. At 0 and 1 it is the node, to the bit. */
-vec3 vbss_visual_segment_point(const visual_segment *s, double fraction);
-/* Derivative of the point with respect to the rest length. */
-vec3 vbss_visual_segment_derivative(const visual_segment *s, double fraction);
+typedef struct visual_line {
+    const vec3 *nodes, *second_derivatives; /* m; 1/m */
+    const double *lengths;                  /* of the segments, at rest, m */
+} visual_line;
+
+/* A run of points, as many as the scratch of an update holds. */
+enum { VISUAL_LINE_POINTS = 64 };
+typedef struct visual_line_points {
+    uint32_t count, segment[VISUAL_LINE_POINTS];
+    double fraction[VISUAL_LINE_POINTS];                              /* of the segment */
+    double arc_length[VISUAL_LINE_POINTS], value[VISUAL_LINE_POINTS]; /* of the rings there */
+    vec3 centre[VISUAL_LINE_POINTS], tangent[VISUAL_LINE_POINTS];     /* results: m; unit */
+} visual_line_points;
+
+/* Computes the points and the tangents there. A tangent without a direction is zero. */
+void vbss_visual_find_line_points_plain(const visual_line *line, visual_line_points *points);
+void vbss_visual_find_line_points_wide(const visual_line *line, visual_line_points *points);
 
 /* ---- thread.c */
 

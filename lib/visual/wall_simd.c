@@ -3,14 +3,6 @@
 #include "base/simd_dispatch.h"
 #include "visual/vertex_lanes.h"
 
-/* Four indices from `first` on, at most `last`. */
-static inline void clamp_indices(uint32_t first, uint32_t last, uint32_t index[LANES])
-{
-    for (uint32_t l = 0; l < LANES; l++) {
-        index[l] = first + l < last ? first + l : last;
-    }
-}
-
 /* ---- normals of nodes */
 
 /* The weight of a triangle at a node is 1 / (|a|^2 |b|^2) for its edges a and b there, and its
@@ -31,18 +23,11 @@ static void find_terms(const vlanes x[3], vlanes terms[3])
 
 static void normalise(vec3 *normals, uint32_t count)
 {
-    const vlanes fallback = v_splat(vec3_make(0.0, 1.0, 0.0));
     for (uint32_t i = 0; i < count; i += LANES) {
         uint32_t index[LANES];
-        double x[LANES], y[LANES], z[LANES];
         clamp_indices(i, count - 1, index);
-        const vlanes unit = v_unit_or(v_gather(normals, index), fallback);
-        lanes_store(x, unit.x);
-        lanes_store(y, unit.y);
-        lanes_store(z, unit.z);
-        for (uint32_t l = 0; l < LANES; l++) {
-            normals[index[l]] = vec3_make(x[l], y[l], z[l]);
-        }
+        v_scatter(normals, index,
+                  v_unit_or(v_gather(normals, index), v_splat(vec3_make(0.0, 1.0, 0.0))));
     }
 }
 
