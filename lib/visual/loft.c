@@ -1,6 +1,16 @@
 /* Lofts: surfaces made by moving a section along a line, ring by ring, with domes at the ends. */
+#include <stddef.h>
+
 #include "base/simd_dispatch.h"
 #include "visual/visual.h"
+
+static uint32_t find_kept_triangles(const visual_loft_record *last, const visual_loft_record *now)
+{
+    const bool same = last->shape == now->shape && last->sides == now->sides &&
+                      last->first_vertex == now->first_vertex &&
+                      last->first_triangle == now->first_triangle;
+    return same ? last->end_triangle : 0;
+}
 
 void vbss_visual_begin_loft(visual_loft *loft, const visual_object *v, visual_frame *f,
                             const visual_section *section)
@@ -8,8 +18,17 @@ void vbss_visual_begin_loft(visual_loft *loft, const visual_object *v, visual_fr
     loft->v = v;
     loft->frame = f;
     loft->section = section;
+    loft->record = NULL;
+    loft->kept_triangles = 0;
     loft->has_previous = loft->previous_is_pole = false;
     loft->scale = -1.0;
+    if (f->loft_count < VISUAL_LOFTS_PER_PART * v->config.part_capacity) {
+        const visual_loft_record now = {section->shape, section->sides, f->vertex_count,
+                                        f->triangle_count, 0};
+        loft->record = &f->lofts[f->loft_count++];
+        loft->kept_triangles = find_kept_triangles(loft->record, &now);
+        *loft->record = now;
+    }
 }
 
 /* ---- triangles */
@@ -19,7 +38,8 @@ static void connect_rings(const visual_loft *l)
     visual_frame *f = l->frame;
     const uint32_t first = f->triangle_count;
     f->triangle_count += 2 * l->section->joint_count;
-    if (f->triangle_count <= l->v->config.triangle_capacity) {
+    if (f->triangle_count > l->kept_triangles &&
+        f->triangle_count <= l->v->config.triangle_capacity) {
         VBSS_WIDE_CALL(l->v->wide, vbss_visual_write_strip, l->section, l->previous,
                        f->triangles[first]);
     }
@@ -31,6 +51,13 @@ static void connect_pole(const visual_loft *l, uint32_t pole, uint32_t ring, boo
     for (uint32_t i = 0; i < l->section->joint_count; i++) {
         uint32_t a = ring + l->section->joints[i], b = a + 1;
         visual_add_triangle(l->v, l->frame, pole, ring_is_last ? b : a, ring_is_last ? a : b);
+    }
+}
+
+static void end_triangles(visual_loft *l)
+{
+    if (l->record != NULL) {
+        l->record->end_triangle = l->frame->triangle_count;
     }
 }
 
@@ -78,6 +105,7 @@ void vbss_visual_add_pole(visual_loft *loft, const visual_ring *ring)
                       ring->value};
     visual_set_vertex(loft->v, loft->frame, index, &p);
     if (loft->has_previous) {
+        end_triangles(loft);
         connect_pole(loft, index, loft->previous, false);
     }
     loft->previous = index;

@@ -211,18 +211,23 @@ static vbss_result fail_capacity(const visual_object *v, const visual_frame *f)
                      f->vertex_count, f->triangle_count, f->part_count, f->decal_count);
 }
 
-/* The records of walls that this update has not written are out of date. */
-static void forget_walls(const visual_object *v, visual_frame *f)
+/* The records that an update has not written are out of date after it; after one that has failed,
+ * all are. */
+static void forget_records(const visual_object *v, visual_frame *f, bool has_failed)
 {
-    for (uint32_t i = f->wall_count; i < v->config.part_capacity; i++) {
-        f->walls[i] = (visual_wall_record){.drain = NULL};
+    const uint32_t parts = v->config.part_capacity;
+    for (uint32_t i = has_failed ? 0 : f->wall_count; i < parts; i++) {
+        f->walls[i].drain = NULL;
+    }
+    for (uint32_t i = has_failed ? 0 : f->loft_count; i < VISUAL_LOFTS_PER_PART * parts; i++) {
+        f->lofts[i].sides = 0;
     }
 }
 
 static vbss_result draw_frame(visual_object *v, visual_frame *f)
 {
     f->vertex_count = f->triangle_count = f->part_count = f->decal_count = 0;
-    f->tube_start_count = f->wall_count = 0;
+    f->tube_start_count = f->wall_count = f->loft_count = 0;
     for (uint32_t i = 0; i < v->config.source_capacity && vbss_visual_fits(v, f); i++) {
         VBSS_TRY(draw_source(v, f, &v->sources[i]));
     }
@@ -238,7 +243,7 @@ vbss_result vbss_visual_update(vbss_visual *visual)
     visual_object *v = slot->object;
     visual_frame *f = &v->frames[1 - v->front];
     const vbss_result result = draw_frame(v, f);
-    forget_walls(v, f);
+    forget_records(v, f, result != VBSS_OK);
     VBSS_TRY(result);
     v->front = 1 - v->front;
     v->generation++;

@@ -19,7 +19,7 @@ static const vbss_layout statistics_layout = {"vbss_visual_statistics", NULL, st
 
 /* ---- creation and destruction */
 
-enum { ARRAYS_PER_FRAME = 6, ARRAY_COUNT = 2 * ARRAYS_PER_FRAME + 3 };
+enum { ARRAYS_PER_FRAME = 7, ARRAY_COUNT = 2 * ARRAYS_PER_FRAME + 3 };
 
 static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAY_COUNT])
 {
@@ -33,6 +33,8 @@ static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAY_COUNT])
         arrays[n++] = (vbss_array){&f->decals, c->spot_capacity, sizeof *f->decals};
         arrays[n++] = (vbss_array){&f->tube_starts, c->part_capacity, sizeof *f->tube_starts};
         arrays[n++] = (vbss_array){&f->walls, c->part_capacity, sizeof *f->walls};
+        arrays[n++] =
+            (vbss_array){&f->lofts, VISUAL_LOFTS_PER_PART * c->part_capacity, sizeof *f->lofts};
     }
     arrays[n++] = (vbss_array){&v->sources, c->source_capacity, sizeof *v->sources};
     arrays[n++] = (vbss_array){&v->node_vectors, c->node_capacity, sizeof *v->node_vectors};

@@ -26,6 +26,7 @@
 /* Sides of a section; points of one, where a seam or creases double some. Capacities, chosen. */
 enum {
     VISUAL_MAX_SIDES = 64,
+    VISUAL_LOFTS_PER_PART = 4, /* of a grasper */
     VISUAL_MAX_SECTION_POINTS = VISUAL_MAX_SIDES + 8,
     VISUAL_MAX_DOME_RINGS = VISUAL_MAX_SIDES / 4,
     VISUAL_SECTIONS = 8, /* more than a scene of threads, needles, graspers and shears needs */
@@ -61,6 +62,14 @@ typedef struct visual_wall_record {
     uint32_t divisions, first_vertex, first_triangle;
 } visual_wall_record;
 
+/* A loft as it was drawn. Its triangles before `end_triangle` depend on the other fields only. */
+typedef struct visual_loft_record {
+    visual_section_shape shape;
+    uint32_t sides; /* of the section; 0: no loft */
+    uint32_t first_vertex, first_triangle;
+    uint32_t end_triangle; /* those from here on meet at the last pole */
+} visual_loft_record;
+
 /* One frame. Items beyond a capacity are counted but not stored, and the frame is then
  * discarded. */
 typedef struct visual_frame {
@@ -69,8 +78,12 @@ typedef struct visual_frame {
     visual_part *parts;
     visual_decal *decals;
     visual_tube_start *tube_starts;
-    visual_wall_record *walls; /* part_capacity; in the back frame still those of its last update */
-    uint32_t vertex_count, triangle_count, part_count, decal_count, tube_start_count, wall_count;
+    /* In the back frame, records that the present update has not replaced yet tell what the one
+     * before the last has left in the arrays. */
+    visual_wall_record *walls;
+    visual_loft_record *lofts;
+    uint32_t vertex_count, triangle_count, part_count, decal_count;
+    uint32_t tube_start_count, wall_count, loft_count;
 } visual_frame;
 
 /* A scene or body that the visual shows. */
@@ -215,6 +228,8 @@ typedef struct visual_loft {
     const visual_object *v;
     visual_frame *frame;
     const visual_section *section;
+    visual_loft_record *record;          /* NULL: there is no room for one */
+    uint32_t kept_triangles;             /* the frame has the triangles before this one already */
     uint32_t previous;                   /* first vertex of the previous ring or pole */
     bool has_previous, previous_is_pole; /* a pole is a single vertex */
     double scale; /* radius of the ring whose points `across` has, m; negative: none */
@@ -225,7 +240,7 @@ void vbss_visual_begin_loft(visual_loft *loft, const visual_object *v, visual_fr
                             const visual_section *section);
 /* Adds a ring and connects it to the previous one. */
 void vbss_visual_add_ring(visual_loft *loft, const visual_ring *ring);
-/* Adds a single vertex, at which the surface begins or ends. */
+/* Adds a single vertex, at which the surface begins or ends. Each loft ends with one. */
 void vbss_visual_add_pole(visual_loft *loft, const visual_ring *ring);
 /* Adds a hemisphere: before `ring` at the start of the line, or after it at the end. */
 void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool at_start);
