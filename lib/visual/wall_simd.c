@@ -205,24 +205,31 @@ double VBSS_WIDE_NAME(vbss_visual_write_wall_edges)(const visual_wall *w)
 /* ---- patches over triangles */
 
 typedef struct patches {
-    edge_curves edges[3]; /* edge k runs from corner k to the next one */
-    vlanes centre;        /* inner control point, m */
+    vlanes corner[3], normal[3];            /* m; unit */
+    vlanes control[3][2], middle_normal[3]; /* of the edge from corner k to the next one */
+    vlanes centre;                          /* inner control point, m */
 } patches;
 
 static void set_patches(patches *p, const visual_wall *w, const uint32_t index[LANES])
 {
     vlanes controls = v_splat(vec3_zero()), corners = controls;
     for (int k = 0; k < 3; k++) {
-        uint32_t from[LANES], to[LANES];
-        for (int l = 0; l < LANES; l++) {
-            from[l] = w->drain->triangles[index[l]][k];
-            to[l] = w->drain->triangles[index[l]][k == 2 ? 0 : k + 1];
-        }
-        edge_curves *e = &p->edges[k];
-        set_ends(e, w, from, to);
-        set_controls(e);
-        controls = v_add(controls, v_add(e->control[0], e->control[1]));
-        corners = v_add(corners, e->corner[0]);
+        const uint32_t(*of)[3] = w->drain->triangles;
+        const uint32_t node[LANES] = {of[index[0]][k], of[index[1]][k], of[index[2]][k],
+                                      of[index[3]][k]};
+        p->corner[k] = v_gather(w->drain->positions, node);
+        p->normal[k] = v_gather(w->normals, node);
+    }
+    for (int k = 0; k < 3; k++) {
+        const int next = k == 2 ? 0 : k + 1;
+        edge_curves e = {.corner = {p->corner[k], p->corner[next]},
+                         .normal = {p->normal[k], p->normal[next]}};
+        set_controls(&e);
+        p->control[k][0] = e.control[0];
+        p->control[k][1] = e.control[1];
+        p->middle_normal[k] = e.middle_normal;
+        controls = v_add(controls, v_add(e.control[0], e.control[1]));
+        corners = v_add(corners, e.corner[0]);
     }
     p->centre =
         v_add_scaled(v_scale(controls, lanes_splat(0.25)), lanes_splat(-1.0 / 6.0), corners);
@@ -234,41 +241,61 @@ static vlanes patch_point(const patches *p, const double weights[3], vlanes *nor
     vlanes x = v_scale(p->centre, lanes_splat(6.0 * weights[0] * weights[1] * weights[2]));
     vlanes n = v_splat(vec3_zero());
     for (int k = 0; k < 3; k++) {
-        const edge_curves *e = &p->edges[k];
         const double a = weights[k], b = weights[k == 2 ? 0 : k + 1];
-        x = v_add_scaled(x, lanes_splat(a * a * a), e->corner[0]);
-        x = v_add_scaled(x, lanes_splat(3.0 * a * a * b), e->control[0]);
-        x = v_add_scaled(x, lanes_splat(3.0 * a * b * b), e->control[1]);
-        n = v_add_scaled(n, lanes_splat(a * a), e->normal[0]);
-        n = v_add_scaled(n, lanes_splat(a * b), e->middle_normal);
+        x = v_add_scaled(x, lanes_splat(a * a * a), p->corner[k]);
+        x = v_add_scaled(x, lanes_splat(3.0 * a * a * b), p->control[k][0]);
+        x = v_add_scaled(x, lanes_splat(3.0 * a * b * b), p->control[k][1]);
+        n = v_add_scaled(n, lanes_splat(a * a), p->normal[k]);
+        n = v_add_scaled(n, lanes_splat(a * b), p->middle_normal[k]);
     }
-    *normal = v_unit_or(n, p->edges[0].normal[0]);
+    *normal = v_unit_or(n, p->normal[0]);
     return x;
 }
 
-static void write_interior(const visual_wall *w)
+/* Triangles whose patches are made before their points: many short chains of operations keep a
+ * processor busier than a few long ones. */
+enum { PATCH_BLOCK = 8 * LANES };
+
+static void write_patch_points(const visual_wall *w, const patches *p, uint32_t start, uint32_t end,
+                               const double weights[3], uint32_t vertex)
+{
+    const uint32_t inside = visual_interior_vertices(w->divisions);
+    for (uint32_t t = start; t < end; t += LANES, p++) {
+        uint32_t index[LANES];
+        vlanes normal, x = patch_point(p, weights, &normal);
+        clamp_indices(t, w->drain->triangle_count - 1, index);
+        for (int l = 0; l < LANES; l++) {
+            index[l] = vertex + index[l] * inside;
+        }
+        store_on_faces(w, index, x, normal);
+    }
+}
+
+/* Writes the vertices inside the triangles of a block. */
+static void write_interior(const visual_wall *w, uint32_t start, uint32_t end)
 {
     const uint32_t n = w->divisions, last = w->drain->triangle_count - 1;
-    const uint32_t first = w->drain->node_count + w->drain->edge_count * (n - 1);
-    for (uint32_t t = 0; t <= last && n > 2; t += LANES) {
-        uint32_t index[LANES], vertex[LANES];
-        patches p;
+    uint32_t vertex = w->drain->node_count + w->drain->edge_count * (n - 1);
+    patches block[PATCH_BLOCK / LANES];
+    for (uint32_t t = start; t < end; t += LANES) {
+        uint32_t index[LANES];
         clamp_indices(t, last, index);
-        set_patches(&p, w, index);
-        for (int l = 0; l < LANES; l++) {
-            vertex[l] = first + index[l] * visual_interior_vertices(n);
+        set_patches(&block[(t - start) / LANES], w, index);
+    }
+    for (uint32_t i = 1; i + 1 < n; i++) {
+        for (uint32_t k = 1; i + k < n; k++) {
+            const double weights[3] = {(double)(n - i - k) / (double)n, (double)i / (double)n,
+                                       (double)k / (double)n};
+            write_patch_points(w, block, start, end, weights, vertex++);
         }
-        for (uint32_t i = 1; i + 1 < n; i++) {
-            for (uint32_t k = 1; i + k < n; k++) {
-                const double weights[3] = {(double)(n - i - k) / (double)n, (double)i / (double)n,
-                                           (double)k / (double)n};
-                vlanes normal, x = patch_point(&p, weights, &normal);
-                store_on_faces(w, vertex, x, normal);
-                for (int l = 0; l < LANES; l++) {
-                    vertex[l]++;
-                }
-            }
-        }
+    }
+}
+
+static void write_interiors(const visual_wall *w)
+{
+    const uint32_t count = w->drain->triangle_count;
+    for (uint32_t t = 0; t < count && w->divisions > 2; t += PATCH_BLOCK) {
+        write_interior(w, t, count - t < PATCH_BLOCK ? count : t + PATCH_BLOCK);
     }
 }
 
@@ -316,6 +343,6 @@ static void write_rims(const visual_wall *w)
 void VBSS_WIDE_NAME(vbss_visual_write_wall)(const visual_wall *w)
 {
     write_nodes(w);
-    write_interior(w);
+    write_interiors(w);
     write_rims(w);
 }
