@@ -73,43 +73,52 @@ typedef struct tube {
     bool has_ring;
 } tube;
 
-static void begin_tube(tube *w)
+/* Turns the ring to the frame of the first point. */
+static void begin_tube(tube *w, vec3 centre, vec3 tangent)
 {
     visual_frame *f = w->frame;
+    visual_ring *r = &w->ring;
+    r->centre = centre;
+    r->tangent = vec3_norm_squared(tangent) != 0.0 ? tangent : vec3_make(1.0, 0.0, 0.0);
+    r->normal = first_normal(w->v, w->thread, r->tangent);
     if (f->tube_start_count < w->v->config.part_capacity) {
         f->tube_starts[f->tube_start_count++] =
-            (visual_tube_start){w->thread, w->ring.tangent, w->ring.normal};
+            (visual_tube_start){w->thread, r->tangent, r->normal};
     }
-    vbss_visual_add_dome(&w->loft, &w->ring, true);
+    vbss_visual_add_dome(&w->loft, r, true);
     w->has_ring = true;
 }
 
-static void add_section(tube *w, vec3 centre, vec3 tangent)
+/* Turns the ring to the frame of the next point. */
+static void move_ring(visual_ring *r, vec3 centre, vec3 tangent)
 {
-    visual_ring *r = &w->ring;
-    r->normal = w->has_ring ? vbss_visual_transport_normal(r->centre, r->tangent, r->normal, centre,
-                                                           tangent)
-                            : first_normal(w->v, w->thread, tangent);
+    tangent = vec3_norm_squared(tangent) != 0.0 ? tangent : r->tangent;
+    r->normal = vbss_visual_transport_normal(r->centre, r->tangent, r->normal, centre, tangent);
     r->centre = centre;
     r->tangent = tangent;
-    if (!w->has_ring) {
-        begin_tube(w);
-    }
-    vbss_visual_add_ring(&w->loft, r);
 }
 
-/* Adds the rings of the points so far. */
+/* Adds the rings of the points so far. A frame depends on the one before it, and that chain takes
+ * as long as all other work. So a ring is written when the next frame is under way already. */
 static void add_sections(tube *w)
 {
     visual_line_points *p = &w->points;
+    visual_ring *r = &w->ring, last;
     VBSS_WIDE_CALL(w->v->wide, vbss_visual_find_line_points, &w->line, p);
     for (uint32_t i = 0; i < p->count; i++) {
-        const vec3 fallback = w->has_ring ? w->ring.tangent : vec3_make(1.0, 0.0, 0.0);
-        const bool has_direction = vec3_norm_squared(p->tangent[i]) != 0.0;
-        w->ring.arc_length = p->arc_length[i];
-        w->ring.value = p->value[i];
-        add_section(w, p->centre[i], has_direction ? p->tangent[i] : fallback);
+        last = *r;
+        r->arc_length = p->arc_length[i];
+        r->value = p->value[i];
+        if (w->has_ring) {
+            move_ring(r, p->centre[i], p->tangent[i]);
+        } else {
+            begin_tube(w, p->centre[i], p->tangent[i]);
+        }
+        if (i > 0) {
+            vbss_visual_add_ring(&w->loft, &last);
+        }
     }
+    vbss_visual_add_ring(&w->loft, r);
     p->count = 0;
 }
 
