@@ -18,15 +18,12 @@ static void write_points(const visual_section *s, const visual_ring *ring, vec3 
                  forward = v_splat(vec3_scale(ring->tangent, ring->axial)), shift = v_splat(origin);
     const lanes radius = lanes_splat(ring->radius), radial = lanes_splat(ring->radial);
     for (uint32_t i = 0; i < s->distinct; i += LANES) {
-        vlanes across = across_line(first, second, s->position, i), normal = across;
+        const uint32_t point = next_four(i, s->distinct);
+        vlanes across = across_line(first, second, s->position, point), normal = across;
         if (s->shape != VISUAL_ROUND) {
-            normal = across_line(first, second, s->normal, i);
+            normal = across_line(first, second, s->normal, point);
         }
-        uint32_t index[LANES];
-        clamp_indices(i, s->count - 1, index);
-        visual_vertex *vertices[LANES] = {&out[index[0]], &out[index[1]], &out[index[2]],
-                                          &out[index[3]]};
-        visual_store_points(vertices, v_sub(v_add_scaled(centre, radius, across), shift),
+        visual_store_points(&out[point], 1, v_sub(v_add_scaled(centre, radius, across), shift),
                             v_add(v_scale(normal, radial), forward));
     }
     if (s->distinct < s->count) {

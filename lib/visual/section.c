@@ -1,11 +1,8 @@
 /* Sections of lofts: circles and jaws. A visual keeps those that it used last, with all that their
  * rings have in common. */
 #include "base/elementary.h"
-#include "base/lanes.h"
 #include "base/pi.h"
 #include "visual/visual.h"
-
-_Static_assert(VISUAL_MAX_SECTION_POINTS % LANES == 0, "points are padded to full lanes");
 
 double vbss_visual_max_chord(double curvature, double tolerance)
 {
@@ -70,15 +67,6 @@ static void make_jaw(visual_section *s)
     s->distinct = s->count;
 }
 
-static void pad(visual_section *s)
-{
-    const uint32_t last = s->count - 1;
-    for (uint32_t i = s->count; i % LANES != 0; i++) {
-        set_point(s, i, s->position[0][last], s->position[1][last], s->normal[0][last],
-                  s->normal[1][last]);
-    }
-}
-
 /* ---- what all rings have in common */
 
 static void make_strip(visual_section *s)
@@ -120,7 +108,6 @@ static const visual_section *find_section(visual_object *v, visual_section_shape
     } else {
         make_round(s);
     }
-    pad(s);
     make_strip(s);
     make_dome(s);
     return s;

@@ -64,24 +64,51 @@ static inline void lanes_floats_transpose(lanes_floats r[LANES])
 #endif
 }
 
+/* Stores the pairs (a_i, b_i), `stride` bytes apart. */
+static inline void lanes_floats_store_pairs(uint8_t *out, size_t stride, lanes_floats a,
+                                            lanes_floats b)
+{
+#if defined(LANES_SHUFFLE)
+    typedef double pair_of_pairs __attribute__((vector_size(16)));
+    const pair_of_pairs low = (pair_of_pairs)LANES_SHUFFLE(a, b, 0, 4, 1, 5);
+    const pair_of_pairs high = (pair_of_pairs)LANES_SHUFFLE(a, b, 2, 6, 3, 7);
+    const double pairs[LANES] = {low[0], low[1], high[0], high[1]};
+#else
+    float pairs[LANES][2];
+    for (int i = 0; i < LANES; i++) {
+        pairs[i][0] = FLOAT_OF(a, i);
+        pairs[i][1] = FLOAT_OF(b, i);
+    }
+#endif
+    for (size_t i = 0; i < LANES; i++) {
+        memcpy(out + i * stride, &pairs[i], sizeof pairs[i]);
+    }
+}
+
 /* ---- four vertices */
 
-/* Stores positions, which are relative to the origin of the vertices, and normals. Two of the
- * addresses may be equal if their lanes are. */
-static inline void visual_store_points(visual_vertex *const out[LANES], vlanes position,
+/* First of the next four of `count` items, of which those before `index` are done. The last four
+ * overlap those before them. */
+static inline uint32_t next_four(uint32_t index, uint32_t count)
+{
+    return index + LANES <= count ? index : count - LANES;
+}
+
+/* Stores positions, which are relative to the origin of the vertices, and normals. The vertices are
+ * `step` apart. */
+static inline void visual_store_points(visual_vertex *first, uint32_t step, vlanes position,
                                        vlanes normal)
 {
-    lanes_floats first[LANES] = {lanes_to_floats(position.x), lanes_to_floats(position.y),
-                                 lanes_to_floats(position.z), lanes_to_floats(normal.x)};
-    const lanes_floats y = lanes_to_floats(normal.y), z = lanes_to_floats(normal.z);
-    lanes_floats second[LANES] = {y, z, y, z}; /* half of each is stored */
-    lanes_floats_transpose(first);
-    lanes_floats_transpose(second);
-    for (int l = 0; l < LANES; l++) {
-        uint8_t *bytes = (uint8_t *)out[l];
-        memcpy(bytes, &first[l], 4 * sizeof(float));
-        memcpy(bytes + 4 * sizeof(float), &second[l], 2 * sizeof(float));
+    uint8_t *out = (uint8_t *)first;
+    const size_t stride = step * sizeof *first;
+    lanes_floats rows[LANES] = {lanes_to_floats(position.x), lanes_to_floats(position.y),
+                                lanes_to_floats(position.z), lanes_to_floats(normal.x)};
+    lanes_floats_transpose(rows);
+    for (size_t l = 0; l < LANES; l++) {
+        memcpy(out + l * stride, &rows[l], sizeof rows[l]);
     }
+    lanes_floats_store_pairs(out + sizeof rows[0], stride, lanes_to_floats(normal.y),
+                             lanes_to_floats(normal.z));
 }
 
 static inline vlanes v_splat(vec3 a)

@@ -102,7 +102,6 @@ typedef struct visual_section {
     uint32_t count;      /* points */
     uint32_t distinct;   /* without the last point of a circle, which is the first one again */
     uint32_t dome_rings; /* rings of a dome of the same fineness */
-    /* Up to a multiple of LANES points, the last one is repeated. */
     double position[2][VISUAL_MAX_SECTION_POINTS], normal[2][VISUAL_MAX_SECTION_POINTS];
     float perimeter_fraction[VISUAL_MAX_SECTION_POINTS];
     double dome_sine[VISUAL_MAX_DOME_RINGS + 1], dome_cosine[VISUAL_MAX_DOME_RINGS + 1];

@@ -1,5 +1,5 @@
-/* The vertices of a wall, four edges or triangles at a time. If fewer are left, the last one takes
- * the other lanes too, and is stored more than once. */
+/* The vertices of a wall, four nodes, edges or triangles at a time. A tube has more than four of
+ * each. If fewer are left, some of those before them are computed and stored once more. */
 #include "base/simd_dispatch.h"
 #include "visual/vertex_lanes.h"
 
@@ -96,15 +96,6 @@ static inline vlanes middle_normal(const edge_curves *e)
     return v_unit_or(v_select(has_length, reflected, sum), e->normal[0]);
 }
 
-static inline void set_ends(edge_curves *e, const visual_wall *w, const uint32_t from[LANES],
-                            const uint32_t to[LANES])
-{
-    e->corner[0] = v_gather(w->drain->positions, from);
-    e->corner[1] = v_gather(w->drain->positions, to);
-    e->normal[0] = v_gather(w->normals, from);
-    e->normal[1] = v_gather(w->normals, to);
-}
-
 static inline void set_controls(edge_curves *e)
 {
     e->control[0] = control_point(e->corner[0], e->corner[1], e->normal[0]);
@@ -119,7 +110,10 @@ static inline void set_edges(edge_curves *e, const visual_wall *w, const uint32_
         from[l] = w->drain->edges[index[l]][0];
         to[l] = w->drain->edges[index[l]][1];
     }
-    set_ends(e, w, from, to);
+    e->corner[0] = v_gather(w->drain->positions, from);
+    e->corner[1] = v_gather(w->drain->positions, to);
+    e->normal[0] = v_gather(w->normals, from);
+    e->normal[1] = v_gather(w->normals, to);
     set_controls(e);
 }
 
@@ -152,47 +146,43 @@ static inline lanes second_difference(const edge_curves *e)
 
 /* ---- vertices of faces */
 
-/* Stores four points of the middle surface on both faces. `vertex` counts on a face. */
-static inline void store_on_faces(const visual_wall *w, const uint32_t vertex[LANES], vlanes middle,
-                                  vlanes normal)
+/* Stores four points of the middle surface on both faces, in vertices that are `step` apart.
+ * `vertex` counts on a face. */
+static inline void store_on_faces(const visual_wall *w, uint32_t vertex, uint32_t step,
+                                  vlanes middle, vlanes normal)
 {
-    visual_vertex *outer[LANES], *inner[LANES];
+    visual_vertex *outer = &w->outer[vertex], *inner = outer + w->face_count;
     const vlanes origin = v_splat(w->origin);
-    for (int l = 0; l < LANES; l++) {
-        outer[l] = &w->outer[vertex[l]];
-        inner[l] = outer[l] + w->face_count;
-    }
     const vlanes offset = v_scale(normal, lanes_splat(w->half_thickness));
-    visual_store_points(outer, v_sub(v_add(middle, offset), origin), normal);
-    visual_store_points(inner, v_sub(v_sub(middle, offset), origin),
+    visual_store_points(outer, step, v_sub(v_add(middle, offset), origin), normal);
+    visual_store_points(inner, step, v_sub(v_sub(middle, offset), origin),
                         v_scale(normal, lanes_splat(-1.0)));
 }
 
 static void write_nodes(const visual_wall *w)
 {
-    for (uint32_t i = 0; i < w->drain->node_count; i += LANES) {
-        uint32_t index[LANES];
-        clamp_indices(i, w->drain->node_count - 1, index);
-        store_on_faces(w, index, v_gather(w->drain->positions, index), v_gather(w->normals, index));
+    const uint32_t count = w->drain->node_count;
+    for (uint32_t i = 0; i < count; i += LANES) {
+        const uint32_t first = next_four(i, count);
+        const uint32_t node[LANES] = {first, first + 1, first + 2, first + 3};
+        store_on_faces(w, first, 1, v_gather(w->drain->positions, node),
+                       v_gather(w->normals, node));
     }
 }
 
 double VBSS_WIDE_NAME(vbss_visual_write_wall_edges)(const visual_wall *w)
 {
-    const uint32_t inside = w->divisions - 1, last = w->drain->edge_count - 1;
+    const uint32_t inside = w->divisions - 1, count = w->drain->edge_count;
     lanes largest = lanes_splat(0.0);
-    for (uint32_t i = 0; i <= last; i += LANES) {
-        uint32_t index[LANES], vertex[LANES];
+    for (uint32_t i = 0; i < count; i += LANES) {
+        const uint32_t first = next_four(i, count);
+        const uint32_t edge[LANES] = {first, first + 1, first + 2, first + 3};
         edge_curves e;
-        clamp_indices(i, last, index);
-        set_edges(&e, w, index);
+        set_edges(&e, w, edge);
         largest = lanes_max(second_difference(&e), largest);
         for (uint32_t k = 0; k < inside; k++) {
             vlanes normal, x = edge_point(&e, k + 1, w->divisions, &normal);
-            for (int l = 0; l < LANES; l++) {
-                vertex[l] = w->drain->node_count + index[l] * inside + k;
-            }
-            store_on_faces(w, vertex, x, normal);
+            store_on_faces(w, w->drain->node_count + first * inside + k, inside, x, normal);
         }
     }
     double squared = 0.0;
@@ -210,13 +200,13 @@ typedef struct patches {
     vlanes centre;                          /* inner control point, m */
 } patches;
 
-static void set_patches(patches *p, const visual_wall *w, const uint32_t index[LANES])
+/* Of four triangles, one after the other. */
+static void set_patches(patches *p, const visual_wall *w, uint32_t triangle)
 {
+    const uint32_t(*of)[3] = &w->drain->triangles[triangle];
     vlanes controls = v_splat(vec3_zero()), corners = controls;
     for (int k = 0; k < 3; k++) {
-        const uint32_t(*of)[3] = w->drain->triangles;
-        const uint32_t node[LANES] = {of[index[0]][k], of[index[1]][k], of[index[2]][k],
-                                      of[index[3]][k]};
+        const uint32_t node[LANES] = {of[0][k], of[1][k], of[2][k], of[3][k]};
         p->corner[k] = v_gather(w->drain->positions, node);
         p->normal[k] = v_gather(w->normals, node);
     }
@@ -256,31 +246,25 @@ static vlanes patch_point(const patches *p, const double weights[3], vlanes *nor
  * processor busier than a few long ones. */
 enum { PATCH_BLOCK = 8 * LANES };
 
+/* `vertex` is that of triangle 0. */
 static void write_patch_points(const visual_wall *w, const patches *p, uint32_t start, uint32_t end,
                                const double weights[3], uint32_t vertex)
 {
-    const uint32_t inside = visual_interior_vertices(w->divisions);
+    const uint32_t step = visual_interior_vertices(w->divisions);
     for (uint32_t t = start; t < end; t += LANES, p++) {
-        uint32_t index[LANES];
         vlanes normal, x = patch_point(p, weights, &normal);
-        clamp_indices(t, w->drain->triangle_count - 1, index);
-        for (int l = 0; l < LANES; l++) {
-            index[l] = vertex + index[l] * inside;
-        }
-        store_on_faces(w, index, x, normal);
+        store_on_faces(w, vertex + next_four(t, w->drain->triangle_count) * step, step, x, normal);
     }
 }
 
 /* Writes the vertices inside the triangles of a block. */
 static void write_interior(const visual_wall *w, uint32_t start, uint32_t end)
 {
-    const uint32_t n = w->divisions, last = w->drain->triangle_count - 1;
+    const uint32_t n = w->divisions;
     uint32_t vertex = w->drain->node_count + w->drain->edge_count * (n - 1);
     patches block[PATCH_BLOCK / LANES];
     for (uint32_t t = start; t < end; t += LANES) {
-        uint32_t index[LANES];
-        clamp_indices(t, last, index);
-        set_patches(&block[(t - start) / LANES], w, index);
+        set_patches(&block[(t - start) / LANES], w, next_four(t, w->drain->triangle_count));
     }
     for (uint32_t i = 1; i + 1 < n; i++) {
         for (uint32_t k = 1; i + k < n; k++) {
@@ -301,41 +285,36 @@ static void write_interiors(const visual_wall *w)
 
 /* ---- rims */
 
-/* Writes the rims of four free edges. `rim` has their numbers among the free edges. */
-static void write_rim(const visual_wall *w, const uint32_t edge[LANES], const uint32_t rim[LANES])
+/* Writes the rims of four free edges. `first` is the number of the first one among them. */
+static void write_rim(const visual_wall *w, const uint32_t edge[LANES], uint32_t first)
 {
     edge_curves e;
     const vlanes origin = v_splat(w->origin);
-    visual_vertex *outer[LANES], *inner[LANES];
+    const uint32_t step = 2 * (w->divisions + 1); /* vertices of a rim */
+    visual_vertex *out = &w->outer[2 * w->face_count + first * step];
     set_edges(&e, w, edge);
     const vlanes chord = v_sub(e.corner[1], e.corner[0]);
-    for (uint32_t k = 0; k <= w->divisions; k++) {
+    for (uint32_t k = 0; k <= w->divisions; k++, out += 2) {
         vlanes normal, middle = edge_point(&e, k, w->divisions, &normal);
-        const vlanes out = v_unit_or(v_cross(chord, normal), normal);
+        const vlanes outward = v_unit_or(v_cross(chord, normal), normal);
         const vlanes offset = v_scale(normal, lanes_splat(w->half_thickness));
-        for (int l = 0; l < LANES; l++) {
-            outer[l] = &w->outer[2 * (w->face_count + rim[l] * (w->divisions + 1) + k)];
-            inner[l] = outer[l] + 1;
-        }
-        visual_store_points(outer, v_sub(v_add(middle, offset), origin), out);
-        visual_store_points(inner, v_sub(v_sub(middle, offset), origin), out);
+        visual_store_points(out, step, v_sub(v_add(middle, offset), origin), outward);
+        visual_store_points(out + 1, step, v_sub(v_sub(middle, offset), origin), outward);
     }
 }
 
 static void write_rims(const visual_wall *w)
 {
-    uint32_t edge[LANES] = {0}, rim[LANES] = {0}, count = 0;
+    uint32_t edge[LANES] = {0}, count = 0; /* the last four free edges */
     for (uint32_t i = 0; i < w->drain->edge_count; i++) {
         if (w->drain->edges[i][3] != SCENE_INSPECT_NONE) {
             continue;
         }
-        for (uint32_t l = count % LANES; l < LANES; l++) {
-            edge[l] = i;
-            rim[l] = count;
-        }
+        memmove(edge, edge + 1, sizeof edge - sizeof *edge);
+        edge[LANES - 1] = i;
         count++;
         if (count % LANES == 0 || count == w->rim_count) {
-            write_rim(w, edge, rim);
+            write_rim(w, edge, count - LANES);
         }
     }
 }
