@@ -211,15 +211,14 @@ static vbss_result fail_capacity(const visual_object *v, const visual_frame *f)
                      f->vertex_count, f->triangle_count, f->part_count, f->decal_count);
 }
 
-/* The records that an update has not written are out of date after it; after one that has failed,
- * all are. */
-static void forget_records(const visual_object *v, visual_frame *f, bool has_failed)
+/* Records that an update has not replaced are out of date after it, also if it failed. */
+static void forget_records(const visual_object *v, visual_frame *f)
 {
     const uint32_t parts = v->config.part_capacity;
-    for (uint32_t i = has_failed ? 0 : f->wall_count; i < parts; i++) {
+    for (uint32_t i = f->wall_count; i < parts; i++) {
         f->walls[i].drain = NULL;
     }
-    for (uint32_t i = has_failed ? 0 : f->loft_count; i < VISUAL_LOFTS_PER_PART * parts; i++) {
+    for (uint32_t i = f->loft_count; i < VISUAL_LOFTS_PER_PART * parts; i++) {
         f->lofts[i].sides = 0;
     }
 }
@@ -243,7 +242,7 @@ vbss_result vbss_visual_update(vbss_visual *visual)
     visual_object *v = slot->object;
     visual_frame *f = &v->frames[1 - v->front];
     const vbss_result result = draw_frame(v, f);
-    forget_records(v, f, result != VBSS_OK);
+    forget_records(v, f);
     VBSS_TRY(result);
     v->front = 1 - v->front;
     v->generation++;

@@ -12,9 +12,9 @@ static vec3 control_point(vec3 corner, vec3 other, vec3 normal)
 model_edge model_make_edge(const vec3 x[2], const vec3 normals[2])
 {
     model_edge s = {{x[0], x[1]},
-                     {control_point(x[0], x[1], normals[0]), control_point(x[1], x[0], normals[1])},
-                     {normals[0], normals[1]},
-                     vec3_add(normals[0], normals[1])};
+                    {control_point(x[0], x[1], normals[0]), control_point(x[1], x[0], normals[1])},
+                    {normals[0], normals[1]},
+                    vec3_add(normals[0], normals[1])};
     vec3 chord = vec3_sub(x[1], x[0]);
     double length = vec3_norm_squared(chord);
     if (length > 0.0) { /* reflected in the middle plane, so that an inflection is followed */
