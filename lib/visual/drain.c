@@ -1,4 +1,4 @@
-/* Draws a drain as a wall of finite thickness: chooses the divisions of its edges, lays out the
+/* Draws a drain as a wall of finite thickness: chooses the divisions of its edges, plans the
  * vertices, and reuses what does not change from earlier frames. */
 #include "base/simd_dispatch.h"
 #include "visual/visual.h"
@@ -9,8 +9,8 @@ static uint32_t count_divisions(const visual_object *v, double chord_error)
     return (uint32_t)vbss_max(vbss_min(divisions, v->config.division_limit) + 0.999, 1.0);
 }
 
-/* Lays the wall out for this number of divisions. Returns whether the frame has room for it. */
-static bool lay_out(const visual_object *v, visual_frame *f, visual_wall *w, uint32_t divisions)
+/* Sets the layout of the wall for this number of divisions. Returns whether the frame has room for it. */
+static bool set_layout(const visual_object *v, visual_frame *f, visual_wall *w, uint32_t divisions)
 {
     const scene_drain_info *d = w->drain;
     w->divisions = divisions;
@@ -26,13 +26,13 @@ static bool lay_out(const visual_object *v, visual_frame *f, visual_wall *w, uin
  * the last frame are tried first. Returns false if the wall does not fit. */
 static bool write_edges(const visual_object *v, visual_frame *f, visual_wall *w, uint32_t expected)
 {
-    if (!lay_out(v, f, w, expected)) {
+    if (!set_layout(v, f, w, expected)) {
         w->divisions = 1; /* no vertices on edges */
     }
     for (;;) {
         const double error = VBSS_WIDE_CALL(v->wide, vbss_visual_write_wall_edges, w);
         const uint32_t needed = count_divisions(v, error), tried = w->divisions;
-        if (!lay_out(v, f, w, needed)) {
+        if (!set_layout(v, f, w, needed)) {
             return false;
         }
         if (needed == tried) {

@@ -6,7 +6,7 @@
  * (loft.c): sections (section.c) moved along a line. The line of a thread comes from spline.c and
  * thread.c, those of rigid bodies from tools.c. ring_simd.c writes the vertices of a ring.
  *
- * A drain is a wall made of curved patches over its triangles. drain.c lays out its vertices and
+ * A drain is a wall made of curved patches over its triangles. drain.c plans its vertices and
  * wall_simd.c computes them. wall_topology.c has its triangles and all attributes that do not
  * change as the drain moves.
  *
