@@ -20,11 +20,20 @@ static uint64_t mix_lane(uint64_t lane, uint64_t word)
     return rotate(lane + word * PRIME_2, 31) * PRIME_1;
 }
 
-static void mix_stripe(uint64_t lanes[4], const uint8_t *p)
+/* Mixes all whole stripes of 32 bytes. The lanes are local, so that they stay in registers. */
+static void mix_stripes(uint64_t lanes[4], const uint8_t *p, size_t count)
 {
-    for (size_t i = 0; i < 4; i++) {
-        lanes[i] = mix_lane(lanes[i], load_little_endian(p + 8 * i, 8));
+    uint64_t a = lanes[0], b = lanes[1], c = lanes[2], d = lanes[3];
+    for (; count >= 32; count -= 32, p += 32) {
+        a = mix_lane(a, load_little_endian(p, 8));
+        b = mix_lane(b, load_little_endian(p + 8, 8));
+        c = mix_lane(c, load_little_endian(p + 16, 8));
+        d = mix_lane(d, load_little_endian(p + 24, 8));
     }
+    lanes[0] = a;
+    lanes[1] = b;
+    lanes[2] = c;
+    lanes[3] = d;
 }
 
 void vbss_hash_begin(vbss_hash *hash)
@@ -36,29 +45,46 @@ void vbss_hash_begin(vbss_hash *hash)
     hash->lanes[3] = 0u - PRIME_1;
 }
 
-void vbss_hash_add(vbss_hash *hash, const void *bytes, size_t count)
+/* Most pieces are headers of fields and single numbers: eight bytes. */
+static void add_word(vbss_hash *hash, size_t buffered, const uint8_t *p)
 {
-    if (count == 0) {
-        return; /* bytes may be NULL */
+    memcpy(hash->buffer + buffered, p, 8);
+    if (buffered == 24) {
+        mix_stripes(hash->lanes, hash->buffer, 32);
     }
-    const uint8_t *p = bytes;
-    size_t buffered = (size_t)(hash->length % 32u);
-    hash->length += count;
+}
+
+static void add_bytes(vbss_hash *hash, size_t buffered, const uint8_t *p, size_t count)
+{
     if (buffered > 0) {
         size_t missing = 32u - buffered;
         size_t copied = count < missing ? count : missing;
-        memcpy(hash->buffer + buffered, p, copied);
+        copy_short(hash->buffer + buffered, p, copied);
         p += copied;
         count -= copied;
         if (copied < missing) {
             return;
         }
-        mix_stripe(hash->lanes, hash->buffer);
+        mix_stripes(hash->lanes, hash->buffer, 32);
     }
-    for (; count >= 32; count -= 32, p += 32) {
-        mix_stripe(hash->lanes, p);
+    if (count >= 32) {
+        mix_stripes(hash->lanes, p, count);
     }
-    memcpy(hash->buffer, p, count);
+    copy_short(hash->buffer, p + count / 32 * 32, count % 32);
+}
+
+void vbss_hash_add(vbss_hash *hash, const void *bytes, size_t count)
+{
+    if (count == 0) {
+        return; /* bytes may be NULL */
+    }
+    const size_t buffered = (size_t)(hash->length % 32u);
+    hash->length += count;
+    if (count == 8 && buffered <= 24) {
+        add_word(hash, buffered, bytes);
+    } else {
+        add_bytes(hash, buffered, bytes, count);
+    }
 }
 
 uint64_t vbss_hash_end(const vbss_hash *hash)

@@ -39,4 +39,15 @@ static inline uint64_t load_little_endian(const uint8_t *bytes, size_t count)
     return value;
 }
 
+/* memcpy for few bytes. What compilers make of a memcpy of unknown size has a slow start. */
+static inline void copy_short(uint8_t *to, const uint8_t *from, size_t count)
+{
+    for (; count >= 8; count -= 8, to += 8, from += 8) {
+        memcpy(to, from, 8);
+    }
+    for (size_t i = 0; i < count; i++) {
+        to[i] = from[i];
+    }
+}
+
 #endif

@@ -12,7 +12,7 @@ enum { TYPE_F64 = 1, TYPE_U64 = 2, TYPE_U32 = 3, TYPE_I32 = 4, TYPE_U8 = 5 };
 #define HEADER_BYTES 8u
 /* The one NaN that is written: processors make NaNs with different signs. */
 #define QUIET_NAN_BITS 0x7ff8000000000000u
-/* Values converted at a time on the way to or from little-endian bytes. */
+/* Values converted at a time on the way to little-endian bytes. */
 #define CHUNK 64u
 
 /* ---- start and failure */
@@ -83,14 +83,28 @@ static bool measure(vbss_stream *stream, size_t bytes)
     return stream->mode == VBSS_STREAM_MEASURE;
 }
 
+/* Stops a writing stream that has no room for so many bytes. */
+static bool has_room(vbss_stream *stream, size_t count)
+{
+    if (stream->mode == VBSS_STREAM_WRITE && count > stream->capacity - stream->position) {
+        stop(stream, VBSS_ERROR_CAPACITY, "the buffer is too small");
+        return false;
+    }
+    return true;
+}
+
 static void put(vbss_stream *stream, const uint8_t *bytes, size_t count)
 {
+    enum { SHORT = 64 };
+    if (!has_room(stream, count)) {
+        return;
+    }
     if (stream->mode == VBSS_STREAM_WRITE) {
-        if (count > stream->capacity - stream->position) {
-            stop(stream, VBSS_ERROR_CAPACITY, "the buffer is too small");
-            return;
+        if (count <= SHORT) {
+            copy_short(stream->out + stream->position, bytes, count);
+        } else {
+            memcpy(stream->out + stream->position, bytes, count);
         }
-        memcpy(stream->out + stream->position, bytes, count);
     } else if (stream->mode == VBSS_STREAM_HASH) {
         vbss_hash_add(&stream->hash, bytes, count);
     }
@@ -200,6 +214,31 @@ static bool begin_field(vbss_stream *stream, uint16_t tag, uint8_t type, size_t 
     return true;
 }
 
+static bool has_nan(const double *values, size_t count)
+{
+    bool found = false;
+    for (size_t i = 0; i < count; i++) {
+        found |= values[i] != values[i];
+    }
+    return found;
+}
+
+/* Puts values that need a conversion. */
+static void put_converted_f64(vbss_stream *stream, const double *values, size_t count)
+{
+    uint8_t chunk[8 * CHUNK];
+    for (size_t done = 0; done < count; done += CHUNK) {
+        size_t now = count - done < CHUNK ? count - done : CHUNK;
+        for (size_t i = 0; i < now; i++) {
+            double value = values[done + i];
+            uint64_t bits;
+            memcpy(&bits, &value, sizeof bits);
+            store_little_endian(chunk + 8 * i, value == value ? bits : QUIET_NAN_BITS, 8);
+        }
+        put(stream, chunk, 8 * now);
+    }
+}
+
 void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t count)
 {
     if (!begin_field(stream, tag, TYPE_F64, count)) {
@@ -219,19 +258,13 @@ void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t c
         }
         return;
     }
-    if (measure(stream, 8 * count)) {
+    if (measure(stream, 8 * count) || !has_room(stream, 8 * count)) {
         return;
     }
-    uint8_t chunk[8 * CHUNK];
-    for (size_t done = 0; done < count && stream->result == VBSS_OK; done += CHUNK) {
-        size_t now = count - done < CHUNK ? count - done : CHUNK;
-        for (size_t i = 0; i < now; i++) {
-            double value = values[done + i];
-            uint64_t bits;
-            memcpy(&bits, &value, sizeof bits);
-            store_little_endian(chunk + 8 * i, value == value ? bits : QUIET_NAN_BITS, 8);
-        }
-        put(stream, chunk, 8 * now);
+    if (VBSS_LITTLE_ENDIAN && !has_nan(values, count)) {
+        put(stream, (const uint8_t *)values, 8 * count);
+    } else {
+        put_converted_f64(stream, values, count);
     }
 }
 
@@ -251,11 +284,15 @@ void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t c
             }                                                                              \
             return;                                                                        \
         }                                                                                  \
-        if (measure(stream, WIDTH * count)) {                                              \
+        if (measure(stream, WIDTH * count) || !has_room(stream, WIDTH * count)) {          \
+            return;                                                                        \
+        }                                                                                  \
+        if (VBSS_LITTLE_ENDIAN) {                                                          \
+            put(stream, (const uint8_t *)values, WIDTH *count);                            \
             return;                                                                        \
         }                                                                                  \
         uint8_t chunk[WIDTH * CHUNK];                                                      \
-        for (size_t done = 0; done < count && stream->result == VBSS_OK; done += CHUNK) {  \
+        for (size_t done = 0; done < count; done += CHUNK) {                               \
             size_t now = count - done < CHUNK ? count - done : CHUNK;                      \
             for (size_t i = 0; i < now; i++) {                                             \
                 store_little_endian(chunk + WIDTH * i, (uint64_t)values[done + i], WIDTH); \

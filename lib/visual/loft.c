@@ -1,120 +1,93 @@
 /* Lofts: surfaces made by moving a section along a line, ring by ring, with domes at the ends. */
-#include "base/elementary.h"
-#include "base/pi.h"
+#include <stddef.h>
+
+#include "base/simd_dispatch.h"
 #include "visual/visual.h"
 
-/* ---- sections */
-
-/* A polygon with n sides deviates from its circle by r (1 - cos(pi / n)) <= r (pi / n)^2 / 2. */
-static uint32_t count_sides(const visual_object *v, double radius)
+static uint32_t find_kept_triangles(const visual_loft_record *last, const visual_loft_record *now)
 {
-    double sides = VBSS_PI * sqrt(0.5 * radius / v->config.tube_tolerance);
-    double limited = vbss_min(vbss_max(sides, 6.0), v->config.side_limit);
-    return (uint32_t)(limited + 0.999);
+    const bool same = last->shape == now->shape && last->sides == now->sides &&
+                      last->first_vertex == now->first_vertex &&
+                      last->first_triangle == now->first_triangle;
+    return same ? last->end_triangle : 0;
 }
 
-static void add_point(visual_section *s, double u, double v, double nu, double nv,
-                      double perimeter_fraction)
+void vbss_visual_begin_loft(visual_loft *loft, const visual_object *v, visual_frame *f,
+                            const visual_section *section)
 {
-    s->position[s->count][0] = u;
-    s->position[s->count][1] = v;
-    s->normal[s->count][0] = nu;
-    s->normal[s->count][1] = nv;
-    s->perimeter_fraction[s->count] = perimeter_fraction;
-    s->joins_next[s->count++] = true;
-}
-
-void vbss_visual_round_section(const visual_object *v, double radius, visual_section *section)
-{
-    const uint32_t sides = count_sides(v, radius);
-    section->count = 0;
-    section->dome_rings = (sides + 3) / 4 < 2 ? 2 : (sides + 3) / 4;
-    for (uint32_t i = 0; i <= sides; i++) {
-        double fraction = (double)i / (double)sides, sine, cosine;
-        vbss_sincos(i == sides ? 0.0 : 2.0 * VBSS_PI * fraction, &sine, &cosine);
-        add_point(section, cosine, sine, cosine, sine, fraction); /* the seam has two points */
+    loft->v = v;
+    loft->frame = f;
+    loft->section = section;
+    loft->record = NULL;
+    loft->kept_triangles = 0;
+    loft->has_previous = loft->previous_is_pole = false;
+    loft->scale = -1.0;
+    if (f->loft_count < VISUAL_LOFTS_PER_PART * v->config.part_capacity) {
+        const visual_loft_record now = {section->shape, section->sides, f->vertex_count,
+                                        f->triangle_count, 0};
+        loft->record = &f->lofts[f->loft_count++];
+        loft->kept_triangles = find_kept_triangles(loft->record, &now);
+        *loft->record = now;
     }
-    section->joins_next[sides] = false;
 }
 
-void vbss_visual_jaw_section(const visual_object *v, double radius, visual_section *section)
-{
-    const uint32_t sides = (count_sides(v, radius) + 1) / 2;
-    section->count = 0;
-    section->dome_rings = (sides + 1) / 2 < 2 ? 2 : (sides + 1) / 2;
-    add_point(section, -1.0, -1.0, 0.0, -1.0, 0.0);
-    for (uint32_t i = 0; i <= sides; i++) {
-        double fraction = (double)i / (double)sides, sine, cosine;
-        vbss_sincos(VBSS_PI * (fraction - 0.5), &sine, &cosine);
-        add_point(section, cosine, sine, cosine, sine, 0.15 + 0.4 * fraction);
-    }
-    add_point(section, -1.0, 1.0, 0.0, 1.0, 0.7);
-    section->joins_next[section->count - 1] = false;
-    add_point(section, -1.0, 1.0, -1.0, 0.0, 0.7);
-    add_point(section, -1.0, -1.0, -1.0, 0.0, 1.0);
-    section->joins_next[section->count - 1] = false;
-}
+/* ---- triangles */
 
-double vbss_visual_max_chord(double curvature, double tolerance)
+static void connect_rings(const visual_loft *l)
 {
-    return sqrt(8.0 * tolerance / vbss_max(curvature, 1e-12));
-}
-
-/* ---- rings */
-
-visual_loft vbss_visual_begin_loft(const visual_object *v, visual_frame *f,
-                                   const visual_section *section)
-{
-    visual_loft loft = {v, f, section, 0, false, false};
-    return loft;
-}
-
-static void connect_rings(const visual_loft *l, uint32_t ring)
-{
-    for (uint32_t i = 0; i + 1 < l->section->count; i++) {
-        if (l->section->joins_next[i]) {
-            uint32_t a = l->previous + i, b = ring + i;
-            visual_add_triangle(l->v, l->frame, a, a + 1, b);
-            visual_add_triangle(l->v, l->frame, a + 1, b + 1, b);
-        }
+    visual_frame *f = l->frame;
+    const uint32_t first = f->triangle_count;
+    f->triangle_count += 2 * l->section->joint_count;
+    if (f->triangle_count > l->kept_triangles &&
+        f->triangle_count <= l->v->config.triangle_capacity) {
+        VBSS_WIDE_CALL(l->v->wide, vbss_visual_write_strip, l->section, l->previous,
+                       f->triangles[first]);
     }
 }
 
 /* `ring_is_last`: the ring comes after the pole; otherwise before it. */
 static void connect_pole(const visual_loft *l, uint32_t pole, uint32_t ring, bool ring_is_last)
 {
-    for (uint32_t i = 0; i + 1 < l->section->count; i++) {
-        if (l->section->joins_next[i]) {
-            uint32_t a = ring + i, b = ring + i + 1;
-            visual_add_triangle(l->v, l->frame, pole, ring_is_last ? b : a, ring_is_last ? a : b);
-        }
+    for (uint32_t i = 0; i < l->section->joint_count; i++) {
+        uint32_t a = ring + l->section->joints[i], b = a + 1;
+        visual_add_triangle(l->v, l->frame, pole, ring_is_last ? b : a, ring_is_last ? a : b);
     }
+}
+
+static void end_triangles(visual_loft *l)
+{
+    if (l->record != NULL) {
+        l->record->end_triangle = l->frame->triangle_count;
+    }
+}
+
+/* ---- rings and poles */
+
+/* The points of all rings with the same radius have the same coordinates across the line. */
+static void scale_section(visual_loft *l, double radius)
+{
+    for (uint32_t i = 0; i < l->section->count; i++) {
+        l->across[i][0] = visual_to_float(radius * l->section->position[0][i]);
+        l->across[i][1] = visual_to_float(radius * l->section->position[1][i]);
+    }
+    l->scale = radius;
 }
 
 void vbss_visual_add_ring(visual_loft *loft, const visual_ring *ring)
 {
-    const visual_section *s = loft->section;
-    const uint32_t first = loft->frame->vertex_count;
-    const vec3 second = vec3_cross(ring->tangent, ring->normal);
-    loft->frame->vertex_count += s->count;
-    for (uint32_t i = 0; i < s->count; i++) {
-        vec3 across =
-            vec3_add_scaled(vec3_scale(ring->normal, s->position[i][0]), s->position[i][1], second);
-        vec3 out =
-            vec3_add_scaled(vec3_scale(ring->normal, s->normal[i][0]), s->normal[i][1], second);
-        out = vec3_add_scaled(vec3_scale(out, ring->radial), ring->axial, ring->tangent);
-        visual_point p = {vec3_add_scaled(ring->centre, ring->radius, across),
-                          out,
-                          {s->perimeter_fraction[i], ring->arc_length},
-                          vec3_make(ring->arc_length, ring->radius * s->position[i][0],
-                                    ring->radius * s->position[i][1]),
-                          ring->value};
-        visual_set_vertex(loft->v, loft->frame, first + i, &p);
+    visual_frame *f = loft->frame;
+    const uint32_t first = f->vertex_count;
+    f->vertex_count += loft->section->count;
+    if (f->vertex_count <= loft->v->config.vertex_capacity) {
+        if (ring->radius != loft->scale) {
+            scale_section(loft, ring->radius);
+        }
+        VBSS_WIDE_CALL(loft->v->wide, vbss_visual_write_ring, loft, ring, &f->vertices[first]);
     }
     if (loft->has_previous && loft->previous_is_pole) {
         connect_pole(loft, loft->previous, first, true);
     } else if (loft->has_previous) {
-        connect_rings(loft, first);
+        connect_rings(loft);
     }
     loft->previous = first;
     loft->has_previous = true;
@@ -132,6 +105,7 @@ void vbss_visual_add_pole(visual_loft *loft, const visual_ring *ring)
                       ring->value};
     visual_set_vertex(loft->v, loft->frame, index, &p);
     if (loft->has_previous) {
+        end_triangles(loft);
         connect_pole(loft, index, loft->previous, false);
     }
     loft->previous = index;
@@ -146,8 +120,8 @@ void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool at_st
     for (uint32_t k = 0; k <= rings; k++) {
         /* From the pole to the ring, or from the ring to the pole. The caller adds the ring. */
         uint32_t step = at_start ? rings - k : k;
-        double sine, cosine;
-        vbss_sincos(0.5 * VBSS_PI * ((double)step / (double)rings), &sine, &cosine);
+        const double sine = loft->section->dome_sine[step];
+        const double cosine = loft->section->dome_cosine[step];
         if (step == 0) {
             continue;
         }
@@ -169,7 +143,8 @@ void vbss_visual_add_capsule(const visual_object *v, visual_frame *f, const visu
                              const visual_capsule *c)
 {
     const double length = vec3_dot(vec3_sub(c->end, c->start), c->tangent);
-    visual_loft loft = vbss_visual_begin_loft(v, f, section);
+    visual_loft loft;
+    vbss_visual_begin_loft(&loft, v, f, section);
     visual_ring ring = {c->start, c->tangent, c->normal, c->radius, 1.0, 0.0, 0.0, c->value};
     vbss_visual_add_dome(&loft, &ring, true);
     /* If the capsule tapers, its normals lean forward. */

@@ -27,19 +27,3 @@ void vbss_visual_solve_spline(const vec3 *x, const double *lengths, uint32_t nod
             vec3_add_scaled(second_derivatives[i], -ratios[i], second_derivatives[i + 1]);
     }
 }
-
-vec3 vbss_visual_segment_point(const visual_segment *s, double fraction)
-{
-    double b = fraction, a = 1.0 - fraction, sixth = s->length * s->length / 6.0;
-    vec3 point = vec3_lerp(s->start, s->end, fraction);
-    point = vec3_add_scaled(point, (a * a * a - a) * sixth, s->start_second_derivative);
-    return vec3_add_scaled(point, (b * b * b - b) * sixth, s->end_second_derivative);
-}
-
-vec3 vbss_visual_segment_derivative(const visual_segment *s, double fraction)
-{
-    double b = fraction, a = 1.0 - fraction, sixth = s->length / 6.0;
-    vec3 slope = vec3_scale(vec3_sub(s->end, s->start), 1.0 / s->length);
-    slope = vec3_add_scaled(slope, (1.0 - 3.0 * a * a) * sixth, s->start_second_derivative);
-    return vec3_add_scaled(slope, (3.0 * b * b - 1.0) * sixth, s->end_second_derivative);
-}

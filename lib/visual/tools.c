@@ -31,7 +31,7 @@ static visual_ring tip_ring(const vbss_needle *needle, const scene_needle_info *
     return ring;
 }
 
-void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss_needle *needle)
+void vbss_visual_draw_needle(visual_object *v, visual_frame *f, const vbss_needle *needle)
 {
     enum { TIP_RINGS = 8 }; /* chosen */
     const scene_needle_info n = vbss_scene_inspect_needle(needle);
@@ -41,9 +41,9 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss
     const double outside = (1.0 + n.wire_radius / n.arc_radius) / n.arc_radius;
     const double chord = vbss_visual_max_chord(outside, v->config.tube_tolerance);
     const uint32_t rings = (uint32_t)vbss_min(body / chord + 1.0, 1024.0);
-    visual_section section;
-    vbss_visual_round_section(v, n.wire_radius, &section);
-    visual_loft loft = vbss_visual_begin_loft(v, f, &section);
+    const visual_section *section = vbss_visual_round_section(v, n.wire_radius);
+    visual_loft loft;
+    vbss_visual_begin_loft(&loft, v, f, section);
     visual_ring ring = wire_ring(needle, &n, length);
     vbss_visual_add_dome(&loft, &ring, true);
     for (uint32_t i = 0; i <= rings; i++) {
@@ -70,14 +70,13 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const vbss
 enum { PIECE_SHAFT = 0, PIECE_NECK = 1, PIECE_JAW = 2 };
 
 /* Draws the shaft or the neck. Both are perpendicular to the x axis of the tool. */
-static void draw_cylinder(const visual_object *v, visual_frame *f, const scene_grasper_info *g,
+static void draw_cylinder(visual_object *v, visual_frame *f, const scene_grasper_info *g,
                           const scene_capsule_info *c, double value)
 {
     const pose body_pose = g->pose;
     vec3 axis = vec3_sub(c->axis[0], c->axis[1]); /* toward the jaws */
     vec3 forward = vec3_unit_or(axis, g->forward);
-    visual_section section;
-    vbss_visual_round_section(v, c->radius, &section);
+    const visual_section *section = vbss_visual_round_section(v, c->radius);
     const visual_capsule capsule = {pose_apply(body_pose, c->axis[1]),
                                     pose_apply(body_pose, c->axis[0]),
                                     quat_rotate(body_pose.orientation, forward),
@@ -85,19 +84,18 @@ static void draw_cylinder(const visual_object *v, visual_frame *f, const scene_g
                                     c->radius,
                                     c->radius,
                                     value};
-    vbss_visual_add_capsule(v, f, &section, &capsule);
+    vbss_visual_add_capsule(v, f, section, &capsule);
 }
 
 /* Draws a jaw. The blades of shears taper. `side` is 1 for the jaw at +x, and -1 for the other. */
-static void draw_jaw(const visual_object *v, visual_frame *f, const scene_grasper_info *g,
+static void draw_jaw(visual_object *v, visual_frame *f, const scene_grasper_info *g,
                      const scene_capsule_info *c, double side)
 {
     const pose body_pose = g->pose;
     vec3 forward = vec3_unit_or(vec3_sub(c->axis[1], c->axis[0]), vec3_make(0.0, 0.0, -1.0));
     vec3 opening = vec3_make(side, 0.0, 0.0); /* jaws and tool have the same x axis */
     vec3 outward = vec3_add_scaled(opening, -vec3_dot(opening, forward), forward);
-    visual_section section;
-    vbss_visual_jaw_section(v, c->radius, &section);
+    const visual_section *section = vbss_visual_jaw_section(v, c->radius);
     const visual_capsule capsule = {
         pose_apply(body_pose, c->axis[0]),
         pose_apply(body_pose, c->axis[1]),
@@ -106,10 +104,10 @@ static void draw_jaw(const visual_object *v, visual_frame *f, const scene_graspe
         c->radius,
         g->kind == VBSS_GRASPER_SHEARS ? 0.4 * c->radius : c->radius,
         PIECE_JAW};
-    vbss_visual_add_capsule(v, f, &section, &capsule);
+    vbss_visual_add_capsule(v, f, section, &capsule);
 }
 
-void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const scene_grasper_info *g)
+void vbss_visual_draw_grasper(visual_object *v, visual_frame *f, const scene_grasper_info *g)
 {
     draw_cylinder(v, f, g, &g->shaft, PIECE_SHAFT);
     draw_cylinder(v, f, g, &g->neck, PIECE_NECK);
@@ -119,20 +117,19 @@ void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const sce
 
 /* ---- other rigid bodies */
 
-void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const vbss_scene *scene,
+void vbss_visual_draw_rigid(visual_object *v, visual_frame *f, const vbss_scene *scene,
                             const scene_body_info *body)
 {
     const quat orientation = body->pose.orientation;
     for (uint32_t i = 0; i < body->capsule_count; i++) {
         const scene_capsule_info c = vbss_scene_inspect_capsule(scene, body, i);
         vec3 along = vec3_unit_or(vec3_sub(c.axis[1], c.axis[0]), vec3_make(0.0, 0.0, 1.0));
-        visual_section section;
-        vbss_visual_round_section(v, c.radius, &section);
+        const visual_section *section = vbss_visual_round_section(v, c.radius);
         /* The section turns with the body, so that its rotation is visible. */
         vec3 across =
             quat_rotate(orientation, vec3_any_normal(quat_rotate_back(orientation, along)));
         const visual_capsule capsule = {c.axis[0], c.axis[1], along, across,
                                         c.radius,  c.radius,  0.0};
-        vbss_visual_add_capsule(v, f, &section, &capsule);
+        vbss_visual_add_capsule(v, f, section, &capsule);
     }
 }

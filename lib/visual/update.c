@@ -78,18 +78,18 @@ static vbss_result draw_drain(visual_object *v, visual_frame *f, uint32_t source
     const scene_drain_info d = vbss_scene_inspect_drain(drain);
     VBSS_TRY(check_node_count(v, d.node_count, "drain"));
     vbss_visual_begin_part(v, f, VBSS_VISUAL_DRAIN, source, body);
-    vbss_visual_draw_drain(v, f, &d);
+    vbss_visual_draw_drain(v, f, drain, &d);
     return VBSS_OK;
 }
 
-static void draw_needle(const visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
+static void draw_needle(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
                         const vbss_needle *needle)
 {
     vbss_visual_begin_part(v, f, VBSS_VISUAL_NEEDLE, source, body);
     vbss_visual_draw_needle(v, f, needle);
 }
 
-static void draw_grasper(const visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
+static void draw_grasper(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
                          const vbss_grasper *grasper)
 {
     const scene_grasper_info g = vbss_scene_inspect_grasper(grasper);
@@ -211,6 +211,29 @@ static vbss_result fail_capacity(const visual_object *v, const visual_frame *f)
                      f->vertex_count, f->triangle_count, f->part_count, f->decal_count);
 }
 
+/* Records that an update has not replaced are out of date after it, also if it failed. */
+static void forget_records(const visual_object *v, visual_frame *f)
+{
+    const uint32_t parts = v->config.part_capacity;
+    for (uint32_t i = f->wall_count; i < parts; i++) {
+        f->walls[i].drain = NULL;
+    }
+    for (uint32_t i = f->loft_count; i < VISUAL_LOFTS_PER_PART * parts; i++) {
+        f->lofts[i].sides = 0;
+    }
+}
+
+static vbss_result draw_frame(visual_object *v, visual_frame *f)
+{
+    f->vertex_count = f->triangle_count = f->part_count = f->decal_count = 0;
+    f->tube_start_count = f->wall_count = f->loft_count = 0;
+    for (uint32_t i = 0; i < v->config.source_capacity && vbss_visual_fits(v, f); i++) {
+        VBSS_TRY(draw_source(v, f, &v->sources[i]));
+    }
+    end_part(v, f);
+    return vbss_visual_fits(v, f) ? VBSS_OK : fail_capacity(v, f);
+}
+
 vbss_result vbss_visual_update(vbss_visual *visual)
 {
     VBSS_ENTER(visual);
@@ -218,14 +241,9 @@ vbss_result vbss_visual_update(vbss_visual *visual)
     VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
     visual_object *v = slot->object;
     visual_frame *f = &v->frames[1 - v->front];
-    f->vertex_count = f->triangle_count = f->part_count = f->decal_count = f->tube_start_count = 0;
-    for (uint32_t i = 0; i < v->config.source_capacity && vbss_visual_fits(v, f); i++) {
-        VBSS_TRY(draw_source(v, f, &v->sources[i]));
-    }
-    end_part(v, f);
-    if (!vbss_visual_fits(v, f)) {
-        return fail_capacity(v, f);
-    }
+    const vbss_result result = draw_frame(v, f);
+    forget_records(v, f);
+    VBSS_TRY(result);
     v->front = 1 - v->front;
     v->generation++;
     v->updates++;

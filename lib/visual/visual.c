@@ -2,6 +2,7 @@
 #include "base/api_call.h"
 #include "base/config.h"
 #include "base/memory.h"
+#include "base/simd_dispatch.h"
 #include "visual/visual.h"
 
 #include "base/check.h"
@@ -18,7 +19,7 @@ static const vbss_layout statistics_layout = {"vbss_visual_statistics", NULL, st
 
 /* ---- creation and destruction */
 
-enum { ARRAYS_PER_FRAME = 5, ARRAY_COUNT = 2 * ARRAYS_PER_FRAME + 3 };
+enum { ARRAYS_PER_FRAME = 7, ARRAY_COUNT = 2 * ARRAYS_PER_FRAME + 3 };
 
 static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAY_COUNT])
 {
@@ -31,6 +32,9 @@ static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAY_COUNT])
         arrays[n++] = (vbss_array){&f->parts, c->part_capacity, sizeof *f->parts};
         arrays[n++] = (vbss_array){&f->decals, c->spot_capacity, sizeof *f->decals};
         arrays[n++] = (vbss_array){&f->tube_starts, c->part_capacity, sizeof *f->tube_starts};
+        arrays[n++] = (vbss_array){&f->walls, c->part_capacity, sizeof *f->walls};
+        arrays[n++] =
+            (vbss_array){&f->lofts, VISUAL_LOFTS_PER_PART * c->part_capacity, sizeof *f->lofts};
     }
     arrays[n++] = (vbss_array){&v->sources, c->source_capacity, sizeof *v->sources};
     arrays[n++] = (vbss_array){&v->node_vectors, c->node_capacity, sizeof *v->node_vectors};
@@ -68,6 +72,7 @@ static vbss_result allocate_visual(vbss_context *context, const vbss_visual_conf
     v->context = context;
     v->config = *config;
     v->origin = vec3_load(config->origin);
+    v->wide = vbss_wide_is_available();
     vbss_result result = vbss_allocate_arrays(context, arrays, list_arrays(v, arrays), "visual");
     if (result != VBSS_OK) {
         free_visual(context, v);

@@ -217,12 +217,14 @@ static void long_arrays_stream_in_chunks(void **state)
     assert_memory_equal(words, words_back, sizeof words);
     assert_memory_equal(signs, signs_back, sizeof signs);
     assert_memory_equal(bytes, bytes_back, sizeof bytes);
-    /* A full buffer stops the array at the piece that does not fit. */
+    /* A buffer that is too small takes no part of the array. */
     double numbers[130] = {0};
+    memset(buffer, 7, sizeof buffer);
     vbss_stream_begin_write(&stream, buffer, 8 + 512 + 16);
     vbss_stream_f64(&stream, 1, numbers, 130);
     expect_result(VBSS_ERROR_CAPACITY, stream.result);
-    assert_int_equal(stream.position, 8 + 512);
+    assert_int_equal(stream.position, 8);
+    assert_int_equal(buffer[8], 7);
 }
 
 /* Bytes that are found and placed where they lie are a field like another. */
@@ -315,6 +317,33 @@ static void nan_is_canonical(void **state)
     vbss_stream_begin_hash(&minus);
     vbss_stream_f64(&minus, 1, &zeros[1], 1);
     assert_true(vbss_hash_end(&plus.hash) != vbss_hash_end(&minus.hash));
+}
+
+static void nan_is_canonical_anywhere_in_an_array(void **state)
+{
+    (void)state;
+    enum { COUNT = 150 };
+    const uint64_t odd = 0xfff8000000000001u, canonical = 0x7ff8000000000000u;
+    const int places[] = {0, 1, 63, 64, 70, 149};
+    for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+        double values[2][COUNT];
+        uint8_t bytes[2][8 + 8 * COUNT];
+        vbss_stream hashes[2], written[2];
+        for (int i = 0; i < COUNT; i++) {
+            values[0][i] = values[1][i] = 0.1 * i;
+        }
+        memcpy(&values[0][places[k]], &odd, sizeof odd);
+        memcpy(&values[1][places[k]], &canonical, sizeof canonical);
+        for (int i = 0; i < 2; i++) {
+            vbss_stream_begin_hash(&hashes[i]);
+            vbss_stream_f64(&hashes[i], 1, values[i], COUNT);
+            vbss_stream_begin_write(&written[i], bytes[i], sizeof bytes[i]);
+            vbss_stream_f64(&written[i], 1, values[i], COUNT);
+            expect_ok(written[i].result);
+        }
+        assert_true(vbss_hash_end(&hashes[0].hash) == vbss_hash_end(&hashes[1].hash));
+        assert_memory_equal(bytes[0], bytes[1], sizeof bytes[0]);
+    }
 }
 
 static void non_finite_numbers_are_rejected_on_read(void **state)
@@ -465,6 +494,7 @@ int test_stream(void)
         harness_test(format_tags_are_reserved),
         harness_test(trusted_read_ignores_visitor_checks),
         harness_test(nan_is_canonical),
+        harness_test(nan_is_canonical_anywhere_in_an_array),
         harness_test(non_finite_numbers_are_rejected_on_read),
         harness_test(first_error_is_sticky),
         harness_test(field_order_is_checked),

@@ -2,6 +2,7 @@
 #include "base/elementary.h"
 #include "drain/drain.h"
 #include "fixture.h"
+#include "patch_model.h"
 
 static drain_object *inside(const vbss_drain *drain)
 {
@@ -112,15 +113,15 @@ static double deviation(const drawn *d, const drain_object *drain)
         const uint32_t *node = m->edges[i].nodes;
         const vec3 x[2] = {drain->x[node[0]], drain->x[node[1]]};
         const vec3 normals[2] = {normal_of(d, node[0]), normal_of(d, node[1])};
-        const visual_edge side = vbss_visual_make_edge(x, normals);
+        const model_edge side = model_make_edge(x, normals);
         for (uint32_t k = 0; k < 20 * n; k++) {
             vec3 normal;
             const uint32_t part = k / 20;
             double share = (double)k / (20.0 * n), step = 1.0 / n, from = step * part;
-            vec3 a = vbss_visual_edge_point(&side, from, &normal);
-            vec3 b = vbss_visual_edge_point(&side, from + step, &normal);
+            vec3 a = model_edge_point(&side, from, &normal);
+            vec3 b = model_edge_point(&side, from + step, &normal);
             vec3 chord = vec3_lerp(a, b, (share - from) / step);
-            vec3 curve = vbss_visual_edge_point(&side, share, &normal);
+            vec3 curve = model_edge_point(&side, share, &normal);
             worst = vbss_max(worst, vec3_distance(chord, curve));
         }
     }

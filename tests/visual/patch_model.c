@@ -1,7 +1,5 @@
-/* Curved patches over triangles with normals at their corners (Vlachos, Peters, Boyd and Mitchell,
- * Curved PN Triangles, 2001): a cubic surface with quadratic normals. The curve of an edge depends
- * on its own corners only, so neighbouring patches share it. */
-#include "visual/visual.h"
+/* Curved PN triangles (Vlachos, Peters, Boyd and Mitchell 2001), after the paper. */
+#include "patch_model.h"
 
 /* The point at a third of the edge, projected into the tangent plane of the corner. */
 static vec3 control_point(vec3 corner, vec3 other, vec3 normal)
@@ -11,12 +9,12 @@ static vec3 control_point(vec3 corner, vec3 other, vec3 normal)
     return vec3_add_scaled(corner, 1.0 / 3.0, flat);
 }
 
-visual_edge vbss_visual_make_edge(const vec3 x[2], const vec3 normals[2])
+model_edge model_make_edge(const vec3 x[2], const vec3 normals[2])
 {
-    visual_edge s = {{x[0], x[1]},
-                     {control_point(x[0], x[1], normals[0]), control_point(x[1], x[0], normals[1])},
-                     {normals[0], normals[1]},
-                     vec3_add(normals[0], normals[1])};
+    model_edge s = {{x[0], x[1]},
+                    {control_point(x[0], x[1], normals[0]), control_point(x[1], x[0], normals[1])},
+                    {normals[0], normals[1]},
+                    vec3_add(normals[0], normals[1])};
     vec3 chord = vec3_sub(x[1], x[0]);
     double length = vec3_norm_squared(chord);
     if (length > 0.0) { /* reflected in the middle plane, so that an inflection is followed */
@@ -27,7 +25,7 @@ visual_edge vbss_visual_make_edge(const vec3 x[2], const vec3 normals[2])
     return s;
 }
 
-vec3 vbss_visual_edge_point(const visual_edge *edge, double fraction, vec3 *normal)
+vec3 model_edge_point(const model_edge *edge, double fraction, vec3 *normal)
 {
     double b = fraction, a = 1.0 - fraction;
     if (a == 0.0 || b == 0.0) { /* equal to the bit for all edges at this corner */
@@ -44,18 +42,9 @@ vec3 vbss_visual_edge_point(const visual_edge *edge, double fraction, vec3 *norm
     return vec3_add_scaled(x, b * b * b, edge->corner[1]);
 }
 
-double vbss_visual_edge_chord_error(const visual_edge *edge)
+model_patch model_make_patch(const model_edge edges[3])
 {
-    /* An eighth of the largest second derivative. That of a cubic is largest at an end. */
-    vec3 middle = vec3_sub(edge->control[1], edge->control[0]);
-    vec3 start = vec3_sub(middle, vec3_sub(edge->control[0], edge->corner[0]));
-    vec3 end = vec3_sub(vec3_sub(edge->corner[1], edge->control[1]), middle);
-    return 0.75 * sqrt(vbss_max(vec3_norm_squared(start), vec3_norm_squared(end)));
-}
-
-visual_patch vbss_visual_make_patch(const visual_edge edges[3])
-{
-    visual_patch p = {{edges[0], edges[1], edges[2]}, vec3_zero()};
+    model_patch p = {{edges[0], edges[1], edges[2]}, vec3_zero()};
     vec3 controls = vec3_zero(), corners = vec3_zero();
     for (int k = 0; k < 3; k++) {
         controls = vec3_add(controls, vec3_add(edges[k].control[0], edges[k].control[1]));
@@ -65,12 +54,12 @@ visual_patch vbss_visual_make_patch(const visual_edge edges[3])
     return p;
 }
 
-vec3 vbss_visual_patch_point(const visual_patch *patch, const double weights[3], vec3 *normal)
+vec3 model_patch_point(const model_patch *patch, const double weights[3], vec3 *normal)
 {
     vec3 x = vec3_scale(patch->centre, 6.0 * weights[0] * weights[1] * weights[2]);
     vec3 n = vec3_zero();
     for (int k = 0; k < 3; k++) {
-        const visual_edge *s = &patch->edges[k];
+        const model_edge *s = &patch->edges[k];
         double a = weights[k], b = weights[k == 2 ? 0 : k + 1];
         x = vec3_add_scaled(x, a * a * a, s->corner[0]);
         x = vec3_add_scaled(x, 3.0 * a * a * b, s->control[0]);
