@@ -259,6 +259,35 @@ static void restore_before_each_call_changes_no_state(void **state)
     assert_true(divided > 10);
 }
 
+/* An edit ends a step of which several islands wait. The lost step is counted, whatever island was in progress. */
+static void edit_while_islands_wait_counts_the_lost_step(void **state)
+{
+    (void)state;
+    uint32_t checked = 0;
+    for (uint32_t limit = 200; limit < 20000; limit = limit * 5 / 4) {
+        small s;
+        small_begin(&s);
+        s.config.slot_limit = limit;
+        small_create(&s);
+        press p = add_press(&s);
+        for (uint32_t i = 1; i <= 60; i++) {
+            close_press(&s, &p, i);
+            small_steps(&s, 1, STEP);
+            const scene_step_cursor *cursor = &small_object(&s)->cursor;
+            if (!cursor->is_suspended || cursor->group + 1 >= cursor->group_count) {
+                continue;
+            }
+            const uint64_t paused = small_statistics(&s).paused;
+            checked++;
+            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(-0.1, 0.0, 0.0), half_z, 1e-3);
+            assert_int_equal(small_statistics(&s).paused, paused + 1);
+            break;
+        }
+        small_end(&s);
+    }
+    assert_true(checked > 0);
+}
+
 /* Contacts of the islands that do not fail are in the views after the step, too. */
 static void contacts_of_all_islands_are_published(void **state)
 {
@@ -369,6 +398,7 @@ int test_islands(void)
         cmocka_unit_test(thread_without_room_for_its_pairs_waits_alone),
         cmocka_unit_test(state_saved_while_an_island_waits_continues_equally),
         cmocka_unit_test(restore_before_each_call_changes_no_state),
+        cmocka_unit_test(edit_while_islands_wait_counts_the_lost_step),
         cmocka_unit_test(contacts_of_all_islands_are_published),
         cmocka_unit_test(blocked_pair_is_reported_once_until_it_is_free),
     };

@@ -385,6 +385,7 @@ void vbss_scene_abandon_step(scene_object *s)
     while (cursor->group + 1 < cursor->group_count) {
         vbss_scene_finish_group(s);
         (void)vbss_scene_begin_next_group(s);
+        vbss_scene_checkpoint_statistics(s); /* a replay goes back to these */
         abandon_group(s);
     }
     cursor->is_suspended = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
