@@ -26,8 +26,10 @@ static void restore_one(fuzz_scene *f)
     vbss_result result = vbss_scene_restore(f->sides[k].scene, now->data, now->count);
     fuzz_end_on_side(f, k, result);
     if (result != VBSS_OK) {
-        fuzz_fail(f, FUZZ_CHECK_RESTORE, "the present state is refused: %s",
-                  vbss_result_name(result));
+        const char *text = "";
+        (void)vbss_context_get_last_error(f->sides[k].context, NULL, &text);
+        fuzz_fail(f, FUZZ_CHECK_RESTORE, "the present state is refused: %s: %s",
+                  vbss_result_name(result), text);
     }
     fuzz_save(f, 0, &f->sides[0].snapshot);
     fuzz_compare_twins(f);
