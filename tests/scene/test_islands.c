@@ -129,14 +129,14 @@ static void node_pinned_beyond_a_stick_holds_back_nothing_else(void **state)
 }
 
 /* The most consecutive steps in which a thread stands still. */
-static uint32_t find_longest_standstill(small *s, vbss_thread *falls, uint32_t steps)
+static uint32_t count_longest_stationary(small *s, vbss_thread *falls, uint32_t steps)
 {
-    uint32_t stood_still = 0, longest = 0;
+    uint32_t stationary_steps = 0, longest = 0;
     for (uint32_t i = 0; i < steps; i++) {
         double before = small_node(falls, 4).y;
         small_steps(s, 1, STEP);
-        stood_still = small_node(falls, 4).y < before ? 0 : stood_still + 1;
-        longest = stood_still > longest ? stood_still : longest;
+        stationary_steps = small_node(falls, 4).y < before ? 0 : stationary_steps + 1;
+        longest = stationary_steps > longest ? stationary_steps : longest;
     }
     return longest;
 }
@@ -158,7 +158,7 @@ static void pair_that_exhausts_its_attempts_is_known_in_the_next_step(void **sta
         small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, -0.04899, 0.0), half_z, 1e-3);
     vbss_thread *falls = add_falling_thread(&s);
     small_move(&s, stick, vec3_make(0.0, -0.052, 0.0));
-    assert_true(find_longest_standstill(&s, falls, STEPS) <= 1);
+    assert_true(count_longest_stationary(&s, falls, STEPS) <= 1);
     assert_true(small_statistics(&s).paused > 0);
     small_end(&s);
 }
@@ -182,7 +182,7 @@ static void thread_without_room_for_its_pairs_waits_alone(void **state)
     vbss_thread *falls = add_falling_thread(&s);
     small_steps(&s, 1, STEP);
     expect_ok(vbss_scene_pin_thread(s.scene, line, 12, 0, beyond, &pin));
-    assert_true(find_longest_standstill(&s, falls, STEPS) <= 1);
+    assert_true(count_longest_stationary(&s, falls, STEPS) <= 1);
     assert_true(small_statistics(&s).paused > 0);
     small_end(&s);
 }

@@ -7,16 +7,16 @@
 #include <stdint.h>
 
 typedef enum fuzz_check {
-    FUZZ_CHECK_CRASH,        /* the process has died */
-    FUZZ_CHECK_HANG,         /* a call took more than a second of CPU time */
-    FUZZ_CHECK_STANDS_STILL, /* a body that touches nothing has not moved */
-    FUZZ_CHECK_REFUSED,      /* a refused call has changed the scene */
-    FUZZ_CHECK_QUERY,        /* a query has changed the scene */
-    FUZZ_CHECK_STATUS,       /* the twins returned different statuses */
-    FUZZ_CHECK_TWIN,         /* the twins differ */
-    FUZZ_CHECK_RESTORE,      /* the scene's own state was refused, or a damaged one was not */
-    FUZZ_CHECK_NOT_FINITE,   /* a position is infinite or no number */
-    FUZZ_CHECK_SETUP,        /* the fuzzer itself asks for what is not possible */
+    FUZZ_CHECK_CRASH,      /* the process has died */
+    FUZZ_CHECK_HANG,       /* a call took more than a second of CPU time */
+    FUZZ_CHECK_STATIONARY, /* a body that touches nothing has not moved */
+    FUZZ_CHECK_REFUSED,    /* a refused call has changed the scene */
+    FUZZ_CHECK_QUERY,      /* a query has changed the scene */
+    FUZZ_CHECK_STATUS,     /* the twins returned different statuses */
+    FUZZ_CHECK_TWIN,       /* the twins differ */
+    FUZZ_CHECK_RESTORE,    /* the scene's own state was refused, or a damaged one was not */
+    FUZZ_CHECK_NOT_FINITE, /* a position is infinite or no number */
+    FUZZ_CHECK_SETUP,      /* the fuzzer itself asks for what is not possible */
     FUZZ_CHECKS
 } fuzz_check;
 

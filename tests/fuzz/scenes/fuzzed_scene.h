@@ -45,10 +45,10 @@ typedef struct fuzz_side {
 
 /* A body far from all others. */
 typedef struct fuzz_witness {
-    uint32_t number;      /* 0: none */
-    vec3 position;        /* before the call */
-    bool was_clear;       /* no other body was near before the call */
-    uint32_t stood_still; /* consecutive steps in which it did not move */
+    uint32_t number;           /* 0: none */
+    vec3 position;             /* before the call */
+    bool was_clear;            /* no other body was near before the call */
+    uint32_t stationary_steps; /* consecutive steps in which it did not move */
 } fuzz_witness;
 
 typedef enum fuzz_action {
@@ -146,7 +146,7 @@ void fuzz_add_handle(fuzz_scene *f, fuzz_kind kind, void *const handles[FUZZ_SID
 void fuzz_register(fuzz_scene *f, uint32_t number, fuzz_kind kind, void *const handles[FUZZ_SIDES]);
 void fuzz_move_tool(fuzz_scene *f, uint32_t number);
 /* A pose of a grasper whose jaws are around a place of a body. False: it has no such place. */
-bool fuzz_aim(fuzz_scene *f, uint32_t body, pose *at);
+bool fuzz_find_grasp_pose(fuzz_scene *f, uint32_t body, pose *at);
 
 /* ---- random calls (edits.c, restores.c, steps.c) */
 

@@ -121,15 +121,15 @@ static void check_witness(fuzz_scene *f, bool is_clear)
     }
     const bool is_alone = is_clear && w->was_clear;
     const bool has_moved = vec3_distance(motion.position, w->position) > 0.0;
-    w->stood_still = has_moved || !is_alone ? 0 : w->stood_still + 1;
+    w->stationary_steps = has_moved || !is_alone ? 0 : w->stationary_steps + 1;
     w->position = motion.position;
     w->was_clear = is_clear;
-    if (w->stood_still > limit && !has_room_for_steps(&f->config)) {
+    if (w->stationary_steps > limit && !has_room_for_steps(&f->config)) {
         f->findings->waits++;
-    } else if (w->stood_still > limit) {
-        fuzz_fail(f, FUZZ_CHECK_STANDS_STILL, "%s, for %u steps, work_limit %u, slot_limit %u",
-                  f->config.mode == VBSS_MODE_OFFLINE ? "offline" : "real time", w->stood_still,
-                  f->config.work_limit, f->config.slot_limit);
+    } else if (w->stationary_steps > limit) {
+        fuzz_fail(f, FUZZ_CHECK_STATIONARY, "%s, for %u steps, work_limit %u, slot_limit %u",
+                  f->config.mode == VBSS_MODE_OFFLINE ? "offline" : "real time",
+                  w->stationary_steps, f->config.work_limit, f->config.slot_limit);
     }
 }
 
