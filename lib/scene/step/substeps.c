@@ -370,7 +370,9 @@ static void abandon_group(scene_object *s)
         cursor->operations_at_attempt = cursor->operations;
         cursor->checks_passed = 0;
     }
-    if (!cursor->is_attempt_in_memory) {
+    if (cursor->is_attempt_in_memory) {
+        vbss_scene_recompute_strains(s, &cursor->substep);
+    } else {
         replay_attempt(s);
     }
     vbss_scene_request_damping(s);
