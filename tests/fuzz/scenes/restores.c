@@ -57,7 +57,8 @@ static void restore_damaged(fuzz_scene *f)
     if (fuzz_chance(f, 0.5)) {
         damaged.count = fuzz_below(f, (uint32_t)damaged.count);
     } else {
-        damaged.data[fuzz_below(f, (uint32_t)damaged.count)] ^= (uint8_t)(1 + fuzz_below(f, 255));
+        const uint32_t at = fuzz_below(f, (uint32_t)damaged.count);
+        damaged.data[at] ^= (uint8_t)(1 + fuzz_below(f, 255));
     }
     fuzz_trace(f, "of a damaged state");
     FUZZ_CALL(f, vbss_scene_restore(side->scene, damaged.data, damaged.count));
