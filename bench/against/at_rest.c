@@ -25,9 +25,9 @@ static vbss_result add_tool(int tool)
     vbss_grasper_config config;
     uint32_t body;
     TRY(vbss_grasper_config_init(&config, sizeof config));
-    TRY(vbss_grasper_create(own.site.stand.context, &config, &own.tools[tool]));
+    TRY(vbss_grasper_create(own.site.rig.context, &config, &own.tools[tool]));
     TRY(move_tool(tool, 0.0));
-    return vbss_scene_add_grasper(own.site.stand.scene, own.tools[tool], &body);
+    return vbss_scene_add_grasper(own.site.rig.scene, own.tools[tool], &body);
 }
 
 static vbss_result begin(uint64_t seed)
@@ -52,22 +52,22 @@ static vbss_result step(void)
     for (int tool = 0; tool < TOOLS; tool++) {
         TRY(move_tool(tool, SUBJECT_STEP * own.steps));
     }
-    return vbss_scene_step(own.site.stand.scene, SUBJECT_STEP);
+    return vbss_scene_step(own.site.rig.scene, SUBJECT_STEP);
 }
 
 static vbss_result hash(uint64_t *value)
 {
-    return vbss_scene_get_hash(own.site.stand.scene, value);
+    return vbss_scene_get_hash(own.site.rig.scene, value);
 }
 
 static vbss_scene *scene(void)
 {
-    return own.site.stand.scene;
+    return own.site.rig.scene;
 }
 
 static void end(void)
 {
-    stand_destroy(&own.site.stand);
+    throw_rig_destroy(&own.site.rig);
 }
 
 const subject scene_at_rest = {.name = "task/at-rest",

@@ -2,6 +2,7 @@
  *
  *   against_subjects list              names of all subjects, one a line; "seeded" after those that depend on the seed
  *   against_subjects run NAME SEED     counters, one "name value" a line; "times N"; then the CPU time of N steps, ns */
+#include <locale.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -121,6 +122,7 @@ static int run_named(const char *name, uint64_t seed)
 
 int main(int argc, char **argv)
 {
+    (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     if (argc == 2 && strcmp(argv[1], "list") == 0) {
         list();
         return 0;

@@ -1,5 +1,5 @@
 /* Subjects of the paired bench. A subject is a scene with a fixed script of steps. Only one subject lives in a process, so each
- * keeps its state in one static object. The subjects call the public C API only, because each of them is compiled against the
+ * keeps its state in one static object. The subjects call the public C API, because each of them is compiled against the
  * headers of every revision that is measured. */
 #ifndef VBSS_BENCH_AGAINST_SUBJECT_H
 #define VBSS_BENCH_AGAINST_SUBJECT_H

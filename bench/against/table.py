@@ -39,7 +39,7 @@ def side_rows(subjects, names):
 def text(measured):
     names = measured["reference"]["name"], measured["this"]["name"]
     core = f"on core {measured['core']}" if measured["core"] is not None else "on any core"
-    yield f"This revision ({names[1]}) against {names[0]}: CPU time of each step, minimum of {measured['pairs']} runs of each"
+    yield f"This revision ({names[1]}) against {names[0]}: CPU time of each step, minimum over {measured['pairs']} run(s) of each"
     yield f"revision, alternately {core} ({measured['cpu']})."
     if measured["core_share"] < ALONE:
         yield f"OTHER WORK RAN ON THE CORE: the runs had {100.0 * measured['core_share']:.0f} % of its time. Do not quote these figures."

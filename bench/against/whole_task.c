@@ -16,7 +16,7 @@ static vbss_result begin(uint64_t seed)
     const surgeon_options options = {
         .seed = seed, .until = SURGEON_DONE, .skill = skill_named("expert")};
     TRY(surgeon_create(&own.surgeon, &options));
-    stand *s = &own.surgeon.stitch.site.stand;
+    throw_rig *s = &own.surgeon.stitch.site.rig;
     TRY(task_create(&own.task, &own.surgeon.stitch, s->record, NULL));
     s->session = own.task.session;
     return VBSS_OK;
@@ -34,7 +34,7 @@ static vbss_result step(void)
 
 static double taken(void)
 {
-    return own.surgeon.stitch.site.stand.took;
+    return own.surgeon.stitch.site.rig.took;
 }
 
 static bool is_done(void)
@@ -46,17 +46,17 @@ static bool is_done(void)
 
 static vbss_result hash(uint64_t *value)
 {
-    return vbss_scene_get_hash(own.surgeon.stitch.site.stand.scene, value);
+    return vbss_scene_get_hash(own.surgeon.stitch.site.rig.scene, value);
 }
 
 static vbss_scene *scene(void)
 {
-    return own.surgeon.stitch.site.stand.scene;
+    return own.surgeon.stitch.site.rig.scene;
 }
 
 static void end(void)
 {
-    stand_destroy(&own.surgeon.stitch.site.stand);
+    throw_rig_destroy(&own.surgeon.stitch.site.rig);
 }
 
 const subject whole_task = {.name = "task/surgeon",

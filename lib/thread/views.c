@@ -74,9 +74,11 @@ static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_vie
         fill_lengths(t);
         *view = scalars(t->lengths, n - 1);
         return VBSS_OK;
-    case VBSS_THREAD_TENSIONS:
-        *view = scalars(t->method->axial_forces(t), n - 1);
+    case VBSS_THREAD_TENSIONS: {
+        const double *forces = t->method->axial_forces(t);
+        *view = scalars(forces, n - 1);
         return VBSS_OK;
+    }
     case VBSS_THREAD_CURVATURES:
         fill_curvatures(t);
         *view = vectors(t->curvatures, n);

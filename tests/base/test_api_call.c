@@ -171,6 +171,7 @@ static void callback_may_use_another_context(void **state)
         expect_ok(h.results[0]);
         assert_int_equal(h.calls_in_mode, h.calls);
     }
+    h.mode = 0;
     expect_ok(vbss_context_destroy(h.context));
 }
 

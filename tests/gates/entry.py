@@ -91,19 +91,19 @@ def read(g):
 
 
 def changed(file, old, new):
-    def look(g):
+    def observe(g):
         texts, excepted = read(g)
         if texts[file].count(old) != 1:
             raise gate.Problem(f"the canary is stale: {old!r} stands {texts[file].count(old)} times in {file}")
         return check(g, texts | {file: texts[file].replace(old, new)}, excepted)
-    return look
+    return observe
 
 
 def with_exception(name, reason):
-    def look(g):
+    def observe(g):
         texts, excepted = read(g)
         return check(g, texts, excepted | {name: reason})
-    return look
+    return observe
 
 
 STEP = "vbss_result vbss_scene_step(vbss_scene *scene, double h)\n{\n    VBSS_ENTER(scene);\n"

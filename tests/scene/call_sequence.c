@@ -103,6 +103,33 @@ static call draw_call(harness_source *source)
 
 /* ---- the scenes */
 
+/* Bodies that wait while others take their substeps stay where they are, their prescribed nodes as well. */
+static void expect_frozen_bodies_at_rest(void *user, const scene_object *s)
+{
+    call_counts *counts = user;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->is_frozen && b->kind == SCENE_BODY_THREAD) {
+            const thread_object *t = b->thread.thread;
+            assert_memory_equal(t->trial, t->now.x, t->node_count * sizeof *t->trial);
+            counts->frozen++;
+        } else if (b->is_frozen && b->kind == SCENE_BODY_DRAIN) {
+            const drain_object *d = b->drain.drain;
+            assert_memory_equal(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
+        } else if (b->is_frozen && b->kind == SCENE_BODY_RIGID) {
+            const scene_rigid *r = &b->rigid;
+            assert_memory_equal(&r->trial, &r->body.now.pose, sizeof r->trial);
+        }
+    }
+}
+
+static void watch(world *w, call_counts *counts)
+{
+    scene_object *s = small_object(&w->s);
+    s->on_substep = expect_frozen_bodies_at_rest;
+    s->on_substep_data = counts;
+}
+
 static void draw_config(harness_source *source, vbss_scene_config *c)
 {
     static const uint32_t slots[] = {0, 1, 1, 300, 1000, 3000, 210000};
@@ -309,7 +336,7 @@ typedef struct record_of_state {
     double forces[3 * 256];
 } record_of_state;
 
-static record_of_state look(const world *w)
+static record_of_state record_state(const world *w)
 {
     record_of_state r = {.state = small_save(&w->s)};
     const vbss_view events = small_view(&w->s, VBSS_SCENE_VIEW_EVENTS),
@@ -329,7 +356,7 @@ static record_of_state look(const world *w)
 
 static void expect_unchanged(const world *w, const record_of_state *before, const call *c)
 {
-    record_of_state now = look(w);
+    record_of_state now = record_state(w);
     const bool is_step = c->kind == CALL_STEP;
     assert_int_equal(now.state.count, before->state.count);
     assert_memory_equal(now.state.bytes, before->state.bytes, now.state.count);
@@ -378,7 +405,7 @@ static vbss_result restore_foreign(world *w)
 
 static vbss_result call_first(world *w, const call *c, uint32_t *id, call_counts *counts)
 {
-    const record_of_state before = look(w);
+    const record_of_state before = record_state(w);
     harness_memory *memory = &w->s.memory;
     const bool suspended = is_suspended(w);
     const uint64_t failures = memory->failures;
@@ -406,6 +433,8 @@ void call_sequence(harness_source *source, void *user)
     world one, other;
     create_world(source, &one);
     create_world(&again, &other);
+    watch(&one, counts);
+    watch(&other, counts);
     for (int i = 0; i < CALLS; i++) {
         const call c = draw_call(source);
         uint32_t id = 77, same;
@@ -430,12 +459,13 @@ void call_sequence(harness_source *source, void *user)
 
 void call_sequence_expect_variety(const call_counts *counts)
 {
-    if (counts->calls > 10 * CALLS) {
+    if (counts->calls > (size_t)10 * CALLS) {
         assert_true(counts->refused > counts->calls / 5);
         assert_true(counts->refused_suspended > counts->calls / 100);
         assert_true(counts->failed_steps > counts->calls / 100);
         assert_true(counts->failed_allocations > counts->calls / 500);
         assert_true(counts->restores_suspended > counts->calls / 500);
         assert_true(counts->grouped > counts->calls / 200);
+        assert_true(counts->frozen > counts->calls / 200);
     }
 }

@@ -137,7 +137,7 @@ static void edited_suspended_step_is_restored(void **state)
             small_steps(&one.s, 1, STEP);
         }
         for (uint32_t n = 0; n < 21; n++) {
-            vec3_store(raised + 3 * n,
+            vec3_store(raised + (size_t)3 * n,
                        vec3_add(small_node(one.thread, n), vec3_make(0.0, 5e-3, 0.0)));
         }
         if (edited_first != 0) {
@@ -160,6 +160,25 @@ static void edited_suspended_step_is_restored(void **state)
     }
 }
 
+/* A piece begins with the substep size of its thread, not with one that its entry had before. */
+static void piece_begins_with_substeps_of_its_thread(void **state)
+{
+    (void)state;
+    resting r;
+    uint32_t piece;
+    begin(&r, 0);
+    r.s.thread.cut_capacity = 1;
+    uint32_t line =
+        small_thread(&r.s, vec3_make(-0.01, 0.1, 0.0), vec3_make(0.01, 0.1, 0.0), 20, NULL);
+    scene_object *s = small_object(&r.s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        s->bodies[i].next_halvings = s->bodies[i].is_reserved ? 3 : 1;
+    }
+    expect_ok(vbss_scene_cut_thread(r.s.scene, line, 5.5e-3, &piece));
+    assert_int_equal(vbss_scene_body(s, piece)->next_halvings, 1);
+    small_end(&r.s);
+}
+
 int test_failed_steps(void)
 {
     const struct CMUnitTest tests[] = {
@@ -167,6 +186,7 @@ int test_failed_steps(void)
         cmocka_unit_test(failed_step_leaves_pending_targets),
         cmocka_unit_test(failed_step_leaves_overlaps),
         cmocka_unit_test(edited_suspended_step_is_restored),
+        cmocka_unit_test(piece_begins_with_substeps_of_its_thread),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

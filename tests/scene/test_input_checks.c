@@ -290,7 +290,7 @@ static void no_limit_is_a_jump_as_before(void **state)
 }
 
 /* What is left of a way is part of the state. */
-static void slowed_way_goes_on_after_a_restore(void **state)
+static void slowed_motion_goes_on_after_a_restore(void **state)
 {
     (void)state;
     small s;
@@ -322,7 +322,7 @@ int test_input_checks(void)
         cmocka_unit_test(host_sets_the_speed_of_targets),
         cmocka_unit_test(turn_is_limited_too),
         cmocka_unit_test(no_limit_is_a_jump_as_before),
-        cmocka_unit_test(slowed_way_goes_on_after_a_restore),
+        cmocka_unit_test(slowed_motion_goes_on_after_a_restore),
     };
     return cmocka_run_group_tests_name("scene.input_checks", tests, NULL, NULL);
 }

@@ -146,7 +146,8 @@ static void overlapping_sticks_part_slowly(void **state)
     for (int k = 0; k < 40; k++) {
         small s;
         bool driven = k % 2 == 0;
-        double distance = 0.1 * (k / 4) * 2e-3, speed = 0.0;
+        const int quarter = k / 4;
+        double distance = 0.1 * (double)quarter * 2e-3, speed = 0.0;
         small_begin(&s);
         s.config.mode = k / 2 % 2 == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
         small_create(&s);

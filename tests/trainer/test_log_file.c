@@ -39,7 +39,7 @@ static void expect_pieces(uint32_t count)
     assert_int_equal(fclose(file), 0);
     assert_int_equal(size, count * PIECE);
     for (uint32_t i = 0; i < count; i++) {
-        assert_memory_equal(found + i * PIECE, make_piece((uint8_t)i), PIECE);
+        assert_memory_equal(found + (size_t)i * PIECE, make_piece((uint8_t)i), PIECE);
     }
 }
 
@@ -64,8 +64,12 @@ static int run_apart(int (*program)(void), char *errors, size_t size)
         _exit(program());
     }
     close(pipes[1]);
-    ssize_t count = read(pipes[0], errors, size - 1);
-    errors[count > 0 ? count : 0] = '\0';
+    size_t length = 0;
+    for (ssize_t count = 1; count > 0 && length + 1 < size;
+         length += count > 0 ? (size_t)count : 0) {
+        count = read(pipes[0], errors + length, size - 1 - length);
+    }
+    errors[length] = '\0';
     close(pipes[0]);
     assert_true(waitpid(child, &how, 0) == child);
     return how;

@@ -7,9 +7,9 @@
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
-/* Returns the slot of the drain and a free entry for it. */
+/* Returns the slot of the drain. There is a free entry for it. */
 static vbss_result check_drain(scene_object *s, vbss_drain *drain, const uint32_t *number,
-                               vbss_slot **found, scene_body **body)
+                               vbss_slot **found)
 {
     VBSS_TRY(vbss_slot_check_other(s->context, drain, "drain"));
     VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, found));
@@ -20,8 +20,7 @@ static vbss_result check_drain(scene_object *s, vbss_drain *drain, const uint32_
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the drain's method is not the scene's");
     }
-    *body = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
-    return *body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    return vbss_scene_find_free_body(s, SCENE_BODY_DRAIN) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
@@ -78,10 +77,13 @@ static vbss_result create_drain_data(scene_object *s, scene_drain *b, uint32_t *
 static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
 {
     vbss_slot *slot;
-    scene_body *b;
     uint32_t shape = 0;
-    VBSS_TRY(check_drain(s, drain, body, &slot, &b));
+    VBSS_TRY(check_drain(s, drain, body, &slot));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
     scene_drain own = {.slot = slot, .drain = slot->object};
     vbss_result result = create_drain_data(s, &own, &shape);
     if (result != VBSS_OK) {
@@ -101,10 +103,9 @@ vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t 
     VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
-    scene_body *b;
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    VBSS_TRY(check_drain(s, drain, body, &slot, &b));
+    VBSS_TRY(check_drain(s, drain, body, &slot));
     VBSS_TRY(vbss_scene_begin_edit(s, &edit));
     return vbss_scene_end_edit(s, &edit, add_drain(s, drain, body));
 }

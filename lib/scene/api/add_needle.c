@@ -7,9 +7,9 @@
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
-/* Returns the slot of the needle and a free entry for it. */
+/* Returns the slot of the needle. There is a free entry for it. */
 static vbss_result check_needle(scene_object *s, vbss_needle *needle, const uint32_t *number,
-                                vbss_slot **found, scene_body **body)
+                                vbss_slot **found)
 {
     VBSS_TRY(vbss_slot_check_other(s->context, needle, "needle"));
     VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, found));
@@ -24,8 +24,7 @@ static vbss_result check_needle(scene_object *s, vbss_needle *needle, const uint
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
                          s->config.capsule_capacity);
     }
-    *body = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    return *body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    return vbss_scene_find_free_body(s, SCENE_BODY_RIGID) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 static void add_capsules(scene_object *s, scene_rigid *r)
@@ -48,10 +47,13 @@ static void add_capsules(scene_object *s, scene_rigid *r)
 static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *body)
 {
     vbss_slot *slot;
-    scene_body *b;
     uint32_t shape = 0;
-    VBSS_TRY(check_needle(s, needle, body, &slot, &b));
+    VBSS_TRY(check_needle(s, needle, body, &slot));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.needle = slot->object}, "needle"));
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
     needle_object *n = slot->object;
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), n->config.segment_count,
                                          n->config.wire_radius, &shape));
@@ -76,10 +78,9 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
-    scene_body *b;
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    VBSS_TRY(check_needle(s, needle, body, &slot, &b));
+    VBSS_TRY(check_needle(s, needle, body, &slot));
     VBSS_TRY(vbss_scene_begin_edit(s, &edit));
     return vbss_scene_end_edit(s, &edit, add_needle(s, needle, body));
 }

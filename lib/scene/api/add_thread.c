@@ -7,9 +7,9 @@
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
-/* Returns the slot of the thread and a free entry for it. */
+/* Returns the slot of the thread. There is a free entry for it. */
 static vbss_result check_thread(scene_object *s, vbss_thread *thread, const uint32_t *number,
-                                vbss_slot **found, scene_body **body)
+                                vbss_slot **found)
 {
     VBSS_TRY(vbss_slot_check_other(s->context, thread, "thread"));
     VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, found));
@@ -21,8 +21,7 @@ static vbss_result check_thread(scene_object *s, vbss_thread *thread, const uint
                          "the thread's method is not the scene's");
     }
     VBSS_TRY(vbss_scene_check_thread_capacity(s, t));
-    *body = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
-    return *body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    return vbss_scene_find_free_body(s, SCENE_BODY_THREAD) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 /* The shape of an adaptive thread has room for all nodes that its mesh may get. */
@@ -41,10 +40,13 @@ static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *
 static vbss_result add_thread(scene_object *s, vbss_thread *thread, uint32_t *body)
 {
     vbss_slot *slot;
-    scene_body *b;
     uint32_t shape = 0;
-    VBSS_TRY(check_thread(s, thread, body, &slot, &b));
+    VBSS_TRY(check_thread(s, thread, body, &slot));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.thread = slot->object}, "thread"));
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
     thread_object *t = slot->object;
     VBSS_TRY(add_shape(s, t, &shape));
     VBSS_TRY(vbss_scene_create_piece_shapes(s, t, shape));
@@ -63,10 +65,9 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     VBSS_ENTER(scene);
     scene_object *s;
     vbss_slot *slot;
-    scene_body *b;
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    VBSS_TRY(check_thread(s, thread, body, &slot, &b));
+    VBSS_TRY(check_thread(s, thread, body, &slot));
     VBSS_TRY(vbss_scene_begin_edit(s, &edit));
     return vbss_scene_end_edit(s, &edit, add_thread(s, thread, body));
 }

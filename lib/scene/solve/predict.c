@@ -60,7 +60,7 @@ static void predict_rigid(scene_object *s, scene_rigid *r, const scene_substep *
     }
 }
 
-/* The trial state of a frozen body is where it is. */
+/* The trial state of a frozen body is where it is, also that of nodes whose motion is prescribed. */
 static void hold_body(scene_object *s, scene_body *b)
 {
     if (b->kind == SCENE_BODY_THREAD) {

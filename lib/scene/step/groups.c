@@ -15,7 +15,8 @@ double vbss_scene_substep_size(uint32_t halvings)
 uint32_t vbss_scene_halvings_of(double size)
 {
     uint32_t halvings = 0;
-    for (; size < 1.0 && halvings < SCENE_MAX_HALVINGS; size *= 2.0) {
+    while (size < 1.0 && halvings < SCENE_MAX_HALVINGS) {
+        size *= 2.0;
         halvings++;
     }
     return halvings;

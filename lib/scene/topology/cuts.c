@@ -175,6 +175,7 @@ static void divide_thread(scene_object *s, scene_body *old, scene_body *piece,
             b->thread.cut_from = piece->number;
         }
     }
+    piece->next_halvings = old->next_halvings;
     piece->thread.cut_from = old->number;
     piece->thread.has_split_segment = cut->fraction < 1.0;
     vbss_collision_resize_chain(s->collision, old->shape, t->node_count, t->rest);

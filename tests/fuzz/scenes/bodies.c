@@ -245,7 +245,7 @@ uint32_t fuzz_add_grasper(fuzz_scene *f, uint32_t body)
     } else {
         config.kind = VBSS_GRASPER_NEEDLE_DRIVER;
     }
-    (void)fuzz_find_grasp_pose(f, body, &at);
+    (void)fuzz_set_target(f, body, &at);
     double tip[3], turn[4];
     const double opening = fuzz_real(f, 0.2, 1.0);
     vbss_grasper *graspers[FUZZ_SIDES] = {NULL, NULL};

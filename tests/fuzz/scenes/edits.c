@@ -186,7 +186,7 @@ static void teleport(fuzz_scene *f)
     const uint32_t tool = fuzz_choose(f, fuzz_chance(f, 0.7) ? FUZZ_GRASPER : FUZZ_RIGID);
     const uint32_t body = fuzz_choose(f, fuzz_chance(f, 0.5) ? FUZZ_NEEDLE : FUZZ_THREAD);
     pose at = fuzz_pose(f);
-    (void)fuzz_find_grasp_pose(f, body, &at);
+    (void)fuzz_set_target(f, body, &at);
     if (fuzz_chance(f, 0.2)) {
         at.position = fuzz_vector(f, 30.0);
     }

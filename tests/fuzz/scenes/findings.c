@@ -5,8 +5,8 @@
 #include <sys/mman.h>
 
 static const char *const names[FUZZ_CHECKS] = {
-    "crash",       "hang",       "stationary", "refused-but-changed", "query-changes",
-    "twin-status", "twin-state", "restore",    "not-finite",          "setup"};
+    "crash",       "hang",       "stalled", "refused-but-changed", "query-changes",
+    "twin-status", "twin-state", "restore", "not-finite",          "setup"};
 
 fuzz_findings *fuzz_share_findings(void)
 {

@@ -9,7 +9,7 @@
 typedef enum fuzz_check {
     FUZZ_CHECK_CRASH,      /* the process has died */
     FUZZ_CHECK_HANG,       /* a call took more than a second of CPU time */
-    FUZZ_CHECK_STATIONARY, /* a body that touches nothing has not moved */
+    FUZZ_CHECK_IS_STALLED, /* a body that touches nothing has not moved */
     FUZZ_CHECK_REFUSED,    /* a refused call has changed the scene */
     FUZZ_CHECK_QUERY,      /* a query has changed the scene */
     FUZZ_CHECK_STATUS,     /* the twins returned different statuses */

@@ -146,7 +146,7 @@ void fuzz_add_handle(fuzz_scene *f, fuzz_kind kind, void *const handles[FUZZ_SID
 void fuzz_register(fuzz_scene *f, uint32_t number, fuzz_kind kind, void *const handles[FUZZ_SIDES]);
 void fuzz_move_tool(fuzz_scene *f, uint32_t number);
 /* A pose of a grasper whose jaws are around a place of a body. False: it has no such place. */
-bool fuzz_find_grasp_pose(fuzz_scene *f, uint32_t body, pose *at);
+bool fuzz_set_target(fuzz_scene *f, uint32_t body, pose *at);
 
 /* ---- random calls (edits.c, restores.c, steps.c) */
 

@@ -39,7 +39,7 @@ static bool find_place_on_needle(fuzz_scene *f, uint32_t body, vec3 *place, vec3
 }
 
 /* The jaws open along x, and reach from the tip along z: y is along the thread. */
-bool fuzz_find_grasp_pose(fuzz_scene *f, uint32_t body, pose *at)
+bool fuzz_set_target(fuzz_scene *f, uint32_t body, pose *at)
 {
     vec3 place = vec3_zero(), tangent = vec3_zero();
     const fuzz_kind kind = body < FUZZ_MAX_BODIES ? f->bodies[body].kind : FUZZ_NONE;

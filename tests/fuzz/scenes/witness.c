@@ -127,7 +127,7 @@ static void check_witness(fuzz_scene *f, bool is_clear)
     if (w->stationary_steps > limit && !has_room_for_steps(&f->config)) {
         f->findings->waits++;
     } else if (w->stationary_steps > limit) {
-        fuzz_fail(f, FUZZ_CHECK_STATIONARY, "%s, for %u steps, work_limit %u, slot_limit %u",
+        fuzz_fail(f, FUZZ_CHECK_IS_STALLED, "%s, for %u steps, work_limit %u, slot_limit %u",
                   f->config.mode == VBSS_MODE_OFFLINE ? "offline" : "real time",
                   w->stationary_steps, f->config.work_limit, f->config.slot_limit);
     }

@@ -235,12 +235,13 @@ class vbss_scene_config(ctypes.Structure):
     more than 20 uJ that nothing has done the work for (1 mJ in a scene without drains), or
     after attempt_limit attempts, the rest of the step is left out: everything waits for the
     next one, which begins with smaller parts (vbss_scene_statistics::paused), and what is
-    driven goes on from where it was stopped. Without limit are the first step of a scene and
-    the smallest part that halving_limit allows, until its states are not found: then it is
-    tried once more with as much for itself. Where a drain is, the smallest part has the limit
-    as well, and what takes more is halved three times more before it has none. An operation is
-    what costs about as much as a product of two 3x3 blocks; 250000 are some 0.5 ms of a core of
-    2.6 GHz (docs/contact.md). 0: no limit; default 250000.
+    driven goes on from where it was stopped. The first step of a scene has 32 times both limits
+    between its attempts, because bodies may overlap as they were placed; it never waits.
+    Without limit is the smallest part that halving_limit allows, until its states are not
+    found: then it is tried once more with as much for itself. Where a drain is, the smallest
+    part has the limit as well, and what takes more is halved three times more before it has
+    none. An operation is what costs about as much as a product of two 3x3 blocks; 250000 are
+    some 0.5 ms of a core of 2.6 GHz (docs/contact.md). 0: no limit; default 250000.
 
     drain_capacity: Most drains at a time, 0 to 16; default 1.
 

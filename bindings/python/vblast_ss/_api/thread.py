@@ -63,7 +63,8 @@ class ThreadField(IntEnum):
     LENGTHS = 3
     """n - 1 doubles, m: chords, or arcs with BENDING_SPLINE."""
     TENSIONS = 4
-    """n - 1 doubles, N, at the end of the last step."""
+    """n - 1 doubles, N: force along each segment at the end of the last step, from tension and
+    bending."""
     CURVATURES = 5
     """n x 3 doubles, 1/m: from the node to the centre of curvature."""
     SECTIONS = 6
