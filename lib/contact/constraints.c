@@ -11,7 +11,7 @@ enum { PARTS = 10 };
 static void list_arrays(contact_set *s, vbss_array arrays[PARTS])
 {
     const vbss_array all[PARTS] = {
-        {&s->constraints, s->capacity, sizeof *s->constraints},
+        {&s->constraints, s->capacity + 1, sizeof *s->constraints}, /* one for vbss_contact_try */
         {&s->sort_permutation, s->capacity, sizeof *s->sort_permutation},
         {&s->warm_start, s->capacity, sizeof *s->warm_start},
         {&s->checkpoint, s->capacity, sizeof *s->checkpoint},
@@ -78,9 +78,11 @@ void vbss_contact_clear(contact_set *set)
 
 contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key)
 {
-    if (set->count == set->capacity) {
-        return NULL;
-    }
+    return set->count == set->capacity ? NULL : vbss_contact_try(set, key);
+}
+
+contact_constraint *vbss_contact_try(contact_set *set, const contact_key *key)
+{
     contact_constraint *constraint = &set->constraints[set->count];
     constraint->key = *key; /* the Jacobian, most of the record, is not read until it is set */
     constraint->jacobian_block_count = 0;

@@ -221,6 +221,9 @@ void vbss_contact_destroy(vbss_context *context, contact_set *set);
  * may come in any order; vbss_contact_sort sorts them, and no constraint is added after that. */
 void vbss_contact_clear(contact_set *set);
 contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key);
+/* Adds a constraint also to a full set: the caller removes the last one again, by `count`, if it is
+ * not needed or there are more than `capacity`. Never NULL. */
+contact_constraint *vbss_contact_try(contact_set *set, const contact_key *key);
 void vbss_contact_sort(contact_set *set);
 /* Index of the constraint with this key in a sorted list, or UINT32_MAX. */
 uint32_t vbss_contact_find(const contact_set *set, const contact_key *key);

@@ -129,14 +129,14 @@ static void node_pinned_beyond_a_stick_holds_back_nothing_else(void **state)
 }
 
 /* The most consecutive steps in which a thread stands still. */
-static uint32_t find_longest_standstill(small *s, vbss_thread *falls, uint32_t steps)
+static uint32_t count_longest_stationary(small *s, vbss_thread *falls, uint32_t steps)
 {
-    uint32_t stood_still = 0, longest = 0;
+    uint32_t stationary_steps = 0, longest = 0;
     for (uint32_t i = 0; i < steps; i++) {
         double before = small_node(falls, 4).y;
         small_steps(s, 1, STEP);
-        stood_still = small_node(falls, 4).y < before ? 0 : stood_still + 1;
-        longest = stood_still > longest ? stood_still : longest;
+        stationary_steps = small_node(falls, 4).y < before ? 0 : stationary_steps + 1;
+        longest = stationary_steps > longest ? stationary_steps : longest;
     }
     return longest;
 }
@@ -158,7 +158,7 @@ static void pair_that_exhausts_its_attempts_is_known_in_the_next_step(void **sta
         small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, -0.04899, 0.0), half_z, 1e-3);
     vbss_thread *falls = add_falling_thread(&s);
     small_move(&s, stick, vec3_make(0.0, -0.052, 0.0));
-    assert_true(find_longest_standstill(&s, falls, STEPS) <= 1);
+    assert_true(count_longest_stationary(&s, falls, STEPS) <= 1);
     assert_true(small_statistics(&s).paused > 0);
     small_end(&s);
 }
@@ -182,7 +182,7 @@ static void thread_without_room_for_its_pairs_waits_alone(void **state)
     vbss_thread *falls = add_falling_thread(&s);
     small_steps(&s, 1, STEP);
     expect_ok(vbss_scene_pin_thread(s.scene, line, 12, 0, beyond, &pin));
-    assert_true(find_longest_standstill(&s, falls, STEPS) <= 1);
+    assert_true(count_longest_stationary(&s, falls, STEPS) <= 1);
     assert_true(small_statistics(&s).paused > 0);
     small_end(&s);
 }
@@ -257,6 +257,35 @@ static void restore_before_each_call_changes_no_state(void **state)
         small_end(&s[1]);
     }
     assert_true(divided > 10);
+}
+
+/* An edit ends a step of which several islands wait. The lost step is counted, whatever island was in progress. */
+static void edit_while_islands_wait_counts_the_lost_step(void **state)
+{
+    (void)state;
+    uint32_t checked = 0;
+    for (uint32_t limit = 200; limit < 20000; limit = limit * 5 / 4) {
+        small s;
+        small_begin(&s);
+        s.config.slot_limit = limit;
+        small_create(&s);
+        press p = add_press(&s);
+        for (uint32_t i = 1; i <= 60; i++) {
+            close_press(&s, &p, i);
+            small_steps(&s, 1, STEP);
+            const scene_step_cursor *cursor = &small_object(&s)->cursor;
+            if (!cursor->is_suspended || cursor->group + 1 >= cursor->group_count) {
+                continue;
+            }
+            const uint64_t paused = small_statistics(&s).paused;
+            checked++;
+            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(-0.1, 0.0, 0.0), half_z, 1e-3);
+            assert_int_equal(small_statistics(&s).paused, paused + 1);
+            break;
+        }
+        small_end(&s);
+    }
+    assert_true(checked > 0);
 }
 
 /* Contacts of the islands that do not fail are in the views after the step, too. */
@@ -369,6 +398,7 @@ int test_islands(void)
         cmocka_unit_test(thread_without_room_for_its_pairs_waits_alone),
         cmocka_unit_test(state_saved_while_an_island_waits_continues_equally),
         cmocka_unit_test(restore_before_each_call_changes_no_state),
+        cmocka_unit_test(edit_while_islands_wait_counts_the_lost_step),
         cmocka_unit_test(contacts_of_all_islands_are_published),
         cmocka_unit_test(blocked_pair_is_reported_once_until_it_is_free),
     };

@@ -266,6 +266,24 @@ static void floor_pushes_back_on_tool(void **state)
     small_end(&s);
 }
 
+/* A stick lies on another, which is the only contact. The bounding box of a third overlaps its own. */
+static void pair_that_is_apart_needs_no_room(void **state)
+{
+    (void)state;
+    small s;
+    small_begin(&s);
+    s.config.contact_capacity = 1;
+    small_create(&s);
+    small_stick(&s, VBSS_RIGID_COUPLED, vec3_zero(), vec3_make(5e-3, 0.0, 0.0), 1e-3);
+    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -2e-3, 0.0), half, 1e-3);
+    small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 1.5e-3, 0.01), vec3_make(0.0, 0.018, 0.0),
+                  1e-3);
+    small_steps(&s, 3, 1e-3);
+    assert_int_equal(small_statistics(&s).rows, 1);
+    assert_int_equal(small_statistics(&s).rejected_full, 0);
+    small_end(&s);
+}
+
 int test_scene_rigid(void)
 {
     const struct CMUnitTest tests[] = {
@@ -278,6 +296,7 @@ int test_scene_rigid(void)
         cmocka_unit_test(mass_is_independent_of_capsule_count),
         cmocka_unit_test(ball_rests_below_friction_angle),
         cmocka_unit_test(floor_pushes_back_on_tool),
+        cmocka_unit_test(pair_that_is_apart_needs_no_room),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -359,7 +359,8 @@ static void queries_during_suspension_change_nothing(void **state)
     end(&unseen);
 }
 
-/* A thread whose clamp is turned, in steps of a few operations; views after each call if a host looks at it. */
+/* A thread whose clamp is turned, in steps of a few operations, the last of which an edit ends. With `is_viewed`, a
+ * host queries the thread after each call. */
 static uint64_t hash_of_turned_clamp(bool is_viewed)
 {
     small s;
@@ -385,7 +386,8 @@ static uint64_t hash_of_turned_clamp(bool is_viewed)
             expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_CURVATURES, &v, sizeof v));
         }
     }
-    assert_true(suspended > 10);
+    assert_true(suspended > 10 && small_object(&s)->cursor.is_attempt_in_memory);
+    small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.1, 0.0, 0.0), vec3_make(1e-3, 0.0, 0.0), 1e-3);
     const uint64_t hash = small_hash(&s);
     small_end(&s);
     return hash;

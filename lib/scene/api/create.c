@@ -110,7 +110,8 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
     size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
     size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
     size_t contacts = s->config.contact_capacity;
-    size_t constraints = s->config.method == VBSS_METHOD_OURS ? contacts : 0;
+    /* One more for a pair that turns out to be apart (add_contact.c). */
+    size_t constraints = s->config.method == VBSS_METHOD_OURS ? contacts + 1 : 0;
     const vbss_array all[] = {
         {&s->bodies, s->body_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},

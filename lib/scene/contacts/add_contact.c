@@ -132,10 +132,8 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
                                            !vbss_scene_is_overlap(s, m->a, m->b));
         return true;
     }
-    contact_constraint *constraint = vbss_contact_add(s->contacts, key);
-    if (constraint == NULL) {
-        return false;
-    }
+    /* A pair that is not near needs no room, whether the separation cache knows that or not. */
+    contact_constraint *constraint = vbss_contact_try(s->contacts, key);
     scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     geometry->axis_interval[0][0] = geometry->axis_interval[1][0] = 0.0;
     geometry->axis_interval[0][1] = geometry->axis_interval[1][1] = 1.0;
@@ -154,10 +152,12 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
     }
     geometry->overlap_allowance = (1.0 - scale) * geometry->contact_distance;
     geometry->start_gap += geometry->overlap_allowance;
-    if (!near || scale == 0.0) {
+    const bool is_needed = near && scale != 0.0;
+    const bool has_room = s->contacts->count <= s->contacts->capacity;
+    if (!is_needed || !has_room) {
         s->contacts->count--;
     }
-    return true;
+    return !is_needed || has_room;
 }
 
 bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const scene_body *b,

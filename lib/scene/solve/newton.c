@@ -512,15 +512,19 @@ scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *sub
     return run_newton_with_normal_updates(s, substep);
 }
 
-scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep)
+void vbss_scene_recompute_strains(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
-            /* Views between the calls use the clamps and strains of the present state. */
             vbss_thread_set_clamp_directions(t, substep->end_fraction);
             vbss_thread_compute_strains(t, t->trial, t->strains);
         }
     }
+}
+
+scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep)
+{
+    vbss_scene_recompute_strains(s, substep);
     return run_newton_with_normal_updates(s, substep);
 }

@@ -54,6 +54,10 @@ uint32_t vbss_scene_linearisation_cost(const scene_object *s);
  * NO_ACTIVE_SET, NOT_CONVERGED, PENETRATION, SINGULAR or SUSPENDED. */
 scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *substep);
 
+/* Computes the strains and clamp directions of the suspended attempt in memory, which queries of
+ * threads have overwritten with those of the present state. */
+void vbss_scene_recompute_strains(scene_object *s, const scene_substep *substep);
+
 /* Resumes a solve that was suspended. Between the calls hosts may have read from bodies, but not
  * edited them. Returns one of the outcomes of vbss_scene_solve. */
 scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep);

@@ -15,7 +15,6 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
             thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_thread_update_derived(t));
             vbss_thread_copy_state(t, &t->saved, &t->now);
-            b->thread.checkpoint.statistics = t->statistics;
             b->thread.checkpoint.needs_start_substep = t->is_acceleration_unknown;
             b->thread.checkpoint.damped_steps_left = t->damped_steps_left;
             b->thread.checkpoint.previous_h = t->previous_h;
@@ -27,7 +26,7 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
         }
     }
     vbss_scene_checkpoint_tools(s);
-    s->checkpoint.statistics = s->report.statistics;
+    vbss_scene_checkpoint_statistics(s);
     s->checkpoint.event_count = s->report.event_count;
     s->checkpoint.lost_events = s->report.lost_events;
     s->checkpoint.cursor = s->cursor;
@@ -39,6 +38,19 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
     vbss_scene_checkpoint_pin_targets(s);
     vbss_contact_checkpoint(s->contacts);
     return VBSS_OK;
+}
+
+void vbss_scene_checkpoint_statistics(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            b->thread.checkpoint.statistics = b->thread.thread->statistics;
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            b->drain.checkpoint.statistics = b->drain.drain->statistics;
+        }
+    }
+    s->checkpoint.statistics = s->report.statistics;
 }
 
 void vbss_scene_rollback_statistics(scene_object *s)

@@ -21,6 +21,9 @@ vbss_result vbss_scene_checkpoint(scene_object *s);
 /* Restores the state of the last checkpoint after a step failed. */
 void vbss_scene_rollback(scene_object *s);
 
+/* Copies the statistics, nothing else. */
+void vbss_scene_checkpoint_statistics(scene_object *s);
+
 /* Restores the statistics of the last checkpoint, nothing else. */
 void vbss_scene_rollback_statistics(scene_object *s);
 

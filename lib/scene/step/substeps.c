@@ -370,7 +370,9 @@ static void abandon_group(scene_object *s)
         cursor->operations_at_attempt = cursor->operations;
         cursor->checks_passed = 0;
     }
-    if (!cursor->is_attempt_in_memory) {
+    if (cursor->is_attempt_in_memory) {
+        vbss_scene_recompute_strains(s, &cursor->substep);
+    } else {
         replay_attempt(s);
     }
     vbss_scene_request_damping(s);
@@ -385,6 +387,7 @@ void vbss_scene_abandon_step(scene_object *s)
     while (cursor->group + 1 < cursor->group_count) {
         vbss_scene_finish_group(s);
         (void)vbss_scene_begin_next_group(s);
+        vbss_scene_checkpoint_statistics(s); /* a replay goes back to these */
         abandon_group(s);
     }
     cursor->is_suspended = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;

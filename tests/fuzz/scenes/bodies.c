@@ -183,9 +183,8 @@ void fuzz_add_rigid(fuzz_scene *f)
     const vec3 at = fuzz_point(f);
     vec3_store(config.position, at);
     if (config.kind != VBSS_RIGID_DRIVEN) {
-        vec3_store(config.velocity, vec3_scale(fuzz_direction(f), fuzz_small(f, 0.0, 2.0)));
-        vec3_store(config.angular_velocity,
-                   vec3_scale(fuzz_direction(f), fuzz_small(f, 0.0, 200.0)));
+        vec3_store(config.velocity, fuzz_vector(f, 2.0));
+        vec3_store(config.angular_velocity, fuzz_vector(f, 200.0));
     }
     config.gravity[1] = config.kind == VBSS_RIGID_FREE ? -9.81 : 0.0;
     config.mass = fuzz_small(f, 1e-3, 0.1);
@@ -212,8 +211,8 @@ uint32_t fuzz_add_needle(fuzz_scene *f)
     config.gravity[1] = fuzz_chance(f, 0.7) ? -9.81 : 0.0;
     vec3_store(config.position, fuzz_point(f));
     store_turn(config.orientation, fuzz_turn(f));
-    vec3_store(config.velocity, vec3_scale(fuzz_direction(f), fuzz_small(f, 0.0, 2.0)));
-    vec3_store(config.angular_velocity, vec3_scale(fuzz_direction(f), fuzz_small(f, 0.0, 200.0)));
+    vec3_store(config.velocity, fuzz_vector(f, 2.0));
+    vec3_store(config.angular_velocity, fuzz_vector(f, 200.0));
     CREATE_AND_ADD(f, FUZZ_NEEDLE, needle, &config);
     return f->last_number > last ? f->last_number : 0;
 }
@@ -238,7 +237,7 @@ static void choose_grasper(fuzz_scene *f, vbss_grasper_config *config)
 uint32_t fuzz_add_grasper(fuzz_scene *f, uint32_t body)
 {
     vbss_grasper_config config;
-    pose at = pose_make(fuzz_point(f), fuzz_turn(f));
+    pose at = fuzz_pose(f);
     const uint32_t last = f->last_number;
     choose_grasper(f, &config);
     if (body == 0) {

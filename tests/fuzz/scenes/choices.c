@@ -27,6 +27,18 @@ vec3 fuzz_direction(fuzz_scene *f)
     return quat_rotate(fuzz_turn(f), vec3_make(1.0, 0.0, 0.0));
 }
 
+vec3 fuzz_vector(fuzz_scene *f, double length)
+{
+    const vec3 direction = fuzz_direction(f);
+    return vec3_scale(direction, fuzz_small(f, 0.0, length));
+}
+
+pose fuzz_pose(fuzz_scene *f)
+{
+    const vec3 position = fuzz_point(f);
+    return pose_make(position, fuzz_turn(f));
+}
+
 vec3 fuzz_point(fuzz_scene *f)
 {
     vec3 at = harness_draw_vec3(&f->source, -0.012, 0.012);

@@ -76,7 +76,7 @@ static void attach_to_thread(fuzz_scene *f)
     a.node = fuzz_spoil_number(f, fuzz_below(f, 8));
     vec3_store(a.position, fuzz_point(f));
     vec3_store(a.direction, fuzz_direction(f));
-    vec3_store(a.force, vec3_scale(fuzz_direction(f), fuzz_small(f, 0.0, 1.0)));
+    vec3_store(a.force, fuzz_vector(f, 1.0));
     a.stiffness = fuzz_spoil(f, fuzz_small(f, 0.0, 100.0));
     a.damping = fuzz_small(f, 0.0, 0.1);
     a.mass = fuzz_small(f, 1e-5, 0.05);
@@ -115,7 +115,7 @@ static void edit_drain(fuzz_scene *f)
     a.kind = (vbss_drain_attachment_kind)fuzz_below(f, 3);
     a.node = fuzz_spoil_number(f, fuzz_below(f, 137));
     vec3_store(a.position, fuzz_point(f));
-    vec3_store(a.force, vec3_scale(fuzz_direction(f), fuzz_small(f, 0.0, 1.0)));
+    vec3_store(a.force, fuzz_vector(f, 1.0));
     a.stiffness = fuzz_spoil(f, fuzz_small(f, 0.0, 100.0));
     const uint32_t old = 1 + fuzz_below(f, 3);
     switch (fuzz_below(f, 3)) {
@@ -185,10 +185,10 @@ static void teleport(fuzz_scene *f)
 {
     const uint32_t tool = fuzz_choose(f, fuzz_chance(f, 0.7) ? FUZZ_GRASPER : FUZZ_RIGID);
     const uint32_t body = fuzz_choose(f, fuzz_chance(f, 0.5) ? FUZZ_NEEDLE : FUZZ_THREAD);
-    pose at = pose_make(fuzz_point(f), fuzz_turn(f));
+    pose at = fuzz_pose(f);
     (void)fuzz_set_target(f, body, &at);
     if (fuzz_chance(f, 0.2)) {
-        at.position = vec3_scale(fuzz_direction(f), fuzz_small(f, 0.01, 30.0));
+        at.position = fuzz_vector(f, 30.0);
     }
     if (tool == 0 || !f->bodies[tool].has_target) {
         return;

@@ -45,10 +45,10 @@ typedef struct fuzz_side {
 
 /* A body far from all others. */
 typedef struct fuzz_witness {
-    uint32_t number;      /* 0: none */
-    vec3 position;        /* before the call */
-    bool was_clear;       /* no other body was near before the call */
-    uint32_t stood_still; /* consecutive steps in which it did not move */
+    uint32_t number;           /* 0: none */
+    vec3 position;             /* before the call */
+    bool was_clear;            /* no other body was near before the call */
+    uint32_t stationary_steps; /* consecutive steps in which it did not move */
 } fuzz_witness;
 
 typedef enum fuzz_action {
@@ -156,7 +156,7 @@ void fuzz_restore_at_random(fuzz_scene *f);
 void fuzz_query_at_random(fuzz_scene *f);
 void fuzz_step(fuzz_scene *f);
 
-/* ---- random choices (choices.c) */
+/* ---- random choices (choices.c). No two in one list of arguments: compilers differ in their order. */
 
 uint32_t fuzz_below(fuzz_scene *f, uint32_t bound);
 bool fuzz_chance(fuzz_scene *f, double probability);
@@ -164,8 +164,11 @@ double fuzz_real(fuzz_scene *f, double low, double high);
 /* Mostly near the lower bound. */
 double fuzz_small(fuzz_scene *f, double low, double high);
 vec3 fuzz_direction(fuzz_scene *f);
+/* At most so long, mostly short. */
+vec3 fuzz_vector(fuzz_scene *f, double length);
 vec3 fuzz_point(fuzz_scene *f); /* in the middle of the scene, m */
 quat fuzz_turn(fuzz_scene *f);
+pose fuzz_pose(fuzz_scene *f);
 /* A number that is mostly the given one, and now and then a bad one. */
 double fuzz_spoil(fuzz_scene *f, double value);
 uint32_t fuzz_spoil_number(fuzz_scene *f, uint32_t number);

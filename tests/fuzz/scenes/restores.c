@@ -26,8 +26,10 @@ static void restore_one(fuzz_scene *f)
     vbss_result result = vbss_scene_restore(f->sides[k].scene, now->data, now->count);
     fuzz_end_on_side(f, k, result);
     if (result != VBSS_OK) {
-        fuzz_fail(f, FUZZ_CHECK_RESTORE, "the present state is refused: %s",
-                  vbss_result_name(result));
+        const char *text = "";
+        (void)vbss_context_get_last_error(f->sides[k].context, NULL, &text);
+        fuzz_fail(f, FUZZ_CHECK_RESTORE, "the present state is refused: %s: %s",
+                  vbss_result_name(result), text);
     }
     fuzz_save(f, 0, &f->sides[0].snapshot);
     fuzz_compare_twins(f);
@@ -55,7 +57,8 @@ static void restore_damaged(fuzz_scene *f)
     if (fuzz_chance(f, 0.5)) {
         damaged.count = fuzz_below(f, (uint32_t)damaged.count);
     } else {
-        damaged.data[fuzz_below(f, (uint32_t)damaged.count)] ^= (uint8_t)(1 + fuzz_below(f, 255));
+        const uint32_t at = fuzz_below(f, (uint32_t)damaged.count);
+        damaged.data[at] ^= (uint8_t)(1 + fuzz_below(f, 255));
     }
     fuzz_trace(f, "of a damaged state");
     FUZZ_CALL(f, vbss_scene_restore(side->scene, damaged.data, damaged.count));

@@ -61,7 +61,7 @@ static void turn_velocity(fuzz_scene *f, fuzz_body *body)
 {
     const double speed = fuzz_small(f, 0.0, 0.5);
     const vec3 direction = fuzz_direction(f);
-    const vec3 turn = vec3_scale(fuzz_direction(f), fuzz_small(f, 0.0, 0.05));
+    const vec3 turn = fuzz_vector(f, 0.05);
     if (fuzz_chance(f, 0.1)) {
         body->velocity = vec3_scale(direction, speed);
     }
