@@ -13,14 +13,14 @@ vbss_result stage_create(vbss_context **context, vbss_scene **scene)
     stitch_plan_usual(&plan);
     memset(&stage, 0, sizeof stage);
     TRY(stitch_create(&stage, 1, &plan));
-    *context = stage.site.stand.context;
-    *scene = stage.site.stand.scene;
+    *context = stage.site.rig.context;
+    *scene = stage.site.rig.scene;
     return VBSS_OK;
 }
 
 void stage_destroy(void)
 {
-    stand_destroy(&stage.site.stand);
+    throw_rig_destroy(&stage.site.rig);
 }
 
 uint8_t *stage_read_log(const char *path, uint64_t *count)

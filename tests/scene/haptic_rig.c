@@ -210,7 +210,7 @@ double haptic_hand_damping(const haptic_loop *loop)
     return 2.0 * damping_ratio * sqrt(loop->stiffness * loop->mass);
 }
 
-double haptic_least_damping(const haptic_loop *loop, double frequency, double late)
+double haptic_min_damping(const haptic_loop *loop, double frequency, double late)
 {
     const double k = loop->coupling_stiffness, b = loop->coupling_damping;
     double impedance = k * k / (frequency * frequency) + b * b;

@@ -63,6 +63,6 @@ void haptic_expect_rest(const haptic_measures *m);
 double haptic_hand_damping(const haptic_loop *loop);
 /* Of the hand, N s/m: with as much it gets no energy from any obstacle without losses, at an angular frequency (rad/s), if its
  * force comes `late` s after its pose. docs/devices.md derives it. */
-double haptic_least_damping(const haptic_loop *loop, double frequency, double late);
+double haptic_min_damping(const haptic_loop *loop, double frequency, double late);
 
 #endif

@@ -202,7 +202,7 @@ static void ask(needle_watch *n, const wall *w, box needle, bool away, const pas
     n->passed += report.passed;
 }
 
-void needle_watch_look(needle_watch *n, const scene_object *s)
+void needle_watch_observe(needle_watch *n, const scene_object *s)
 {
     const scene_body *drain = vbss_scene_body(s, n->drain);
     static capsules of;
@@ -225,7 +225,7 @@ static void watch(void *watcher, const scene_object *s)
     needle_watch *n = watcher;
     n->needle = n->of->body;
     if (vbss_scene_body(s, n->needle) != NULL) {
-        needle_watch_look(n, s);
+        needle_watch_observe(n, s);
     }
 }
 

@@ -23,7 +23,7 @@ typedef struct needle_watch {
 } needle_watch;
 
 /* A substep that the scene takes. */
-void needle_watch_look(needle_watch *w, const scene_object *s);
+void needle_watch_observe(needle_watch *w, const scene_object *s);
 /* From now on; of a scene that has been made. */
 void needle_watch_begin(needle_watch *w, const needle_case *c);
 

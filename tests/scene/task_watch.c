@@ -145,7 +145,7 @@ static void see(void *watcher, const scene_object *s)
     w->passed += passing_count(all.all, all.count, NULL);
     w->passed += ask_needle(w, s) + ask_tools(w, s, &tools);
     w->passed_drain += drain_watch_passed(&w->drains, s, tools.all, tools.count, &report);
-    needle_watch_look(&w->needle, s);
+    needle_watch_observe(&w->needle, s);
     count_bodies(w, s);
 }
 

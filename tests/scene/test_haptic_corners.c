@@ -68,13 +68,13 @@ static void hand_comes_to_rest_in_all_corners(void **state)
 
 /* ---- a hand with as little damping as the bound asks for */
 
-static void least_damping_stops_growth_in_all_corners(void **state)
+static void min_damping_stops_growth_in_all_corners(void **state)
 {
     (void)state;
     for (int i = 0; i < HAPTIC_OBSTACLES * CORNERS * CORNERS * CORNERS; i++) {
         haptic_loop loop = corner(i % 3, i / 3 % 3, i / 9 % 3);
         double highest = sqrt((loop.stiffness + loop.coupling_stiffness) / loop.mass);
-        loop.damping = haptic_least_damping(&loop, highest, (loop.delay + 1.0) * 1e-3);
+        loop.damping = haptic_min_damping(&loop, highest, (loop.delay + 1.0) * 1e-3);
         haptic_measures m = haptic_measure((haptic_obstacle)(i / 27), &loop, speeds[0]);
         assert_false(haptic_grows(&m));
     }
@@ -84,7 +84,7 @@ int test_haptic_corners(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(hand_comes_to_rest_in_all_corners),
-        harness_test(least_damping_stops_growth_in_all_corners),
+        harness_test(min_damping_stops_growth_in_all_corners),
     };
     return cmocka_run_group_tests_name("scene.haptic_corners", tests, NULL, NULL);
 }

@@ -50,14 +50,14 @@ static void rigid_wall_is_stable_from_closed_form_damping_on(void **state)
 }
 
 /* An elastic wall stretches the coupling's damper less, so that the hand has to pay for the delay. */
-static void elastic_wall_is_stable_from_least_damping_on(void **state)
+static void elastic_wall_is_stable_from_min_damping_on(void **state)
 {
     (void)state;
     haptic_loop loop = loop_of(0.2, 100.0, 4);
     haptic_measures undamped = haptic_measure(HAPTIC_ELASTIC, &loop, 0.05);
     assert_true(growth(&undamped) > 1.5);
     double frequency = sqrt((loop.stiffness + HAPTIC_ELASTIC_STIFFNESS) / loop.mass);
-    loop.damping = haptic_least_damping(&loop, frequency, 4.5e-3);
+    loop.damping = haptic_min_damping(&loop, frequency, 4.5e-3);
     haptic_measures damped = haptic_measure(HAPTIC_ELASTIC, &loop, 0.05);
     assert_true(growth(&damped) < 1.0);
 }
@@ -93,7 +93,7 @@ int test_haptic_loop(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(rigid_wall_is_stable_from_closed_form_damping_on),
-        harness_test(elastic_wall_is_stable_from_least_damping_on),
+        harness_test(elastic_wall_is_stable_from_min_damping_on),
         harness_test(firm_hand_comes_to_rest_on_drain_and_needle),
         harness_test(hard_press_keeps_limit_of_force),
     };

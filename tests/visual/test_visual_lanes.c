@@ -78,7 +78,7 @@ static void wide_copy_gives_same_bits(void **state)
         const uint32_t side_limit = 17 + 5 * (uint32_t)i;
         draw_all(vbss_wide_is_available(), tolerances[i], side_limit, &wide);
         draw_all(false, tolerances[i], side_limit, &plain);
-        const drawn a = look(&wide), b = look(&plain);
+        const drawn a = get_drawn(&wide), b = get_drawn(&plain);
         assert_int_equal(a.vertex_count, b.vertex_count);
         assert_int_equal(a.triangle_count, b.triangle_count);
         assert_memory_equal(a.vertices, b.vertices, a.vertex_count * sizeof *a.vertices);

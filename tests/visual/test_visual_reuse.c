@@ -126,7 +126,7 @@ static void divisions_that_change(void **state)
     for (int i = 0; i < 6; i++) {
         move_drain(s.drains[0], i % 2 == 0 ? 1.0 : -0.5); /* to twice its height, and back */
         expect_as_new(&s, true, true);
-        counts[i % 2] = look(&s.f).triangle_count;
+        counts[i % 2] = get_drawn(&s.f).triangle_count;
     }
     assert_true(counts[0] != counts[1]);
     end(&s.f);
@@ -200,7 +200,7 @@ static void walls_that_go_and_come(void **state)
         make(&fresh);
         add_bodies(&s, fresh.visual, false, false);
         expect_ok(vbss_visual_add_drain(fresh.visual, s.drains[i % 2], NULL));
-        const drawn a = look(&s.f), b = draw(&fresh);
+        const drawn a = get_drawn(&s.f), b = draw(&fresh);
         expect_equal(&a, &b);
         expect_ok(vbss_visual_destroy(fresh.visual));
         expect_ok(vbss_visual_remove(s.f.visual, sources[0]));
