@@ -158,20 +158,6 @@ void vbss_baseline_set_needle_targets(scene_object *s, double h)
     }
 }
 
-void vbss_baseline_reset_needle_targets(scene_object *s)
-{
-    bool any = false;
-    for (uint32_t i = 0; i < s->body_count; i++) {
-        if (is_needle(&s->bodies[i])) {
-            s->bodies[i].rigid.body.target_end = s->bodies[i].rigid.body.target_start;
-            any = true;
-        }
-    }
-    if (any) {
-        vbss_scene_set_pin_targets(s);
-    }
-}
-
 /* ---- after a step: leaders */
 
 static void emit_grasp_event(scene_object *s, vbss_event_kind kind, const scene_body *tool)

@@ -87,9 +87,6 @@ void vbss_baseline_forget_toggles(scene_object *s, uint32_t number);
 /* Sets the targets of needles, and of nodes pinned to them, for the end of the step. */
 void vbss_baseline_set_needle_targets(scene_object *s, double h);
 
-/* After a failed step: resets the targets of needles to their present poses. */
-void vbss_baseline_reset_needle_targets(scene_object *s);
-
 /* After a step: tools release needles, grasp them, and take the lead of free ones. */
 void vbss_baseline_update_needles(scene_object *s, double h);
 

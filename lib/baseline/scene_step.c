@@ -31,6 +31,7 @@ static vbss_result keep(scene_object *s)
         }
     }
     vbss_scene_checkpoint_tools(s);
+    vbss_scene_checkpoint_pin_targets(s);
     s->checkpoint.statistics = s->report.statistics;
     return VBSS_OK;
 }
@@ -47,8 +48,7 @@ static void go_back(scene_object *s)
         }
     }
     vbss_scene_rollback_tools(s);
-    vbss_baseline_set_carried_targets(s);
-    vbss_baseline_reset_needle_targets(s);
+    vbss_scene_rollback_pin_targets(s);
     s->report.statistics = s->checkpoint.statistics;
     s->baseline->contact_count = 0;
     vbss_scene_clear_events(s);

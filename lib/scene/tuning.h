@@ -68,6 +68,10 @@
 /* More deferred steps than these are dropped, since hands feel the delay.
  * Unit: steps. Origin: chosen. Test: session. */
 #define SCENE_MAX_STEPS_BEHIND VBSS_TUNE(SCENE_MAX_STEPS_BEHIND, 2)
+/* A step that this many calls have suspended runs to its end in the next call. Bodies beside an expensive
+ * island would stand still otherwise.
+ * Unit: calls. Origin: chosen, since free bodies may miss three calls. Test: fuzz.scenes, scene.time_slicing. */
+#define SCENE_MAX_SUSPENSIONS VBSS_TUNE(SCENE_MAX_SUSPENSIONS, 3)
 /* Steps that run in one slice after a host edit abandons a step. A host that edits before each step would get
  * nowhere.
  * Unit: steps. Origin: chosen. Test: none known. */

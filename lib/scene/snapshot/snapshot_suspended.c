@@ -15,7 +15,10 @@ enum {
     HAS_OVERLAPS = 4,
     HAS_BLOCKERS = 8,
     HAS_LIMIT = 16,
-    IS_EDITED = 32
+    IS_EDITED = 32,
+    SUSPENDED_AGAIN = 64, /* two bits: how often, after the first time */
+    HAS_OVERDUE = 256,
+    HAS_OWN_BUDGETS = 512 /* groups whose operations count from their start */
 };
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
@@ -82,6 +85,21 @@ static void visit_contact_views(vbss_stream *stream, scene_report *r, uint32_t f
         vbss_stream_f64(stream, 178, &r->contact_normals[first].x, 3 * count);
         vbss_stream_f64(stream, 178, &r->contact_forces[first].x, 3 * count);
         vbss_stream_f64(stream, 178, r->contact_gaps + first, count);
+    }
+}
+
+/* Visits the operations of the step after which those of the present and the waiting groups count. */
+static void visit_budgets(vbss_stream *stream, scene_step_cursor *cursor)
+{
+    bool is_valid = true;
+    for (uint32_t i = cursor->group; i < cursor->group_count; i++) {
+        uint64_t *before =
+            i == cursor->group ? &cursor->operations_before : &cursor->waiting[i].operations_before;
+        vbss_stream_u64(stream, 184, before, 1);
+        is_valid = is_valid && *before <= cursor->operations;
+    }
+    if (stream->mode == VBSS_STREAM_READ && !is_valid) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such budget of a group");
     }
 }
 
@@ -183,6 +201,15 @@ static bool has_own_speed_limit(const scene_object *s)
     return s->config.speed_limit != SCENE_DEFAULT_SPEED_LIMIT && s->config.speed_limit != 0.0;
 }
 
+static bool has_own_budgets(const scene_step_cursor *cursor)
+{
+    uint64_t sum = cursor->operations_before;
+    for (uint32_t i = cursor->group + 1; i < cursor->group_count; i++) {
+        sum |= cursor->waiting[i].operations_before;
+    }
+    return sum != 0;
+}
+
 static uint32_t parts_of(const scene_object *s)
 {
     const scene_step_cursor *cursor = &s->cursor;
@@ -191,16 +218,27 @@ static uint32_t parts_of(const scene_object *s)
     return (cursor->is_suspended ? IS_SUSPENDED : 0) | (has_groups ? HAS_GROUPS : 0) |
            (s->overlap_count > 0 ? HAS_OVERLAPS : 0) |
            (s->report.blocker_count > 0 ? HAS_BLOCKERS : 0) |
-           (has_own_speed_limit(s) ? HAS_LIMIT : 0) | (is_edited ? IS_EDITED : 0);
+           (has_groups && has_own_budgets(cursor) ? HAS_OWN_BUDGETS : 0) |
+           (has_own_speed_limit(s) ? HAS_LIMIT : 0) | (is_edited ? IS_EDITED : 0) |
+           (cursor->is_suspended ? (cursor->suspensions - 1) * SUSPENDED_AGAIN : 0) |
+           (s->report.statistics.overdue > 0 ? HAS_OVERDUE : 0);
+}
+
+static uint32_t suspensions_of(uint32_t parts)
+{
+    return (parts & IS_SUSPENDED) != 0 ? 1 + parts / SUSPENDED_AGAIN % 4 : 0;
 }
 
 static bool is_valid_state(const scene_object *s, const uint32_t words[3])
 {
     const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
+    const uint32_t of_suspended = HAS_GROUPS | IS_EDITED | 3 * SUSPENDED_AGAIN;
     bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
-    return parts < 2 * IS_EDITED && ((parts & (HAS_GROUPS | IS_EDITED)) == 0 || is_suspended) &&
-           words[1] + is_suspended <= 2 && words[1] <= 2 &&
-           (is_implicit || (is_suspended == 0 && words[1] == 0));
+    return parts < 2 * HAS_OWN_BUDGETS &&
+           ((parts & HAS_OWN_BUDGETS) == 0 || (parts & HAS_GROUPS) != 0) &&
+           ((parts & of_suspended) == 0 || is_suspended) &&
+           suspensions_of(parts) <= SCENE_MAX_SUSPENSIONS && words[1] + is_suspended <= 2 &&
+           words[1] <= 2 && (is_implicit || (is_suspended == 0 && words[1] == 0));
 }
 
 static void put_in_one_group(scene_object *s)
@@ -257,6 +295,15 @@ static void visit_speed_limit(vbss_stream *stream, const scene_object *s, bool h
     }
 }
 
+static void visit_overdue(vbss_stream *stream, vbss_scene_statistics *statistics, bool has_overdue)
+{
+    if (has_overdue) {
+        vbss_stream_u32(stream, 183, &statistics->overdue, 1);
+    } else {
+        statistics->overdue = 0;
+    }
+}
+
 void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
@@ -274,6 +321,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     if (reads) {
         *cursor = (scene_step_cursor){.is_suspended = (words[0] & IS_SUSPENDED) != 0,
                                       .group_count = 1,
+                                      .suspensions = suspensions_of(words[0]),
                                       .steps_behind = words[1],
                                       .unsliced_steps_left = words[2]};
         put_in_one_group(s);
@@ -285,9 +333,13 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     if ((words[0] & HAS_GROUPS) != 0) {
         visit_groups(stream, s);
     }
+    if ((words[0] & HAS_OWN_BUDGETS) != 0) {
+        visit_budgets(stream, cursor);
+    }
     visit_overlaps(stream, s, (words[0] & HAS_OVERLAPS) != 0);
     visit_blockers(stream, &s->report, (words[0] & HAS_BLOCKERS) != 0);
     visit_speed_limit(stream, s, (words[0] & HAS_LIMIT) != 0);
+    visit_overdue(stream, &s->report.statistics, (words[0] & HAS_OVERDUE) != 0);
     if (reads) {
         vbss_scene_set_substep_limits(s);
         s->report.has_pending_events = false;

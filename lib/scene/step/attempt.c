@@ -38,8 +38,10 @@ static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep 
     }
     if (!has_all_pairs) {
         /* Which contacts an incomplete list has depends on the separation cache, which a restored
-         * scene does not have. So their forces are not published. */
+         * scene does not have. So their forces are not published. If the host abandons the step
+         * here, reactions come from the prediction, as after any rejected attempt. */
         vbss_contact_clear(s->contacts);
+        vbss_scene_predict(s, substep);
         return SCENE_SUBSTEP_OUT_OF_CAPACITY;
     }
     vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));

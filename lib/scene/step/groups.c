@@ -43,6 +43,7 @@ void vbss_scene_begin_first_group(scene_object *s)
         }
     }
     cursor->group = cursor->attempts = 0;
+    cursor->operations_before = 0;
     cursor->group_count = 1;
     cursor->is_behind_targets = cursor->is_paused = false;
     cursor->paused_fraction = 0.0;
@@ -60,6 +61,7 @@ bool vbss_scene_begin_next_group(scene_object *s)
     cursor->substep = next->substep;
     cursor->initial_size = cursor->size = next->size;
     cursor->attempts = next->attempts;
+    cursor->operations_before = next->operations_before;
     cursor->is_behind_targets = next->is_behind_targets;
     cursor->is_paused = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
     freeze_other_groups(s);
@@ -105,7 +107,8 @@ static bool let_last_group_wait(scene_object *s, double size)
         return false;
     }
     cursor->waiting[last] =
-        (scene_waiting_group){cursor->substep, size, cursor->attempts, cursor->is_behind_targets};
+        (scene_waiting_group){cursor->substep, size, cursor->attempts, cursor->is_behind_targets,
+                              cursor->operations_before};
     cursor->group_count++;
     freeze_other_groups(s);
     return true;
@@ -187,6 +190,32 @@ bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outco
         }
     }
     return true;
+}
+
+void vbss_scene_let_others_wait(scene_object *s, scene_touching_pair blamed)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    const uint32_t last = cursor->group_count;
+    if (last == SCENE_MAX_GROUPS) {
+        return;
+    }
+    move_failed_islands(s, blamed);
+    const bool are_others = has_group(s, last) && has_mobile_body_outside(s, last);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (!b->is_frozen) {
+            b->group = are_others && b->group != last ? last : cursor->group;
+        }
+    }
+    if (are_others) {
+        cursor->waiting[last] =
+            (scene_waiting_group){.substep = cursor->substep,
+                                  .size = cursor->size,
+                                  .is_behind_targets = cursor->is_behind_targets,
+                                  .operations_before = s->contacts->counters.operations};
+        cursor->group_count++;
+        freeze_other_groups(s);
+    }
 }
 
 void vbss_scene_set_next_size(scene_object *s, scene_touching_pair blamed, double size)

@@ -35,7 +35,8 @@ bool vbss_scene_is_substep_size(const scene_object *s, double size)
  * cycles, it is repeated with a budget for searches, and the best iterate has to do. */
 static void set_step_budget(scene_object *s, const scene_substep *substep, bool is_hard_min_size)
 {
-    uint64_t operations_before = substep->has_search_budget ? s->contacts->counters.operations : 0;
+    uint64_t operations_before =
+        substep->has_search_budget ? s->contacts->counters.operations : s->cursor.operations_before;
     bool is_limited =
         vbss_scene_has_step_budget(s) && (substep->has_search_budget || !is_hard_min_size);
     s->step.budget = is_limited ? operations_before + s->config.work_limit : 0;
@@ -61,12 +62,12 @@ static void record_errors(scene_object *s)
     s->report.statistics.last_residual = s->contacts->residual;
 }
 
-/* Whether attempts or operations of the step are used up. */
+/* Whether attempts or operations of the group are used up. */
 static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cursor)
 {
     uint64_t next_attempt_cost = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
-    return vbss_scene_is_beyond_step_limits(s, s->contacts->counters.operations + next_attempt_cost,
-                                            cursor->attempts);
+    uint64_t operations = s->contacts->counters.operations - cursor->operations_before;
+    return vbss_scene_is_beyond_step_limits(s, operations + next_attempt_cost, cursor->attempts);
 }
 
 /* Whether the substep is attempted again: with the displacements that are known now, with a search
@@ -301,8 +302,9 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
             if (can_defer_to_next_step(s, cursor, &next_size) && is_deferrable(outcome)) {
                 /* The contacts of the attempt say which pair failed; the rejection rebuilds them. */
                 const scene_touching_pair blamed = vbss_scene_find_blamed_pair(s, outcome);
-                vbss_scene_request_damping(s);
                 vbss_scene_reject_substep(s);
+                vbss_scene_let_others_wait(s, blamed);
+                vbss_scene_request_damping(s);
                 pause_step(s, cursor, outcome, blamed, next_size);
                 break;
             }

@@ -3,7 +3,8 @@
  * Without a budget a call runs one whole step. With a budget a call has a limit of operations. A
  * step that exceeds it is suspended, and the next call resumes it with the same bits. Operations
  * left over go to the next step. So calls stay within their time and no work is lost. Only steps
- * that are too far behind are dropped.
+ * that are too far behind are dropped. A step that three calls have suspended runs to its end in
+ * the fourth, so that bodies beside an expensive island move.
  *
  *   resume suspended step -> (finish it -> begin the next) within the budget -> drop overdue steps
  *
@@ -96,19 +97,22 @@ static vbss_result run_slice(scene_object *s, double h, bool is_sliced)
         s->contacts->counters.operations = cursor->operations;
         swap_targets(s);
     } else {
+        cursor->suspensions = 0;
         cursor->steps_behind--;
         cursor->unsliced_steps_left -= cursor->unsliced_steps_left > 0;
         vbss_scene_begin_step(s, h);
     }
     const uint64_t operations_before = s->contacts->counters.operations;
+    const bool is_overdue = is_sliced && cursor->suspensions >= SCENE_MAX_SUSPENSIONS;
     s->contacts->call_budget.operation_limit =
-        is_sliced ? operations_before + cursor->operations_left : 0;
+        is_sliced && !is_overdue ? operations_before + cursor->operations_left : 0;
     vbss_result result = vbss_scene_run_substeps(s);
     cursor->operations = s->contacts->counters.operations;
     charge_call_budget(cursor, cursor->operations - operations_before);
     if (result == VBSS_OK && !cursor->is_suspended) {
         vbss_scene_finish_step(s);
         charge_call_budget(cursor, step_end_cost(s));
+        s->report.statistics.overdue += is_overdue; /* after a replay, which restores statistics */
     }
     if (was_suspended) {
         swap_targets(s);
@@ -172,6 +176,7 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
         result = run_slice_or_rollback(s, h, is_sliced);
     }
     if (cursor->is_suspended) {
+        cursor->suspensions++;
         vbss_scene_publish_tools(s); /* grasps may have been released when the step began */
     }
     drop_overdue_steps(s, h);

@@ -357,6 +357,7 @@ typedef struct scene_waiting_group {
     double size;
     uint32_t attempts;
     bool is_behind_targets;
+    uint64_t operations_before; /* operations of the step that do not count for the group */
 } scene_waiting_group;
 
 /* Position within a step. If a step exceeds the budget of a call of vbss_scene_step, the call
@@ -380,9 +381,11 @@ typedef struct scene_step_cursor {
     uint32_t checks_passed;         /* suspension checks that the attempt has passed */
     uint64_t operations_at_attempt; /* operations of the step when the attempt began */
     uint64_t operations;            /* operations of the step so far */
+    uint64_t operations_before;     /* operations of the step that do not count for the group */
     uint64_t operations_left;       /* operations that the present call may still use */
     uint32_t steps_behind;          /* steps that hosts have asked for and that have not begun */
     uint32_t unsliced_steps_left;   /* steps that must not be suspended, after an edit */
+    uint32_t suspensions;           /* calls that have suspended the present step */
     uint64_t edit_count;            /* edits of all bodies when the last call ended */
 } scene_step_cursor;
 

@@ -59,9 +59,9 @@ void fuzz_print_summary(const fuzz_findings *f)
     }
     printf("%llu scenes, %llu calls: %llu refused, %llu steps suspended, %llu with a grasp, %llu "
            "with a hole, %llu "
-           "cuts, %llu waits with small calls; slowest call %.3f s; %llu failures\n",
+           "cuts; slowest call %.3f s; %llu failures\n",
            (unsigned long long)f->scenes, (unsigned long long)f->calls,
            (unsigned long long)f->refused, (unsigned long long)f->suspended,
            (unsigned long long)f->grasps, (unsigned long long)f->holes, (unsigned long long)f->cuts,
-           (unsigned long long)f->waits, f->slowest_call, (unsigned long long)f->failures);
+           f->slowest_call, (unsigned long long)f->failures);
 }

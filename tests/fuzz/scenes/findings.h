@@ -42,7 +42,6 @@ typedef struct fuzz_findings {
     char function[FUZZ_NAME_ROOM];
     /* Totals of this run. */
     uint64_t scenes, failures, calls, refused, suspended, grasps, cuts, holes;
-    uint64_t waits;      /* steps in which a witness stood still for lack of room in calls */
     double slowest_call; /* s */
     fuzz_row rows[FUZZ_MAX_ROWS];
     uint32_t row_count;

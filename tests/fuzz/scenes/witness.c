@@ -103,14 +103,6 @@ void fuzz_add_witness(fuzz_scene *f)
     }
 }
 
-/* Whether a call has room for a part of a step that is large enough. With less, a step takes many calls. */
-static bool has_room_for_steps(const vbss_scene_config *c)
-{
-    return c->mode == VBSS_MODE_OFFLINE || c->slot_limit == 0 ||
-           (c->slot_limit >= 20000 && 2 * (uint64_t)c->slot_limit >= c->work_limit &&
-            c->work_limit > 0);
-}
-
 static void check_witness(fuzz_scene *f, bool is_clear)
 {
     body_motion motion;
@@ -124,9 +116,7 @@ static void check_witness(fuzz_scene *f, bool is_clear)
     w->stationary_steps = has_moved || !is_alone ? 0 : w->stationary_steps + 1;
     w->position = motion.position;
     w->was_clear = is_clear;
-    if (w->stationary_steps > limit && !has_room_for_steps(&f->config)) {
-        f->findings->waits++;
-    } else if (w->stationary_steps > limit) {
+    if (w->stationary_steps > limit) {
         fuzz_fail(f, FUZZ_CHECK_IS_STALLED, "%s, for %u steps, work_limit %u, slot_limit %u",
                   f->config.mode == VBSS_MODE_OFFLINE ? "offline" : "real time",
                   w->stationary_steps, f->config.work_limit, f->config.slot_limit);
