@@ -264,7 +264,9 @@ class vbss_scene_config(ctypes.Structure):
     graspers, driven bodies and attachments apply to the next step. Any other change by the host
     abandons the suspended step, which also counts in `paused`, and the next 1000 steps are not
     suspended. A call may exceed the limit by the final work of a step and by attempts that the
-    guard refuses.
+    guard refuses. A step that three calls have suspended is completed by the fourth, whatever
+    it takes, and counted in `overdue`. So bodies that touch nothing never miss more than three
+    calls.
 
     speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
     way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
@@ -603,7 +605,10 @@ class vbss_scene_statistics(ctypes.Structure):
 
     deferred: Calls after which a step was suspended or had not begun; see slot_limit.
 
-    behind: Number of suspended and unbegun steps after the last call, 0 to 2."""
+    behind: Number of suspended and unbegun steps after the last call, 0 to 2.
+
+    overdue: Steps that three calls had suspended, so that the fourth completed them without
+    slot_limit."""
     struct_size: int
     contacts: int
     rows: int
@@ -637,7 +642,7 @@ class vbss_scene_statistics(ctypes.Structure):
     time_paused: float
     deferred: int
     behind: int
-    reserved: int
+    overdue: int
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -673,7 +678,7 @@ class vbss_scene_statistics(ctypes.Structure):
         ("time_paused", c_double),
         ("deferred", c_uint64),
         ("behind", c_uint32),
-        ("reserved", c_uint32),
+        ("overdue", c_uint32),
     ]
 
 
@@ -715,6 +720,7 @@ class SceneStatistics(NamedTuple):
     time_paused: float
     deferred: int
     behind: int
+    overdue: int
 
 
 class vbss_blocker(ctypes.Structure):
