@@ -70,8 +70,8 @@
 #define SCENE_MAX_STEPS_BEHIND VBSS_TUNE(SCENE_MAX_STEPS_BEHIND, 2)
 /* A step that this many calls have suspended runs to its end in the next call. Bodies beside an expensive
  * island would stand still otherwise.
- * Unit: calls. Origin: chosen, since free bodies may miss three calls. Test: fuzz.scenes, scene.time_slicing. */
-#define SCENE_MAX_SUSPENSIONS VBSS_TUNE(SCENE_MAX_SUSPENSIONS, 3)
+ * Unit: calls. Origin: chosen, since free bodies may miss three calls: two of them, and one that begins the next step. Test: fuzz.scenes, scene.time_slicing. */
+#define SCENE_MAX_SUSPENSIONS VBSS_TUNE(SCENE_MAX_SUSPENSIONS, 2)
 /* Steps that run in one slice after a host edit abandons a step. A host that edits before each step would get
  * nowhere.
  * Unit: steps. Origin: chosen. Test: none known. */

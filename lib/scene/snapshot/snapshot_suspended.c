@@ -11,14 +11,15 @@
 /* Parts of the state that follow the cursor, as bits of its first word. */
 enum {
     IS_SUSPENDED = 1,
-    HAS_GROUPS = 2,
-    HAS_OVERLAPS = 4,
-    HAS_BLOCKERS = 8,
-    HAS_LIMIT = 16,
-    IS_EDITED = 32,
-    SUSPENDED_AGAIN = 64, /* two bits: how often, after the first time */
-    HAS_OVERDUE = 256,
-    HAS_OWN_BUDGETS = 512 /* groups whose operations count from their start */
+    HAS_GROUPS = 1 << 1,
+    HAS_OVERLAPS = 1 << 2,
+    HAS_BLOCKERS = 1 << 3,
+    HAS_LIMIT = 1 << 4,
+    IS_EDITED = 1 << 5,
+    SUSPENDED_AGAIN = 1 << 6, /* two bits: how often, after the first time */
+    HAS_OVERDUE = 1 << 8,
+    HAS_OWN_BUDGETS = 1 << 9, /* groups whose operations count from their start */
+    WAS_OVERDUE = 1 << 10
 };
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
@@ -221,6 +222,7 @@ static uint32_t parts_of(const scene_object *s)
            (has_groups && has_own_budgets(cursor) ? HAS_OWN_BUDGETS : 0) |
            (has_own_speed_limit(s) ? HAS_LIMIT : 0) | (is_edited ? IS_EDITED : 0) |
            (cursor->is_suspended ? (cursor->suspensions - 1) * SUSPENDED_AGAIN : 0) |
+           (cursor->was_overdue ? WAS_OVERDUE : 0) |
            (s->report.statistics.overdue > 0 ? HAS_OVERDUE : 0);
 }
 
@@ -234,7 +236,7 @@ static bool is_valid_state(const scene_object *s, const uint32_t words[3])
     const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
     const uint32_t of_suspended = HAS_GROUPS | IS_EDITED | 3 * SUSPENDED_AGAIN;
     bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
-    return parts < 2 * HAS_OWN_BUDGETS &&
+    return parts < 2 * WAS_OVERDUE &&
            ((parts & HAS_OWN_BUDGETS) == 0 || (parts & HAS_GROUPS) != 0) &&
            ((parts & of_suspended) == 0 || is_suspended) &&
            suspensions_of(parts) <= SCENE_MAX_SUSPENSIONS && words[1] + is_suspended <= 2 &&
@@ -321,6 +323,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     if (reads) {
         *cursor = (scene_step_cursor){.is_suspended = (words[0] & IS_SUSPENDED) != 0,
                                       .group_count = 1,
+                                      .was_overdue = (words[0] & WAS_OVERDUE) != 0,
                                       .suspensions = suspensions_of(words[0]),
                                       .steps_behind = words[1],
                                       .unsliced_steps_left = words[2]};

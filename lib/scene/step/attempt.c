@@ -32,7 +32,8 @@ static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep 
     s->step.has_accepted_contacts = false;
     /* Motion bounds, broad phase, narrow phase. */
     const bool has_all_pairs = vbss_scene_create_contacts(s, substep);
-    if (vbss_scene_split_slow_islands(s, has_all_pairs)) {
+    if ((has_all_pairs && vbss_scene_put_free_bodies_first(s)) ||
+        vbss_scene_split_slow_islands(s, has_all_pairs)) {
         s->report.statistics.attempts--;
         return SCENE_SUBSTEP_REGROUPED;
     }

@@ -44,6 +44,7 @@ void vbss_scene_begin_first_group(scene_object *s)
     }
     cursor->group = cursor->attempts = 0;
     cursor->operations_before = 0;
+    cursor->is_free_group = false;
     cursor->group_count = 1;
     cursor->is_behind_targets = cursor->is_paused = false;
     cursor->paused_fraction = 0.0;
@@ -64,6 +65,7 @@ bool vbss_scene_begin_next_group(scene_object *s)
     cursor->operations_before = next->operations_before;
     cursor->is_behind_targets = next->is_behind_targets;
     cursor->is_paused = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
+    cursor->is_free_group = false;
     freeze_other_groups(s);
     return true;
 }
@@ -127,7 +129,7 @@ static void move_island(scene_object *s, const scene_body *of)
 bool vbss_scene_split_slow_islands(scene_object *s, bool has_all_pairs)
 {
     scene_step_cursor *cursor = &s->cursor;
-    if (cursor->attempts > 0 || cursor->substep.start_fraction > 0.0) {
+    if (cursor->attempts > 0 || cursor->substep.start_fraction > 0.0 || cursor->is_free_group) {
         return false;
     }
     uint32_t max_halvings = 0;
@@ -157,13 +159,6 @@ bool vbss_scene_split_slow_islands(scene_object *s, bool has_all_pairs)
     return true;
 }
 
-static void move_failed_islands(scene_object *s, scene_touching_pair blamed)
-{
-    vbss_scene_find_islands(s, true);
-    move_island(s, vbss_scene_body(s, blamed.body_a));
-    move_island(s, vbss_scene_body(s, blamed.body_b));
-}
-
 static bool has_group(const scene_object *s, uint32_t group)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -172,6 +167,56 @@ static bool has_group(const scene_object *s, uint32_t group)
         }
     }
     return false;
+}
+
+/* Whether the island of a body is the body alone, and nothing touches it in the last attempt. */
+static bool is_free(const scene_object *s, const scene_body *b)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *other = &s->bodies[i];
+        if (other != b && vbss_scene_is_in_island(s, other, b)) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_key *key = &s->contacts->constraints[i].key;
+        if (key->body_a == b->number || key->body_b == b->number) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool vbss_scene_put_free_bodies_first(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    const uint32_t last = cursor->group_count;
+    if (!cursor->was_overdue) {
+        return false;
+    }
+    cursor->was_overdue = false;
+    if (last == SCENE_MAX_GROUPS) {
+        return false;
+    }
+    cursor->is_free_group = true;
+    vbss_scene_find_islands(s, true);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (vbss_scene_is_mobile(s, b) && (b->kind == SCENE_BODY_DRAIN || !is_free(s, b))) {
+            b->group = last;
+        }
+    }
+    if (has_group(s, last) && !let_last_group_wait(s, cursor->size)) {
+        cursor->is_free_group = false;
+    }
+    return cursor->is_free_group;
+}
+
+static void move_failed_islands(scene_object *s, scene_touching_pair blamed)
+{
+    vbss_scene_find_islands(s, true);
+    move_island(s, vbss_scene_body(s, blamed.body_a));
+    move_island(s, vbss_scene_body(s, blamed.body_b));
 }
 
 bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outcome, double size)

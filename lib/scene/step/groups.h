@@ -48,6 +48,10 @@ void vbss_scene_release_groups(scene_object *s);
  * size of its substep has changed, and the attempt begins again. */
 bool vbss_scene_split_slow_islands(scene_object *s, bool has_all_pairs);
 
+/* In the step after an overdue one: lets all wait but bodies that nothing touches and that cost
+ * little. True: the group is now one of free bodies, and the attempt begins again. */
+bool vbss_scene_put_free_bodies_first(scene_object *s);
+
 /* Divides the group after a failed attempt: the island that failed waits and begins with substeps
  * of `size`. False: the group has no other island. */
 bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outcome, double size);

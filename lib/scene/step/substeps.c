@@ -231,7 +231,8 @@ static scene_substep_outcome run_or_resume_attempt(scene_object *s)
     /* An attempt that uses the displacements of the one before cannot be replayed, so it is
      * never suspended. */
     const uint64_t end = call_budget->operation_limit;
-    call_budget->operation_limit = cursor->substep.uses_trial_motion ? 0 : end;
+    const bool is_sliced = !cursor->substep.uses_trial_motion && !cursor->is_free_group;
+    call_budget->operation_limit = is_sliced ? end : 0;
     scene_substep_outcome outcome = vbss_scene_run_attempt(s);
     call_budget->operation_limit = end;
     return outcome;
@@ -272,8 +273,8 @@ static bool must_suspend(const scene_object *s)
     const contact_call_budget *call_budget = &s->contacts->call_budget;
     uint64_t operations = s->contacts->counters.operations + vbss_scene_attempt_cost(s);
     return !s->cursor.is_attempt_suspended && !s->cursor.substep.uses_trial_motion &&
-           call_budget->operation_limit > 0 && call_budget->has_progress &&
-           operations > call_budget->operation_limit;
+           !s->cursor.is_free_group && call_budget->operation_limit > 0 &&
+           call_budget->has_progress && operations > call_budget->operation_limit;
 }
 
 /* Runs the substeps of the present group to the end of the step, or until the step is suspended. */

@@ -3,8 +3,8 @@
  * Without a budget a call runs one whole step. With a budget a call has a limit of operations. A
  * step that exceeds it is suspended, and the next call resumes it with the same bits. Operations
  * left over go to the next step. So calls stay within their time and no work is lost. Only steps
- * that are too far behind are dropped. A step that three calls have suspended runs to its end in
- * the fourth, so that bodies beside an expensive island move.
+ * that are too far behind are dropped. A step that two calls have suspended runs to its end in
+ * the third, so that bodies beside an expensive island move.
  *
  *   resume suspended step -> (finish it -> begin the next) within the budget -> drop overdue steps
  *
@@ -112,6 +112,7 @@ static vbss_result run_slice(scene_object *s, double h, bool is_sliced)
     if (result == VBSS_OK && !cursor->is_suspended) {
         vbss_scene_finish_step(s);
         charge_call_budget(cursor, step_end_cost(s));
+        cursor->was_overdue = is_overdue;
         s->report.statistics.overdue += is_overdue; /* after a replay, which restores statistics */
     }
     if (was_suspended) {
@@ -176,7 +177,7 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
         result = run_slice_or_rollback(s, h, is_sliced);
     }
     if (cursor->is_suspended) {
-        cursor->suspensions++;
+        cursor->suspensions += cursor->suspensions < SCENE_MAX_SUSPENSIONS;
         vbss_scene_publish_tools(s); /* grasps may have been released when the step began */
     }
     drop_overdue_steps(s, h);

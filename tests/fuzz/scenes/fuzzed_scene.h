@@ -49,6 +49,7 @@ typedef struct fuzz_witness {
     vec3 position;             /* before the call */
     bool was_clear;            /* no other body was near before the call */
     uint32_t stationary_steps; /* consecutive steps in which it did not move */
+    uint64_t full_attempts;    /* attempts without room for their contacts, before the call */
 } fuzz_witness;
 
 typedef enum fuzz_action {

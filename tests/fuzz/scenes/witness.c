@@ -103,6 +103,16 @@ void fuzz_add_witness(fuzz_scene *f)
     }
 }
 
+/* A scene without room for its contacts says so and does not know which bodies are free. */
+static bool has_had_room(fuzz_scene *f)
+{
+    vbss_scene_statistics statistics;
+    (void)vbss_scene_get_statistics(f->sides[0].scene, &statistics, sizeof statistics);
+    const bool has_room = statistics.rejected_full == f->witness.full_attempts;
+    f->witness.full_attempts = statistics.rejected_full;
+    return has_room;
+}
+
 static void check_witness(fuzz_scene *f, bool is_clear)
 {
     body_motion motion;
@@ -111,7 +121,7 @@ static void check_witness(fuzz_scene *f, bool is_clear)
     if (w->number == 0 || !find_motion(f, w->number, &motion)) {
         return;
     }
-    const bool is_alone = is_clear && w->was_clear;
+    const bool is_alone = is_clear && w->was_clear && has_had_room(f);
     const bool has_moved = vec3_distance(motion.position, w->position) > 0.0;
     w->stationary_steps = has_moved || !is_alone ? 0 : w->stationary_steps + 1;
     w->position = motion.position;

@@ -1,0 +1,77 @@
+/* A body that touches nothing does not wait for an expensive island: in real time it misses at most three calls,
+ * however few operations a call has. */
+#include "scene/pulled_surgeons.h"
+#include "scene/small.h"
+
+#define STEP 1e-3
+enum { CALLS = 300, MISSED_MOST = 3 };
+
+static uint32_t add_falling_ball(vbss_scene *scene)
+{
+    const vbss_capsule ball = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}, 1e-3};
+    vbss_rigid_config config;
+    uint32_t number = 0;
+    expect_ok(vbss_rigid_config_init(&config, sizeof config));
+    config.kind = VBSS_RIGID_FREE;
+    config.capsules = &ball;
+    config.capsule_count = 1;
+    config.position[1] = 5.0;
+    config.velocity[1] = -0.1;
+    expect_ok(vbss_scene_add_rigid(scene, &config, &number));
+    return number;
+}
+
+static double height_of(vbss_scene *scene, uint32_t ball)
+{
+    vbss_rigid_state state;
+    expect_ok(vbss_scene_get_rigid(scene, ball, &state, sizeof state));
+    return state.position[1];
+}
+
+/* The largest number of calls in a row in which the ball stands still while a knot is pulled tight beside it. */
+static uint32_t missed_calls(uint32_t slot_limit, uint32_t *overdue)
+{
+    vbss_context *context;
+    contact_scene_options options;
+    contact_scene s;
+    vbss_scene_statistics statistics;
+    pulled_surgeons_init(&options);
+    options.scene.slot_limit = slot_limit;
+    expect_ok(vbss_context_create(NULL, &context));
+    expect_ok(contact_scene_create(context, &options, &s));
+    const uint32_t ball = add_falling_ball(s.scene);
+    uint32_t missed = 0, most = 0;
+    double height = height_of(s.scene, ball);
+    for (int i = 0; i < CALLS; i++) {
+        expect_ok(contact_scene_step(&s, STEP));
+        const double now = height_of(s.scene, ball);
+        missed = now < height ? 0 : missed + 1;
+        most = missed > most ? missed : most;
+        height = now;
+    }
+    expect_ok(vbss_scene_get_statistics(s.scene, &statistics, sizeof statistics));
+    *overdue = statistics.overdue;
+    expect_ok(contact_scene_destroy(&s));
+    expect_ok(vbss_context_destroy(context));
+    return most;
+}
+
+static void free_body_misses_at_most_three_calls(void **state)
+{
+    (void)state;
+    const uint32_t limits[] = {1000, 5000, 20000, 60000};
+    for (int k = 0; k < 4; k++) {
+        uint32_t overdue;
+        const uint32_t missed = missed_calls(limits[k], &overdue);
+        assert_in_range(missed, 1, MISSED_MOST);
+        assert_true(overdue > CALLS / 10);
+    }
+}
+
+int test_free_bodies(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(free_body_misses_at_most_three_calls),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
