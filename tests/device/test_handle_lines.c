@@ -107,6 +107,19 @@ static void slow_rounds_turn_solenoid_off_within_10_ms(void **state)
     }
 }
 
+static void handle_before_first_round_says_that_nothing_was_measured(void **state)
+{
+    (void)state;
+    hardware_rig r;
+    const char *text = "";
+    hardware_rig_begin(&r, false);
+    hardware_rig_open(&r, 1);
+    expect_ok(vbss_device_read(r.devices[0], r.now, &r.inputs[0], sizeof r.inputs[0]));
+    expect_ok(vbss_device_get_error(r.devices[0], 1, NULL, &text));
+    assert_non_null(strstr(text, "nothing was measured yet"));
+    hardware_rig_end(&r);
+}
+
 static void host_step_never_touches_lines(void **state)
 {
     (void)state;
@@ -145,6 +158,7 @@ int test_handle_lines(void)
         cmocka_unit_test(solenoid_pulses_match_script),
         cmocka_unit_test(silent_host_turns_solenoid_off),
         cmocka_unit_test(slow_rounds_turn_solenoid_off_within_10_ms),
+        cmocka_unit_test(handle_before_first_round_says_that_nothing_was_measured),
         cmocka_unit_test(host_step_never_touches_lines),
         cmocka_unit_test(devices_are_listed),
     };

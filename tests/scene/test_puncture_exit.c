@@ -256,6 +256,25 @@ static void needle_collides_before_and_behind_hole(void **state)
     needle_case_end(&c);
 }
 
+/* Whichever place of the table the other hole has. */
+static void arc_near_another_hole_is_in_it(void **state)
+{
+    (void)state;
+    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    scene_object *s = small_object(&c.d.s);
+    s->holes[1] = s->holes[0];
+    s->holes[1].arc = s->holes[0].arc + 6e-3;
+    for (int k = 0; k < 2; k++) {
+        const suture_hole *hole = &s->holes[k];
+        assert_true(vbss_scene_is_in_other_hole(s, hole, s->holes[1 - k].arc + 1e-4));
+        assert_false(vbss_scene_is_in_other_hole(s, hole, hole->arc));
+        assert_false(vbss_scene_is_in_other_hole(s, hole, s->holes[1 - k].arc + 3e-3));
+    }
+    s->holes[1] = (suture_hole){0};
+    needle_case_end(&c);
+}
+
 /* Forces that balance nothing pierce nothing: those of a search that its limit of work has stopped. */
 static void stopped_search_pierces_nothing(void **state)
 {
@@ -289,6 +308,7 @@ int test_puncture_exit(void)
         cmocka_unit_test(oblique_entry_makes_one_hole),
         cmocka_unit_test(hole_is_in_one_wall),
         cmocka_unit_test(needle_collides_before_and_behind_hole),
+        cmocka_unit_test(arc_near_another_hole_is_in_it),
         cmocka_unit_test(stopped_search_pierces_nothing),
     };
     return cmocka_run_group_tests_name("scene.puncture_exit", tests, NULL, NULL);
