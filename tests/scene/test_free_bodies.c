@@ -1,10 +1,10 @@
-/* A body that touches nothing does not wait for an expensive island: in real time it misses at most three calls,
+/* A body that touches nothing does not wait for an expensive island: in real time it misses at max_missed three calls,
  * however few operations a call has. */
 #include "scene/pulled_surgeons.h"
 #include "scene/small.h"
 
 #define STEP 1e-3
-enum { CALLS = 300, MISSED_MOST = 3 };
+enum { CALLS = 300, MAX_MISSED = 3 };
 
 static uint32_t add_falling_ball(vbss_scene *scene)
 {
@@ -40,20 +40,20 @@ static uint32_t missed_calls(uint32_t slot_limit, uint32_t *overdue)
     expect_ok(vbss_context_create(NULL, &context));
     expect_ok(contact_scene_create(context, &options, &s));
     const uint32_t ball = add_falling_ball(s.scene);
-    uint32_t missed = 0, most = 0;
+    uint32_t missed = 0, max_missed = 0;
     double height = height_of(s.scene, ball);
     for (int i = 0; i < CALLS; i++) {
         expect_ok(contact_scene_step(&s, STEP));
         const double now = height_of(s.scene, ball);
         missed = now < height ? 0 : missed + 1;
-        most = missed > most ? missed : most;
+        max_missed = missed > max_missed ? missed : max_missed;
         height = now;
     }
     expect_ok(vbss_scene_get_statistics(s.scene, &statistics, sizeof statistics));
     *overdue = statistics.overdue;
     expect_ok(contact_scene_destroy(&s));
     expect_ok(vbss_context_destroy(context));
-    return most;
+    return max_missed;
 }
 
 static void free_body_misses_at_most_three_calls(void **state)
@@ -63,7 +63,7 @@ static void free_body_misses_at_most_three_calls(void **state)
     for (int k = 0; k < 4; k++) {
         uint32_t overdue;
         const uint32_t missed = missed_calls(limits[k], &overdue);
-        assert_in_range(missed, 1, MISSED_MOST);
+        assert_in_range(missed, 1, MAX_MISSED);
         assert_true(overdue > CALLS / 10);
     }
 }
