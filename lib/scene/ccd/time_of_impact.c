@@ -68,9 +68,11 @@ static double time_of_impact_at_holes(scene_object *s, const collision_candidate
     const double contact_distance = scene_ccd_contact_distance(s, q);
     const double total_displacement = s->bodies[s->body_of_shape[q->shape_a]].max_displacement +
                                       s->bodies[s->body_of_shape[q->shape_b]].max_displacement;
-    const double sample_interval =
-        vbss_max(1.0 / SCENE_CCD_HOLE_EVALUATIONS,
-                 SCENE_CCD_SLOW_MOTION_RATIO * contact_distance / total_displacement);
+    const double slow_interval =
+        total_displacement > 0.0
+            ? SCENE_CCD_SLOW_MOTION_RATIO * contact_distance / total_displacement
+            : 1.0;
+    const double sample_interval = vbss_max(1.0 / SCENE_CCD_HOLE_EVALUATIONS, slow_interval);
     ccd_query query = {q, interval, 0.0};
     const double scale_during_motion =
         vbss_scene_contact_scale_at_wall(s, &query, contact_distance, total_displacement);

@@ -19,7 +19,8 @@ enum {
     SUSPENDED_AGAIN = 1 << 6, /* two bits: how often, after the first time */
     HAS_OVERDUE = 1 << 8,
     HAS_OWN_BUDGETS = 1 << 9, /* groups whose operations count from their start */
-    WAS_OVERDUE = 1 << 10
+    WAS_OVERDUE = 1 << 10,
+    IS_FREE_GROUP = 1 << 11
 };
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
@@ -127,14 +128,15 @@ static void visit_groups(vbss_stream *stream, scene_object *s)
     }
     for (uint32_t i = cursor->group + 1; i < cursor->group_count; i++) {
         scene_waiting_group *g = &cursor->waiting[i];
-        uint32_t words[] = {g->attempts, g->is_behind_targets};
+        uint32_t words[] = {g->attempts, g->is_behind_targets + 2u * g->is_free};
         vbss_stream_u32(stream, 172, words, 2);
         vbss_stream_f64(stream, 173, &g->substep.start_fraction, 1);
         vbss_stream_f64(stream, 173, &g->size, 1);
         g->attempts = words[0];
-        g->is_behind_targets = words[1] != 0;
+        g->is_behind_targets = (words[1] & 1) != 0;
+        g->is_free = (words[1] & 2) != 0;
         g->substep.step_length = cursor->substep.step_length;
-        is_valid = is_valid && words[1] <= 1 && is_valid_group(s, g);
+        is_valid = is_valid && words[1] <= 3 && is_valid_group(s, g);
     }
     if (reads && !is_valid) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such group of bodies");
@@ -223,6 +225,7 @@ static uint32_t parts_of(const scene_object *s)
            (has_own_speed_limit(s) ? HAS_LIMIT : 0) | (is_edited ? IS_EDITED : 0) |
            (cursor->is_suspended ? (cursor->suspensions - 1) * SUSPENDED_AGAIN : 0) |
            (cursor->was_overdue ? WAS_OVERDUE : 0) |
+           (cursor->is_suspended && cursor->is_free_group ? IS_FREE_GROUP : 0) |
            (s->report.statistics.overdue > 0 ? HAS_OVERDUE : 0);
 }
 
@@ -234,9 +237,9 @@ static uint32_t suspensions_of(uint32_t parts)
 static bool is_valid_state(const scene_object *s, const uint32_t words[3])
 {
     const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
-    const uint32_t of_suspended = HAS_GROUPS | IS_EDITED | 3 * SUSPENDED_AGAIN;
+    const uint32_t of_suspended = HAS_GROUPS | IS_EDITED | IS_FREE_GROUP | 3 * SUSPENDED_AGAIN;
     bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
-    return parts < 2 * WAS_OVERDUE &&
+    return parts < 2 * IS_FREE_GROUP &&
            ((parts & HAS_OWN_BUDGETS) == 0 || (parts & HAS_GROUPS) != 0) &&
            ((parts & of_suspended) == 0 || is_suspended) &&
            suspensions_of(parts) <= SCENE_MAX_SUSPENSIONS && words[1] + is_suspended <= 2 &&
@@ -323,6 +326,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     if (reads) {
         *cursor = (scene_step_cursor){.is_suspended = (words[0] & IS_SUSPENDED) != 0,
                                       .group_count = 1,
+                                      .is_free_group = (words[0] & IS_FREE_GROUP) != 0,
                                       .was_overdue = (words[0] & WAS_OVERDUE) != 0,
                                       .suspensions = suspensions_of(words[0]),
                                       .steps_behind = words[1],

@@ -3,6 +3,8 @@
 #include "scene/solve/solve.h"
 #include "scene/world/world.h"
 
+#include <string.h>
+
 double vbss_scene_substep_size(uint32_t halvings)
 {
     double size = 1.0;
@@ -65,7 +67,7 @@ bool vbss_scene_begin_next_group(scene_object *s)
     cursor->operations_before = next->operations_before;
     cursor->is_behind_targets = next->is_behind_targets;
     cursor->is_paused = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
-    cursor->is_free_group = false;
+    cursor->is_free_group = next->is_free;
     freeze_other_groups(s);
     return true;
 }
@@ -108,9 +110,11 @@ static bool let_last_group_wait(scene_object *s, double size)
         }
         return false;
     }
-    cursor->waiting[last] =
-        (scene_waiting_group){cursor->substep, size, cursor->attempts, cursor->is_behind_targets,
-                              cursor->operations_before};
+    cursor->waiting[last] = (scene_waiting_group){.substep = cursor->substep,
+                                                  .size = size,
+                                                  .attempts = cursor->attempts,
+                                                  .is_behind_targets = cursor->is_behind_targets,
+                                                  .operations_before = cursor->operations_before};
     cursor->group_count++;
     freeze_other_groups(s);
     return true;
@@ -237,6 +241,21 @@ bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outco
     return true;
 }
 
+/* Makes the last group the next one. */
+static void begin_last_group_next(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    const uint32_t next = cursor->group + 1, last = cursor->group_count - 1;
+    const scene_waiting_group group = cursor->waiting[last];
+    memmove(&cursor->waiting[next + 1], &cursor->waiting[next],
+            (last - next) * sizeof cursor->waiting[0]);
+    cursor->waiting[next] = group;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        b->group = b->group == last ? next : b->group + (b->group >= next);
+    }
+}
+
 void vbss_scene_let_others_wait(scene_object *s, scene_touching_pair blamed)
 {
     scene_step_cursor *cursor = &s->cursor;
@@ -257,8 +276,10 @@ void vbss_scene_let_others_wait(scene_object *s, scene_touching_pair blamed)
             (scene_waiting_group){.substep = cursor->substep,
                                   .size = cursor->size,
                                   .is_behind_targets = cursor->is_behind_targets,
+                                  .is_free = cursor->is_free_group,
                                   .operations_before = s->contacts->counters.operations};
         cursor->group_count++;
+        begin_last_group_next(s);
         freeze_other_groups(s);
     }
 }

@@ -56,8 +56,8 @@ bool vbss_scene_put_free_bodies_first(scene_object *s);
  * of `size`. False: the group has no other island. */
 bool vbss_scene_split_failed_island(scene_object *s, scene_substep_outcome outcome, double size);
 
-/* Divides the group before the island that failed leaves out the rest of the step: all others wait,
- * with attempts and operations of their own. Does nothing if the group has no other island. */
+/* Divides the group before the island that failed leaves out the rest of the step: all others go
+ * on next, with attempts and operations of their own. Does nothing if the group has no other island. */
 void vbss_scene_let_others_wait(scene_object *s, scene_touching_pair blamed);
 
 /* Sets the size of the next step's first substep, for the island of the bodies that failed. If

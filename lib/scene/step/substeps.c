@@ -48,7 +48,8 @@ static void record_errors(scene_object *s)
 {
     double stretch = 0.0, depth = 0.0;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        /* A thread that waits has the error of its attempt that failed. */
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
             stretch = vbss_max(t->statistics.last_stretch_error, stretch);
         }

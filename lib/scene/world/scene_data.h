@@ -356,8 +356,8 @@ typedef struct scene_waiting_group {
     scene_substep substep;
     double size;
     uint32_t attempts;
-    bool is_behind_targets;
-    uint64_t operations_before; /* operations of the step that do not count for the group */
+    bool is_behind_targets, is_free; /* as in the cursor; is_free: free bodies only */
+    uint64_t operations_before;      /* operations of the step that do not count for the group */
 } scene_waiting_group;
 
 /* Position within a step. If a step exceeds the budget of a call of vbss_scene_step, the call
