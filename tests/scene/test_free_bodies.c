@@ -56,7 +56,7 @@ static uint32_t missed_calls(uint32_t slot_limit, uint32_t *overdue)
     return max_missed;
 }
 
-static void free_body_misses_at_most_three_calls(void **state)
+static void free_body_misses_three_calls_or_fewer(void **state)
 {
     (void)state;
     const uint32_t limits[] = {1000, 5000, 20000, 60000};
@@ -71,7 +71,7 @@ static void free_body_misses_at_most_three_calls(void **state)
 int test_free_bodies(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(free_body_misses_at_most_three_calls),
+        cmocka_unit_test(free_body_misses_three_calls_or_fewer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

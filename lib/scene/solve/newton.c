@@ -240,7 +240,8 @@ static drain_moves measure_drain_moves(scene_object *s)
             b->max_increment = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
             b->drain->statistics.linearisations++;
             m.is_finite = m.is_finite && b->max_increment < DIVERGENCE_LIMIT;
-            m.needs_correction = m.needs_correction || b->max_increment > c->position_tolerance;
+            m.needs_correction =
+                m.needs_correction || vbss_drain_needs_correction(b->drain, b->max_increment);
             m.is_too_far = m.is_too_far || b->max_increment > DRAIN_MAX_MOVE_RATIO * c->move_limit;
         }
     }
