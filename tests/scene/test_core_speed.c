@@ -227,9 +227,9 @@ static void limits_are_proportional_to_speed(void **state)
     assert_int_equal(fast.work_limit, DEFAULT_WORK);
     assert_int_equal(more.slot_limit, 2 * DEFAULT_SLOT);
     assert_int_equal(more.work_limit, 2 * DEFAULT_WORK);
-    const vbss_scene_config most = fit(context, 1e6, 1);
-    assert_int_equal(most.slot_limit, 10 * DEFAULT_SLOT);
-    assert_int_equal(most.work_limit, 10 * DEFAULT_WORK);
+    const vbss_scene_config bounded = fit(context, 1e6, 1);
+    assert_int_equal(bounded.slot_limit, 10 * DEFAULT_SLOT);
+    assert_int_equal(bounded.work_limit, 10 * DEFAULT_WORK);
     harness_context_end(context, &memory);
 }
 
