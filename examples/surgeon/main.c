@@ -4,16 +4,19 @@
  *             [-w limit of work of a step, -1: none] [-c the same of a call] [-l log] [-p folder for pictures]
  *             [-e seconds between them] [-v]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
- *             [-a folder for pictures of the key stages]
+ *             [-a folder for pictures of the key stages] [--calibrate]
  *
+ * With --calibrate both limits of work come from the speed of this core, so a seed does not do the same everywhere.
  * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
  * named or, if none was, the session calls the whole task done and the slit is shut, or if their mistake is told, and logs play back to the same;
  * else 1. With -g so many good seeds are enough; no simulation may fail all the same, and each log must play back. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "decimal_point.h"
 #include "surgeon/watch.h"
+#include "throw/core_speed.h"
 
 static int usage(void)
 {
@@ -22,7 +25,7 @@ static int usage(void)
                     "[-t most seconds] [-w work] [-c work of a call] [-l log] [-p folder for "
                     "pictures] [-e seconds between them] [-k expert|resident|novice] [-m mistake] "
                     "[-a folder for the "
-                    "key stages] [-v]\n");
+                    "key stages] [--calibrate] [-v]\n");
     return 2;
 }
 
@@ -42,10 +45,29 @@ typedef struct tally {
     int good, failed;    /* simulations, and logs that do not play back */
 } tally;
 
+static bool calibrate(surgeon_options *o)
+{
+    core_limits limits;
+    char text[CORE_SPEED_WORDS] = "";
+    const bool good = core_speed_fit(0.0, &limits, text) == VBSS_OK;
+    printf("%s\n", text);
+    if (good) {
+        o->work = limits.work;
+        o->slot = limits.slot;
+    }
+    return good;
+}
+
 static bool read_options(int count, char **words, watch *w, tally *t, bool *whole)
 {
     for (int i = 1; i < count; i++) {
         const char *word = words[i];
+        if (strcmp(word, "--calibrate") == 0) {
+            if (!calibrate(&w->options)) {
+                return false;
+            }
+            continue;
+        }
         if (strcmp(word, "-v") == 0) {
             w->verbose = true;
             continue;

@@ -186,8 +186,10 @@ static void report_counts(const watch *w, const surgeon *s)
     vbss_scene_statistics c;
     if (vbss_scene_get_statistics(s->stitch.site.rig.scene, &c, sizeof c) == VBSS_OK) {
         counts_report_scene(&c);
-        printf("  most contacts at a time %u; %lu steps of which a part waited, %.1f ms in all\n",
-               (unsigned)w->max_contacts, (unsigned long)c.paused, MILLI * c.time_paused);
+        printf("  most contacts at a time %u; %lu steps of which a part waited, %.1f ms in all; "
+               "%u steps finished beyond the limit of a call\n",
+               (unsigned)w->max_contacts, (unsigned long)c.paused, MILLI * c.time_paused,
+               (unsigned)c.overdue);
     }
     for (int i = 0; i < 2; i++) {
         vbss_device_statistics in;

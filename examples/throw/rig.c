@@ -1,7 +1,8 @@
 #include "throw/rig.h"
 
 #include <string.h>
-#include <time.h>
+
+#include "throw/core_speed.h"
 
 #define DRAIN_HALF 16e-3
 
@@ -234,22 +235,15 @@ vbss_result throw_rig_follow(throw_rig *s)
     return VBSS_OK;
 }
 
-static double cpu_clock(void)
-{
-    struct timespec t;
-    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 vbss_result throw_rig_step(throw_rig *s, double dt)
 {
-    const double begin = cpu_clock();
+    const double begin = cpu_clock(NULL);
     TRY(s->session != NULL ? vbss_session_step(s->session, s->time, dt)
                            : vbss_record_step(s->record, dt));
     TRY(throw_rig_follow(s));
     s->time += dt;
     vbss_result result = write_log(s);
-    s->took = cpu_clock() - begin;
+    s->took = cpu_clock(NULL) - begin;
     return result;
 }
 

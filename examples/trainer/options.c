@@ -25,6 +25,9 @@ void options_help(void)
         "  --scene NAME                 default: stitch\n"
         "  --seconds N                  default: until Ctrl-C or the end of the log\n"
         "  --simulated                  the clock of stand-ins, mock and log, as fast as it goes\n"
+        "  --core-speed measure|off|N   limits of work: from the measured speed of the core "
+        "(default, but\n"
+        "                               off with --simulated), fixed, or for N operations per us\n"
         "  --fault NAME@FROM[+TIME]     a fault of stand-ins or mock\n"
         "ends with 0: as it shall be, 1: something failed and is told, 2: a wrong word here,\n"
         "3: hardware, library or file is not there\n",
@@ -98,6 +101,17 @@ static bool read_handles(const char *names, options *o)
         }
         names += length + 1;
     }
+}
+
+static bool read_core_speed(const char *text, options *o)
+{
+    char *end;
+    if (strcmp(text, "measure") == 0 || strcmp(text, "off") == 0) {
+        o->core_speed = text[0] == 'm' ? -1.0 : 0.0;
+        return true;
+    }
+    o->core_speed = strtod(text, &end);
+    return end != text && *end == '\0' && o->core_speed >= 1e-3 && o->core_speed <= 1e6;
 }
 
 static bool read_fault(const char *text, options *o)
@@ -180,11 +194,22 @@ static bool all_fits(const options *o, char *why, size_t bytes)
     return true;
 }
 
+static bool has_word(int count, char **words, const char *word)
+{
+    for (int i = 1; i < count; i++) {
+        if (strcmp(words[i], word) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool options_read(int count, char **words, options *o, char *why, size_t bytes)
 {
     memset(o, 0, sizeof *o);
     o->scene = "stitch";
     o->seconds = -1.0;
+    o->core_speed = has_word(count, words, "--simulated") ? 0.0 : -1.0;
     for (int i = 1; i < count; i++) {
         const char *word = words[i];
         const char *value =
@@ -205,6 +230,8 @@ bool options_read(int count, char **words, options *o, char *why, size_t bytes)
             return refuse(why, bytes, word, "no such option, or it wants a value");
         } else if (strcmp(word, "--seconds") == 0) {
             good = read_seconds(value, &end, &o->seconds) && *end == '\0';
+        } else if (strcmp(word, "--core-speed") == 0) {
+            good = read_core_speed(value, o);
         } else if (strcmp(word, "--fault") == 0) {
             good = read_fault(value, o);
         } else if (!read_text(word, value, o)) {

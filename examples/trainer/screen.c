@@ -182,6 +182,9 @@ bool screen_report(const task *t, const char *system)
     const figures *f = &t->now;
     const char *first;
     printf("scene %s, %.3f s, %s\n", t->stage.row->name, f->time, system);
+    if (t->limits[0] != '\0') {
+        printf("%s\n", t->limits);
+    }
     report_times(f, t->options->simulated);
     report_hand(t, f, LEFT);
     report_hand(t, f, RIGHT);

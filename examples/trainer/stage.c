@@ -20,8 +20,9 @@
 #define EVERY 1.25   /* from one to the next: a quarter of the time is what a solenoid bears */
 #define FIRST 1.75   /* closing */
 #define SEGMENTS 300 /* of the thread */
-/* Operations in a call, less than the default: so that a slot is kept by a core of 2.6 GHz (docs/trainer.md). */
-enum { WORK = 180000 };
+/* Operations in a call where the core is not measured, less than the default: so that a slot is kept by a core of
+ * 2.6 GHz (docs/trainer.md). */
+enum { FIXED_SLOT = 180000 };
 
 /* ---- tools */
 
@@ -53,6 +54,8 @@ static vbss_result create_table(stage *s)
     c.floor = 1;
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;
+    c.work_limit = s->limits.work > 0 ? (uint32_t)s->limits.work : c.work_limit;
+    c.slot_limit = (uint32_t)s->limits.slot;
     TRY(vbss_scene_create(s->context, &c, &s->scene));
     TRY(vbss_needle_config_init(&n, sizeof n));
     n.gravity[2] = GRAVITY;
@@ -111,7 +114,7 @@ static vbss_result add_session(stage *s)
 
 static vbss_result create_stitch(stage *s)
 {
-    const site_plan plan = {.segments = SEGMENTS, .slot = WORK};
+    const site_plan plan = {.segments = SEGMENTS, .work = s->limits.work, .slot = s->limits.slot};
     vbss_result result = site_create(&s->site, v3(0.035, -0.005, 0.0), 3.141592653589793, &plan);
     s->context = s->site.rig.context;
     s->scene = s->site.rig.scene;
@@ -154,7 +157,8 @@ static vbss_result create_surgeon(stage *s)
     stitch_plan plan;
     task of_surgeon;
     surgeon_plan(&usual, &plan);
-    plan.site.slot = WORK;
+    plan.site.work = s->limits.work;
+    plan.site.slot = s->limits.slot;
     vbss_result result = stitch_create(&s->stitch, s->seed, &plan);
     s->site = s->stitch.site;
     s->context = s->site.rig.context;
@@ -195,10 +199,12 @@ const stage_row *stage_find(const char *name)
     return NULL;
 }
 
-vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed)
+vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed,
+                         const core_limits *limits)
 {
     memset(s, 0, sizeof *s);
     s->seed = seed;
+    s->limits = limits != NULL ? *limits : (core_limits){.slot = FIXED_SLOT};
     s->row = row;
     return row->create(s);
 }
@@ -222,8 +228,19 @@ const char *stage_phase(const stage *s)
     return names[status.phase];
 }
 
+static void report_lost_time(const stage *s)
+{
+    vbss_scene_statistics c;
+    if (vbss_scene_get_statistics(s->scene, &c, sizeof c) == VBSS_OK && c.time > 0.0) {
+        printf("left out by the limits of work: %.3f s of %.3f s (%.1f %%); %u steps finished "
+               "beyond the limit of a call\n",
+               c.time_paused, c.time, 100.0 * c.time_paused / c.time, (unsigned)c.overdue);
+    }
+}
+
 void stage_report(const stage *s)
 {
+    report_lost_time(s);
     vbss_session_status now;
     vbss_session_event e;
     char words[TASK_WORDS];

@@ -3,6 +3,7 @@
 #define VBSS_EXAMPLES_TRAINER_STAGE_H
 
 #include "needle/stitch.h"
+#include "throw/core_speed.h"
 #include "trainer/options.h"
 
 /* What a hand shall do; the tool's shaft is upright. */
@@ -14,6 +15,7 @@ typedef struct vertex_motion {
 typedef struct stage {
     const struct stage_row *row;
     unsigned long seed;
+    core_limits limits;
     vbss_context *context;
     vbss_scene *scene;
     vbss_session *session; /* of the task; NULL: the scene has none */
@@ -37,12 +39,13 @@ typedef struct stage_row {
 /* NULL: there is none of that name, or number. */
 const stage_row *stage_find(const char *name);
 const stage_row *stage_at(size_t number);
-/* Of a surgeon's scene the seed says which. */
-vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed);
+/* Of a surgeon's scene the seed says which. Limits of work: NULL for those that are fixed. */
+vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed,
+                         const core_limits *limits);
 vbss_result stage_step(stage *s, double h);
 /* How far the task is; empty without one. */
 const char *stage_phase(const stage *s);
-/* What the session says that happened, and how far it came, on stdout; nothing without one. */
+/* On stdout: the time that the limits of work have left out; and, with a session, its events and how far it came. */
 void stage_report(const stage *s);
 /* How often the right hand of the script has closed on the needle by then. */
 uint64_t stage_closings(const stage_row *row, double time);

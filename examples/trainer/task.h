@@ -20,8 +20,9 @@ typedef struct task_hand {
 typedef struct task {
     const options *options;
     const calibration *calibration;
-    double duration; /* s; below 0: no end */
-    double clock;    /* of the devices, s: real time, which goes on where slots are missed */
+    char limits[CORE_SPEED_WORDS]; /* what the report says of the limits of work; may be empty */
+    double duration;               /* s; below 0: no end */
+    double clock; /* of the devices, s: real time, which goes on where slots are missed */
     stage stage;
     hardware hardware;
     rehearsal rehearsal;

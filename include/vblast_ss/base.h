@@ -69,7 +69,10 @@
     X(VBSS_ERROR_CORRUPT, -12, "the data are damaged or not what this call reads")                \
     X(VBSS_ERROR_DATA_VERSION, -13, "the data were written by a newer version of the library")    \
     X(VBSS_ERROR_IN_SCENE, -14, "not allowed while the object belongs to a scene")                \
-    X(VBSS_ERROR_DEVICE, -15, "a device failed, or is not there")
+    X(VBSS_ERROR_DEVICE, -15, "a device failed, or is not there")                                 \
+    X(VBSS_ERROR_CLOCK_STOPPED, -16, "the host's clock does not advance")                         \
+    X(VBSS_ERROR_CLOCK_JUMPED, -17, "the host's clock runs backwards or jumps")                   \
+    X(VBSS_ERROR_CLOCK_COARSE, -18, "the host's clock is too coarse")
 
 /** Status of a call: VBSS_OK (0) or a negative VBSS_ERROR_ constant. */
 typedef int32_t vbss_result;

@@ -22,6 +22,9 @@ static void result_numbers_are_pinned(void **state)
     assert_int_equal(VBSS_ERROR_DATA_VERSION, -13);
     assert_int_equal(VBSS_ERROR_IN_SCENE, -14);
     assert_int_equal(VBSS_ERROR_DEVICE, -15);
+    assert_int_equal(VBSS_ERROR_CLOCK_STOPPED, -16);
+    assert_int_equal(VBSS_ERROR_CLOCK_JUMPED, -17);
+    assert_int_equal(VBSS_ERROR_CLOCK_COARSE, -18);
     assert_int_equal(VBSS_LOG_NONE, 0);
     assert_int_equal(VBSS_LOG_ERROR, 1);
     assert_int_equal(VBSS_LOG_WARNING, 2);

@@ -82,7 +82,7 @@ static bool train(const options *o, const calibration *c, const score *log, led 
     t.duration = log->duration;
     t.times = found->times;
     t.time_count = LED_SLOTS;
-    bool good = stage_create(&t.stage, stage_find(o->scene), log->seed) == VBSS_OK;
+    bool good = stage_create(&t.stage, stage_find(o->scene), log->seed, NULL) == VBSS_OK;
     rehearsal_find(&t.rehearsal, o);
     rehearsal_begin(&t.rehearsal, true);
     good = good && hardware_open(&t.hardware, o, c, &t.stage, log, why, bytes);

@@ -50,6 +50,15 @@ static void devices_combine_freely(void **state)
     assert_int_equal(o.fault_count, 2);
     assert_string_equal(o.faults[0].name, "nan");
     assert_true(o.faults[0].from == 1.5 && o.faults[0].until == 1.75);
+    assert_true(o.core_speed < 0.0); /* measured */
+    expect_taken("--mock --core-speed 250", &o);
+    assert_true(o.core_speed == 250.0);
+    expect_taken("--mock --core-speed off", &o);
+    assert_true(o.core_speed == 0.0);
+    expect_taken("--mock --simulated", &o);
+    assert_true(o.core_speed == 0.0);
+    expect_taken("--core-speed measure --mock --simulated", &o);
+    assert_true(o.core_speed < 0.0);
 }
 
 static void unknown_words_are_rejected(void **state)
@@ -65,6 +74,10 @@ static void unknown_words_are_rejected(void **state)
                                         "--mock --seconds nan",
                                         "--mock --seconds 1e99",
                                         "--mock --scene",
+                                        "--mock --core-speed",
+                                        "--mock --core-speed fast",
+                                        "--mock --core-speed 0",
+                                        "--mock --core-speed 250x",
                                         "--openhaptics A,B,C",
                                         "--openhaptics A,",
                                         "--openhaptics ,B",

@@ -10,7 +10,7 @@ from ._library import lib
 __all__ = ["Error", "NullArgumentError", "OutOfRangeError", "NotFiniteError", "StructSizeError",
            "UnknownFieldError", "InvalidHandleError", "OutOfMemoryError", "CapacityError", "BusyError",
            "ArithmeticModeError", "TruncatedError", "CorruptError", "DataVersionError", "InSceneError",
-           "DeviceError", "StaleViewError"]
+           "DeviceError", "ClockStoppedError", "ClockJumpedError", "ClockCoarseError", "StaleViewError"]
 
 
 class Error(Exception):
@@ -101,6 +101,21 @@ class InSceneError(Error, RuntimeError):
 class DeviceError(Error, RuntimeError):
     """A device failed, or is not there."""
     status = Result.ERROR_DEVICE
+
+
+class ClockStoppedError(Error, RuntimeError):
+    """The clock of a measurement does not advance."""
+    status = Result.ERROR_CLOCK_STOPPED
+
+
+class ClockJumpedError(Error, RuntimeError):
+    """The clock of a measurement runs backwards or jumps."""
+    status = Result.ERROR_CLOCK_JUMPED
+
+
+class ClockCoarseError(Error, RuntimeError):
+    """The clock of a measurement is too coarse."""
+    status = Result.ERROR_CLOCK_COARSE
 
 
 class StaleViewError(Error, RuntimeError):

@@ -9,6 +9,37 @@
  * and serialised. Defined in create.c. */
 extern const vbss_kind vbss_scene_kind;
 
+/* Default configuration and published sizes of vbss_scene_config. Defined in create.c. */
+extern const vbss_layout vbss_scene_config_layout;
+
+/* Defaults of work_limit and slot_limit. */
+enum { SCENE_DEFAULT_WORK_LIMIT = 250000, SCENE_DEFAULT_SLOT_LIMIT = 210000 };
+
+/* ---- reference_scene.c */
+
+/* A small fixed scene that measures the speed of the core: a rod presses on a drain, and a thread
+ * lies on the floor. */
+typedef struct scene_reference {
+    vbss_scene *scene;
+    vbss_thread *thread;
+    vbss_drain *drain;
+    uint32_t rod; /* number of the rod in the scene */
+    uint32_t steps;
+} scene_reference;
+
+/* Creates the scene and lets its motion become periodic. Whatever it returns,
+ * vbss_scene_destroy_reference must follow. */
+vbss_result vbss_scene_create_reference(vbss_context *context, scene_reference *reference);
+
+/* Makes one step. SCENE_REFERENCE_PERIOD steps are a period of the motion. */
+vbss_result vbss_scene_step_reference(scene_reference *reference);
+enum { SCENE_REFERENCE_PERIOD = 4 };
+
+/* Operations of all steps so far. */
+uint64_t vbss_scene_count_reference_operations(const scene_reference *reference);
+
+void vbss_scene_destroy_reference(scene_reference *reference);
+
 /* ---- handle.c */
 
 /* Opens a scene for reading. Sets the error and returns VBSS_ERROR_INVALID_HANDLE if the handle

@@ -39,18 +39,18 @@ static const vbss_scene_config defaults = {
     .halving_limit = 5,
     .attempt_limit = 3,
     .paper_pass_limit = 4,
-    .work_limit = 250000,
-    .slot_limit = 210000,
+    .work_limit = SCENE_DEFAULT_WORK_LIMIT,
+    .slot_limit = SCENE_DEFAULT_SLOT_LIMIT,
     .drain_capacity = 1,
     .hole_capacity = 16,
     .speed_limit = SCENE_DEFAULT_SPEED_LIMIT,
 };
 static const uint32_t config_sizes[] = {160, 168, 176, 192, 0};
-static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
+const vbss_layout vbss_scene_config_layout = {"vbss_scene_config", &defaults, config_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
 {
-    return vbss_config_init(&config_layout, config, struct_size);
+    return vbss_config_init(&vbss_scene_config_layout, config, struct_size);
 }
 
 typedef struct range {
@@ -214,7 +214,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     VBSS_TRY(vbss_context_edit(context));
     vbss_scene_config own = defaults;
     if (config != NULL) {
-        VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
+        VBSS_TRY(vbss_config_read(context, &vbss_scene_config_layout, config, &own));
     }
     VBSS_TRY(check_config(context, &own));
     scene_object *s = vbss_allocate(context, 1, sizeof *s, "scene");

@@ -45,6 +45,12 @@ class Result(IntEnum):
     """not allowed while the object belongs to a scene"""
     ERROR_DEVICE = -15
     """a device failed, or is not there"""
+    ERROR_CLOCK_STOPPED = -16
+    """the host's clock does not advance"""
+    ERROR_CLOCK_JUMPED = -17
+    """the host's clock runs backwards or jumps"""
+    ERROR_CLOCK_COARSE = -18
+    """the host's clock is too coarse"""
 
 
 class LogLevel(IntEnum):
