@@ -151,9 +151,9 @@ typedef struct vbss_scene_config {
      * is left out and counted in `paused`. New targets of graspers, driven bodies and attachments
      * apply to the next step. Any other change by the host abandons the suspended step, which also
      * counts in `paused`, and the next 1000 steps are not suspended. A call may exceed the limit
-     * by the final work of a step and by attempts that the guard refuses. A step that two calls
-     * have suspended is completed by the third, whatever it takes, and counted in `overdue`. So
-     * bodies that touch nothing never miss more than three calls. */
+     * by the final work of a step and by attempts that the guard refuses. If other bodies wait for
+     * it, a step that two calls have suspended is completed by the third, whatever it takes, and
+     * counted in `overdue`. So bodies that touch nothing never miss more than three calls. */
     uint32_t slot_limit;
     /** Largest speed of any point of a driven or coupled body, or of a grasper, on the way to
      * its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that is
@@ -390,7 +390,8 @@ typedef struct vbss_scene_statistics {
     /** Calls after which a step was suspended or had not begun; see slot_limit. */
     uint64_t deferred;
     uint32_t behind; /**< Number of suspended and unbegun steps after the last call, 0 to 2. */
-    /** Steps that two calls had suspended, so that the third completed them without slot_limit. */
+    /** Steps that two calls had suspended while other bodies waited, so that the third completed
+     * them without slot_limit. */
     uint32_t overdue;
 } vbss_scene_statistics;
 

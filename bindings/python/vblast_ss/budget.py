@@ -24,10 +24,10 @@ __all__ = ["CoreSpeed", "core_speed", "fitted_limits"]
 def core_speed(context: Optional[Context] = None, clock: Callable[[], float] = time.perf_counter) -> CoreSpeed:
     """Measures the speed of the processor core, which takes some 40 ms. The clock returns seconds. One that stops,
     jumps or is too coarse raises ClockStoppedError, ClockJumpedError or ClockCoarseError."""
-    context = context_or_new(context)
+    owner = context_or_new(context)
     speed = vbss_core_speed()
-    read = vbss_clock_fn(lambda user: context._guarded(float("nan"), lambda: float(clock())))
-    context._call(lib.vbss_budget_measure_speed, context._handle, read, None, ctypes.byref(speed), ctypes.sizeof(speed))
+    read = vbss_clock_fn(lambda user: owner._guarded(float("nan"), lambda: float(clock())))
+    owner._call(lib.vbss_budget_measure_speed, owner._handle, read, None, ctypes.byref(speed), ctypes.sizeof(speed))
     return value_of(CoreSpeed, speed)
 
 

@@ -17,7 +17,7 @@
 #define ROD_AMPLITUDE 5e-5    /* of the periodic motion */
 #define THREAD_LENGTH 0.06    /* of 100 segments */
 #define THREAD_DISTANCE 30e-3 /* from the middle of the drain */
-enum { THREAD_SEGMENTS = 100, DESCENT_STEPS = 8, SETTLING_STEPS = 8 };
+enum { THREAD_SEGMENTS = 100, DESCENT_STEPS = 8, DAMPED_STEPS = 8 };
 
 static vbss_result create_scene(vbss_context *context, scene_reference *r)
 {
@@ -87,7 +87,7 @@ vbss_result vbss_scene_create_reference(vbss_context *context, scene_reference *
     VBSS_TRY(add_drain(context, r));
     VBSS_TRY(add_thread(context, r));
     VBSS_TRY(add_rod(r));
-    for (int i = 0; i < DESCENT_STEPS + SETTLING_STEPS; i++) {
+    for (int i = 0; i < DESCENT_STEPS + DAMPED_STEPS; i++) {
         VBSS_TRY(vbss_scene_step_reference(r));
     }
     return VBSS_OK;

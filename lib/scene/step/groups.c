@@ -191,6 +191,25 @@ static bool is_free(const scene_object *s, const scene_body *b)
     return true;
 }
 
+bool vbss_scene_do_others_wait(scene_object *s)
+{
+    const scene_body *first = NULL;
+    if (s->cursor.group_count > 1 || !s->cursor.is_attempt_suspended) {
+        return true;
+    }
+    vbss_scene_find_islands(s, true);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (vbss_scene_is_mobile(s, b)) {
+            first = first == NULL ? b : first;
+            if (!vbss_scene_is_in_island(s, b, first)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 bool vbss_scene_put_free_bodies_first(scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;

@@ -48,6 +48,10 @@ void vbss_scene_release_groups(scene_object *s);
  * size of its substep has changed, and the attempt begins again. */
 bool vbss_scene_split_slow_islands(scene_object *s, bool has_all_pairs);
 
+/* Whether other bodies wait for the island whose attempt is suspended. Between two attempts, or in a
+ * divided step, true. */
+bool vbss_scene_do_others_wait(scene_object *s);
+
 /* In the step after an overdue one: lets all wait but bodies that nothing touches and that cost
  * little. True: the group is now one of free bodies, and the attempt begins again. */
 bool vbss_scene_put_free_bodies_first(scene_object *s);

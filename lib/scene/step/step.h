@@ -50,9 +50,10 @@ void vbss_scene_count_rejection(scene_object *s, scene_substep_outcome outcome);
 
 /* ---- substeps.c */
 
-/* Runs substeps to the end of the step, or until the step is suspended (`cursor.is_suspended`).
+/* Runs substeps to the end of the step, or until the step is suspended (`cursor.is_suspended`). An
+ * overdue step is not suspended if other bodies wait for it; the limit of the call is then 0.
  * VBSS_ERROR_CAPACITY: candidates or contacts exceed their capacity; the caller rolls back. */
-vbss_result vbss_scene_run_substeps(scene_object *s);
+vbss_result vbss_scene_run_substeps(scene_object *s, bool is_overdue);
 
 /* Abandons the rest of a suspended step: all bodies stay where they are. vbss_scene_finish_step
  * may follow. */

@@ -334,11 +334,14 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_run_substeps(scene_object *s)
+vbss_result vbss_scene_run_substeps(scene_object *s, bool is_overdue)
 {
     scene_step_cursor *cursor = &s->cursor;
     if (cursor->is_attempt_suspended && !cursor->is_attempt_in_memory) {
         replay_attempt(s);
+    }
+    if (is_overdue && vbss_scene_do_others_wait(s)) {
+        s->contacts->call_budget.operation_limit = 0;
     }
     cursor->is_suspended = true;
     for (bool has_finished_group = false;; has_finished_group = true) {

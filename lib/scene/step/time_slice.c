@@ -4,7 +4,7 @@
  * step that exceeds it is suspended, and the next call resumes it with the same bits. Operations
  * left over go to the next step. So calls stay within their time and no work is lost. Only steps
  * that are too far behind are dropped. A step that two calls have suspended runs to its end in
- * the third, so that bodies beside an expensive island move.
+ * the third if bodies beside the expensive island wait.
  *
  *   resume suspended step -> (finish it -> begin the next) within the budget -> drop overdue steps
  *
@@ -104,16 +104,17 @@ static vbss_result run_slice(scene_object *s, double h, bool is_sliced)
     }
     const uint64_t operations_before = s->contacts->counters.operations;
     const bool is_overdue = is_sliced && cursor->suspensions >= SCENE_MAX_SUSPENSIONS;
-    s->contacts->call_budget.operation_limit =
-        is_sliced && !is_overdue ? operations_before + cursor->operations_left : 0;
-    vbss_result result = vbss_scene_run_substeps(s);
+    uint64_t *limit = &s->contacts->call_budget.operation_limit;
+    *limit = is_sliced ? operations_before + cursor->operations_left : 0;
+    vbss_result result = vbss_scene_run_substeps(s, is_overdue);
     cursor->operations = s->contacts->counters.operations;
     charge_call_budget(cursor, cursor->operations - operations_before);
     if (result == VBSS_OK && !cursor->is_suspended) {
         vbss_scene_finish_step(s);
         charge_call_budget(cursor, step_end_cost(s));
-        cursor->was_overdue = is_overdue;
-        s->report.statistics.overdue += is_overdue; /* after a replay, which restores statistics */
+        /* after a replay, which restores statistics */
+        cursor->was_overdue = is_overdue && *limit == 0;
+        s->report.statistics.overdue += cursor->was_overdue;
     }
     if (was_suspended) {
         swap_targets(s);

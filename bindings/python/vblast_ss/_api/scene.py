@@ -264,9 +264,9 @@ class vbss_scene_config(ctypes.Structure):
     graspers, driven bodies and attachments apply to the next step. Any other change by the host
     abandons the suspended step, which also counts in `paused`, and the next 1000 steps are not
     suspended. A call may exceed the limit by the final work of a step and by attempts that the
-    guard refuses. A step that two calls have suspended is completed by the third, whatever it
-    takes, and counted in `overdue`. So bodies that touch nothing never miss more than three
-    calls.
+    guard refuses. If other bodies wait for it, a step that two calls have suspended is
+    completed by the third, whatever it takes, and counted in `overdue`. So bodies that touch
+    nothing never miss more than three calls.
 
     speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
     way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
@@ -607,8 +607,8 @@ class vbss_scene_statistics(ctypes.Structure):
 
     behind: Number of suspended and unbegun steps after the last call, 0 to 2.
 
-    overdue: Steps that two calls had suspended, so that the third completed them without
-    slot_limit."""
+    overdue: Steps that two calls had suspended while other bodies waited, so that the third
+    completed them without slot_limit."""
     struct_size: int
     contacts: int
     rows: int
