@@ -1,14 +1,13 @@
 """The plot "speed against error": a panel a subject, best at the lower left."""
 import math
+import pathlib
+import sys
 
-import matplotlib
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from plot_suite import COLOURS, MARKERS, plt, set_log  # noqa: E402
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
-
-COLOURS = ["#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999933", "#882255"]
-MARKERS = ["s", "^", "D", "v", "P", "X", "<", ">"]
-OURS = "#0072B2"
+OURS = COLOURS[0]
+PEERS = COLOURS[1:] + ["#999933", "#882255"]
 COLUMNS = 4
 
 
@@ -18,9 +17,9 @@ def styles(points):
     for point in points:
         if point.method not in made:
             if point.ours:
-                made[point.method] = (OURS, "o")
+                made[point.method] = (OURS, MARKERS[0])
             else:
-                made[point.method] = (COLOURS[number % len(COLOURS)], MARKERS[(number + number // len(COLOURS)) % len(MARKERS)])
+                made[point.method] = (PEERS[number % len(PEERS)], MARKERS[1:][(number + number // len(PEERS)) % (len(MARKERS) - 1)])
                 number += 1
     return made
 
@@ -35,8 +34,9 @@ def draw_panel(axes, subject, points, style):
         for q in of:
             whole = q.error > 0.0 and not q.note
             axes.plot(q.cost, max(q.error, floor), marker, color=colour, markersize=5.5,
-                      markerfacecolor=colour if whole else "white", label=method)
-    axes.set(xscale="log", yscale="log")
+                      markerfacecolor=colour if whole else "white", label="ours" if q.ours else method)
+    set_log(axes.xaxis, [q.cost for q in points])
+    set_log(axes.yaxis, [max(q.error, floor) for q in points])
     axes.set_title(subject.title, loc="left", fontsize=9, fontweight="bold")
     axes.set_xlabel(subject.cost, fontsize=8)
     axes.set_ylabel(subject.error, fontsize=8)

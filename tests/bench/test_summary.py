@@ -72,10 +72,10 @@ class Comparison(unittest.TestCase):
 
     def test_the_page_names_better_peers_and_what_was_not_measured(self):
         text = page.page([point("ours", 1.0, 1.0), point("peer", 0.5, 0.5)], [("other peer", "no index")], [], {}, False)
-        self.assertIn("A peer is better here", text)
+        self.assertIn("A peer is ahead here", text)
         self.assertIn("| other peer | no index |", text)
         text = page.page([point("ours", 1.0, 1.0), point("peer", 2.0, 2.0)], [], [], {}, False)
-        self.assertIn("No peer has a setting", text)
+        self.assertIn("For every setting of a peer", text)
 
     def test_a_failed_case_is_reported(self):
         skipped = []
