@@ -9,6 +9,8 @@ usage: bench/run.sh [suite ...] [--quick] [--filter SUBSTRING] [--repetitions N]
   Without a suite, all of them. --quick takes a look: two repetitions, and the files say so.
 bench/run.sh against REV [suite|subject ...] [--quick] [--pairs N] [--seeds N] [--json FILE]
   Measures this revision against another one on the same core: bench/run.sh against --help.
+bench/run.sh summary [--quick] [--core N] [--no-peers] [--out FOLDER]
+  Measures all subjects with their peers, and writes docs/speed-against-error.md: bench/run.sh summary --help.
 END
 }
 
@@ -22,6 +24,11 @@ install() {
 if [[ ${1:-} == against ]]; then
     install against
     exec /usr/bin/python3 -B bench/against/against.py "${@:2}"
+fi
+
+if [[ ${1:-} == summary ]]; then
+    install bench
+    exec /usr/bin/python3 -B bench/summary/summary.py "${@:2}"
 fi
 
 suites=()
