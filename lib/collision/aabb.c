@@ -3,7 +3,15 @@
 
 void vbss_collision_shape_invalidate(collision_shape *s)
 {
-    s->boxes_valid = s->point_bvh_valid = s->edge_bvh_valid = s->triangle_bvh_valid = false;
+    s->boxes_valid = false;
+    if (s->swept_boxes == NULL) {
+        vbss_collision_shape_invalidate_trees(s);
+    }
+}
+
+void vbss_collision_shape_invalidate_trees(collision_shape *s)
+{
+    s->point_bvh_valid = s->edge_bvh_valid = s->triangle_bvh_valid = false;
 }
 
 void vbss_collision_shape_update_boxes(collision_shape *s)
@@ -11,11 +19,12 @@ void vbss_collision_shape_update_boxes(collision_shape *s)
     if (s->boxes_valid) {
         return;
     }
-    collision_aabb root = aabb_empty();
+    collision_aabb root = aabb_empty(),
+                   *boxes = s->swept_boxes != NULL ? s->swept_boxes : s->point_bvh.boxes;
     for (uint32_t i = 0; i < s->node_count; i++) {
         const double start[3] = {s->start[i].x, s->start[i].y, s->start[i].z};
         const double end[3] = {s->end[i].x, s->end[i].y, s->end[i].z};
-        collision_aabb *box = &s->point_bvh.boxes[i];
+        collision_aabb *box = &boxes[i];
         for (int k = 0; k < 3; k++) {
             box->low[k] = vbss_min(start[k], end[k]) - s->inflation;
             box->high[k] = vbss_max(start[k], end[k]) + s->inflation;
@@ -24,6 +33,9 @@ void vbss_collision_shape_update_boxes(collision_shape *s)
     }
     s->root = root;
     s->boxes_valid = true;
+    if (s->swept_boxes != NULL) {
+        vbss_collision_fit_loose_boxes(s);
+    }
 }
 
 void vbss_collision_shape_refit_points(collision_shape *s)

@@ -24,9 +24,10 @@ static void list_active_shapes(collision_object *c)
     }
     vbss_collision_bvh_set_count(&c->shape_bvh, c->active_count);
     c->active_valid = true;
+    c->near_valid = false;
 }
 
-static void refit_shapes(collision_object *c)
+static void update_shapes(collision_object *c)
 {
     if (!c->active_valid) {
         list_active_shapes(c);
@@ -34,7 +35,14 @@ static void refit_shapes(collision_object *c)
     for (uint32_t i = 0; i < c->active_count; i++) {
         collision_shape *s = c->shapes[c->active_shapes[i]];
         vbss_collision_shape_update_boxes(s);
-        c->shape_bvh.boxes[i] = s->root;
+    }
+}
+
+static void refit_shapes(collision_object *c)
+{
+    for (uint32_t i = 0; i < c->active_count; i++) {
+        collision_shape *s = c->shapes[c->active_shapes[i]];
+        c->shape_bvh.boxes[i] = s->swept_boxes != NULL ? s->loose_root : s->root;
         s->edge_offsets_used = s->point_offsets_used = false;
     }
     if (c->active_count > 0) {
@@ -176,7 +184,8 @@ static bool filtered_out(const collision_object *c, uint32_t a, uint32_t b)
 {
     const collision_shape *s = c->shapes[c->active_shapes[a]],
                           *other = c->shapes[c->active_shapes[b]];
-    return (a == b && s->is_rigid) || (s->category & other->mask) == 0 ||
+    bool is_listed = c->caches_separation && !s->has_new_loose_boxes && !other->has_new_loose_boxes;
+    return is_listed || (a == b && s->is_rigid) || (s->category & other->mask) == 0 ||
            (other->category & s->mask) == 0;
 }
 
@@ -221,7 +230,7 @@ static void compute_offsets(collision_object *c)
     }
 }
 
-static void write_candidates(collision_object *c)
+static void write_pairs(collision_object *c, collision_candidate *list)
 {
     uint32_t i = 0;
     compute_offsets(c);
@@ -236,10 +245,52 @@ static void write_candidates(collision_object *c)
         for (; i < end; i++) {
             candidate.a = c->search.pairs[i].a;
             candidate.b = c->search.pairs[i].b;
-            c->candidates[offsets[candidate.a]++] = candidate;
+            list[offsets[candidate.a]++] = candidate;
         }
     }
-    c->candidate_count = c->search.pair_count;
+}
+
+/* Lists all pairs whose boxes in the trees overlap. Returns false if they do not fit. */
+static bool list_pairs(collision_object *c, collision_candidate *list, uint32_t *count)
+{
+    refit_shapes(c);
+    if (!find_pairs(c)) {
+        return false;
+    }
+    write_pairs(c, list);
+    *count = c->search.pair_count;
+    return true;
+}
+
+/* ---- candidates by way of near pairs */
+
+/* Lists the near pairs of shapes with new loose boxes, and adds those of all others. */
+static bool list_near_pairs(collision_object *c)
+{
+    uint32_t count;
+    return list_pairs(c, c->candidates, &count) && vbss_collision_merge_near_pairs(c, count);
+}
+
+/* If the near pairs do not fit, the candidates may still do. */
+static bool update_near_pairs(collision_object *c)
+{
+    if (!vbss_collision_have_boxes_changed(c) || list_near_pairs(c)) {
+        return true;
+    }
+    vbss_collision_tighten_boxes(c);
+    c->tight_searches = COLLISION_TIGHT_SEARCHES;
+    return list_near_pairs(c);
+}
+
+static bool find_candidates_from_near_pairs(collision_object *c)
+{
+    if (c->tight_searches > 0 && --c->tight_searches == 0) {
+        vbss_collision_allow_loose_boxes(c);
+    }
+    vbss_collision_update_search_displacements(c);
+    c->near_valid = update_near_pairs(c) && vbss_collision_filter_near_pairs(c);
+    c->near_count = c->near_valid ? c->near_count : 0;
+    return c->near_valid;
 }
 
 vbss_result vbss_collision_find_candidates(vbss_collision *collision)
@@ -249,19 +300,13 @@ vbss_result vbss_collision_find_candidates(vbss_collision *collision)
     VBSS_TRY(vbss_collision_edit(collision, &c));
     vbss_collision_clear_results(c);
     c->generation++;
-    if (c->caches_separation) {
-        vbss_collision_swap_separation_cache(c);
-    }
     c->search.boxes_tested = 0;
-    refit_shapes(c);
-    if (!find_pairs(c)) {
+    update_shapes(c);
+    if (!(c->caches_separation ? find_candidates_from_near_pairs(c)
+                               : list_pairs(c, c->candidates, &c->candidate_count))) {
         return vbss_fail(c->context, VBSS_ERROR_CAPACITY,
                          "there are more candidates than pair_capacity, %u",
                          c->config.pair_capacity);
-    }
-    write_candidates(c);
-    if (c->caches_separation) {
-        vbss_collision_carry_separations(c);
     }
     c->boxes_tested += c->search.boxes_tested;
     c->searches++;

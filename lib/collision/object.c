@@ -8,7 +8,7 @@
 
 /* ---- memory: one table lists all arrays */
 
-enum { ARRAY_COUNT = 25 };
+enum { ARRAY_COUNT = 27 };
 
 static size_t list_arrays(collision_object *c, vbss_array arrays[ARRAY_COUNT])
 {
@@ -30,9 +30,11 @@ static size_t list_arrays(collision_object *c, vbss_array arrays[ARRAY_COUNT])
         {&c->sort_buffer, pairs, sizeof *c->sort_buffer},
         {&c->buckets, COLLISION_SORT_BUCKETS, sizeof *c->buckets},
         {&c->runs, (size_t)c->run_capacity + 1, sizeof *c->runs},
-        {&c->candidates, pairs, sizeof *c->candidates},
+        {&c->candidates, pairs + 1, sizeof *c->candidates}, /* one for the filter of near pairs */
+        {&c->near_index, separations > 0 ? separations + 1 : 0, sizeof *c->near_index},
+        {&c->near_pairs, separations, sizeof *c->near_pairs},
+        {&c->previous_pairs, separations, sizeof *c->previous_pairs},
         {&c->separations, separations, sizeof *c->separations},
-        {&c->previous_candidates, separations, sizeof *c->previous_candidates},
         {&c->previous_separations, separations, sizeof *c->previous_separations},
         {&c->block, 1, sizeof *c->block},
         {&c->ccd_options.limbs, COLLISION_LIMBS, sizeof *c->ccd_options.limbs},

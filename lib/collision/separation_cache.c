@@ -1,23 +1,21 @@
-/* Separation cache: lower bounds of the distances of candidates, carried from one search to the
- * next.
+/* Separation cache: lower bounds of the distances of near pairs.
  *
- * A caller that has measured the axes of a candidate stores the distance. The next search passes it
- * on to the same pair, reduced by the motion of its nodes. The cache only saves measurements and
- * never changes a result. It is not part of the state, and the caches of two objects with equal
- * positions may differ. */
+ * A caller that has measured the axes of a candidate stores the distance. Each search reduces it by
+ * the motion of the nodes. The cache only saves measurements and never changes a result. It is not
+ * part of the state, and the caches of two objects with equal positions may differ. */
 #include "collision/shapes.h"
-
-/* Factors that make proved bounds safe against rounding, relative to the distance. Chosen. */
-#define ROUNDED_UP (1.0 + 1e-9)
-#define ROUNDED_DOWN (1.0 - 1e-9)
+#include "collision/tuning.h"
 
 /* ---- displacement of nodes */
 
 void vbss_collision_update_displacements(collision_shape *s)
 {
+    double largest = 0.0;
     for (uint32_t i = 0; i < s->node_count; i++) {
         s->displacement[i] = vec3_distance(s->start[i], s->end[i]);
+        largest = vbss_max(s->displacement[i], largest);
     }
+    s->max_displacement = largest;
 }
 
 /* Displacement since the last search; infinite for a shape that has changed since. */
@@ -29,15 +27,6 @@ static void update_search_displacements(collision_shape *s)
         s->search_start[i] = s->start[i];
     }
     s->has_search_start = true;
-}
-
-static inline double max_over_nodes(const double *of_nodes, const uint32_t *nodes, uint32_t count)
-{
-    double largest = of_nodes[nodes[0]];
-    for (uint32_t k = 1; k < count; k++) {
-        largest = vbss_max(of_nodes[nodes[k]], largest);
-    }
-    return largest;
 }
 
 /* Largest value over the nodes of feature a of a candidate, and of feature b. */
@@ -55,79 +44,49 @@ static double max_of_feature_b(const collision_candidate *q, const collision_sha
                                           : max_over_nodes(of_nodes, b->triangles[q->b], 3);
 }
 
+void vbss_collision_update_search_displacements(collision_object *c)
+{
+    for (uint32_t i = 0; i < c->active_count; i++) {
+        update_search_displacements(c->shapes[c->active_shapes[i]]);
+    }
+}
+
 /* ---- cached separations */
 
 void vbss_collision_store_separation(collision_object *c, const collision_candidate *q,
                                      double distance)
 {
-    c->separations[q - c->candidates] = ROUNDED_DOWN * distance;
+    c->separations[c->near_index[q - c->candidates]] = (2.0 - COLLISION_ROUNDED_UP) * distance;
 }
 
 bool vbss_collision_stays_separated(const collision_object *c, const collision_candidate *q,
                                     double distance)
 {
-    const double separation = c->separations[q - c->candidates];
-    if (!(separation > ROUNDED_UP * distance)) {
+    const double separation = collision_separation(c, q);
+    if (!(separation > COLLISION_ROUNDED_UP * distance)) {
         return false;
     }
     const collision_shape *a = c->shapes[q->shape_a], *b = c->shapes[q->shape_b];
+    if (separation >
+        COLLISION_ROUNDED_UP * (distance + (a->max_displacement + b->max_displacement))) {
+        return true; /* most pairs need no look at their nodes */
+    }
     double displacement =
         max_of_feature_a(q, a, a->displacement) + max_of_feature_b(q, b, b->displacement);
-    return separation > ROUNDED_UP * (distance + displacement);
+    return separation > COLLISION_ROUNDED_UP * (distance + displacement);
 }
 
-/* ---- from one search to the next */
+/* ---- from one list of near pairs to the next */
 
 void vbss_collision_swap_separation_cache(collision_object *c)
 {
-    collision_candidate *candidates = c->previous_candidates;
-    double *separation = c->previous_separations;
-    c->previous_candidates = c->candidates;
+    collision_candidate *pairs = c->previous_pairs;
+    double *separations = c->previous_separations;
+    uint32_t count = c->previous_count;
+    c->previous_pairs = c->near_pairs;
     c->previous_separations = c->separations;
-    c->previous_count = c->separation_count;
-    c->candidates = candidates;
-    c->separations = separation;
-    c->separation_count = 0;
-}
-
-static bool is_before(const collision_candidate *p, const collision_candidate *q)
-{
-    return p->kind != q->kind         ? p->kind < q->kind
-           : p->shape_a != q->shape_a ? p->shape_a < q->shape_a
-           : p->a != q->a             ? p->a < q->a
-           : p->shape_b != q->shape_b ? p->shape_b < q->shape_b
-                                      : p->b < q->b;
-}
-
-static bool is_same(const collision_candidate *p, const collision_candidate *q)
-{
-    return p->b == q->b && p->a == q->a && p->shape_b == q->shape_b && p->shape_a == q->shape_a &&
-           p->kind == q->kind;
-}
-
-/* Both lists are sorted. */
-void vbss_collision_carry_separations(collision_object *c)
-{
-    uint32_t k = 0;
-    double displacement_a = 0.0;
-    for (uint32_t i = 0; i < c->active_count; i++) {
-        update_search_displacements(c->shapes[c->active_shapes[i]]);
-    }
-    for (uint32_t i = 0; i < c->candidate_count; i++) {
-        const collision_candidate *q = &c->candidates[i];
-        const collision_shape *a = c->shapes[q->shape_a], *b = c->shapes[q->shape_b];
-        if (i == 0 || q->a != q[-1].a || q->shape_a != q[-1].shape_a || q->kind != q[-1].kind) {
-            displacement_a = max_of_feature_a(q, a, a->search_displacement);
-        }
-        while (k < c->previous_count && is_before(&c->previous_candidates[k], q)) {
-            k++;
-        }
-        bool is_known = k < c->previous_count && is_same(&c->previous_candidates[k], q);
-        c->separations[i] =
-            is_known
-                ? c->previous_separations[k] -
-                      ROUNDED_UP * (displacement_a + max_of_feature_b(q, b, b->search_displacement))
-                : 0.0;
-    }
-    c->separation_count = c->candidate_count;
+    c->previous_count = c->near_count;
+    c->near_pairs = pairs;
+    c->separations = separations;
+    c->near_count = count;
 }

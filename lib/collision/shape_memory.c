@@ -21,7 +21,7 @@ void vbss_collision_exclusion_arrays(const collision_shape *s, collision_exclusi
     memcpy(arrays, all, sizeof all);
 }
 
-enum { ARRAY_COUNT = 23 + COLLISION_EXCLUSION_ARRAYS };
+enum { ARRAY_COUNT = 24 + COLLISION_EXCLUSION_ARRAYS };
 
 typedef struct array_list {
     vbss_array arrays[ARRAY_COUNT];
@@ -66,6 +66,7 @@ static void list_arrays(collision_shape *s, array_list *list)
     add_array(list, &s->search_displacement, s->caches_separation ? n : 0,
               sizeof *s->search_displacement);
     add_array(list, &s->search_start, s->caches_separation ? n : 0, sizeof *s->search_start);
+    add_array(list, &s->swept_boxes, s->caches_separation ? n : 0, sizeof *s->swept_boxes);
     add_bvh(list, &s->point_bvh, n, !chain);
     add_bvh(list, &s->edge_bvh, e, !chain);
     add_bvh(list, &s->triangle_bvh, t, true);

@@ -155,7 +155,7 @@ void vbss_collision_resize_chain(collision_object *c, uint32_t id, uint32_t node
     collision_shape *s = c->shapes[id];
     bool was_disabled = s->is_disabled;
     s->is_disabled = false;
-    s->has_search_start = false;
+    s->has_search_start = s->has_loose_boxes = false;
     s->node_count = node_count;
     s->edge_count = node_count - 1;
     vbss_collision_bvh_set_count(&s->point_bvh, s->node_count);
@@ -320,6 +320,7 @@ vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape,
     VBSS_TRY(vbss_collision_find_shape(c, shape, &s));
     s->category = category;
     s->mask = mask;
+    c->near_valid = false;
     vbss_collision_clear_results(c);
     c->generation++;
     return VBSS_OK;

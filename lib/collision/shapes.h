@@ -118,9 +118,17 @@ typedef struct collision_shape {
     bool is_disabled; /* a chain that is not in use; a search ignores it */
     bool boxes_valid; /* boxes of the points and of the shape are up to date */
     bool point_bvh_valid, edge_bvh_valid, triangle_bvh_valid; /* trees are up to date */
+    /* Near pairs, otherwise NULL: the swept boxes of the points. The trees then hold loose boxes,
+     * which contain them. */
+    collision_aabb *swept_boxes;
+    collision_aabb loose_root; /* AABB of the loose boxes of the points */
+    bool is_tight;             /* loose boxes are the swept boxes */
+    bool has_loose_boxes;      /* loose boxes belong to the present nodes */
+    bool has_new_loose_boxes;  /* loose boxes have changed since near pairs were listed */
     /* Separation cache, otherwise NULL. For each node: displacement from start to end; displacement
      * since the last search; start position of the last search. */
     double *displacement, *search_displacement;
+    double max_displacement; /* of all nodes from start to end */
     vec3 *search_start;
     bool caches_separation, has_search_start;
     collision_aabb root; /* AABB of the whole shape */
@@ -184,8 +192,10 @@ static inline uint64_t near_bit(const uint64_t *row, uint32_t node)
 
 /* ---- AABBs of shapes (aabb.c) */
 
-/* Marks all boxes and trees as out of date. */
+/* Marks all boxes, and trees of swept boxes, as out of date. */
 void vbss_collision_shape_invalidate(collision_shape *shape);
+/* Marks all trees as out of date. */
+void vbss_collision_shape_invalidate_trees(collision_shape *shape);
 /* Changes the end positions without invalidating the candidates. The caller must know that none is
  * missing. */
 void vbss_collision_set_end_positions(collision_shape *shape, const vec3 *end);
@@ -228,6 +238,20 @@ typedef struct collision_candidate {
     uint32_t kind, shape_a, a, shape_b, b;
 } collision_candidate;
 
+/* The order of candidates: negative, 0 or positive if p is before, equal to or after q. */
+static inline int vbss_collision_compare_candidates(const collision_candidate *p,
+                                                    const collision_candidate *q)
+{
+    const uint32_t x[5] = {p->kind, p->shape_a, p->a, p->shape_b, p->b};
+    const uint32_t y[5] = {q->kind, q->shape_a, q->a, q->shape_b, q->b};
+    for (int i = 0; i < 5; i++) {
+        if (x[i] != y[i]) {
+            return x[i] < y[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
 typedef struct collision_traversal {
     const collision_bvh *a, *b; /* trees of the features a and b of the pairs */
     collision_pair_rule rule;
@@ -255,6 +279,25 @@ uint32_t vbss_collision_bvh_query_plain(collision_search *search, const collisio
 uint32_t vbss_collision_bvh_query_wide(collision_search *search, const collision_bvh *bvh,
                                        const collision_aabb *box, uint32_t *features);
 
+/* ---- near pairs (near_pairs.c), for objects created with caches_separation */
+
+/* Lets the loose boxes contain the swept boxes. They stay as they are if they do already. */
+void vbss_collision_fit_loose_boxes(collision_shape *shape);
+/* Makes the loose boxes of all active shapes equal to the swept boxes, or lets them be looser again
+ * once they are next set. */
+void vbss_collision_tighten_boxes(collision_object *c);
+void vbss_collision_allow_loose_boxes(collision_object *c);
+/* Whether near pairs have to be listed again for some shapes: those with new loose boxes, or all if
+ * the list is not valid. */
+bool vbss_collision_have_boxes_changed(collision_object *c);
+/* Replaces the near pairs of shapes with new loose boxes by the first `count` candidates. Separations
+ * stay with their pairs. Returns false, and changes nothing, if the list does not fit. */
+bool vbss_collision_merge_near_pairs(collision_object *c, uint32_t count);
+/* Lists the near pairs whose swept boxes overlap as candidates, and reduces the separations of all
+ * near pairs by the motion since the last search. Returns false if there are more candidates than
+ * the capacity. */
+bool vbss_collision_filter_near_pairs(collision_object *c);
+
 /* ---- separation cache (separation_cache.c), for objects created with caches_separation */
 
 /* Stores the measured distance of a candidate's axes at the start. */
@@ -267,10 +310,19 @@ void vbss_collision_update_displacements(collision_shape *shape);
  * of their nodes between start and end. */
 bool vbss_collision_stays_separated(const collision_object *c, const collision_candidate *candidate,
                                     double distance);
-/* At the start of a search, keep the candidates and separations of the last one; at its end, carry
- * them over to the new candidates. */
+/* Updates the motion of all nodes since the last search. */
+void vbss_collision_update_search_displacements(collision_object *c);
+/* Exchanges the near pairs and their separations with the list before. */
 void vbss_collision_swap_separation_cache(collision_object *c);
-void vbss_collision_carry_separations(collision_object *c);
+/* The largest of these values over two or three nodes. */
+static inline double max_over_nodes(const double *of_nodes, const uint32_t *nodes, uint32_t count)
+{
+    double largest = of_nodes[nodes[0]];
+    for (uint32_t k = 1; k < count; k++) {
+        largest = vbss_max(of_nodes[nodes[k]], largest);
+    }
+    return largest;
+}
 
 /* ---- the object */
 
@@ -306,12 +358,18 @@ struct collision_object {
     uint32_t run_count, run_capacity;
     collision_candidate *candidates;
     uint32_t candidate_count;
-    /* Separation cache: lower bounds of the distances of the candidates' axes at the start, m;
-     * bounds and candidates of the last search; numbers of valid bounds in both lists. */
+    /* Near pairs: all pairs whose loose boxes overlap, in the order of candidates. Candidates are
+     * some of them; near_index is the index of each among the near pairs. The list stays valid
+     * until a swept box leaves its loose box. */
     bool caches_separation;
+    collision_candidate *near_pairs, *previous_pairs;
+    uint32_t near_count, previous_count;
+    bool near_valid;         /* false: all near pairs have to be listed again */
+    uint32_t tight_searches; /* searches left without loose boxes, as near pairs did not fit */
+    uint32_t *near_index;
+    /* Separation cache: lower bounds of the distances of the near pairs' axes at the start, m; and
+     * those of the list before. */
     double *separations, *previous_separations;
-    collision_candidate *previous_candidates;
-    uint32_t previous_count, separation_count;
     collision_block *block;
     uint32_t *impacts; /* indices of the candidates that hit */
     double *times, *distances;
@@ -320,6 +378,12 @@ struct collision_object {
     uint32_t *decisions;
     uint32_t impact_count;
 };
+
+/* Lower bound of the distance of a candidate's axes at the start, m; 0 or less if none is known. */
+static inline double collision_separation(const collision_object *c, const collision_candidate *q)
+{
+    return c->separations[c->near_index[q - c->candidates]];
+}
 
 /* ---- handles (handle.c) */
 

@@ -25,6 +25,7 @@ uint64_t vbss_collision_hash_topology(collision_shape *s)
 void vbss_collision_update_pair_rules(collision_object *c, collision_shape *s)
 {
     s->topology_hash = vbss_collision_hash_topology(s);
+    c->near_valid = false;
     vbss_collision_clear_results(c);
     c->generation++;
 }

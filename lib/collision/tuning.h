@@ -38,6 +38,21 @@
  * Unit: pairs. Origin: chosen. Test: none known. */
 #define COLLISION_INSERTION_SORT_LIMIT VBSS_TUNE(COLLISION_INSERTION_SORT_LIMIT, 24u)
 
+/* ---- Near pairs and separation cache (near_pairs.c, separation_cache.c) */
+
+/* Loose boxes exceed swept boxes by this on all sides. It changes time only.
+ * Unit: 1, relative to the inflation of a swept box. Origin: chosen. Test: none known. */
+#define COLLISION_LOOSENESS VBSS_TUNE(COLLISION_LOOSENESS, 0.25)
+/* Loose boxes also cover this many steps of the present motion. It changes time only.
+ * Unit: steps. Origin: chosen. Test: none known. */
+#define COLLISION_LOOSE_STEPS VBSS_TUNE(COLLISION_LOOSE_STEPS, 4.0)
+/* Searches without loose boxes after near pairs did not fit. It changes time only.
+ * Unit: searches. Origin: chosen. Test: none known. */
+#define COLLISION_TIGHT_SEARCHES VBSS_TUNE(COLLISION_TIGHT_SEARCHES, 64u)
+/* Makes proved bounds of distances safe against rounding.
+ * Unit: 1, relative to the distance. Origin: chosen. Test: collision.separation_bounds. */
+#define COLLISION_ROUNDED_UP VBSS_TUNE(COLLISION_ROUNDED_UP, 1.0 + 1e-9)
+
 /* ---- Baseline (baseline/response.c) */
 
 /* A shorter vector has no direction.

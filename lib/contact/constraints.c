@@ -2,6 +2,7 @@
 #include "base/memory.h"
 #include "contact/contact.h"
 
+#include <stddef.h>
 #include <string.h>
 
 /* ---- creation and destruction */
@@ -128,6 +129,13 @@ static bool find_sort_permutation(const contact_set *set)
     return in_order;
 }
 
+void vbss_contact_move(contact_constraint *to, const contact_constraint *from)
+{
+    memcpy(to, from,
+           offsetof(contact_constraint, jacobian) +
+               from->jacobian_block_count * sizeof *from->jacobian);
+}
+
 /* Applies the permutation cycle by cycle with one temporary copy: records are large, so each moves
  * once. */
 void vbss_contact_sort(contact_set *set)
@@ -139,15 +147,16 @@ void vbss_contact_sort(contact_set *set)
         if (set->sort_permutation[i] == i) {
             continue;
         }
-        const contact_constraint first = set->constraints[i];
+        contact_constraint first;
+        vbss_contact_move(&first, &set->constraints[i]);
         uint32_t to = i;
         for (uint32_t from = set->sort_permutation[to]; from != i;
              from = set->sort_permutation[to]) {
-            set->constraints[to] = set->constraints[from];
+            vbss_contact_move(&set->constraints[to], &set->constraints[from]);
             set->sort_permutation[to] = to;
             to = from;
         }
-        set->constraints[to] = first;
+        vbss_contact_move(&set->constraints[to], &first);
         set->sort_permutation[to] = to;
     }
 }

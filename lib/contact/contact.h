@@ -62,45 +62,45 @@ typedef struct contact_solution {
     double friction_ratio; /* SLIP: friction bound / |augmented friction force|; not of a sleeve */
 } contact_solution;
 
+/* Fields that each solve reads come first. Those that few constraints use come last, so that a
+ * constraint is moved by its first bytes. */
 typedef struct contact_constraint {
     contact_key key;
     uint32_t jacobian_block_count;
-    contact_jacobian_block jacobian[CONTACT_MAX_JACOBIAN_BLOCKS];
+    /* offset of its indices in schur_indices; UINT32_MAX before they are assigned */
+    uint32_t schur_offset;
+    /* index of its geometry in an array of the module that creates it; differs between constraints,
+     * is below the capacity, and stays when the list is sorted */
+    uint32_t geometry;
     /* a tie that also pulls: a grasp or a hole. It holds in the tangent plane without slip. */
     bool is_bilateral;
     bool is_sleeve;                    /* a tie that slides along its normal; see below */
     double stiffness;                  /* normal and tangential stiffness, N/m */
     double friction;                   /* unilateral: coefficient */
     double tangential_stiffness_ratio; /* tangential stiffness / stiffness; 0 for 1 */
+    double augmentation;               /* augmentation parameter r of Alart and Curnier, N/m */
+    vec3 normal;                       /* unit vector from b to a */
+    double gap;                        /* at the trial state, m */
+    /* displacement of a relative to b from the start of the substep to the trial state, m */
+    vec3 relative_displacement;
+    vec3 previous_force;       /* tangential force at the start of the substep, N */
+    contact_solution solution; /* result of the last solve */
     /* Unilateral: at small normal forces the tangential stiffness is reduced so that the friction
      * bound is reached after this displacement, m. 0 for none. */
     double elastic_slip_limit;
-    /* A sleeve holds the suture across its axis, the normal, and lets it slide along it. It sticks below the yield force yield_force + yield_friction[] times the transverse
-     * force, in N; index 0 is for a force against the normal, 1 along it. Either bound may be
-     * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
-     * substep, N/m, lets it slide. The axial force is remembered. */
-    double yield_force, yield_friction[2], viscous_stiffness;
-    vec3 curvature;      /* derivative of the normal as it slides along the normal, 1/m */
-    double augmentation; /* augmentation parameter r of Alart and Curnier, N/m */
-    vec3 normal;         /* unit vector from b to a */
-    double gap;          /* at the trial state, m */
-    /* displacement of a relative to b from the start of the substep to the trial state, m */
-    vec3 relative_displacement;
     /* unilateral: part of `gap` that is overlap from before the substep, which no contact force
      * explains and which this substep does not have to remove, m */
     double recovery_allowance;
     /* unilateral: diameter of the thinner feature; largest penetration allowed at the end of the
      * substep; m */
     double thickness, allowed_penetration;
-
-    contact_solution solution; /* result of the last solve */
-    vec3 previous_force;       /* tangential force at the start of the substep, N */
-
-    /* offset of its indices in schur_indices; UINT32_MAX before they are assigned */
-    uint32_t schur_offset;
-    /* index of its geometry in an array of the module that creates it; differs between constraints,
-     * is below the capacity, and stays when the list is sorted */
-    uint32_t geometry;
+    /* A sleeve holds the suture across its axis, the normal, and lets it slide along it. It sticks below the yield force yield_force + yield_friction[] times the transverse
+     * force, in N; index 0 is for a force against the normal, 1 along it. Either bound may be
+     * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
+     * substep, N/m, lets it slide. The axial force is remembered. */
+    double yield_force, yield_friction[2], viscous_stiffness;
+    vec3 curvature; /* derivative of the normal as it slides along the normal, 1/m */
+    contact_jacobian_block jacobian[CONTACT_MAX_JACOBIAN_BLOCKS];
 } contact_constraint;
 
 /* Stiffness in the tangent plane, N/m. */
@@ -225,6 +225,8 @@ contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key);
  * not needed or there are more than `capacity`. Never NULL. */
 contact_constraint *vbss_contact_try(contact_set *set, const contact_key *key);
 void vbss_contact_sort(contact_set *set);
+/* Copies a constraint, but no unused blocks of its Jacobian, which are most of the record. */
+void vbss_contact_move(contact_constraint *to, const contact_constraint *from);
 /* Index of the constraint with this key in a sorted list, or UINT32_MAX. */
 uint32_t vbss_contact_find(const contact_set *set, const contact_key *key);
 /* Warm start of the sorted constraints. Each gets status and force of the entry with its key, if

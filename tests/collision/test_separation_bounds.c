@@ -1,4 +1,4 @@
-/* What a search hands on of how far candidates are apart: never more than they are. */
+/* Separations that a search carries to the next one, and near pairs, which save it the trees. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -123,7 +123,7 @@ typedef struct counts {
 
 static void check_candidate(fixture *f, const collision_candidate *q, counts *c)
 {
-    double apart = f->object->separations[q - f->object->candidates], smallest = (double)INFINITY;
+    double apart = collision_separation(f->object, q), smallest = (double)INFINITY;
     assert_true(apart <= distance_of(f, q, 0.0));
     c->known += apart > 0.0;
     for (int k = 0; k <= BETWEEN; k++) {
@@ -174,7 +174,7 @@ static uint32_t count_known(const fixture *f)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < f->object->candidate_count; i++) {
-        count += f->object->separations[i] > 0.0;
+        count += collision_separation(f->object, &f->object->candidates[i]) > 0.0;
     }
     return count;
 }
@@ -227,7 +227,8 @@ static void change(harness_source *source, void *user)
     uint32_t others = 0;
     for (uint32_t i = 0; i < f.object->candidate_count; i++) {
         const collision_candidate *q = &f.object->candidates[i];
-        bool of_chain = q->shape_a == 0 || q->shape_b == 0, known = f.object->separations[i] > 0.0;
+        bool of_chain = q->shape_a == 0 || q->shape_b == 0,
+             known = collision_separation(f.object, q) > 0.0;
         assert_true(!(of_chain && known));
         others += known;
     }
@@ -264,7 +265,7 @@ static void leave(harness_source *source, void *user)
     for (uint32_t i = 0; i < f.object->candidate_count; i++) {
         const collision_candidate *q = &f.object->candidates[i];
         bool was_out = q->shape_a == 1 || q->shape_b == 1;
-        assert_true((f.object->separations[i] > 0.0) == !was_out);
+        assert_true((collision_separation(f.object, q) > 0.0) == !was_out);
     }
     end(&f);
 }
@@ -275,6 +276,71 @@ static void non_candidates_have_no_known_separation(void **state)
     harness_property("what was no candidate", FEW, leave, NULL);
 }
 
+/* ---- near pairs */
+
+typedef struct reuse {
+    uint64_t searches, without_trees, tight;
+} reuse;
+
+static void search_and_check(fixture *f, reuse *r)
+{
+    search(f);
+    model_check(&f->m, handle(f), 0);
+    r->searches++;
+    r->without_trees += f->object->search.boxes_tested == 0;
+}
+
+static void wander_and_edit(harness_source *source, void *user)
+{
+    fixture f;
+    begin(&f);
+    add_shapes(&f);
+    place(&f, source);
+    for (int move = 0; move < 4 * MOVES; move++) {
+        go(&f, source);
+        search_and_check(&f, user);
+        if (harness_draw_below(source, 8) == 0) {
+            vbss_collision_resize_chain(f.object, 0, 12, NULL);
+        }
+    }
+    end(&f);
+}
+
+static void near_pairs_give_the_candidates_of_all_pairs(void **state)
+{
+    (void)state;
+    reuse r = {0};
+    harness_property("near pairs", CASES, wander_and_edit, &r);
+    assert_true(getenv("VBSS_PROPERTY_CASE") != NULL ||
+                (4 * r.without_trees > r.searches && 4 * r.without_trees < 3 * r.searches));
+}
+
+/* The capacity is the number of candidates: near pairs do not fit. */
+static void fill(harness_source *source, void *user)
+{
+    reuse *r = user;
+    fixture f;
+    begin_measured(&f, source);
+    f.object->search.pair_capacity = f.object->candidate_count;
+    f.object->near_valid = false;
+    search_and_check(&f, r);
+    r->tight += f.object->tight_searches > 0;
+    f.object->search.pair_capacity = f.m.config.pair_capacity;
+    for (int move = 0; move < 2 * MOVES; move++) {
+        go(&f, source);
+        search_and_check(&f, r);
+    }
+    end(&f);
+}
+
+static void candidates_fit_where_near_pairs_do_not(void **state)
+{
+    (void)state;
+    reuse r = {0};
+    harness_property("near pairs that do not fit", FEW, fill, &r);
+    assert_true(getenv("VBSS_PROPERTY_CASE") != NULL || r.tight > FEW / 2);
+}
+
 int test_separation_bounds(void)
 {
     const struct CMUnitTest tests[] = {
@@ -282,6 +348,8 @@ int test_separation_bounds(void)
         harness_test(separation_of_resting_pairs_persists),
         harness_test(changed_chain_drops_known_separation),
         harness_test(non_candidates_have_no_known_separation),
+        harness_test(near_pairs_give_the_candidates_of_all_pairs),
+        harness_test(candidates_fit_where_near_pairs_do_not),
     };
     return cmocka_run_group_tests_name("collision.separation_bounds", tests, NULL, NULL);
 }

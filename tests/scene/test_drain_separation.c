@@ -125,7 +125,8 @@ static void with_and_without_what_is_known(harness_source *source, void *user)
         row_copy *rows = copy_rows(o);
         c->known += count_known(o);
         c->near += count;
-        o->collision->separation_count = 0; /* nothing is known any more */
+        o->collision->near_valid = false; /* nothing is known any more */
+        o->collision->near_count = 0;
         assert_true(vbss_scene_create_contacts(o, &part));
         expect_same_rows(o, rows, count);
         free(rows);

@@ -59,32 +59,41 @@ static double time_of_impact(scene_object *s, const ccd_query *query, contact_sc
     return hit;
 }
 
+/* Bounds the relative displacement of two features in the substep, m. */
+static double total_displacement_of(const scene_object *s, const collision_candidate *q)
+{
+    return s->bodies[s->body_of_shape[q->shape_a]].max_displacement +
+           s->bodies[s->body_of_shape[q->shape_b]].max_displacement;
+}
+
 /* Time of impact of a suture and a wall near holes. The contact scale changes on the way, so it is
  * evaluated again at each hit. A point that leaves its hole is tested from the last sample inside
  * the hole. */
 static double time_of_impact_at_holes(scene_object *s, const collision_candidate *q,
-                                      const scene_axis_interval *interval)
+                                      const scene_axis_interval *interval,
+                                      double scale_during_motion)
 {
     const double contact_distance = scene_ccd_contact_distance(s, q);
-    const double total_displacement = s->bodies[s->body_of_shape[q->shape_a]].max_displacement +
-                                      s->bodies[s->body_of_shape[q->shape_b]].max_displacement;
+    const double total_displacement = total_displacement_of(s, q);
     const double slow_interval =
         total_displacement > 0.0
             ? SCENE_CCD_SLOW_MOTION_RATIO * contact_distance / total_displacement
             : 1.0;
     const double sample_interval = vbss_max(1.0 / SCENE_CCD_HOLE_EVALUATIONS, slow_interval);
     ccd_query query = {q, interval, 0.0};
-    const double scale_during_motion =
-        vbss_scene_contact_scale_at_wall(s, &query, contact_distance, total_displacement);
+    bool starts_in_hole = false;
     for (uint32_t i = 0; i < SCENE_CCD_HOLE_QUERIES && query.start_fraction < 1.0; i++) {
-        contact_scales scales = {vbss_scene_contact_scale_at_wall(s, &query, contact_distance, 0.0),
-                                 scale_during_motion, false};
+        contact_scales scales = {
+            starts_in_hole ? 0.0
+                           : vbss_scene_contact_scale_at_wall(s, &query, contact_distance, 0.0),
+            scale_during_motion, false};
         if (scales.at_start <= 0.0) {
             const ccd_query next = {q, interval,
                                     vbss_min(query.start_fraction + sample_interval, 1.0)};
             scales.at_start = vbss_scene_contact_scale_at_wall(s, &next, contact_distance, 0.0);
             scales.leaves_hole = true;
-            if (scales.at_start <= 0.0) {
+            starts_in_hole = scales.at_start <= 0.0;
+            if (starts_in_hole) {
                 query.start_fraction = next.start_fraction;
                 continue;
             }
@@ -118,14 +127,17 @@ static double time_of_impact_beside_holes(scene_object *s, const collision_candi
         needle->kind != SCENE_BODY_RIGID || needle->rigid.needle == NULL) {
         return 1.0;
     }
-    const double reach = SCENE_EXCLUSION_ARC_RATIO * scene_ccd_contact_distance(s, q);
+    const double contact_distance = scene_ccd_contact_distance(s, q);
+    const double reach = SCENE_EXCLUSION_ARC_RATIO * contact_distance;
     scene_axis_interval interval = {.started = false};
     double earliest = 1.0;
     while (vbss_scene_next_axis_interval(s, needle, first ? q->a : q->b, drain, first ? q->b : q->a,
                                          reach, &interval)) {
         const ccd_query query = {q, &interval, 0.0};
         if (time_of_approach(s, &query, scene_ccd_min_contact_distance(s, q)) < 1.0) {
-            earliest = vbss_min(time_of_impact_at_holes(s, q, &interval), earliest);
+            double scale = vbss_scene_contact_scale_at_wall(s, &query, contact_distance,
+                                                            total_displacement_of(s, q));
+            earliest = vbss_min(time_of_impact_at_holes(s, q, &interval, scale), earliest);
         }
     }
     return earliest;
@@ -171,7 +183,8 @@ double vbss_scene_refine_time_of_impact(scene_object *s, const collision_candida
     const double scale = vbss_scene_contact_scale_of_pair(s, q, scene_ccd_contact_distance(s, q));
     double coordinates[3];
     if (scale < 1.0 && is_of_suture_and_wall(s, q)) {
-        return vbss_min(time_of_impact_at_holes(s, q, NULL), time_of_impact_beside_holes(s, q));
+        return vbss_min(time_of_impact_at_holes(s, q, NULL, scale),
+                        time_of_impact_beside_holes(s, q));
     }
     if (scale <= 0.0) {
         return 1.0;

@@ -107,7 +107,7 @@ void vbss_scene_remove_duplicate_contacts(scene_object *s)
     for (uint32_t i = 0; i < set->count; i++) {
         if (!s->scratch.is_duplicate[i]) {
             if (count < i) {
-                set->constraints[count] = set->constraints[i];
+                vbss_contact_move(&set->constraints[count], &set->constraints[i]);
             }
             count++;
         }
