@@ -444,11 +444,13 @@ static void punctured(stitch *t, uint32_t id)
 /* The wall springs back from a tip that has entered it, and now and then off it again: that goes on pressing. */
 static bool sprang_off(stitch *t, uint32_t id)
 {
-    bool just = t->state == STITCH_CROSS && t->since < SPRINGS && id == t->holes[SITE_RIGHT];
+    const int side = t->state == STITCH_DRAW ? SITE_LEFT : SITE_RIGHT;
+    const bool has_just_entered = t->state == STITCH_CROSS || t->state == STITCH_DRAW;
+    const bool just = has_just_entered && t->since < SPRINGS && id == t->holes[side];
     if (just) {
-        t->holes[SITE_RIGHT] = 0;
+        t->holes[side] = 0;
         t->punctures--;
-        enter_state(t, STITCH_ENTER);
+        enter_state(t, side == SITE_RIGHT ? STITCH_ENTER : STITCH_LEAVE);
     }
     return just;
 }
