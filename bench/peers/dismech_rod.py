@@ -39,7 +39,7 @@ DENSITY = p.LINEAR_DENSITY * MG / MM / (math.pi * RADIUS**2)
 
 
 class Rod:
-    def lay(self, points, h, gravity=0.0, friction=0.0, collide=True):
+    def set_points(self, points, h, gravity=0.0, friction=0.0, collide=True):
         """A builder with the rod through the points, m."""
         builder = newton.ModelBuilder(gravity=(0.0, -gravity * MM / MS**2, 0.0))
         DiSMechSolver.register_custom_attributes(builder)
@@ -74,7 +74,7 @@ class Thread(Rod):
     def __init__(self, segments, h):
         length = p.LENGTH / (segments - 0.5)  # the first segment is held in its middle
         line = np.stack([length * (np.arange(segments + 1) - 0.5)] + [np.zeros(segments + 1)] * 2, axis=1)
-        builder = self.lay(line, h, gravity=p.GRAVITY, collide=False)
+        builder = self.set_points(line, h, gravity=p.GRAVITY, collide=False)
         fix_segment(builder, self.bodies[0])
         self.begin(builder, theta=0.5, exact=True, iterations=4, self_contact=False)
 
@@ -109,7 +109,7 @@ class LedRod(Rod):
 
 class Capstan(LedRod):
     def __init__(self, segments, h):
-        builder = self.lay(p.capstan_points(segments), h, friction=p.FRICTION)
+        builder = self.set_points(p.capstan_points(segments), h, friction=p.FRICTION)
         cfg = newton.ModelBuilder.ShapeConfig(mu=p.FRICTION)
         builder.add_shape_capsule(-1, radius=MM * p.CYLINDER, half_height=20.0, cfg=cfg)  # along z
         self.hold(builder, (segments,))
@@ -121,7 +121,7 @@ class Capstan(LedRod):
 
 class Trefoil(LedRod):
     def __init__(self, segments, h):
-        builder = self.lay(p.trefoil_points(segments), h, friction=p.KNOT_FRICTION)
+        builder = self.set_points(p.trefoil_points(segments), h, friction=p.KNOT_FRICTION)
         self.hold(builder, (0, segments))
         self.begin(builder)
 

@@ -88,7 +88,7 @@ class EndLoad(ea.NoForces):
 class LedRod(Rod):
     """A rod through given points, straight at rest, whose ends are led against drag."""
 
-    def lay(self, points, nodes, h):
+    def set_points(self, points, nodes, h):
         self.world = World()
         points = MM * points
         edges = np.diff(points, axis=0)
@@ -131,7 +131,7 @@ class Capstan(LedRod):
     STIFFNESS, DAMPING, SLIP = 2e4, 1.0, 1e3  # mN/mm, mN ms/mm, mN ms/mm
 
     def __init__(self, segments, h):
-        self.lay(p.capstan_points(segments), (segments,), h)
+        self.set_points(p.capstan_points(segments), (segments,), h)
         z, x = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0])
         post = ea.Cylinder(-20.0 * z, z, x, 40.0, MM * p.CYLINDER, 1.0)
         self.world.append(post)
@@ -152,7 +152,7 @@ class Trefoil(LedRod):
     STIFFNESS, DAMPING = 4e4, 5.0
 
     def __init__(self, segments, h):
-        self.lay(p.trefoil_points(segments), (0, segments), h)
+        self.set_points(p.trefoil_points(segments), (0, segments), h)
         self.world.detect_contact_between(self.rod, self.rod).using(ea.RodSelfContact, k=self.STIFFNESS, nu=self.DAMPING)
         self.begin(h)
 

@@ -55,16 +55,16 @@ def found_crossings(line):
             number += 1
 
 
-def least_distance(points, apart):
+def min_distance(points, apart):
     """Between segments of the polygon that are at least `apart` from each other along it."""
     a, d = points[:-1], np.diff(points, axis=0)
     at = np.concatenate(([0.0], np.cumsum(np.linalg.norm(d, axis=1))))
-    least = math.inf
+    smallest = math.inf
     for i in range(len(a)):
         later = at[:-1] - at[i + 1] >= apart
         if later.any():
-            least = min(least, segments_distance(a[i], d[i], a[later], d[later]).min())
-    return least
+            smallest = min(smallest, segments_distance(a[i], d[i], a[later], d[later]).min())
+    return smallest
 
 
 def segments_distance(a, d, b, e):

@@ -65,7 +65,7 @@ def run_trefoil(made, clock):
             kept = kept and judge.determinant(np.asarray(made.positions())) == 3
     points = np.asarray(made.positions())
     kept = kept and judge.determinant(points) == 3
-    nearest = judge.least_distance(points, 3.0 * p.DIAMETER) / p.DIAMETER
+    nearest = judge.min_distance(points, 3.0 * p.DIAMETER) / p.DIAMETER
     return {"error_percent": 100.0 * max(0.0, 1.0 - nearest), "nearest_D": nearest, "kept": kept, "pull_N": made.pull()}
 
 

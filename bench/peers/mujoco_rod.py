@@ -82,7 +82,7 @@ class Thread:
 class Led:
     """A rod whose end nodes hang on bodies that are led."""
 
-    def lay(self, points, h, nodes, contact, bodies=""):
+    def set_points(self, points, h, nodes, contact, bodies=""):
         led = "".join(f'<body name="led{i}" mocap="true"/>' for i in range(len(nodes)))
         connects = "".join(f'<connect name="led{i}" body1="rod_{node}" body2="led{i}" anchor="0 0 0"/>'
                            for i, node in enumerate(nodes))
@@ -122,7 +122,7 @@ class Capstan(Led):
     def __init__(self, segments, h):
         post = (f'<geom type="capsule" fromto="0 0 -20 0 0 20" size="{p.CYLINDER * MM}" condim="3" '
                 f'friction="{p.FRICTION} 0 0"/>')
-        self.lay(p.capstan_points(segments), h, (segments,), f'selfcollide="none" friction="{p.FRICTION} 0 0"', post)
+        self.set_points(p.capstan_points(segments), h, (segments,), f'selfcollide="none" friction="{p.FRICTION} 0 0"', post)
         self.first = self.model.body("rod_0").id
 
     def advance(self, seconds, load, speed):
@@ -132,7 +132,7 @@ class Capstan(Led):
 
 class Trefoil(Led):
     def __init__(self, segments, h):
-        self.lay(p.trefoil_points(segments), h, (0, segments), f'friction="{p.KNOT_FRICTION} 0 0"')
+        self.set_points(p.trefoil_points(segments), h, (0, segments), f'friction="{p.KNOT_FRICTION} 0 0"')
 
     def advance(self, seconds, speed):
         self.steps(seconds, [[0.0, 0.0, -speed], [0.0, 0.0, speed]])

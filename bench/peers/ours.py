@@ -55,8 +55,8 @@ class Trefoil:
 
     def advance(self, seconds, speed):
         for _ in range(round(seconds / self.h)):
-            for end, place, way in zip(self.ends, self.at, (-1.0, 1.0)):
-                place[2] += way * speed * self.h
+            for end, place, direction in zip(self.ends, self.at, (-1.0, 1.0)):
+                place[2] += direction * speed * self.h
                 self.thread.move(end, place.tolist())
             self.scene.step(self.h)
 

@@ -101,7 +101,7 @@ static inline void set_bending(const vbss_shell_group *g, lanes foot[3][3], patc
             f->bending[i][3 + m] = lanes_sub(lanes_splat(0.0), stiffness_foot[m][i]);
         }
         for (int k = m; k < 3; k++) {
-            f->bending[3 + m][3 + k] = bend[k];
+            f->bending[3 + m][3 + k] = g->bending_stiffness[symmetric_index[m][k]];
         }
     }
     for (int i = 1; i < 3; i++) {

@@ -80,7 +80,7 @@ typedef enum vbss_role {
 /* An entry of the factor. Its column is implied; row and column count in elimination order. */
 typedef struct vbss_entry {
     uint32_t row;
-    uint32_t index; /* index of its block in off_diagonal and scaled */
+    uint32_t index; /* index of its block in off_diagonal */
 } vbss_entry;
 
 /* A pair of coupled blocks. */
@@ -190,7 +190,7 @@ typedef struct vbss_system {
     block *diagonal;
     /* couplings of bodies, then fill; the block's column is the one eliminated first */
     block *off_diagonal;
-    block *scaled; /* off_diagonal of the factor times D^-1 */
+    block *scaled; /* entry -> off_diagonal of the factor times D^-1 */
     vec3 *rhs;
     vec3 *solution; /* increments; zero for prescribed blocks */
     vbss_pivot *pivots;

@@ -84,8 +84,7 @@ static inline void condense_rhs_column(vbss_system *s, uint32_t k)
     vbss_pivot *pivot = &s->pivots[k];
     pivot->y = reduce_rhs(s->rhs[s->order[k]], pivot);
     for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
-        const block *z = &s->scaled[s->entries[e].index];
-        subtract_rhs(&s->rhs[s->order[s->entries[e].row]], z, pivot->y);
+        subtract_rhs(&s->rhs[s->order[s->entries[e].row]], &s->scaled[e], pivot->y);
     }
 }
 
@@ -107,18 +106,20 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
         const vbss_entry *begin = s->entries + s->column_start[k];
         const vbss_entry *end = s->entries + s->column_start[k + 1];
         const uint32_t *product = s->products + s->product_start[k];
+        block *scaled = s->scaled + s->column_start[k];
+        const block *scaled_end = s->scaled + s->column_start[k + 1];
         for (const vbss_entry *e = begin; e < end; e++) {
-            scale_entry(&s->off_diagonal[e->index], &s->scaled[e->index], pivot);
+            scale_entry(&s->off_diagonal[e->index], &scaled[e - begin], pivot);
         }
         for (const vbss_entry *q = begin; q < end; q++) {
             /* a copy, because for the compiler the blocks changed below could alias it */
             const block_broadcast left = block_make_broadcast(&s->off_diagonal[q->index]);
             uint32_t row = s->order[q->row];
-            const block *z = &s->scaled[q->index];
+            const block *z = &scaled[q - begin];
             subtract_product(&s->diagonal[row], &left, z);
             subtract_rhs(&s->rhs[row], z, pivot->y);
-            for (const vbss_entry *p = q + 1; p < end; p++) {
-                subtract_product(&s->off_diagonal[*product++], &left, &s->scaled[p->index]);
+            for (const block *p = z + 1; p < scaled_end; p++) {
+                subtract_product(&s->off_diagonal[*product++], &left, p);
             }
         }
     }
@@ -145,7 +146,7 @@ void VBSS_WIDE_NAME(vbss_system_back_substitute_interior)(vbss_system *s)
         const vbss_pivot *p = &s->pivots[k - 1];
         vec3 x = vec3_make(p->y.x * p->inverse[0], p->y.y * p->inverse[1], p->y.z * p->inverse[2]);
         for (uint32_t e = s->column_start[k - 1]; e < s->column_start[k]; e++) {
-            const block *z = &s->scaled[s->entries[e].index];
+            const block *z = &s->scaled[e];
             vec3 later = s->solution[s->order[s->entries[e].row]];
             x.x -= dot_lanes(z->column[0], later);
             x.y -= dot_lanes(z->column[1], later);

@@ -39,7 +39,7 @@ static void list_arrays(vbss_system *s, vbss_array arrays[PARTS])
         {&s->symbolic_scratch, 9 * blocks, sizeof *s->symbolic_scratch},
         {&s->diagonal, blocks, sizeof *s->diagonal},
         {&s->off_diagonal, off_diagonals, sizeof *s->off_diagonal},
-        {&s->scaled, off_diagonals, sizeof *s->scaled},
+        {&s->scaled, entries, sizeof *s->scaled},
         {&s->rhs, blocks, sizeof *s->rhs},
         {&s->solution, blocks, sizeof *s->solution},
         {&s->pivots, blocks, sizeof *s->pivots},

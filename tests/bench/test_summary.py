@@ -40,12 +40,12 @@ class Judge(unittest.TestCase):
         curve[:, 0] = np.linspace(0.0, 1e-3, len(curve))
         self.assertEqual(judge.determinant(curve), 1)
 
-    def test_least_distance_is_between_segments(self):
+    def test_min_distance_is_between_segments(self):
         u = np.array([[0.0, 0, 0], [10, 0, 0], [10, 5, 1], [5, 5, 1], [5, -5, 1]])
-        self.assertAlmostEqual(judge.least_distance(u, 3.0), 1.0)
+        self.assertAlmostEqual(judge.min_distance(u, 3.0), 1.0)
 
     def test_neighbours_do_not_count(self):
-        self.assertEqual(judge.least_distance(np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), 1.0), math.inf)
+        self.assertEqual(judge.min_distance(np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), 1.0), math.inf)
 
 
 class Problem(unittest.TestCase):
@@ -67,7 +67,7 @@ class Comparison(unittest.TestCase):
         for cost, error, better in ((2.0, 2.0, False), (2.0, 0.5, True), (0.5, 9.0, True), (4.0, 0.1, False)):
             self.assertEqual(points.beats_us(point("peer", cost, error), listed), better)
 
-    def test_a_lost_knot_beats_nobody(self):
+    def test_a_lost_knot_beats_none(self):
         self.assertFalse(points.beats_us(point("peer", 0.1, 0.0, note="lost"), [point("ours", 1.0, 1.0)]))
 
     def test_the_page_names_better_peers_and_what_was_not_measured(self):
