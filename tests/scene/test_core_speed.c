@@ -373,7 +373,7 @@ static void fitted_limits_fit_a_slow_machine(void **state)
     const simulated_run fitted = pull_knot(slow.operations_per_microsecond, true);
     assert_int_equal(fast.late, 0);
     assert_true(unfitted.late > PULLED_CALLS / 4);
-    /* Fourth calls that complete a step, which have no limit: 0.9 % are late, and none by more than a tenth. */
+    /* Attempts that the guard refuses are repeated without a limit: few, and none late by more than a tenth. */
     assert_in_range(fitted.late, 0, PULLED_CALLS / 100);
     assert_true(fitted.longest < 1.15e-3 && unfitted.longest > 1.9e-3);
     assert_true(fitted.lost > fast.lost); /* which the statistics report */
