@@ -78,9 +78,7 @@ typedef struct vbss_drain_config {
      * of a node tears off permanently above this stress times the node's area of the strip. Each step tears
      * off at most one anchor: the one with the largest overload. */
     double tear_stress;
-    /** Method OURS: largest increment of the last linearisation, m, 1e-15 to 1; default 1e-6. A
-     * correction follows an increment u only where u^2 / thickness exceeds the tolerance, as
-     * Newton's method converges quadratically. */
+    /** Method OURS: largest increment of the last linearisation, m, 1e-15 to 1; default 1e-6. */
     double position_tolerance;
     /** Method OURS: a step in which a node would move farther than this gets one more linearisation. A step
      * in which it would move four times as far is halved. m, 1e-9 to 1; default 1e-3. */

@@ -242,10 +242,6 @@ void vbss_drain_reset_trial(drain_object *d);
 /* Largest increment of a node in the system's solution, m. `first`: first block of the drain. */
 double vbss_drain_largest_increment(const drain_object *d, const vbss_system *s, uint32_t first);
 
-/* Whether the correction that follows this largest increment, m, may exceed the tolerance. Newton's
- * method converges quadratically, so it may not after a small increment. */
-bool vbss_drain_needs_correction(const drain_object *d, double increment);
-
 /* Moves the trial state by the increments in the system's solution. */
 void vbss_drain_apply_increment(drain_object *d, const vbss_system *s, uint32_t first);
 

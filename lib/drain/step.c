@@ -35,7 +35,7 @@ static bool linearise(drain_object *d, const drain_substep *substep, increment_s
         return false;
     }
     vbss_drain_apply_increment(d, d->system, 0);
-    if (!vbss_drain_needs_correction(d, m->newton)) {
+    if (m->newton <= d->config.position_tolerance) {
         return true;
     }
     vbss_drain_assemble_rhs(d, substep, d->system, 0);

@@ -1,7 +1,6 @@
 /* Substep of a drain, on its own or in a scene: trial state, increments, commit, end of
  * the step. */
 #include "drain/drain.h"
-#include "drain/tuning.h"
 
 #include <string.h>
 
@@ -17,13 +16,6 @@ double vbss_drain_largest_increment(const drain_object *d, const vbss_system *s,
         largest = vbss_max_or_nan(vec3_norm(s->solution[first + i]), largest);
     }
     return largest;
-}
-
-bool vbss_drain_needs_correction(const drain_object *d, double increment)
-{
-    const double tolerance = d->config.position_tolerance,
-                 length = DRAIN_CORRECTION_LENGTH_RATIO * d->config.thickness;
-    return increment > tolerance && increment * increment > tolerance * length;
 }
 
 void vbss_drain_apply_increment(drain_object *d, const vbss_system *s, uint32_t first)

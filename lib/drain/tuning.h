@@ -10,10 +10,6 @@
 
 /* ---- Newton (step.c; also lib/scene) */
 
-/* The correction after an increment u is about u^2 / length.
- * Unit: 1, relative to the wall's thickness. Origin: fitted: corrections in a surgeon's first throw
- * (docs/notebook/drain-corrections.md). Test: drain.drain_dynamics. */
-#define DRAIN_CORRECTION_LENGTH_RATIO VBSS_TUNE(DRAIN_CORRECTION_LENGTH_RATIO, 1.0)
 /* A larger correction is dropped.
  * Unit: 1, relative to the increment before. Origin: chosen. Test: session. */
 #define DRAIN_MAX_CORRECTION_RATIO VBSS_TUNE(DRAIN_MAX_CORRECTION_RATIO, 0.5)

@@ -52,6 +52,9 @@
  * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
  * session. */
 #define SCENE_CORRECTION_COST VBSS_TUNE(SCENE_CORRECTION_COST, 12)
+/* A correction of drains begins while a step has used no more than this of its operations.
+ * Unit: 1, relative to work_limit. Origin: chosen: docs/notebook/drain-corrections.md. Test: session. */
+#define SCENE_CORRECTION_BUDGET_RATIO VBSS_TUNE(SCENE_CORRECTION_BUDGET_RATIO, 0.4)
 /* A search leaves this much work for another linearisation and its solve.
  * Unit: halves of a linearisation. Origin: chosen. Test: halved session; doubled scene-tools, session. */
 #define SCENE_RESERVE_HALVES VBSS_TUNE(SCENE_RESERVE_HALVES, 3)

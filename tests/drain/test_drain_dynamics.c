@@ -54,15 +54,13 @@ static double lag(vbss_drain_mesh mesh, vec3 displacement, double speed)
 }
 
 /* A feasibility study saw 2 um at 40 mm/s and 9 um at 200 mm/s for another way of 157 nodes. Seen here, 137 and 159
- * nodes: closing 4.7, 5.2 um at 20 mm/s without a correction, 3.3 um at 40 mm/s, 10.6, 11.6 um at 200 mm/s; lifting 2.7,
- * 1.6 and 10.6, 6.2 um. */
+ * nodes: closing 2.3, 2.6 um and 10.5, 11.6 um; lifting 3.0, 1.6 and 12.1, 6.2 um. */
 static void one_newton_step_matches_converged_step(void **state)
 {
     (void)state;
     const vec3 closing = {0.0, 0.0, 1.0}, lifting = {0.0, 1.0, 0.0};
     for (vbss_drain_mesh mesh = VBSS_DRAIN_MESH_137; mesh <= VBSS_DRAIN_MESH_159; mesh++) {
-        assert_true(lag(mesh, closing, 0.02) < 5.5e-6);
-        assert_true(lag(mesh, closing, 0.04) < 3.5e-6);
+        assert_true(lag(mesh, closing, 0.04) < 3e-6);
         assert_true(lag(mesh, closing, 0.2) < 13e-6);
         assert_true(lag(mesh, lifting, 0.04) < 3.5e-6);
         assert_true(lag(mesh, lifting, 0.2) < 13e-6);

@@ -240,8 +240,7 @@ static drain_moves measure_drain_moves(scene_object *s)
             b->max_increment = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
             b->drain->statistics.linearisations++;
             m.is_finite = m.is_finite && b->max_increment < DIVERGENCE_LIMIT;
-            m.needs_correction =
-                m.needs_correction || vbss_drain_needs_correction(b->drain, b->max_increment);
+            m.needs_correction = m.needs_correction || b->max_increment > c->position_tolerance;
             m.is_too_far = m.is_too_far || b->max_increment > DRAIN_MAX_MOVE_RATIO * c->move_limit;
         }
     }
@@ -351,6 +350,17 @@ static bool is_diverging(const scene_object *s, const scene_substep *substep,
            stretch > SCENE_CONVERGING_RATIO * previous_stretch;
 }
 
+/* Whether the step has operations to spare for a correction. It repeats the search, and a search that
+ * its limit stops is less accurate than the correction is worth. Parts of a step, which leave trouble,
+ * always get theirs. */
+static bool has_budget_for_correction(const scene_object *s)
+{
+    const uint64_t operations = s->contacts->counters.operations - s->cursor.operations_before,
+                   budget = s->step.budget - s->cursor.operations_before;
+    return s->step.budget == 0 || s->cursor.size < 1.0 ||
+           (double)operations <= SCENE_CORRECTION_BUDGET_RATIO * (double)budget;
+}
+
 /* Applies the increments of a search to the trial state. `needs_correction`: whether a
  * correction follows. */
 static scene_substep_outcome apply_increments(scene_object *s, const scene_substep *substep,
@@ -377,7 +387,8 @@ static scene_substep_outcome apply_increments(scene_object *s, const scene_subst
         newton->is_converged = false;
         newton->needle_linearisations++;
     }
-    *needs_correction = newton->is_converged && moves.needs_correction && !newton->has_correction;
+    *needs_correction = newton->is_converged && moves.needs_correction && !newton->has_correction &&
+                        has_budget_for_correction(s);
     return SCENE_SUBSTEP_ACCEPTED;
 }
 

@@ -118,8 +118,7 @@ class vbss_drain_config(ctypes.Structure):
     overload.
 
     position_tolerance: Method OURS: largest increment of the last linearisation, m, 1e-15 to 1;
-    default 1e-6. A correction follows an increment u only where u^2 / thickness exceeds the
-    tolerance, as Newton's method converges quadratically.
+    default 1e-6.
 
     move_limit: Method OURS: a step in which a node would move farther than this gets one more
     linearisation. A step in which it would move four times as far is halved. m, 1e-9 to 1;
