@@ -181,7 +181,9 @@ vbss_result vbss_object_save(const void *handle, const vbss_kind *kind, uint8_t 
         return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "%s save: %llu bytes of %llu",
                          kind->name, (unsigned long long)capacity, (unsigned long long)need);
     }
-    VBSS_TRY(vbss_check_pointer(slot->context, bytes, "bytes"));
+    if (bytes == NULL) {
+        return vbss_check_pointer(slot->context, bytes, "bytes");
+    }
     return vbss_snapshot_save(slot, bytes, need, &need);
 }
 

@@ -121,6 +121,7 @@ static void read_slow_signals(openhaptics_object *o, haptic_arm *a)
  * from an arm that no hand holds, or from one whose encoders give no data. */
 static void watch_transform(openhaptics_object *o, haptic_arm *a, const double transform[16])
 {
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): to the bit */
     if (memcmp(transform, a->last_transform, sizeof a->last_transform) != 0) {
         memcpy(a->last_transform, transform, sizeof a->last_transform);
         a->transform_change_tick = o->tick;

@@ -6,13 +6,15 @@
 
 static void copy_bytes(fuzz_bytes *to, const fuzz_bytes *from)
 {
-    if (to->room < from->count) {
+    if (to->data == NULL || to->room < from->count) {
         free(to->data);
         to->room = 2 * from->count;
         to->data = malloc(to->room);
     }
-    memcpy(to->data, from->data, from->count);
-    to->count = from->count;
+    to->count = to->data == NULL ? 0 : from->count;
+    if (to->data != NULL) {
+        memcpy(to->data, from->data, from->count);
+    }
 }
 
 /* One of the twins is restored to the state that it has. From then on it must go on as the other. */
