@@ -112,12 +112,12 @@ static void faulty_clocks_are_refused(void **state)
     for (int i = 0; i < 3; i++) {
         const made_clock jumps[] = {{.step = STEP, .fault_at = at[i], .fault = -2.0 * STEP},
                                     {.step = STEP, .fault_at = at[i], .fault = 2.0}};
-        const made_clock infinite = {.step = STEP, .fault_at = at[i], .fault = INFINITY};
+        const made_clock infinite = {.step = STEP, .fault_at = at[i], .fault = (double)INFINITY};
         expect_refused(context, VBSS_ERROR_CLOCK_JUMPED, jumps[0]);
         expect_refused(context, VBSS_ERROR_CLOCK_JUMPED, jumps[1]);
         expect_refused(context, VBSS_ERROR_NOT_FINITE, infinite);
     }
-    expect_refused(context, VBSS_ERROR_NOT_FINITE, (made_clock){.step = NAN});
+    expect_refused(context, VBSS_ERROR_NOT_FINITE, (made_clock){.step = (double)NAN});
     /* Of these ticks none is in some steps, one or two, and three or four. */
     const double ticks[] = {10.0 * STEP, 0.7 * STEP, 0.3 * STEP};
     for (int i = 0; i < 3; i++) {
@@ -277,9 +277,9 @@ static void bad_budgets_are_refused(void **state)
     struct {
         double *field;
         double values[3];
-    } cases[] = {{&budget.operations_per_microsecond, {-1.0, 1e7, NAN}},
-                 {&budget.slot, {0.0, 2.0, INFINITY}},
-                 {&budget.share, {0.0, 1.5, NAN}}};
+    } cases[] = {{&budget.operations_per_microsecond, {-1.0, 1e7, (double)NAN}},
+                 {&budget.slot, {0.0, 2.0, (double)INFINITY}},
+                 {&budget.share, {0.0, 1.5, (double)NAN}}};
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
             budget = unset;
