@@ -27,7 +27,7 @@ CASE_LIMIT = 100.0  # s of wall time a case
 
 
 class Clock:
-    """CPU seconds of this process for simulated seconds; what is not between `with` is not counted."""
+    """Adds up CPU seconds of this process and simulated seconds, over the calls that it makes."""
 
     def __init__(self):
         self.cpu = self.simulated = 0.0
@@ -77,7 +77,7 @@ RESTING = {"thread": (), "capstan": (0.0, 0.0), "trefoil": (0.0,)}  # arguments 
 def run_case(peer, subject, n, h):
     module = importlib.import_module(peer)
     run, maker = SUBJECTS[subject]
-    getattr(module, maker)(n, h).advance(2.0 * h, *RESTING[subject])  # compiles what is compiled when it first runs
+    getattr(module, maker)(n, h).advance(2.0 * h, *RESTING[subject])  # some peers compile at their first step
     best, result = math.inf, {}
     for _ in range(3):
         clock = Clock()

@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 
 import problem as p
+from mujoco_steps import move_ends, stepped
 
 VERSION = f"MuJoCo {mujoco.__version__}, cable plugin"
 NOTE = "rigid capsules, ball joints, springs explicit in time"
@@ -54,13 +55,6 @@ def loaded(h, gravity, body, extra="", flags=""):
     return model, mujoco.MjData(model)
 
 
-def stepped(model, data, count):
-    mujoco.mj_step(model, data, nstep=count)
-    if any(data.warning[w].number for w in (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL,
-                                            mujoco.mjtWarning.mjWARN_BADQACC)):
-        raise ArithmeticError("unstable")
-
-
 def centre_line(model, data):
     """Points of the cable, m: the begins of its links, and the end of the last."""
     mujoco.mj_kinematics(model, data)
@@ -101,13 +95,7 @@ class Led:
         self.h = h
 
     def steps(self, seconds, velocities):
-        """Moves the led ends, mm/ms, and lets drag slow everything down alike."""
-        count = round(seconds / self.h)
-        for done in range(0, count, DRAG_STEPS):
-            now = min(DRAG_STEPS, count - done)
-            self.data.mocap_pos += now * self.h * MS * np.asarray(velocities)
-            stepped(self.model, self.data, now)
-            self.data.qvel *= math.exp(-p.DRAG * now * self.h)
+        move_ends(self.model, self.data, self.h, seconds, velocities, DRAG_STEPS)
 
     def pull(self):
         """Of the last of the led ends."""

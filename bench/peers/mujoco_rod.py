@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 
 import problem as p
+from mujoco_steps import move_ends, stepped
 
 VERSION = f"MuJoCo {mujoco.__version__}, 1D flex"
 NOTE = "discrete elastic rod, implicit in time, edges kept by constraints"
@@ -55,13 +56,6 @@ def loaded(line, h, pins="", contact="", gravity=0.0, bodies="", rest=""):
     return model, data
 
 
-def stepped(model, data, count):
-    mujoco.mj_step(model, data, nstep=count)
-    if any(data.warning[w].number for w in (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL,
-                                            mujoco.mjtWarning.mjWARN_BADQACC)):
-        raise ArithmeticError("unstable")
-
-
 class Thread:
     def __init__(self, segments, h):
         length = p.LENGTH / (segments - 0.5)  # the first segment is held in its middle
@@ -99,13 +93,7 @@ class Led:
         mujoco.mj_forward(self.model, self.data)
 
     def steps(self, seconds, velocities):
-        """Moves the led ends, mm/ms, and lets drag slow everything down alike."""
-        count = round(seconds / self.h)
-        for done in range(0, count, DRAG_STEPS):
-            now = min(DRAG_STEPS, count - done)
-            self.data.mocap_pos += now * self.h * MS * np.asarray(velocities)
-            stepped(self.model, self.data, now)
-            self.data.qvel *= math.exp(-p.DRAG * now * self.h)
+        move_ends(self.model, self.data, self.h, seconds, velocities, DRAG_STEPS)
 
     def pull(self):
         """Of the last of the led ends."""

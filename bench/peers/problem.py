@@ -27,7 +27,7 @@ LOAD = 0.02
 LOAD_LENGTH, PULL_LENGTH = 15e-3, 10e-3
 LOADING = 0.05  # the load grows to LOAD, then the pull begins
 PULL_SPEED = 10e-3
-SLIDING, PULLED = 0.25, 0.4  # after the begin of the pull: the mean of the pull is taken between these times
+SLIDING, PULLED = 0.25, 0.4  # s after the pull starts; the pull is averaged between these times
 
 # trefoil: an open trefoil is pulled until it takes up TIGHT of length, and held.
 KNOT_SIZE = 0.75e-3

@@ -54,11 +54,8 @@ def page(points, skipped, notes, context, hurried):
             lines += [f"## {subject.title}", "", subject.problem, "", *table(subject, of), "", *comparison(subject, of), ""]
     lines += ["## Peers", ""] + [f"- {name}: {note}." for name, note in notes] + [""]
     if skipped:
-        reasons = {}
-        for case, why in skipped:
-            reasons.setdefault(why, []).append(case)
         lines += ["## Not measured", "", "| case | reason |", "|---|---|"]
-        lines += [f"| {', '.join(cases)} | {why} |" for why, cases in reasons.items()] + [""]
+        lines += [f"| {case} | {why} |" for case, why in skipped] + [""]
     return re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).rstrip() + "\n"
 
 

@@ -1,5 +1,5 @@
 /* Draws a drain as a wall of finite thickness: chooses the divisions of its edges, plans the
- * vertices, and reuses what does not change from earlier frames. */
+ * vertices, and reuses the unchanged parts of earlier frames. */
 #include "base/simd_dispatch.h"
 #include "visual/visual.h"
 

@@ -18,27 +18,25 @@ static void expect_no_lines(hardware_rig *r, const char *text)
     hardware_rig_expect_text(r, text);
 }
 
+#ifdef VBSS_STAND_IN_INCOMPLETE
 /* Linux only: elsewhere the loader does not say which part. */
 static void missing_part_of_driver_is_named(void **state)
 {
     (void)state;
-#ifdef VBSS_STAND_IN_INCOMPLETE
     hardware_rig r;
     hardware_rig_begin(&r, false);
     r.arms.library = r.lines.library = VBSS_STAND_IN_INCOMPLETE;
     expect_no_arms(&r, "needs libPhantomIOLib42.so, which is missing");
     expect_no_lines(&r, "needs libPhantomIOLib42.so, which is missing");
     hardware_rig_end(&r);
-#else
-    skip();
-#endif
 }
+#endif
 
+#ifdef __linux__
 /* No machine that builds this has the vendors' libraries; where one has, the test says nothing. */
 static void usual_names_are_tried(void **state)
 {
     (void)state;
-#ifdef __linux__
     hardware_rig r;
     hardware_rig_begin(&r, false);
     r.arms.library = r.lines.library = NULL;
@@ -55,10 +53,8 @@ static void usual_names_are_tried(void **state)
     expect_ok(vbss_nidaqmx_destroy(lines));
     expect_ok(vbss_openhaptics_destroy(arms));
     hardware_rig_end(&r);
-#else
-    skip();
-#endif
 }
+#endif
 
 static void driver_without_devices_says_so(void **state)
 {
@@ -150,8 +146,12 @@ static void base_library_needs_one_port(void **state)
 int test_hardware_missing(void)
 {
     const struct CMUnitTest tests[] = {
+#ifdef VBSS_STAND_IN_INCOMPLETE
         cmocka_unit_test(missing_part_of_driver_is_named),
+#endif
+#ifdef __linux__
         cmocka_unit_test(usual_names_are_tried),
+#endif
         cmocka_unit_test(driver_without_devices_says_so),
         cmocka_unit_test(default_arm_may_have_a_name),
         cmocka_unit_test(base_library_works),

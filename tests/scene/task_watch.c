@@ -88,7 +88,7 @@ static void gather_threads(const scene_object *s, bool trims, bool tool, task_ch
     }
 }
 
-/* ---- what is asked */
+/* ---- queries */
 
 /* The needle's axis, which is one line, against threads. */
 static uint64_t ask_needle(const task_watch *w, const scene_object *s)
