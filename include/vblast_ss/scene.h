@@ -51,7 +51,9 @@ enum {
      * of many throws slip a little early. */
     VBSS_MODE_REAL_TIME = 0,
     /** A step takes all the work that it needs. It is halved as often as halving_limit allows, and
-     * only then truncated, which is counted in `clamped`. For experiments. */
+     * only then truncated, which is counted in `clamped`. After eight truncated parts the rest of
+     * the step is left out, for the bodies of these parts alone, and counted in `paused`. For
+     * experiments. */
     VBSS_MODE_OFFLINE = 1
 };
 
@@ -114,8 +116,8 @@ typedef struct vbss_scene_config {
     uint32_t state_limit;
     uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
     /** REAL_TIME: number of attempts in a step after which the rest of the step is left out, 1 to
-     * 1000; default 3. Without a work_limit nothing is left out: each remaining part is tried
-     * once, and truncated if necessary. */
+     * 1000; default 3. Without a work_limit each remaining part is tried once, and truncated if
+     * necessary; after eight truncated parts the rest is left out. */
     uint32_t attempt_limit;
     /** PAPER: number of passes of detection and response in a step, 1 to 1000; default 4. */
     uint32_t paper_pass_limit;

@@ -346,6 +346,11 @@
  * most work fell from 1.9e6 to 0.55e6 operations. Test: none known. */
 #define SCENE_HARD_MIN_SIZE_RATIO VBSS_TUNE(SCENE_HARD_MIN_SIZE_RATIO, 0.125)
 
+/* Truncated substeps after which a step without a budget leaves out its rest.
+ * Unit: substeps. Origin: chosen: a quarter of a step at the default halving_limit. Test:
+ * scene.islands. */
+#define SCENE_MAX_TRUNCATED_SUBSTEPS VBSS_TUNE(SCENE_MAX_TRUNCATED_SUBSTEPS, 8u)
+
 /* ---- Host edits (api/holes_api.c) */
 
 /* The weights of a point may miss a sum of 1 by this.

@@ -132,7 +132,8 @@ static void truncated_step_reports_fraction(void **state)
     small_steps(&s, 1, 1e-3);
     uint32_t cuts = small_events(&s, VBSS_EVENT_CLAMPED, event);
     assert_true(cuts > 0);
-    assert_int_equal(small_statistics(&s).clamped, cuts);
+    vbss_scene_statistics found = small_statistics(&s);
+    assert_int_equal(found.clamped + found.paused, cuts); /* a rest that is left out has one, too */
     double lost = 0.0;
     vbss_view v = small_view(&s, VBSS_SCENE_VIEW_EVENTS);
     for (uint64_t k = 0; k < v.count; k++) {

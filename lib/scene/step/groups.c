@@ -44,7 +44,7 @@ void vbss_scene_begin_first_group(scene_object *s)
             fewest = b->next_halvings;
         }
     }
-    cursor->group = cursor->attempts = 0;
+    cursor->group = cursor->attempts = cursor->truncations = 0;
     cursor->operations_before = 0;
     cursor->is_free_group = false;
     cursor->group_count = 1;
@@ -64,6 +64,7 @@ bool vbss_scene_begin_next_group(scene_object *s)
     cursor->substep = next->substep;
     cursor->initial_size = cursor->size = next->size;
     cursor->attempts = next->attempts;
+    cursor->truncations = 0;
     cursor->operations_before = next->operations_before;
     cursor->is_behind_targets = next->is_behind_targets;
     cursor->is_paused = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;

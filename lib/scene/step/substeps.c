@@ -184,9 +184,8 @@ static bool can_defer_to_next_step(const scene_object *s, const scene_step_curso
 }
 
 static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
-                             scene_substep_outcome outcome)
+                             scene_substep_outcome outcome, scene_touching_pair blamed)
 {
-    const scene_touching_pair blamed = vbss_scene_find_blamed_pair(s, outcome);
     double lost_fraction = 1.0 - vbss_scene_truncate_substep(s, outcome, &cursor->substep);
     double lost_of_step =
         lost_fraction * (cursor->substep.end_fraction - cursor->substep.start_fraction);
@@ -195,6 +194,14 @@ static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
     vbss_scene_request_damping(s);
     cursor->is_behind_targets = true;
+    cursor->truncations++;
+}
+
+/* Whether so many substeps were truncated in a step without a budget that its rest is left out. Such
+ * a step would take the work of all its smallest substeps and gain next to nothing. */
+static bool is_stuck(const scene_object *s, const scene_step_cursor *cursor)
+{
+    return cursor->truncations >= SCENE_MAX_TRUNCATED_SUBSTEPS && !vbss_scene_has_step_budget(s);
 }
 
 /* Moves the cursor to the next substep, and doubles its size where a larger one may begin. */
@@ -296,6 +303,7 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
             continue;
         }
         cursor->attempts++;
+        scene_touching_pair blamed = {0, 0};
         if (outcome == SCENE_SUBSTEP_ACCEPTED) {
             accept_substep(s);
         } else {
@@ -303,7 +311,7 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
             vbss_scene_count_rejection(s, outcome);
             if (can_defer_to_next_step(s, cursor, &next_size) && is_deferrable(outcome)) {
                 /* The contacts of the attempt say which pair failed; the rejection rebuilds them. */
-                const scene_touching_pair blamed = vbss_scene_find_blamed_pair(s, outcome);
+                blamed = vbss_scene_find_blamed_pair(s, outcome);
                 vbss_scene_reject_substep(s);
                 vbss_scene_let_others_wait(s, blamed);
                 vbss_scene_request_damping(s);
@@ -320,9 +328,15 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
                     "scene step: more is near than candidate_capacity %u or contact_capacity %u",
                     s->config.candidate_capacity, s->config.contact_capacity);
             }
-            truncate_substep(s, cursor, outcome);
+            blamed = vbss_scene_find_blamed_pair(s, outcome);
+            truncate_substep(s, cursor, outcome, blamed);
         }
         advance_cursor(s, cursor);
+        if (substep->start_fraction < 1.0 && is_stuck(s, cursor)) {
+            /* Only a whole step shows whether the bodies now move apart. */
+            pause_step(s, cursor, outcome, blamed, 1.0);
+            break;
+        }
         if (substep->start_fraction < 1.0 && is_step_exhausted(s, cursor)) {
             /* this size was accepted */
             pause_step(s, cursor, SCENE_SUBSTEP_ACCEPTED, (scene_touching_pair){0, 0},

@@ -368,7 +368,8 @@ typedef struct scene_step_cursor {
      * and the smallest for a scene with drains whose operation budget is exhausted. They are
      * powers of two, so that substeps add up to exactly 1. */
     double initial_size, size, min_size, hard_min_size;
-    uint32_t attempts; /* in this step */
+    uint32_t attempts;    /* in this step */
+    uint32_t truncations; /* of the group in this step */
     /* Groups of bodies that take their substeps one after the other: the present one, and all. */
     uint32_t group, group_count;
     scene_waiting_group waiting[SCENE_MAX_GROUPS]; /* per group that has not begun */

@@ -22,7 +22,9 @@ class SceneMode(IntEnum):
     of many throws slip a little early."""
     OFFLINE = 1
     """A step takes all the work that it needs. It is halved as often as halving_limit allows, and
-    only then truncated, which is counted in `clamped`. For experiments."""
+    only then truncated, which is counted in `clamped`. After eight truncated parts the rest of
+    the step is left out, for the bodies of these parts alone, and counted in `paused`. For
+    experiments."""
 
 
 class OverlapPolicy(IntEnum):
@@ -222,8 +224,8 @@ class vbss_scene_config(ctypes.Structure):
     halving_limit: How often a step may be halved, 0 to 10; default 5.
 
     attempt_limit: REAL_TIME: number of attempts in a step after which the rest of the step is
-    left out, 1 to 1000; default 3. Without a work_limit nothing is left out: each remaining
-    part is tried once, and truncated if necessary.
+    left out, 1 to 1000; default 3. Without a work_limit each remaining part is tried once, and
+    truncated if necessary; after eight truncated parts the rest is left out.
 
     paper_pass_limit: PAPER: number of passes of detection and response in a step, 1 to 1000;
     default 4.
