@@ -18,7 +18,7 @@
 #include <vblast_ss/vblast_ss.h>
 
 #define STEP 1e-3 /* s */
-enum { STEP_NS = 1000000, FRAME_NS = 16666667, MOST_STEPS = 100000, DEFAULT_STEPS = 2000 };
+enum { STEP_NS = 1000000, FRAME_NS = 16666667, MAX_STEPS = 100000, DEFAULT_STEPS = 2000 };
 
 #define TRY(call)                     \
     do {                              \
@@ -298,8 +298,8 @@ int main(int argc, char **argv)
     static haptic h;
     (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     h.steps = argc > 1 ? (int)strtol(argv[1], NULL, 10) : DEFAULT_STEPS;
-    if (h.steps < 1 || h.steps > MOST_STEPS) {
-        fprintf(stderr, "steps: 1 to %d\n", MOST_STEPS);
+    if (h.steps < 1 || h.steps > MAX_STEPS) {
+        fprintf(stderr, "steps: 1 to %d\n", MAX_STEPS);
         return 2;
     }
     h.step_times = calloc((size_t)h.steps, sizeof *h.step_times);

@@ -117,7 +117,7 @@ typedef struct arm_report {
 enum { OPENHAPTICS_ARMS = 2, ARM_NAME_BYTES = 64 };
 
 typedef struct haptic_arm {
-    vbss_triple_buffer to_servo, to_host;    /* say which of `commands` and `reports` is whose */
+    vbss_triple_buffer to_servo, to_host;      /* say which of `commands` and `reports` is whose */
     vbss_slot *slot;                           /* the adapter's `user` */
     uint32_t device;                           /* the vendor's handle */
     bool is_slot_filled, is_open, is_attached; /* is_attached: a device uses the adapter */

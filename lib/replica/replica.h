@@ -77,8 +77,8 @@ typedef struct replica_capacities {
     uint32_t bodies, thread_nodes, drains, drain_nodes, capsules, holes, contacts;
 } replica_capacities;
 
-/* Of each node of a drain: at most two triangles and three edges, by Euler's formula for a surface
- * with a free edge. */
+/* Largest numbers of triangles and edges per node of a drain. Derived from Euler's formula for a
+ * surface with a free edge. */
 enum { REPLICA_TRIANGLES_PER_NODE = 2, REPLICA_EDGES_PER_NODE = 3 };
 
 typedef struct replica_object {
