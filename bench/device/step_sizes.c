@@ -3,16 +3,17 @@
  * A double throw above a stitch is drawn tight in 0.9 s, then both hands let go for 0.5 s. Limits of work are the defaults, or grow
  * with the step. Beside it a clamped thread falls for 0.1 s; its error is that of the tip, against steps of 1/64 ms. */
 #include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 
 #include "base/error.h"
 #include "bench_device.h"
 #include "fixtures/stitch_scenes.h"
+#include "harness/clock.h"
 
 #define FALL 0.1
 #define TIED 0.9
 #define HELD 0.5
-enum { REFERENCE_STEPS = 6400 };
+enum { REFERENCE_STEPS = 6400, LARGEST_COUNT = 4096 };
 
 typedef struct rate {
     const char *name;
@@ -58,9 +59,35 @@ static vbss_result fall(vbss_context *context, uint32_t steps, vec3 *tip)
 /* ---- a throw */
 
 typedef struct outcome {
-    double max_operations, lost_time, held_gap;
+    double lost_time, held_gap;
     uint64_t paused;
 } outcome;
+
+/* Of the steps so far. One rate runs at a time. */
+static double cpu_us[LARGEST_COUNT], wall_us[LARGEST_COUNT], operations[LARGEST_COUNT];
+static uint32_t step_count;
+static uint64_t operations_before;
+
+static vbss_result step(stitch_scene *s, double h)
+{
+    vbss_scene_statistics statistics;
+    const bench_clock clock = bench_system_clock();
+    const bench_interval begin = bench_interval_begin(&clock);
+    VBSS_TRY(vbss_scene_step(s->scene, h));
+    const bench_interval taken = bench_interval_end(&clock, begin);
+    VBSS_TRY(vbss_scene_get_statistics(s->scene, &statistics, sizeof statistics));
+    cpu_us[step_count] = 1e-3 * (double)taken.cpu_ns;
+    wall_us[step_count] = 1e-3 * (double)taken.wall_ns;
+    operations[step_count++] = (double)(statistics.operations - operations_before);
+    operations_before = statistics.operations;
+    return VBSS_OK;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
 
 static vbss_result draw_tight(stitch_scene *s, double h)
 {
@@ -73,7 +100,7 @@ static vbss_result draw_tight(stitch_scene *s, double h)
                 VBSS_TRY(stitch_scene_move(s, hand, to));
             }
         }
-        VBSS_TRY(vbss_scene_step(s->scene, h));
+        VBSS_TRY(step(s, h));
     }
     return VBSS_OK;
 }
@@ -85,12 +112,11 @@ static vbss_result hold(stitch_scene *s, double h, outcome *out)
     VBSS_TRY(stitch_scene_let_go(s, 0));
     VBSS_TRY(stitch_scene_let_go(s, 1));
     for (uint32_t i = 0; i < (uint32_t)(HELD / h + 0.5); i++) {
-        VBSS_TRY(vbss_scene_step(s->scene, h));
+        VBSS_TRY(step(s, h));
     }
     VBSS_TRY(vbss_drain_get_gap(s->drain, &gap, sizeof gap));
     VBSS_TRY(vbss_scene_get_statistics(s->scene, &statistics, sizeof statistics));
-    *out = (outcome){(double)statistics.most_operations, statistics.time_paused, gap.gap,
-                     statistics.paused};
+    *out = (outcome){statistics.time_paused, gap.gap, statistics.paused};
     return VBSS_OK;
 }
 
@@ -102,6 +128,8 @@ static vbss_result tie(vbss_context *context, const rate *r, outcome *out)
     options.crossings = 5;
     options.scene.work_limit = (uint32_t)(options.scene.work_limit * r->budget);
     options.scene.slot_limit = (uint32_t)(options.scene.slot_limit * r->budget);
+    step_count = 0;
+    operations_before = 0;
     VBSS_TRY(stitch_scene_create(context, &options, &stitch));
     VBSS_TRY(draw_tight(&stitch, 1.0 / r->hertz));
     return hold(&stitch, 1.0 / r->hertz, out);
@@ -115,7 +143,10 @@ static vbss_result measure(vbss_context *context, const rate *r, bench_result *r
     VBSS_TRY(fall(context, (uint32_t)(FALL * r->hertz + 0.5), &tip));
     VBSS_TRY(tie(context, r, &out));
     bench_counter(result, "error_mm", 1e3 * vec3_distance(tip, reference));
-    bench_counter(result, "max_operations", out.max_operations);
+    qsort(operations, step_count, sizeof *operations, compare);
+    bench_counter(result, "operations_p50", operations[step_count / 2]);
+    bench_counter(result, "operations_p99", operations[step_count * 99 / 100]);
+    bench_trial_steps(result, cpu_us, wall_us, step_count);
     bench_counter(result, "paused", (double)out.paused);
     bench_counter(result, "lost_ms", 1e3 * out.lost_time);
     bench_counter(result, "held_gap_mm", 1e3 * out.held_gap);
