@@ -20,11 +20,15 @@ typedef struct rate {
     double hertz, budget; /* limits of work, as a multiple of the defaults */
 } rate;
 
-static const rate rates[] = {
-    {"device/steps/2000", 2000.0, 1.0}, {"device/steps/1000", 1000.0, 1.0},
-    {"device/steps/500", 500.0, 1.0},   {"device/steps/500-more-work", 500.0, 2.0},
-    {"device/steps/200", 200.0, 1.0},   {"device/steps/200-more-work", 200.0, 5.0},
-    {"device/steps/60", 60.0, 1.0},     {"device/steps/60-more-work", 60.0, 50.0 / 3.0}};
+static const rate rates[] = {{"device/steps/2000", 2000.0, 1.0},
+                             {"device/steps/2000-less-work", 2000.0, 0.5},
+                             {"device/steps/1000", 1000.0, 1.0},
+                             {"device/steps/500", 500.0, 1.0},
+                             {"device/steps/500-more-work", 500.0, 2.0},
+                             {"device/steps/200", 200.0, 1.0},
+                             {"device/steps/200-more-work", 200.0, 5.0},
+                             {"device/steps/60", 60.0, 1.0},
+                             {"device/steps/60-more-work", 60.0, 50.0 / 3.0}};
 
 /* ---- accuracy */
 
