@@ -31,8 +31,8 @@ LEDGER = ROOT / "build/thorough.json"
 COMMITS = 40
 MINUTES = 36
 MAX_TIDY_FILES = 200
-THREADED = r"^(base|device|trainer|examples\.trainer)"
-THREADED_PROGRAMS = ["test_base", "test_device", "test_trainer", "trainer", "pass_needle", "surgeon"]
+THREADED = r"^(base|device|replica|trainer|examples\.(threads|trainer))"
+THREADED_PROGRAMS = ["test_base", "test_device", "test_replica", "test_trainer", "threads", "trainer", "pass_needle", "surgeon"]
 HANDS = r"^(examples\.(throw|pass_needle)|throw\.|python\.tests)"
 # Slow tests whose name does not begin with their module: a pattern, and the folders that they prove.
 FOLDERS_OF = [

@@ -11,6 +11,7 @@ static void add_cases(bench *b)
     add_tool_rest_cases(b);
     add_tool_wall_cases(b);
     add_tool_cost_cases(b);
+    add_step_sizes(b);
 }
 
 int main(int argc, char **argv)

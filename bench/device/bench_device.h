@@ -11,5 +11,6 @@ void add_tool_passivity_cases(bench *b); /* tool_passivity.c */
 void add_tool_rest_cases(bench *b);      /* tool_rest.c */
 void add_tool_wall_cases(bench *b);      /* tool_wall.c */
 void add_tool_cost_cases(bench *b);      /* tool_cost.c */
+void add_step_sizes(bench *b);           /* step_sizes.c */
 
 #endif

@@ -9,6 +9,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/hash.h"
+#include "bench_visual.h"
 #include "drain/drain.h"
 #include "harness/bench.h"
 #include "visual/visual.h"
@@ -185,6 +186,7 @@ static void add_cases(bench *b)
                                        .teardown = end_show};
         bench_add_stepped(b, &stepped);
     }
+    add_replica_cases(b);
 }
 
 int main(int argc, char **argv)

@@ -316,20 +316,26 @@ VBSS_API vbss_result vbss_device_write(vbss_device *device, double now,
                                        vbss_output_result *result, uint32_t struct_size);
 
 /**
- * Writes like #vbss_device_write, and adds the force of a virtual coupling to the command. The
- * coupling acts relative to the pose that was read last; where the workspace limits that pose, it
- * also limits the coupling. An adapter with its own servo receives the coupling in its frame,
- * unless forces are off. It then applies the coupling without the host until `command_timeout` of
- * its output stage has passed.
+ * Writes like #vbss_device_write, with the force of a virtual coupling. The coupling acts relative to
+ * the pose that was read last; where the workspace limits that pose, it also limits the coupling. An
+ * adapter with its own servo receives the coupling in its frame, unless forces are off. It then
+ * applies the coupling without the host until `command_timeout` of its output stage has passed.
+ *
+ * A device gets the force of a tool's spring in one way only. Use this function with the pose of the
+ * tool, or #vbss_device_write with vbss_grasper_state::hand_force. Both at once would be twice the
+ * spring, so this call refuses a command with a force. docs/devices.md says which one suits which
+ * device.
  *
  * @param device       the device
  * @param now          the host's clock, s; not before the `now` of an earlier call. If it is
  *         earlier or out of range, the call returns an error and switches all outputs off
- * @param command      the other wanted outputs, forces in the world's frame
+ * @param command      the other wanted outputs, torque in the world's frame; its force must be 0.
+ *         vbss_device_coupling::force has other forces than that of the spring
  * @param coupling     pose of the tool and the coupling to the hand, in the world's frame
  * @param[out] result  receives the outputs as written, in the device's frame; may be NULL
  * @param struct_size  `sizeof *result` as the caller was compiled
- * @return as #vbss_device_write, or VBSS_ERROR_NULL_ARGUMENT
+ * @return as #vbss_device_write (VBSS_ERROR_OUT_OF_RANGE also: the command has a force), or
+ *         VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
  * @since 0.1
  */

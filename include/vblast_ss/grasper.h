@@ -154,8 +154,9 @@ typedef struct vbss_grasper_state {
     double opening;               /**< Opening of the handle that the host set. */
     double jaw_angle;             /**< Angle of each jaw from the middle, rad. */
     double pressure;              /**< Pressure of the jaws on all grasped bodies, N. */
-    /** Force on the hand at the tip, which a device shall exert, N. PAPER: the force of stretched threads
-     * that it carries. */
+    /** Force on the hand at the tip, which a device shall exert, N: a command for vbss_device_write. A
+     * device that gets the pose of the tool by vbss_device_write_coupled has this force already. PAPER:
+     * the force of stretched threads that it carries. */
     double hand_force[3];
     double hand_torque[3]; /**< Torque on the hand about the tip, N m; PAPER: 0. */
     uint32_t needle;       /**< Number of the held needle in its scene; 0: none. */

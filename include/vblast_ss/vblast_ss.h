@@ -23,6 +23,7 @@
 #include <vblast_ss/needle.h>
 #include <vblast_ss/output.h>
 #include <vblast_ss/record.h>
+#include <vblast_ss/replica.h>
 #include <vblast_ss/scene.h>
 #include <vblast_ss/session.h>
 #include <vblast_ss/thread.h>

@@ -27,6 +27,7 @@
 #include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/needle.h>
+#include <vblast_ss/replica.h>
 #include <vblast_ss/scene.h>
 #include <vblast_ss/thread.h>
 
@@ -179,6 +180,23 @@ VBSS_API vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scen
                                            uint32_t *source);
 
 /**
+ * Shows a replica (replica.h): the scene as it was when the state that the reader took last was
+ * published. The replica belongs to the context of its scene, which may be another one than the
+ * visual's. The thread that updates the visual must be the reader of the replica. A destroyed replica
+ * is no longer shown; remove it before its context is destroyed.
+ *
+ * @param visual       the visual
+ * @param replica      a replica of any context
+ * @param[out] source  its number, from 1 on, never reused; may be NULL
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context of the visual, at the same time as any call on the context
+ *          of the replica
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_visual_add_replica(vbss_visual *visual, vbss_replica *replica,
+                                             uint32_t *source);
+
+/**
  * Shows a thread from the next update on, until it is removed from the visual or destroyed.
  *
  * @param visual       the visual
@@ -252,8 +270,8 @@ VBSS_API vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source);
  *
  * @param visual  the visual
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (the error text names it),
- *         VBSS_ERROR_ARITHMETIC_MODE or
- *         VBSS_ERROR_BUSY
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY (also: another thread reads a replica that is
+ *         shown)
  * @threads one thread at a time per context
  * @since 0.1
  */

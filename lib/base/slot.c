@@ -78,6 +78,14 @@ vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot 
     return *slot != NULL ? VBSS_OK : VBSS_ERROR_INVALID_HANDLE;
 }
 
+vbss_result vbss_slot_open_shared(const void *handle, const vbss_kind *kind, vbss_slot **slot)
+{
+    *slot = (vbss_slot *)handle;
+    const bool is_valid = handle != NULL && (*slot)->tag == VBSS_TAG_SLOT &&
+                          (*slot)->kind == kind && (*slot)->status == SLOT_ALIVE;
+    return is_valid ? VBSS_OK : VBSS_ERROR_INVALID_HANDLE;
+}
+
 vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot)
 {
     *slot = NULL;

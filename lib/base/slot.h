@@ -42,6 +42,9 @@ void vbss_slot_fill(vbss_slot *slot, void *object);
 void vbss_slot_empty(vbss_slot *slot);
 /* Slot of a valid handle of this kind. VBSS_ERROR_INVALID_HANDLE for any other pointer. */
 vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot);
+/* As vbss_slot_open, for a call that does not enter the context because another thread may be in it.
+ * It touches nothing but the slot, so there is no error text. */
+vbss_result vbss_slot_open_shared(const void *handle, const vbss_kind *kind, vbss_slot **slot);
 /* Slot for a call that changes the object. VBSS_ERROR_INVALID_HANDLE, or VBSS_ERROR_BUSY inside a
  * callback of the context. */
 vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot);

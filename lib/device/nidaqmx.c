@@ -165,7 +165,7 @@ static vbss_result open_all(nidaqmx_object *o)
 static void init_buffers(nidaqmx_object *o)
 {
     atomic_init(&o->stop_requested, false);
-    device_triple_buffer_init(&o->to_host);
+    vbss_triple_buffer_init(&o->to_host);
     o->report.status.struct_size = sizeof o->report.status;
     for (int i = 0; i < 3; i++) {
         o->reports[i] = o->report;
@@ -173,7 +173,7 @@ static void init_buffers(nidaqmx_object *o)
     for (uint32_t i = 0; i < DAQ_HANDLES; i++) {
         o->handles[i].owner = o;
         o->handles[i].handle_index = i;
-        device_triple_buffer_init(&o->handles[i].to_cycle);
+        vbss_triple_buffer_init(&o->handles[i].to_cycle);
     }
 }
 
@@ -239,7 +239,7 @@ static vbss_result open_daq(const void *user, nidaqmx_object **o)
 
 static const daq_report *newest_report(nidaqmx_object *o)
 {
-    device_triple_buffer_fetch(&o->to_host);
+    vbss_triple_buffer_fetch(&o->to_host);
     return &o->reports[o->to_host.reader];
 }
 
@@ -254,7 +254,7 @@ static vbss_result open_handle(void *user, daq_handle **h)
 static void send_command(daq_handle *h, bool on, double expires)
 {
     h->commands[h->to_cycle.writer] = (handle_command){on, expires};
-    device_triple_buffer_publish(&h->to_cycle);
+    vbss_triple_buffer_publish(&h->to_cycle);
 }
 
 static vbss_result handle_open(void *user)

@@ -11,6 +11,7 @@
 
 #include <vblast_ss/haptics.h>
 
+#include "base/triple_buffer.h"
 #include "device/platform.h"
 
 #ifdef _WIN32 /* matters in 32-bit builds only */
@@ -107,7 +108,7 @@ typedef struct nidaqmx_object nidaqmx_object;
 
 /* One instrument handle. */
 typedef struct daq_handle {
-    device_triple_buffer to_cycle; /* says which of `commands` is whose */
+    vbss_triple_buffer to_cycle; /* says which of `commands` is whose */
     nidaqmx_object *owner;
     vbss_slot *slot; /* the adapter's `user` */
     uint32_t handle_index;
@@ -120,7 +121,7 @@ typedef struct daq_handle {
 
 /* All handles; they share one analog and one digital task. */
 struct nidaqmx_object {
-    device_triple_buffer to_host; /* says which of `reports` is whose */
+    vbss_triple_buffer to_host; /* says which of `reports` is whose */
     daq_handle handles[DAQ_HANDLES];
     vbss_context *context;
     daq_functions daq;

@@ -81,7 +81,7 @@ static uint32_t wanted_solenoids(nidaqmx_object *o, double now, double *expires)
     *expires = 0.0;
     for (uint32_t i = 0; i < o->handle_count; i++) {
         daq_handle *h = &o->handles[i];
-        if (device_triple_buffer_fetch(&h->to_cycle)) {
+        if (vbss_triple_buffer_fetch(&h->to_cycle)) {
             h->commanded_at = now;
         }
         const handle_command *command = &h->commands[h->to_cycle.reader];
@@ -128,7 +128,7 @@ static void publish_report(nidaqmx_object *o)
     o->report.is_slow = o->is_slow;
     o->report.has_late_reads = o->read_timeouts >= DAQ_TIMEOUTS_IN_A_ROW;
     o->reports[o->to_host.writer] = o->report;
-    device_triple_buffer_publish(&o->to_host);
+    vbss_triple_buffer_publish(&o->to_host);
 }
 
 static void begin_cycle(nidaqmx_object *o, double now)

@@ -168,8 +168,8 @@ static void describe_arm(openhaptics_object *o, haptic_arm *a)
 
 static void init_arm(haptic_arm *a)
 {
-    device_triple_buffer_init(&a->to_servo);
-    device_triple_buffer_init(&a->to_host);
+    vbss_triple_buffer_init(&a->to_servo);
+    vbss_triple_buffer_init(&a->to_host);
     (void)vbss_device_sample_init(&a->sample, sizeof a->sample);
     a->sample.valid = a->capabilities.signals;
     for (int i = 0; i < 3; i++) {
@@ -330,7 +330,7 @@ static vbss_result open_arm_at(const void *handle, uint32_t which, openhaptics_o
 
 static const arm_report *newest_report(haptic_arm *a)
 {
-    device_triple_buffer_fetch(&a->to_host);
+    vbss_triple_buffer_fetch(&a->to_host);
     return &a->reports[a->to_host.reader];
 }
 
@@ -350,7 +350,7 @@ static void set_failure_text(haptic_arm *a, const char *text)
 static void send_command(haptic_arm *a, const arm_command *wanted)
 {
     a->commands[a->to_servo.writer] = *wanted;
-    device_triple_buffer_publish(&a->to_servo);
+    vbss_triple_buffer_publish(&a->to_servo);
 }
 
 static vbss_result arm_open(void *user)

@@ -9,6 +9,7 @@
 
 #include <vblast_ss/haptics.h>
 
+#include "base/triple_buffer.h"
 #include "device/platform.h"
 
 #ifdef _WIN32 /* matters in 32-bit builds only */
@@ -116,7 +117,7 @@ typedef struct arm_report {
 enum { OPENHAPTICS_ARMS = 2, ARM_NAME_BYTES = 64 };
 
 typedef struct haptic_arm {
-    device_triple_buffer to_servo, to_host;    /* say which of `commands` and `reports` is whose */
+    vbss_triple_buffer to_servo, to_host;      /* say which of `commands` and `reports` is whose */
     vbss_slot *slot;                           /* the adapter's `user` */
     uint32_t device;                           /* the vendor's handle */
     bool is_slot_filled, is_open, is_attached; /* is_attached: a device uses the adapter */

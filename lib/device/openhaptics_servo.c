@@ -175,7 +175,7 @@ static vec3 coupled_force(const haptic_arm *a, const arm_command *command, doubl
 static vec3 compute_force(openhaptics_object *o, haptic_arm *a)
 {
     const double h = 1.0 / o->config.rate;
-    if (device_triple_buffer_fetch(&a->to_servo)) {
+    if (vbss_triple_buffer_fetch(&a->to_servo)) {
         a->command_tick = o->tick;
         a->status.orders++;
     }
@@ -219,7 +219,7 @@ static void publish_report(const openhaptics_object *o, haptic_arm *a, bool meas
     arm_report *out = &a->reports[a->to_host.writer];
     out->sample = *s;
     out->status = a->status;
-    device_triple_buffer_publish(&a->to_host);
+    vbss_triple_buffer_publish(&a->to_host);
 }
 
 static void tick_arm(openhaptics_object *o, haptic_arm *a)

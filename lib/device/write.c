@@ -40,8 +40,23 @@ static output_demand complete_demand(const device_object *d, output_demand deman
     return demand;
 }
 
+/* A force of the host beside a coupling would often be that of the same spring. Numbers that are not
+ * finite pass, because the output stage switches off for them. */
+static vbss_result check_only_coupling(const device_object *d, const vbss_output_command *command)
+{
+    for (int i = 0; i < 3; i++) {
+        if (fabs(command->force[i]) > 0.0) {
+            return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE,
+                             "force[%d] is %g; with a coupling it must be 0, because the coupling "
+                             "has the force of the spring",
+                             i, command->force[i]);
+        }
+    }
+    return VBSS_OK;
+}
+
 static vbss_result read_demand(const device_object *d, double h, const vbss_output_command *command,
-                               output_demand *demand)
+                               bool has_coupling, output_demand *demand)
 {
     if (command == NULL) { /* the last one is in the device's frame already */
         *demand = vbss_output_repeat_demand(&d->output, h);
@@ -51,6 +66,9 @@ static vbss_result read_demand(const device_object *d, double h, const vbss_outp
     vbss_output_command own;
     VBSS_TRY(vbss_config_read(d->context, &vbss_output_command_layout, command, &own));
     VBSS_TRY(vbss_output_check_command(d->context, &own));
+    if (has_coupling) {
+        VBSS_TRY(check_only_coupling(d, &own));
+    }
     *demand = vbss_output_make_demand(&own);
     demand->force = vbss_device_force_to_device(&d->calibration, &d->frame, demand->force);
     demand->torque = vbss_device_torque_to_device(&d->calibration, &d->frame, demand->torque);
@@ -103,7 +121,7 @@ static vbss_result write_output(device_object *d, double now, const vbss_output_
     vbss_output_result own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_device_check_now(d, now));
     double h = d->has_written ? now - d->written_at : 0.0;
-    VBSS_TRY(read_demand(d, h, command, &demand));
+    VBSS_TRY(read_demand(d, h, command, coupling != NULL, &demand));
     if (result != NULL) {
         VBSS_TRY(
             vbss_struct_write(d->context, &vbss_output_result_layout, &own, result, struct_size));

@@ -17,26 +17,35 @@ double vbss_needle_vertex_arc(const needle_object *n, uint32_t i)
 }
 
 /* Clockwise angle from the tip, clamped to the needle. */
-static double angle_at(const needle_object *n, double arc_length)
+static double angle_at(double radius, double arc, double arc_length)
 {
-    return vbss_min(vbss_max(arc_length / n->config.radius, 0.0), n->config.arc);
+    return vbss_min(vbss_max(arc_length / radius, 0.0), arc);
+}
+
+vec3 vbss_needle_line_direction(double radius, double arc, double arc_length)
+{
+    double sine, cosine;
+    vbss_sincos(angle_at(radius, arc, arc_length), &sine, &cosine);
+    return vec3_make(sine, cosine, 0.0);
+}
+
+vec3 vbss_needle_line_point(double radius, double arc, double arc_length)
+{
+    double sine, cosine;
+    vbss_sincos(angle_at(radius, arc, arc_length), &sine, &cosine);
+    /* distance behind the swage, or below zero ahead of the tip */
+    double overshoot = vbss_min(arc_length, 0.0) + vbss_max(arc_length - radius * arc, 0.0);
+    return vec3_make(radius * cosine - overshoot * sine, -radius * sine - overshoot * cosine, 0.0);
 }
 
 vec3 vbss_needle_direction(const needle_object *n, double arc_length)
 {
-    double sine, cosine;
-    vbss_sincos(angle_at(n, arc_length), &sine, &cosine);
-    return vec3_make(sine, cosine, 0.0);
+    return vbss_needle_line_direction(n->config.radius, n->config.arc, arc_length);
 }
 
 vec3 vbss_needle_point(const needle_object *n, double arc_length)
 {
-    double sine, cosine, r = n->config.radius;
-    vbss_sincos(angle_at(n, arc_length), &sine, &cosine);
-    /* distance behind the swage, or below zero ahead of the tip */
-    double overshoot =
-        vbss_min(arc_length, 0.0) + vbss_max(arc_length - vbss_needle_length(n), 0.0);
-    return vec3_make(r * cosine - overshoot * sine, -r * sine - overshoot * cosine, 0.0);
+    return vbss_needle_line_point(n->config.radius, n->config.arc, arc_length);
 }
 
 double vbss_needle_nearest_arc(const needle_object *n, vec3 point)

@@ -47,6 +47,10 @@ vbss_result vbss_needle_read_config(vbss_context *context, const vbss_needle_con
 double vbss_needle_length(const needle_object *n);
 vec3 vbss_needle_point(const needle_object *n, double arc_length);
 vec3 vbss_needle_direction(const needle_object *n, double arc_length);
+/* The same point and direction for a needle of which only the radius, m, and the angle of the arc,
+ * rad, are known. */
+vec3 vbss_needle_line_point(double radius, double arc, double arc_length);
+vec3 vbss_needle_line_direction(double radius, double arc, double arc_length);
 /* Arc length of the point of that line nearest to a point in the needle's frame. */
 double vbss_needle_nearest_arc(const needle_object *n, vec3 point);
 /* Arc length of end i of the capsules' axes, from the tip; i is 0 to segment_count. */

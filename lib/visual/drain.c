@@ -65,8 +65,7 @@ static void write_topology(const visual_object *v, visual_frame *f, const visual
     }
 }
 
-static void write_wall(const visual_object *v, visual_frame *f, visual_wall *w,
-                       const vbss_drain *drain)
+static void write_wall(const visual_object *v, visual_frame *f, visual_wall *w, const void *drain)
 {
     const visual_wall_record *shown = &v->frames[v->front].walls[f->wall_count];
     VBSS_WIDE_CALL(v->wide, vbss_visual_find_wall_normals, w);
@@ -89,8 +88,8 @@ static void add_mark_decals(const visual_object *v, visual_frame *f, const scene
     }
 }
 
-void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const vbss_drain *drain,
-                            const scene_drain_info *d)
+void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const scene_drain_info *d,
+                            const void *identity)
 {
     if (vbss_visual_fits(v, f)) {
         visual_wall w = {.drain = d,
@@ -102,7 +101,7 @@ void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const vbss_drain 
                          .origin = v->origin,
                          .outer = &f->vertices[f->vertex_count],
                          .triangles = &f->triangles[f->triangle_count]};
-        write_wall(v, f, &w, drain);
+        write_wall(v, f, &w, identity);
     }
     add_mark_decals(v, f, d);
 }

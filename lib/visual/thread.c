@@ -27,7 +27,7 @@ vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to,
 }
 
 /* The first section turns as little as possible from one frame to the next. */
-static vec3 first_normal(const visual_object *v, const vbss_thread *thread, vec3 tangent)
+static vec3 first_normal(const visual_object *v, const void *thread, vec3 tangent)
 {
     const visual_frame *shown = &v->frames[v->front];
     for (uint32_t i = 0; i < shown->tube_start_count; i++) {
@@ -65,7 +65,7 @@ static double tension_at(const scene_thread_info *t, uint32_t node)
 typedef struct tube {
     visual_object *v;
     visual_frame *frame;
-    const vbss_thread *thread;
+    const void *thread; /* its identity */
     visual_line line;
     visual_line_points points; /* those whose rings come next */
     visual_loft loft;
@@ -152,20 +152,20 @@ static void add_points(tube *w, const scene_thread_info *t)
     add_sections(w);
 }
 
-void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_thread *thread)
+void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const scene_thread_info *thread,
+                             const void *identity)
 {
-    const scene_thread_info t = vbss_scene_inspect_thread(thread);
     tube w;
-    vbss_visual_solve_spline(t.positions, t.rest_lengths, t.node_count, v->node_vectors,
-                             v->elimination_ratios);
+    vbss_visual_solve_spline(thread->positions, thread->rest_lengths, thread->node_count,
+                             v->node_vectors, v->elimination_ratios);
     w.v = v;
     w.frame = f;
-    w.thread = thread;
-    w.line = (visual_line){t.positions, v->node_vectors, t.rest_lengths};
+    w.thread = identity;
+    w.line = (visual_line){thread->positions, v->node_vectors, thread->rest_lengths};
     w.points.count = 0;
-    vbss_visual_begin_loft(&w.loft, v, f, vbss_visual_round_section(v, t.radius));
-    w.ring = (visual_ring){.radius = t.radius, .radial = 1.0};
+    vbss_visual_begin_loft(&w.loft, v, f, vbss_visual_round_section(v, thread->radius));
+    w.ring = (visual_ring){.radius = thread->radius, .radial = 1.0};
     w.has_ring = false;
-    add_points(&w, &t);
+    add_points(&w, thread);
     vbss_visual_add_dome(&w.loft, &w.ring, false);
 }

@@ -3,10 +3,9 @@
 
 /* ---- needles: a wire from the swage to the tip, which has the shape of an ogive */
 
-static visual_ring wire_ring(const vbss_needle *needle, const scene_needle_info *n,
-                             double arc_length)
+static visual_ring wire_ring(const scene_needle_info *n, double arc_length)
 {
-    const scene_line_point p = vbss_scene_inspect_needle_point(needle, arc_length);
+    const scene_line_point p = vbss_scene_inspect_needle_point(n, arc_length);
     const vec3 normal = vec3_unit_or(p.position, vec3_make(1.0, 0.0, 0.0));
     visual_ring ring = {.centre = pose_apply(n->pose, p.position),
                         .tangent = quat_rotate(n->pose.orientation, p.direction),
@@ -19,10 +18,9 @@ static visual_ring wire_ring(const vbss_needle *needle, const scene_needle_info 
 
 /* Radius wire (1 - (1 - u)^2) at the fraction u of the length of the tip: round at the very tip,
  * and smooth where the wire begins. */
-static visual_ring tip_ring(const vbss_needle *needle, const scene_needle_info *n, double tip,
-                            double fraction)
+static visual_ring tip_ring(const scene_needle_info *n, double tip, double fraction)
 {
-    visual_ring ring = wire_ring(needle, n, fraction * tip);
+    visual_ring ring = wire_ring(n, fraction * tip);
     double remaining = 1.0 - fraction, slope = 2.0 * ring.radius * remaining / tip;
     double scale = 1.0 / sqrt(1.0 + slope * slope);
     ring.radius *= 1.0 - remaining * remaining;
@@ -31,23 +29,22 @@ static visual_ring tip_ring(const vbss_needle *needle, const scene_needle_info *
     return ring;
 }
 
-void vbss_visual_draw_needle(visual_object *v, visual_frame *f, const vbss_needle *needle)
+void vbss_visual_draw_needle(visual_object *v, visual_frame *f, const scene_needle_info *n)
 {
     enum { TIP_RINGS = 8 }; /* chosen */
-    const scene_needle_info n = vbss_scene_inspect_needle(needle);
-    const double length = n.length, tip = vbss_min(v->config.tip_length, 0.5 * length);
-    const bool thin = tip > n.wire_radius;
+    const double length = n->length, tip = vbss_min(v->config.tip_length, 0.5 * length);
+    const bool thin = tip > n->wire_radius;
     const double body = thin ? length - tip : length;
-    const double outside = (1.0 + n.wire_radius / n.arc_radius) / n.arc_radius;
+    const double outside = (1.0 + n->wire_radius / n->arc_radius) / n->arc_radius;
     const double chord = vbss_visual_max_chord(outside, v->config.tube_tolerance);
     const uint32_t rings = (uint32_t)vbss_min(body / chord + 1.0, 1024.0);
-    const visual_section *section = vbss_visual_round_section(v, n.wire_radius);
+    const visual_section *section = vbss_visual_round_section(v, n->wire_radius);
     visual_loft loft;
     vbss_visual_begin_loft(&loft, v, f, section);
-    visual_ring ring = wire_ring(needle, &n, length);
+    visual_ring ring = wire_ring(n, length);
     vbss_visual_add_dome(&loft, &ring, true);
     for (uint32_t i = 0; i <= rings; i++) {
-        ring = wire_ring(needle, &n, length - body * ((double)i / (double)rings));
+        ring = wire_ring(n, length - body * ((double)i / (double)rings));
         vbss_visual_add_ring(&loft, &ring);
     }
     if (!thin) {
@@ -56,7 +53,7 @@ void vbss_visual_draw_needle(visual_object *v, visual_frame *f, const vbss_needl
     }
     for (int i = 1; i <= TIP_RINGS; i++) { /* closer toward the round end */
         double remaining = 1.0 - (double)i / (double)TIP_RINGS;
-        ring = tip_ring(needle, &n, tip, remaining * (0.4 + 0.6 * remaining));
+        ring = tip_ring(n, tip, remaining * (0.4 + 0.6 * remaining));
         if (i == TIP_RINGS) {
             vbss_visual_add_pole(&loft, &ring);
         } else {
@@ -117,19 +114,14 @@ void vbss_visual_draw_grasper(visual_object *v, visual_frame *f, const scene_gra
 
 /* ---- other rigid bodies */
 
-void vbss_visual_draw_rigid(visual_object *v, visual_frame *f, const vbss_scene *scene,
-                            const scene_body_info *body)
+void vbss_visual_draw_capsule(visual_object *v, visual_frame *f, quat orientation,
+                              const scene_capsule_info *c)
 {
-    const quat orientation = body->pose.orientation;
-    for (uint32_t i = 0; i < body->capsule_count; i++) {
-        const scene_capsule_info c = vbss_scene_inspect_capsule(scene, body, i);
-        vec3 along = vec3_unit_or(vec3_sub(c.axis[1], c.axis[0]), vec3_make(0.0, 0.0, 1.0));
-        const visual_section *section = vbss_visual_round_section(v, c.radius);
-        /* The section turns with the body, so that its rotation is visible. */
-        vec3 across =
-            quat_rotate(orientation, vec3_any_normal(quat_rotate_back(orientation, along)));
-        const visual_capsule capsule = {c.axis[0], c.axis[1], along, across,
-                                        c.radius,  c.radius,  0.0};
-        vbss_visual_add_capsule(v, f, section, &capsule);
-    }
+    vec3 along = vec3_unit_or(vec3_sub(c->axis[1], c->axis[0]), vec3_make(0.0, 0.0, 1.0));
+    const visual_section *section = vbss_visual_round_section(v, c->radius);
+    /* The section turns with the body, so that its rotation is visible. */
+    vec3 across = quat_rotate(orientation, vec3_any_normal(quat_rotate_back(orientation, along)));
+    const visual_capsule capsule = {c->axis[0], c->axis[1], along, across,
+                                    c->radius,  c->radius,  0.0};
+    vbss_visual_add_capsule(v, f, section, &capsule);
 }

@@ -5,6 +5,11 @@
 #include "base/error.h"
 #include "visual/visual.h"
 
+/* The source of a part, and the number of its body in a scene, or 0. */
+typedef struct visual_label {
+    uint32_t source, body;
+} visual_label;
+
 /* ---- parts and decals */
 
 static void end_part(const visual_object *v, visual_frame *f)
@@ -16,14 +21,15 @@ static void end_part(const visual_object *v, visual_frame *f)
     }
 }
 
-void vbss_visual_begin_part(const visual_object *v, visual_frame *f, vbss_visual_kind kind,
-                            uint32_t source, uint32_t body)
+/* Begins a part. All vertices and triangles belong to it until the next part begins. */
+static void begin_part(const visual_object *v, visual_frame *f, vbss_visual_kind kind,
+                       const visual_label *label)
 {
     end_part(v, f);
     if (f->part_count < v->config.part_capacity) {
         f->parts[f->part_count] = (visual_part){.kind = (uint32_t)kind,
-                                                .source = source,
-                                                .body = body,
+                                                .source = label->source,
+                                                .body = label->body,
                                                 .first_vertex = f->vertex_count,
                                                 .first_triangle = f->triangle_count};
     }
@@ -62,88 +68,72 @@ static vbss_result check_node_count(const visual_object *v, uint32_t count, cons
     return VBSS_OK;
 }
 
-static vbss_result draw_thread(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                               const vbss_thread *thread)
+static vbss_result draw_thread(visual_object *v, visual_frame *f, const visual_label *label,
+                               const scene_geometry *g)
 {
-    uint32_t node_count = vbss_scene_inspect_thread(thread).node_count;
-    VBSS_TRY(check_node_count(v, node_count, "thread"));
-    vbss_visual_begin_part(v, f, VBSS_VISUAL_THREAD, source, body);
-    vbss_visual_draw_thread(v, f, thread);
+    VBSS_TRY(check_node_count(v, g->thread.node_count, "thread"));
+    begin_part(v, f, VBSS_VISUAL_THREAD, label);
+    vbss_visual_draw_thread(v, f, &g->thread, g->identity);
     return VBSS_OK;
 }
 
-static vbss_result draw_drain(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                              const vbss_drain *drain)
+static vbss_result draw_drain(visual_object *v, visual_frame *f, const visual_label *label,
+                              const scene_geometry *g)
 {
-    const scene_drain_info d = vbss_scene_inspect_drain(drain);
-    VBSS_TRY(check_node_count(v, d.node_count, "drain"));
-    vbss_visual_begin_part(v, f, VBSS_VISUAL_DRAIN, source, body);
-    vbss_visual_draw_drain(v, f, drain, &d);
+    VBSS_TRY(check_node_count(v, g->drain.node_count, "drain"));
+    begin_part(v, f, VBSS_VISUAL_DRAIN, label);
+    vbss_visual_draw_drain(v, f, &g->drain, g->identity);
     return VBSS_OK;
 }
 
-static void draw_needle(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                        const vbss_needle *needle)
+static void draw_grasper(visual_object *v, visual_frame *f, const visual_label *label,
+                         const scene_grasper_info *g)
 {
-    vbss_visual_begin_part(v, f, VBSS_VISUAL_NEEDLE, source, body);
-    vbss_visual_draw_needle(v, f, needle);
+    begin_part(v, f, g->kind == VBSS_GRASPER_SHEARS ? VBSS_VISUAL_SHEARS : VBSS_VISUAL_DRIVER,
+               label);
+    vbss_visual_draw_grasper(v, f, g);
 }
 
-static void draw_grasper(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
-                         const vbss_grasper *grasper)
+/* Draws a body other than a rigid one that is only capsules. */
+static vbss_result draw_geometry(visual_object *v, visual_frame *f, const visual_label *label,
+                                 const scene_geometry *g)
 {
-    const scene_grasper_info g = vbss_scene_inspect_grasper(grasper);
-    vbss_visual_begin_part(v, f,
-                           g.kind == VBSS_GRASPER_SHEARS ? VBSS_VISUAL_SHEARS : VBSS_VISUAL_DRIVER,
-                           source, body);
-    vbss_visual_draw_grasper(v, f, &g);
+    switch (g->type) {
+    case SCENE_GEOMETRY_THREAD:
+        return draw_thread(v, f, label, g);
+    case SCENE_GEOMETRY_DRAIN:
+        return draw_drain(v, f, label, g);
+    case SCENE_GEOMETRY_NEEDLE:
+        begin_part(v, f, VBSS_VISUAL_NEEDLE, label);
+        vbss_visual_draw_needle(v, f, &g->needle);
+        return VBSS_OK;
+    default:
+        draw_grasper(v, f, label, &g->grasper);
+        return VBSS_OK;
+    }
 }
 
 /* ---- scenes */
 
 /* A hole that no body goes through is not drawn. */
-static void add_holes(const visual_object *v, visual_frame *f, const vbss_scene *scene,
-                      uint32_t hole_capacity, uint32_t drain)
+static void add_hole(const visual_object *v, visual_frame *f, const scene_hole_info *hole,
+                     uint32_t drain)
 {
-    for (uint32_t i = 0; i < hole_capacity; i++) {
-        const scene_hole_info hole = vbss_scene_inspect_hole(scene, i);
-        if (hole.id != 0 && hole.drain == drain && hole.radius > 0.0) {
-            vbss_visual_add_decal(v, f, VBSS_SPOT_HOLE, hole.rest_position, hole.radius);
-        }
+    if (hole->id != 0 && hole->drain == drain && hole->radius > 0.0) {
+        vbss_visual_add_decal(v, f, VBSS_SPOT_HOLE, hole->rest_position, hole->radius);
     }
-}
-
-static vbss_result draw_body(visual_object *v, visual_frame *f, uint32_t source,
-                             const vbss_scene *scene, const scene_body_info *body)
-{
-    if (body->thread != NULL) {
-        return draw_thread(v, f, source, body->number, body->thread);
-    }
-    if (body->drain != NULL) {
-        return draw_drain(v, f, source, body->number, body->drain);
-    }
-    if (body->needle != NULL) {
-        draw_needle(v, f, source, body->number, body->needle);
-    } else if (body->grasper != NULL) {
-        draw_grasper(v, f, source, body->number, body->grasper);
-    } else if (body->number != 0) {
-        vbss_visual_begin_part(v, f, VBSS_VISUAL_RIGID, source, body->number);
-        vbss_visual_draw_rigid(v, f, scene, body);
-    }
-    return VBSS_OK;
 }
 
 /* Draws a square in the plane of the floor, centred at the point nearest to the origin of the
  * vertices. */
-static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
-                       const scene_info *scene)
+static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source, vec3 up,
+                       double floor_height)
 {
     const double corners[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-    const vec3 up = scene->floor_normal;
     const vec3 across = vec3_any_normal(up), along = vec3_cross(up, across);
-    double height = vec3_dot(v->origin, up) - scene->config->floor_height;
+    double height = vec3_dot(v->origin, up) - floor_height;
     const vec3 centre = vec3_add_scaled(v->origin, -height, up);
-    vbss_visual_begin_part(v, f, VBSS_VISUAL_FLOOR, source, 0);
+    begin_part(v, f, VBSS_VISUAL_FLOOR, &(visual_label){source, 0});
     const uint32_t first = f->vertex_count;
     f->vertex_count += 4;
     for (uint32_t i = 0; i < 4; i++) {
@@ -159,6 +149,22 @@ static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
     visual_add_triangle(v, f, first, first + 2, first + 3);
 }
 
+static vbss_result draw_body(visual_object *v, visual_frame *f, uint32_t source,
+                             const vbss_scene *scene, const scene_body_info *body)
+{
+    const visual_label label = {source, body->number};
+    const scene_geometry geometry = vbss_scene_inspect_geometry(body);
+    if (geometry.type != SCENE_GEOMETRY_CAPSULES) {
+        return draw_geometry(v, f, &label, &geometry);
+    }
+    begin_part(v, f, VBSS_VISUAL_RIGID, &label);
+    for (uint32_t i = 0; i < body->capsule_count; i++) {
+        const scene_capsule_info capsule = vbss_scene_inspect_capsule(scene, body, i);
+        vbss_visual_draw_capsule(v, f, body->pose.orientation, &capsule);
+    }
+    return VBSS_OK;
+}
+
 static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source,
                               const vbss_scene *scene)
 {
@@ -166,15 +172,69 @@ static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source
     VBSS_TRY(vbss_scene_inspect(scene, &info));
     for (uint32_t i = 0; i < info.entry_count && vbss_visual_fits(v, f); i++) {
         const scene_body_info body = vbss_scene_inspect_entry(scene, i);
+        if (body.number == 0) {
+            continue;
+        }
         VBSS_TRY(draw_body(v, f, source, scene, &body));
-        if (body.drain != NULL) {
-            add_holes(v, f, scene, info.config->hole_capacity, body.number);
+        for (uint32_t k = 0; body.drain != NULL && k < info.config->hole_capacity; k++) {
+            const scene_hole_info hole = vbss_scene_inspect_hole(scene, k);
+            add_hole(v, f, &hole, body.number);
         }
     }
     if (info.config->floor) {
-        draw_floor(v, f, source, &info);
+        draw_floor(v, f, source, info.floor_normal, info.config->floor_height);
     }
     return VBSS_OK;
+}
+
+/* ---- replicas of scenes */
+
+static vbss_result draw_copied_body(visual_object *v, visual_frame *f, uint32_t source,
+                                    const replica_state *state, const replica_body *body)
+{
+    const visual_label label = {source, body->number};
+    if (body->geometry.type != SCENE_GEOMETRY_CAPSULES) {
+        return draw_geometry(v, f, &label, &body->geometry);
+    }
+    begin_part(v, f, VBSS_VISUAL_RIGID, &label);
+    for (uint32_t i = 0; i < body->capsule_count; i++) {
+        vbss_visual_draw_capsule(v, f, body->orientation,
+                                 &state->capsules[body->first_capsule + i]);
+    }
+    return VBSS_OK;
+}
+
+static vbss_result draw_state(visual_object *v, visual_frame *f, uint32_t source,
+                              const replica_state *state)
+{
+    for (uint32_t i = 0; i < state->body_count && vbss_visual_fits(v, f); i++) {
+        const replica_body *body = &state->bodies[i];
+        VBSS_TRY(draw_copied_body(v, f, source, state, body));
+        for (uint32_t k = 0; k < state->hole_count; k++) {
+            add_hole(v, f, &state->holes[k], body->number);
+        }
+    }
+    if (state->has_floor) {
+        draw_floor(v, f, source, state->floor_normal, state->floor_height);
+    }
+    return VBSS_OK;
+}
+
+/* A replica that was destroyed draws nothing. */
+static vbss_result draw_replica(visual_object *v, visual_frame *f, const visual_source *source)
+{
+    const replica_state *state;
+    const vbss_result result = vbss_replica_begin_reading(source->handle, &state);
+    if (result == VBSS_ERROR_INVALID_HANDLE) {
+        return VBSS_OK;
+    }
+    if (result != VBSS_OK) {
+        return vbss_fail(v->context, result, "another thread reads the replica of source %u",
+                         source->number);
+    }
+    const vbss_result drawn = draw_state(v, f, source->number, state);
+    vbss_replica_end_reading(source->handle);
+    return drawn;
 }
 
 /* ---- sources */
@@ -183,24 +243,32 @@ static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source
 static vbss_result draw_source(visual_object *v, visual_frame *f, const visual_source *source)
 {
     vbss_slot *slot;
+    scene_body_info body = {.number = 0};
+    if (source->is_replica) {
+        return draw_replica(v, f, source);
+    }
     if (source->number == 0 ||
         vbss_scene_inspect_handle(source->type, source->handle, &slot) != VBSS_OK) {
         return VBSS_OK;
     }
     switch (source->type) {
     case SCENE_HANDLE_SCENE:
-        return draw_scene(v, f, source->number, source->handle);
+        return draw_scene(v, f, source->number, (const vbss_scene *)source->handle);
     case SCENE_HANDLE_THREAD:
-        return draw_thread(v, f, source->number, 0, source->handle);
+        body.thread = (vbss_thread *)source->handle;
+        break;
     case SCENE_HANDLE_DRAIN:
-        return draw_drain(v, f, source->number, 0, source->handle);
+        body.drain = (vbss_drain *)source->handle;
+        break;
     case SCENE_HANDLE_NEEDLE:
-        draw_needle(v, f, source->number, 0, source->handle);
-        return VBSS_OK;
+        body.needle = (vbss_needle *)source->handle;
+        break;
     default:
-        draw_grasper(v, f, source->number, 0, source->handle);
-        return VBSS_OK;
+        body.grasper = (vbss_grasper *)source->handle;
+        break;
     }
+    const scene_geometry geometry = vbss_scene_inspect_geometry(&body);
+    return draw_geometry(v, f, &(visual_label){source->number, 0}, &geometry);
 }
 
 static vbss_result fail_capacity(const visual_object *v, const visual_frame *f)

@@ -114,17 +114,12 @@ vbss_result vbss_visual_destroy(vbss_visual *visual)
 
 /* ---- sources */
 
-static vbss_result add_source(vbss_visual *visual, const void *handle, scene_handle_type type,
-                              uint32_t *number)
+static vbss_result store_source(visual_object *v, const visual_source *source, uint32_t *number)
 {
-    vbss_slot *slot, *shown;
-    VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
-    visual_object *v = slot->object;
-    VBSS_TRY(vbss_slot_check_other(v->context, handle, "source"));
-    VBSS_TRY(vbss_scene_inspect_handle(type, handle, &shown));
     for (uint32_t i = 0; i < v->config.source_capacity; i++) {
         if (v->sources[i].number == 0) {
-            v->sources[i] = (visual_source){++v->last_source, type, handle};
+            v->sources[i] = *source;
+            v->sources[i].number = ++v->last_source;
             if (number != NULL) {
                 *number = v->last_source;
             }
@@ -133,6 +128,29 @@ static vbss_result add_source(vbss_visual *visual, const void *handle, scene_han
     }
     return vbss_fail(v->context, VBSS_ERROR_CAPACITY, "the visual has room for %u sources",
                      v->config.source_capacity);
+}
+
+static vbss_result add_source(vbss_visual *visual, void *handle, scene_handle_type type,
+                              uint32_t *number)
+{
+    vbss_slot *slot, *shown;
+    VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
+    visual_object *v = slot->object;
+    VBSS_TRY(vbss_slot_check_other(v->context, handle, "source"));
+    VBSS_TRY(vbss_scene_inspect_handle(type, handle, &shown));
+    return store_source(v, &(visual_source){.type = type, .handle = handle}, number);
+}
+
+vbss_result vbss_visual_add_replica(vbss_visual *visual, vbss_replica *replica, uint32_t *source)
+{
+    VBSS_ENTER(visual);
+    vbss_slot *slot, *shown;
+    VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
+    visual_object *v = slot->object;
+    if (vbss_slot_open_shared(replica, &vbss_replica_kind_of_slot, &shown) != VBSS_OK) {
+        return vbss_fail(v->context, VBSS_ERROR_INVALID_HANDLE, "replica is no valid replica");
+    }
+    return store_source(v, &(visual_source){.is_replica = true, .handle = replica}, source);
 }
 
 vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scene, uint32_t *source)

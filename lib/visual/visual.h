@@ -21,6 +21,7 @@
 #include "base/linear.h"
 #include "base/pi.h"
 #include "base/slot.h"
+#include "replica/replica.h"
 #include "scene/api/inspect.h"
 
 /* Sides of a section; points of one, where a seam or creases double some. Capacities, chosen. */
@@ -51,14 +52,14 @@ typedef struct visual_part {
 
 /* Orientation of the first section of a thread's tube. The next frame starts from it. */
 typedef struct visual_tube_start {
-    const vbss_thread *thread;
+    const void *thread; /* its identity in scene_geometry */
     vec3 tangent, normal;
 } visual_tube_start;
 
 /* A drain as it was drawn. Its triangles, and the attributes of its vertices other than position
  * and normal, depend on these fields only. The next frames reuse them. */
 typedef struct visual_wall_record {
-    const vbss_drain *drain; /* NULL: none */
+    const void *drain; /* its identity in scene_geometry; NULL: none */
     uint32_t divisions, first_vertex, first_triangle;
 } visual_wall_record;
 
@@ -86,11 +87,12 @@ typedef struct visual_frame {
     uint32_t tube_start_count, wall_count, loft_count;
 } visual_frame;
 
-/* A scene or body that the visual shows. */
+/* A scene, a body or a replica that the visual shows. */
 typedef struct visual_source {
     uint32_t number; /* as reported to the host; 0: the entry is free */
-    scene_handle_type type;
-    const void *handle;
+    bool is_replica;
+    scene_handle_type type; /* unless it is a replica */
+    void *handle;
 } visual_source;
 
 /* Points of a circle at equal steps, and others at the corners of a jaw. `position` and `normal`
@@ -193,9 +195,6 @@ extern const vbss_kind vbss_visual_kind_of_slot;
 
 /* ---- update.c */
 
-/* Begins a part. All vertices and triangles belong to it until the next part begins. */
-void vbss_visual_begin_part(const visual_object *v, visual_frame *f, vbss_visual_kind kind,
-                            uint32_t source, uint32_t body);
 /* Adds a decal to the current part. `material` is a position at rest, m; `radius` is in m. */
 void vbss_visual_add_decal(const visual_object *v, visual_frame *f, vbss_spot_kind kind,
                            vec3 material, double radius);
@@ -292,7 +291,9 @@ void vbss_visual_find_line_points_wide(const visual_line *line, visual_line_poin
 
 /* ---- thread.c */
 
-void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_thread *thread);
+/* `identity` tells the thread from others: the tube of the next frame starts from this one. */
+void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const scene_thread_info *thread,
+                             const void *identity);
 /* Transports the normal of a rotation-minimising frame from one point of a line to another.
  * Tangents and normals are unit vectors. */
 vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to,
@@ -300,15 +301,17 @@ vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to,
 
 /* ---- tools.c */
 
-void vbss_visual_draw_needle(visual_object *v, visual_frame *f, const vbss_needle *needle);
+void vbss_visual_draw_needle(visual_object *v, visual_frame *f, const scene_needle_info *needle);
 void vbss_visual_draw_grasper(visual_object *v, visual_frame *f, const scene_grasper_info *g);
-void vbss_visual_draw_rigid(visual_object *v, visual_frame *f, const vbss_scene *scene,
-                            const scene_body_info *body);
+/* Draws a capsule of another rigid body, which has this orientation. */
+void vbss_visual_draw_capsule(visual_object *v, visual_frame *f, quat orientation,
+                              const scene_capsule_info *capsule);
 
 /* ---- drain.c */
 
-void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const vbss_drain *drain,
-                            const scene_drain_info *d);
+/* `identity` tells the drain from others, whose topology is not reused. */
+void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const scene_drain_info *d,
+                            const void *identity);
 
 /* ---- the wall of a drain
  *

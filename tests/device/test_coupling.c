@@ -172,6 +172,32 @@ static void bad_couplings_are_rejected(void **state)
     device_rig_end(&r);
 }
 
+/* hand_force of a tool beside the coupling to the same tool would be twice the spring. */
+static void command_with_a_force_is_rejected_beside_a_coupling(void **state)
+{
+    (void)state;
+    device_rig r;
+    begin(&r);
+    device_rig_read(&r);
+    vbss_device_coupling c = spring(50.0, 0.0);
+    for (int i = 0; i < 3; i++) {
+        r.command.force[i] = i == 1 ? -1e-9 : 0.4;
+        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_device_write_coupled(r.device, r.now, &r.command, &c, NULL, 0));
+        assert_true(couples + writes == 0);
+        r.command.force[i] = 0.0;
+    }
+    r.command.torque[2] = 0.01; /* a coupling has none */
+    write_it(&r, &c);
+    assert_true(couples == 1);
+    r.command.force[0] = harness_bad_numbers[0]; /* switches off instead */
+    r.now += 1e-3;
+    device_rig_read(&r);
+    write_it(&r, &c);
+    assert_true((r.result.flags & VBSS_OUTPUT_NOT_FINITE) != 0 && r.result.force[0] == 0.0);
+    device_rig_end(&r);
+}
+
 int test_coupling(void)
 {
     const struct CMUnitTest tests[] = {
@@ -179,6 +205,7 @@ int test_coupling(void)
         cmocka_unit_test(adapter_gets_coupling_in_its_frame),
         cmocka_unit_test(coupling_is_withheld_while_forces_are_off),
         cmocka_unit_test(bad_couplings_are_rejected),
+        cmocka_unit_test(command_with_a_force_is_rejected_beside_a_coupling),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 /* Real threads: a servo at 1 kHz and a thread for the lines beside the host's. What is shared is the newest of each. */
+#include "base/triple_buffer.h"
 #include "device/hardware_rig.h"
 #include "device/platform.h"
 
@@ -44,7 +45,7 @@ static void servo_lines_and_host_share_only_newest_value(void **state)
 enum { VALUES = 200000 };
 
 typedef struct shared {
-    device_triple_buffer exchange;
+    vbss_triple_buffer exchange;
     uint64_t copies[3][8];
 } shared;
 
@@ -56,7 +57,7 @@ static void write_values(void *user)
         for (int i = 0; i < 8; i++) {
             copy[i] = k * (uint64_t)(i + 1);
         }
-        device_triple_buffer_publish(&s->exchange);
+        vbss_triple_buffer_publish(&s->exchange);
     }
 }
 
@@ -66,11 +67,11 @@ static void newest_value_is_whole_and_monotonic(void **state)
     static shared s;
     device_thread writer = {.run = write_values, .user = &s};
     uint64_t last = 0;
-    device_triple_buffer_init(&s.exchange);
-    assert_false(device_triple_buffer_fetch(&s.exchange));
+    vbss_triple_buffer_init(&s.exchange);
+    assert_false(vbss_triple_buffer_fetch(&s.exchange));
     assert_true(vbss_device_start_thread(&writer));
     while (last < VALUES) {
-        if (device_triple_buffer_fetch(&s.exchange)) {
+        if (vbss_triple_buffer_fetch(&s.exchange)) {
             const uint64_t *copy = s.copies[s.exchange.reader];
             assert_true(copy[0] > last);
             last = copy[0];
@@ -80,7 +81,7 @@ static void newest_value_is_whole_and_monotonic(void **state)
         }
     }
     vbss_device_join_thread(&writer);
-    assert_false(device_triple_buffer_fetch(&s.exchange));
+    assert_false(vbss_triple_buffer_fetch(&s.exchange));
 }
 
 int test_hardware_threads(void)

@@ -7,7 +7,7 @@ import gate
 
 # Folders of one row do not know each other.
 LAYERS = [["base"], ["collision"], ["solver"], ["thread", "drain", "needle", "grasper"], ["contact"],
-          ["suture"], ["scene"], ["knot", "metrics", "device", "record", "visual"], ["session", "baseline"]]
+          ["suture"], ["scene"], ["knot", "metrics", "device", "record", "replica"], ["visual"], ["session", "baseline"]]
 # How a module reaches its method in lib/baseline: its own header declares a table of functions, lib/baseline defines it, and the
 # file that chooses the table when an object is created refers to it. That is no call upward (gate.structure): calls go through
 # the table. No other file outside lib/baseline may refer to anything in it.

@@ -37,7 +37,7 @@ def test_a_device_reads_an_arm_and_a_handle(context):
             assert found.status == vb.DeviceStatus.READY and abs(found.jaw_raw) < 0.01
             for now in (0.1, 0.101):  # a force rises from the first write on
                 out = device.write_coupled(now, {"position": (found.position[0] + 1e-3, *found.position[1:]),
-                                                 "stiffness": 100.0}, force=(0.0, 0.05, 0.0))
+                                                 "stiffness": 100.0, "force": (0.0, 0.05, 0.0)})
             assert out.force[:2] == pytest.approx((0.1, 0.05))
         assert arms.status(1).state == vb.HardwareState.RUNNING and arms.status().errors == 0
         assert lines.status.cycles == 2 and lines.status.state == vb.HardwareState.RUNNING

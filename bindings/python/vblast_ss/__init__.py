@@ -9,8 +9,8 @@
         print(thread.positions[-1], thread.energies.total)
 
 Objects: Context, Thread, Drain, Needle, Grasper, Scene, KnotDetector, Collision, Device, Mock, Output,
-Openhaptics, Nidaqmx, Metrics, Record, Replay, Session, Visual. Settings are keywords over the library's defaults; failures are
-exceptions (vblast_ss.errors); arrays are
+Openhaptics, Nidaqmx, Metrics, Record, Replay, Replica, Session, Visual. Settings are keywords over the library's
+defaults; failures are exceptions (vblast_ss.errors); arrays are
 read-only views without a copy (vblast_ss.views says how long they are good). SI units everywhere. The page
 docs/python.md tells more; vblast_ss._api is the C interface as it is."""
 from __future__ import annotations
@@ -30,6 +30,7 @@ from .knots import *  # noqa: F401,F403
 from .metrics import *  # noqa: F401,F403
 from .needle import *  # noqa: F401,F403
 from .records import *  # noqa: F401,F403
+from .replica import *  # noqa: F401,F403
 from .scene import *  # noqa: F401,F403
 from .sessions import *  # noqa: F401,F403
 from .thread import *  # noqa: F401,F403

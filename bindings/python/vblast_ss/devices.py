@@ -165,7 +165,8 @@ class Device(Configured, Saved):
         return value_of(OutputResult, result)
 
     def write_coupled(self, now: float, coupling: Mapping[str, Any], **command: Any) -> OutputResult:
-        """Writes a command with the force of a virtual coupling: position, velocity, force, stiffness, damping."""
+        """Writes a command without a force, with that of a virtual coupling: position, velocity, force, stiffness,
+        damping. Other forces are the coupling's `force`."""
         result = vbss_output_result()
         struct = initialised(vbss_device_coupling, lib.vbss_device_coupling_init, coupling, "a coupling")
         self._call(lib.vbss_device_write_coupled, now, ctypes.byref(_command(command)), ctypes.byref(struct),

@@ -13,13 +13,14 @@ from .context import Context
 from .drain import Drain
 from .grasper import Grasper
 from .needle import Needle
+from .replica import Replica
 from .scene import Scene
 from .thread import Thread
 from .views import Array
 
 __all__ = ["Part", "Spot", "SpotKind", "Visual", "VisualField", "VisualKind", "VisualStatistics"]
 
-Shown = Union[Scene, Thread, Drain, Needle, Grasper]
+Shown = Union[Scene, Replica, Thread, Drain, Needle, Grasper]
 
 
 class Part(NamedTuple):
@@ -50,25 +51,32 @@ class Visual(Configured, Viewed):
         config = initialised(vbss_visual_config, lib.vbss_visual_config_init, settings, "a visual")
         super().__init__(context, created(context, vbss_visual, lib.vbss_visual_create, context._handle,
                                           ctypes.byref(config)))
+        self._replicas: dict[int, Replica] = {}  # by their sources
 
     def add(self, shown: Shown) -> int:
-        """Shows a scene with all that is in it, or a body that is alone, from the next update on; gives its number."""
-        adds = {Scene: lib.vbss_visual_add_scene, Thread: lib.vbss_visual_add_thread,
+        """Shows a scene with all that is in it, a replica of a scene, also of another context, or a body that is alone,
+        from the next update on; gives its number."""
+        adds = {Scene: lib.vbss_visual_add_scene, Replica: lib.vbss_visual_add_replica, Thread: lib.vbss_visual_add_thread,
                 Drain: lib.vbss_visual_add_drain, Needle: lib.vbss_visual_add_needle,
                 Grasper: lib.vbss_visual_add_grasper}
         for kind, function in adds.items():
             if isinstance(shown, kind):
                 source = ctypes.c_uint32()
                 self._call(function, shown._handle, ctypes.byref(source))
+                if isinstance(shown, Replica):
+                    self._replicas[source.value] = shown
                 return source.value
-        raise TypeError(f"a visual shows scenes and bodies, not {type(shown).__name__}")
+        raise TypeError(f"a visual shows scenes, replicas and bodies, not {type(shown).__name__}")
 
     def remove(self, source: int) -> None:
         """Shows that no more."""
         self._call(lib.vbss_visual_remove, index(source, "source"))
+        self._replicas.pop(source, None)
 
     def update(self) -> None:
         """Makes the meshes of all that is shown as it is now."""
+        for source in [number for number, replica in self._replicas.items() if replica.closed]:
+            self.remove(source)  # the memory of its context may be gone
         self._call(lib.vbss_visual_update)
 
     @property

@@ -38,6 +38,7 @@ typedef struct scene_info {
     const vbss_scene_config *config;
     vec3 floor_normal;    /* unit */
     uint64_t steps;       /* calls of vbss_scene_step that succeeded */
+    double time;          /* simulated time, s */
     uint32_t entry_count; /* entries in the table of bodies, for vbss_scene_inspect_entry */
     uint32_t event_count; /* events that the last step emitted */
     /* Items of VBSS_SCENE_VIEW_EVENTS. Callers must not change them; they are not const because
@@ -81,6 +82,7 @@ typedef struct scene_body_info {
     vbss_grasper *grasper;
     uint32_t first_capsule, capsule_count; /* rigid bodies: its range of capsules */
     pose pose;                             /* rigid bodies: principal frame, body to world */
+    pose host_pose;                        /* rigid bodies: the frame that hosts see, to world */
 } scene_body_info;
 /* Reads the body with a number; the number may be one that no body has. */
 scene_body_info vbss_scene_inspect_body(const vbss_scene *scene, uint32_t number);
@@ -95,7 +97,16 @@ typedef struct scene_capsule_info {
 scene_capsule_info vbss_scene_inspect_capsule(const vbss_scene *scene, const scene_body_info *body,
                                               uint32_t index);
 
-/* ---- holes and grasps of a scene */
+/* ---- contacts, holes and grasps of a scene */
+
+/* The arrays of the contact views. */
+typedef struct scene_contacts_info {
+    uint32_t count;
+    const uint32_t (*features)[5];
+    const vec3 *points, *normals, *forces; /* m; unit; N */
+    const double *gaps;                    /* m */
+} scene_contacts_info;
+scene_contacts_info vbss_scene_inspect_contacts(const vbss_scene *scene);
 
 typedef struct scene_hole_info {
     uint32_t id;             /* ascending in the order of creation; 0: the entry is free */
@@ -151,6 +162,7 @@ scene_drain_info vbss_scene_inspect_drain(const vbss_drain *drain);
 
 typedef struct scene_needle_info {
     double wire_radius, arc_radius, length; /* m; the length is that of the middle line */
+    double arc;                             /* angle from tip to swage, rad */
     pose pose;                              /* frame of the needle, body to world */
 } scene_needle_info;
 scene_needle_info vbss_scene_inspect_needle(const vbss_needle *needle);
@@ -159,15 +171,42 @@ typedef struct scene_line_point {
     vec3 position, direction; /* m; unit, toward the tip */
 } scene_line_point;
 /* Computes the point of the middle line at an arc length from the tip, m, in the needle's frame. */
-scene_line_point vbss_scene_inspect_needle_point(const vbss_needle *needle, double arc_length);
+scene_line_point vbss_scene_inspect_needle_point(const scene_needle_info *needle,
+                                                 double arc_length);
 
 typedef struct scene_grasper_info {
     vbss_grasper_kind kind;
+    double jaw_angle;                        /* of each jaw from the middle, rad */
     pose pose;                               /* frame of the tool, tool to world */
     vec3 forward;                            /* direction of the jaws in the tool's frame, unit */
     scene_capsule_info shaft, jaws[2], neck; /* in the tool's frame; the first jaw is that at +x */
 } scene_grasper_info;
 /* Reads a grasper and computes its capsules from the jaw angle. */
 scene_grasper_info vbss_scene_inspect_grasper(const vbss_grasper *grasper);
+
+/* ---- the geometry of a body: all that is drawn of it */
+
+typedef enum scene_geometry_type {
+    SCENE_GEOMETRY_CAPSULES = 0, /* another rigid body: its capsules, which are not part of this */
+    SCENE_GEOMETRY_THREAD,
+    SCENE_GEOMETRY_DRAIN,
+    SCENE_GEOMETRY_NEEDLE,
+    SCENE_GEOMETRY_GRASPER
+} scene_geometry_type;
+
+typedef struct scene_geometry {
+    scene_geometry_type type;
+    /* The handle of the body, which no other body of the context ever has. It is compared only, so
+     * the body need not exist any more. */
+    const void *identity;
+    union { /* `type` says which one is in use */
+        scene_thread_info thread;
+        scene_drain_info drain;
+        scene_needle_info needle;
+        scene_grasper_info grasper;
+    };
+} scene_geometry;
+/* Reads the geometry of a body by its handle. */
+scene_geometry vbss_scene_inspect_geometry(const scene_body_info *body);
 
 #endif

@@ -63,14 +63,15 @@ scene_needle_info vbss_scene_inspect_needle(const vbss_needle *needle)
     return (scene_needle_info){.wire_radius = n->config.wire_radius,
                                .arc_radius = n->config.radius,
                                .length = vbss_needle_length(n),
+                               .arc = n->config.arc,
                                .pose = vbss_needle_pose(n)};
 }
 
-scene_line_point vbss_scene_inspect_needle_point(const vbss_needle *needle, double arc_length)
+scene_line_point vbss_scene_inspect_needle_point(const scene_needle_info *needle, double arc_length)
 {
-    const needle_object *n = object_of(needle);
-    return (scene_line_point){.position = vbss_needle_point(n, arc_length),
-                              .direction = vbss_needle_direction(n, arc_length)};
+    const double radius = needle->arc_radius, arc = needle->arc;
+    return (scene_line_point){.position = vbss_needle_line_point(radius, arc, arc_length),
+                              .direction = vbss_needle_line_direction(radius, arc, arc_length)};
 }
 
 static scene_capsule_info describe_capsule(const grasper_capsule *c)
@@ -85,10 +86,36 @@ scene_grasper_info vbss_scene_inspect_grasper(const vbss_grasper *grasper)
     vbss_grasper_compute_capsules(g, g->jaw_angle, capsules);
     return (scene_grasper_info){
         .kind = g->kind,
+        .jaw_angle = g->jaw_angle,
         .pose = g->tool_pose,
         .forward = quat_rotate(vbss_grasper_jaw_frame(g).orientation, vec3_make(0.0, 0.0, -1.0)),
         .shaft = describe_capsule(&capsules[GRASPER_SHAFT]),
         .jaws = {describe_capsule(&capsules[GRASPER_JAW]),
                  describe_capsule(&capsules[GRASPER_JAW + 1])},
         .neck = describe_capsule(&capsules[GRASPER_NECK])};
+}
+
+scene_geometry vbss_scene_inspect_geometry(const scene_body_info *body)
+{
+    if (body->thread != NULL) {
+        return (scene_geometry){.type = SCENE_GEOMETRY_THREAD,
+                                .identity = body->thread,
+                                .thread = vbss_scene_inspect_thread(body->thread)};
+    }
+    if (body->drain != NULL) {
+        return (scene_geometry){.type = SCENE_GEOMETRY_DRAIN,
+                                .identity = body->drain,
+                                .drain = vbss_scene_inspect_drain(body->drain)};
+    }
+    if (body->needle != NULL) {
+        return (scene_geometry){.type = SCENE_GEOMETRY_NEEDLE,
+                                .identity = body->needle,
+                                .needle = vbss_scene_inspect_needle(body->needle)};
+    }
+    if (body->grasper != NULL) {
+        return (scene_geometry){.type = SCENE_GEOMETRY_GRASPER,
+                                .identity = body->grasper,
+                                .grasper = vbss_scene_inspect_grasper(body->grasper)};
+    }
+    return (scene_geometry){.type = SCENE_GEOMETRY_CAPSULES};
 }

@@ -17,6 +17,7 @@ static scene_info describe_scene(const scene_object *s)
                         .config = &s->config,
                         .floor_normal = s->floor_normal,
                         .steps = s->report.statistics.steps,
+                        .time = s->report.statistics.time,
                         .entry_count = s->body_count,
                         .event_count = s->report.event_count,
                         .events = s->report.events};
@@ -66,7 +67,8 @@ static scene_body_info describe_rigid(uint32_t number, const scene_rigid *r)
                              .grasper = r->grasper != NULL ? (vbss_grasper *)r->slot : NULL,
                              .first_capsule = r->first_capsule,
                              .capsule_count = r->capsule_count,
-                             .pose = r->body.now.pose};
+                             .pose = r->body.now.pose,
+                             .host_pose = pose_mul(r->body.now.pose, pose_inverse(r->frame))};
 }
 
 static scene_body_info describe_body(const scene_body *b)
@@ -103,7 +105,18 @@ scene_capsule_info vbss_scene_inspect_capsule(const vbss_scene *scene, const sce
     return info;
 }
 
-/* ---- holes and grasps */
+/* ---- contacts, holes and grasps */
+
+scene_contacts_info vbss_scene_inspect_contacts(const vbss_scene *scene)
+{
+    const scene_report *r = &object_of(scene)->report;
+    return (scene_contacts_info){.count = r->contact_count,
+                                 .features = (const uint32_t(*)[5])r->contact_features,
+                                 .points = r->contact_points,
+                                 .normals = r->contact_normals,
+                                 .forces = r->contact_forces,
+                                 .gaps = r->contact_gaps};
+}
 
 /* Radius of the body in the hole, m; 0: it has left the scene. */
 static double radius_in_hole(const scene_object *s, const suture_hole *h)

@@ -240,8 +240,9 @@ class vbss_grasper_state(ctypes.Structure):
 
     pressure: Pressure of the jaws on all grasped bodies, N.
 
-    hand_force: Force on the hand at the tip, which a device shall exert, N. PAPER: the force of
-    stretched threads that it carries.
+    hand_force: Force on the hand at the tip, which a device shall exert, N: a command for
+    vbss_device_write. A device that gets the pose of the tool by vbss_device_write_coupled has
+    this force already. PAPER: the force of stretched threads that it carries.
 
     hand_torque: Torque on the hand about the tip, N m; PAPER: 0.
 

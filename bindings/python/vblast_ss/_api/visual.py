@@ -10,6 +10,7 @@ from .base import vbss_context, vbss_view
 from .drain import vbss_drain
 from .grasper import vbss_grasper
 from .needle import vbss_needle
+from .replica import vbss_replica
 from .scene import vbss_scene
 from .thread import vbss_thread
 
@@ -190,6 +191,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(POINTER(vbss_visual)))),
     "vbss_visual_destroy": (c_int32, (POINTER(vbss_visual),)),
     "vbss_visual_add_scene": (c_int32, (POINTER(vbss_visual), POINTER(vbss_scene),
+        POINTER(c_uint32))),
+    "vbss_visual_add_replica": (c_int32, (POINTER(vbss_visual), POINTER(vbss_replica),
         POINTER(c_uint32))),
     "vbss_visual_add_thread": (c_int32, (POINTER(vbss_visual), POINTER(vbss_thread),
         POINTER(c_uint32))),
