@@ -211,11 +211,16 @@ def take_function(header: Header, found, about, comments, lists) -> None:
     header.functions.append(Function(name, declared(result), declared_parameters(parameters), about))
 
 
+def take_inline(header: Header, found, about, comments, lists) -> None:
+    """Functions that a header defines are not in the library."""
+
+
 FORMS = [
     (re.compile(r"typedef\s+struct\s+(vbss_\w+)\s+\1\s*;"), take_opaque),
     (re.compile(r"typedef\s+struct\s+(vbss_\w+)\s*\{([^{}]*)\}\s*(vbss_\w+)\s*;"), take_struct),
     (re.compile(r"typedef\s+([\w\s*]+?)\(\s*\*\s*(vbss_\w+)\s*\)\s*\(([^()]*)\)\s*;"), take_callback),
     (re.compile(r"typedef\s+(\w+)\s+(vbss_\w+)\s*;"), take_kind),
     (re.compile(r"enum\s*\{([^{}]*)\}\s*;"), take_constants),
+    (re.compile(r"static\s+inline\s+\w+\s+vbss_\w+\([^()]*\)\s*\{[^{}]*\}"), take_inline),
     (re.compile(r"VBSS_API\s+([\w\s*]+?)\b(vbss_\w+)\s*\(([^()]*)\)\s*;"), take_function),
 ]

@@ -17,6 +17,7 @@ const char *input_name(vbss_input_kind kind)
         [VBSS_INPUT_MOVE_GRASPER] = "move_grasper",
         [VBSS_INPUT_SET_OPENING] = "set_opening",
         [VBSS_INPUT_EXCHANGE] = "exchange",
+        [VBSS_INPUT_SETTING] = "setting",
     };
     bool known = kind > 0 && (size_t)kind < sizeof names / sizeof names[0];
     return known ? names[kind] : "unknown";

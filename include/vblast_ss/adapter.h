@@ -237,6 +237,20 @@ extern "C" {
 VBSS_API vbss_result vbss_device_adapter_init(vbss_device_adapter *adapter, uint32_t struct_size);
 
 /**
+ * Returns the struct with the defaults that #vbss_device_adapter_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_device_adapter vbss_device_adapter_default(void)
+{
+    vbss_device_adapter vbss_filled;
+    (void)vbss_device_adapter_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Fills a samplewith the defaults: no valid part, orientation (1, 0, 0, 0).
  *
  * @param[out] sample  the sample to fill
@@ -246,6 +260,20 @@ VBSS_API vbss_result vbss_device_adapter_init(vbss_device_adapter *adapter, uint
  * @since 0.1
  */
 VBSS_API vbss_result vbss_device_sample_init(vbss_device_sample *sample, uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_device_sample_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_device_sample vbss_device_sample_default(void)
+{
+    vbss_device_sample vbss_filled;
+    (void)vbss_device_sample_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Fills capabilities with the defaults: all unknown.
@@ -260,6 +288,20 @@ VBSS_API vbss_result vbss_device_capabilities_init(vbss_device_capabilities *cap
                                                    uint32_t struct_size);
 
 /**
+ * Returns the struct with the defaults that #vbss_device_capabilities_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_device_capabilities vbss_device_capabilities_default(void)
+{
+    vbss_device_capabilities vbss_filled;
+    (void)vbss_device_capabilities_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Fills a coupling with the defaults: no force.
  *
  * @param[out] coupling  the coupling to fill
@@ -270,6 +312,20 @@ VBSS_API vbss_result vbss_device_capabilities_init(vbss_device_capabilities *cap
  */
 VBSS_API vbss_result vbss_device_coupling_init(vbss_device_coupling *coupling,
                                                uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_device_coupling_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_device_coupling vbss_device_coupling_default(void)
+{
+    vbss_device_coupling vbss_filled;
+    (void)vbss_device_coupling_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 #ifdef __cplusplus
 }

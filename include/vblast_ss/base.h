@@ -256,6 +256,20 @@ VBSS_API vbss_result vbss_arithmetic_check(void);
 VBSS_API vbss_result vbss_context_config_init(vbss_context_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_context_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_context_config vbss_context_config_default(void)
+{
+    vbss_context_config vbss_filled;
+    (void)vbss_context_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Creates a context.
  *
  * @param config        configuration; NULL for the defaults

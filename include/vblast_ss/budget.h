@@ -110,6 +110,20 @@ VBSS_API vbss_result vbss_budget_measure_speed(vbss_context *context, vbss_clock
 VBSS_API vbss_result vbss_budget_config_init(vbss_budget_config *budget, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_budget_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_budget_config vbss_budget_config_default(void)
+{
+    vbss_budget_config vbss_filled;
+    (void)vbss_budget_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Sets `work_limit` and `slot_limit` of a scene's configuration, so that the operations of a call
  * take the given share of its slot. slot_limit is the number of operations that the core does in
  * that time, and work_limit is 25/21 of it, as in the defaults. Both are at most the defaults

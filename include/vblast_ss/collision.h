@@ -288,6 +288,20 @@ VBSS_API vbss_result vbss_collision_config_init(vbss_collision_config *config,
                                                 uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_collision_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_collision_config vbss_collision_config_default(void)
+{
+    vbss_collision_config vbss_filled;
+    (void)vbss_collision_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Tests whether two moving edges come within D of each other. Edges of length zero are points. The test
  * answers all cases, also parallel and degenerate ones, and needs no object.
  *
@@ -409,6 +423,20 @@ VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_ki
  * @since 0.1
  */
 VBSS_API vbss_result vbss_collision_batch_init(vbss_collision_batch *batch, uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_collision_batch_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_collision_batch vbss_collision_batch_default(void)
+{
+    vbss_collision_batch vbss_filled;
+    (void)vbss_collision_batch_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Runs many tests, four at a time. The answers have the bits of #vbss_collision_test. The call

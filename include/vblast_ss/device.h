@@ -232,6 +232,20 @@ VBSS_API vbss_result vbss_device_calibration_init(vbss_device_calibration *calib
                                                   uint32_t struct_size);
 
 /**
+ * Returns the struct with the defaults that #vbss_device_calibration_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_device_calibration vbss_device_calibration_default(void)
+{
+    vbss_device_calibration vbss_filled;
+    (void)vbss_device_calibration_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Fills a device's configuration with the defaults.
  *
  * @param[out] config  the configuration to fill
@@ -241,6 +255,20 @@ VBSS_API vbss_result vbss_device_calibration_init(vbss_device_calibration *calib
  * @since 0.1
  */
 VBSS_API vbss_result vbss_device_config_init(vbss_device_config *config, uint32_t struct_size);
+
+/**
+ * Returns the default configuration that #vbss_device_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_device_config vbss_device_config_default(void)
+{
+    vbss_device_config vbss_filled;
+    (void)vbss_device_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /* ---- devices */
 

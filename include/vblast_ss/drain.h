@@ -242,10 +242,24 @@ extern "C" {
 VBSS_API vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_drain_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_drain_config vbss_drain_config_default(void)
+{
+    vbss_drain_config vbss_filled;
+    (void)vbss_drain_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Creates a drain at rest.
  *
  * @param context     owner
- * @param config      the configuration
+ * @param config      the configuration; NULL for the defaults
  * @param[out] drain  the new drain; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
@@ -309,6 +323,20 @@ VBSS_API vbss_result vbss_drain_set_state(vbss_drain *drain, const double *posit
  */
 VBSS_API vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachment,
                                                 uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_drain_attachment_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_drain_attachment vbss_drain_attachment_default(void)
+{
+    vbss_drain_attachment vbss_filled;
+    (void)vbss_drain_attachment_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Attaches something to a node. A node takes one PIN, and any number of the others. All fields must be in

@@ -193,6 +193,20 @@ extern "C" {
 VBSS_API vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_grasper_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_grasper_config vbss_grasper_config_default(void)
+{
+    vbss_grasper_config vbss_filled;
+    (void)vbss_grasper_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Sets length, radius, bend, opening and neck of the driver's jaws to those of a known tool.
  *
  * @param[in,out] config  an initialised configuration

@@ -196,6 +196,20 @@ VBSS_API vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *confi
                                                   uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_openhaptics_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_openhaptics_config vbss_openhaptics_config_default(void)
+{
+    vbss_openhaptics_config vbss_filled;
+    (void)vbss_openhaptics_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Loads the vendor's library, opens the arms and starts the servo. There is no force until the host
  * writes to a device.
  *
@@ -280,6 +294,20 @@ VBSS_API vbss_result vbss_openhaptics_get_identity(vbss_openhaptics *openhaptics
  * @since 0.1
  */
 VBSS_API vbss_result vbss_nidaqmx_config_init(vbss_nidaqmx_config *config, uint32_t struct_size);
+
+/**
+ * Returns the default configuration that #vbss_nidaqmx_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_nidaqmx_config vbss_nidaqmx_config_default(void)
+{
+    vbss_nidaqmx_config vbss_filled;
+    (void)vbss_nidaqmx_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Loads the vendor's library, opens the lines with solenoids off, and starts their thread.

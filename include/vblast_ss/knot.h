@@ -353,6 +353,20 @@ extern "C" {
 VBSS_API vbss_result vbss_knot_config_init(vbss_knot_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_knot_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_knot_config vbss_knot_config_default(void)
+{
+    vbss_knot_config vbss_filled;
+    (void)vbss_knot_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Fills an input with the defaults; the host sets the points.
  *
  * @param[out] input   the input to fill
@@ -362,6 +376,20 @@ VBSS_API vbss_result vbss_knot_config_init(vbss_knot_config *config, uint32_t st
  * @since 0.1
  */
 VBSS_API vbss_result vbss_knot_input_init(vbss_knot_input *input, uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_knot_input_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_knot_input vbss_knot_input_default(void)
+{
+    vbss_knot_input vbss_filled;
+    (void)vbss_knot_input_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Creates a detector without a history and allocates all memory that it needs.

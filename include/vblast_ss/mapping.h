@@ -59,6 +59,20 @@ extern "C" {
  */
 VBSS_API vbss_result vbss_mapping_config_init(vbss_mapping_config *config, uint32_t struct_size);
 
+/**
+ * Returns the default configuration that #vbss_mapping_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_mapping_config vbss_mapping_config_default(void)
+{
+    vbss_mapping_config vbss_filled;
+    (void)vbss_mapping_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
 /* ---- mapping: pure functions. Each moves the position, orientation and opening of a sample,
  * makes them valid, and adds h to its time. On failure the sample is unchanged. */
 

@@ -424,6 +424,20 @@ extern "C" {
 VBSS_API vbss_result vbss_metrics_config_init(vbss_metrics_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_metrics_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_metrics_config vbss_metrics_config_default(void)
+{
+    vbss_metrics_config vbss_filled;
+    (void)vbss_metrics_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Fills a sample with the defaults: no part is valid.
  *
  * @param[out] sample  the sample to fill
@@ -433,6 +447,20 @@ VBSS_API vbss_result vbss_metrics_config_init(vbss_metrics_config *config, uint3
  * @since 0.1
  */
 VBSS_API vbss_result vbss_metrics_sample_init(vbss_metrics_sample *sample, uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_metrics_sample_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_metrics_sample vbss_metrics_sample_default(void)
+{
+    vbss_metrics_sample vbss_filled;
+    (void)vbss_metrics_sample_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Fills an event with the defaults; the host sets its kind.
@@ -446,6 +474,20 @@ VBSS_API vbss_result vbss_metrics_sample_init(vbss_metrics_sample *sample, uint3
 VBSS_API vbss_result vbss_metrics_event_init(vbss_metrics_event *event, uint32_t struct_size);
 
 /**
+ * Returns the struct with the defaults that #vbss_metrics_event_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_metrics_event vbss_metrics_event_default(void)
+{
+    vbss_metrics_event vbss_filled;
+    (void)vbss_metrics_event_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Fills a reading of the pull test with the defaults: tied, without force.
  *
  * @param[out] pull    the reading to fill
@@ -455,6 +497,20 @@ VBSS_API vbss_result vbss_metrics_event_init(vbss_metrics_event *event, uint32_t
  * @since 0.1
  */
 VBSS_API vbss_result vbss_metrics_pull_init(vbss_metrics_pull *pull, uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_metrics_pull_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_metrics_pull vbss_metrics_pull_default(void)
+{
+    vbss_metrics_pull vbss_filled;
+    (void)vbss_metrics_pull_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Creates an empty measurement and allocates all memory that it needs.

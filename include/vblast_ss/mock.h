@@ -95,6 +95,20 @@ extern "C" {
 VBSS_API vbss_result vbss_mock_config_init(vbss_mock_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_mock_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_mock_config vbss_mock_config_default(void)
+{
+    vbss_mock_config vbss_filled;
+    (void)vbss_mock_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Creates a mock.
  *
  * @param context    owner

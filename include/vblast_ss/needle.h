@@ -117,6 +117,20 @@ extern "C" {
 VBSS_API vbss_result vbss_needle_config_init(vbss_needle_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_needle_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_needle_config vbss_needle_config_default(void)
+{
+    vbss_needle_config vbss_filled;
+    (void)vbss_needle_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Sets radius, wire radius and arc to those of a known needle.
  *
  * @param[in,out] config  an initialised configuration

@@ -137,6 +137,20 @@ extern "C" {
 VBSS_API vbss_result vbss_output_config_init(vbss_output_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_output_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_output_config vbss_output_config_default(void)
+{
+    vbss_output_config vbss_filled;
+    (void)vbss_output_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Fills a command with the defaults: all off, ages zero.
  *
  * @param[out] command  the command to fill
@@ -146,6 +160,20 @@ VBSS_API vbss_result vbss_output_config_init(vbss_output_config *config, uint32_
  * @since 0.1
  */
 VBSS_API vbss_result vbss_output_command_init(vbss_output_command *command, uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_output_command_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_output_command vbss_output_command_default(void)
+{
+    vbss_output_command vbss_filled;
+    (void)vbss_output_command_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Creates an output stage.

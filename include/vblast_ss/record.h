@@ -73,7 +73,33 @@ enum {
     /** Words: grasper, 1 if turned. Numbers: position (3), orientation (4). */
     VBSS_INPUT_MOVE_GRASPER = 8,
     VBSS_INPUT_SET_OPENING = 9, /**< Words: grasper. Numbers: opening. */
-    VBSS_INPUT_EXCHANGE = 10    /**< Words: grasper, kind. */
+    VBSS_INPUT_EXCHANGE = 10,   /**< Words: grasper, kind. */
+    /** A change of scene_settings.h. Words: #vbss_setting, body (0 where the setting has none), and
+     * two words of the setting. Numbers: those of the setting. */
+    VBSS_INPUT_SETTING = 11
+};
+
+/** Change of a running scene: a VBSS_SETTING_ constant. */
+typedef int32_t vbss_setting;
+
+/** The constants of #vbss_setting: functions of scene_settings.h, with the third and fourth word of
+ * an input, if it has any, and its numbers. */
+enum {
+    VBSS_SETTING_GRAVITY = 1,         /**< #vbss_scene_set_gravity. Numbers: gravity (3). */
+    VBSS_SETTING_FRICTION = 2,        /**< #vbss_scene_set_friction. Numbers: friction. */
+    VBSS_SETTING_THREAD_FRICTION = 3, /**< #vbss_scene_set_thread_friction. Numbers: friction. */
+    /** #vbss_scene_set_coupling. Numbers: stiffness, damping, turning stiffness, turning damping. */
+    VBSS_SETTING_COUPLING = 4,
+    VBSS_SETTING_SPEED_LIMIT = 5, /**< #vbss_scene_set_speed_limit. Numbers: limit. */
+    VBSS_SETTING_FILTER = 6,      /**< #vbss_scene_set_filter. Words: category, mask. */
+    /** #vbss_scene_apply_force. Words: 1 if at a point, 1 with a torque. Numbers: force (3), point
+     * (3), torque (3). */
+    VBSS_SETTING_FORCE = 7,
+    /** #vbss_scene_set_rigid_velocity. Words: 1 if turned. Numbers: velocity (3), angular velocity
+     * (3). */
+    VBSS_SETTING_VELOCITY = 8,
+    /** #vbss_scene_set_rigid_pose. Words: 1 if turned. Numbers: position (3), orientation (4). */
+    VBSS_SETTING_POSE = 9
 };
 
 /** One input of the host. */
@@ -179,6 +205,20 @@ extern "C" {
  * @since 0.1
  */
 VBSS_API vbss_result vbss_record_config_init(vbss_record_config *config, uint32_t struct_size);
+
+/**
+ * Returns the default configuration that #vbss_record_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_record_config vbss_record_config_default(void)
+{
+    vbss_record_config vbss_filled;
+    (void)vbss_record_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Begins the log of a scene with the version of the library, the scene's configuration and a
@@ -303,6 +343,22 @@ VBSS_API vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body,
  */
 VBSS_API vbss_result vbss_record_exchange(vbss_record *record, uint32_t body,
                                           vbss_grasper_kind kind);
+
+/**
+ * Applies an input to the recorded scene and logs it. For the changes of scene_settings.h, and for
+ * inputs that come from another log.
+ *
+ * @param record   the record
+ * @param input    the input; `word_count` and `number_count` are not used
+ * @param[out] id  identifier of a new pin or attachment, or number of a new piece; may be NULL
+ * @return as #vbss_record_move_rigid and the function of the input; VBSS_ERROR_OUT_OF_RANGE also for
+ *         a kind or a setting that does not exist, VBSS_ERROR_NOT_FINITE for any number of the
+ *         input that is not finite
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_record_apply_input(vbss_record *record, const vbss_log_input *input,
+                                             uint32_t *id);
 
 /**
  * Calls #vbss_scene_pin_thread of the recorded scene and logs it.

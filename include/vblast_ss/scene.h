@@ -479,6 +479,20 @@ extern "C" {
 VBSS_API vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_scene_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_scene_config vbss_scene_config_default(void)
+{
+    vbss_scene_config vbss_filled;
+    (void)vbss_scene_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Creates a scene without bodies, and allocates the memory that steps need.
  *
  * @param context     owner
@@ -552,10 +566,24 @@ VBSS_API vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, 
 VBSS_API vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_rigid_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_rigid_config vbss_rigid_config_default(void)
+{
+    vbss_rigid_config vbss_filled;
+    (void)vbss_rigid_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Adds a rigid body. A scene accepts at most 4096 bodies in its life, threads included.
  *
  * @param scene      the scene
- * @param config   the configuration
+ * @param config   the configuration; not NULL, because a body needs capsules
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,

@@ -304,12 +304,26 @@ extern "C" {
 VBSS_API vbss_result vbss_session_config_init(vbss_session_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_session_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_session_config vbss_session_config_default(void)
+{
+    vbss_session_config vbss_filled;
+    (void)vbss_session_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Creates a session over a scene. The host keeps scene, devices, detector, metrics, record and
  * replay; they must live as long as the session is stepped. The call allocates all memory that
  * steps need.
  *
  * @param scene         the scene
- * @param config        the configuration
+ * @param config        the configuration; not NULL, because a session needs bodies
  * @param[out] session  the new session; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of a device, detector, metrics, record or
  *         replay, or one of another context), VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,

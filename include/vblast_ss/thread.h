@@ -298,6 +298,20 @@ extern "C" {
 VBSS_API vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_thread_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_thread_config vbss_thread_config_default(void)
+{
+    vbss_thread_config vbss_filled;
+    (void)vbss_thread_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Sets radius, linear density, EA and EI of a configuration to those of a known thread.
  *
  * @param[in,out] config  an initialised configuration
@@ -337,7 +351,7 @@ VBSS_API vbss_result vbss_thread_grade(double length, double centre, double fine
  * Creates a thread at rest.
  *
  * @param context      owner
- * @param config       the configuration
+ * @param config       the configuration; NULL for the defaults
  * @param[out] thread  the new thread; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
@@ -401,6 +415,20 @@ VBSS_API vbss_result vbss_thread_set_state(vbss_thread *thread, const double *po
  */
 VBSS_API vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachment,
                                                  uint32_t struct_size);
+
+/**
+ * Returns the struct with the defaults that #vbss_thread_attachment_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_thread_attachment vbss_thread_attachment_default(void)
+{
+    vbss_thread_attachment vbss_filled;
+    (void)vbss_thread_attachment_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
 
 /**
  * Attaches something to a node. A node takes one PIN or CLAMP, and any number of the others. All fields

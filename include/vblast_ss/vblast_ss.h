@@ -25,6 +25,8 @@
 #include <vblast_ss/record.h>
 #include <vblast_ss/replica.h>
 #include <vblast_ss/scene.h>
+#include <vblast_ss/scene_query.h>
+#include <vblast_ss/scene_settings.h>
 #include <vblast_ss/session.h>
 #include <vblast_ss/thread.h>
 #include <vblast_ss/visual.h>

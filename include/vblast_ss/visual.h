@@ -140,6 +140,20 @@ extern "C" {
 VBSS_API vbss_result vbss_visual_config_init(vbss_visual_config *config, uint32_t struct_size);
 
 /**
+ * Returns the default configuration that #vbss_visual_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_visual_config vbss_visual_config_default(void)
+{
+    vbss_visual_config vbss_filled;
+    (void)vbss_visual_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Creates a visual without sources. Only this call allocates memory.
  *
  * @param context      owner

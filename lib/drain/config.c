@@ -107,6 +107,9 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
 vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
                                    vbss_drain_config *own)
 {
+    if (config == NULL) {
+        return vbss_config_init(&config_layout, own, sizeof *own);
+    }
     VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
     return check(context, own);
 }

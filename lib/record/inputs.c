@@ -2,6 +2,8 @@
 #include "base/error.h"
 #include "record/record.h"
 
+#include <vblast_ss/scene_settings.h>
+
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");
 
 const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
@@ -10,6 +12,7 @@ const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
     [VBSS_INPUT_MOVE] = {3, 6},         [VBSS_INPUT_DETACH] = {2, 0},
     [VBSS_INPUT_MOVE_GRASPER] = {2, 7}, [VBSS_INPUT_SET_OPENING] = {1, 1},
     [VBSS_INPUT_EXCHANGE] = {2, 0},     [VBSS_INPUT_CUT] = {1, 1},
+    [VBSS_INPUT_SETTING] = {4, 9},
 };
 
 vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper)
@@ -38,6 +41,38 @@ static vbss_result attach(vbss_thread *thread, const vbss_log_input *input, uint
     return vbss_thread_attach(thread, &a, id);
 }
 
+static vbss_result apply_setting(vbss_scene *scene, const vbss_log_input *input)
+{
+    scene_info info;
+    const uint32_t *w = input->words, body = w[1];
+    const double *n = input->numbers;
+    switch ((vbss_setting)w[0]) {
+    case VBSS_SETTING_GRAVITY:
+        return vbss_scene_set_gravity(scene, body, n);
+    case VBSS_SETTING_FRICTION:
+        return vbss_scene_set_friction(scene, body, n[0]);
+    case VBSS_SETTING_THREAD_FRICTION:
+        return vbss_scene_set_thread_friction(scene, n[0]);
+    case VBSS_SETTING_COUPLING:
+        return vbss_scene_set_coupling(scene, body, n[0], n[1], n[2], n[3]);
+    case VBSS_SETTING_SPEED_LIMIT:
+        return vbss_scene_set_speed_limit(scene, n[0]);
+    case VBSS_SETTING_FILTER:
+        return vbss_scene_set_filter(scene, body, w[2], w[3]);
+    case VBSS_SETTING_FORCE:
+        return vbss_scene_apply_force(scene, body, n, w[2] != 0 ? n + 3 : NULL,
+                                      w[3] != 0 ? n + 6 : NULL);
+    case VBSS_SETTING_VELOCITY:
+        return vbss_scene_set_rigid_velocity(scene, body, n, w[2] != 0 ? n + 3 : NULL);
+    case VBSS_SETTING_POSE:
+        return vbss_scene_set_rigid_pose(scene, body, n, w[2] != 0 ? n + 3 : NULL);
+    default:
+        VBSS_TRY(vbss_scene_inspect(scene, &info));
+        return vbss_fail(info.context, VBSS_ERROR_OUT_OF_RANGE, "no setting has the number %u",
+                         w[0]);
+    }
+}
+
 vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log_input *input,
                                  uint32_t *id)
 {
@@ -49,7 +84,7 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log
     if (kind >= VBSS_INPUT_ATTACH && kind <= VBSS_INPUT_DETACH) {
         VBSS_TRY(vbss_scene_get_thread(scene, w[0], &thread));
     }
-    if (kind >= VBSS_INPUT_MOVE_GRASPER) {
+    if (kind >= VBSS_INPUT_MOVE_GRASPER && kind <= VBSS_INPUT_EXCHANGE) {
         VBSS_TRY(vbss_log_find_grasper(scene, w[0], &grasper));
     }
     switch (kind) {
@@ -71,7 +106,9 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log
         return vbss_grasper_move(grasper, n, w[1] != 0 ? n + 3 : NULL);
     case VBSS_INPUT_SET_OPENING:
         return vbss_grasper_set_opening(grasper, n[0]);
-    default: /* VBSS_INPUT_EXCHANGE */
+    case VBSS_INPUT_EXCHANGE:
         return vbss_grasper_exchange(grasper, (vbss_grasper_kind)w[1]);
+    default: /* VBSS_INPUT_SETTING */
+        return apply_setting(scene, input);
     }
 }

@@ -54,6 +54,19 @@ vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const dou
     return move_body(record, VBSS_INPUT_MOVE_RIGID, body, position, orientation);
 }
 
+vbss_result vbss_record_apply_input(vbss_record *record, const vbss_log_input *input, uint32_t *id)
+{
+    VBSS_ENTER(record);
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_check_pointer(r->context, input, "input"));
+    VBSS_TRY(vbss_check_range(r->context, input->kind, VBSS_INPUT_MOVE_RIGID, VBSS_INPUT_SETTING,
+                              "kind of the input"));
+    const uint32_t numbers = vbss_log_input_shapes[input->kind].numbers;
+    VBSS_TRY(vbss_check_finite(r->context, input->numbers, numbers, "numbers of the input"));
+    return apply_and_record(r, (uint8_t)input->kind, input, id);
+}
+
 vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_t node,
                                    uint32_t body, const double *point, uint32_t *pin)
 {

@@ -113,15 +113,26 @@ static double substep_length(const vbss_rigid_substep *substep)
     return substep->step_length * (substep->end_fraction - substep->start_fraction);
 }
 
+static bool has_load(const vbss_rigid *rigid)
+{
+    return vec3_norm_squared(rigid->load.force) > 0.0 ||
+           vec3_norm_squared(rigid->load.torque) > 0.0;
+}
+
 void vbss_rigid_predict(const vbss_rigid *rigid, const vbss_rigid_substep *substep,
                         vbss_rigid_motion *predicted)
 {
     const vbss_rigid_motion *now = &rigid->now;
     double h = substep_length(substep), drag_factor = 1.0 / (1.0 + h * rigid->drag);
     double angle = h * vec3_norm(now->w), spin_factor = angle > MAX_TURN ? MAX_TURN / angle : 1.0;
-    vec3 v = vec3_scale(vec3_add_scaled(now->v, h, rigid->gravity), drag_factor);
+    vec3 acceleration = rigid->gravity;
     vec3 angular_momentum =
         vec3_scale(vbss_rigid_angular_momentum(rigid, now), drag_factor * spin_factor);
+    if (has_load(rigid)) { /* otherwise signs of zeros could change */
+        acceleration = vec3_add_scaled(acceleration, 1.0 / rigid->mass, rigid->load.force);
+        angular_momentum = vec3_add_scaled(angular_momentum, h * drag_factor, rigid->load.torque);
+    }
+    vec3 v = vec3_scale(vec3_add_scaled(now->v, h, acceleration), drag_factor);
     quat orientation = integrate_free_rotation(rigid, now->pose.orientation, angular_momentum, h);
     predicted->pose = pose_make(vec3_add_scaled(now->pose.position, h, v), orientation);
     predicted->v = v;

@@ -40,12 +40,21 @@ typedef struct vbss_rigid_coupling {
     double turning_stiffness, turning_damping; /* N m/rad, N m s/rad */
 } vbss_rigid_coupling;
 
+/* A force and a torque on a body. */
+typedef struct vbss_rigid_wrench {
+    vec3 force;  /* N, at the centre of mass */
+    vec3 torque; /* N m, about the centre of mass */
+} vbss_rigid_wrench;
+
 typedef struct vbss_rigid {
     double mass;
     vec3 inertia; /* principal moments, kg m^2 */
     vec3 gravity; /* m/s^2 */
     double drag;  /* decay rate of both momenta, 1/s; 0 for none */
     vbss_rigid_coupling coupling;
+    /* By the host, constant in the step. vbss_rigid_serialise leaves it to the owner of the
+     * body. */
+    vbss_rigid_wrench load;
     vbss_rigid_motion now;
     /* target pose of centre of mass and principal axes at both ends of the step */
     pose target_start, target_end;
@@ -87,7 +96,7 @@ typedef struct vbss_rigid_blocks {
  * vbss_system_add_chain and vbss_system_couple. */
 vbss_result vbss_rigid_register(vbss_system *system, vbss_role role, vbss_rigid_blocks *blocks);
 
-/* Free flight over the substep under gravity and drag, without coupling and contact; the initial
+/* Free flight over the substep under gravity, the load and drag, without coupling and contact; the initial
  * trial state.
  *
  * Translation is backward Euler: v = (v + h g) / (1 + h drag), x = x + h v. As in integration.c, x
@@ -122,10 +131,6 @@ void vbss_rigid_commit(vbss_rigid *rigid, const vbss_rigid_substep *substep,
 /* Force and torque of the virtual coupling on a body with this motion at the end of the substep.
  * After a commit, rigid->now gives the wrench of that substep. A hand that holds the tool feels the
  * opposite. */
-typedef struct vbss_rigid_wrench {
-    vec3 force;  /* N, at the centre of mass */
-    vec3 torque; /* N m, about the centre of mass */
-} vbss_rigid_wrench;
 vbss_rigid_wrench vbss_rigid_coupling_wrench(const vbss_rigid *rigid,
                                              const vbss_rigid_substep *substep,
                                              const vbss_rigid_motion *motion);

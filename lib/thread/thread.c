@@ -175,6 +175,9 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
 vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_config *config,
                                     vbss_thread_config *own)
 {
+    if (config == NULL) {
+        return vbss_config_init(&config_layout, own, sizeof *own);
+    }
     VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
     VBSS_TRY(check_choices(context, own));
     VBSS_TRY(check_mesh(context, own));

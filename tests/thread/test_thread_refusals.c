@@ -129,8 +129,8 @@ static void bad_config_choices_are_rejected(void **state)
     f.config.length = 1e-6; /* segments shorter than any may be */
     expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
     vbss_thread *thread;
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_thread_create(f.context, NULL, &thread));
-    assert_null(thread);
+    expect_ok(vbss_thread_create(f.context, NULL, &thread)); /* the defaults */
+    expect_ok(vbss_thread_destroy(thread));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_thread_create(f.context, &good, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_config_preset(&good, 2));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_config_preset(&good, -1));

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple, Optional, Sequence, Union
 
 from ._api.base import Result
 from ._api.grasper import GrasperKind
-from ._api.record import (InputKind, ReplayOutcome, ReplayReport, vbss_log_report, vbss_log_step, vbss_record,
-                          vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
+from ._api.record import (InputKind, ReplayOutcome, ReplayReport, Setting, vbss_log_input, vbss_log_report,
+                          vbss_log_step, vbss_record, vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
 from ._api.scene import vbss_scene_config
 from ._library import lib
 from ._objects import Configured, Object, context_or_new, created
@@ -17,7 +17,7 @@ from .scene import Event, EventKind, Scene
 from .thread import attachment_of
 
 __all__ = ["InputKind", "LogFault", "LogInput", "LogReport", "LogStep", "Record", "Replay", "ReplayOutcome",
-           "ReplayReport", "check_log"]
+           "ReplayReport", "Setting", "check_log"]
 
 
 class Record(Configured, Object):
@@ -90,6 +90,18 @@ class Record(Configured, Object):
 
     def exchange(self, body: int, kind: Any) -> None:
         self._call(lib.vbss_record_exchange, index(body), constant(kind, GrasperKind, "kind"))
+
+    def apply_input(self, kind: Any, words: Sequence[int] = (), numbers: Sequence[float] = ()) -> int:
+        """Applies an input of any kind (InputKind says what its words and numbers are; Setting: changes of a running
+        scene); returns the number of a new pin, attachment or piece, or 0."""
+        given, name = vbss_log_input(), ctypes.c_uint32()
+        given.kind = constant(kind, InputKind, "kind")
+        if len(words) > len(given.words) or len(numbers) > len(given.numbers):
+            raise ValueError("an input has at most 4 words and 12 numbers")
+        given.words[:len(words)] = list(words)
+        given.numbers[:len(numbers)] = list(numbers)
+        self._call(lib.vbss_record_apply_input, ctypes.byref(given), ctypes.byref(name))
+        return name.value
 
     def pin_thread(self, thread: int, node: int, body: int = 0, point: Optional[Sequence[float]] = None) -> int:
         pin = ctypes.c_uint32()

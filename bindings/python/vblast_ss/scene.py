@@ -9,6 +9,10 @@ from ._api.scene import (Blocker, BlockerCause, ContactKind, EventKind, Grasp, H
                          RigidState, SceneField, SceneMode, SceneStatistics, vbss_blocker, vbss_capsule, vbss_grasp, vbss_hole,
                          vbss_overlap, vbss_rigid_config, vbss_rigid_state, vbss_scene, vbss_scene_config,
                          vbss_scene_statistics)
+from ._api.drain import vbss_drain
+from ._api.grasper import vbss_grasper
+from ._api.needle import vbss_needle
+from ._api.scene_query import BodyInfo, BodyKind, Nearest, RayHit, vbss_body_info, vbss_nearest, vbss_ray_hit
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
@@ -21,8 +25,8 @@ from .needle import Needle
 from .thread import Thread
 from .views import Array
 
-__all__ = ["Blocker", "BlockerCause", "Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method", "Overlap",
-           "OverlapPolicy", "RigidKind", "RigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
+__all__ = ["Blocker", "BlockerCause", "BodyInfo", "BodyKind", "Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method",
+           "Nearest", "Overlap", "OverlapPolicy", "RayHit", "RigidKind", "RigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
 
 Body = Union[Thread, Drain, Needle, Grasper]
 
@@ -163,6 +167,105 @@ class Scene(Configured, Viewed, Saved):
         self._call(lib.vbss_scene_make_hole, index(body), arc_length, index(drain), index(triangle),
                    doubles(weights, "weights", 3), ctypes.byref(name))
         return name.value
+
+    # ---- changes of a running scene
+
+    def set_gravity(self, gravity: Sequence[float], body: int = 0) -> None:
+        """Sets the gravitational acceleration, m/s^2, of a body; 0: of all bodies that no hand carries."""
+        self._call(lib.vbss_scene_set_gravity, index(body), doubles(gravity, "gravity", 3))
+
+    def set_friction(self, body: int, friction: float) -> None:
+        """Sets the coefficient of friction of a body that is no thread, or of the floor (0)."""
+        self._call(lib.vbss_scene_set_friction, index(body), friction)
+
+    def set_thread_friction(self, friction: float) -> None:
+        """Sets the coefficient of friction between threads."""
+        self._call(lib.vbss_scene_set_thread_friction, friction)
+
+    def set_coupling(self, body: int, stiffness: float, damping: float, turning_stiffness: float,
+                     turning_damping: float) -> None:
+        """Sets the virtual coupling of a coupled body: N/m, N s/m, N m/rad, N m s/rad."""
+        self._call(lib.vbss_scene_set_coupling, index(body), stiffness, damping, turning_stiffness, turning_damping)
+
+    def set_speed_limit(self, limit: float) -> None:
+        """Sets the largest speed towards a target, m/s; 0: no limit."""
+        self._call(lib.vbss_scene_set_speed_limit, limit)
+
+    def set_filter(self, body: int, category: int = 1, mask: int = 0xffffffff) -> None:
+        """Sets the contact filter of a body, or of the floor (0): two bodies collide if each has a category that the
+        mask of the other contains."""
+        self._call(lib.vbss_scene_set_filter, index(body), index(category), index(mask))
+
+    def apply_force(self, body: int, force: Sequence[float], point: Optional[Sequence[float]] = None,
+                    torque: Optional[Sequence[float]] = None) -> None:
+        """Applies a force, N, at a point of the world (default: the centre of mass), and a torque, N m, for the next
+        step."""
+        self._call(lib.vbss_scene_apply_force, index(body), doubles(force, "force", 3), optional(point, "point", 3),
+                   optional(torque, "torque", 3))
+
+    def set_rigid_velocity(self, body: int, velocity: Sequence[float],
+                           angular_velocity: Optional[Sequence[float]] = None) -> None:
+        """Sets the velocity, m/s, and the angular velocity, rad/s, of a free body."""
+        self._call(lib.vbss_scene_set_rigid_velocity, index(body), doubles(velocity, "velocity", 3),
+                   optional(angular_velocity, "angular_velocity", 3))
+
+    def set_rigid_pose(self, body: int, position: Sequence[float],
+                       orientation: Optional[Sequence[float]] = None) -> None:
+        """Moves a free body to a pose at once."""
+        self._call(lib.vbss_scene_set_rigid_pose, index(body), doubles(position, "position", 3),
+                   optional(orientation, "orientation", 4))
+
+    # ---- bodies by number, and queries
+
+    @property
+    def bodies(self) -> list[int]:
+        """The numbers of all bodies, in ascending order."""
+        count = ctypes.c_uint32()
+        self._call(lib.vbss_scene_get_bodies, None, 0, ctypes.byref(count))
+        numbers = (ctypes.c_uint32 * max(1, count.value))()
+        self._call(lib.vbss_scene_get_bodies, numbers, count.value, ctypes.byref(count))
+        return list(numbers[:count.value])
+
+    def body_info(self, body: int) -> BodyInfo:
+        """Kind, filter, friction and gravity of a body, or of the floor (0)."""
+        return self._read("get_body", BodyInfo, vbss_body_info, index(body))
+
+    def _handle_of(self, function: Any, struct: Any, body: int) -> int:
+        """The address of the handle of a body of one kind."""
+        handle = ctypes.POINTER(struct)()
+        self._call(function, index(body), ctypes.byref(handle))
+        return ctypes.addressof(handle.contents)
+
+    def drain_handle(self, body: int) -> int:
+        """The address of a drain's handle, for other code that uses the C library."""
+        return self._handle_of(lib.vbss_scene_get_drain, vbss_drain, body)
+
+    def needle_handle(self, body: int) -> int:
+        """The address of a needle's handle, for other code that uses the C library."""
+        return self._handle_of(lib.vbss_scene_get_needle, vbss_needle, body)
+
+    def grasper_handle(self, body: int) -> int:
+        """The address of a grasper's handle, for other code that uses the C library."""
+        return self._handle_of(lib.vbss_scene_get_grasper, vbss_grasper, body)
+
+    def set_user_data(self, body: int, data: int) -> None:
+        """Stores an integer of the size of a pointer with a body; no part of the state."""
+        self._call(lib.vbss_scene_set_user_data, index(body), ctypes.c_void_p(data))
+
+    def user_data(self, body: int) -> int:
+        """The integer that set_user_data has stored, or 0."""
+        data = ctypes.c_void_p()
+        self._call(lib.vbss_scene_get_user_data, index(body), ctypes.byref(data))
+        return data.value or 0
+
+    def cast_ray(self, origin: Sequence[float], translation: Sequence[float], mask: int = 0xffffffff) -> RayHit:
+        """The first surface on a ray, of bodies with a category of the mask."""
+        return self._read("cast_ray", RayHit, vbss_ray_hit, doubles(origin, "origin", 3),
+                          doubles(translation, "translation", 3), index(mask))
+
+    def find_nearest(self, point: Sequence[float], radius: float, mask: int = 0xffffffff) -> Nearest:
+        """The body whose surface is nearest to a point, within a radius."""
+        return self._read("find_nearest", Nearest, vbss_nearest, doubles(point, "point", 3), radius, index(mask))
 
     def step(self, h: float = 1e-3) -> None:
         """Moves everything forward by h seconds."""

@@ -85,6 +85,7 @@ static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
         return VBSS_ERROR_CAPACITY;
     }
     scene_drain own = {.slot = slot, .drain = slot->object};
+    own.friction = own.drain->config.friction;
     vbss_result result = create_drain_data(s, &own, &shape);
     if (result != VBSS_OK) {
         vbss_array arrays[SCENE_DRAIN_ARRAYS];

@@ -17,6 +17,7 @@ static void init_rigid(scene_rigid *r, vbss_rigid_kind kind, const grasper_objec
     *r = (scene_rigid){.kind = kind,
                        .frame = mass->frame,
                        .friction = c->friction,
+                       .created_friction = c->friction,
                        .slot = slot,
                        .grasper = slot->object};
     r->body.mass = mass->mass;

@@ -62,6 +62,7 @@ static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *bo
                                 .body = n->body,
                                 .frame = n->body_frame,
                                 .friction = n->config.friction,
+                                .created_friction = n->config.friction,
                                 .trial = n->body.now.pose,
                                 .slot = slot,
                                 .needle = n}};

@@ -102,7 +102,10 @@ static void init_rigid(scene_rigid *r, const vbss_rigid_config *c, const vbss_ri
     pose at = pose_mul(pose_make(vec3_load(c->position), orientation), mass->frame);
     vec3 w = vec3_load(c->angular_velocity);
     vec3 arm = quat_rotate(orientation, mass->frame.position);
-    *r = (scene_rigid){.kind = c->kind, .frame = mass->frame, .friction = c->friction};
+    *r = (scene_rigid){.kind = c->kind,
+                       .frame = mass->frame,
+                       .friction = c->friction,
+                       .created_friction = c->friction};
     r->body.mass = mass->mass;
     r->body.inertia = mass->inertia;
     r->body.gravity = vec3_load(c->gravity);

@@ -50,6 +50,12 @@ vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene);
  * VBSS_ERROR_BUSY inside a callback of the context. */
 vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene);
 
+/* ---- loads_api.c */
+
+/* Sets the error and returns VBSS_ERROR_OUT_OF_RANGE if hosts cannot change the scene at run time:
+ * its method is the baseline's. */
+vbss_result vbss_scene_check_settable(const scene_object *s);
+
 /* ---- edit.c */
 
 /* An edit under way, with the state before it. */

@@ -224,6 +224,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     s->method = own.method == VBSS_METHOD_PAPER ? &vbss_baseline_scene : &vbss_scene_implicit;
     s->context = context;
     s->config = own;
+    s->settings = vbss_scene_created_settings(s);
     s->cursor.group_count = 1;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
     s->node_capacity = own.node_capacity;

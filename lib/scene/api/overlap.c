@@ -186,12 +186,15 @@ static double floor_depth(const scene_object *s, const scene_outline *o)
 static vbss_overlap find_deepest(const scene_object *s, const scene_outline *o)
 {
     vbss_overlap found = {.struct_size = sizeof found};
-    if (s->config.floor != 0 && !o->is_prescribed) {
+    const scene_body *own = vbss_scene_body(s, o->number);
+    if (s->config.floor != 0 && !o->is_prescribed &&
+        (own == NULL || vbss_scene_do_collide(s, own, NULL))) {
         found.depth = floor_depth(s, o);
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_NONE || b->number == o->number) {
+        if (b->kind == SCENE_BODY_NONE || b->number == o->number ||
+            (own != NULL && !vbss_scene_do_collide(s, own, b))) {
             continue;
         }
         const scene_outline other = vbss_scene_outline_of(b);

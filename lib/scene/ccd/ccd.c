@@ -147,6 +147,9 @@ static void find_first_floor_impact(scene_object *s)
         const thread_object *t = b->thread.thread;
         const scene_rigid *r = &b->rigid;
         double earliest = 1.0;
+        if (!vbss_scene_do_collide(s, b, NULL)) {
+            continue;
+        }
         for (uint32_t k = 0; scene_active_kind(b) == SCENE_BODY_THREAD && k < t->node_count; k++) {
             double impact_time =
                 time_of_floor_impact(s, t->now.x[k], t->trial[k], t->config.radius);

@@ -40,6 +40,7 @@ static vbss_result sweep_shape(scene_object *s, const scene_body *b)
 vbss_result vbss_scene_run_broad_phase(scene_object *s)
 {
     VBSS_TRY(vbss_collision_find_candidates(scene_collision(s)));
+    vbss_scene_filter_candidates(s);
     s->step.edge_pair_count = s->collision->candidate_count;
     while (s->step.edge_pair_count > 0 &&
            s->collision->candidates[s->step.edge_pair_count - 1].kind != VBSS_PAIR_EDGE_EDGE) {

@@ -96,7 +96,7 @@ void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep)
 
 /* ---- broad_phase.c */
 
-/* Lists all pairs of features whose swept boxes overlap, for shapes that have been moved already.
+/* Lists all pairs of features that collide and whose swept boxes overlap, for shapes that have been moved already.
  * Pairs of two edges come first; their number goes to `edge_pair_count`. Fails if the list of
  * candidates is full. */
 vbss_result vbss_scene_run_broad_phase(scene_object *s);

@@ -219,7 +219,8 @@ bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep)
         }
     }
     for (uint32_t i = 0; s->config.floor != 0 && i < s->body_count; i++) {
-        if (s->bodies[i].kind != SCENE_BODY_NONE && !add_floor_contacts(s, &s->bodies[i])) {
+        if (s->bodies[i].kind != SCENE_BODY_NONE && vbss_scene_do_collide(s, &s->bodies[i], NULL) &&
+            !add_floor_contacts(s, &s->bodies[i])) {
             return false;
         }
     }

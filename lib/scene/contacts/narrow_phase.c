@@ -329,10 +329,10 @@ static vec3 point_at_start(const side *d, double at, vec3 point)
 
 static double body_friction(const scene_object *s, const scene_body *b)
 {
-    return b == NULL                      ? s->config.floor_friction
-           : b->kind == SCENE_BODY_THREAD ? s->config.thread_friction
+    return b == NULL                      ? s->settings.floor_friction
+           : b->kind == SCENE_BODY_THREAD ? s->settings.thread_friction
            : b->kind == SCENE_BODY_RIGID  ? b->rigid.friction
-                                          : b->drain.drain->config.friction;
+                                          : b->drain.friction;
 }
 
 static bool is_thread(const scene_body *b)

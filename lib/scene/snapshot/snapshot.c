@@ -212,7 +212,7 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
     if (stream->version >= 4 || r->needle != NULL) {
         vbss_stream_expect(stream, 19, r->needle != NULL);
     }
-    vbss_stream_expect_f64(stream, 22, r->friction);
+    vbss_stream_expect_f64(stream, 22, r->created_friction);
     for (uint32_t i = 0; r->grasper == NULL && i < r->capsule_count; i++) {
         const scene_capsule *c = &s->capsules[r->first_capsule + i];
         const double numbers[] = {c->local[0].x, c->local[0].y, c->local[0].z, c->local[1].x,

@@ -15,6 +15,16 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s);
  * back from a refused call has them. */
 void vbss_scene_visit_report(vbss_stream *stream, scene_object *s);
 
+/* ---- snapshot_settings.c */
+
+/* Whether a host has set something at run time that the state must keep: without that, states have
+ * the same bytes as in older libraries, whose logs have their hashes. */
+bool vbss_scene_has_settings(const scene_object *s);
+
+/* Visits what a host has set at run time. Without settings, reading sets the values with which the
+ * scene and its bodies were created. */
+void vbss_scene_visit_settings(vbss_stream *stream, scene_object *s, bool has_settings);
+
 /* ---- snapshot_pieces.c */
 
 /* Visits whether an entry that is reserved for a piece has one, and the fields that only pieces

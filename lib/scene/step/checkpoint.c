@@ -139,6 +139,8 @@ void vbss_scene_checkpoint_tools(scene_object *s)
         }
         r->checkpoint.target_end = r->body.target_end;
         r->checkpoint.has_pending_target = r->has_pending_target;
+        r->checkpoint.load = r->body.load;
+        r->checkpoint.pending_load = r->pending_load;
         if (r->grasper != NULL) {
             const grasper_object *g = r->grasper;
             r->checkpoint.needle_grasp = r->needle_grasp;
@@ -171,6 +173,8 @@ void vbss_scene_rollback_tools(scene_object *s)
         }
         r->body.target_end = r->checkpoint.target_end;
         r->has_pending_target = r->checkpoint.has_pending_target;
+        r->body.load = r->checkpoint.load;
+        r->pending_load = r->checkpoint.pending_load;
         if (r->grasper != NULL) {
             grasper_object *g = r->grasper;
             r->needle_grasp = r->checkpoint.needle_grasp;

@@ -106,7 +106,8 @@ bool vbss_scene_find_needle_in_jaws(const scene_object *s, const scene_body *too
         const scene_body *b = &s->bodies[i];
         bool torn = before->needle == b->number &&
                     before->needs_reopening; /* not before the jaws have opened */
-        if (b->kind == SCENE_BODY_RIGID && b->rigid.needle != NULL && !torn) {
+        if (b->kind == SCENE_BODY_RIGID && b->rigid.needle != NULL && !torn &&
+            vbss_scene_do_collide(s, tool, b)) {
             find_grasp_on_needle(tool, b, found, &beside);
         }
     }

@@ -113,7 +113,8 @@ void vbss_scene_find_strands(const scene_object *s, const scene_body *tool, scen
     m->jaws = vbss_scene_jaw_frame(r, r->body.now.pose);
     m->count = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD &&
+            vbss_scene_do_collide(s, tool, &s->bodies[i])) {
             find_strands_of_thread(s, &s->bodies[i], m);
         }
     }

@@ -146,7 +146,7 @@ bool vbss_scene_find_wall_in_jaws(const scene_object *s, const scene_body *tool,
         const scene_body *b = &s->bodies[i];
         /* not before the jaws have opened */
         bool torn = before->drain == b->number && before->needs_reopening;
-        if (b->kind == SCENE_BODY_DRAIN && !torn) {
+        if (b->kind == SCENE_BODY_DRAIN && !torn && vbss_scene_do_collide(s, tool, b)) {
             find_wall_grasp(tool, b, found);
         }
     }

@@ -175,6 +175,9 @@ static void divide_thread(scene_object *s, scene_body *old, scene_body *piece,
             b->thread.cut_from = piece->number;
         }
     }
+    piece->filter = old->filter;
+    piece->user_data = NULL;
+    u->gravity = t->gravity;
     piece->next_halvings = old->next_halvings;
     piece->thread.cut_from = old->number;
     piece->thread.has_split_segment = cut->fraction < 1.0;

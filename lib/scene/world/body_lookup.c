@@ -70,6 +70,8 @@ void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind ki
     uint32_t body_index = (uint32_t)(b - s->bodies);
     b->kind = kind;
     b->shape = shape;
+    b->filter = vbss_scene_default_filter();
+    b->user_data = NULL;
     b->next_halvings = b->group = 0;
     b->is_frozen = false;
     *number = ++s->last_body_number;

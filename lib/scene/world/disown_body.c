@@ -9,6 +9,7 @@ void vbss_scene_disown_thread(scene_body *b)
     b->thread.slot->owner = NULL;
     if (b->thread.slot->object == t) { /* the context may have destroyed it */
         t->is_sparsity_valid = false;
+        t->gravity = vec3_load(t->config.gravity);
         memset(t->welded, 0, t->node_count * sizeof *t->welded);
     }
 }
@@ -55,6 +56,7 @@ void vbss_scene_disown_drain(scene_object *s, scene_body *b)
     own->slot->owner = NULL;
     if (own->slot->object == own->drain) { /* the context may have destroyed it */
         own->drain->is_sparsity_valid = false;
+        own->drain->gravity = vec3_load(own->drain->config.gravity);
         memset(own->drain->contact_forces, 0, nodes * sizeof *own->drain->contact_forces);
     }
     vbss_scene_list_drain_arrays(own, nodes, arrays);

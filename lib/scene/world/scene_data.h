@@ -79,6 +79,7 @@ typedef struct scene_drain {
     /* Persistent. */
     vbss_slot *slot; /* slot of the drain's handle */
     drain_object *drain;
+    double friction; /* coefficient now */
     /* Substep. */
     uint32_t first_block;         /* block of the drain's first node in the linear system */
     uint8_t *is_separator;        /* per node: nonzero if its block is a separator */
@@ -144,10 +145,14 @@ typedef struct scene_rigid {
     vbss_rigid_kind kind;
     vbss_rigid body;     /* motion, mass, and the target poses at the start and end of the step */
     pose pending_target; /* target pose for the next step, if has_pending_target; principal frame */
-    bool has_pending_target;               /* the host set a target that no step has used yet */
-    bool has_jumped;                       /* a target was unlikely far away, and a warning given */
-    pose frame;                            /* principal frame in the frame that hosts see */
-    double friction;                       /* coefficient */
+    bool has_pending_target; /* the host set a target that no step has used yet */
+    bool has_jumped;         /* a target was unlikely far away, and a warning given */
+    pose frame;              /* principal frame in the frame that hosts see */
+    double friction;         /* coefficient now */
+    double created_friction; /* coefficient when the body was added */
+    /* Sum of the forces (N) and torques about the centre of mass (N m) for the next step that
+     * begins. */
+    vbss_rigid_wrench pending_load;
     uint32_t first_capsule, capsule_count; /* its capsules in scene_object::capsules */
     /* Substep. */
     vbss_rigid_blocks blocks;    /* its blocks in the linear system */
@@ -166,7 +171,7 @@ typedef struct scene_rigid {
     /* Checkpoint. */
     struct scene_rigid_checkpoint {
         vbss_rigid_motion motion;
-        vbss_rigid_wrench coupling_wrench;
+        vbss_rigid_wrench coupling_wrench, load, pending_load;
         pose target_end; /* target pose at the end of the step: body.target_end */
         bool has_pending_target;
         /* For graspers only. */
@@ -179,12 +184,25 @@ typedef struct scene_rigid {
     } checkpoint;
 } scene_rigid;
 
+/* Which other bodies a body collides with (world/filters.c). Persistent. */
+typedef struct scene_filter {
+    uint32_t category, mask; /* bits of its categories; bits of those that it collides with */
+} scene_filter;
+
+/* Values of the configuration that hosts change at run time. Persistent. */
+typedef struct scene_settings {
+    double floor_friction, thread_friction, speed_limit;
+    scene_filter floor_filter;
+} scene_settings;
+
 /* An entry in the table of bodies. `kind` says which of its last three members is in use. */
 typedef struct scene_body {
     /* Persistent. */
     scene_body_kind kind;
     uint32_t number; /* body number; no other body of the scene ever has it */
     uint32_t shape;  /* shape in the collision object */
+    scene_filter filter;
+    void *user_data; /* of the host; no part of the state */
     /* Substep. */
     double max_displacement; /* largest displacement of a vertex that the CCD tests, m */
     /* Persistent: the body's next step begins with a substep that is halved this number of times. */
@@ -492,7 +510,8 @@ struct scene_object {
     const scene_method *method;
     struct baseline_scene *baseline; /* state of lib/baseline; NULL by the implicit method */
     vbss_context *context;
-    vbss_scene_config config;
+    vbss_scene_config config; /* as the scene was created; `settings` has values that changed */
+    scene_settings settings;
     vec3 floor_normal; /* unit */
 
     scene_body *bodies;

@@ -19,6 +19,17 @@ void vbss_scene_apply_rigid_targets(scene_object *s)
     }
 }
 
+void vbss_scene_apply_loads(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+            scene_rigid *r = &s->bodies[i].rigid;
+            r->body.load = r->pending_load;
+            r->pending_load = (vbss_rigid_wrench){0};
+        }
+    }
+}
+
 /* Largest distance of a capsule from the origin of the principal frame, m. */
 static double reach_of(const scene_object *s, const scene_rigid *r)
 {
@@ -35,8 +46,8 @@ static double reach_of(const scene_object *s, const scene_rigid *r)
 bool vbss_scene_limit_target(const scene_object *s, scene_rigid *r, double h)
 {
     const vbss_rigid_substep whole = {.step_length = 1.0, .end_fraction = 1.0};
-    const double allowed = s->config.speed_limit * h;
-    if (s->config.speed_limit == 0.0 || s->method->drives_tools) {
+    const double allowed = s->settings.speed_limit * h;
+    if (s->settings.speed_limit == 0.0 || s->method->drives_tools) {
         return false;
     }
     const vbss_rigid_motion wanted = vbss_rigid_target_motion(&r->body, &whole);

@@ -216,6 +216,9 @@ void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target);
 /* Makes all pending targets the targets of the step, together with those of pinned nodes. */
 void vbss_scene_apply_rigid_targets(scene_object *s);
 
+/* Makes the forces and torques that wait for the next step those of the step that begins. */
+void vbss_scene_apply_loads(scene_object *s);
+
 /* Moves the target at the end of a step of length h, s, towards that at its start, so that no point
  * of the body is asked to move faster than speed_limit. Returns whether it moved. A method that
  * drives tools has no limit. */
@@ -242,6 +245,25 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
 
 /* If events were lost, replaces the last event by VBSS_EVENT_LOST with their number. */
 void vbss_scene_write_lost_event(scene_object *s);
+
+/* ---- filters.c */
+
+/* Settings of the scene as it was created. */
+scene_settings vbss_scene_created_settings(const scene_object *s);
+
+/* The filter of a new body, which collides with all others: category bit 0, every bit of the
+ * mask. */
+scene_filter vbss_scene_default_filter(void);
+
+/* The filter of a body; NULL: that of the floor. */
+const scene_filter *vbss_scene_filter_of(const scene_object *s, const scene_body *b);
+
+/* Whether two bodies collide according to their filters. NULL: the floor. A body always collides
+ * with itself. */
+bool vbss_scene_do_collide(const scene_object *s, const scene_body *a, const scene_body *b);
+
+/* Removes the candidate pairs of bodies that do not collide. The order of the others stays. */
+void vbss_scene_filter_candidates(scene_object *s);
 
 /* ---- driven_overlaps.c */
 

@@ -35,6 +35,34 @@ class InputKind(IntEnum):
     """Words: grasper. Numbers: opening."""
     EXCHANGE = 10
     """Words: grasper, kind."""
+    SETTING = 11
+    """A change of scene_settings.h. Words: vbss_setting, body (0 where the setting has none), and
+    two words of the setting. Numbers: those of the setting."""
+
+
+class Setting(IntEnum):
+    """The constants of vbss_setting: functions of scene_settings.h, with the third and fourth word
+    of an input, if it has any, and its numbers."""
+    GRAVITY = 1
+    """vbss_scene_set_gravity. Numbers: gravity (3)."""
+    FRICTION = 2
+    """vbss_scene_set_friction. Numbers: friction."""
+    THREAD_FRICTION = 3
+    """vbss_scene_set_thread_friction. Numbers: friction."""
+    COUPLING = 4
+    """vbss_scene_set_coupling. Numbers: stiffness, damping, turning stiffness, turning damping."""
+    SPEED_LIMIT = 5
+    """vbss_scene_set_speed_limit. Numbers: limit."""
+    FILTER = 6
+    """vbss_scene_set_filter. Words: category, mask."""
+    FORCE = 7
+    """vbss_scene_apply_force. Words: 1 if at a point, 1 with a torque. Numbers: force (3), point
+    (3), torque (3)."""
+    VELOCITY = 8
+    """vbss_scene_set_rigid_velocity. Words: 1 if turned. Numbers: velocity (3), angular velocity
+    (3)."""
+    POSE = 9
+    """vbss_scene_set_rigid_pose. Words: 1 if turned. Numbers: position (3), orientation (4)."""
 
 
 class ReplayOutcome(IntEnum):
@@ -389,6 +417,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(c_double))),
     "vbss_record_set_opening": (c_int32, (POINTER(vbss_record), c_uint32, c_double)),
     "vbss_record_exchange": (c_int32, (POINTER(vbss_record), c_uint32, c_int32)),
+    "vbss_record_apply_input": (c_int32, (POINTER(vbss_record), POINTER(vbss_log_input),
+        POINTER(c_uint32))),
     "vbss_record_pin_thread": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32, c_uint32,
         POINTER(c_double), POINTER(c_uint32))),
     "vbss_record_unpin_thread": (c_int32, (POINTER(vbss_record), c_uint32)),

@@ -1,0 +1,189 @@
+/**
+ * @file scene_settings.h
+ * @brief Changes of a running scene: friction, gravity, couplings, limits, contact filters, and
+ *   forces on bodies.
+ *
+ * Each function checks its arguments before anything changes. A refused call changes nothing. A
+ * change is part of the scene's state: snapshots save it, hashes contain it, and a log records it
+ * (#vbss_record_apply_input). A change ends a suspended step (see `slot_limit` of
+ * #vbss_scene_config), except a force, which acts in the next step that begins. A body that leaves
+ * the scene has its configured values again.
+ *
+ * Scenes of method PAPER have no such changes: all functions return VBSS_ERROR_OUT_OF_RANGE.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_SCENE_SETTINGS_H
+#define VBLAST_SS_SCENE_SETTINGS_H
+
+#include <vblast_ss/base.h>
+#include <vblast_ss/scene.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Sets the gravitational acceleration of one body, or of all bodies that nothing carries.
+ *
+ * @param scene    the scene
+ * @param body     a thread, drain, needle, rigid body or grasper; 0: all threads, drains and needles
+ *         and all free bodies. Driven and coupled bodies and graspers then keep theirs, because
+ *         hands carry them. A driven body accepts a value, but moves as its target does.
+ * @param gravity  acceleration, m/s^2, each component at most 1e6 in magnitude
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
+ *         such body, a value, or another method), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY
+ *         (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_gravity(vbss_scene *scene, uint32_t body,
+                                            const double gravity[3]);
+
+/**
+ * Sets the coefficient of friction of a body or of the floor. A contact of a thread uses the
+ * coefficient of the other body; any other contact uses the geometric mean of both. The friction in
+ * closed jaws and in holes is another one, and does not change.
+ *
+ * @param scene     the scene
+ * @param body      a drain, needle, rigid body or grasper, no thread; 0: the floor
+ * @param friction  coefficient, 0 to 10
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body, a thread, a
+ *         value, or another method), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a
+ *         step is suspended) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_friction(vbss_scene *scene, uint32_t body, double friction);
+
+/**
+ * Sets the coefficient of friction between threads, and of a thread with itself.
+ *
+ * @param scene     the scene
+ * @param friction  coefficient, 0 to 10
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (a value, or another method),
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_thread_friction(vbss_scene *scene, double friction);
+
+/**
+ * Sets the virtual coupling between a coupled body or a grasper and its target.
+ *
+ * @param scene              the scene
+ * @param body               a coupled rigid body, or a grasper
+ * @param stiffness          stiffness, N/m, 0 to 1e9
+ * @param damping            damping, N s/m, 0 to 1e6
+ * @param turning_stiffness  rotational stiffness, N m/rad, 0 to 1e9
+ * @param turning_damping    rotational damping, N m s/rad, 0 to 1e6
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body, a body without
+ *         a coupling, a value, or another method), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_coupling(vbss_scene *scene, uint32_t body, double stiffness,
+                                             double damping, double turning_stiffness,
+                                             double turning_damping);
+
+/**
+ * Sets the largest speed at which a driven or coupled body, or a grasper, approaches its target:
+ * `speed_limit` of #vbss_scene_config.
+ *
+ * @param scene  the scene
+ * @param limit  speed, m/s, 0 to 1e6; 0: no limit
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (a value, or another method),
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_speed_limit(vbss_scene *scene, double limit);
+
+/**
+ * Sets the contact filter of a body or of the floor. Two bodies collide if each has a category that
+ * the mask of the other contains. A new body has category 1 and the mask 0xffffffff. Bodies that do
+ * not collide have no contacts and pass through each other. Jaws do not grasp, and needles do not
+ * pierce, a body with which they do not collide. Pins, grasps and holes that exist stay, and a body
+ * always collides with itself. A piece that is cut from a thread has the filter of the thread.
+ * Bodies that overlap when a call lets them collide again are pushed apart as new bodies are.
+ *
+ * @param scene     the scene
+ * @param body      any body; 0: the floor
+ * @param category  categories of the body, one bit each
+ * @param mask      categories that the body collides with
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body, or another
+ *         method), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_filter(vbss_scene *scene, uint32_t body, uint32_t category,
+                                           uint32_t mask);
+
+/**
+ * Applies a force and a torque to a body for one step, the next one that begins. Calls before that
+ * step add up. Afterwards the body is free of them. In a part of a step that is left out they do
+ * not act.
+ *
+ * @param scene   the scene
+ * @param body    a free or coupled rigid body, a needle or a coupled grasper
+ * @param force   force, N, each component at most 1e6 in magnitude
+ * @param point   point of the world at which the force acts now, m, each coordinate at most 1e3 in
+ *         magnitude; NULL: the centre of mass
+ * @param torque  additional torque in the world frame, N m, each component at most 1e6 in
+ *         magnitude; NULL: none
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
+ *         such body, a driven body, a value, or another method), VBSS_ERROR_NOT_FINITE or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, const double force[3],
+                                            const double *point, const double *torque);
+
+/**
+ * Sets the velocities of a free body. #vbss_scene_get_rigid returns them.
+ *
+ * @param scene             the scene
+ * @param body              a free rigid body or a needle
+ * @param velocity          velocity of the origin of its frame, m/s, each component at most 1e5 in
+ *         magnitude
+ * @param angular_velocity  angular velocity in the world frame, rad/s, each component at most 1e6 in
+ *         magnitude; NULL keeps it
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
+ *         such body, a body that is not free, a value, or another method), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_rigid_velocity(vbss_scene *scene, uint32_t body,
+                                                   const double velocity[3],
+                                                   const double *angular_velocity);
+
+/**
+ * Moves a free body to a pose at once. Its velocities stay. Nothing checks what is on the way. If
+ * the body overlaps another one there, `overlap` of #vbss_scene_config decides.
+ *
+ * @param scene        the scene
+ * @param body         a free rigid body or a needle, without pins, grasps and holes
+ * @param position     position of the origin of its frame, m, each coordinate at most 1e3 in
+ *         magnitude
+ * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
+ *         orientation
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
+ *         such body, a body that is not free or is held, a value, an overlap, or another method),
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_rigid_pose(vbss_scene *scene, uint32_t body,
+                                               const double position[3], const double *orientation);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

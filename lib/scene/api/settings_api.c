@@ -1,0 +1,219 @@
+/* Changes of a running scene: friction, gravity, couplings, limits and contact filters. */
+#include "base/api_call.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
+
+#include <vblast_ss/scene_settings.h>
+
+/* A change under way: the values and where they go. */
+typedef struct setting {
+    uint32_t body;
+    double numbers[4];
+    scene_filter filter;
+    /* Checks that the scene can take the change. Sets the error. */
+    vbss_result (*check)(const scene_object *s, const struct setting *setting);
+    void (*apply)(scene_object *s, const struct setting *setting);
+} setting;
+
+/* The end of a suspended step may remove what the first check has found. */
+static vbss_result check_and_apply(scene_object *s, const setting *wanted)
+{
+    VBSS_TRY(wanted->check(s, wanted));
+    wanted->apply(s, wanted);
+    s->report.generation++;
+    return VBSS_OK;
+}
+
+static vbss_result set(scene_object *s, const setting *wanted)
+{
+    scene_edit edit;
+    VBSS_TRY(wanted->check(s, wanted));
+    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    return vbss_scene_end_edit(s, &edit, check_and_apply(s, wanted));
+}
+
+static vbss_result check_method(const scene_object *s, const setting *wanted)
+{
+    (void)wanted;
+    return vbss_scene_check_settable(s);
+}
+
+/* The body, or the floor. */
+static vbss_result check_body(const scene_object *s, const setting *wanted)
+{
+    VBSS_TRY(vbss_scene_check_settable(s));
+    return wanted->body == 0 || vbss_scene_body(s, wanted->body) != NULL
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u",
+                           wanted->body);
+}
+
+/* ---- gravity */
+
+static void set_gravity_of(scene_body *b, vec3 gravity)
+{
+    if (b->kind == SCENE_BODY_THREAD) {
+        b->thread.thread->gravity = gravity;
+        b->thread.thread->generation++;
+    } else if (b->kind == SCENE_BODY_DRAIN) {
+        b->drain.drain->gravity = gravity;
+        b->drain.drain->generation++;
+    } else if (b->kind == SCENE_BODY_RIGID) {
+        b->rigid.body.gravity = gravity;
+    }
+}
+
+static bool is_carried(const scene_body *b)
+{
+    return b->kind == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_FREE;
+}
+
+static void apply_gravity(scene_object *s, const setting *wanted)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (wanted->body == 0 ? !is_carried(b) : b->number == wanted->body) {
+            set_gravity_of(b, vec3_load(wanted->numbers));
+        }
+    }
+}
+
+vbss_result vbss_scene_set_gravity(vbss_scene *scene, uint32_t body, const double gravity[3])
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, gravity, "gravity"));
+    VBSS_TRY(vbss_check_vector(s->context, gravity, 1e6, "gravity"));
+    const setting wanted = {.body = body,
+                            .numbers = {gravity[0], gravity[1], gravity[2]},
+                            .check = check_body,
+                            .apply = apply_gravity};
+    return set(s, &wanted);
+}
+
+/* ---- friction */
+
+static vbss_result check_friction(const scene_object *s, const setting *wanted)
+{
+    VBSS_TRY(check_body(s, wanted));
+    const scene_body *b = vbss_scene_body(s, wanted->body);
+    if (b != NULL && b->kind == SCENE_BODY_THREAD) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "body %u is a thread: vbss_scene_set_thread_friction sets the friction "
+                         "of all threads",
+                         wanted->body);
+    }
+    return VBSS_OK;
+}
+
+static void apply_friction(scene_object *s, const setting *wanted)
+{
+    scene_body *b = vbss_scene_body(s, wanted->body);
+    double *friction = b == NULL                     ? &s->settings.floor_friction
+                       : b->kind == SCENE_BODY_DRAIN ? &b->drain.friction
+                                                     : &b->rigid.friction;
+    *friction = wanted->numbers[0];
+}
+
+vbss_result vbss_scene_set_friction(vbss_scene *scene, uint32_t body, double friction)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_range(s->context, friction, 0.0, 10.0, "friction"));
+    const setting wanted = {
+        .body = body, .numbers = {friction}, .check = check_friction, .apply = apply_friction};
+    return set(s, &wanted);
+}
+
+static void apply_thread_friction(scene_object *s, const setting *wanted)
+{
+    s->settings.thread_friction = wanted->numbers[0];
+}
+
+vbss_result vbss_scene_set_thread_friction(vbss_scene *scene, double friction)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_range(s->context, friction, 0.0, 10.0, "friction"));
+    const setting wanted = {
+        .numbers = {friction}, .check = check_method, .apply = apply_thread_friction};
+    return set(s, &wanted);
+}
+
+/* ---- tools */
+
+static vbss_result check_coupling(const scene_object *s, const setting *wanted)
+{
+    VBSS_TRY(vbss_scene_check_settable(s));
+    const scene_body *b = vbss_scene_require_body(s, wanted->body, SCENE_BODY_RIGID);
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    return b->rigid.kind == VBSS_RIGID_COUPLED ? VBSS_OK
+                                               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                                                           "body %u has no coupling", wanted->body);
+}
+
+static void apply_coupling(scene_object *s, const setting *wanted)
+{
+    const double *n = wanted->numbers;
+    vbss_scene_body(s, wanted->body)->rigid.body.coupling =
+        (vbss_rigid_coupling){n[0], n[1], n[2], n[3]};
+}
+
+vbss_result vbss_scene_set_coupling(vbss_scene *scene, uint32_t body, double stiffness,
+                                    double damping, double turning_stiffness,
+                                    double turning_damping)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_range(s->context, stiffness, 0.0, 1e9, "stiffness"));
+    VBSS_TRY(vbss_check_range(s->context, damping, 0.0, 1e6, "damping"));
+    VBSS_TRY(vbss_check_range(s->context, turning_stiffness, 0.0, 1e9, "turning_stiffness"));
+    VBSS_TRY(vbss_check_range(s->context, turning_damping, 0.0, 1e6, "turning_damping"));
+    const setting wanted = {.body = body,
+                            .numbers = {stiffness, damping, turning_stiffness, turning_damping},
+                            .check = check_coupling,
+                            .apply = apply_coupling};
+    return set(s, &wanted);
+}
+
+static void apply_speed_limit(scene_object *s, const setting *wanted)
+{
+    s->settings.speed_limit = wanted->numbers[0];
+}
+
+vbss_result vbss_scene_set_speed_limit(vbss_scene *scene, double limit)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_range(s->context, limit, 0.0, 1e6, "limit"));
+    const setting wanted = {.numbers = {limit}, .check = check_method, .apply = apply_speed_limit};
+    return set(s, &wanted);
+}
+
+/* ---- filters */
+
+static void apply_filter(scene_object *s, const setting *wanted)
+{
+    scene_body *b = vbss_scene_body(s, wanted->body);
+    *(b == NULL ? &s->settings.floor_filter : &b->filter) = wanted->filter;
+}
+
+vbss_result vbss_scene_set_filter(vbss_scene *scene, uint32_t body, uint32_t category,
+                                  uint32_t mask)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    const setting wanted = {
+        .body = body, .filter = {category, mask}, .check = check_body, .apply = apply_filter};
+    return set(s, &wanted);
+}
