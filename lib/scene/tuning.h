@@ -26,6 +26,13 @@
  * Test: none known. */
 #define SCENE_MIN_DISTANCE_RATIO VBSS_TUNE(SCENE_MIN_DISTANCE_RATIO, 4e-9)
 
+/* ---- Contacts of threads that slide (contacts/sliding_contacts.c) */
+
+/* Damping of the least squares that find where two strands cross. Strands at a smaller angle than about its square root
+ * count as parallel.
+ * Unit: 1. Origin: chosen. Test: none known. */
+#define SCENE_SLIDE_DAMPING VBSS_TUNE(SCENE_SLIDE_DAMPING, 0.02)
+
 /* ---- Work in operations of work_limit (world/work_budget.c, solve/newton.c, step/time_slice.c) */
 
 /* Cost of a candidate pair in an attempt.
