@@ -28,15 +28,12 @@
 
 /* ---- Contacts of threads that slide (contacts/sliding_contacts.c) */
 
-/* Damping of the least squares that find where two strands cross, and the normal there.
- * Unit: 1. Origin: chosen: strands at less than about 8 degrees count as parallel. Test: none known. */
+/* Damping of the least squares that find where two threads cross at the end of a substep.
+ * Unit: 1. Origin: chosen: threads at less than about 8 degrees count as parallel. Test: none known. */
 #define SCENE_SLIDE_DAMPING VBSS_TUNE(SCENE_SLIDE_DAMPING, 0.02)
-/* Farthest that a contact slides along a strand in a substep.
+/* Farthest that a contact slides along a thread in a substep.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
 #define SCENE_MAX_SLIDE_RATIO VBSS_TUNE(SCENE_MAX_SLIDE_RATIO, 1.0)
-/* Largest turn of the normal of a contact that slides.
- * Unit: 1, the tangent of the angle. Origin: chosen. Test: none known. */
-#define SCENE_MAX_NORMAL_TURN VBSS_TUNE(SCENE_MAX_NORMAL_TURN, 0.5)
 
 /* ---- Work in operations of work_limit (world/work_budget.c, solve/newton.c, step/time_slice.c) */
 

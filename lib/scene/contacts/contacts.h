@@ -208,8 +208,7 @@ void vbss_scene_remove_duplicate_contacts(scene_object *s);
 
 /* ---- sliding_contacts.c */
 
-/* Moves each contact of two threads to where the threads cross at the end of the substep, and turns its normal so that it
- * is perpendicular to both there. */
+/* Moves each contact of two threads to where the threads cross at the end of the substep. */
 void vbss_scene_slide_contacts(scene_object *s);
 
 /* ---- create_contacts.c */
