@@ -9,6 +9,8 @@
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 
+#include <math.h>
+
 /* A contact point on a thread at the start of the substep. */
 typedef struct thread_point {
     const thread_object *thread;
@@ -71,10 +73,14 @@ static void slide_contact(const scene_object *s, const contact_constraint *const
     const double limit = SCENE_MAX_SLIDE_RATIO * geometry->contact_distance;
     double slides[2];
     find_slides(&points[0], &points[1], slides);
-    for (int k = 0; k < 2; k++) {
-        slide_point(&points[k], vbss_min(vbss_max(slides[k], -limit), limit));
-        geometry->segments[k] = points[k].segment;
-        geometry->barycentric[k] = points[k].fraction;
+    /* A thread that flies does not slide along itself, and its velocity does not tell where it will cross. */
+    const bool is_slow = fabs(slides[0]) <= limit && fabs(slides[1]) <= limit;
+    for (int k = 0; is_slow && k < 2; k++) {
+        if (slides[k] != 0.0) {
+            slide_point(&points[k], slides[k]);
+            geometry->segments[k] = points[k].segment;
+            geometry->barycentric[k] = points[k].fraction;
+        }
     }
 }
 
