@@ -1,0 +1,54 @@
+/* Whether a bend holds, and the force at which it slips, do not depend on the step. The whole table of kinds, friction, steps
+ * and meshes is scene.bends_table; this is one step and mesh of it. */
+#include "scene/bend_case.h"
+
+/* Reference: the middle of steps from 0.2 to 1 ms and segments of 0.2 and 0.3 mm. */
+static void bends_slip_below_critical_friction(void **state)
+{
+    (void)state;
+    const bend_outcome grief = bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE);
+    const bend_outcome granny = bend_case_run(BEND_GRANNY, 0.2, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE);
+    assert_int_equal(BEND_SLIPS, grief.verdict);
+    assert_int_equal(BEND_SLIPS, granny.verdict);
+    expect_near(1.0, grief.force / 0.17, 0.2);
+    expect_near(1.0, granny.force / 0.48, 0.2);
+}
+
+static void bends_hold_above_critical_friction(void **state)
+{
+    (void)state;
+    for (bend_kind kind = BEND_REEF; kind <= BEND_GRIEF; kind++) {
+        if (kind != BEND_THIEF) {
+            const bend_outcome at = bend_case_run(kind, 0.4, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE);
+            assert_int_equal(BEND_HOLDS, at.verdict);
+        }
+    }
+}
+
+/* No friction up to 0.5 locks it. */
+static void thief_slips(void **state)
+{
+    (void)state;
+    assert_int_equal(BEND_SLIPS,
+                     bend_case_run(BEND_THIEF, 0.5, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE).verdict);
+}
+
+static void real_time_bends_have_same_verdicts(void **state)
+{
+    (void)state;
+    assert_int_equal(BEND_SLIPS,
+                     bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_MODE_REAL_TIME).verdict);
+    assert_int_equal(BEND_HOLDS,
+                     bend_case_run(BEND_GRIEF, 0.4, 1e-3, 0.3e-3, VBSS_MODE_REAL_TIME).verdict);
+}
+
+int test_bends(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bends_slip_below_critical_friction),
+        cmocka_unit_test(bends_hold_above_critical_friction),
+        cmocka_unit_test(thief_slips),
+        cmocka_unit_test(real_time_bends_have_same_verdicts),
+    };
+    return cmocka_run_group_tests_name("scene.bends", tests, NULL, NULL);
+}
