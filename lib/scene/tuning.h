@@ -200,11 +200,6 @@
  * Unit: 1, relative to the diameter of the thread. Origin: chosen: 1e-7 m at the default diameter. Test: scene-
  * tools, needle-hands. */
 #define SCENE_FLOOR_ELASTIC_SLIP_RATIO VBSS_TUNE(SCENE_FLOOR_ELASTIC_SLIP_RATIO, 1e-7 / 0.25e-3)
-/* Elastic slip at which a contact of a thread reaches its friction bound. With the full stiffness, nanometres decide
- * whether a contact sticks, and the active set cycles.
- * Unit: 1, relative to the diameter of the thinner body. Origin: chosen: 1e-6 m at the default diameter of a
- * thread (docs/contact.md). Test: scene-tools, needle-hands. */
-#define SCENE_ELASTIC_SLIP_RATIO VBSS_TUNE(SCENE_ELASTIC_SLIP_RATIO, 1e-6 / 0.25e-3)
 /* A predicted normal replaces the current one if it is at least this close to it.
  * Unit: 1, cosine. Origin: chosen. Test: halved none known; doubled scene-tools, graspers, needle-hands. */
 #define SCENE_MIN_NORMAL_COSINE VBSS_TUNE(SCENE_MIN_NORMAL_COSINE, 0.5)

@@ -534,16 +534,6 @@ static void update_contact(const scene_object *s, contact_constraint *constraint
     }
 }
 
-static double elastic_slip_ratio(const contact_constraint *constraint, const scene_body *a,
-                                 const scene_body *b)
-{
-    if (constraint->key.kind == VBSS_CONTACT_NODE_FLOOR) {
-        return SCENE_FLOOR_ELASTIC_SLIP_RATIO;
-    }
-    bool has_thread = a->kind == SCENE_BODY_THREAD || (b != NULL && b->kind == SCENE_BODY_THREAD);
-    return has_thread ? SCENE_ELASTIC_SLIP_RATIO : 0.0;
-}
-
 static void update_contacts(scene_object *s, geometry_update update, double h)
 {
     const scene_body *a = NULL, *b = NULL;
@@ -561,7 +551,10 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
             constraint->friction = pair_friction(s, a, b);
             constraint->stiffness = s->config.contact_stiffness;
             constraint->augmentation = augmentation_of(a, b, h);
-            constraint->elastic_slip_limit = elastic_slip_ratio(constraint, a, b) * constraint->thickness;
+            constraint->elastic_slip_limit =
+                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR
+                    ? SCENE_FLOOR_ELASTIC_SLIP_RATIO * constraint->thickness
+                    : 0.0;
         }
         const side d = side_of(s, constraint, a, 0);
         if (b == NULL) {
