@@ -17,7 +17,7 @@ static vbss_result move_tool(int tool, double time)
     const double turn = 2.0 * PI * time;
     const double at[3] = {(tool == 0 ? -0.03 : 0.03) + 0.01 * vbss_cos(turn), 0.01 * vbss_sin(turn),
                           0.03};
-    return vbss_grasper_move(own.tools[tool], at, NULL);
+    return vbss_grasper_set_target(own.tools[tool], at, NULL);
 }
 
 static vbss_result add_tool(int tool)

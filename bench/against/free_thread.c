@@ -23,7 +23,7 @@ static vbss_result begin(uint64_t seed)
     config.length = SEGMENTS * SEGMENT_LENGTH;
     VBSS_TRY(vbss_thread_create(own.context, &config, &own.thread));
     VBSS_TRY(vbss_thread_attachment_init(&clamp, sizeof clamp));
-    clamp.kind = VBSS_ATTACHMENT_CLAMP;
+    clamp.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
     return vbss_thread_attach(own.thread, &clamp, &id);
 }
 

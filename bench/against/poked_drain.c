@@ -15,7 +15,7 @@ static vbss_result begin(uint64_t seed)
     vbss_drain_config drain;
     (void)seed;
     VBSS_TRY(vbss_context_create(NULL, &own.context));
-    VBSS_TRY(tissue_scene_configs(TISSUE_SCENE_POKED, VBSS_METHOD_OURS, &scene, &drain));
+    VBSS_TRY(tissue_scene_configs(TISSUE_SCENE_POKED, VBSS_METHOD_IMPLICIT, &scene, &drain));
     return tissue_scene_create(own.context, TISSUE_SCENE_POKED, &scene, &drain, &own.scene);
 }
 

@@ -18,14 +18,14 @@
 #define PASS_LIMIT 10000
 
 typedef struct advancement {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     double thickness, speed;
     vec3 x[4], v[4];
 } advancement;
 
 static double distance_now(const advancement *a)
 {
-    if (a->kind == VBSS_PAIR_EDGE_EDGE) {
+    if (a->kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
         double s, u;
         vec3 edge_a = vec3_sub(a->x[1], a->x[0]), edge_b = vec3_sub(a->x[3], a->x[2]);
         return vec3_norm(closest_between_edges(edge_a, edge_b, vec3_sub(a->x[2], a->x[0]), &s, &u));
@@ -56,8 +56,9 @@ static advancement begin_advancement(const query *q)
         a.v[k] = vec3_sub(a.v[k], mean);
         speed[k] = vec3_norm(a.v[k]);
     }
-    a.speed = a.kind == VBSS_PAIR_EDGE_EDGE ? fmax(speed[0], speed[1]) + fmax(speed[2], speed[3])
-                                            : speed[0] + fmax(fmax(speed[1], speed[2]), speed[3]);
+    a.speed = a.kind == VBSS_COLLISION_PAIR_EDGE_EDGE
+                  ? fmax(speed[0], speed[1]) + fmax(speed[2], speed[3])
+                  : speed[0] + fmax(fmax(speed[1], speed[2]), speed[3]);
     return a;
 }
 

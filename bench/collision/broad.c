@@ -87,7 +87,7 @@ static vbss_result make_ours(walk *w)
     free(rest);
     VBSS_TRY(result);
     const double *first = moving_at(&w->motion, 0);
-    return vbss_collision_move(w->collision, w->thread, first, first, w->segments + 1);
+    return vbss_collision_set_motion(w->collision, w->thread, first, first, w->segments + 1);
 }
 
 static int begin_ours(walk *w)
@@ -110,8 +110,8 @@ static uint64_t hash_view(vbss_collision *collision, vbss_collision_field field,
 
 static int step_ours(walk *w, uint32_t index)
 {
-    vbss_result result = vbss_collision_move(w->collision, w->thread, NULL,
-                                             moving_at(&w->motion, index + 1), w->segments + 1);
+    vbss_result result = vbss_collision_set_motion(
+        w->collision, w->thread, NULL, moving_at(&w->motion, index + 1), w->segments + 1);
     if (result == VBSS_OK) {
         result = vbss_collision_find_candidates(w->collision);
     }
@@ -274,19 +274,19 @@ enum { SEARCHES = sizeof searches / sizeof searches[0] };
 
 static const walk_method wholes[] = {
     {.name = "conservative",
-     .test = VBSS_COLLISION_CONSERVATIVE,
+     .test = VBSS_COLLISION_METHOD_CONSERVATIVE,
      .tests = true,
      .begin = begin_ours,
      .step = step_ours,
      .end = end_ours},
     {.name = "paper",
-     .test = VBSS_COLLISION_PAPER,
+     .test = VBSS_COLLISION_METHOD_VBLAST,
      .tests = true,
      .begin = begin_ours,
      .step = step_ours,
      .end = end_ours},
     {.name = "cubic",
-     .test = VBSS_COLLISION_CUBIC,
+     .test = VBSS_COLLISION_METHOD_CUBIC,
      .tests = true,
      .begin = begin_ours,
      .step = step_ours,

@@ -73,7 +73,7 @@ static void count_sign_tests(const query_rows *rows, const query_answers *answer
 
 static bool begin_conservative(const query_rows *rows)
 {
-    return begin_questions(rows, VBSS_COLLISION_CONSERVATIVE, QUERY_MM);
+    return begin_questions(rows, VBSS_COLLISION_METHOD_CONSERVATIVE, QUERY_MM);
 }
 
 static bool begin_conservative_fine(const query_rows *rows)
@@ -85,17 +85,17 @@ static bool begin_conservative_fine(const query_rows *rows)
 
 static bool begin_cubic(const query_rows *rows)
 {
-    return begin_questions(rows, VBSS_COLLISION_CUBIC, QUERY_MM);
+    return begin_questions(rows, VBSS_COLLISION_METHOD_CUBIC, QUERY_MM);
 }
 
 static bool begin_paper(const query_rows *rows)
 {
-    return begin_questions(rows, VBSS_COLLISION_PAPER, QUERY_MM);
+    return begin_questions(rows, VBSS_COLLISION_METHOD_VBLAST, QUERY_MM);
 }
 
 static bool begin_paper_metres(const query_rows *rows)
 {
-    return begin_questions(rows, VBSS_COLLISION_PAPER, 1.0);
+    return begin_questions(rows, VBSS_COLLISION_METHOD_VBLAST, 1.0);
 }
 
 /* ---- the public call */
@@ -126,12 +126,12 @@ static bool begin_method(const query_rows *rows, vbss_collision_method method)
 
 static bool begin_calls(const query_rows *rows)
 {
-    return begin_method(rows, VBSS_COLLISION_CONSERVATIVE);
+    return begin_method(rows, VBSS_COLLISION_METHOD_CONSERVATIVE);
 }
 
 static bool begin_paper_calls(const query_rows *rows)
 {
-    return begin_method(rows, VBSS_COLLISION_PAPER);
+    return begin_method(rows, VBSS_COLLISION_METHOD_VBLAST);
 }
 
 static void run_calls(const query_rows *rows, query_answers *answers)
@@ -139,11 +139,12 @@ static void run_calls(const query_rows *rows, query_answers *answers)
     answers->undecided = 0;
     for (uint32_t i = 0; i < rows->count; i++) {
         const query *q = &rows->metres[i];
-        vbss_impact impact;
+        vbss_collision_impact impact;
         vbss_result reported =
             vbss_collision_test(object, q->kind, q->start, q->end, &impact, sizeof impact);
         answers->hit[i] = reported == VBSS_OK ? impact.hit : -1;
-        answers->undecided += reported == VBSS_OK && impact.decision == VBSS_DECISION_UNDECIDED;
+        answers->undecided +=
+            reported == VBSS_OK && impact.decision == VBSS_COLLISION_DECISION_UNDECIDED;
     }
 }
 
@@ -241,7 +242,7 @@ static void run_batch(const query_rows *rows, query_answers *answers)
     answers->undecided = 0;
     for (uint32_t i = 0; i < rows->count; i++) {
         answers->hit[i] = reported ? answers->hit[i] : -1;
-        answers->undecided += decisions[i] == VBSS_DECISION_UNDECIDED;
+        answers->undecided += decisions[i] == VBSS_COLLISION_DECISION_UNDECIDED;
     }
     bench_keep_memory(numbers);
 }

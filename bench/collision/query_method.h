@@ -23,14 +23,14 @@ extern "C" {
 #define QUERY_TEXT(macro) QUERY_TEXT_OF(macro)
 
 typedef struct query {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     double thickness;
     double start[12], end[12];
 } query;
 
 /* All questions of a set have one kind and one D. */
 typedef struct query_rows {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     uint32_t count;
     double thickness;
     const query *metres;       /* the set */

@@ -98,7 +98,7 @@ static bool meets_in_metres(const collision_query *q)
 }
 #endif
 
-static bool make_degenerate(uint32_t which, vbss_pair_kind kind, uint32_t count,
+static bool make_degenerate(uint32_t which, vbss_collision_pair_kind kind, uint32_t count,
                             collision_set *part)
 {
 #if defined(VBSS_HAVE_ORACLE)
@@ -136,11 +136,12 @@ static bool make_parts(set_source source, uint32_t which, bool quick, collision_
             good = collision_set_sheet(index, FAMILY_QUERIES / share, SEED, part);
             break;
         case DEGENERATE_EDGES:
-            good = make_degenerate(index, VBSS_PAIR_EDGE_EDGE, DEGENERATE_QUERIES / share, part);
+            good = make_degenerate(index, VBSS_COLLISION_PAIR_EDGE_EDGE, DEGENERATE_QUERIES / share,
+                                   part);
             break;
         case DEGENERATE_POINTS:
-            good =
-                make_degenerate(index, VBSS_PAIR_POINT_TRIANGLE, DEGENERATE_QUERIES / share, part);
+            good = make_degenerate(index, VBSS_COLLISION_PAIR_POINT_TRIANGLE,
+                                   DEGENERATE_QUERIES / share, part);
             break;
         default:
             good = collision_set_family(index, FAMILY_QUERIES / share, SEED, part);

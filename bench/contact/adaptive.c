@@ -27,8 +27,8 @@ static pulled_knot knots[KINDS][MESHES];
 
 static void set(pulled_knot *k, const knot_case *c, double finest, double coarsest)
 {
-    pulled_knot_init(k, c->kind, VBSS_METHOD_OURS);
-    k->options.scene.mode = VBSS_MODE_OFFLINE;
+    pulled_knot_init(k, c->kind, VBSS_METHOD_IMPLICIT);
+    k->options.scene.mode = VBSS_SCENE_MODE_OFFLINE;
     k->options.knot.size = c->size;
     k->options.knot.length = 0.2;
     k->options.knot.finest = finest;
@@ -43,7 +43,7 @@ static void set_mesh(pulled_knot *k, const knot_case *c, mesh_case mesh)
         {FINE, GRADED_TO}, {FINE, FINE}, {c->coarse, c->coarse}, {c->coarse, c->coarse}};
     set(k, c, lengths[mesh][0], lengths[mesh][1]);
     if (mesh == ADAPTIVE) {
-        k->options.thread.mesh = VBSS_MESH_ADAPTIVE;
+        k->options.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
         k->options.thread.node_capacity = 900;
         k->options.thread.coarsest_length = GRADED_TO;
     }

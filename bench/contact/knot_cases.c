@@ -33,25 +33,27 @@ enum { OURS_STEPS = 4000, LOST_STEPS = 20, PAPER_STEPS = 300 };
 #define PAPER_SIZE 3.1e-3
 
 static const kind_case cases[] = {
-    {"overhand", KNOT_OVERHAND, VBSS_METHOD_OURS, OURS_STEPS, false, false, FINE, COARSE, OUR_STEP},
-    {"double-overhand", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_OURS, OURS_STEPS, false, false, FINE,
-     COARSE, OUR_STEP},
-    {"double-overhand-uniform", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_OURS, OURS_STEPS, false, false,
-     UNIFORM, UNIFORM, OUR_STEP},
-    {"square", KNOT_SQUARE, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
-    {"granny", KNOT_GRANNY, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
-    {"surgeon", KNOT_SURGEON, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
-    {"fls-knot", KNOT_FLS, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
-    {"fls-knot-300", KNOT_FLS, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE_FLS, COARSE,
+    {"overhand", KNOT_OVERHAND, VBSS_METHOD_IMPLICIT, OURS_STEPS, false, false, FINE, COARSE,
      OUR_STEP},
-    {"overhand", KNOT_OVERHAND, VBSS_METHOD_PAPER, LOST_STEPS, false, false, FINE, COARSE,
-     OUR_STEP},
-    {"double-overhand", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_PAPER, LOST_STEPS, false, false, FINE,
+    {"double-overhand", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_IMPLICIT, OURS_STEPS, false, false, FINE,
      COARSE, OUR_STEP},
-    {"fls-knot", KNOT_FLS, VBSS_METHOD_PAPER, LOST_STEPS, true, false, FINE, COARSE, OUR_STEP},
-    {"paper-throw", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_PAPER, PAPER_STEPS, false, false,
+    {"double-overhand-uniform", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_IMPLICIT, OURS_STEPS, false,
+     false, UNIFORM, UNIFORM, OUR_STEP},
+    {"square", KNOT_SQUARE, VBSS_METHOD_IMPLICIT, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
+    {"granny", KNOT_GRANNY, VBSS_METHOD_IMPLICIT, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
+    {"surgeon", KNOT_SURGEON, VBSS_METHOD_IMPLICIT, OURS_STEPS, true, false, FINE, COARSE,
+     OUR_STEP},
+    {"fls-knot", KNOT_FLS, VBSS_METHOD_IMPLICIT, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
+    {"fls-knot-300", KNOT_FLS, VBSS_METHOD_IMPLICIT, OURS_STEPS, true, false, FINE_FLS, COARSE,
+     OUR_STEP},
+    {"overhand", KNOT_OVERHAND, VBSS_METHOD_VBLAST, LOST_STEPS, false, false, FINE, COARSE,
+     OUR_STEP},
+    {"double-overhand", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_VBLAST, LOST_STEPS, false, false, FINE,
+     COARSE, OUR_STEP},
+    {"fls-knot", KNOT_FLS, VBSS_METHOD_VBLAST, LOST_STEPS, true, false, FINE, COARSE, OUR_STEP},
+    {"paper-throw", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_VBLAST, PAPER_STEPS, false, false,
      PAPER_SEGMENT, PAPER_SEGMENT, PAPER_STEP},
-    {"paper-throw-pinned", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_PAPER, PAPER_STEPS, false, true,
+    {"paper-throw-pinned", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_VBLAST, PAPER_STEPS, false, true,
      PAPER_SEGMENT, PAPER_SEGMENT, PAPER_STEP},
 };
 enum { CASES = sizeof cases / sizeof cases[0] };
@@ -87,16 +89,17 @@ static void set(pulled_knot *k, const kind_case *c, phase when)
     k->pinned = c->pinned;
     k->h = c->h;
     k->held = held;
-    k->options.scene.mode = when == PULLED_OFFLINE ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    k->options.scene.mode =
+        when == PULLED_OFFLINE ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     snprintf(k->name, sizeof k->name, "contact/%s%s/%s/%u", c->scene, held ? "-held" : "",
-             c->method == VBSS_METHOD_OURS ? methods[when] : "paper", (unsigned)count_nodes(k));
+             c->method == VBSS_METHOD_IMPLICIT ? methods[when] : "paper", (unsigned)count_nodes(k));
 }
 
 void add_knot_cases(bench *b)
 {
     for (int when = PULLED; when < PHASES; when++) {
         for (size_t i = 0; i < CASES; i++) {
-            if (when == PULLED || cases[i].method == VBSS_METHOD_OURS) {
+            if (when == PULLED || cases[i].method == VBSS_METHOD_IMPLICIT) {
                 set(&knots[i][when], &cases[i], (phase)when);
                 pulled_knot_add(b, &knots[i][when]);
             }

@@ -167,7 +167,7 @@ void add_peer_cases(bench *b)
 {
     for (uint32_t mesh = 0; mesh < MESHES; mesh++) {
         pulled_knot *k = &ours[mesh];
-        pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_OURS);
+        pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_IMPLICIT);
         k->hold_steps = HELD_STEPS; /* as peers */
         shape_of(mesh, &k->options.knot);
         k->options.knot.rest = KNOT_REST_ARCS;

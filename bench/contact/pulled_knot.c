@@ -25,7 +25,7 @@ void pulled_knot_init(pulled_knot *k, knot_kind kind, vbss_method method)
     k->options.knot.length = 0.15;
     k->options.pull = (contact_pull){SPEED, LOAD_N, 0.0};
     k->options.scene.method = k->options.thread.method = method;
-    if (method == VBSS_METHOD_PAPER) {
+    if (method == VBSS_METHOD_VBLAST) {
         k->options.knot.rest = KNOT_REST_CHORDS;
     }
 }
@@ -118,7 +118,7 @@ bool pulled_knot_make(pulled_knot *k)
 
 static bool place(pulled_knot *k)
 {
-    bool fine = true, paper = k->options.scene.method == VBSS_METHOD_PAPER;
+    bool fine = true, paper = k->options.scene.method == VBSS_METHOD_VBLAST;
     for (uint32_t i = 0; i < (paper ? 0 : LAID_STEPS) && fine; i++) {
         fine = contact_scene_step(&k->scene, k->h) == VBSS_OK;
     }

@@ -30,8 +30,8 @@ static pulled_knot knots[STEPS][SEGMENTS], paper_knots[PAPER_STEPS][PAPER_SEGMEN
 
 static void set(pulled_knot *k, double segment, double h)
 {
-    pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_OURS);
-    k->options.scene.mode = VBSS_MODE_OFFLINE;
+    pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_IMPLICIT);
+    k->options.scene.mode = VBSS_SCENE_MODE_OFFLINE;
     k->options.knot.finest = segment;
     k->options.knot.coarsest = vbss_max(segment, 2e-3);
     k->h = h;
@@ -64,7 +64,7 @@ static void add_paper_cases(bench *b)
     for (size_t h = 0; h < PAPER_STEPS; h++) {
         for (size_t i = 0; i < count; i++) {
             pulled_knot *k = &paper_knots[h][i];
-            pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_PAPER);
+            pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_VBLAST);
             k->options.knot.finest = k->options.knot.coarsest = paper_segments[i];
             k->options.knot.size = PAPER_SIZE;
             k->options.thread.paper_damping = PAPER_DAMPING;

@@ -54,9 +54,9 @@ static bool make(throw_case *c)
         return false;
     }
     options.segment = c->segment > 0.0 ? c->segment : options.segment;
-    options.scene.mode = c->offline ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    options.scene.mode = c->offline ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     if (c->adapts) {
-        options.thread.mesh = VBSS_MESH_ADAPTIVE;
+        options.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
         options.thread.finest_length = c->finest;
         options.thread.node_capacity = 500;
     }

@@ -40,7 +40,7 @@ static vbss_result make_thread(vbss_context *context, vbss_scene **scene, vbss_t
     VBSS_TRY(vbss_thread_config_init(&config, sizeof config));
     VBSS_TRY(vbss_thread_create(context, &config, thread));
     VBSS_TRY(vbss_thread_attachment_init(&clamp, sizeof clamp));
-    clamp.kind = VBSS_ATTACHMENT_CLAMP;
+    clamp.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
     VBSS_TRY(vbss_thread_attach(*thread, &clamp, &number));
     VBSS_TRY(vbss_scene_create(context, NULL, scene));
     return vbss_scene_add_thread(*scene, *thread, &number);
@@ -55,7 +55,7 @@ static vbss_result fall(vbss_context *context, uint32_t steps, vec3 *tip)
     for (uint32_t i = 0; i < steps; i++) {
         VBSS_TRY(vbss_scene_step(scene, FALL / steps));
     }
-    VBSS_TRY(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    VBSS_TRY(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view));
     *tip = vec3_load((const double *)view.data + 3 * (view.count - 1));
     return VBSS_OK;
 }
@@ -130,8 +130,8 @@ static vbss_result tie(vbss_context *context, const rate *r, outcome *out)
     static stitch_scene stitch;
     VBSS_TRY(stitch_scene_init(&options));
     options.crossings = 5;
-    options.scene.work_limit = (uint32_t)(options.scene.work_limit * r->budget);
-    options.scene.slot_limit = (uint32_t)(options.scene.slot_limit * r->budget);
+    options.scene.step_budget = (uint32_t)(options.scene.step_budget * r->budget);
+    options.scene.call_budget = (uint32_t)(options.scene.call_budget * r->budget);
     step_count = 0;
     operations_before = 0;
     VBSS_TRY(stitch_scene_create(context, &options, &stitch));

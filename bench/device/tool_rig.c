@@ -46,12 +46,12 @@ vbss_result tool_rig_thread(tool_rig *r, uint32_t segments, tool_rig_ends pinned
 
 vbss_result tool_rig_cylinder(tool_rig *r, vec3 middle)
 {
-    const vbss_capsule capsule = {
+    const vbss_scene_capsule capsule = {
         .begin = {0.0, -0.03, 0.0}, .end = {0.0, 0.03, 0.0}, .radius = cylinder_radius};
-    vbss_rigid_config config;
+    vbss_scene_rigid_config config;
     uint32_t body;
-    VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
-    config.kind = VBSS_RIGID_DRIVEN;
+    VBSS_TRY(vbss_scene_rigid_config_init(&config, sizeof config));
+    config.kind = VBSS_SCENE_RIGID_DRIVEN;
     config.capsules = &capsule;
     config.capsule_count = 1;
     vec3_store(config.position, middle);
@@ -72,7 +72,7 @@ vbss_result tool_rig_move(tool_rig *r, uint32_t tool, vec3 tip)
 {
     double position[3];
     vec3_store(position, tip);
-    return vbss_grasper_move(r->tools[tool], position, NULL);
+    return vbss_grasper_set_target(r->tools[tool], position, NULL);
 }
 
 vbss_result tool_rig_steps(tool_rig *r, uint32_t count)
@@ -114,7 +114,7 @@ bool tool_rig_holds(const tool_rig *r, uint32_t tool)
 
 double tool_rig_slid(const tool_rig *r, uint32_t tool)
 {
-    vbss_grasp grasp;
+    vbss_scene_grasp grasp;
     return vbss_scene_get_grasp(r->scene, r->bodies[tool], 0, &grasp, sizeof grasp) == VBSS_OK
                ? grasp.slid
                : 0.0;

@@ -273,7 +273,7 @@ static uint64_t hash(void *user)
 static void finish(void *user, bench_result *result)
 {
     row *r = user;
-    vbss_knot_statistics s;
+    vbss_knot_detector_statistics s;
     if (vbss_knot_detector_get_statistics(r->detector, &s, sizeof s) != VBSS_OK ||
         r->readings == 0) {
         bench_fail(result, "nothing was read");

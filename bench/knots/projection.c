@@ -20,13 +20,13 @@ typedef struct watcher {
 
 static int begin(watcher *w, vbss_knot_method method)
 {
-    vbss_knot_config config;
+    vbss_knot_detector_config config;
     w->tool = paper_knot_tool();
     (void)vbss_knot_input_init(&w->input, sizeof w->input);
     w->input.points = &w->points[0].x;
     w->input.tools = &w->tool;
     w->input.tool_count = 1;
-    if (vbss_knot_config_init(&config, sizeof config) != VBSS_OK ||
+    if (vbss_knot_detector_config_init(&config, sizeof config) != VBSS_OK ||
         vbss_context_create(NULL, &w->context) != VBSS_OK) {
         return 1;
     }
@@ -85,7 +85,7 @@ static int set_up_tying(void *user)
     tying_row *r = user;
     r->counted = false;
     r->at = r->observed = r->right = r->wrong = r->undone = 0;
-    return begin(&r->watcher, VBSS_KNOT_PROJECTION);
+    return begin(&r->watcher, VBSS_KNOT_METHOD_PROJECTION);
 }
 
 static int restore_tying(void *user)
@@ -208,7 +208,7 @@ static int set_up_case(void *user)
         return 1;
     }
     w->input.point_count = count;
-    if (r->method == VBSS_KNOT_TOPOLOGY &&
+    if (r->method == VBSS_KNOT_METHOD_TOPOLOGY &&
         vbss_knot_detector_judge(r->watcher.detector, &r->watcher.input) != VBSS_OK) {
         end_watcher(&r->watcher);
         return 1;
@@ -247,7 +247,7 @@ static void finish_case(void *user, bench_result *result)
     const paper_knot_case *c = &paper_knot_cases[r->kind];
     double turns = c->beside_tool ? c->turns : 0.0, reported = 0.0;
     bool right, as_paper = true;
-    if (r->method == VBSS_KNOT_PROJECTION) {
+    if (r->method == VBSS_KNOT_METHOD_PROJECTION) {
         reported = count_loops(r->watcher.detector);
         as_paper = (uint32_t)reported == c->loops;
         right = reported == floor(fabs(turns) + 0.5);
@@ -266,7 +266,7 @@ static void finish_case(void *user, bench_result *result)
     bench_counter(result, "uncertain", 0.0);
     if (!as_paper) {
         bench_fail(result, "%g loops instead of %u", reported, (unsigned)c->loops);
-    } else if (!right && r->method == VBSS_KNOT_TOPOLOGY) {
+    } else if (!right && r->method == VBSS_KNOT_METHOD_TOPOLOGY) {
         bench_fail(result, "%g turns instead of %g", reported, turns);
     }
 }
@@ -282,7 +282,7 @@ static void add_case(bench *b, case_row *r, paper_knot_kind kind, vbss_knot_meth
     static vec3 points[PAPER_KNOT_POINTS];
     *r = (case_row){.kind = kind, .method = method};
     snprintf(r->name, sizeof r->name, "knots/%s/%s/%u", case_names[kind],
-             method == VBSS_KNOT_TOPOLOGY ? "winding" : "projection",
+             method == VBSS_KNOT_METHOD_TOPOLOGY ? "winding" : "projection",
              (unsigned)paper_knot_make(kind, points) - 1);
     bench_add_stepped(b, &(bench_stepped){.name = r->name,
                                           .user = r,
@@ -303,7 +303,7 @@ void add_projection_cases(bench *b)
         }
     }
     for (paper_knot_kind kind = 0; kind < PAPER_KNOT_KINDS; kind++) {
-        add_case(b, &case_rows[kind][0], kind, VBSS_KNOT_TOPOLOGY);
-        add_case(b, &case_rows[kind][1], kind, VBSS_KNOT_PROJECTION);
+        add_case(b, &case_rows[kind][0], kind, VBSS_KNOT_METHOD_TOPOLOGY);
+        add_case(b, &case_rows[kind][1], kind, VBSS_KNOT_METHOD_PROJECTION);
     }
 }

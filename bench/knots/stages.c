@@ -308,7 +308,7 @@ static void run_those_before(stage_row *r)
 static int set_up(void *user)
 {
     stage_row *r = user;
-    vbss_knot_config config;
+    vbss_knot_detector_config config;
     r->observed = 0;
     r->sum = 0.0;
     if (r->stage->family == NULL) {
@@ -317,7 +317,7 @@ static int set_up(void *user)
         const shown_set *set = shown_set_of(family_named(r->stage->family), r->segments, r->wanted);
         r->inputs = set != NULL ? set->inputs : NULL;
     }
-    if (r->inputs == NULL || vbss_knot_config_init(&config, sizeof config) != VBSS_OK ||
+    if (r->inputs == NULL || vbss_knot_detector_config_init(&config, sizeof config) != VBSS_OK ||
         vbss_context_create(NULL, &r->context) != VBSS_OK) {
         return 1;
     }

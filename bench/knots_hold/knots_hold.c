@@ -38,7 +38,7 @@ static bool set_option(held_knot_options *o, const char *text)
     if (strcmp(text, "limited") == 0) { /* as scenes are by default */
         vbss_scene_config scene;
         (void)vbss_scene_config_init(&scene, sizeof scene);
-        o->tied.scene.work_limit = scene.work_limit;
+        o->tied.scene.step_budget = scene.step_budget;
         o->tied.scene.attempt_limit = scene.attempt_limit;
         return true;
     }

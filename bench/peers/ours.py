@@ -35,10 +35,10 @@ class Capstan:
         self.end, self.at = self.thread.attach("pin", segments), points[-1].copy()
 
     def advance(self, seconds, load, speed):
-        self.thread.move(self.load, (0.0, -load, 0.0))
+        self.thread.set_attachment_target(self.load, (0.0, -load, 0.0))
         for _ in range(round(seconds / self.h)):
             self.at[1] -= speed * self.h
-            self.thread.move(self.end, self.at.tolist())
+            self.thread.set_attachment_target(self.end, self.at.tolist())
             self.scene.step(self.h)
 
     def pull(self):
@@ -57,7 +57,7 @@ class Trefoil:
         for _ in range(round(seconds / self.h)):
             for end, place, direction in zip(self.ends, self.at, (-1.0, 1.0)):
                 place[2] += direction * speed * self.h
-                self.thread.move(end, place.tolist())
+                self.thread.set_attachment_target(end, place.tolist())
             self.scene.step(self.h)
 
     def positions(self):

@@ -20,10 +20,10 @@ static const struct {
     const char *name;
     vbss_method method;
     double h; /* s */
-} methods[] = {{"ours", VBSS_METHOD_OURS, 1e-3},
-               {"paper-1ms", VBSS_METHOD_PAPER, 1e-3},
-               {"paper-0.2ms", VBSS_METHOD_PAPER, 0.2e-3},
-               {"paper-6.67ms", VBSS_METHOD_PAPER, 1.0 / 150.0}};
+} methods[] = {{"ours", VBSS_METHOD_IMPLICIT, 1e-3},
+               {"paper-1ms", VBSS_METHOD_VBLAST, 1e-3},
+               {"paper-0.2ms", VBSS_METHOD_VBLAST, 0.2e-3},
+               {"paper-6.67ms", VBSS_METHOD_VBLAST, 1.0 / 150.0}};
 enum { METHODS = sizeof methods / sizeof methods[0] };
 
 static pulled_knot knots[METHODS][SIZES];

@@ -68,7 +68,7 @@ static vbss_result add_tool(parts_case *c, int tool)
     tool_place(tool, 0.0, at);
     TRY(vbss_grasper_config_init(&config, sizeof config));
     TRY(vbss_grasper_create(c->site.rig.context, &config, &c->tools[tool]));
-    TRY(vbss_grasper_move(c->tools[tool], at, NULL));
+    TRY(vbss_grasper_set_target(c->tools[tool], at, NULL));
     return vbss_scene_add_grasper(c->site.rig.scene, c->tools[tool], &c->bodies[tool]);
 }
 
@@ -132,8 +132,8 @@ static vbss_result move_tool(const parts_case *c, int tool, double time)
 {
     double at[3];
     tool_place(tool, time, at);
-    return c->record != NULL ? vbss_record_move_grasper(c->record, c->bodies[tool], at, NULL)
-                             : vbss_grasper_move(c->tools[tool], at, NULL);
+    return c->record != NULL ? vbss_record_set_grasper_target(c->record, c->bodies[tool], at, NULL)
+                             : vbss_grasper_set_target(c->tools[tool], at, NULL);
 }
 
 /* As a host would that keeps the log in memory. */

@@ -107,13 +107,13 @@ static void read_holes(passed *p)
 
 static void read_grasps_of(passed *p, uint32_t tool)
 {
-    vbss_grasp g;
+    vbss_scene_grasp g;
     for (uint32_t i = 0; vbss_scene_get_grasp(p->scene, tool, i, &g, sizeof g) == VBSS_OK; i++) {
         if (p->held_now_count == MAX_GRASPS) {
             p->failed = true;
             return;
         }
-        p->held_now[p->held_now_count++] = (held){tool, g.thread, g.arc_length};
+        p->held_now[p->held_now_count++] = (held){tool, g.body, g.arc_length};
     }
 }
 

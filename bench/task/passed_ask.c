@@ -28,11 +28,11 @@ static bool in_jaws(const held *list, uint32_t count, const chain *thread, const
 
 /* Whether a stretch of a body, from `begin` to `end` along it, is near one of these holes. What is in a hole round the swage is
  * needle and thread, which begins at the needle's end. */
-static bool in_holes(const vbss_hole *holes, uint32_t count, const chain *c, const double ends[2],
-                     double needle_length)
+static bool in_holes(const vbss_scene_hole *holes, uint32_t count, const chain *c,
+                     const double ends[2], double needle_length)
 {
     for (uint32_t i = 0; i < count; i++) {
-        const vbss_hole *h = &holes[i];
+        const vbss_scene_hole *h = &holes[i];
         bool needle = c->kind == CHAIN_NEEDLE;
         if (!needle && h->thread != 0 && h->thread != c->body) {
             continue;
@@ -52,7 +52,7 @@ static bool in_holes(const vbss_hole *holes, uint32_t count, const chain *c, con
 static bool round_hole(const passed *p, const uint32_t *nodes, int count)
 {
     for (int list = 0; list < 2; list++) {
-        const vbss_hole *holes = list == 0 ? p->before : p->now;
+        const vbss_scene_hole *holes = list == 0 ? p->before : p->now;
         uint32_t hole_count = list == 0 ? p->before_count : p->now_count;
         for (uint32_t i = 0; i < hole_count; i++) {
             const uint32_t *of = p->drain->mesh.triangles[holes[i].triangle];

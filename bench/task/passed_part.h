@@ -37,7 +37,7 @@ struct passed {
     part *parts;
     size_t part_count, part_room;
     bool failed; /* no memory or room */
-    vbss_hole before[MAX_HOLES], now[MAX_HOLES];
+    vbss_scene_hole before[MAX_HOLES], now[MAX_HOLES];
     uint32_t before_count, now_count;
     held held_before[MAX_GRASPS], held_now[MAX_GRASPS];
     uint32_t held_before_count, held_now_count;

@@ -51,7 +51,7 @@ static vbss_result make(swing *s)
     config.position_tolerance = 1.0;
     VBSS_TRY(vbss_thread_create(s->context, &config, &s->thread));
     VBSS_TRY(vbss_thread_attachment_init(&clamp, sizeof clamp));
-    clamp.kind = VBSS_ATTACHMENT_CLAMP;
+    clamp.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
     VBSS_TRY(vbss_thread_attach(s->thread, &clamp, &id));
     VBSS_TRY(vbss_thread_edit(s->thread, &inside));
     inside->system->wide = inside->system->wide && !s->plain;

@@ -24,7 +24,7 @@ static void destroy(void *thread)
 }
 
 static vbss_result make(ours *o, const cantilever_setup *setup, vbss_method method,
-                        vbss_bending bending)
+                        vbss_thread_bending bending)
 {
     vbss_thread_config config;
     vbss_thread_attachment clamp;
@@ -52,13 +52,13 @@ static vbss_result make(ours *o, const cantilever_setup *setup, vbss_method meth
         result = vbss_thread_attachment_init(&clamp, sizeof clamp);
     }
     if (result == VBSS_OK) {
-        clamp.kind = VBSS_ATTACHMENT_CLAMP;
+        clamp.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
         result = vbss_thread_attach(o->thread, &clamp, &id);
     }
     return result;
 }
 
-static void *create(const cantilever_setup *setup, vbss_method method, vbss_bending bending)
+static void *create(const cantilever_setup *setup, vbss_method method, vbss_thread_bending bending)
 {
     ours *o = calloc(1, sizeof *o);
     if (o == NULL) {
@@ -75,17 +75,17 @@ static void *create(const cantilever_setup *setup, vbss_method method, vbss_bend
 
 static void *create_spline(const cantilever_setup *setup)
 {
-    return create(setup, VBSS_METHOD_OURS, VBSS_BENDING_SPLINE);
+    return create(setup, VBSS_METHOD_IMPLICIT, VBSS_THREAD_BENDING_SPLINE);
 }
 
 static void *create_local(const cantilever_setup *setup)
 {
-    return create(setup, VBSS_METHOD_OURS, VBSS_BENDING_LOCAL);
+    return create(setup, VBSS_METHOD_IMPLICIT, VBSS_THREAD_BENDING_LOCAL);
 }
 
 static void *create_paper(const cantilever_setup *setup)
 {
-    return create(setup, VBSS_METHOD_PAPER, VBSS_BENDING_SPLINE);
+    return create(setup, VBSS_METHOD_VBLAST, VBSS_THREAD_BENDING_SPLINE);
 }
 
 static int step(void *thread)
@@ -98,7 +98,8 @@ static void tip(void *thread, double tip[3])
 {
     ours *o = thread;
     vbss_view view;
-    if (vbss_thread_get_view(o->thread, VBSS_THREAD_POSITIONS, &view, sizeof view) == VBSS_OK) {
+    if (vbss_thread_get_view(o->thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view) ==
+        VBSS_OK) {
         const double *positions = view.data;
         for (uint32_t k = 0; k < 3; k++) {
             tip[k] = positions[3 * o->segments + k];
@@ -126,21 +127,21 @@ static double stretch(void *thread)
         1e-3, 1e-3, 1e-3, 1e-3 \
     }
 
-const cantilever_method cantilever_ours = {
-    .name = "ours",
-    .note =
-        "method OURS with its defaults: spline bending, generalised alpha with its default radius",
-    .create = create_spline,
-    .step = step,
-    .tip = tip,
-    .stretch = stretch,
-    .destroy = destroy,
-    .largest_dt = LONGEST_STEPS,
-    .dt = HAPTIC_STEPS};
+const cantilever_method cantilever_ours = {.name = "ours",
+                                           .note =
+                                               "method IMPLICIT with its defaults: spline bending, "
+                                               "generalised alpha with its default radius",
+                                           .create = create_spline,
+                                           .step = step,
+                                           .tip = tip,
+                                           .stretch = stretch,
+                                           .destroy = destroy,
+                                           .largest_dt = LONGEST_STEPS,
+                                           .dt = HAPTIC_STEPS};
 
 const cantilever_method cantilever_ours_local = {
     .name = "ours-local",
-    .note = "method OURS with BENDING_LOCAL: each node sees its two neighbours only",
+    .note = "method IMPLICIT with BENDING_LOCAL: each node sees its two neighbours only",
     .create = create_local,
     .step = step,
     .tip = tip,
@@ -155,7 +156,7 @@ const cantilever_method cantilever_ours_local = {
 
 const cantilever_method cantilever_paper = {
     .name = "paper",
-    .note = "method PAPER with its defaults but no damping: that of VBLaST-SS, explicit in time",
+    .note = "method VBLAST with its defaults but no damping: that of VBLaST-SS, explicit in time",
     .create = create_paper,
     .step = step,
     .tip = tip,

@@ -45,7 +45,7 @@ static vbss_result make(linearisation *l)
     config.segment_count = SEGMENTS;
     VBSS_TRY(vbss_thread_create(l->context, &config, &thread));
     VBSS_TRY(vbss_thread_attachment_init(&clamp, sizeof clamp));
-    clamp.kind = VBSS_ATTACHMENT_CLAMP;
+    clamp.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
     VBSS_TRY(vbss_thread_attach(thread, &clamp, &id));
     for (int i = 0; i < FALL_STEPS; i++) {
         VBSS_TRY(vbss_thread_step(thread, STEP_S));

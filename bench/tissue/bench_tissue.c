@@ -47,7 +47,7 @@ static vbss_result make(vbss_context *context, const drain_case *c, bool converg
     config.method = c->method;
     config.mesh = c->mesh;
     if (converged) {
-        config.linearisation_limit = 50;
+        config.iteration_limit = 50;
         config.position_tolerance = 1e-12;
     }
     return drain_scene_create(context, c->kind, &config, scene);
@@ -87,8 +87,8 @@ static double farthest(vbss_drain *a, vbss_drain *b)
 {
     vbss_view x, y;
     double largest = 0.0;
-    if (vbss_drain_get_view(a, VBSS_DRAIN_POSITIONS, &x, sizeof x) != VBSS_OK ||
-        vbss_drain_get_view(b, VBSS_DRAIN_POSITIONS, &y, sizeof y) != VBSS_OK) {
+    if (vbss_drain_get_view(a, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x) != VBSS_OK ||
+        vbss_drain_get_view(b, VBSS_DRAIN_VIEW_POSITIONS, &y, sizeof y) != VBSS_OK) {
         return (double)NAN;
     }
     for (uint64_t i = 0; i < x.count; i++) {
@@ -128,7 +128,7 @@ static void finish_drain(void *user, bench_result *result)
     (void)vbss_drain_get_statistics(c->scene.drain, &statistics, sizeof statistics);
     (void)vbss_drain_get_gap(c->scene.drain, &gap, sizeof gap);
     if (c->kind != DRAIN_SCENE_TUGGED &&
-        c->method == VBSS_METHOD_OURS) { /* what snaps ends up elsewhere by any other steps */
+        c->method == VBSS_METHOD_IMPLICIT) { /* what snaps ends up elsewhere by any other steps */
         bench_counter(result, "error_um", largest_error_um(c));
     }
     bench_counter(result, "gap_mm", 1e3 * gap.gap);
@@ -160,7 +160,7 @@ static double marks_apart(vbss_drain *drain)
     vbss_drain_places places;
     vbss_view x;
     (void)vbss_drain_get_places(drain, &places, sizeof places);
-    (void)vbss_drain_get_view(drain, VBSS_DRAIN_POSITIONS, &x, sizeof x);
+    (void)vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x);
     const vec3 *p = x.data;
     return vec3_distance(p[places.marks[0]], p[places.marks[1]]);
 }
@@ -291,7 +291,7 @@ static void add_cases(bench *b)
         }
         drain_case *paper = &cases[kind][MESHES];
         paper->kind = (drain_scene_kind)kind;
-        paper->method = VBSS_METHOD_PAPER;
+        paper->method = VBSS_METHOD_VBLAST;
         snprintf(paper->name, sizeof paper->name, "tissue/%s/paper/85", drain_scene_names[kind]);
         add_drain(b, paper);
     }

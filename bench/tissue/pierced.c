@@ -66,11 +66,11 @@ static uint64_t hash_pierced(void *user)
         c->peak[c->entries] = vbss_max(push, c->peak[c->entries]);
     }
     c->back = vbss_max(-push, c->back);
-    uint32_t entered = puncture_scene_count(&c->scene, VBSS_EVENT_PUNCTURE);
+    uint32_t entered = puncture_scene_count(&c->scene, VBSS_SCENE_EVENT_PUNCTURE);
     if (entered > 0 && c->entries < 2) { /* pushed with in the step in which it entered */
         c->entries += entered;
     }
-    c->exits += puncture_scene_count(&c->scene, VBSS_EVENT_WITHDRAWN);
+    c->exits += puncture_scene_count(&c->scene, VBSS_SCENE_EVENT_WITHDRAWN);
     (void)vbss_scene_get_hash(c->scene.scene, &hash);
     return hash;
 }

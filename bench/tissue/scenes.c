@@ -63,7 +63,7 @@ static int step_scene(void *user, uint32_t index)
 static uint64_t hash_scene(void *user)
 {
     scene_case *c = user;
-    vbss_rigid_state tool;
+    vbss_scene_rigid_state tool;
     uint64_t hash = 0;
     if (c->scene.tools[0] != 0 &&
         vbss_scene_get_rigid(c->scene.scene, c->scene.tools[0], &tool, sizeof tool) == VBSS_OK) {
@@ -94,7 +94,7 @@ static double pull_alone(void)
         return pull;
     }
     bool fine =
-        tissue_scene_configs(TISSUE_SCENE_SHUT, VBSS_METHOD_OURS, &scene, &drain) == VBSS_OK &&
+        tissue_scene_configs(TISSUE_SCENE_SHUT, VBSS_METHOD_IMPLICIT, &scene, &drain) == VBSS_OK &&
         tissue_scene_create(context, TISSUE_SCENE_SHUT, &scene, &drain, &t) == VBSS_OK &&
         vbss_scene_remove(t.scene, t.drain_body) == VBSS_OK;
     for (uint32_t i = 0; fine && i < tissue_scene_steps[TISSUE_SCENE_SHUT]; i++) {
@@ -122,7 +122,7 @@ static void finish_scene(void *user, bench_result *result)
     bench_counter(result, "gap_mm", 1e3 * gap.gap);
     if (c->kind == TISSUE_SCENE_SHUT) {
         bench_counter(result, "pull_N", pull_of(c->scene.drain));
-        if (c->method == VBSS_METHOD_OURS) {
+        if (c->method == VBSS_METHOD_IMPLICIT) {
             bench_counter(result, "alone_N", pull_alone());
         }
     }
@@ -135,7 +135,7 @@ static void finish_scene(void *user, bench_result *result)
 
 static void add_scene(bench *b, tissue_scene_kind kind, vbss_method method)
 {
-    bool paper = method == VBSS_METHOD_PAPER;
+    bool paper = method == VBSS_METHOD_VBLAST;
     scene_case *c = &cases[kind][method];
     c->kind = kind;
     c->method = method;
@@ -156,10 +156,10 @@ static void add_scene(bench *b, tissue_scene_kind kind, vbss_method method)
 void add_scenes(bench *b)
 {
     for (int kind = 0; kind < TISSUE_SCENE_KINDS; kind++) {
-        add_scene(b, (tissue_scene_kind)kind, VBSS_METHOD_OURS);
+        add_scene(b, (tissue_scene_kind)kind, VBSS_METHOD_IMPLICIT);
         /* The paper's drain has no block to be torn from, and its thread none to pass its load on to. */
         if (kind != TISSUE_SCENE_LIFTED && kind != TISSUE_SCENE_LADEN) {
-            add_scene(b, (tissue_scene_kind)kind, VBSS_METHOD_PAPER);
+            add_scene(b, (tissue_scene_kind)kind, VBSS_METHOD_VBLAST);
         }
     }
 }

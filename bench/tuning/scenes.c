@@ -46,7 +46,7 @@ static vbss_result run_mesh(vbss_context *context, uint32_t steps, tuning_outcom
 static vbss_result run_graspers(vbss_context *context, uint32_t steps, tuning_outcome *outcome)
 {
     tool_run run;
-    VBSS_TRY(tool_run_create(context, VBSS_METHOD_OURS, &run));
+    VBSS_TRY(tool_run_create(context, VBSS_METHOD_IMPLICIT, &run));
     for (uint32_t i = 0; i < steps; i++) {
         VBSS_TRY(tool_run_step(&run));
     }

@@ -25,7 +25,7 @@ SCALARS = {"double": "c_double", "char": "c_char", **{f"{s}int{b}_t": f"c_{s}int
 BOTH_WAYS = {"vbss_device_sample", "vbss_device_capabilities"}
 NO_VALUES = {"vbss_view"}  # becomes an array
 # Constants without a type are called after what they begin with, but for these, by their first one.
-CALLED = {"VBSS_METRICS_HAS_LDJ": "MetricsMotionBits", "VBSS_METRICS_WHOLE": "MetricsTask"}
+CALLED = {"VBSS_METRICS_HAS_LDJ": "MetricsMotionBits", "VBSS_METRICS_PHASE_ALL": "MetricsTask"}
 
 
 def camel(name: str) -> str:

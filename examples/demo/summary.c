@@ -20,7 +20,7 @@ static void put_measures(FILE *to, const performance *p)
             r->deviation_mm[0], r->deviation_mm[1], (unsigned)r->drops);
     fprintf(to, "  slit          %.2f mm open in the end\n", MILLI * s->gap);
     fprintf(to, "  score         %.0f of 600%s\n", r->score,
-            (r->flags & VBSS_METRICS_FINAL) != 0 ? "" : ", provisional");
+            (r->flags & VBSS_METRICS_FLAG_FINAL) != 0 ? "" : ", provisional");
 }
 
 static void put_place(FILE *to, const char *what, const char *path, bool there)

@@ -36,7 +36,7 @@ static vbss_result play(vbss_context *context, const exhibit *e, tissue_scene *t
 {
     vbss_scene_config scene;
     vbss_drain_config drain;
-    VBSS_TRY(tissue_scene_configs(e->kind, VBSS_METHOD_OURS, &scene, &drain));
+    VBSS_TRY(tissue_scene_configs(e->kind, VBSS_METHOD_IMPLICIT, &scene, &drain));
     VBSS_TRY(tissue_scene_create(context, e->kind, &scene, &drain, t));
     for (uint32_t i = 0; i < e->steps; i++) {
         VBSS_TRY(tissue_scene_step(t, STEP_S));
@@ -76,7 +76,7 @@ static painter_result paint_others(painter *p, const tissue_scene *t)
     }
     vbss_view x;
     if (result == PAINTER_OK && t->thread != NULL &&
-        vbss_thread_get_view(t->thread, VBSS_THREAD_POSITIONS, &x, sizeof x) == VBSS_OK) {
+        vbss_thread_get_view(t->thread, VBSS_THREAD_VIEW_POSITIONS, &x, sizeof x) == VBSS_OK) {
         result = painter_add_chain(p, x.data, (size_t)x.count, 0, 0.125e-3, PAINTER_VIOLET, NULL);
     }
     return result;

@@ -22,18 +22,19 @@ painter_result paint_drain(painter *p, vbss_drain *drain)
 {
     vbss_view x, triangles;
     vbss_drain_places places;
-    if (vbss_drain_get_view(drain, VBSS_DRAIN_POSITIONS, &x, sizeof x) != VBSS_OK ||
-        vbss_drain_get_view(drain, VBSS_DRAIN_TRIANGLES, &triangles, sizeof triangles) != VBSS_OK ||
+    if (vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x) != VBSS_OK ||
+        vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_TRIANGLES, &triangles, sizeof triangles) !=
+            VBSS_OK ||
         vbss_drain_get_places(drain, &places, sizeof places) != VBSS_OK) {
         return PAINTER_ERROR_NULL;
     }
     painter_result result = painter_add_triangles(p, x.data, (size_t)x.count, 0, triangles.data,
                                                   (size_t)triangles.count, PAINTER_TISSUE);
     if (result == PAINTER_OK) {
-        result = paint_edge(p, drain, &x, VBSS_DRAIN_SLIT_LEFT);
+        result = paint_edge(p, drain, &x, VBSS_DRAIN_VIEW_SLIT_LEFT);
     }
     if (result == PAINTER_OK) {
-        result = paint_edge(p, drain, &x, VBSS_DRAIN_SLIT_RIGHT);
+        result = paint_edge(p, drain, &x, VBSS_DRAIN_VIEW_SLIT_RIGHT);
     }
     for (int side = 0; result == PAINTER_OK && side < 2; side++) {
         double at[3];

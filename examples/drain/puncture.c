@@ -40,7 +40,7 @@ static painter_result paint_needle(painter *p, const puncture_scene *s)
 static painter_result paint_holes(painter *p, const puncture_scene *s)
 {
     painter_result result = PAINTER_OK;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     for (uint32_t i = 0;
          result == PAINTER_OK && vbss_scene_get_hole(s->scene, i, &hole, sizeof hole) == VBSS_OK;
          i++) {
@@ -75,11 +75,11 @@ static bool paint(const char *folder, const moment *m, const puncture_scene *s)
 static void report(const puncture_scene *s, double travel, double push)
 {
     static const struct {
-        vbss_event_kind kind;
+        vbss_scene_event_kind kind;
         const char *name;
-    } events[] = {{VBSS_EVENT_PUNCTURE, "enters"},
-                  {VBSS_EVENT_WITHDRAWN, "is out again"},
-                  {VBSS_EVENT_PASSED, "has passed"}};
+    } events[] = {{VBSS_SCENE_EVENT_PUNCTURE, "enters"},
+                  {VBSS_SCENE_EVENT_WITHDRAWN, "is out again"},
+                  {VBSS_SCENE_EVENT_PASSED, "has passed"}};
     for (int i = 0; i < 3; i++) {
         if (puncture_scene_count(s, events[i].kind) > 0) {
             printf("%-14s%8.2f mm%9.3f N\n", events[i].name, 1e3 * travel, push);

@@ -30,7 +30,7 @@ static painter_result paint_thread(painter *p, const stitch_scene *s)
     vbss_view x;
     static double near[3 * STITCH_NODES];
     size_t count = 0;
-    if (vbss_thread_get_view(s->thread, VBSS_THREAD_POSITIONS, &x, sizeof x) != VBSS_OK) {
+    if (vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &x, sizeof x) != VBSS_OK) {
         return PAINTER_ERROR_NULL;
     }
     for (uint64_t i = 0; i < x.count && count < STITCH_NODES; i++) {
@@ -70,7 +70,7 @@ static bool paint(const char *folder, const char *file, const char *title, const
 static void report(const stitch_scene *s, uint32_t step)
 {
     vbss_drain_gap gap;
-    vbss_hole left, right;
+    vbss_scene_hole left, right;
     if (vbss_drain_get_gap(s->drain, &gap, sizeof gap) == VBSS_OK &&
         stitch_scene_hole(s, 0, &left) && stitch_scene_hole(s, 1, &right)) {
         printf("%4u ms  gap %.2f mm  hands %.2f and %.2f N  between the holes %.1f mm of thread\n",

@@ -56,7 +56,7 @@ static vbss_result run(uint64_t bytes)
         return result;
     }
     config.allocate = budget_allocate;
-    config.release = budget_release;
+    config.deallocate = budget_release;
     config.allocator_user = &memory;
     config.log = print_message;
     config.log_user = stdout;

@@ -201,7 +201,7 @@ static int run(vbss_context *context)
         return 1;
     }
     printf("unplugged: %s, emergency stop %s\n", text, in.stopped != 0 ? "latched" : "not latched");
-    if (in.status != VBSS_DEVICE_LOST || in.stopped == 0 || hardware.force[0] != 0.0) {
+    if (in.status != VBSS_DEVICE_STATUS_LOST || in.stopped == 0 || hardware.force[0] != 0.0) {
         return 1;
     }
     return vbss_device_destroy(device) == VBSS_OK && !hardware.open ? 0 : 1;

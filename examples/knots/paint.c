@@ -40,7 +40,7 @@ static size_t find_contacts(const gallery_knot *g, vec3 *points, vec3 *middle)
         return 0;
     }
     for (size_t i = 0; i < features.count && count < MAX_DOTS; i++) {
-        if (((const uint32_t *)features.data)[5 * i] == VBSS_CONTACT_SEGMENTS) {
+        if (((const uint32_t *)features.data)[5 * i] == VBSS_SCENE_CONTACT_SEGMENTS) {
             points[count] = ((const vec3 *)all.data)[i];
             *middle = vec3_add(*middle, points[count++]);
         }
@@ -56,8 +56,8 @@ static bool add_tight(painter *p, const gallery_knot *g, vec3 middle, double nea
     uint32_t first = 0, last = g->knot.node_count - 1;
     char text[128];
     vbss_view tensions;
-    if (vbss_thread_get_view(g->knot.thread, VBSS_THREAD_TENSIONS, &tensions, sizeof tensions) !=
-        VBSS_OK) {
+    if (vbss_thread_get_view(g->knot.thread, VBSS_THREAD_VIEW_TENSIONS, &tensions,
+                             sizeof tensions) != VBSS_OK) {
         return false;
     }
     while (first + 1 < last && vec3_distance(x[first + 1], middle) > near * g->width) {

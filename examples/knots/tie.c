@@ -34,7 +34,7 @@ static double quantile(double *times, uint32_t count, double share)
 static const vec3 *positions(const gallery_knot *g)
 {
     vbss_view view;
-    return vbss_thread_get_view(g->knot.thread, VBSS_THREAD_POSITIONS, &view, sizeof view) ==
+    return vbss_thread_get_view(g->knot.thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view) ==
                    VBSS_OK
                ? view.data
                : NULL;
@@ -57,7 +57,7 @@ static vbss_result keep_frame(gallery_knot *g)
     g->frame_count++;
     memcpy(f->x, x, bytes);
     for (int k = 0; k < TIED_KNOT_PEGS && g->knot.peg_radius > 0.0; k++) {
-        vbss_rigid_state state;
+        vbss_scene_rigid_state state;
         VBSS_TRY(vbss_scene_get_rigid(g->knot.scene, g->knot.peg_bodies[k], &state, sizeof state));
         f->pegs[k] = vec3_load(state.position);
     }

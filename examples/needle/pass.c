@@ -22,7 +22,8 @@ static void note(double *largest, double force)
 
 static bool is_wall_on_needle(const stitch *t, const uint32_t *contact)
 {
-    bool touches = contact[0] == VBSS_CONTACT_POINT_FACE || contact[0] == VBSS_CONTACT_SIDES;
+    bool touches =
+        contact[0] == VBSS_SCENE_CONTACT_POINT_FACE || contact[0] == VBSS_SCENE_CONTACT_SIDES;
     return touches && contact[1] == t->site.needle_body && contact[3] == t->site.drain_body;
 }
 
@@ -53,7 +54,7 @@ static vbss_result feel(const stitch *t, pass_outcome *out)
     TRY(feel_wall(t, out));
     for (int side = 0; side < 2; side++) {
         vbss_grasper_state s;
-        vbss_hole hole;
+        vbss_scene_hole hole;
         TRY(vbss_grasper_get_state(hands[side]->grasper, &s, sizeof s));
         note(&out->hand[side], v_length(v_load(s.hand_force)));
         if (t->holes[side] != 0 && site_find_hole(&t->site, t->holes[side], &hole)) {
@@ -61,7 +62,7 @@ static vbss_result feel(const stitch *t, pass_outcome *out)
         }
     }
     if (t->right.holds) {
-        vbss_grasp grasp;
+        vbss_scene_grasp grasp;
         TRY(vbss_scene_get_grasp(t->site.rig.scene, t->right.body, 0, &grasp, sizeof grasp));
         out->slid = grasp.slid;
     }

@@ -26,9 +26,9 @@ static bool add_tool(painter *p, const hand *h, painter_colour colour)
 static bool add_drain(painter *p, const site *s)
 {
     vbss_view x, triangles;
-    bool good = vbss_drain_get_view(s->drain, VBSS_DRAIN_POSITIONS, &x, sizeof x) == VBSS_OK &&
-                vbss_drain_get_view(s->drain, VBSS_DRAIN_TRIANGLES, &triangles, sizeof triangles) ==
-                    VBSS_OK &&
+    bool good = vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x) == VBSS_OK &&
+                vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_TRIANGLES, &triangles,
+                                    sizeof triangles) == VBSS_OK &&
                 painter_add_triangles(p, x.data, (size_t)x.count, 0, triangles.data,
                                       (size_t)triangles.count, PAINTER_TISSUE) == PAINTER_OK;
     for (int side = 0; good && side < 2; side++) {

@@ -16,8 +16,8 @@ static vbss_result make_scene(site *s, const site_plan *plan)
     c.contact_capacity = 4096;
     c.candidate_capacity = 65536;
     c.thread_capacity = 1 + CUTS;
-    c.work_limit = plan->work < 0 ? 0 : plan->work > 0 ? (uint32_t)plan->work : c.work_limit;
-    c.slot_limit = plan->slot < 0 ? 0 : plan->slot > 0 ? (uint32_t)plan->slot : c.slot_limit;
+    c.step_budget = plan->work < 0 ? 0 : plan->work > 0 ? (uint32_t)plan->work : c.step_budget;
+    c.call_budget = plan->slot < 0 ? 0 : plan->slot > 0 ? (uint32_t)plan->slot : c.call_budget;
     c.floor = 1;
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;
@@ -80,7 +80,7 @@ static vbss_result add_thread(site *s, const site_plan *plan)
                        v_load(needle.swage_direction));
     }
     TRY(vbss_thread_config_init(&c, sizeof c));
-    TRY(vbss_thread_config_preset(&c, VBSS_PRESET_PAPER_THREAD));
+    TRY(vbss_thread_config_preset(&c, VBSS_THREAD_PRESET_VBLAST));
     c.segment_count = segments;
     c.length = THREAD_LENGTH;
     c.positions = &x[0].x;
@@ -140,12 +140,12 @@ static const vec *view_of(const site *s, vbss_drain_field field)
 
 vec site_mark(const site *s, int side)
 {
-    return view_of(s, VBSS_DRAIN_POSITIONS)[s->places.marks[side]];
+    return view_of(s, VBSS_DRAIN_VIEW_POSITIONS)[s->places.marks[side]];
 }
 
 static vec rest(const site *s, int side)
 {
-    return view_of(s, VBSS_DRAIN_REST_POSITIONS)[s->places.marks[side]];
+    return view_of(s, VBSS_DRAIN_VIEW_REST_POSITIONS)[s->places.marks[side]];
 }
 
 static vec out_of_drain(vec v)
@@ -165,7 +165,7 @@ vec site_normal_at_rest(const site *s, int side)
     return v_unit(out_of_drain(v3(0.0, x.y, x.z)));
 }
 
-bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole)
+bool site_find_hole(const site *s, uint32_t id, vbss_scene_hole *hole)
 {
     for (uint32_t i = 0; vbss_scene_get_hole(s->rig.scene, i, hole, sizeof *hole) == VBSS_OK; i++) {
         if (hole->id == id) {
@@ -178,10 +178,10 @@ bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole)
 vec site_normal(const site *s, int side)
 {
     vbss_view view;
-    const vec *x = view_of(s, VBSS_DRAIN_POSITIONS);
+    const vec *x = view_of(s, VBSS_DRAIN_VIEW_POSITIONS);
     vec sum = v3(0.0, 0.0, 0.0);
     uint32_t mark = s->places.marks[side];
-    if (vbss_drain_get_view(s->drain, VBSS_DRAIN_TRIANGLES, &view, sizeof view) != VBSS_OK) {
+    if (vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_TRIANGLES, &view, sizeof view) != VBSS_OK) {
         return sum;
     }
     for (uint64_t i = 0; i < view.count; i++) {
@@ -194,7 +194,7 @@ vec site_normal(const site *s, int side)
     return v_unit(sum);
 }
 
-double site_deviation(const site *s, const vbss_hole *hole, int side)
+double site_deviation(const site *s, const vbss_scene_hole *hole, int side)
 {
     vec mark = rest(s, side), at = v_load(hole->rest_position);
     double turned = vbss_atan2(at.z, at.y) - vbss_atan2(mark.z, mark.y);

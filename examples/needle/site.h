@@ -42,8 +42,8 @@ vec site_normal_at_rest(const site *s, int side);
 /* As it is. */
 vec site_normal(const site *s, int side);
 /* The hole of that id; false: there is none (any longer). */
-bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole);
+bool site_find_hole(const site *s, uint32_t id, vbss_scene_hole *hole);
 /* How far a hole is from a mark on the cylinder, m. */
-double site_deviation(const site *s, const vbss_hole *hole, int side);
+double site_deviation(const site *s, const vbss_scene_hole *hole, int side);
 
 #endif

@@ -419,7 +419,7 @@ vbss_result stitch_lead(stitch *t, double dt)
 
 static void punctured(stitch *t, uint32_t id)
 {
-    vbss_hole hole;
+    vbss_scene_hole hole;
     t->punctures++;
     if (!site_find_hole(&t->site, id, &hole)) {
         return;
@@ -458,19 +458,19 @@ static bool sprang_off(stitch *t, uint32_t id)
 vbss_result stitch_observe(stitch *t)
 {
     vbss_view view;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     TRY(hand_feel(&t->right));
     TRY(hand_feel(&t->left));
     TRY(vbss_scene_get_view(t->site.rig.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
-        if (event[0] == VBSS_EVENT_PUNCTURE) {
+        if (event[0] == VBSS_SCENE_EVENT_PUNCTURE) {
             punctured(t, event[3]);
-        } else if (event[0] == VBSS_EVENT_WITHDRAWN && sprang_off(t, event[3])) {
+        } else if (event[0] == VBSS_SCENE_EVENT_WITHDRAWN && sprang_off(t, event[3])) {
             continue;
-        } else if (event[0] == VBSS_EVENT_TORN || event[0] == VBSS_EVENT_WITHDRAWN) {
+        } else if (event[0] == VBSS_SCENE_EVENT_TORN || event[0] == VBSS_SCENE_EVENT_WITHDRAWN) {
             t->others++;
-            fail(t, event[0] == VBSS_EVENT_TORN ? "torn out of the jaws" : "withdrawn");
+            fail(t, event[0] == VBSS_SCENE_EVENT_TORN ? "torn out of the jaws" : "withdrawn");
         }
     }
     if (t->holes[SITE_RIGHT] != 0 && site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole)) {

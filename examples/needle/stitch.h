@@ -61,7 +61,7 @@ typedef struct stitch {
     double along;   /* share of the change from the circle of entry to that through both marks */
     uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
     uint32_t holes[2];          /* their ids: left, right */
-    vbss_hole made[2];          /* when made */
+    vbss_scene_hole made[2];    /* when made */
     double out;                 /* of the tip beyond the left wall, m */
 } stitch;
 

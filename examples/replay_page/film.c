@@ -49,14 +49,14 @@ typedef struct piece {
 
 static film_form form_of(uint32_t kind)
 {
-    return kind == VBSS_VISUAL_THREAD  ? FILM_TUBE
-           : kind == VBSS_VISUAL_DRAIN ? FILM_SURFACE
-                                       : FILM_RIGID;
+    return kind == VBSS_VISUAL_KIND_THREAD  ? FILM_TUBE
+           : kind == VBSS_VISUAL_KIND_DRAIN ? FILM_SURFACE
+                                            : FILM_RIGID;
 }
 
 static bool has_jaws(uint32_t kind)
 {
-    return kind == VBSS_VISUAL_DRIVER || kind == VBSS_VISUAL_SHEARS;
+    return kind == VBSS_VISUAL_KIND_DRIVER || kind == VBSS_VISUAL_KIND_SHEARS;
 }
 
 static bool is_jaw(const film_vertex *v)

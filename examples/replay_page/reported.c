@@ -36,21 +36,21 @@ typedef struct reporting {
 } reporting;
 
 static const reporting tellings[] = {
-    {VBSS_EVENT_GRASP, "hold", "%2 takes %1"},
-    {VBSS_EVENT_RELEASE, "hold", "%2 lets %1 go"},
-    {VBSS_EVENT_TORN, "bad", "%1 is torn out of %2"},
-    {VBSS_EVENT_SLIP, "warn", "%1 slips in %2"},
-    {VBSS_EVENT_CUT, "cut", "%1 is cut"},
-    {VBSS_EVENT_EXCHANGED, "tool", "%1 is exchanged"},
-    {VBSS_EVENT_PUNCTURE, "wall", "%1 enters the wall of %2"},
-    {VBSS_EVENT_WITHDRAWN, "bad", "%1 is drawn back out of the wall of %2"},
-    {VBSS_EVENT_PASSED, "wall", "%1 is through the wall of %2"},
-    {VBSS_EVENT_RETURNED, "warn", "%1 is in the wall of %2 again"},
-    {VBSS_EVENT_UNTHREADED, "warn", "an end of %1 leaves the wall of %2"},
-    {VBSS_EVENT_HOLE_LOST, "bad", "no room for a hole of %1 in %2"},
-    {VBSS_EVENT_CLAMPED, "step", "a step is cut short or paused"},
-    {VBSS_EVENT_BLOCKED, "step", "%1 and %2 hold each other back"},
-    {VBSS_EVENT_UNBLOCKED, "step", "%1 and %2 move freely again"},
+    {VBSS_SCENE_EVENT_GRASP, "hold", "%2 takes %1"},
+    {VBSS_SCENE_EVENT_RELEASE, "hold", "%2 lets %1 go"},
+    {VBSS_SCENE_EVENT_TORN, "bad", "%1 is torn out of %2"},
+    {VBSS_SCENE_EVENT_SLIP, "warn", "%1 slips in %2"},
+    {VBSS_SCENE_EVENT_CUT, "cut", "%1 is cut"},
+    {VBSS_SCENE_EVENT_EXCHANGED, "tool", "%1 is exchanged"},
+    {VBSS_SCENE_EVENT_PUNCTURE, "wall", "%1 enters the wall of %2"},
+    {VBSS_SCENE_EVENT_WITHDRAWN, "bad", "%1 is drawn back out of the wall of %2"},
+    {VBSS_SCENE_EVENT_PASSED, "wall", "%1 is through the wall of %2"},
+    {VBSS_SCENE_EVENT_RETURNED, "warn", "%1 is in the wall of %2 again"},
+    {VBSS_SCENE_EVENT_UNTHREADED, "warn", "an end of %1 leaves the wall of %2"},
+    {VBSS_SCENE_EVENT_HOLE_LOST, "bad", "no room for a hole of %1 in %2"},
+    {VBSS_SCENE_EVENT_CLAMPED, "step", "a step is cut short or paused"},
+    {VBSS_SCENE_EVENT_BLOCKED, "step", "%1 and %2 hold each other back"},
+    {VBSS_SCENE_EVENT_UNBLOCKED, "step", "%1 and %2 move freely again"},
 };
 enum { TELLINGS = sizeof tellings / sizeof tellings[0] };
 
@@ -64,7 +64,7 @@ static const char *name_of(const facts *f, const film *shown, uint32_t body)
         }
     }
     for (uint32_t i = 0; i < shown->model_count; i++) {
-        if (shown->models[i].body == body && shown->models[i].kind <= VBSS_VISUAL_FLOOR) {
+        if (shown->models[i].body == body && shown->models[i].kind <= VBSS_VISUAL_KIND_FLOOR) {
             return names[shown->models[i].kind];
         }
     }
@@ -98,7 +98,7 @@ static bool is_first_report(const facts *f, size_t i, double apart)
     while (i-- > 0 && e->time - f->events[i].time < apart) {
         const happening *b = &f->events[i];
         if (b->kind == e->kind && b->first == e->first && b->second == e->second &&
-            e->kind != VBSS_EVENT_PUNCTURE && e->kind != VBSS_EVENT_PASSED) {
+            e->kind != VBSS_SCENE_EVENT_PUNCTURE && e->kind != VBSS_SCENE_EVENT_PASSED) {
             return false;
         }
     }
@@ -204,7 +204,7 @@ static const char *file_name(const char *path)
 void reported_put(page *p, const facts *f, const film *shown, const uint64_t *steps)
 {
     const again *a = &f->again;
-    const char *fault = a->report.outcome == VBSS_REPLAY_DIFFERS
+    const char *fault = a->report.outcome == VBSS_REPLAY_OUTCOME_DIFFERS
                             ? "it plays back to other bits from here on than were recorded"
                         : f->check.result == VBSS_ERROR_TRUNCATED ? "the log is cut off"
                         : f->check.result != VBSS_OK              ? "the log is damaged"

@@ -80,7 +80,7 @@ static int run(const options *o)
         fprintf(stderr, "%s cannot be written\n", to);
     } else {
         bool same = f.check.result == VBSS_OK && f.again.result == VBSS_OK &&
-                    f.again.report.outcome == VBSS_REPLAY_ENDED;
+                    f.again.report.outcome == VBSS_REPLAY_OUTCOME_ENDED;
         printf("%s: %u frames of %.2f s, %zu bytes of places, %zu of the player%s%s\n", to,
                (unsigned)c.film.frames, facts_end(&f), c.film.byte_count, recorder_player_size(),
                c.film.beyond ? ", some beyond its range" : "", same ? "" : "; not whole");

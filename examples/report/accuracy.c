@@ -112,7 +112,7 @@ void page_accuracy(page *p, const facts *f)
     } else {
         put(p, "<p class=\"absent\">Deviations from the marks: not known, as %s.</p>\n",
             a->count > 0 ? "no wall was entered"
-            : f->counts[VBSS_EVENT_PUNCTURE] > 0
+            : f->counts[VBSS_SCENE_EVENT_PUNCTURE] > 0
                 ? "the log holds when walls were entered and not where, and was not played back"
                 : "no wall was entered in this log");
     }

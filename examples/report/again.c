@@ -28,7 +28,7 @@ static vbss_result play(facts *f, stage *s)
         TRY(stage_step(s, replay, &a->report, &agrees));
         double cpu_time = now() - begin;
         a->session.agrees = a->session.agrees && agrees;
-        if (a->report.outcome != VBSS_REPLAY_STEPPED || a->report.step > f->steps) {
+        if (a->report.outcome != VBSS_REPLAY_OUTCOME_STEPPED || a->report.step > f->steps) {
             return VBSS_OK;
         }
         TRY(stage_follow(s));

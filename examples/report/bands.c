@@ -122,7 +122,7 @@ static void put_outcome(page *p, const facts *f)
 {
     const measured *m = &f->measured;
     uint32_t flags = m->report.flags;
-    bool final = (flags & VBSS_METRICS_FINAL) != 0 && !page_may_go_on(f);
+    bool final = (flags & VBSS_METRICS_FLAG_FINAL) != 0 && !page_may_go_on(f);
     bool own = f->again.session.measured; /* its first hole is that in, whichever side */
     put_group(p, "Outcome");
     put_banded(p, row_of("time", "s", f->steps > 0, m->report.time, 1, 600.0), 0.0, 112.0, 421.0,
@@ -131,25 +131,27 @@ static void put_outcome(page *p, const facts *f)
                "389 \xc2\xb1 70 trained; the tick: 512, proficiency", "f", true);
     put_banded(p,
                row_of(own ? "hole in off its mark" : "left hole off its mark", "mm",
-                      (flags & VBSS_METRICS_PUNCTURE_0) != 0, m->report.deviation_mm[0], 2, 4.0),
+                      (flags & VBSS_METRICS_FLAG_PUNCTURE_0) != 0, m->report.deviation_mm[0], 2,
+                      4.0),
                0.0, 1.0, -1.0, "at most 1", "a", false);
     put_banded(p,
                row_of(own ? "hole out off its mark" : "right hole off its mark", "mm",
-                      (flags & VBSS_METRICS_PUNCTURE_1) != 0, m->report.deviation_mm[1], 2, 4.0),
+                      (flags & VBSS_METRICS_FLAG_PUNCTURE_1) != 0, m->report.deviation_mm[1], 2,
+                      4.0),
                0.0, 1.0, -1.0, "at most 1", "a", false);
     put_banded(p,
                row_of(own ? "gap of the slit, middle, at the last seat"
                           : "gap of the slit, middle, at the end",
-                      "mm", (flags & VBSS_METRICS_GAP) != 0, m->report.gap_mm, 2, 5.0),
+                      "mm", (flags & VBSS_METRICS_FLAG_GAP) != 0, m->report.gap_mm, 2, 5.0),
                0.0, 0.5, -1.0, "below 0.5", "g", true);
     put_banded(p,
                row_of("tightness by pull test", "points",
-                      m->report.tightness_ours != VBSS_METRICS_TIGHTNESS_UNKNOWN,
-                      m->report.tightness_ours, 0, 20.0),
+                      m->report.tightness_pull != VBSS_METRICS_TIGHTNESS_UNKNOWN,
+                      m->report.tightness_pull, 0, 20.0),
                0.0, 0.0, -1.0, "0, secure", "h", false);
     if (own) {
         put_banded(p,
-                   row_of("short tail, hole to end", "mm", (flags & VBSS_METRICS_TAIL_0) != 0,
+                   row_of("short tail, hole to end", "mm", (flags & VBSS_METRICS_FLAG_TAIL_0) != 0,
                           m->report.tail_mm[0], 1, 40.0),
                    15.0, 20.0, -1.0, "15 to 20, before the knot draws it in", "g", true);
     }
@@ -240,7 +242,7 @@ static void put_outliers(page *p, const facts *f)
 static void put_motion(page *p, const facts *f)
 {
     const measured *m = &f->measured;
-    bool sews = f->counts[VBSS_EVENT_PUNCTURE] > 0;
+    bool sews = f->counts[VBSS_SCENE_EVENT_PUNCTURE] > 0;
     const char *mark = sews ? "d" : "c";
     static const struct {
         double low, high, typical;

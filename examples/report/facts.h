@@ -137,7 +137,7 @@ typedef struct facts {
     vbss_context *context;
     vbss_replay *log;
     vbss_replay_info info;
-    vbss_log_report check;
+    vbss_record_log_report check;
     uint32_t tools[SIDES]; /* their bodies; 0: none */
     uint32_t others;       /* bodies beside these that were moved */
     moment *moments;

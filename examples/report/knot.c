@@ -110,8 +110,8 @@ void page_knot(page *p, const facts *f)
     put_throws(p, last, a);
     put_history(p, a);
     const vbss_metrics_report *m = &f->measured.report;
-    if (m->tightness_ours == VBSS_METRICS_TIGHTNESS_UNKNOWN &&
-        m->tightness_paper == VBSS_METRICS_TIGHTNESS_UNKNOWN) {
+    if (m->tightness_pull == VBSS_METRICS_TIGHTNESS_UNKNOWN &&
+        m->tightness_strain == VBSS_METRICS_TIGHTNESS_UNKNOWN) {
         put(p, "<p class=\"absent\">Tightness: not known, as no pull test is in the log.</p>\n");
     }
     put(p,

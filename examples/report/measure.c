@@ -67,9 +67,9 @@ static vbss_result report_events(feeder *d, uint64_t step)
     const facts *f = d->f;
     for (; d->event < f->event_count && f->events[d->event].step <= step; d->event++) {
         const happening *h = &f->events[d->event];
-        if (h->kind == VBSS_EVENT_GRASP && f->again.needle != 0) {
+        if (h->kind == VBSS_SCENE_EVENT_GRASP && f->again.needle != 0) {
             TRY(report_transfer(d, h));
-        } else if (h->kind == VBSS_EVENT_CUT && h->second != 0 && d->cuts < 2) {
+        } else if (h->kind == VBSS_SCENE_EVENT_CUT && h->second != 0 && d->cuts < 2) {
             vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_TAIL_CUT, h->step, h->time);
             e.number = d->cuts++;
             TRY(feed_event(d, &e));
@@ -213,12 +213,13 @@ vbss_result facts_take(facts *f, vbss_metrics *metrics)
     m->begin = f->steps > 0 ? f->moments[0].time : 0.0;
     TRY(vbss_metrics_get_report(metrics, &m->report, sizeof m->report));
     for (int side = 0; side < SIDES; side++) {
-        TRY(vbss_metrics_get_motion(metrics, side, VBSS_METRICS_WHOLE, &m->motion[side],
+        TRY(vbss_metrics_get_motion(metrics, side, VBSS_METRICS_PHASE_ALL, &m->motion[side],
                                     sizeof m->motion[side]));
         TRY(copy_rows(metrics, forces[side], &m->force[side], &m->force_rows[side]));
         TRY(copy_rows(metrics, speeds[side], &m->speed[side], &m->rows[side]));
     }
-    TRY(vbss_metrics_get_bimanual(metrics, VBSS_METRICS_WHOLE, &m->bimanual, sizeof m->bimanual));
+    TRY(vbss_metrics_get_bimanual(metrics, VBSS_METRICS_PHASE_ALL, &m->bimanual,
+                                  sizeof m->bimanual));
     m->penalties = calloc((size_t)m->report.penalty_count + 1, sizeof *m->penalties);
     m->throws = calloc((size_t)m->report.throw_records + 1, sizeof *m->throws);
     if (m->penalties == NULL || m->throws == NULL) {

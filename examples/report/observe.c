@@ -45,9 +45,9 @@ static vbss_result measure_slit(const stage *s, again_step *step)
         return VBSS_OK;
     }
     TRY(vbss_drain_get_places(s->drain, &places, sizeof places));
-    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_POSITIONS, &x, sizeof x));
-    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_SLIT_LEFT, &edges[LEFT], sizeof x));
-    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_SLIT_RIGHT, &edges[RIGHT], sizeof x));
+    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x));
+    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_SLIT_LEFT, &edges[LEFT], sizeof x));
+    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_SLIT_RIGHT, &edges[RIGHT], sizeof x));
     const double *at = x.data;
     const uint32_t *left = edges[LEFT].data, *right = edges[RIGHT].data;
     step->gap =
@@ -61,7 +61,7 @@ static vbss_result measure_slit(const stage *s, again_step *step)
 
 /* ---- when something happens */
 
-static bool find_hole(const stage *s, uint32_t id, vbss_hole *hole)
+static bool find_hole(const stage *s, uint32_t id, vbss_scene_hole *hole)
 {
     for (uint32_t i = 0; vbss_scene_get_hole(s->scene, i, hole, sizeof *hole) == VBSS_OK; i++) {
         if (hole->id == id) {
@@ -76,7 +76,7 @@ static vbss_result keep_puncture(again *a, const stage *s, uint32_t id, double t
     const double axis[3] = {1.0, 0.0, 0.0}, centre[3] = {0.0, 0.0, 0.0}; /* in the drain's frame */
     vbss_drain_places places;
     vbss_view rest;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     double best = HUGE_VAL;
     if (!find_hole(s, id, &hole)) {
         return VBSS_OK;
@@ -86,14 +86,14 @@ static vbss_result keep_puncture(again *a, const stage *s, uint32_t id, double t
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     TRY(vbss_drain_get_places(s->drain, &places, sizeof places));
-    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_REST_POSITIONS, &rest, sizeof rest));
+    TRY(vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_REST_POSITIONS, &rest, sizeof rest));
     puncture *p = &a->punctures[a->puncture_count++];
     *p = (puncture){.id = id, .step = a->count, .time = time, .tube = s->tube};
     memcpy(p->force, hole.force, sizeof p->force);
     for (int mark = 0; mark < 2; mark++) {
         double angle, axial;
         const double *at = (const double *)rest.data + 3 * (size_t)places.marks[mark];
-        TRY(vbss_metrics_offset(axis, centre, at, hole.rest_position, &angle, &axial));
+        TRY(vbss_metrics_get_offset(axis, centre, at, hole.rest_position, &angle, &axial));
         double off = hypot(s->tube * angle, axial);
         if (off < best) {
             best = off;
@@ -122,9 +122,9 @@ static vbss_result observe_events(again *a, const stage *s, double time)
     TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         const uint32_t *e = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
-        if (e[0] == VBSS_EVENT_PUNCTURE && s->drain != NULL) {
+        if (e[0] == VBSS_SCENE_EVENT_PUNCTURE && s->drain != NULL) {
             TRY(keep_puncture(a, s, e[3], time));
-        } else if (e[0] == VBSS_EVENT_WITHDRAWN) {
+        } else if (e[0] == VBSS_SCENE_EVENT_WITHDRAWN) {
             take_back(a, e[3], time);
         }
     }

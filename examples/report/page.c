@@ -12,7 +12,7 @@ static const char *file_name(const char *path)
 
 static void put_faults(page *p, const facts *f)
 {
-    const vbss_log_report *c = &f->check;
+    const vbss_record_log_report *c = &f->check;
     if (c->result == VBSS_OK) {
         return;
     }
@@ -34,7 +34,7 @@ static void put_faults(page *p, const facts *f)
 static void put_lost_time(page *p, const facts *f)
 {
     const vbss_metrics_report *r = &f->measured.report;
-    if ((r->flags & VBSS_METRICS_TIME_LOST) == 0) {
+    if ((r->flags & VBSS_METRICS_FLAG_TIME_LOST) == 0) {
         return;
     }
     put(p,
@@ -87,7 +87,7 @@ static void put_limits(page *p, const facts *f)
     put_absent(p, !a->session.measured,
                "When the needle appeared: there is no such event in the log, so the clock "
                "starts with the log.");
-    put_absent(p, f->measured.report.tightness_ours == VBSS_METRICS_TIGHTNESS_UNKNOWN,
+    put_absent(p, f->measured.report.tightness_pull == VBSS_METRICS_TIGHTNESS_UNKNOWN,
                "Whether the knot holds: no pull test is in the log.");
     put_absent(p, !a->session.measured,
                "Lengths of the tails, and what was dropped: not worked out from the log.");

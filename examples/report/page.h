@@ -44,7 +44,8 @@ void page_pictures(page *p, const pictures *s); /* pictures.c */
 /* Whether the trial went on is not known where the log is cut off before its end. */
 static inline bool page_may_go_on(const facts *f)
 {
-    return f->check.result != VBSS_OK && (f->measured.report.flags & VBSS_METRICS_STOPPED) == 0;
+    return f->check.result != VBSS_OK &&
+           (f->measured.report.flags & VBSS_METRICS_FLAG_STOPPED) == 0;
 }
 
 static inline const char *page_side(int side)

@@ -37,7 +37,7 @@ static const happening *nth(const facts *f, uint32_t kind, int n)
 {
     for (size_t i = 0; i < f->event_count; i++) {
         const happening *e = &f->events[i];
-        bool counts = kind != VBSS_EVENT_CUT || e->second != 0; /* a cut that was made */
+        bool counts = kind != VBSS_SCENE_EVENT_CUT || e->second != 0; /* a cut that was made */
         if (e->kind == kind && counts && --n == 0) {
             return e;
         }
@@ -55,17 +55,17 @@ static void add_nth(const facts *f, ends *e, uint32_t kind, int n, const char *n
 
 static void add_needle(const facts *f, ends *e)
 {
-    const happening *entry = nth(f, VBSS_EVENT_PUNCTURE, 1);
+    const happening *entry = nth(f, VBSS_SCENE_EVENT_PUNCTURE, 1);
     uint32_t needle = entry != NULL ? entry->first : f->again.needle;
     for (size_t i = 0; needle != 0 && i < f->event_count; i++) {
-        if (f->events[i].kind == VBSS_EVENT_GRASP && f->events[i].first == needle) {
+        if (f->events[i].kind == VBSS_SCENE_EVENT_GRASP && f->events[i].first == needle) {
             add(e, "taking the needle", f->events[i].time, f->events[i].step, false);
             break;
         }
     }
-    add_nth(f, e, VBSS_EVENT_PUNCTURE, 1, "to the first wall");
-    add_nth(f, e, VBSS_EVENT_PUNCTURE, 2, "inside the drain");
-    add_nth(f, e, VBSS_EVENT_PASSED, 2, "drawing through");
+    add_nth(f, e, VBSS_SCENE_EVENT_PUNCTURE, 1, "to the first wall");
+    add_nth(f, e, VBSS_SCENE_EVENT_PUNCTURE, 2, "inside the drain");
+    add_nth(f, e, VBSS_SCENE_EVENT_PASSED, 2, "drawing through");
 }
 
 static void add_throws(const facts *f, ends *e)
@@ -149,12 +149,12 @@ static vbss_result report_apart(facts *f)
     add_needle(f, &e);
     add_throws(f, &e);
     bool throws = f->again.reading_count > 0 && e.count > 0 && e.all[e.count - 1].tying;
-    const happening *exchange = nth(f, VBSS_EVENT_EXCHANGED, 1);
+    const happening *exchange = nth(f, VBSS_SCENE_EVENT_EXCHANGED, 1);
     if (exchange != NULL) {
         add(&e, throws ? "seating, new tool" : "until a new tool", exchange->time, exchange->step,
             throws);
     }
-    add_nth(f, &e, VBSS_EVENT_CUT, 2, "cutting");
+    add_nth(f, &e, VBSS_SCENE_EVENT_CUT, 2, "cutting");
     f->phase_source =
         "No session was followed. The phases were told apart by what happened: each ends when the "
         "needle is held for the first time, when a wall is entered, when needle and thread are "

@@ -55,25 +55,26 @@ static void choose_tools(facts *f, const seen_body *bodies)
     }
 }
 
-static bool is_move(const vbss_log_input *input)
+static bool is_move(const vbss_record_input *input)
 {
-    return (input->kind == VBSS_INPUT_MOVE_GRASPER || input->kind == VBSS_INPUT_MOVE_RIGID) &&
+    return (input->kind == VBSS_RECORD_INPUT_GRASPER_TARGET ||
+            input->kind == VBSS_RECORD_INPUT_RIGID_TARGET) &&
            input->words[0] > 0 && input->words[0] < MAX_BODIES;
 }
 
 static vbss_result find_tools(facts *f)
 {
     static seen_body bodies[MAX_BODIES];
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     memset(bodies, 0, sizeof bodies);
     for (uint64_t n = 1; n <= f->steps; n++) {
         TRY(vbss_replay_read(f->log, n, &step, sizeof step));
         for (uint32_t i = 0; i < step.input_count; i++) {
-            const vbss_log_input *input = &step.inputs[i];
+            const vbss_record_input *input = &step.inputs[i];
             if (is_move(input)) {
                 seen_body *body = &bodies[input->words[0]];
                 body->x = body->moves == 0 ? input->numbers[0] : body->x;
-                body->grasper = body->grasper || input->kind == VBSS_INPUT_MOVE_GRASPER;
+                body->grasper = body->grasper || input->kind == VBSS_RECORD_INPUT_GRASPER_TARGET;
                 body->moves++;
             }
         }
@@ -84,7 +85,7 @@ static vbss_result find_tools(facts *f)
 
 /* ---- step by step */
 
-static void hear(const facts *f, const vbss_log_input *input, moment *m)
+static void hear(const facts *f, const vbss_record_input *input, moment *m)
 {
     for (int side = 0; side < SIDES; side++) {
         if (f->tools[side] == 0 || input->words[0] != f->tools[side]) {
@@ -93,7 +94,7 @@ static void hear(const facts *f, const vbss_log_input *input, moment *m)
         if (is_move(input)) {
             memcpy(m->at[side], input->numbers, sizeof m->at[side]);
             m->reported[side] = true;
-        } else if (input->kind == VBSS_INPUT_SET_OPENING) {
+        } else if (input->kind == VBSS_RECORD_INPUT_SET_OPENING) {
             m->opening[side] = input->numbers[0];
         }
     }
@@ -109,17 +110,18 @@ static bool keep_happening(facts *f, const happening *h)
 }
 
 /* A cut by the host is an input and no event; the piece has no name in it. */
-static bool keep_cut(facts *f, const vbss_log_step *step, const vbss_log_input *input)
+static bool keep_cut(facts *f, const vbss_replay_logged_step *step, const vbss_record_input *input)
 {
-    const happening h = {VBSS_EVENT_CUT, input->words[0], UINT32_MAX, 0, step->number, step->time};
-    f->counts[VBSS_EVENT_CUT]++;
+    const happening h = {VBSS_SCENE_EVENT_CUT, input->words[0], UINT32_MAX, 0,
+                         step->number,         step->time};
+    f->counts[VBSS_SCENE_EVENT_CUT]++;
     return keep_happening(f, &h);
 }
 
-static bool keep_event(facts *f, const vbss_log_step *step, const uint32_t *e)
+static bool keep_event(facts *f, const vbss_replay_logged_step *step, const uint32_t *e)
 {
     f->counts[e[0] < KINDS ? e[0] : 0]++;
-    if (e[0] == VBSS_EVENT_TOUCH || e[0] == VBSS_EVENT_PART) {
+    if (e[0] == VBSS_SCENE_EVENT_TOUCH || e[0] == VBSS_SCENE_EVENT_PART) {
         return true; /* counted, and too many to be shown */
     }
     return keep_happening(f, &(happening){e[0], e[1], e[2], e[3], step->number, step->time});
@@ -127,7 +129,7 @@ static bool keep_event(facts *f, const vbss_log_step *step, const uint32_t *e)
 
 static vbss_result read_steps(facts *f)
 {
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     for (uint64_t n = 1; n <= f->steps; n++) {
         TRY(vbss_replay_read(f->log, n, &step, sizeof step));
         moment *m = &f->moments[n - 1];
@@ -139,7 +141,8 @@ static vbss_result read_steps(facts *f)
         m->lost += step.time_lost;
         for (uint32_t i = 0; i < step.input_count; i++) {
             hear(f, &step.inputs[i], m);
-            if (step.inputs[i].kind == VBSS_INPUT_CUT && !keep_cut(f, &step, &step.inputs[i])) {
+            if (step.inputs[i].kind == VBSS_RECORD_INPUT_CUT &&
+                !keep_cut(f, &step, &step.inputs[i])) {
                 return VBSS_ERROR_OUT_OF_MEMORY;
             }
         }
@@ -177,10 +180,10 @@ static vbss_result find_holdings(facts *f)
 {
     for (size_t i = 0; i < f->event_count; i++) {
         const happening *e = &f->events[i];
-        if (e->kind == VBSS_EVENT_RELEASE || e->kind == VBSS_EVENT_TORN) {
+        if (e->kind == VBSS_SCENE_EVENT_RELEASE || e->kind == VBSS_SCENE_EVENT_TORN) {
             let_go(f, e);
         }
-        for (int side = 0; e->kind == VBSS_EVENT_GRASP && side < SIDES; side++) {
+        for (int side = 0; e->kind == VBSS_SCENE_EVENT_GRASP && side < SIDES; side++) {
             if (f->tools[side] != 0 && e->second == f->tools[side]) {
                 if (!facts_room((void **)&f->holdings, &f->holding_room, f->holding_count,
                                 sizeof *f->holdings)) {
@@ -197,7 +200,7 @@ static vbss_result find_holdings(facts *f)
 vbss_result facts_read(facts *f)
 {
     TRY(vbss_context_create(NULL, &f->context));
-    TRY(vbss_log_check(f->context, f->bytes, f->count, &f->check, sizeof f->check));
+    TRY(vbss_record_check_log(f->context, f->bytes, f->count, &f->check, sizeof f->check));
     TRY(vbss_replay_create(f->context, f->bytes, f->count, &f->log));
     TRY(vbss_replay_get_info(f->log, &f->info, sizeof f->info));
     f->steps = f->check.steps;

@@ -4,7 +4,9 @@
 
 static const char *words_of_tool(vbss_metrics_tool tool)
 {
-    return tool == VBSS_METRICS_LEFT ? "left" : tool == VBSS_METRICS_RIGHT ? "right" : "&#8211;";
+    return tool == VBSS_METRICS_TOOL_LEFT    ? "left"
+           : tool == VBSS_METRICS_TOOL_RIGHT ? "right"
+                                             : "&#8211;";
 }
 
 static void put_row(page *p, const vbss_session_event *e)

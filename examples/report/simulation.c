@@ -49,14 +49,17 @@ static void put_events(page *p, const facts *f)
     put(p,
         "<table><caption>Counted in the log</caption><thead><tr><th scope=\"col\">What</th><th "
         "scope=\"col\" class=\"n\">times</th><th scope=\"col\">meaning</th></tr></thead><tbody>\n");
-    put_count(p, "contacts begun", f->counts[VBSS_EVENT_TOUCH], "two bodies touched that did not");
-    put_count(p, "contacts ended", f->counts[VBSS_EVENT_PART], "two that touched do no longer");
-    put_count(p, "steps cut short or paused", f->counts[VBSS_EVENT_CLAMPED],
+    put_count(p, "contacts begun", f->counts[VBSS_SCENE_EVENT_TOUCH],
+              "two bodies touched that did not");
+    put_count(p, "contacts ended", f->counts[VBSS_SCENE_EVENT_PART],
+              "two that touched do no longer");
+    put_count(p, "steps cut short or paused", f->counts[VBSS_SCENE_EVENT_CLAMPED],
               "by the guard or the limit of work");
-    put_count(p, "slips in jaws", f->counts[VBSS_EVENT_SLIP], "what is held begins to slide");
-    put_count(p, "torn out", f->counts[VBSS_EVENT_TORN], "pulled out of the jaws");
-    put_count(p, "grasps without room", f->counts[VBSS_EVENT_GRASP_LOST], "not held for that");
-    put_count(p, "steps with lost events", f->counts[VBSS_EVENT_LOST],
+    put_count(p, "slips in jaws", f->counts[VBSS_SCENE_EVENT_SLIP], "what is held begins to slide");
+    put_count(p, "torn out", f->counts[VBSS_SCENE_EVENT_TORN], "pulled out of the jaws");
+    put_count(p, "grasps without room", f->counts[VBSS_SCENE_EVENT_GRASP_LOST],
+              "not held for that");
+    put_count(p, "steps with lost events", f->counts[VBSS_SCENE_EVENT_LOST],
               "more happened than was kept");
     put(p, "</tbody></table>\n<p>Simulated time lost in steps cut short or paused: %.2f ms.</p>\n",
         1e3 * f->check.time_lost);
@@ -104,15 +107,16 @@ static void put_replay(page *p, const facts *f)
                 : "the log has no note of which scene it is");
         return;
     }
-    put(p, "<p><strong class=\"%s\">", a->report.outcome == VBSS_REPLAY_DIFFERS ? "bad" : "good");
-    if (a->report.outcome == VBSS_REPLAY_DIFFERS) {
+    put(p, "<p><strong class=\"%s\">",
+        a->report.outcome == VBSS_REPLAY_OUTCOME_DIFFERS ? "bad" : "good");
+    if (a->report.outcome == VBSS_REPLAY_OUTCOME_DIFFERS) {
         put(p, "Played back to other bits: the first hash that differs is after step %llu.",
             (unsigned long long)a->report.step);
     } else {
         put(p, "Played back to the same bits");
     }
     put(p, "</strong> ");
-    if (a->report.outcome != VBSS_REPLAY_DIFFERS) {
+    if (a->report.outcome != VBSS_REPLAY_OUTCOME_DIFFERS) {
         put(p, "through step %llu, all recorded hashes agree up to step %llu%s; ",
             (unsigned long long)a->count, (unsigned long long)a->report.agreed_step,
             a->result == VBSS_OK ? "" : ", where the log ends");

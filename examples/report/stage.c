@@ -179,7 +179,7 @@ static void show_laid(const stage *s, vbss_knot_input *in)
  * apart. */
 static uint32_t show_holes(const stage *s, vbss_knot_input *in)
 {
-    vbss_hole all[2];
+    vbss_scene_hole all[2];
     uint32_t count = 0;
     for (uint32_t i = 0; count < 2; i++) {
         if (vbss_scene_get_hole(s->scene, i, &all[count], sizeof all[count]) != VBSS_OK) {
@@ -189,7 +189,7 @@ static uint32_t show_holes(const stage *s, vbss_knot_input *in)
     }
     int tail = all[0].arc_length > all[1].arc_length ? 0 : 1;
     for (int i = 0; i < 2; i++) {
-        const vbss_hole *hole = &all[i == 0 ? tail : 1 - tail];
+        const vbss_scene_hole *hole = &all[i == 0 ? tail : 1 - tail];
         memcpy(in->holes[i], hole->position, sizeof hole->position);
         in->hole_places[i] = hole->arc_length / SEGMENT;
     }
@@ -210,7 +210,7 @@ static vbss_result show_sewn(const stage *s, vbss_knot_input *in)
     } else {
         TRY(vbss_scene_get_thread(s->scene, piece, &thread));
     }
-    TRY(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    TRY(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view));
     in->points = view.data;
     in->point_count = (uint32_t)view.count;
     return VBSS_OK;

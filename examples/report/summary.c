@@ -14,13 +14,13 @@ static const char *why_not(const facts *f)
     if (f->again.session.count > 0 && failure != VBSS_SESSION_FAILURE_NONE) {
         return task_failure_name(failure);
     }
-    if ((flags & VBSS_METRICS_TIMEOUT) != 0) {
+    if ((flags & VBSS_METRICS_FLAG_TIMEOUT) != 0) {
         return "the time was up";
     }
-    if ((flags & VBSS_METRICS_AVULSED) != 0) {
+    if ((flags & VBSS_METRICS_FLAG_AVULSED) != 0) {
         return "the drain was torn off";
     }
-    if ((flags & VBSS_METRICS_BROKEN) != 0) {
+    if ((flags & VBSS_METRICS_FLAG_BROKEN) != 0) {
         return "the thread broke";
     }
     if (f->check.result == VBSS_ERROR_TRUNCATED) {
@@ -40,9 +40,10 @@ typedef enum outcome { WHOLE, PART, NOT_DONE } outcome;
 static outcome outcome_of(const facts *f)
 {
     const vbss_metrics_report *r = &f->measured.report;
-    uint32_t failed = VBSS_METRICS_TIMEOUT | VBSS_METRICS_AVULSED | VBSS_METRICS_BROKEN;
-    uint32_t holes = VBSS_METRICS_PUNCTURE_0 | VBSS_METRICS_PUNCTURE_1;
-    if ((r->flags & VBSS_METRICS_STOPPED) == 0 || (r->flags & failed) != 0) {
+    uint32_t failed =
+        VBSS_METRICS_FLAG_TIMEOUT | VBSS_METRICS_FLAG_AVULSED | VBSS_METRICS_FLAG_BROKEN;
+    uint32_t holes = VBSS_METRICS_FLAG_PUNCTURE_0 | VBSS_METRICS_FLAG_PUNCTURE_1;
+    if ((r->flags & VBSS_METRICS_FLAG_STOPPED) == 0 || (r->flags & failed) != 0) {
         return NOT_DONE;
     }
     return (r->flags & holes) == holes && r->throw_count >= f->measured.config.throws_wanted ? WHOLE
@@ -106,7 +107,7 @@ static void put_score_card(page *p, const facts *f)
     put(p, "<div class=\"card\"><p class=\"label\">Score</p><p class=\"big");
     if (page_may_go_on(f)) {
         put(p, "\">unknown</p><p>how the trial went on is not in the log</p></div>\n");
-    } else if ((r->flags & VBSS_METRICS_FINAL) != 0) {
+    } else if ((r->flags & VBSS_METRICS_FLAG_FINAL) != 0) {
         put(p, "\">%.1f</p><p>of 600, in the style of MISTELS</p></div>\n", r->score);
     } else {
         put(p,
@@ -145,9 +146,9 @@ static void put_where(page *p, const vbss_metrics_penalty *e)
         put(p, "<td class=\"n\">&#8211;</td><td class=\"n\">&#8211;</td>");
     }
     put(p, "<td>%s</td>",
-        e->tool == VBSS_METRICS_LEFT    ? "left"
-        : e->tool == VBSS_METRICS_RIGHT ? "right"
-                                        : "&#8211;");
+        e->tool == VBSS_METRICS_TOOL_LEFT    ? "left"
+        : e->tool == VBSS_METRICS_TOOL_RIGHT ? "right"
+                                             : "&#8211;");
 }
 
 static void put_score(page *p, const measured *m)
@@ -194,7 +195,7 @@ void page_summary(page *p, const facts *f)
         "lengths of the steps. It runs with the hands and includes simulated time that was lost: "
         "%.2f s.",
         m->report.time_lost);
-    if ((m->report.flags & VBSS_METRICS_FINAL) == 0) {
+    if ((m->report.flags & VBSS_METRICS_FLAG_FINAL) == 0) {
         put(p, " What is not known costs nothing here, so a whole trial with the same faults "
                "could have less.");
     }

@@ -15,14 +15,14 @@ typedef struct mark {
 
 /* What is drawn first lies below. */
 static const mark marks[] = {
-    {"a step is cut short or paused", "m-warn", VBSS_EVENT_CLAMPED, 'c'},
-    {"a wall is entered", "m-needle", VBSS_EVENT_PUNCTURE, 't'},
-    {"the needle is drawn back", "m-bad", VBSS_EVENT_WITHDRAWN, 'x'},
-    {"the needle is through", "m-needle", VBSS_EVENT_PASSED, 'c'},
-    {"torn out of the jaws", "m-bad", VBSS_EVENT_TORN, 'x'},
-    {"a thread is cut", "m-cut", VBSS_EVENT_CUT, 'd'},
-    {"a tool is exchanged", "m-tool", VBSS_EVENT_EXCHANGED, 'c'},
-    {"no room for a hole", "m-bad", VBSS_EVENT_HOLE_LOST, 'x'},
+    {"a step is cut short or paused", "m-warn", VBSS_SCENE_EVENT_CLAMPED, 'c'},
+    {"a wall is entered", "m-needle", VBSS_SCENE_EVENT_PUNCTURE, 't'},
+    {"the needle is drawn back", "m-bad", VBSS_SCENE_EVENT_WITHDRAWN, 'x'},
+    {"the needle is through", "m-needle", VBSS_SCENE_EVENT_PASSED, 'c'},
+    {"torn out of the jaws", "m-bad", VBSS_SCENE_EVENT_TORN, 'x'},
+    {"a thread is cut", "m-cut", VBSS_SCENE_EVENT_CUT, 'd'},
+    {"a tool is exchanged", "m-tool", VBSS_SCENE_EVENT_EXCHANGED, 'c'},
+    {"no room for a hole", "m-bad", VBSS_SCENE_EVENT_HOLE_LOST, 'x'},
 };
 enum { MARKS = sizeof marks / sizeof marks[0] };
 
@@ -83,9 +83,9 @@ static void put_holdings(page *p, const facts *f)
             "rx=\"3\"><title>%s tool holds body %u: %.2f s to %.2f s%s</title></rect>\n",
             page_side(h->side), x0, (h->side + 1) * LANE + 8, fmax(x1 - x0, 1.0),
             page_side(h->side), (unsigned)h->thing, h->from, h->to,
-            h->ended == VBSS_EVENT_TORN ? ", torn out"
-            : h->ended == 0             ? ", to the end of the log"
-                                        : "");
+            h->ended == VBSS_SCENE_EVENT_TORN ? ", torn out"
+            : h->ended == 0                   ? ", to the end of the log"
+                                              : "");
     }
 }
 

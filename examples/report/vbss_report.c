@@ -74,7 +74,7 @@ static int report(facts *f, const pictures *shown, const char *to)
         fprintf(stderr, "%s cannot be written\n", to);
         return 2;
     }
-    bool differs = f->again.report.outcome == VBSS_REPLAY_DIFFERS;
+    bool differs = f->again.report.outcome == VBSS_REPLAY_OUTCOME_DIFFERS;
     if (f->check.result != VBSS_OK || differs) {
         fprintf(stderr, "%s: %s\n", f->path,
                 differs ? "plays back to other bits" : vbss_result_name(f->check.result));

@@ -14,14 +14,14 @@
 
 /* ---- for people */
 
-static vbss_result check(vbss_context *context, const log_file *log, vbss_log_report *report)
+static vbss_result check(vbss_context *context, const log_file *log, vbss_record_log_report *report)
 {
-    return vbss_log_check(context, log->bytes, log->count, report, sizeof *report);
+    return vbss_record_check_log(context, log->bytes, log->count, report, sizeof *report);
 }
 
 vbss_result print_info(FILE *out, vbss_context *context, const log_file *log)
 {
-    vbss_log_report report;
+    vbss_record_log_report report;
     vbss_replay_info info;
     vbss_replay *replay;
     TRY(check(context, log, &report));
@@ -44,7 +44,7 @@ vbss_result print_info(FILE *out, vbss_context *context, const log_file *log)
 
 vbss_result print_faults(FILE *out, vbss_context *context, const log_file *log)
 {
-    vbss_log_report report;
+    vbss_record_log_report report;
     TRY(check(context, log, &report));
     for (uint32_t i = 0; i < report.fault_count && i < 8; i++) {
         fprintf(out, "byte %" PRIu64 ": %s (%s)\n", report.fault_positions[i],
@@ -57,12 +57,12 @@ vbss_result print_faults(FILE *out, vbss_context *context, const log_file *log)
 
 /* ---- for programs */
 
-typedef void (*step_printer)(FILE *out, const vbss_log_step *step);
+typedef void (*step_printer)(FILE *out, const vbss_replay_logged_step *step);
 
 /* The end is a status as well, which is no failure. */
 static vbss_result print_steps(FILE *out, vbss_replay *replay, step_printer print)
 {
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     uint64_t steps;
     vbss_result whole = vbss_replay_check(replay, &steps);
     for (uint64_t i = 1; i <= steps; i++) {
@@ -72,10 +72,10 @@ static vbss_result print_steps(FILE *out, vbss_replay *replay, step_printer prin
     return whole;
 }
 
-static void csv_step(FILE *out, const vbss_log_step *s)
+static void csv_step(FILE *out, const vbss_replay_logged_step *s)
 {
     for (uint32_t i = 0; i < s->input_count; i++) {
-        const vbss_log_input *input = &s->inputs[i];
+        const vbss_record_input *input = &s->inputs[i];
         fprintf(out, "%" PRIu64 ",%.17g,input,%s", s->number, s->time, input_name(input->kind));
         for (uint32_t k = 0; k < 4; k++) {
             fprintf(out, k < input->word_count ? ",%" PRIu32 : ",", input->words[k]);
@@ -122,7 +122,7 @@ static void json_text(FILE *out, const char *text)
     fputc('"', out);
 }
 
-static void json_input(FILE *out, const vbss_log_input *input)
+static void json_input(FILE *out, const vbss_record_input *input)
 {
     fprintf(out, "{\"kind\": \"%s\", \"words\": [", input_name(input->kind));
     for (uint32_t k = 0; k < input->word_count; k++) {
@@ -135,7 +135,7 @@ static void json_input(FILE *out, const vbss_log_input *input)
     fprintf(out, "]}");
 }
 
-static void json_step(FILE *out, const vbss_log_step *s)
+static void json_step(FILE *out, const vbss_replay_logged_step *s)
 {
     fprintf(out, "%s\n{\"step\": %" PRIu64 ", \"time_s\": %.17g, \"h_s\": %.17g, \"hash\": ",
             s->number == 1 ? "" : ",", s->number, s->time, s->h);

@@ -18,7 +18,7 @@ vbss_result print_faults(FILE *out, vbss_context *context, const log_file *log);
 vbss_result print_csv(FILE *out, vbss_context *context, const log_file *log);
 vbss_result print_json(FILE *out, vbss_context *context, const log_file *log);
 
-const char *input_name(vbss_input_kind kind);
+const char *input_name(vbss_record_input_kind kind);
 const char *event_name(uint32_t kind);
 
 #endif

@@ -25,12 +25,12 @@ bool watch_replay(const watch *w)
     static stitch t; /* its hands for their tools alone */
     stitch_plan plan;
     replay_log log = replay_read(w->options.log);
-    vbss_replay_report report = {.outcome = VBSS_REPLAY_STOPPED};
+    vbss_replay_report report = {.outcome = VBSS_REPLAY_OUTCOME_STOPPED};
     surgeon_plan(&w->options, &plan);
     memset(&t, 0, sizeof t);
     bool played = log.count > 0 && stitch_create(&t, w->options.seed, &plan) == VBSS_OK &&
                   play(w, &t, &log, &report) == VBSS_OK;
     free(log.data);
     throw_rig_destroy(&t.site.rig);
-    return played && report.outcome == VBSS_REPLAY_ENDED;
+    return played && report.outcome == VBSS_REPLAY_OUTCOME_ENDED;
 }

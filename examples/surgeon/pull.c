@@ -81,7 +81,7 @@ static bool take(pull_run *p, hand *h, double arc_length, pull_state first)
 static bool is_through(const pull_run *p)
 {
     const stitch *t = p->stitch;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     for (int side = 0; side < 2; side++) {
         if (!site_find_hole(&t->site, t->holes[side], &hole) || hole.needle != 0) {
             return false;
@@ -178,7 +178,7 @@ static void ease(pull_run *p, double dt)
 
 double pull_tail(const stitch *t)
 {
-    vbss_hole hole;
+    vbss_scene_hole hole;
     bool is_thread = site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole) && hole.thread != 0;
     return is_thread ? SEGMENT * (t->site.rig.nodes - 1) - hole.arc_length : -1.0;
 }

@@ -105,7 +105,7 @@ static const char *words_of_tightness(vbss_metrics_tightness t)
 
 static void report_tails(const surgeon *s, const vbss_metrics_report *r)
 {
-    static const uint32_t known[2] = {VBSS_METRICS_TAIL_0, VBSS_METRICS_TAIL_1};
+    static const uint32_t known[2] = {VBSS_METRICS_FLAG_TAIL_0, VBSS_METRICS_FLAG_TAIL_1};
     static const char *const names[2] = {"short", "needle's"};
     printf("  %u transfers, %u drops", (unsigned)r->transfers, (unsigned)r->drops);
     if (s->tail > 0.0) {
@@ -126,7 +126,7 @@ static void report_slit(const surgeon *s, const vbss_metrics_report *r)
     if (s->gap_before > 0.0) {
         printf("; %.2f before the first throw", MILLI * s->gap_before);
     }
-    if ((r->flags & VBSS_METRICS_GAP) != 0) {
+    if ((r->flags & VBSS_METRICS_FLAG_GAP) != 0) {
         printf("; as it is scored %.2f, at the widest %.2f", r->gap_mm, r->gap_largest_mm);
     }
     printf("\n");
@@ -137,8 +137,8 @@ static void report_measures(const surgeon *s, const vbss_metrics_report *r)
     printf(
         "  holes %.2f and %.2f mm off their marks; tightness by the pull test: %s, by the strain: "
         "%s\n",
-        r->deviation_mm[0], r->deviation_mm[1], words_of_tightness(r->tightness_ours),
-        words_of_tightness(r->tightness_paper));
+        r->deviation_mm[0], r->deviation_mm[1], words_of_tightness(r->tightness_pull),
+        words_of_tightness(r->tightness_strain));
     report_slit(s, r);
     report_tails(s, r);
 }
@@ -146,7 +146,7 @@ static void report_measures(const surgeon *s, const vbss_metrics_report *r)
 static void report_score(const watch *w, const vbss_metrics_report *r)
 {
     printf("  score %.1f of 600 in the style of MISTELS%s: %.1f for the time", r->score,
-           (r->flags & VBSS_METRICS_FINAL) != 0 ? "" : ", provisional", -r->time);
+           (r->flags & VBSS_METRICS_FLAG_FINAL) != 0 ? "" : ", provisional", -r->time);
     for (uint32_t i = 0; i < r->penalty_count; i++) {
         vbss_metrics_penalty p;
         if (vbss_metrics_get_penalty(w->task.metrics, i, &p, sizeof p) == VBSS_OK) {

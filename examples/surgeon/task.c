@@ -91,9 +91,9 @@ const char *task_failure_name(vbss_session_failure failure)
 
 static const char *tool_of(const vbss_session_event *e)
 {
-    return e->tool == VBSS_METRICS_LEFT    ? "left tool"
-           : e->tool == VBSS_METRICS_RIGHT ? "right tool"
-                                           : "tool";
+    return e->tool == VBSS_METRICS_TOOL_LEFT    ? "left tool"
+           : e->tool == VBSS_METRICS_TOOL_RIGHT ? "right tool"
+                                                : "tool";
 }
 
 static const char *undone(const vbss_session_event *e, const char *words)

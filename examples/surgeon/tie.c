@@ -42,7 +42,7 @@ static void find_marks(surgeon *s)
 {
     throw_rig *st = &s->stitch.site.rig;
     for (int side = 0; side < 2; side++) {
-        vbss_hole hole;
+        vbss_scene_hole hole;
         if (site_find_hole(&s->stitch.site, s->stitch.holes[side], &hole) && hole.thread != 0) {
             st->marks[side == SITE_RIGHT ? 0 : 1] =
                 (uint32_t)(throw_rig_place(st, hole.arc_length) + 0.5);

@@ -103,7 +103,7 @@ static vbss_result move_tools(world *w, int step)
         const int turn = (step + 200 * i) % 400;
         const double share = (turn < 200 ? turn : 400 - turn) / 200.0;
         const double tip[3] = {i == 0 ? -0.02 : 0.02, 0.0, 0.008 + 0.01 * share};
-        TRY(vbss_grasper_move(w->tools[i], tip, NULL));
+        TRY(vbss_grasper_set_target(w->tools[i], tip, NULL));
         TRY(vbss_grasper_set_opening(w->tools[i], share));
     }
     return VBSS_OK;

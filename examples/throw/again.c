@@ -35,7 +35,7 @@ static bool reported_byte(const demo *d, const replay_log *log)
 static bool reported_scene(const demo *d, const replay_log *log)
 {
     replay_finding f = replay_run(&d->trial, log, true);
-    bool reported = f.result == VBSS_OK && f.report.outcome == VBSS_REPLAY_DIFFERS;
+    bool reported = f.result == VBSS_OK && f.report.outcome == VBSS_REPLAY_OUTCOME_DIFFERS;
     printf("  one pin of the scene taken out: %s: %s\n", reported ? "told" : "NOT TOLD", f.text);
     return reported;
 }

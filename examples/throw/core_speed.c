@@ -15,7 +15,7 @@ double cpu_clock(void *unused)
 
 static vbss_result fit(vbss_context *context, double *speed, vbss_scene_config *scene)
 {
-    vbss_core_speed measured;
+    vbss_budget_speed measured;
     vbss_budget_config budget;
     if (*speed <= 0.0) {
         TRY(vbss_budget_measure_speed(context, cpu_clock, NULL, &measured, sizeof measured));
@@ -37,7 +37,7 @@ vbss_result core_speed_fit(double operations_per_microsecond, core_limits *limit
     TRY(vbss_context_create(NULL, &context));
     const vbss_result result = fit(context, &speed, &scene);
     if (result == VBSS_OK) {
-        *limits = (core_limits){(int32_t)scene.work_limit, (int32_t)scene.slot_limit};
+        *limits = (core_limits){(int32_t)scene.step_budget, (int32_t)scene.call_budget};
         snprintf(words, CORE_SPEED_WORDS,
                  "%.0f operations per microsecond%s: limits of work %d a step, %d a call", speed,
                  operations_per_microsecond > 0.0 ? " (given)" : " (measured)", (int)limits->work,

@@ -147,7 +147,7 @@ static vbss_result do_exchange(cut_run *t)
     vbss_grasper_state state;
     hold_up(s);
     TRY(vbss_grasper_get_state(s->w->grasper, &state, sizeof state));
-    if (state.kind == VBSS_GRASPER_SHEARS) {
+    if (state.kind == VBSS_GRASPER_KIND_SHEARS) {
         TRY(target_at(t, true));
         enter(t, CUT_LIMB);
     } else if (t->since > 1.0) {

@@ -283,7 +283,7 @@ vbss_result hand_step(hand *h, double dt)
 vbss_result hand_feel(hand *h)
 {
     vbss_grasper_state state;
-    vbss_grasp grasp;
+    vbss_scene_grasp grasp;
     TRY(vbss_grasper_get_state(h->grasper, &state, sizeof state));
     TRY(wire_feel(h, &state));
     h->felt = v_load(state.hand_force);
@@ -293,7 +293,7 @@ vbss_result hand_feel(hand *h)
         return VBSS_OK;
     }
     TRY(vbss_scene_get_grasp(h->rig->scene, h->body, 0, &grasp, sizeof grasp));
-    h->held_thread = grasp.thread;
+    h->held_thread = grasp.body;
     h->place = throw_rig_place(h->rig, grasp.arc_length);
     h->node = (uint32_t)(h->place + 0.5);
     h->pull = seen(h, v_scale(-1.0, v_load(grasp.force)));

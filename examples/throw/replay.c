@@ -31,8 +31,8 @@ static vbss_result play(throw_rig *s, const replay_log *log, bool changed, repla
     }
     do {
         TRY(vbss_replay_step(replay, &f->report, sizeof f->report));
-    } while (f->report.outcome == VBSS_REPLAY_STEPPED);
-    f->equal = f->report.outcome == VBSS_REPLAY_ENDED;
+    } while (f->report.outcome == VBSS_REPLAY_OUTCOME_STEPPED);
+    f->equal = f->report.outcome == VBSS_REPLAY_OUTCOME_ENDED;
     return VBSS_OK;
 }
 

@@ -39,7 +39,7 @@ static vbss_result make_thread(throw_rig *s)
              limb = (uint32_t)(s->limb / SEGMENT + 0.5);
     vbss_thread_config c;
     TRY(vbss_thread_config_init(&c, sizeof c));
-    TRY(vbss_thread_config_preset(&c, VBSS_PRESET_PAPER_THREAD));
+    TRY(vbss_thread_config_preset(&c, VBSS_THREAD_PRESET_VBLAST));
     s->nodes = tail + in + limb + 1;
     s->marks[0] = tail;
     s->marks[1] = tail + in;
@@ -81,10 +81,10 @@ static vbss_result make_scene(throw_rig *s)
 
 static vbss_result add_drain(throw_rig *s)
 {
-    vbss_rigid_config c;
-    vbss_capsule rod = {
+    vbss_scene_rigid_config c;
+    vbss_scene_capsule rod = {
         .begin = {0.0, -DRAIN_HALF, 0.0}, .end = {0.0, DRAIN_HALF, 0.0}, .radius = DRAIN_RADIUS};
-    TRY(vbss_rigid_config_init(&c, sizeof c));
+    TRY(vbss_scene_rigid_config_init(&c, sizeof c));
     c.capsules = &rod;
     c.capsule_count = 1;
     c.friction = 0.3;
@@ -126,7 +126,7 @@ static const void *view_of(const throw_rig *s, vbss_thread_field field)
 
 static void turn_round(throw_rig *s)
 {
-    const vec *x = view_of(s, VBSS_THREAD_POSITIONS);
+    const vec *x = view_of(s, VBSS_THREAD_VIEW_POSITIONS);
     for (uint32_t i = 0; s->reversed && i < s->nodes; i++) {
         s->turned[i] = x[s->nodes - 1 - i];
     }
@@ -134,7 +134,7 @@ static void turn_round(throw_rig *s)
 
 const vec *throw_rig_nodes(const throw_rig *s)
 {
-    return s->reversed ? s->turned : view_of(s, VBSS_THREAD_POSITIONS);
+    return s->reversed ? s->turned : view_of(s, VBSS_THREAD_VIEW_POSITIONS);
 }
 
 double throw_rig_place(const throw_rig *s, double arc_length)
@@ -201,8 +201,8 @@ static vbss_result follow_cut(throw_rig *s, uint32_t piece)
     vbss_thread *beyond;
     vbss_view before, after;
     TRY(vbss_scene_get_thread(s->scene, piece, &beyond));
-    TRY(vbss_thread_get_view(s->thread, VBSS_THREAD_POSITIONS, &before, sizeof before));
-    TRY(vbss_thread_get_view(beyond, VBSS_THREAD_POSITIONS, &after, sizeof after));
+    TRY(vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &before, sizeof before));
+    TRY(vbss_thread_get_view(beyond, VBSS_THREAD_VIEW_POSITIONS, &after, sizeof after));
     s->cuts++;
     uint32_t first = (uint32_t)before.count, other = (uint32_t)after.count;
     if (first > (s->reversed ? s->nodes - 1 - s->marks[0] : s->marks[1])) { /* on it still */
@@ -227,7 +227,7 @@ vbss_result throw_rig_follow(throw_rig *s)
     TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
-        if (event[0] == VBSS_EVENT_CUT && event[1] == s->thread_body && event[2] != 0) {
+        if (event[0] == VBSS_SCENE_EVENT_CUT && event[1] == s->thread_body && event[2] != 0) {
             TRY(follow_cut(s, event[2]));
         }
     }

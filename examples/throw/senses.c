@@ -9,7 +9,7 @@ enum { FARTHER = 15 }; /* nodes */
 
 vbss_result senses_create(senses *s, throw_rig *st, hand *w, hand *c)
 {
-    vbss_knot_config config;
+    vbss_knot_detector_config config;
     memset(s, 0, sizeof *s);
     s->rig = st;
     s->w = w;
@@ -17,7 +17,7 @@ vbss_result senses_create(senses *s, throw_rig *st, hand *w, hand *c)
     s->nodes = st->nodes;
     s->tail_root = st->marks[0];
     s->limb_root = st->marks[1];
-    TRY(vbss_knot_config_init(&config, sizeof config));
+    TRY(vbss_knot_detector_config_init(&config, sizeof config));
     TRY(vbss_knot_detector_create(st->context, &config, &s->detector));
     return vbss_knot_detector_create(st->context, &config, &s->arbiter);
 }
@@ -214,7 +214,7 @@ vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k)
 
 static bool is_of_knot(const senses *s, const uint32_t *contact, uint32_t end)
 {
-    return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->rig->thread_body &&
+    return contact[0] == VBSS_SCENE_CONTACT_SEGMENTS && contact[1] == s->rig->thread_body &&
            contact[3] == s->rig->thread_body && throw_rig_segment(s->rig, contact[2]) < end &&
            throw_rig_segment(s->rig, contact[4]) < end;
 }

@@ -39,7 +39,7 @@ vbss_result wire_create(hand *h)
     double position[3];
     v_store(position, h->shown);
     TRY(vbss_grasper_create(h->rig->context, &h->shape, &h->grasper));
-    TRY(vbss_grasper_move(h->grasper, position, h->shown_orientation));
+    TRY(vbss_grasper_set_target(h->grasper, position, h->shown_orientation));
     TRY(vbss_grasper_set_opening(h->grasper, h->opening));
     TRY(vbss_scene_add_grasper(h->rig->scene, h->grasper, &h->body));
     return make_device(h);
@@ -52,13 +52,13 @@ vbss_result wire_report(hand *h)
     vbss_device_input in;
     vbss_record *record = h->rig->record;
     TRY(vbss_device_read(h->device, h->time, &in, sizeof in));
-    TRY(vbss_record_move_grasper(record, h->body, in.position, in.orientation));
+    TRY(vbss_record_set_grasper_target(record, h->body, in.position, in.orientation));
     TRY(vbss_record_set_opening(record, h->body, in.jaw));
     return (in.events & VBSS_DEVICE_EVENT_TOOL) != 0
                ? vbss_record_exchange(record, h->body,
                                       in.tool == VBSS_DEVICE_TOOL_SHEARS
-                                          ? VBSS_GRASPER_SHEARS
-                                          : VBSS_GRASPER_NEEDLE_DRIVER)
+                                          ? VBSS_GRASPER_KIND_SHEARS
+                                          : VBSS_GRASPER_KIND_NEEDLE_DRIVER)
                : VBSS_OK;
 }
 

@@ -64,7 +64,7 @@ static vbss_result let_time_pass(coach *c)
         return VBSS_OK;
     }
     if (c->hardware.nidaqmx != NULL) {
-        TRY(vbss_nidaqmx_pump(c->hardware.nidaqmx, c->now));
+        TRY(vbss_nidaqmx_poll(c->hardware.nidaqmx, c->now));
     }
     rehearsal_tick(c->rehearsal);
     return VBSS_OK;
@@ -109,7 +109,7 @@ static const char *find_objection(const coach *c, int side, const guide *g)
     const bool is_known =
         g->arm && vbss_openhaptics_get_status(c->hardware.openhaptics, (uint32_t)side, &s,
                                               sizeof s) == VBSS_OK;
-    if (!is_known || s.state != VBSS_HARDWARE_UNCALIBRATED) {
+    if (!is_known || s.state != VBSS_HAPTICS_STATE_UNCALIBRATED) {
         return NULL;
     }
     return s.is_constant != 0

@@ -19,7 +19,7 @@ void grip_begin(grip *g, const double at[3])
     memset(g, 0, sizeof *g);
     memcpy(g->reported, at, sizeof g->reported);
     g->opening = 1.0;
-    g->has = g->wants = VBSS_GRASPER_NEEDLE_DRIVER;
+    g->has = g->wants = VBSS_GRASPER_KIND_NEEDLE_DRIVER;
 }
 
 /* ---- in */
@@ -34,7 +34,7 @@ static void lead(grip *g, double h)
         length += displacement[i] * displacement[i];
     }
     length = sqrt(length);
-    g->joined = g->in.status != VBSS_DEVICE_LOST && (g->joined || length < JOINED);
+    g->joined = g->in.status != VBSS_DEVICE_STATUS_LOST && (g->joined || length < JOINED);
     double share = g->joined || length <= JOIN_SPEED * h ? 1.0 : JOIN_SPEED * h / length;
     for (int i = 0; i < 3; i++) {
         g->reported[i] += share * displacement[i];
@@ -58,23 +58,24 @@ static void find_tool(grip *g)
     uint32_t down = g->in.buttons & g->let_go, pressed = down & ~g->held;
     bool by_button = (g->in.valid & VBSS_DEVICE_HAS_JAW) != 0 && (pressed & EXCHANGES) != 0;
     bool reported = (g->in.events & VBSS_DEVICE_EVENT_TOOL) != 0;
-    bool shears = reported ? g->in.tool == VBSS_DEVICE_TOOL_SHEARS : g->has != VBSS_GRASPER_SHEARS;
+    bool shears =
+        reported ? g->in.tool == VBSS_DEVICE_TOOL_SHEARS : g->has != VBSS_GRASPER_KIND_SHEARS;
     g->held = down;
     g->exchanges = reported || by_button;
     if (g->exchanges) {
-        g->wants = shears ? VBSS_GRASPER_SHEARS : VBSS_GRASPER_NEEDLE_DRIVER;
+        g->wants = shears ? VBSS_GRASPER_KIND_SHEARS : VBSS_GRASPER_KIND_NEEDLE_DRIVER;
     }
 }
 
 vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *known)
 {
     TRY(vbss_device_read(device, now, &g->in, sizeof g->in));
-    *known = g->in.status != VBSS_DEVICE_WAITING;
+    *known = g->in.status != VBSS_DEVICE_STATUS_WAITING;
     if (!*known) {
         return VBSS_OK;
     }
     g->let_go |= ~g->in.buttons;
-    TRY(vbss_device_clutch(device, (g->in.buttons & g->let_go & CLUTCHES) != 0));
+    TRY(vbss_device_set_clutch(device, (g->in.buttons & g->let_go & CLUTCHES) != 0));
     lead(g, h);
     g->jaw = find_opening(g, h);
     find_tool(g);

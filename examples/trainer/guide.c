@@ -48,7 +48,7 @@ vbss_result guide_begin(guide *g, bool arm, bool handle, const vbss_device_calib
 
 void guide_see(guide *g, const vbss_device_input *in)
 {
-    if (g->arm && in->status != VBSS_DEVICE_READY) {
+    if (g->arm && in->status != VBSS_DEVICE_STATUS_READY) {
         return;
     }
     for (int i = 0; i < 3; i++) {

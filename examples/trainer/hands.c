@@ -19,10 +19,10 @@ typedef struct reader {
     uint32_t bodies[HANDS]; /* numbers of the graspers */
 } reader;
 
-static bool is_of_tool(const vbss_log_input *in)
+static bool is_of_tool(const vbss_record_input *in)
 {
-    return in->kind == VBSS_INPUT_MOVE_GRASPER || in->kind == VBSS_INPUT_SET_OPENING ||
-           in->kind == VBSS_INPUT_EXCHANGE;
+    return in->kind == VBSS_RECORD_INPUT_GRASPER_TARGET ||
+           in->kind == VBSS_RECORD_INPUT_SET_OPENING || in->kind == VBSS_RECORD_INPUT_EXCHANGE;
 }
 
 /* The two smallest numbers: right, left. */
@@ -40,18 +40,18 @@ static void meet(reader *r, uint32_t body)
     }
 }
 
-static void take(const reader *r, const vbss_log_input *in, reported now[HANDS])
+static void take(const reader *r, const vbss_record_input *in, reported now[HANDS])
 {
     for (int side = 0; side < HANDS; side++) {
         reported *t = &now[side];
         if (in->words[0] != r->bodies[side]) {
             continue;
         }
-        if (in->kind == VBSS_INPUT_SET_OPENING) {
+        if (in->kind == VBSS_RECORD_INPUT_SET_OPENING) {
             t->opening = in->numbers[0];
             continue;
         }
-        if (in->kind == VBSS_INPUT_EXCHANGE) {
+        if (in->kind == VBSS_RECORD_INPUT_EXCHANGE) {
             t->kind = (vbss_grasper_kind)in->words[1];
             continue;
         }
@@ -66,8 +66,8 @@ static void take(const reader *r, const vbss_log_input *in, reported now[HANDS])
 /* First who moves, then where to. */
 static vbss_result walk(reader *r, bool store)
 {
-    vbss_log_step step;
-    const reported begin = {.orientation = {1.0}, .kind = VBSS_GRASPER_NEEDLE_DRIVER};
+    vbss_replay_logged_step step;
+    const reported begin = {.orientation = {1.0}, .kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER};
     reported now[HANDS] = {begin, begin};
     for (uint64_t n = 1; n <= r->steps; n++) {
         TRY(vbss_replay_read(r->replay, n, &step, sizeof step));
@@ -108,11 +108,11 @@ static vbss_result read_log(vbss_context *context, const replay_log *log, score 
 {
     reader r = {.score = s};
     TRY(vbss_replay_create(context, log->data, log->count, &r.replay));
-    vbss_log_report report;
+    vbss_record_log_report report;
     vbss_replay_info info;
     TRY(vbss_replay_get_info(r.replay, &info, sizeof info));
     read_note(&info, s);
-    TRY(vbss_log_check(context, log->data, log->count, &report, sizeof report));
+    TRY(vbss_record_check_log(context, log->data, log->count, &report, sizeof report));
     r.steps = report.steps;
     TRY(walk(&r, false));
     if (r.bodies[RIGHT] == NO_BODY) {
@@ -179,7 +179,7 @@ reported follower_want(follower *f, double time)
     reported w = {.time = time,
                   .orientation = {1.0},
                   .opening = m.opening,
-                  .kind = VBSS_GRASPER_NEEDLE_DRIVER,
+                  .kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER,
                   .known = true};
     v_store(w.position, m.at);
     return w;
@@ -194,8 +194,8 @@ void follower_measure(void *user, double time, vbss_device_sample *sample)
     memcpy(sample->position, w.position, sizeof sample->position);
     memcpy(sample->orientation, w.orientation, sizeof sample->orientation);
     sample->jaw = w.opening;
-    sample->tool =
-        w.kind == VBSS_GRASPER_SHEARS ? VBSS_DEVICE_TOOL_SHEARS : VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
+    sample->tool = w.kind == VBSS_GRASPER_KIND_SHEARS ? VBSS_DEVICE_TOOL_SHEARS
+                                                      : VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
     sample->valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW |
                     VBSS_DEVICE_HAS_TOOL;
 }

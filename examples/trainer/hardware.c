@@ -181,7 +181,7 @@ static bool list_lines(vbss_context *context, const options *o)
 {
     char text[1024];
     const char *why;
-    if (vbss_nidaqmx_list(context, o->nidaq_library, text, sizeof text) != VBSS_OK) {
+    if (vbss_nidaqmx_list_devices(context, o->nidaq_library, text, sizeof text) != VBSS_OK) {
         (void)vbss_context_get_last_error(context, NULL, &why);
         printf("lines: %s\n", why);
         return false;

@@ -12,12 +12,12 @@ static const stand_in_hand soft_hand = {.mass = 0.1, .stiffness = 150.0, .dampin
                                .mass = 0.1, .stiffness = 2000.0, .damping = 28.0, .wrist = 0.01};
 
 static const fault_row rows[] = {
-    {"unplugged", STAND_IN_UNPLUGGED, -1, VBSS_MOCK_DISCONNECT, true, false, 0.0},
-    {"communication", STAND_IN_COMM_ERROR, -1, VBSS_MOCK_READ_FAILS, true, false, 0.0},
-    {"nan", STAND_IN_NAN_POSE, -1, VBSS_MOCK_NAN, true, false, 0.0},
-    {"warm", STAND_IN_WARM, -1, VBSS_MOCK_REFUSAL, true, false, 0.0},
+    {"unplugged", STAND_IN_UNPLUGGED, -1, VBSS_MOCK_FAULT_DISCONNECT, true, false, 0.0},
+    {"communication", STAND_IN_COMM_ERROR, -1, VBSS_MOCK_FAULT_READ_FAILS, true, false, 0.0},
+    {"nan", STAND_IN_NAN_POSE, -1, VBSS_MOCK_FAULT_NAN, true, false, 0.0},
+    {"warm", STAND_IN_WARM, -1, VBSS_MOCK_FAULT_REFUSAL, true, false, 0.0},
     {"too_fast", STAND_IN_TOO_FAST, -1, -1, true, false, 0.0},
-    {"stale", STAND_IN_STALLED, -1, VBSS_MOCK_STALL, true, true, 0.0},
+    {"stale", STAND_IN_STALLED, -1, VBSS_MOCK_FAULT_STALL, true, true, 0.0},
     {"constant", STAND_IN_CONSTANT, -1, -1, true, false, 0.0},
     {"lines_timeout", -1, STAND_IN_READ_TIMEOUT, -1, false, false, 0.0},
     {"lines_removed", -1, STAND_IN_REMOVED, -1, true, false, 0.0},

@@ -41,10 +41,10 @@ static const char *bar(double share, int length, char text[64])
 static const char *state_of(const hand_figures *h)
 {
     static const char *const names[] = {"waiting", "ready", "stale", "lost"};
-    return h->in.stopped != 0                                ? "STOPPED"
-           : h->in.clutched != 0                             ? "clutch"
-           : h->in.status == VBSS_DEVICE_READY && !h->joined ? "joining"
-                                                             : names[h->in.status];
+    return h->in.stopped != 0                                       ? "STOPPED"
+           : h->in.clutched != 0                                    ? "clutch"
+           : h->in.status == VBSS_DEVICE_STATUS_READY && !h->joined ? "joining"
+                                                                    : names[h->in.status];
 }
 
 static void show_hand(const task *t, const figures *f, int side)

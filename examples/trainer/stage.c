@@ -36,7 +36,7 @@ static vbss_result add_tool(stage *s, int side, vec start)
     c.driver_radius = side == RIGHT ? FINE : c.driver_radius;
     c.driver_neck = side == LEFT ? NECK : c.driver_neck;
     TRY(vbss_grasper_create(s->context, &c, &s->tools[side]));
-    TRY(vbss_grasper_move(s->tools[side], at, NULL));
+    TRY(vbss_grasper_set_target(s->tools[side], at, NULL));
     TRY(vbss_grasper_set_opening(s->tools[side], WIDE));
     return vbss_scene_add_grasper(s->scene, s->tools[side], &s->bodies[side]);
 }
@@ -54,8 +54,8 @@ static vbss_result create_table(stage *s)
     c.floor = 1;
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;
-    c.work_limit = s->limits.work > 0 ? (uint32_t)s->limits.work : c.work_limit;
-    c.slot_limit = (uint32_t)s->limits.slot;
+    c.step_budget = s->limits.work > 0 ? (uint32_t)s->limits.work : c.step_budget;
+    c.call_budget = (uint32_t)s->limits.slot;
     TRY(vbss_scene_create(s->context, &c, &s->scene));
     TRY(vbss_needle_config_init(&n, sizeof n));
     n.gravity[2] = GRAVITY;

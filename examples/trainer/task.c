@@ -24,7 +24,7 @@ static vbss_result read_hand(task *t, int side)
     if (!known) {
         return VBSS_OK;
     }
-    TRY(vbss_grasper_move(tool, g->reported, g->in.orientation));
+    TRY(vbss_grasper_set_target(tool, g->reported, g->in.orientation));
     if (g->exchanges) {
         TRY(vbss_grasper_exchange(tool, g->wants));
     }
@@ -143,7 +143,7 @@ static void end_hand(task *t, int side)
         f->old = s.pose_stale;
         f->refused = s.out_of_order[0] + s.not_finite[0] + s.out_of_range[0] + s.not_unit[0];
     }
-    (void)vbss_device_stop(device);
+    (void)vbss_device_latch_emergency_stop(device);
 }
 
 void *task_run(void *user)

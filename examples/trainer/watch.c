@@ -165,7 +165,7 @@ vbss_result task_rehearse(task *t)
         return VBSS_OK;
     }
     if (t->hardware.nidaqmx != NULL && t->now.slots % 2 == 0) { /* as its thread does */
-        TRY(vbss_nidaqmx_pump(t->hardware.nidaqmx, t->now.time));
+        TRY(vbss_nidaqmx_poll(t->hardware.nidaqmx, t->now.time));
     }
     rehearsal_tick(&t->rehearsal);
     return VBSS_OK;

@@ -46,9 +46,9 @@ static const char *words_of_hold(const vbss_grasper_state *tool)
 static const char *words_of_device(const vbss_device_input *in, bool joined)
 {
     static const char *const names[] = {"waiting", "ready", "OLD POSE", "LOST"};
-    return in->clutched != 0                            ? "clutch"
-           : in->status == VBSS_DEVICE_READY && !joined ? "tool comes to the hand"
-                                                        : names[in->status];
+    return in->clutched != 0                                   ? "clutch"
+           : in->status == VBSS_DEVICE_STATUS_READY && !joined ? "tool comes to the hand"
+                                                               : names[in->status];
 }
 
 /* What is wrong with a device is said large enough: the tool no longer does what the hand does. */
@@ -57,7 +57,7 @@ static void put_device(playing *p, int side, float y)
     show *s = &p->show;
     const grip *g = &p->live.grips[side];
     const vbss_device_input *in = &g->in;
-    const bool ill = in->stopped != 0 || in->status >= VBSS_DEVICE_STALE;
+    const bool ill = in->stopped != 0 || in->status >= VBSS_DEVICE_STATUS_STALE;
     char line[300], why[120] = "";
     if (ill) {
         arms_explain(p->arms, side, why, sizeof why);

@@ -93,7 +93,7 @@ static vbss_result report_tool(const live *l, int side, const double at[3], cons
 {
     vbss_record *record = l->stage.rig->record;
     const uint32_t body = l->hands[side].body;
-    TRY(vbss_record_move_grasper(record, body, at, turned));
+    TRY(vbss_record_set_grasper_target(record, body, at, turned));
     return vbss_record_set_opening(record, body, opening);
 }
 

@@ -158,7 +158,7 @@ void mouse_hand_pull(mouse_hand *m, const double axes[6], double grain)
 vbss_result mouse_hand_clutch(mouse_hand *m, bool held)
 {
     m->clutched = held;
-    return vbss_device_clutch(m->device, held);
+    return vbss_device_set_clutch(m->device, held);
 }
 
 vbss_result mouse_hand_read(mouse_hand *m, double now)

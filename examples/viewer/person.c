@@ -60,7 +60,7 @@ static void release(playing *p)
 {
     for (int side = 0; side < SIDES; side++) {
         if (live_by_device(&p->live, side)) {
-            (void)vbss_device_release(arms_device(p->arms, side));
+            (void)vbss_device_clear_emergency_stop(arms_device(p->arms, side));
         }
     }
 }

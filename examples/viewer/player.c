@@ -15,11 +15,11 @@ static bool reported(const char *path, const char *what, const char *why)
 static vbss_result begin(player *p, vbss_context *reader)
 {
     vbss_replay_info info;
-    vbss_log_report report;
+    vbss_record_log_report report;
     vbss_replay *first;
     TRY(vbss_replay_create(reader, p->log.data, p->log.count, &first));
     TRY(vbss_replay_get_info(first, &info, sizeof info));
-    TRY(vbss_log_check(reader, p->log.data, p->log.count, &report, sizeof report));
+    TRY(vbss_record_check_log(reader, p->log.data, p->log.count, &report, sizeof report));
     p->steps = report.steps;
     p->length = report.time;
     p->whole = report.fault_count == 0;
@@ -73,13 +73,13 @@ static vbss_result read_time(player *p)
 
 bool player_step(player *p)
 {
-    vbss_replay_report report = {.outcome = VBSS_REPLAY_STEPPED, .step = p->step};
+    vbss_replay_report report = {.outcome = VBSS_REPLAY_OUTCOME_STEPPED, .step = p->step};
     bool agrees;
     if (p->step >= p->steps || p->differs) {
         return false;
     }
     vbss_result result = stage_step(&p->stage, p->replay, &report, &agrees);
-    if (result != VBSS_OK || report.outcome != VBSS_REPLAY_STEPPED) {
+    if (result != VBSS_OK || report.outcome != VBSS_REPLAY_OUTCOME_STEPPED) {
         return differ(p, result);
     }
     p->step++;

@@ -102,7 +102,8 @@ static void draw_part(const uint32_t *part)
 /* Tools are led from behind the camera: one before the lens would hide what the other one does. */
 static float clear_of(const uint32_t *part, const camera *c)
 {
-    return part[0] == VBSS_VISUAL_DRIVER || part[0] == VBSS_VISUAL_SHEARS ? c->clear : 0.0F;
+    return part[0] == VBSS_VISUAL_KIND_DRIVER || part[0] == VBSS_VISUAL_KIND_SHEARS ? c->clear
+                                                                                    : 0.0F;
 }
 
 static void draw_shadows(const renderer *r, const meshes *m, const camera_view *view,
@@ -112,7 +113,7 @@ static void draw_shadows(const renderer *r, const meshes *m, const camera_view *
     const uint32_t *parts = m->parts.data;
     for (uint64_t i = 0; i < m->parts.count; i++) {
         shadow_clear(&r->shadow, view->lamp, clear_of(parts + PART_WORDS * i, c));
-        if (parts[PART_WORDS * i] != VBSS_VISUAL_FLOOR) { /* which is below everything */
+        if (parts[PART_WORDS * i] != VBSS_VISUAL_KIND_FLOOR) { /* which is below everything */
             draw_part(parts + PART_WORDS * i);
         }
     }
@@ -130,7 +131,7 @@ static void set_decals(const renderer *r, const meshes *m, uint64_t part)
     float decals[MAX_DECALS][4];
     GLint count = 0, marks = 0;
     const float *rows = m->decals.data;
-    for (int kind = VBSS_SPOT_MARK; kind <= VBSS_SPOT_HOLE; kind++) {
+    for (int kind = VBSS_VISUAL_SPOT_MARK; kind <= VBSS_VISUAL_SPOT_HOLE; kind++) {
         for (uint64_t i = 0; i < m->decals.count && count < MAX_DECALS; i++) {
             const float *row = rows + DECAL_FLOATS * i;
             if ((uint64_t)row[0] == part && (int)row[1] == kind) {
@@ -140,7 +141,7 @@ static void set_decals(const renderer *r, const meshes *m, uint64_t part)
                 count++;
             }
         }
-        marks = kind == VBSS_SPOT_MARK ? count : marks;
+        marks = kind == VBSS_VISUAL_SPOT_MARK ? count : marks;
     }
     glUniform1i(named(r, "spot_count"), count);
     glUniform1i(named(r, "mark_count"), marks);

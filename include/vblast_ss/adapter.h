@@ -38,7 +38,8 @@ enum {
 enum {
     /** The hardware is missing: unplugged, or its driver has failed. */
     VBSS_DEVICE_FLAG_LOST = 1,
-    VBSS_DEVICE_FLAG_STOP = 2, /**< Emergency stop; it latches as #vbss_device_stop does. */
+    VBSS_DEVICE_FLAG_STOP =
+        2, /**< Emergency stop; it latches as #vbss_device_latch_emergency_stop does. */
     /** The hardware refuses forces for now; all outputs are off while this bit is set. */
     VBSS_DEVICE_FLAG_FAULT = 4,
     /** The hardware is too slow to switch outputs off within vbss_output_result::expires. `explain`

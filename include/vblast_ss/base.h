@@ -100,18 +100,18 @@ typedef int32_t vbss_method;
 
 /** The constants of #vbss_method. */
 enum {
-    VBSS_METHOD_OURS = 0, /**< The library's own method, the default. */
-    VBSS_METHOD_PAPER = 1 /**< The method of VBLaST-SS (Qi et al. 2017), as a baseline. */
+    VBSS_METHOD_IMPLICIT = 0, /**< The library's own method, the default. */
+    VBSS_METHOD_VBLAST = 1    /**< The method of VBLaST-SS (Qi et al. 2017), as a baseline. */
 };
 
-/** Type of the values of a view: a VBSS_TYPE_ constant. */
-typedef int32_t vbss_type;
+/** Type of the values of a view: a VBSS_VIEW_TYPE_ constant. */
+typedef int32_t vbss_view_type;
 
-/** The constants of #vbss_type. */
+/** The constants of #vbss_view_type. */
 enum {
-    VBSS_TYPE_F64 = 1, /**< double */
-    VBSS_TYPE_U32 = 2, /**< uint32_t */
-    VBSS_TYPE_F32 = 3  /**< float, of 32 bits; only in meshes for drawing */
+    VBSS_VIEW_TYPE_F64 = 1, /**< double */
+    VBSS_VIEW_TYPE_U32 = 2, /**< uint32_t */
+    VBSS_VIEW_TYPE_F32 = 3  /**< float, of 32 bits; only in meshes for drawing */
 };
 
 /**
@@ -121,7 +121,7 @@ enum {
  */
 typedef struct vbss_view {
     uint32_t struct_size;  /**< Bytes of this struct that the library filled. */
-    vbss_type type;        /**< Type of each value. */
+    vbss_view_type type;   /**< Type of each value. */
     uint32_t components;   /**< Number of values in an item, such as 3 for a vector. */
     uint32_t stride_bytes; /**< Distance from one item to the next, bytes. */
     uint64_t count;        /**< Number of items. */
@@ -154,7 +154,7 @@ typedef void *(*vbss_allocate_fn)(void *user, uint64_t size, uint64_t alignment)
  * @param size       its size at allocation, bytes
  * @param alignment  its alignment at allocation, bytes
  */
-typedef void (*vbss_release_fn)(void *user, void *block, uint64_t size, uint64_t alignment);
+typedef void (*vbss_deallocate_fn)(void *user, void *block, uint64_t size, uint64_t alignment);
 
 /**
  * Receives log messages, on the thread that called the library. The function must return (no
@@ -173,7 +173,7 @@ typedef struct vbss_context_config {
     /** Allocator; NULL (default): the C library; set both functions or neither. */
     vbss_allocate_fn allocate;
     /** Counterpart of allocate; NULL (default): the C library; set both functions or neither. */
-    vbss_release_fn release;
+    vbss_deallocate_fn deallocate;
     void *allocator_user; /**< Pointer that allocate and release receive; may be NULL. */
     vbss_log_fn log;      /**< Function for log messages; NULL (default): messages are dropped. */
     void *log_user;       /**< Pointer that log receives; may be NULL. */

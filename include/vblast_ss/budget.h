@@ -2,12 +2,12 @@
  * @file budget.h
  * @brief Work limits of a scene that fit the processor: a measurement, and limits computed from it.
  *
- * A real-time scene limits its work in operations (vbss_scene_config::work_limit and
- * vbss_scene_config::slot_limit), so that its results are the same on every machine. How long an
+ * A real-time scene limits its work in operations (vbss_scene_config::step_budget and
+ * vbss_scene_config::call_budget), so that its results are the same on every machine. How long an
  * operation takes depends on the processor. A host measures the speed of its core once, before it
  * creates a scene, and sets the limits of the configuration from that speed:
  *
- *     vbss_core_speed speed;
+ *     vbss_budget_speed speed;
  *     vbss_budget_config budget;
  *     vbss_scene_config config;
  *     vbss_budget_measure_speed(context, seconds, NULL, &speed, sizeof speed);
@@ -35,13 +35,13 @@
  * @param user  the pointer that the host has passed with the function; may be NULL
  * @return time since any fixed moment, s; it never runs backwards
  */
-typedef double (*vbss_clock_fn)(void *user);
+typedef double (*vbss_budget_clock_fn)(void *user);
 
 /** Speed of the processor core on which a measurement ran. */
-typedef struct vbss_core_speed {
+typedef struct vbss_budget_speed {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t steps;       /**< Number of timed steps of the fixed scene. */
-    /** Speed in operations, as vbss_scene_config::work_limit counts them, per microsecond; > 0. A few
+    /** Speed in operations, as vbss_scene_config::step_budget counts them, per microsecond; > 0. A few
      * hundred on a core of 2.6 GHz. A quarter of the steps were at least as fast. Steps that other
      * programs have interrupted do not affect it, as long as they are fewer than three quarters. */
     double operations_per_microsecond;
@@ -49,7 +49,7 @@ typedef struct vbss_core_speed {
      * means that other programs have often interrupted the measurement. */
     double spread;
     double duration; /**< Time of all timed steps on the host's clock, s. */
-} vbss_core_speed;
+} vbss_budget_speed;
 
 /** Time that a call of #vbss_scene_step may take. Fill it with #vbss_budget_config_init, then set
  * the speed. */
@@ -94,8 +94,8 @@ extern "C" {
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_budget_measure_speed(vbss_context *context, vbss_clock_fn clock,
-                                               void *user, vbss_core_speed *speed,
+VBSS_API vbss_result vbss_budget_measure_speed(vbss_context *context, vbss_budget_clock_fn clock,
+                                               void *user, vbss_budget_speed *speed,
                                                uint32_t struct_size);
 
 /**
@@ -124,9 +124,9 @@ static inline vbss_budget_config vbss_budget_config_default(void)
 }
 
 /**
- * Sets `work_limit` and `slot_limit` of a scene's configuration, so that the operations of a call
- * take the given share of its slot. slot_limit is the number of operations that the core does in
- * that time, and work_limit is 25/21 of it, as in the defaults. Both are at most the defaults
+ * Sets `step_budget` and `call_budget` of a scene's configuration, so that the operations of a call
+ * take the given share of its slot. call_budget is the number of operations that the core does in
+ * that time, and step_budget is 25/21 of it, as in the defaults. Both are at most the defaults
  * (250000 and 210000), unless `allows_more` is set; then they are at most 2500000 and 2100000. They are
  * at least 50000 and 42000: a step with less work completes hardly any motion. A core that is too
  * slow for this floor causes a warning in the log, and calls exceed their share of the slot.

@@ -3,15 +3,15 @@
  * @brief Closest points, continuous collision tests, and the search for candidate pairs.
  *
  * There are three interfaces, each usable alone:
- * - pure functions for one question: #vbss_closest_segments and its kin, #vbss_edges_test,
- *   #vbss_point_triangle_test;
+ * - pure functions for one question: #vbss_collision_closest_segments and its kin, #vbss_collision_test_edges,
+ *   #vbss_collision_test_point_triangle;
  * - batches of questions in rows: #vbss_collision_test_batch;
- * - shapes (chains, capsules, triangle meshes) that move: #vbss_collision_move, then
+ * - shapes (chains, capsules, triangle meshes) that move: #vbss_collision_set_motion, then
  *   #vbss_collision_find_candidates, then #vbss_collision_find_impacts.
  *
  * A continuous test asks whether two features, whose vertices move evenly from their start to their end
  * positions from time 0 to time 1, come within the contact distance D of each other. With
- * VBSS_COLLISION_CONSERVATIVE a miss is a proof, rounding included: docs/collision.md.
+ * VBSS_COLLISION_METHOD_CONSERVATIVE a miss is a proof, rounding included: docs/collision.md.
  *
  * Coordinates are at most 1e30 in magnitude; D is zero or from 1e-30 to 1e30. Lengths are in m, but
  * only the default unit of the paper's method depends on it.
@@ -26,50 +26,51 @@
 /** Shapes, their candidates and impacts, batches, counters. */
 typedef struct vbss_collision vbss_collision;
 
-/** How continuous tests decide: a VBSS_COLLISION_ constant. */
+/** How continuous tests decide: a VBSS_COLLISION_METHOD_ constant. */
 typedef int32_t vbss_collision_method;
 
 /** The constants of #vbss_collision_method. */
 enum {
     /** Directional conservative advancement, the default: never misses. For D = 0, hits and misses are
      * exact. */
-    VBSS_COLLISION_CONSERVATIVE = 0,
+    VBSS_COLLISION_METHOD_CONSERVATIVE = 0,
     /** The usual method: roots of the coplanarity cubic, an inside test at each root, and the distance at
      * the end. May miss. */
-    VBSS_COLLISION_CUBIC = 1,
+    VBSS_COLLISION_METHOD_CUBIC = 1,
     /** Algorithm 1 of VBLaST-SS (Qi et al. 2017): distance at the end, then a sign test and a linear time
      * of impact. Often misses. */
-    VBSS_COLLISION_PAPER = 2
+    VBSS_COLLISION_METHOD_VBLAST = 2
 };
 
-/** Kinds of the two features of a continuous test: a VBSS_PAIR_ constant. */
-typedef int32_t vbss_pair_kind;
+/** Kinds of the two features of a continuous test: a VBSS_COLLISION_PAIR_ constant. */
+typedef int32_t vbss_collision_pair_kind;
 
-/** The constants of #vbss_pair_kind, with their four vertices. */
+/** The constants of #vbss_collision_pair_kind, with their four vertices. */
 enum {
-    VBSS_PAIR_EDGE_EDGE = 0,     /**< a0, a1 of edge a, then b0, b1 of edge b. */
-    VBSS_PAIR_POINT_TRIANGLE = 1 /**< The point (a), then b0, b1, b2 of the triangle. */
+    VBSS_COLLISION_PAIR_EDGE_EDGE = 0,     /**< a0, a1 of edge a, then b0, b1 of edge b. */
+    VBSS_COLLISION_PAIR_POINT_TRIANGLE = 1 /**< The point (a), then b0, b1, b2 of the triangle. */
 };
 
-/** Evidence for an answer: a VBSS_DECISION_ constant. */
-typedef int32_t vbss_decision;
+/** Evidence for an answer: a VBSS_COLLISION_DECISION_ constant. */
+typedef int32_t vbss_collision_decision;
 
-/** The constants of #vbss_decision. */
+/** The constants of #vbss_collision_decision. */
 enum {
     /** Miss: planes that separate the features by more than D at all times. Hit: at `time` the
      * distance is at most D plus the tolerance. */
-    VBSS_DECISION_PROVED = 0,
-    VBSS_DECISION_EXACT = 1, /**< D = 0: true for the given numbers, without any tolerance. */
+    VBSS_COLLISION_DECISION_PROVED = 0,
+    VBSS_COLLISION_DECISION_EXACT =
+        1, /**< D = 0: true for the given numbers, without any tolerance. */
     /** Neither could be shown, so the answer is a hit. D > 0: the test reached pass_limit, or no direction
      * was exact enough, which takes a D below about 1e-8 of the size. D = 0: the bits of the coordinates
      * spread over more binary places than there is memory for. A call without an object has memory for
      * about 250 places; with an object, all doubles tried so far have fitted. */
-    VBSS_DECISION_UNDECIDED = 2,
-    VBSS_DECISION_CLAIMED = 3 /**< CUBIC and PAPER: not proved. */
+    VBSS_COLLISION_DECISION_UNDECIDED = 2,
+    VBSS_COLLISION_DECISION_CLAIMED = 3 /**< CUBIC and VBLAST: not proved. */
 };
 
 /** Two closest points. */
-typedef struct vbss_closest {
+typedef struct vbss_collision_closest {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
     double distance;     /**< Distance, m; minus the penetration depth for capsules that overlap. */
@@ -78,31 +79,31 @@ typedef struct vbss_closest {
     double point_b[3];   /**< On b, m. */
     double weights_a[3]; /**< Weights of the vertices of a, or of its axis, that give point_a. */
     double weights_b[3]; /**< Weights of the vertices of b, or of its axis, that give point_b. */
-} vbss_closest;
+} vbss_collision_closest;
 
 /** Result of a continuous test. */
-typedef struct vbss_impact {
-    uint32_t struct_size;   /**< Bytes of this struct that the library filled. */
-    int32_t hit;            /**< 1: they come within D; 0: they do not. */
-    vbss_decision decision; /**< Evidence for `hit`. */
-    uint32_t passes;        /**< CONSERVATIVE: evaluations of the closest points; else of roots. */
+typedef struct vbss_collision_impact {
+    uint32_t struct_size;             /**< Bytes of this struct that the library filled. */
+    int32_t hit;                      /**< 1: they come within D; 0: they do not. */
+    vbss_collision_decision decision; /**< Evidence for `hit`. */
+    uint32_t passes; /**< CONSERVATIVE: evaluations of the closest points; else of roots. */
     /** Hit: 0 to 1; with CONSERVATIVE there is no contact before. PROVED: at `time` the features are within
      * D plus the tolerance. EXACT: `time` is as near to the first contact as the advancement came.
      * `distance` says how near: about 1e-14 of the size, but more where features graze. Miss: 1. */
     double time;
-    /** Hit: distance of the features at `time`, m; CUBIC and PAPER: distance of the assumed points of
+    /** Hit: distance of the features at `time`, m; CUBIC and VBLAST: distance of the assumed points of
      * contact. Miss: 0. */
     double distance;
     double normal[3];  /**< Hit: unit vector from a to b, or zero if none is known. Miss: 0. */
     double weights[4]; /**< Hit: weights of the four vertices, sum 1 on either feature. Miss: 0. */
     double point_a[3]; /**< Hit: point on a at `time`, m. Miss: 0. */
     double point_b[3]; /**< Hit: point on b at `time`, m. Miss: 0. */
-} vbss_impact;
+} vbss_collision_impact;
 
 /** Method of the tests, and capacities. Fill it with #vbss_collision_config_init. */
 typedef struct vbss_collision_config {
     uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
-    vbss_collision_method method; /**< Default VBSS_COLLISION_CONSERVATIVE. */
+    vbss_collision_method method; /**< Default VBSS_COLLISION_METHOD_CONSERVATIVE. */
     /** Contact distance D, m: 0, or 1e-30 to 1e30; default 0. Between shapes their radii are added. */
     double thickness;
     /** Share of D, 1e-12 to 1; default 1e-3. A test may report a hit for features that only come within
@@ -124,26 +125,26 @@ typedef struct vbss_collision_config {
     double exclusion;
     /** Added to D in the search for candidates, m, 0 to 1e3; default 0. */
     double margin;
-    /** PAPER: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in paper_unit^4; 0 to 1;
+    /** VBLAST: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in paper_unit^4; 0 to 1;
      * default 1e-6. */
     double paper_parallel;
-    double paper_unit; /**< PAPER: unit of length, m, 1e-9 to 1e3; default 1e-3. */
+    double paper_unit; /**< VBLAST: unit of length, m, 1e-9 to 1e3; default 1e-3. */
 } vbss_collision_config;
 
 /** Questions in rows, answers in rows. Fill it with #vbss_collision_batch_init. */
 typedef struct vbss_collision_batch {
-    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    vbss_pair_kind kind;  /**< Kinds of the features of all questions. */
-    uint32_t count;       /**< Questions, at most 1e8. */
-    uint32_t stride;      /**< Elements from one row to the next in every array, at least count. */
+    uint32_t struct_size;          /**< Size of this struct in bytes, set by the init function. */
+    vbss_collision_pair_kind kind; /**< Kinds of the features of all questions. */
+    uint32_t count;                /**< Questions, at most 1e8. */
+    uint32_t stride; /**< Elements from one row to the next in every array, at least count. */
     /** Positions at time 0, m. 12 rows: x of vertex 0 of every question, y of vertex 0, z, x of vertex 1,
      * and so on. No two arrays of a batch overlap. */
     const double *start;
     const double *end;       /**< Positions at time 1, m, in rows as for `start`. */
     const double *thickness; /**< D of each question, m; NULL: D of the configuration. */
-    int32_t *hit;            /**< Receives #vbss_impact.hit of each question. */
-    int32_t *decision;       /**< Receives #vbss_impact.decision; may be NULL. */
-    double *time;            /**< Receives #vbss_impact.time; may be NULL. */
+    int32_t *hit;            /**< Receives #vbss_collision_impact.hit of each question. */
+    int32_t *decision;       /**< Receives #vbss_collision_impact.decision; may be NULL. */
+    double *time;            /**< Receives #vbss_collision_impact.time; may be NULL. */
     double *normal;          /**< Receives 3 rows; may be NULL. */
     double *weights;         /**< Receives 4 rows; may be NULL. */
 } vbss_collision_batch;
@@ -153,15 +154,15 @@ typedef int32_t vbss_collision_field;
 
 /** The constants of #vbss_collision_field. */
 enum {
-    /** x 5 uint32_t: #vbss_pair_kind, shape and feature a, shape and feature b. A feature is an edge, a
+    /** x 5 uint32_t: #vbss_collision_pair_kind, shape and feature a, shape and feature b. A feature is an edge, a
      * point (node) or a triangle. Sorted by these five numbers. */
     VBSS_COLLISION_VIEW_CANDIDATES = 0,
     VBSS_COLLISION_VIEW_IMPACTS = 1,   /**< uint32_t: index of the candidate, ascending. */
-    VBSS_COLLISION_VIEW_TIMES = 2,     /**< #vbss_impact.time. */
-    VBSS_COLLISION_VIEW_NORMALS = 3,   /**< x 3: #vbss_impact.normal. */
-    VBSS_COLLISION_VIEW_WEIGHTS = 4,   /**< x 4: #vbss_impact.weights. */
-    VBSS_COLLISION_VIEW_DECISIONS = 5, /**< uint32_t: #vbss_impact.decision. */
-    VBSS_COLLISION_VIEW_DISTANCES = 6  /**< #vbss_impact.distance, m. */
+    VBSS_COLLISION_VIEW_TIMES = 2,     /**< #vbss_collision_impact.time. */
+    VBSS_COLLISION_VIEW_NORMALS = 3,   /**< x 3: #vbss_collision_impact.normal. */
+    VBSS_COLLISION_VIEW_WEIGHTS = 4,   /**< x 4: #vbss_collision_impact.weights. */
+    VBSS_COLLISION_VIEW_DECISIONS = 5, /**< uint32_t: #vbss_collision_impact.decision. */
+    VBSS_COLLISION_VIEW_DISTANCES = 6  /**< #vbss_collision_impact.distance, m. */
 };
 
 /** Counters of a collision object since its creation. Searches and tests that fail are not counted. */
@@ -175,25 +176,25 @@ typedef struct vbss_collision_statistics {
     uint64_t undecided;        /**< Continuous tests that were undecided. */
     uint64_t exact;            /**< Tests that needed exact arithmetic. */
     uint64_t passes;           /**< CONSERVATIVE: evaluations of the closest points. */
-    uint64_t sign_tests_ended; /**< PAPER: tests ended by the sign of w.w'. */
+    uint64_t sign_tests_ended; /**< VBLAST: tests ended by the sign of w.w'. */
     uint64_t boxes_tested; /**< Pairs of boxes that the searches tested; not part of the state. */
     uint64_t searches;     /**< Searches for candidates. */
 } vbss_collision_statistics;
 
-/** Direction and depth of the paper's response: a VBSS_RESPONSE_ constant. */
-typedef int32_t vbss_response_variant;
+/** Direction and depth of the paper's response: a VBSS_COLLISION_RESPONSE_ constant. */
+typedef int32_t vbss_collision_response_variant;
 
-/** The constants of #vbss_response_variant. */
+/** The constants of #vbss_collision_response_variant. */
 enum {
     /** Algorithm 2 as printed: along the shortest vector at the end of the step. */
-    VBSS_RESPONSE_END_OF_STEP = 0,
+    VBSS_COLLISION_RESPONSE_END_OF_STEP = 0,
     /** Along the normal at the time of impact, by D: the features are then D apart in the positions of that
      * time. */
-    VBSS_RESPONSE_TIME_OF_IMPACT = 1
+    VBSS_COLLISION_RESPONSE_TIME_OF_IMPACT = 1
 };
 
 /** Displacements by the paper's response. */
-typedef struct vbss_response {
+typedef struct vbss_collision_response {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     /** 1: the paper leaves this case open, and a rule of docs/paper-collision.md was used. Examples are no
      * relative motion along the direction, and features that meet at the end. */
@@ -202,7 +203,7 @@ typedef struct vbss_response {
     double depth;            /**< u: distance to restore along q, m. */
     double share_a;          /**< Share of u that a moves along q; b moves -(1 - share_a) u q. */
     double displacement[12]; /**< Displacements of the four vertices at time 1, m. */
-} vbss_response;
+} vbss_collision_response;
 
 #ifdef __cplusplus
 extern "C" {
@@ -222,8 +223,9 @@ extern "C" {
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_closest_segments(const double a[6], const double b[6],
-                                           vbss_closest *closest, uint32_t struct_size);
+VBSS_API vbss_result vbss_collision_closest_segments(const double a[6], const double b[6],
+                                                     vbss_collision_closest *closest,
+                                                     uint32_t struct_size);
 
 /**
  * Closest points of a point (a) and a triangle (b). A triangle without area is its edges.
@@ -232,12 +234,14 @@ VBSS_API vbss_result vbss_closest_segments(const double a[6], const double b[6],
  * @param triangle      three corners, m
  * @param[out] closest  receives points, distance, normal
  * @param struct_size   `sizeof *closest` as the caller was compiled
- * @return as #vbss_closest_segments
+ * @return as #vbss_collision_closest_segments
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_closest_point_triangle(const double point[3], const double triangle[9],
-                                                 vbss_closest *closest, uint32_t struct_size);
+VBSS_API vbss_result vbss_collision_closest_point_triangle(const double point[3],
+                                                           const double triangle[9],
+                                                           vbss_collision_closest *closest,
+                                                           uint32_t struct_size);
 
 /**
  * Closest points of a segment (a) and a triangle (b); distance 0 where the segment goes through.
@@ -246,13 +250,14 @@ VBSS_API vbss_result vbss_closest_point_triangle(const double point[3], const do
  * @param triangle      three corners, m
  * @param[out] closest  receives points, distance, normal
  * @param struct_size   `sizeof *closest` as the caller was compiled
- * @return as #vbss_closest_segments
+ * @return as #vbss_collision_closest_segments
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_closest_segment_triangle(const double segment[6],
-                                                   const double triangle[9], vbss_closest *closest,
-                                                   uint32_t struct_size);
+VBSS_API vbss_result vbss_collision_closest_segment_triangle(const double segment[6],
+                                                             const double triangle[9],
+                                                             vbss_collision_closest *closest,
+                                                             uint32_t struct_size);
 
 /**
  * Closest points of the surfaces of two capsules, on the line between the closest points of their axes.
@@ -265,13 +270,14 @@ VBSS_API vbss_result vbss_closest_segment_triangle(const double segment[6],
  * @param radius_b      m, 0 to 1e30
  * @param[out] closest  receives points, distance, normal; weights are those of the axes' points
  * @param struct_size   `sizeof *closest` as the caller was compiled
- * @return as #vbss_closest_segments
+ * @return as #vbss_collision_closest_segments
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_closest_capsules(const double a[6], double radius_a, const double b[6],
-                                           double radius_b, vbss_closest *closest,
-                                           uint32_t struct_size);
+VBSS_API vbss_result vbss_collision_closest_capsules(const double a[6], double radius_a,
+                                                     const double b[6], double radius_b,
+                                                     vbss_collision_closest *closest,
+                                                     uint32_t struct_size);
 
 /* ---- continuous tests */
 
@@ -315,9 +321,9 @@ static inline vbss_collision_config vbss_collision_config_default(void)
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_edges_test(const vbss_collision_config *config, const double start[12],
-                                     const double end[12], vbss_impact *impact,
-                                     uint32_t struct_size);
+VBSS_API vbss_result vbss_collision_test_edges(const vbss_collision_config *config,
+                                               const double start[12], const double end[12],
+                                               vbss_collision_impact *impact, uint32_t struct_size);
 
 /**
  * Tests whether a moving point and a moving triangle come within D of each other. Needs no object.
@@ -327,13 +333,15 @@ VBSS_API vbss_result vbss_edges_test(const vbss_collision_config *config, const 
  * @param end          these vertices at time 1, m
  * @param[out] impact  receives the answer
  * @param struct_size  `sizeof *impact` as the caller was compiled
- * @return as #vbss_edges_test
+ * @return as #vbss_collision_test_edges
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_point_triangle_test(const vbss_collision_config *config,
-                                              const double start[12], const double end[12],
-                                              vbss_impact *impact, uint32_t struct_size);
+VBSS_API vbss_result vbss_collision_test_point_triangle(const vbss_collision_config *config,
+                                                        const double start[12],
+                                                        const double end[12],
+                                                        vbss_collision_impact *impact,
+                                                        uint32_t struct_size);
 
 /**
  * Computes the paper's response to a hit (algorithm 2): displacements of the four vertices at the
@@ -360,11 +368,11 @@ VBSS_API vbss_result vbss_point_triangle_test(const vbss_collision_config *confi
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_variant variant,
-                                         const vbss_impact *impact, const double start[12],
-                                         const double end[12], double thickness,
-                                         const double inverse_masses[4], vbss_response *response,
-                                         uint32_t struct_size);
+VBSS_API vbss_result vbss_collision_get_vblast_response(
+    vbss_collision_pair_kind kind, vbss_collision_response_variant variant,
+    const vbss_collision_impact *impact, const double start[12], const double end[12],
+    double thickness, const double inverse_masses[4], vbss_collision_response *response,
+    uint32_t struct_size);
 
 /* ---- the object */
 
@@ -409,9 +417,9 @@ VBSS_API vbss_result vbss_collision_destroy(vbss_collision *collision);
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_kind kind,
+VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_collision_pair_kind kind,
                                          const double start[12], const double end[12],
-                                         vbss_impact *impact, uint32_t struct_size);
+                                         vbss_collision_impact *impact, uint32_t struct_size);
 
 /**
  * Fills a batch with the defaults: no questions.
@@ -458,7 +466,7 @@ VBSS_API vbss_result vbss_collision_test_batch(vbss_collision *collision,
 /**
  * Adds a chain of capsules, such as a thread: node_count nodes, edge i joins the nodes i and i + 1.
  * The call clears candidates and impacts, as with any new shape. It allocates. The nodes are at the origin
- * until #vbss_collision_move.
+ * until #vbss_collision_set_motion.
  *
  * @param collision     the object
  * @param node_count    2 to 65537
@@ -477,7 +485,7 @@ VBSS_API vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_
 
 /**
  * Adds capsules that move independently and collide with each other: edge i joins the nodes 2 i and
- * 2 i + 1. The call allocates. The nodes are at the origin until #vbss_collision_move.
+ * 2 i + 1. The call allocates. The nodes are at the origin until #vbss_collision_set_motion.
  *
  * @param collision      the object
  * @param capsule_count  1 to 32768
@@ -493,7 +501,7 @@ VBSS_API vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint
 /**
  * Adds a triangle mesh, open or closed. Its edges are those of its triangles, each once, sorted by
  * their two nodes. Features that share a node are never candidates. The call allocates. The nodes are
- * at the origin until #vbss_collision_move.
+ * at the origin until #vbss_collision_set_motion.
  *
  * @param collision       the object
  * @param node_count      3 to 65536
@@ -551,9 +559,9 @@ VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape,
-                                         const double *start, const double *end,
-                                         uint32_t node_count);
+VBSS_API vbss_result vbss_collision_set_motion(vbss_collision *collision, uint32_t shape,
+                                               const double *start, const double *end,
+                                               uint32_t node_count);
 
 /**
  * Lists the pairs of features whose boxes overlap. Boxes are swept over the motion, and inflated by

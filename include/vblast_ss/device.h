@@ -126,15 +126,15 @@ typedef struct vbss_device_config {
     const vbss_output_config *output;
 } vbss_device_config;
 
-/** Status of a device: a VBSS_DEVICE_ status constant. */
+/** Status of a device: a VBSS_DEVICE_STATUS_ constant. */
 typedef int32_t vbss_device_status;
 
 /** The constants of #vbss_device_status. */
 enum {
-    VBSS_DEVICE_WAITING = 0, /**< There is no pose yet. */
-    VBSS_DEVICE_READY = 1,   /**< The pose is current. */
-    VBSS_DEVICE_STALE = 2,   /**< The pose is stale; the last one is held. */
-    VBSS_DEVICE_LOST = 3     /**< An adapter reports that its hardware is missing. */
+    VBSS_DEVICE_STATUS_WAITING = 0, /**< There is no pose yet. */
+    VBSS_DEVICE_STATUS_READY = 1,   /**< The pose is current. */
+    VBSS_DEVICE_STATUS_STALE = 2,   /**< The pose is stale; the last one is held. */
+    VBSS_DEVICE_STATUS_LOST = 3     /**< An adapter reports that its hardware is missing. */
 };
 
 /** Bits of the events of a read. */
@@ -374,17 +374,17 @@ VBSS_API vbss_result vbss_device_write_coupled(vbss_device *device, double now,
 
 /**
  * Emergency stop: writes zeros at once and latches. All outputs stay off until
- * #vbss_device_release.
+ * #vbss_device_clear_emergency_stop.
  *
  * @param device  the device
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_device_stop(vbss_device *device);
+VBSS_API vbss_result vbss_device_latch_emergency_stop(vbss_device *device);
 
 /**
- * Releases the emergency stop. Forces rise from zero. If its cause persists, the next read latches
+ * Clears the emergency stop. Forces rise from zero. If its cause persists, the next read latches
  * it again.
  *
  * @param device  the device
@@ -392,7 +392,7 @@ VBSS_API vbss_result vbss_device_stop(vbss_device *device);
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_device_release(vbss_device *device);
+VBSS_API vbss_result vbss_device_clear_emergency_stop(vbss_device *device);
 
 /**
  * Holds or releases the clutch. While it is held, the pose stays and the hand moves freely. After
@@ -404,7 +404,7 @@ VBSS_API vbss_result vbss_device_release(vbss_device *device);
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_device_clutch(vbss_device *device, int32_t held);
+VBSS_API vbss_result vbss_device_set_clutch(vbss_device *device, int32_t held);
 
 /**
  * Shifts and turns the calibrated pose so that the last sample corresponds to a given pose, and
@@ -528,7 +528,7 @@ VBSS_API vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint6
 /**
  * Restores a snapshot of a device with the same configuration and capabilities, completely or not
  * at all. The call also restores the latch of the emergency stop. With a hand on the device, call
- * #vbss_device_stop afterwards.
+ * #vbss_device_latch_emergency_stop afterwards.
  *
  * @param device  the device
  * @param bytes   the snapshot

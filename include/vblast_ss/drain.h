@@ -7,11 +7,11 @@
  * along the bottom to the block on which the drain lies; they tear off under load. At rest the drain has
  * no stress, and the slit is open.
  *
- * Method OURS: membrane and bending are those of an isotropic elastic shell with large rotations
+ * Method IMPLICIT: membrane and bending are those of an isotropic elastic shell with large rotations
  * (assumed-strain patch triangles, Flores and Onate 2005; docs/drain-shell.md). The time integration is
  * backward Euler with one linearisation and one correction a step (docs/drain.md).
  *
- * Method PAPER (VBLaST-SS, Qi et al. 2017): 85 particles, which move in explicit steps. A spring ties
+ * Method VBLAST (VBLaST-SS, Qi et al. 2017): 85 particles, which move in explicit steps. A spring ties
  * each particle to its rest position, and nothing ties it to its neighbours (docs/paper-drain.md). The
  * method has a mesh of its own and no anchors.
  *
@@ -40,30 +40,31 @@ enum {
 /** Configuration of a drain. Fill it with #vbss_drain_config_init, then change fields. */
 typedef struct vbss_drain_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;   /**< Method; default VBSS_METHOD_OURS. */
-    vbss_drain_mesh mesh; /**< Method OURS: mesh; default VBSS_DRAIN_MESH_137. */
-    /** Method OURS: divisions of each cell in each direction, 1 to 4; default 1. */
+    vbss_method method;   /**< Method; default VBSS_METHOD_IMPLICIT. */
+    vbss_drain_mesh mesh; /**< Method IMPLICIT: mesh; default VBSS_DRAIN_MESH_137. */
+    /** Method IMPLICIT: divisions of each cell in each direction, 1 to 4; default 1. */
     uint32_t mesh_divisions;
     uint32_t attachment_capacity; /**< Largest number of attachments, 0 to 256; default 8. */
-    /** Method OURS: largest number of linearisations in a step, 1 to 50; default 1. A step with a larger
+    /** Method IMPLICIT: largest number of linearisations in a step, 1 to 50; default 1. A step with a larger
      * limit stops at position_tolerance; this serves reference solutions. */
-    uint32_t linearisation_limit;
-    uint32_t halving_limit; /**< Method OURS: how often a step may be halved, 0 to 10; default 4. */
-    uint32_t reserved;      /**< Zero. */
-    double radius;          /**< Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
-    double length;          /**< Length of the tube, m, 2 to 7 radii; default 32e-3. */
-    double thickness;       /**< Thickness of the wall, m, 0.01 to 0.3 radii; default 1e-3. */
-    double slit_length;     /**< Length of the slit, m, one radius to 0.7 lengths; default 10e-3. */
+    uint32_t iteration_limit;
+    uint32_t
+        halving_limit;  /**< Method IMPLICIT: how often a step may be halved, 0 to 10; default 4. */
+    uint32_t reserved;  /**< Zero. */
+    double radius;      /**< Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
+    double length;      /**< Length of the tube, m, 2 to 7 radii; default 32e-3. */
+    double thickness;   /**< Thickness of the wall, m, 0.01 to 0.3 radii; default 1e-3. */
+    double slit_length; /**< Length of the slit, m, one radius to 0.7 lengths; default 10e-3. */
     /** Width of the slit at its middle, along the surface, m, 0 to 0.4 slit lengths and one radius; default
      * 3e-3. */
     double slit_opening;
     /** Arc from the middle of the slit to each mark, along the surface before the slit was opened, m. It is
      * longer than half the opening and lies between 20 and 90 degrees. Default 4.5e-3. */
     double mark_arc;
-    /** Method OURS: Young's modulus, Pa, 1e3 to 1e12; default 1.2e6 (not verified for real
+    /** Method IMPLICIT: Young's modulus, Pa, 1e3 to 1e12; default 1.2e6 (not verified for real
      * drains). */
     double young_modulus;
-    double poisson_ratio; /**< Method OURS: Poisson's ratio, 0 to 0.49; default 0.47. */
+    double poisson_ratio; /**< Method IMPLICIT: Poisson's ratio, 0 to 0.49; default 0.47. */
     double density;       /**< Density, kg/m^3, 1 to 1e5; default 950. */
     /** Drag coefficient, 1/s, 0 to 1e6; default 20. The force is -drag * mass * velocity. */
     double drag;
@@ -74,22 +75,22 @@ typedef struct vbss_drain_config {
         [3]; /**< Origin of the drain's frame in the world, m, each at most 1e3; default 0. */
     double orientation
         [4]; /**< Quaternion (w, x, y, z) of any length from 1e-100 to 1e100; default (1, 0, 0, 0). */
-    /** Method OURS: strength of the glue of the strip, Pa, 1 to 1e12; default 5e4 (not verified). The anchor
+    /** Method IMPLICIT: strength of the glue of the strip, Pa, 1 to 1e12; default 5e4 (not verified). The anchor
      * of a node tears off permanently above this stress times the node's area of the strip. Each step tears
      * off at most one anchor: the one with the largest overload. */
     double tear_stress;
-    /** Method OURS: largest increment of the last linearisation, m, 1e-15 to 1; default 1e-6. */
+    /** Method IMPLICIT: largest increment of the last linearisation, m, 1e-15 to 1; default 1e-6. */
     double position_tolerance;
-    /** Method OURS: a step in which a node would move farther than this gets one more linearisation. A step
+    /** Method IMPLICIT: a step in which a node would move farther than this gets one more linearisation. A step
      * in which it would move four times as far is halved. m, 1e-9 to 1; default 1e-3. */
     double move_limit;
-    /** Method PAPER: stiffness of the spring that ties a particle to its rest position, N/m, 0 to 1e9;
+    /** Method VBLAST: stiffness of the spring that ties a particle to its rest position, N/m, 0 to 1e9;
      * default 125. */
     double paper_stiffness;
-    /** Method PAPER: share of the velocity relative to the rigid motion of the drain that each explicit step
+    /** Method VBLAST: share of the velocity relative to the rigid motion of the drain that each explicit step
      * removes, 0 to 1; default 0.7. */
     double paper_damping;
-    /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as stability needs. */
+    /** Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many as stability needs. */
     uint32_t paper_substeps;
     uint32_t reserved2; /**< Zero. */
     /** In a scene: coefficient of friction with threads, 0 to 10. Friction with other bodies, the floor and
@@ -138,29 +139,30 @@ typedef struct vbss_drain_attachment {
     double stiffness; /**< SPRING: stiffness, N/m, 0 to 1e9. */
 } vbss_drain_attachment;
 
-/** An array of a drain: a VBSS_DRAIN_ constant. */
+/** An array of a drain: a VBSS_DRAIN_VIEW_ constant. */
 typedef int32_t vbss_drain_field;
 
 /** The constants of #vbss_drain_field. n nodes, m triangles. */
 enum {
-    VBSS_DRAIN_POSITIONS = 0,      /**< n x 3 doubles, m, on the middle surface. */
-    VBSS_DRAIN_VELOCITIES = 1,     /**< n x 3 doubles, m/s. */
-    VBSS_DRAIN_REST_POSITIONS = 2, /**< n x 3 doubles, m, in the drain's frame. */
-    VBSS_DRAIN_TRIANGLES = 3, /**< m x 3 uint32_t, nodes counter-clockwise seen from outside. */
-    VBSS_DRAIN_SLIT_LEFT =
+    VBSS_DRAIN_VIEW_POSITIONS = 0,      /**< n x 3 doubles, m, on the middle surface. */
+    VBSS_DRAIN_VIEW_VELOCITIES = 1,     /**< n x 3 doubles, m/s. */
+    VBSS_DRAIN_VIEW_REST_POSITIONS = 2, /**< n x 3 doubles, m, in the drain's frame. */
+    VBSS_DRAIN_VIEW_TRIANGLES =
+        3, /**< m x 3 uint32_t, nodes counter-clockwise seen from outside. */
+    VBSS_DRAIN_VIEW_SLIT_LEFT =
         4, /**< uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x. */
     /** uint32_t: nodes of the slit's edge on the right (+z), with both tips, along x. */
-    VBSS_DRAIN_SLIT_RIGHT = 5,
-    VBSS_DRAIN_ANCHORS = 6, /**< uint32_t: nodes of the bottom strip; method PAPER: none. */
-    /** 3 doubles for each of VBSS_DRAIN_ANCHORS, N: the force of the anchor on the drain; zero once it is
+    VBSS_DRAIN_VIEW_SLIT_RIGHT = 5,
+    VBSS_DRAIN_VIEW_ANCHORS = 6, /**< uint32_t: nodes of the bottom strip; method VBLAST: none. */
+    /** 3 doubles for each of VBSS_DRAIN_VIEW_ANCHORS, N: the force of the anchor on the drain; zero once it is
      * torn off. */
-    VBSS_DRAIN_ANCHOR_FORCES = 7,
+    VBSS_DRAIN_VIEW_ANCHOR_FORCES = 7,
     /** m x 3 doubles: strains of the middle surface along and across the triangle's first side, and shear
-     * (2 e12). Method PAPER reports strains and curvatures too, although it does not resist them. */
-    VBSS_DRAIN_STRAINS = 8,
+     * (2 e12). Method VBLAST reports strains and curvatures too, although it does not resist them. */
+    VBSS_DRAIN_VIEW_STRAINS = 8,
     /** m x 3 doubles, 1/m: changes of curvature along and across the triangle's first side, and
      * twist (2 k12). */
-    VBSS_DRAIN_CURVATURES = 9
+    VBSS_DRAIN_VIEW_CURVATURES = 9
 };
 
 /** Places on a drain, as nodes. */
@@ -187,7 +189,7 @@ typedef struct vbss_drain_gap {
      * through the wall there. At rest it is about the gap. Where lips meet it is 0 to a fifth of
      * the wall's thickness, for any rotation of the lips. Raised lips meet with their inner
      * corners or face to face, while `gap` is up to a whole wall. The opening is 0 (shut) where
-     * one lip lies on the other. Method PAPER measures it in the same manner. */
+     * one lip lies on the other. Method VBLAST measures it in the same manner. */
     double opening;
     double widest_opening; /**< Largest opening between opposite nodes of the edges, m. */
     double lips[2][3];     /**< End points of `opening`, left and right, m. */
@@ -198,9 +200,9 @@ typedef struct vbss_drain_energies {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
     double kinetic;       /**< Kinetic energy of the lumped masses. */
-    double membrane;      /**< Elastic energy of stretching; method PAPER: zero. */
-    double bending;       /**< Elastic energy of bending; method PAPER: zero. */
-    /** Energy of SPRING attachments; method PAPER: also of the springs to the rest positions. */
+    double membrane;      /**< Elastic energy of stretching; method VBLAST: zero. */
+    double bending;       /**< Elastic energy of bending; method VBLAST: zero. */
+    /** Energy of SPRING attachments; method VBLAST: also of the springs to the rest positions. */
     double springs;
     double gravity; /**< Potential, zero at the origin. */
     double total;   /**< Sum of the energies. */
@@ -213,7 +215,7 @@ typedef struct vbss_drain_statistics {
     uint32_t inverted;    /**< Triangles that are inverted or collapsed at present. */
     uint32_t reserved;    /**< Zero. */
     uint64_t steps;       /**< Calls of #vbss_drain_step that succeeded, and steps of its scene. */
-    /** Accepted parts of steps, equal to `steps` if none was halved; method PAPER: explicit
+    /** Accepted parts of steps, equal to `steps` if none was halved; method VBLAST: explicit
      * steps. */
     uint64_t parts;
     uint64_t linearisations; /**< Linearisations assembled and solved. */
@@ -282,7 +284,7 @@ VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
 
 /**
  * Advances a drain by one step. The call allocates nothing. If the new state is not finite, the
- * call fails and the drain keeps its state from before the step. With method PAPER the call also
+ * call fails and the drain keeps its state from before the step. With method VBLAST the call also
  * fails if a node is farther from its rest position than 100 times the length of the drain plus the
  * largest such distance of an attachment: the explicit steps have diverged, and the error text
  * states it.
@@ -366,7 +368,8 @@ VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attac
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[3]);
+VBSS_API vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id,
+                                                      const double target[3]);
 
 /**
  * Removes an attachment.

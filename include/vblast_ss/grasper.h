@@ -12,7 +12,7 @@
  * the angle `bend` from the axis of the shaft. The *pivot* is where the jaws begin. The *neck* lies
  * between the pivot and the bend, in line with the jaws.
  *
- * Grasping, method OURS:
+ * Grasping, method IMPLICIT:
  * - A thread: the jaws close until both touch it. A compliant clamp then holds a short length of the
  *   thread in position and direction. The load that it bears grows with the pressure of the jaws, as
  *   Coulomb friction of both faces. Beyond that load the thread slides through, turns, or is torn out
@@ -24,7 +24,7 @@
  *   an end of the thread, or a thread that has no cuts left. They close through such a thread, and do
  *   not touch it until they have been clear of it.
  *
- * Grasping, method PAPER (VBLaST-SS, Qi et al. 2017): tools are exactly where the hand is. A tool that
+ * Grasping, method VBLAST (VBLaST-SS, Qi et al. 2017): tools are exactly where the hand is. A tool that
  * closes near a thread carries its nearest node exactly. A tool that closes near a needle across its
  * jaws carries the needle. The first of two tools leads; the second changes nothing until the first
  * lets go.
@@ -41,20 +41,20 @@
 /** A tool with two jaws. */
 typedef struct vbss_grasper vbss_grasper;
 
-/** Kind of a tool: a VBSS_GRASPER_ constant. */
+/** Kind of a tool: a VBSS_GRASPER_KIND_ constant. */
 typedef int32_t vbss_grasper_kind;
 
 /** The constants of #vbss_grasper_kind. */
 enum {
-    VBSS_GRASPER_NEEDLE_DRIVER = 1, /**< Jaws that hold. */
-    VBSS_GRASPER_SHEARS = 2         /**< Blades that cut. */
+    VBSS_GRASPER_KIND_NEEDLE_DRIVER = 1, /**< Jaws that hold. */
+    VBSS_GRASPER_KIND_SHEARS = 2         /**< Blades that cut. */
 };
 
 /** Configuration of a grasper. Fill it with #vbss_grasper_config_init, then change fields. */
 typedef struct vbss_grasper_config {
     uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_OURS. */
-    vbss_grasper_kind kind; /**< Initial kind; default VBSS_GRASPER_NEEDLE_DRIVER. */
+    vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_IMPLICIT. */
+    vbss_grasper_kind kind; /**< Initial kind; default VBSS_GRASPER_KIND_NEEDLE_DRIVER. */
     int32_t has_trocar;     /**< 1: the shaft goes through `trocar`; default 0: free. */
     double trocar[3];       /**< Point of entry of the shaft, m, each at most 1e3; default 0. */
     /* Both jaws or blades are round fingers that touch along their length when closed. */
@@ -110,10 +110,10 @@ typedef struct vbss_grasper_config {
      * point, m, each at most 1e3; default 0. */
     double exchange_centre[3];
     double exchange_distance; /**< Distance, m, 0 to 1e3; default 0: no limit. */
-    /** PAPER: factor k_s of the force on the hand, k_s (stretched length - length), N/m, 0 to 1e6;
+    /** VBLAST: factor k_s of the force on the hand, k_s (stretched length - length), N/m, 0 to 1e6;
      * default 50. */
     double paper_stiffness;
-    /** PAPER: largest distance from the tip at which closing jaws take a node, and from the centre line of
+    /** VBLAST: largest distance from the tip at which closing jaws take a node, and from the centre line of
      * the jaws at which they take a needle, m, 0 to 0.1; default 2e-3 (the paper gives no number). */
     double paper_distance;
     /* Needles (needle.h) and walls of drains, which are stiffer than threads. */
@@ -155,10 +155,10 @@ typedef struct vbss_grasper_state {
     double jaw_angle;             /**< Angle of each jaw from the middle, rad. */
     double pressure;              /**< Pressure of the jaws on all grasped bodies, N. */
     /** Force on the hand at the tip, which a device shall exert, N: a command for vbss_device_write. A
-     * device that gets the pose of the tool by vbss_device_write_coupled has this force already. PAPER:
+     * device that gets the pose of the tool by vbss_device_write_coupled has this force already. VBLAST:
      * the force of stretched threads that it carries. */
     double hand_force[3];
-    double hand_torque[3]; /**< Torque on the hand about the tip, N m; PAPER: 0. */
+    double hand_torque[3]; /**< Torque on the hand about the tip, N m; VBLAST: 0. */
     uint32_t needle;       /**< Number of the held needle in its scene; 0: none. */
     uint32_t drain;        /**< Number of the drain whose wall it holds; 0: none. */
     /** 1: a solenoid shall lock the handle (vbss_output_command::solenoid). It is set once the tool holds a
@@ -259,8 +259,8 @@ VBSS_API vbss_result vbss_grasper_destroy(vbss_grasper *grasper);
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
-                                       const double *orientation);
+VBSS_API vbss_result vbss_grasper_set_target(vbss_grasper *grasper, const double position[3],
+                                             const double *orientation);
 
 /**
  * Sets how far the handle is open from the next step on. The jaws follow with at most jaw_speed.

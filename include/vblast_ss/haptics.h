@@ -17,7 +17,7 @@
  * Threads: the vendor's servo thread drives the arms. It shares only the newest sample and the
  * newest output with the library, without waits. The analog and digital lines have their own
  * thread, because a call for them takes milliseconds. It lives from create to destroy, and
- * #vbss_nidaqmx_pump can replace it. docs/devices.md has the wiring and the set-up.
+ * #vbss_nidaqmx_poll can replace it. docs/devices.md has the wiring and the set-up.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -70,29 +70,30 @@ typedef struct vbss_openhaptics_config {
     void *user; /**< Pointer that `tick` receives; may be NULL. */
 } vbss_openhaptics_config;
 
-/** State of an arm or a line: a VBSS_HARDWARE_ constant. */
-typedef int32_t vbss_hardware_state;
+/** State of an arm or a line: a VBSS_HAPTICS_STATE_ constant. */
+typedef int32_t vbss_haptics_state;
 
-/** The constants of #vbss_hardware_state. */
+/** The constants of #vbss_haptics_state. */
 enum {
-    VBSS_HARDWARE_WAITING = 0, /**< There is no measurement yet. */
-    VBSS_HARDWARE_RUNNING = 1, /**< The hardware works. */
+    VBSS_HAPTICS_STATE_WAITING = 0, /**< There is no measurement yet. */
+    VBSS_HAPTICS_STATE_RUNNING = 1, /**< The hardware works. */
     /** It measures, but accepts no forces for now: motors warm, force or speed too high. */
-    VBSS_HARDWARE_REFUSING = 2,
+    VBSS_HAPTICS_STATE_REFUSING = 2,
     /** It accepts no forces until it is calibrated: put the stylus into the inkwell. An arm whose
      * pose has been constant to the bit for 1 s is in this state, too: it is uncalibrated, its
      * encoders give no data, or no hand holds it. It accepts forces again when its pose changes. */
-    VBSS_HARDWARE_UNCALIBRATED = 3,
-    VBSS_HARDWARE_LOST = 4 /**< The hardware is missing: unplugged, or its driver has failed. */
+    VBSS_HAPTICS_STATE_UNCALIBRATED = 3,
+    VBSS_HAPTICS_STATE_LOST =
+        4 /**< The hardware is missing: unplugged, or its driver has failed. */
 };
 
 /** Status and counts of an arm. */
 typedef struct vbss_openhaptics_status {
-    uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
-    vbss_hardware_state state; /**< State of the arm. */
-    uint32_t error;         /**< Last error code of the vendor's library for this arm; 0: none. */
-    int32_t internal_error; /**< The vendor's internal number of that error. */
-    uint64_t ticks;         /**< Number of ticks of the servo. */
+    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
+    vbss_haptics_state state; /**< State of the arm. */
+    uint32_t error;           /**< Last error code of the vendor's library for this arm; 0: none. */
+    int32_t internal_error;   /**< The vendor's internal number of that error. */
+    uint64_t ticks;           /**< Number of ticks of the servo. */
     uint64_t late_ticks; /**< Ticks that began later than one tick length after the tick before. */
     uint64_t failed_ticks; /**< Ticks without a pose. */
     uint64_t errors;       /**< Errors that the vendor's library reported for this arm. */
@@ -108,13 +109,13 @@ typedef struct vbss_openhaptics_status {
 
 /* ---- handles and solenoids */
 
-/** Wiring of a potentiometer: a VBSS_NIDAQMX_ constant. */
+/** Wiring of a potentiometer: a VBSS_NIDAQMX_TERMINAL_ constant. */
 typedef int32_t vbss_nidaqmx_terminal;
 
 /** The constants of #vbss_nidaqmx_terminal. */
 enum {
-    VBSS_NIDAQMX_SINGLE_ENDED = 0, /**< Against ground: 11 bits of a USB-6008. */
-    VBSS_NIDAQMX_DIFFERENTIAL = 1  /**< Between two inputs: 12 bits. */
+    VBSS_NIDAQMX_TERMINAL_SINGLE_ENDED = 0, /**< Against ground: 11 bits of a USB-6008. */
+    VBSS_NIDAQMX_TERMINAL_DIFFERENTIAL = 1  /**< Between two inputs: 12 bits. */
 };
 
 /** Configuration of the lines. Fill it with #vbss_nidaqmx_config_init, then change fields. The
@@ -134,12 +135,12 @@ typedef struct vbss_nidaqmx_config {
     const char *first_line;
     /** Digital line of the second solenoid; default `Dev1/port0/line1`. */
     const char *second_line;
-    /** Wiring of the potentiometers; default VBSS_NIDAQMX_SINGLE_ENDED. */
+    /** Wiring of the potentiometers; default VBSS_NIDAQMX_TERMINAL_SINGLE_ENDED. */
     vbss_nidaqmx_terminal terminal;
     /** 1 (default): a low line switches the solenoid's current on, so undriven lines, which are
      * pulled high, keep it off. 0: a high line switches it on. */
     uint32_t active_low;
-    /** 1 (default): a thread of the library moves the data; 0: the host calls #vbss_nidaqmx_pump. */
+    /** 1 (default): a thread of the library moves the data; 0: the host calls #vbss_nidaqmx_poll. */
     uint32_t own_thread;
     uint32_t reserved; /**< Zero. */
     double low;        /**< Lowest input voltage, V, -10 to 10; default -10. */
@@ -158,7 +159,7 @@ typedef struct vbss_nidaqmx_status {
     /** State of the lines. REFUSING: the last read failed, or the lines are being reopened after a
      * transient error; solenoids are off. LOST: a permanent error; the library reopens the lines
      * when it can. */
-    vbss_hardware_state state;
+    vbss_haptics_state state;
     int32_t error;          /**< Last error code of the vendor's library; 0: none. */
     uint32_t solenoids;     /**< Bits 1, 2: the first, the second solenoid is on. */
     uint64_t cycles;        /**< Rounds of one write and one read. */
@@ -364,7 +365,7 @@ VBSS_API vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t wh
  *   the lines
  * @since 0.1
  */
-VBSS_API vbss_result vbss_nidaqmx_pump(vbss_nidaqmx *nidaqmx, double now);
+VBSS_API vbss_result vbss_nidaqmx_poll(vbss_nidaqmx *nidaqmx, double now);
 
 /**
  * Returns the status of the lines after their newest round.
@@ -392,8 +393,8 @@ VBSS_API vbss_result vbss_nidaqmx_get_status(vbss_nidaqmx *nidaqmx, vbss_nidaqmx
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_nidaqmx_list(vbss_context *context, const char *library, char *text,
-                                       uint32_t bytes);
+VBSS_API vbss_result vbss_nidaqmx_list_devices(vbss_context *context, const char *library,
+                                               char *text, uint32_t bytes);
 
 #ifdef __cplusplus
 }

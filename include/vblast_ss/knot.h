@@ -30,19 +30,19 @@
 /** Finds knots in a thread, step by step. */
 typedef struct vbss_knot_detector vbss_knot_detector;
 
-/** Method of a detector: a VBSS_KNOT_ method constant. */
+/** Method of a detector: a VBSS_KNOT_METHOD_ constant. */
 typedef int32_t vbss_knot_method;
 
 /** The constants of #vbss_knot_method. */
 enum {
-    VBSS_KNOT_TOPOLOGY = 0,  /**< Winding numbers, and the topology of the closed thread. */
-    VBSS_KNOT_PROJECTION = 1 /**< Loops in a projection, as in the paper. */
+    VBSS_KNOT_METHOD_TOPOLOGY = 0,  /**< Winding numbers, and the topology of the closed thread. */
+    VBSS_KNOT_METHOD_PROJECTION = 1 /**< Loops in a projection, as in the paper. */
 };
 
-/** Configuration of a detector. Fill it with #vbss_knot_config_init, then change fields. */
-typedef struct vbss_knot_config {
+/** Configuration of a detector. Fill it with #vbss_knot_detector_config_init, then change fields. */
+typedef struct vbss_knot_detector_config {
     uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
-    vbss_knot_method method; /**< Method; default VBSS_KNOT_TOPOLOGY. */
+    vbss_knot_method method; /**< Method; default VBSS_KNOT_METHOD_TOPOLOGY. */
     /** Largest number of points of the polyline, 2 to 8192; default 1024. */
     uint32_t point_capacity;
     uint32_t tool_capacity; /**< Largest number of tools, 0 to 16; default 4. */
@@ -59,7 +59,7 @@ typedef struct vbss_knot_config {
     uint32_t closure_tolerance;
     /** TOPOLOGY: largest number of operations (about a nanosecond each) in a step, exceeded at most
      * by the last indivisible operation, 100 to 1e9; default 8000. */
-    uint32_t work_limit;
+    uint32_t step_budget;
     /** TOPOLOGY: number of steps from the start of a reading to the start of the next one, if the
      * first has ended; 0: read at events only; default 20. */
     uint32_t interval;
@@ -80,7 +80,7 @@ typedef struct vbss_knot_config {
      * to 1; default -0.002, ahead of the tip. */
     double plane_offset;
     uint64_t seed; /**< PROJECTION: seed of the directions of its rays; default 1. */
-} vbss_knot_config;
+} vbss_knot_detector_config;
 
 /** Object in the jaws of a tool: a VBSS_KNOT_HELD_ constant. */
 typedef int32_t vbss_knot_held;
@@ -285,7 +285,7 @@ typedef struct vbss_knot_state {
 } vbss_knot_state;
 
 /** Counts since creation or reset. */
-typedef struct vbss_knot_statistics {
+typedef struct vbss_knot_detector_statistics {
     uint32_t struct_size;    /**< Bytes of this struct that the library filled. */
     uint32_t reserved;       /**< Zero. */
     uint64_t readings;       /**< Finished readings of the topology. */
@@ -300,7 +300,7 @@ typedef struct vbss_knot_statistics {
     uint64_t most_step_work; /**< Largest number of operations in a step. */
     uint64_t most_work;      /**< Largest number of operations of a reading. */
     uint64_t revoked;        /**< Verdicts that were revoked. */
-} vbss_knot_statistics;
+} vbss_knot_detector_statistics;
 
 /** Kind of an event: a VBSS_KNOT_EVENT_ constant. */
 typedef int32_t vbss_knot_event;
@@ -310,7 +310,7 @@ typedef int32_t vbss_knot_event;
 enum {
     VBSS_KNOT_EVENT_WRAPPED = 1,   /**< The thread winds round a tool: tool, 1 + (turns > 0), 0. */
     VBSS_KNOT_EVENT_UNWRAPPED = 2, /**< The thread no longer winds round a tool: tool, 0, 0. */
-    VBSS_KNOT_EVENT_WRONG_WAY = 3, /**< The thread winds towards the handle: tool, 0, 0. */
+    VBSS_KNOT_EVENT_WRONG_DIRECTION = 3, /**< The thread winds towards the handle: tool, 0, 0. */
     /** A throw is tied as soon as the tools withdraw: tool, wraps, 1 + (right-handed). */
     VBSS_KNOT_EVENT_PASSED = 4,
     /** A throw is formed: its number from 0, wraps, 1 + (right-handed). */
@@ -350,19 +350,20 @@ extern "C" {
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_knot_config_init(vbss_knot_config *config, uint32_t struct_size);
+VBSS_API vbss_result vbss_knot_detector_config_init(vbss_knot_detector_config *config,
+                                                    uint32_t struct_size);
 
 /**
- * Returns the default configuration that #vbss_knot_config_init fills.
+ * Returns the default configuration that #vbss_knot_detector_config_init fills.
  *
  * @return the struct, with its size
  * @threads any thread, any time
  * @since 1.0
  */
-static inline vbss_knot_config vbss_knot_config_default(void)
+static inline vbss_knot_detector_config vbss_knot_detector_config_default(void)
 {
-    vbss_knot_config vbss_filled;
-    (void)vbss_knot_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    vbss_knot_detector_config vbss_filled;
+    (void)vbss_knot_detector_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
     return vbss_filled;
 }
 
@@ -404,7 +405,7 @@ static inline vbss_knot_input vbss_knot_input_default(void)
  * @since 0.1
  */
 VBSS_API vbss_result vbss_knot_detector_create(vbss_context *context,
-                                               const vbss_knot_config *config,
+                                               const vbss_knot_detector_config *config,
                                                vbss_knot_detector **detector);
 
 /**
@@ -546,7 +547,7 @@ VBSS_API vbss_result vbss_knot_detector_get_view(vbss_knot_detector *detector,
  * @since 0.1
  */
 VBSS_API vbss_result vbss_knot_detector_get_statistics(vbss_knot_detector *detector,
-                                                       vbss_knot_statistics *statistics,
+                                                       vbss_knot_detector_statistics *statistics,
                                                        uint32_t struct_size);
 
 /**

@@ -31,22 +31,31 @@
 /** The measurement of one trial. */
 typedef struct vbss_metrics vbss_metrics;
 
-/** A tool: one of the VBSS_METRICS_ tool constants. */
+/** A tool: a VBSS_METRICS_TOOL_ constant. */
 typedef int32_t vbss_metrics_tool;
 
 /** The constants of #vbss_metrics_tool. */
 enum {
-    VBSS_METRICS_LEFT = 0,   /**< The left tool. */
-    VBSS_METRICS_RIGHT = 1,  /**< The right tool. */
-    VBSS_METRICS_NO_TOOL = 2 /**< No tool, or an unknown one; for events only. */
+    VBSS_METRICS_TOOL_LEFT = 0,  /**< The left tool. */
+    VBSS_METRICS_TOOL_RIGHT = 1, /**< The right tool. */
+    VBSS_METRICS_TOOL_NONE = 2   /**< No tool, or an unknown one; for events only. */
+};
+
+/** Test whose verdict on tightness counts in the score: a VBSS_METRICS_TEST_ constant. */
+typedef int32_t vbss_metrics_tightness_test;
+
+/** The constants of #vbss_metrics_tightness_test. */
+enum {
+    VBSS_METRICS_TEST_PULL = 0,  /**< The knot bears a force for a time without slipping. */
+    VBSS_METRICS_TEST_STRAIN = 1 /**< The strain of both sides (Qi et al. 2017). */
 };
 
 /** Configuration of a measurement. Fill it with #vbss_metrics_config_init, then change fields. */
 typedef struct vbss_metrics_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    /** The method whose tightness counts in the score; default VBSS_METHOD_OURS. Both are always
+    /** The test whose tightness counts in the score; default VBSS_METRICS_TEST_PULL. Both are always
      * reported. */
-    vbss_method tightness_method;
+    vbss_metrics_tightness_test tightness_test;
     /** Largest number of throw records, undone throws included, 1 to 4096; default 64. */
     uint32_t throw_capacity;
     uint32_t phase_capacity; /**< Largest number of phase visits, 1 to 65536; default 256. */
@@ -62,7 +71,7 @@ typedef struct vbss_metrics_config {
     double pull_time;  /**< Time that the knot must bear the pull, s, 0 to 1e3; default 1. */
     /** Length of tail drawn in above which the knot slips, m, 1e-6 to 1; default 1e-3. */
     double slip_limit;
-    /** VBSS_METHOD_PAPER: strain above which a knot is tight, 0 to 1; default 0, which means
+    /** VBSS_METRICS_TEST_STRAIN: strain above which a knot is tight, 0 to 1; default 0, which means
      * pull_force / stiffness. */
     double strain_threshold;
     double idle_speed; /**< Speed below which a tool becomes idle, m/s, 0 to 1; default 5e-3. */
@@ -83,7 +92,7 @@ typedef struct vbss_metrics_config {
      * sample that is farther from the last one than this speed allows, plus 1 mm for noise, is
      * an outlier: see #vbss_metrics_add_sample. With 0 no sample is an outlier. */
     double max_speed;
-    /** Share of lost time above which VBSS_METRICS_TIME_LOST is set, 0 to 1; default 0.02. A
+    /** Share of lost time above which VBSS_METRICS_FLAG_TIME_LOST is set, 0 to 1; default 0.02. A
      * trial shorter than 1 s counts as 1 s. */
     double lost_share;
 } vbss_metrics_config;
@@ -159,7 +168,7 @@ enum {
 typedef struct vbss_metrics_event {
     uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
     vbss_metrics_event_kind kind; /**< Kind of the event; the default 0 is refused. */
-    vbss_metrics_tool tool;       /**< The tool that was used; default VBSS_METRICS_NO_TOOL. */
+    vbss_metrics_tool tool;       /**< The tool that was used; default VBSS_METRICS_TOOL_NONE. */
     uint32_t number;    /**< Meaning depends on the kind; for throws 0 to 63; default 0. */
     uint32_t undone;    /**< 1: the event is undone; default 0. */
     int32_t wraps;      /**< THROW: wraps, 1 single, 2 double, at most 64; default 0: not known. */
@@ -204,32 +213,33 @@ enum {
 
 /** Bits of the flags of a report. */
 enum {
-    VBSS_METRICS_STARTED = 1,    /**< The needle has appeared. */
-    VBSS_METRICS_STOPPED = 2,    /**< Both tails are cut, and the time has stopped. */
-    VBSS_METRICS_PUNCTURE_0 = 4, /**< The deviation from the first mark is known. */
-    VBSS_METRICS_PUNCTURE_1 = 8, /**< The deviation from the second mark is known. */
-    VBSS_METRICS_GAP = 16,       /**< The gap is known. */
-    VBSS_METRICS_TAIL_0 = 32,    /**< The length of the first tail is known. */
-    VBSS_METRICS_TAIL_1 = 64,    /**< The length of the second tail is known. */
-    VBSS_METRICS_FINISHED = 128, /**< #vbss_metrics_finish was called. */
-    VBSS_METRICS_AVULSED = 256,  /**< The drain was torn off. */
-    VBSS_METRICS_BROKEN = 512,   /**< The thread broke. */
-    VBSS_METRICS_TIMEOUT = 1024, /**< The time has run out. */
+    VBSS_METRICS_FLAG_STARTED = 1,    /**< The needle has appeared. */
+    VBSS_METRICS_FLAG_STOPPED = 2,    /**< Both tails are cut, and the time has stopped. */
+    VBSS_METRICS_FLAG_PUNCTURE_0 = 4, /**< The deviation from the first mark is known. */
+    VBSS_METRICS_FLAG_PUNCTURE_1 = 8, /**< The deviation from the second mark is known. */
+    VBSS_METRICS_FLAG_GAP = 16,       /**< The gap is known. */
+    VBSS_METRICS_FLAG_TAIL_0 = 32,    /**< The length of the first tail is known. */
+    VBSS_METRICS_FLAG_TAIL_1 = 64,    /**< The length of the second tail is known. */
+    VBSS_METRICS_FLAG_FINISHED = 128, /**< #vbss_metrics_finish was called. */
+    VBSS_METRICS_FLAG_AVULSED = 256,  /**< The drain was torn off. */
+    VBSS_METRICS_FLAG_BROKEN = 512,   /**< The thread broke. */
+    VBSS_METRICS_FLAG_TIMEOUT = 1024, /**< The time has run out. */
     /** The score is that of a whole trial: stopped, with deviations, gap and tightness known, or
      * zero for good. Without this bit the score assumes that nothing more is found. */
-    VBSS_METRICS_FINAL = 2048,
+    VBSS_METRICS_FLAG_FINAL = 2048,
     /** More than `lost_share` of the time is lost. Time and score include it and do not compare with those of other
      * trials. */
-    VBSS_METRICS_TIME_LOST = 4096
+    VBSS_METRICS_FLAG_TIME_LOST = 4096
 };
 
 /** The results of a trial so far. An unknown value is 0, and its bit is not set. */
 typedef struct vbss_metrics_report {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    uint32_t flags; /**< VBSS_METRICS_ bits: which values are known, and how the trial ended. */
-    vbss_metrics_tightness tightness_ours;  /**< Tightness by the pull test. */
-    vbss_metrics_tightness tightness_paper; /**< Tightness by the strain when both tools pull. */
-    uint32_t throw_count;                   /**< Number of throws in the knot. */
+    uint32_t
+        flags; /**< VBSS_METRICS_FLAG_ bits: which values are known, and how the trial ended. */
+    vbss_metrics_tightness tightness_pull;   /**< Tightness by the pull test. */
+    vbss_metrics_tightness tightness_strain; /**< Tightness by the strain when both tools pull. */
+    uint32_t throw_count;                    /**< Number of throws in the knot. */
     uint32_t square_count;  /**< Number of throws that are square to the one before. */
     uint32_t granny_count;  /**< Number of throws that make a granny with the one before. */
     uint32_t unknown_count; /**< Number of throws whose relation is not known. */
@@ -339,7 +349,7 @@ typedef struct vbss_metrics_penalty {
 enum {
     /** From the needle's appearance until both tails were cut; without a needle, the whole
      * recording. */
-    VBSS_METRICS_WHOLE = -1
+    VBSS_METRICS_PHASE_ALL = -1
 };
 
 /** Bits for the measures of motion that could be computed. */
@@ -660,8 +670,8 @@ VBSS_API vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t in
  * every step.
  *
  * @param metrics      the measurement
- * @param tool         VBSS_METRICS_LEFT or VBSS_METRICS_RIGHT
- * @param phase        index of a visit of a phase, or VBSS_METRICS_WHOLE
+ * @param tool         VBSS_METRICS_TOOL_LEFT or VBSS_METRICS_TOOL_RIGHT
+ * @param phase        index of a visit of a phase, or VBSS_METRICS_PHASE_ALL
  * @param[out] motion  receives the motion
  * @param struct_size  `sizeof *motion` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
@@ -677,7 +687,7 @@ VBSS_API vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics
  * Returns the joint motion of both tools.
  *
  * @param metrics        the measurement
- * @param phase          index of a visit of a phase, or VBSS_METRICS_WHOLE
+ * @param phase          index of a visit of a phase, or VBSS_METRICS_PHASE_ALL
  * @param[out] bimanual  receives the joint motion
  * @param struct_size    `sizeof *bimanual` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
@@ -721,9 +731,9 @@ VBSS_API vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_f
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_metrics_offset(const double axis[3], const double centre[3],
-                                         const double mark[3], const double place[3], double *angle,
-                                         double *axial);
+VBSS_API vbss_result vbss_metrics_get_offset(const double axis[3], const double centre[3],
+                                             const double mark[3], const double place[3],
+                                             double *angle, double *axial);
 
 /**
  * Saves the whole measurement.

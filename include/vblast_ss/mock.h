@@ -36,28 +36,28 @@ typedef struct vbss_mock_config {
     const vbss_device_capabilities *capabilities;
 } vbss_mock_config;
 
-/** Fault of a mock: a VBSS_MOCK_ fault constant. */
+/** Fault of a mock: a VBSS_MOCK_FAULT_ constant. */
 typedef int32_t vbss_mock_fault;
 
 /** The constants of #vbss_mock_fault; t0: start of the fault, v: its value. */
 enum {
     /** A NaN in the position (v = 0), orientation (1), velocity (2), jaw and jaw_raw (3), or
      * time (4). */
-    VBSS_MOCK_NAN = 1,
-    VBSS_MOCK_STALL = 2,      /**< Each read repeats the sample of t0. */
-    VBSS_MOCK_DISCONNECT = 3, /**< Reads and writes fail, with VBSS_DEVICE_FLAG_LOST. */
-    VBSS_MOCK_RATE = 4,       /**< Only one new sample every v s. */
-    VBSS_MOCK_LATE = 5,       /**< Samples of v s ago. */
+    VBSS_MOCK_FAULT_NAN = 1,
+    VBSS_MOCK_FAULT_STALL = 2,      /**< Each read repeats the sample of t0. */
+    VBSS_MOCK_FAULT_DISCONNECT = 3, /**< Reads and writes fail, with VBSS_DEVICE_FLAG_LOST. */
+    VBSS_MOCK_FAULT_RATE = 4,       /**< Only one new sample every v s. */
+    VBSS_MOCK_FAULT_LATE = 5,       /**< Samples of v s ago. */
     /** In every second interval of v s, samples of v s ago, so that their order is broken. */
-    VBSS_MOCK_SHUFFLE = 6,
-    VBSS_MOCK_NORM = 7,        /**< Orientations of length v. */
-    VBSS_MOCK_JUMP = 8,        /**< The x coordinate is larger by v m. */
-    VBSS_MOCK_TEMPERATURE = 9, /**< A temperature of v. */
-    VBSS_MOCK_JAW = 10,        /**< A raw opening of v, like that of a broken wire. */
-    VBSS_MOCK_STOP = 11,       /**< VBSS_DEVICE_FLAG_STOP. */
-    VBSS_MOCK_REFUSAL = 12,    /**< VBSS_DEVICE_FLAG_FAULT. */
-    VBSS_MOCK_READ_FAILS = 13, /**< Reads fail. */
-    VBSS_MOCK_WRITE_FAILS = 14 /**< Writes fail. */
+    VBSS_MOCK_FAULT_SHUFFLE = 6,
+    VBSS_MOCK_FAULT_NORM = 7,        /**< Orientations of length v. */
+    VBSS_MOCK_FAULT_JUMP = 8,        /**< The x coordinate is larger by v m. */
+    VBSS_MOCK_FAULT_TEMPERATURE = 9, /**< A temperature of v. */
+    VBSS_MOCK_FAULT_JAW = 10,        /**< A raw opening of v, like that of a broken wire. */
+    VBSS_MOCK_FAULT_STOP = 11,       /**< VBSS_DEVICE_FLAG_STOP. */
+    VBSS_MOCK_FAULT_REFUSAL = 12,    /**< VBSS_DEVICE_FLAG_FAULT. */
+    VBSS_MOCK_FAULT_READ_FAILS = 13, /**< Reads fail. */
+    VBSS_MOCK_FAULT_WRITE_FAILS = 14 /**< Writes fail. */
 };
 
 /** Counters of a mock. */

@@ -24,7 +24,7 @@ typedef struct vbss_needle vbss_needle;
 /** Configuration of a needle. Fill it with #vbss_needle_config_init, then change fields. */
 typedef struct vbss_needle_config {
     uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_OURS. */
+    vbss_method method;     /**< Must be that of the scene; default VBSS_METHOD_IMPLICIT. */
     uint32_t segment_count; /**< Capsules along the arc, 2 to 64; default 8. */
     uint32_t reserved;      /**< Zero. */
     /** Radius of the arc's centre line, m, 1e-4 to 1; default 10.5e-3, the paper's radius. */
@@ -53,7 +53,7 @@ typedef int32_t vbss_needle_preset;
 
 /** The constants of #vbss_needle_preset. */
 enum {
-    VBSS_NEEDLE_PRESET_PAPER =
+    VBSS_NEEDLE_PRESET_VBLAST =
         0,                    /**< Half circle of radius 10.5 mm (Qi et al. 2017): the defaults. */
     VBSS_NEEDLE_PRESET_SH = 1 /**< Half circle of 26 mm, radius 8.28 mm (not verified). */
 };

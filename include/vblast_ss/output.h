@@ -19,21 +19,21 @@ typedef struct vbss_output vbss_output;
 
 /** Bits for the actions of an output stage in a step. */
 enum {
-    VBSS_OUTPUT_NOT_FINITE = 1,      /**< A number was NaN or infinite: all off. */
-    VBSS_OUTPUT_FAULT = 2,           /**< The device refuses forces: all off. */
-    VBSS_OUTPUT_CLAMPED = 4,         /**< The force was above the largest magnitude. */
-    VBSS_OUTPUT_CONTINUOUS = 8,      /**< The force was above the limit of the past load. */
-    VBSS_OUTPUT_WARM = 16,           /**< The force was above the limit of the temperature. */
-    VBSS_OUTPUT_SLEWED = 32,         /**< The force rose faster than the limit. */
-    VBSS_OUTPUT_INPUT_STALE = 64,    /**< The pose is too old: ramp to zero. */
-    VBSS_OUTPUT_COMMAND_STALE = 128, /**< The command is too old: ramp to zero. */
-    VBSS_OUTPUT_STOPPED = 256,       /**< The emergency stop is latched: all off. */
-    VBSS_OUTPUT_LATE = 512,          /**< The step came later than the watchdog allows. */
+    VBSS_OUTPUT_FLAG_NOT_FINITE = 1,      /**< A number was NaN or infinite: all off. */
+    VBSS_OUTPUT_FLAG_FAULT = 2,           /**< The device refuses forces: all off. */
+    VBSS_OUTPUT_FLAG_CLAMPED = 4,         /**< The force was above the largest magnitude. */
+    VBSS_OUTPUT_FLAG_CONTINUOUS = 8,      /**< The force was above the limit of the past load. */
+    VBSS_OUTPUT_FLAG_WARM = 16,           /**< The force was above the limit of the temperature. */
+    VBSS_OUTPUT_FLAG_SLEWED = 32,         /**< The force rose faster than the limit. */
+    VBSS_OUTPUT_FLAG_INPUT_STALE = 64,    /**< The pose is too old: ramp to zero. */
+    VBSS_OUTPUT_FLAG_COMMAND_STALE = 128, /**< The command is too old: ramp to zero. */
+    VBSS_OUTPUT_FLAG_STOPPED = 256,       /**< The emergency stop is latched: all off. */
+    VBSS_OUTPUT_FLAG_LATE = 512,          /**< The step came later than the watchdog allows. */
     /** The command asks for the solenoid, but it is off for one of these reasons. Devices switch it off also while
      * the clutch is engaged, the opening is stale, or an adapter is lost or has just failed. */
-    VBSS_OUTPUT_SOLENOID_OFF = 1024,
-    VBSS_OUTPUT_SOLENOID_SPENT = 2048, /**< The solenoid was on for too long. */
-    VBSS_OUTPUT_NOT_WRITTEN = 4096     /**< Devices: an adapter did not accept the result. */
+    VBSS_OUTPUT_FLAG_SOLENOID_OFF = 1024,
+    VBSS_OUTPUT_FLAG_SOLENOID_SPENT = 2048, /**< The solenoid was on for too long. */
+    VBSS_OUTPUT_FLAG_NOT_WRITTEN = 4096     /**< Devices: an adapter did not accept the result. */
 };
 
 /** Limits of an output stage. Fill it with #vbss_output_config_init, then change fields. A
@@ -85,18 +85,18 @@ typedef struct vbss_output_statistics {
     uint32_t struct_size;    /**< Bytes of this struct that the library filled. */
     uint32_t reserved;       /**< Zero. */
     uint64_t steps;          /**< Steps so far. */
-    uint64_t not_finite;     /**< Steps with VBSS_OUTPUT_NOT_FINITE. */
-    uint64_t faults;         /**< Steps with VBSS_OUTPUT_FAULT. */
-    uint64_t clamped;        /**< Steps with VBSS_OUTPUT_CLAMPED. */
-    uint64_t continuous;     /**< Steps with VBSS_OUTPUT_CONTINUOUS. */
-    uint64_t warm;           /**< Steps with VBSS_OUTPUT_WARM. */
-    uint64_t slewed;         /**< Steps with VBSS_OUTPUT_SLEWED. */
-    uint64_t input_stale;    /**< Steps with VBSS_OUTPUT_INPUT_STALE. */
-    uint64_t command_stale;  /**< Steps with VBSS_OUTPUT_COMMAND_STALE. */
-    uint64_t stopped;        /**< Steps with VBSS_OUTPUT_STOPPED. */
-    uint64_t late;           /**< Steps with VBSS_OUTPUT_LATE. */
-    uint64_t solenoid_off;   /**< Steps with VBSS_OUTPUT_SOLENOID_OFF. */
-    uint64_t solenoid_spent; /**< Steps with VBSS_OUTPUT_SOLENOID_SPENT. */
+    uint64_t not_finite;     /**< Steps with VBSS_OUTPUT_FLAG_NOT_FINITE. */
+    uint64_t faults;         /**< Steps with VBSS_OUTPUT_FLAG_FAULT. */
+    uint64_t clamped;        /**< Steps with VBSS_OUTPUT_FLAG_CLAMPED. */
+    uint64_t continuous;     /**< Steps with VBSS_OUTPUT_FLAG_CONTINUOUS. */
+    uint64_t warm;           /**< Steps with VBSS_OUTPUT_FLAG_WARM. */
+    uint64_t slewed;         /**< Steps with VBSS_OUTPUT_FLAG_SLEWED. */
+    uint64_t input_stale;    /**< Steps with VBSS_OUTPUT_FLAG_INPUT_STALE. */
+    uint64_t command_stale;  /**< Steps with VBSS_OUTPUT_FLAG_COMMAND_STALE. */
+    uint64_t stopped;        /**< Steps with VBSS_OUTPUT_FLAG_STOPPED. */
+    uint64_t late;           /**< Steps with VBSS_OUTPUT_FLAG_LATE. */
+    uint64_t solenoid_off;   /**< Steps with VBSS_OUTPUT_FLAG_SOLENOID_OFF. */
+    uint64_t solenoid_spent; /**< Steps with VBSS_OUTPUT_FLAG_SOLENOID_SPENT. */
     uint64_t watchdogs;      /**< Ramps that the watchdog started. */
     uint64_t stops;          /**< Times that the emergency stop was latched. */
     uint64_t pulses;         /**< Times that the solenoid was switched on. */
@@ -109,7 +109,7 @@ typedef struct vbss_output_statistics {
  * bytes. */
 typedef struct vbss_output_result {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    uint32_t flags;       /**< VBSS_OUTPUT_ bits: actions of the stage. */
+    uint32_t flags;       /**< VBSS_OUTPUT_FLAG_ bits: actions of the stage. */
     uint32_t solenoid;    /**< 1: on, 0: off. */
     uint32_t reserved;    /**< Zero. */
     double force[3];      /**< Force, N; for an adapter, in the device's frame. */
@@ -219,24 +219,24 @@ VBSS_API vbss_result vbss_output_step(vbss_output *output, double h,
                                       vbss_output_result *result, uint32_t struct_size);
 
 /**
- * Latches the emergency stop: all results are zero until #vbss_output_release.
+ * Latches the emergency stop: all results are zero until #vbss_output_clear_emergency_stop.
  *
  * @param output  the stage
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_output_stop(vbss_output *output);
+VBSS_API vbss_result vbss_output_latch_emergency_stop(vbss_output *output);
 
 /**
- * Releases the emergency stop.
+ * Clears the emergency stop.
  *
  * @param output  the stage
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_output_release(vbss_output *output);
+VBSS_API vbss_result vbss_output_clear_emergency_stop(vbss_output *output);
 
 /**
  * Returns the counters since creation.

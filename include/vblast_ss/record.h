@@ -53,67 +53,69 @@ typedef struct vbss_record_config {
     uint32_t reserved; /**< Zero. */
 } vbss_record_config;
 
-/** Kind of an input: a VBSS_INPUT_ constant. */
-typedef int32_t vbss_input_kind;
+/** Kind of an input: a VBSS_RECORD_INPUT_ constant. */
+typedef int32_t vbss_record_input_kind;
 
-/** The constants of #vbss_input_kind, with their words and their numbers. The log format uses the
+/** The constants of #vbss_record_input_kind, with their words and their numbers. The log format uses the
  * same constants. */
 enum {
     /** Words: body, 1 if turned. Numbers: position (3), orientation (4). */
-    VBSS_INPUT_MOVE_RIGID = 1,
-    VBSS_INPUT_PIN = 2,   /**< Words: thread, node, body, 1 if at a point. Numbers: point (3). */
-    VBSS_INPUT_UNPIN = 3, /**< Words: pin. */
+    VBSS_RECORD_INPUT_RIGID_TARGET = 1,
+    VBSS_RECORD_INPUT_PIN =
+        2, /**< Words: thread, node, body, 1 if at a point. Numbers: point (3). */
+    VBSS_RECORD_INPUT_UNPIN = 3, /**< Words: pin. */
     /** Words: thread, kind, node. Numbers: position (3), direction (3), force (3), stiffness,
      * damping, mass. */
-    VBSS_INPUT_ATTACH = 4,
+    VBSS_RECORD_INPUT_ATTACH = 4,
     /** Words: thread, attachment, 1 if directed. Numbers: target (3), direction (3). */
-    VBSS_INPUT_MOVE = 5,
-    VBSS_INPUT_DETACH = 6, /**< Words: thread, attachment. */
-    VBSS_INPUT_CUT = 7,    /**< Words: thread. Numbers: arc length. */
+    VBSS_RECORD_INPUT_ATTACHMENT_TARGET = 5,
+    VBSS_RECORD_INPUT_DETACH = 6, /**< Words: thread, attachment. */
+    VBSS_RECORD_INPUT_CUT = 7,    /**< Words: thread. Numbers: arc length. */
     /** Words: grasper, 1 if turned. Numbers: position (3), orientation (4). */
-    VBSS_INPUT_MOVE_GRASPER = 8,
-    VBSS_INPUT_SET_OPENING = 9, /**< Words: grasper. Numbers: opening. */
-    VBSS_INPUT_EXCHANGE = 10,   /**< Words: grasper, kind. */
-    /** A change of scene_settings.h. Words: #vbss_setting, body (0 where the setting has none), and
+    VBSS_RECORD_INPUT_GRASPER_TARGET = 8,
+    VBSS_RECORD_INPUT_SET_OPENING = 9, /**< Words: grasper. Numbers: opening. */
+    VBSS_RECORD_INPUT_EXCHANGE = 10,   /**< Words: grasper, kind. */
+    /** A change of scene_settings.h. Words: #vbss_scene_setting, body (0 where the setting has none), and
      * two words of the setting. Numbers: those of the setting. */
-    VBSS_INPUT_SETTING = 11
+    VBSS_RECORD_INPUT_SETTING = 11
 };
 
-/** Change of a running scene: a VBSS_SETTING_ constant. */
-typedef int32_t vbss_setting;
+/** Change of a running scene: a VBSS_SCENE_SETTING_ constant. */
+typedef int32_t vbss_scene_setting;
 
-/** The constants of #vbss_setting: functions of scene_settings.h, with the third and fourth word of
+/** The constants of #vbss_scene_setting: functions of scene_settings.h, with the third and fourth word of
  * an input, if it has any, and its numbers. */
 enum {
-    VBSS_SETTING_GRAVITY = 1,         /**< #vbss_scene_set_gravity. Numbers: gravity (3). */
-    VBSS_SETTING_FRICTION = 2,        /**< #vbss_scene_set_friction. Numbers: friction. */
-    VBSS_SETTING_THREAD_FRICTION = 3, /**< #vbss_scene_set_thread_friction. Numbers: friction. */
+    VBSS_SCENE_SETTING_GRAVITY = 1,  /**< #vbss_scene_set_gravity. Numbers: gravity (3). */
+    VBSS_SCENE_SETTING_FRICTION = 2, /**< #vbss_scene_set_friction. Numbers: friction. */
+    VBSS_SCENE_SETTING_THREAD_FRICTION =
+        3, /**< #vbss_scene_set_thread_friction. Numbers: friction. */
     /** #vbss_scene_set_coupling. Numbers: stiffness, damping, turning stiffness, turning damping. */
-    VBSS_SETTING_COUPLING = 4,
-    VBSS_SETTING_SPEED_LIMIT = 5, /**< #vbss_scene_set_speed_limit. Numbers: limit. */
-    VBSS_SETTING_FILTER = 6,      /**< #vbss_scene_set_filter. Words: category, mask. */
+    VBSS_SCENE_SETTING_COUPLING = 4,
+    VBSS_SCENE_SETTING_SPEED_LIMIT = 5, /**< #vbss_scene_set_speed_limit. Numbers: limit. */
+    VBSS_SCENE_SETTING_FILTER = 6,      /**< #vbss_scene_set_filter. Words: category, mask. */
     /** #vbss_scene_apply_force. Words: 1 if at a point, 1 with a torque. Numbers: force (3), point
      * (3), torque (3). */
-    VBSS_SETTING_FORCE = 7,
+    VBSS_SCENE_SETTING_FORCE = 7,
     /** #vbss_scene_set_rigid_velocity. Words: 1 if turned. Numbers: velocity (3), angular velocity
      * (3). */
-    VBSS_SETTING_VELOCITY = 8,
+    VBSS_SCENE_SETTING_VELOCITY = 8,
     /** #vbss_scene_set_rigid_pose. Words: 1 if turned. Numbers: position (3), orientation (4). */
-    VBSS_SETTING_POSE = 9
+    VBSS_SCENE_SETTING_POSE = 9
 };
 
 /** One input of the host. */
-typedef struct vbss_log_input {
-    vbss_input_kind kind;  /**< Kind of the input. */
-    uint32_t word_count;   /**< Number of valid entries in `words`. */
-    uint32_t number_count; /**< Number of valid entries in `numbers`. */
-    uint32_t reserved;     /**< Zero. */
-    uint32_t words[4];     /**< Words; #vbss_input_kind lists their meanings. */
-    double numbers[12];    /**< Numbers; #vbss_input_kind lists their meanings. */
-} vbss_log_input;
+typedef struct vbss_record_input {
+    vbss_record_input_kind kind; /**< Kind of the input. */
+    uint32_t word_count;         /**< Number of valid entries in `words`. */
+    uint32_t number_count;       /**< Number of valid entries in `numbers`. */
+    uint32_t reserved;           /**< Zero. */
+    uint32_t words[4];           /**< Words; #vbss_record_input_kind lists their meanings. */
+    double numbers[12];          /**< Numbers; #vbss_record_input_kind lists their meanings. */
+} vbss_record_input;
 
 /** A step as the log describes it. */
-typedef struct vbss_log_step {
+typedef struct vbss_replay_logged_step {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t hashed;      /**< 1: `hash` is valid. */
     uint64_t number;      /**< Number of the step, from 1 on. */
@@ -121,17 +123,17 @@ typedef struct vbss_log_step {
     uint64_t position;    /**< Byte of the log just after this step. */
     double h;             /**< Length of the step, s. */
     double time; /**< Sum of the lengths of the steps up to this one, s: the clock of the hands. */
-    const vbss_log_input *inputs; /**< Inputs before the step, in their order. */
+    const vbss_record_input *inputs; /**< Inputs before the step, in their order. */
     const uint32_t *events; /**< x 4: the events of the step, as in #VBSS_SCENE_VIEW_EVENTS. */
     uint32_t input_count;   /**< Number of inputs. */
     uint32_t event_count;   /**< Number of events; each has four words. */
-    /** Part of `h` that the scene has left out, s, by #VBSS_EVENT_CLAMPED. Each such event is up to
+    /** Part of `h` that the scene has left out, s, by #VBSS_SCENE_EVENT_CLAMPED. Each such event is up to
      * h / 65536 too small. A step may report the time of an earlier paused step. */
     double time_lost;
-} vbss_log_step;
+} vbss_replay_logged_step;
 
 /** Contents and faults of a log. The counts cover its good part, before the first fault. */
-typedef struct vbss_log_report {
+typedef struct vbss_record_log_report {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     /** VBSS_OK, or the result of the first fault; VBSS_ERROR_TRUNCATED when the log is truncated. */
     vbss_result result;
@@ -148,9 +150,9 @@ typedef struct vbss_log_report {
     const char *fault_problems[8]; /**< Descriptions of the faults, constant English strings. */
     /** VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION. */
     vbss_result fault_results[8];
-    /** Part of `time` that the scene has left out, s; see #vbss_log_step.time_lost. */
+    /** Part of `time` that the scene has left out, s; see #vbss_replay_logged_step.time_lost. */
     double time_lost;
-} vbss_log_report;
+} vbss_record_log_report;
 
 /** General information on a log. */
 typedef struct vbss_replay_info {
@@ -166,16 +168,16 @@ typedef struct vbss_replay_info {
     const void *note; /**< The host's note; never NULL; valid as long as the replay lives. */
 } vbss_replay_info;
 
-/** Outcome of a replay: a VBSS_REPLAY_ constant. */
+/** Outcome of a replay: a VBSS_REPLAY_OUTCOME_ constant. */
 typedef int32_t vbss_replay_outcome;
 
 /** The constants of #vbss_replay_outcome. */
 enum {
-    VBSS_REPLAY_STEPPED = 0, /**< The replay has not ended; all hashes so far agree. */
-    VBSS_REPLAY_ENDED = 1,   /**< The log has ended with its end record; all hashes agree. */
-    VBSS_REPLAY_DIFFERS = 2, /**< The state after `step` is not the recorded one. */
+    VBSS_REPLAY_OUTCOME_STEPPED = 0, /**< The replay has not ended; all hashes so far agree. */
+    VBSS_REPLAY_OUTCOME_ENDED = 1, /**< The log has ended with its end record; all hashes agree. */
+    VBSS_REPLAY_OUTCOME_DIFFERS = 2, /**< The state after `step` is not the recorded one. */
     /** The call has failed: the log is truncated or damaged, or the scene refused a step. */
-    VBSS_REPLAY_STOPPED = 3
+    VBSS_REPLAY_OUTCOME_STOPPED = 3
 };
 
 /** Position and outcome of a replay. */
@@ -252,7 +254,7 @@ VBSS_API vbss_result vbss_record_destroy(vbss_record *record);
  * Continues a log, complete or truncated. The call brings the scene of the replay to the last
  * complete step, as #vbss_replay_seek does, and creates a record that appends to the log. The host
  * first truncates its file at `position`. A damaged log is refused. To continue its good part
- * (#vbss_log_check), open a replay of that part alone.
+ * (#vbss_record_check_log), open a replay of that part alone.
  *
  * @param replay         a replay that has begun; the record does not log its later steps
  * @param config         configuration; NULL for the defaults. Only buffer_bytes and
@@ -284,7 +286,7 @@ VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_c
 VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_t *count);
 
 /**
- * Calls #vbss_scene_move_rigid of the recorded scene and logs it. An input belongs to the step that
+ * Calls #vbss_scene_set_rigid_target of the recorded scene and logs it. An input belongs to the step that
  * follows. Like all logging functions below, it changes nothing when it fails, and has two further
  * errors. VBSS_ERROR_OUT_OF_RANGE: #vbss_record_end was called, or the host has changed the scene
  * or a thread, drain or grasper in it without the record (a new record is needed then).
@@ -301,23 +303,25 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body,
-                                            const double position[3], const double *orientation);
+VBSS_API vbss_result vbss_record_set_rigid_target(vbss_record *record, uint32_t body,
+                                                  const double position[3],
+                                                  const double *orientation);
 
 /**
- * Calls #vbss_grasper_move for a grasper of the recorded scene and logs it.
+ * Calls #vbss_grasper_set_target for a grasper of the recorded scene and logs it.
  *
  * @param record       the record
  * @param body         number of the grasper in the scene
  * @param position     position of the tip, m, each coordinate at most 1e3 in magnitude
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
  *         last orientation
- * @return as #vbss_record_move_rigid
+ * @return as #vbss_record_set_rigid_target
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body,
-                                              const double position[3], const double *orientation);
+VBSS_API vbss_result vbss_record_set_grasper_target(vbss_record *record, uint32_t body,
+                                                    const double position[3],
+                                                    const double *orientation);
 
 /**
  * Calls #vbss_grasper_set_opening for a grasper of the recorded scene and logs it.
@@ -325,7 +329,7 @@ VBSS_API vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body
  * @param record   the record
  * @param body     number of the grasper in the scene
  * @param opening  opening of the handle, 0 (closed) to 1 (open)
- * @return as #vbss_record_move_rigid
+ * @return as #vbss_record_set_rigid_target
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -337,7 +341,7 @@ VBSS_API vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body,
  * @param record  the record
  * @param body    number of the grasper in the scene
  * @param kind    kind of the new instrument
- * @return as #vbss_record_move_rigid
+ * @return as #vbss_record_set_rigid_target
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -351,13 +355,13 @@ VBSS_API vbss_result vbss_record_exchange(vbss_record *record, uint32_t body,
  * @param record   the record
  * @param input    the input; `word_count` and `number_count` are not used
  * @param[out] id  identifier of a new pin or attachment, or number of a new piece; may be NULL
- * @return as #vbss_record_move_rigid and the function of the input; VBSS_ERROR_OUT_OF_RANGE also for
+ * @return as #vbss_record_set_rigid_target and the function of the input; VBSS_ERROR_OUT_OF_RANGE also for
  *         a kind or a setting that does not exist, VBSS_ERROR_NOT_FINITE for any number of the
  *         input that is not finite
  * @threads one thread at a time per context
  * @since 1.0
  */
-VBSS_API vbss_result vbss_record_apply_input(vbss_record *record, const vbss_log_input *input,
+VBSS_API vbss_result vbss_record_apply_input(vbss_record *record, const vbss_record_input *input,
                                              uint32_t *id);
 
 /**
@@ -370,7 +374,7 @@ VBSS_API vbss_result vbss_record_apply_input(vbss_record *record, const vbss_log
  * @param point     point in the frame of the body, m, each coordinate at most 1e3 in magnitude;
  *         NULL: the current position of the node
  * @param[out] pin  identifier of the pin, from 1 on, never reused
- * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also when pins or the thread's
+ * @return as #vbss_record_set_rigid_target; VBSS_ERROR_CAPACITY also when pins or the thread's
  *         attachments are exhausted
  * @threads one thread at a time per context
  * @since 0.1
@@ -383,7 +387,7 @@ VBSS_API vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread
  *
  * @param record  the record
  * @param pin     identifier of the pin
- * @return as #vbss_record_move_rigid
+ * @return as #vbss_record_set_rigid_target
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -397,7 +401,7 @@ VBSS_API vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
  * @param arc_length  unstretched arc length from the thread's node 0 to the cut, m, within its
  *         length and not at an end
  * @param[out] piece  number of the new body
- * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also when no cuts are left
+ * @return as #vbss_record_set_rigid_target; VBSS_ERROR_CAPACITY also when no cuts are left
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -411,7 +415,7 @@ VBSS_API vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread
  * @param thread      number of the thread in the scene
  * @param attachment the attachment
  * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
- * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also when the thread's attachments are
+ * @return as #vbss_record_set_rigid_target; VBSS_ERROR_CAPACITY also when the thread's attachments are
  *         exhausted; VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_UNKNOWN_FIELD
  * @threads one thread at a time per context
  * @since 0.1
@@ -420,19 +424,20 @@ VBSS_API vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
                                         const vbss_thread_attachment *attachment, uint32_t *id);
 
 /**
- * Calls #vbss_thread_move for an attachment of a thread of the recorded scene and logs it.
+ * Calls #vbss_thread_set_attachment_target for an attachment of a thread of the recorded scene and logs it.
  *
  * @param record     the record
  * @param thread     number of the thread in the scene
  * @param id         the attachment, not a MASS
  * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N
  * @param direction  CLAMP: direction of any length from 1e-100 to 1e100; NULL keeps the direction
- * @return as #vbss_record_move_rigid
+ * @return as #vbss_record_set_rigid_target
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t thread, uint32_t id,
-                                                 const double target[3], const double *direction);
+VBSS_API vbss_result vbss_record_set_attachment_target(vbss_record *record, uint32_t thread,
+                                                       uint32_t id, const double target[3],
+                                                       const double *direction);
 
 /**
  * Calls #vbss_thread_detach for a thread of the recorded scene and logs it.
@@ -440,7 +445,7 @@ VBSS_API vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t t
  * @param record  the record
  * @param thread  number of the thread in the scene
  * @param id      the attachment
- * @return as #vbss_record_move_rigid
+ * @return as #vbss_record_set_rigid_target
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -454,7 +459,7 @@ VBSS_API vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, ui
  *
  * @param record  the record
  * @param h       length of the step, s, 1e-7 to 0.1
- * @return as #vbss_record_move_rigid and #vbss_scene_step; VBSS_ERROR_CAPACITY also when the buffer
+ * @return as #vbss_record_set_rigid_target and #vbss_scene_step; VBSS_ERROR_CAPACITY also when the buffer
  *         is full: nothing has changed then, and #vbss_record_take makes room
  * @threads one thread at a time per context
  * @since 0.1
@@ -605,8 +610,8 @@ VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step *step,
-                                      uint32_t struct_size);
+VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number,
+                                      vbss_replay_logged_step *step, uint32_t struct_size);
 
 /**
  * Checks a whole log, which may be any bytes, and reports its contents, its faults and their
@@ -624,8 +629,9 @@ VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_log_check(vbss_context *context, const uint8_t *bytes, uint64_t count,
-                                    vbss_log_report *report, uint32_t struct_size);
+VBSS_API vbss_result vbss_record_check_log(vbss_context *context, const uint8_t *bytes,
+                                           uint64_t count, vbss_record_log_report *report,
+                                           uint32_t struct_size);
 
 #ifdef __cplusplus
 }

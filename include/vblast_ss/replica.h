@@ -40,12 +40,12 @@ typedef int32_t vbss_replica_kind;
 
 /** The constants of #vbss_replica_kind. */
 enum {
-    VBSS_REPLICA_THREAD = 1, /**< A thread, or a piece of one. */
-    VBSS_REPLICA_DRAIN = 2,  /**< A drain. */
-    VBSS_REPLICA_NEEDLE = 3, /**< A needle. */
-    VBSS_REPLICA_DRIVER = 4, /**< A grasper that is a needle driver. */
-    VBSS_REPLICA_SHEARS = 5, /**< A grasper that is shears. */
-    VBSS_REPLICA_RIGID = 6   /**< Another rigid body. */
+    VBSS_REPLICA_KIND_THREAD = 1, /**< A thread, or a piece of one. */
+    VBSS_REPLICA_KIND_DRAIN = 2,  /**< A drain. */
+    VBSS_REPLICA_KIND_NEEDLE = 3, /**< A needle. */
+    VBSS_REPLICA_KIND_DRIVER = 4, /**< A grasper that is a needle driver. */
+    VBSS_REPLICA_KIND_SHEARS = 5, /**< A grasper that is shears. */
+    VBSS_REPLICA_KIND_RIGID = 6   /**< Another rigid body. */
 };
 
 /** An array of the state that was taken last: a VBSS_REPLICA_VIEW_ constant. */

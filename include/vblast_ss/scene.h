@@ -8,21 +8,21 @@
  * restoring or destroying it alone returns VBSS_ERROR_IN_SCENE; attachments, their targets and
  * views still work. #vbss_scene_cut_thread cuts it. The same rules hold for a drain (drain.h). Its
  * surfaces lie half the wall's thickness to either side of the middle; both touch all bodies and
- * each other. With method PAPER only its edges touch other bodies, and not each other. Rigid bodies
+ * each other. With method VBLAST only its edges touch other bodies, and not each other. Rigid bodies
  * are sets of capsules. A driven body follows its target exactly. A coupled body is a proxy that a
  * spring and a damper tie to its target, so an obstacle of the thread also stops the tool. A free
  * body moves under forces. A grasper (grasper.h) is a coupled body with jaws that hold threads,
- * needles and walls of drains; with method PAPER it is driven. A needle (needle.h) is a free body.
+ * needles and walls of drains; with method VBLAST it is driven. A needle (needle.h) is a free body.
  * Its tip pierces the wall of a drain when it presses hard enough. The hole then slides along the
- * needle and along the thread behind it (#vbss_scene_get_hole). With method PAPER a needle follows
+ * needle and along the thread behind it (#vbss_scene_get_hole). With method VBLAST a needle follows
  * the first tool that has grasped it, and holes do not depend on forces.
  *
- * Method OURS solves one system of equations for all bodies and contacts: unilateral contact with
+ * Method IMPLICIT solves one system of equations for all bodies and contacts: unilateral contact with
  * Coulomb friction that sticks without creep. A guard (CCD) tests each step: in an accepted step no
  * axis of a body passes through another body. It exempts a needle or a thread near its holes, a
  * held body near the jaws that hold it, and a thread near its pin, against the pin's body
  * (#vbss_scene_pin_thread). It also exempts segments so near along a thread that they do not touch,
- * and the ends at a cut until they have come apart. Method PAPER is that of VBLaST-SS (Qi et al.
+ * and the ends at a cut until they have come apart. Method VBLAST is that of VBLaST-SS (Qi et al.
  * 2017): explicit steps, edge tests at both ends of a step, displacements as response, no friction,
  * knots held by pins. See docs/paper-scene.md.
  *
@@ -40,41 +40,41 @@
 /** Bodies that touch each other and are stepped together. */
 typedef struct vbss_scene vbss_scene;
 
-/** Behaviour when a step finds no acceptable state at once: a VBSS_MODE_ constant. */
+/** Behaviour when a step finds no acceptable state at once: a VBSS_SCENE_MODE_ constant. */
 typedef int32_t vbss_scene_mode;
 
 /** The constants of #vbss_scene_mode. */
 enum {
     /** The work and the attempts of a step are limited, and the work of a call, so that it ends in
-     * time: see `work_limit` and `slot_limit`. Work left over is deferred to the next call. Time
+     * time: see `step_budget` and `call_budget`. Work left over is deferred to the next call. Time
      * that would be deferred too long is left out and counted in `paused`. As a result tight knots
      * of many throws slip a little early. */
-    VBSS_MODE_REAL_TIME = 0,
+    VBSS_SCENE_MODE_REAL_TIME = 0,
     /** A step takes all the work that it needs. It is halved as often as halving_limit allows, and
      * only then truncated, which is counted in `clamped`. After eight truncated parts the rest of
      * the step is left out, for the bodies of these parts alone, and counted in `paused`. For
      * experiments. */
-    VBSS_MODE_OFFLINE = 1
+    VBSS_SCENE_MODE_OFFLINE = 1
 };
 
-/** Treatment of a new body that overlaps another one or the floor: a VBSS_OVERLAP_ constant. */
-typedef int32_t vbss_overlap_policy;
+/** Treatment of a new body that overlaps another one or the floor: a VBSS_SCENE_OVERLAP_ constant. */
+typedef int32_t vbss_scene_overlap_policy;
 
-/** The constants of #vbss_overlap_policy. */
+/** The constants of #vbss_scene_overlap_policy. */
 enum {
-    VBSS_OVERLAP_WARN =
+    VBSS_SCENE_OVERLAP_WARN =
         0, /**< The body is added; a warning in the log names the other body and the depth. */
     /** The call returns VBSS_ERROR_OUT_OF_RANGE, and nothing has changed. */
-    VBSS_OVERLAP_REFUSE = 1,
-    VBSS_OVERLAP_ALLOW = 2 /**< The body is added without a check. */
+    VBSS_SCENE_OVERLAP_REFUSE = 1,
+    VBSS_SCENE_OVERLAP_ALLOW = 2 /**< The body is added without a check. */
 };
 
 /** Configuration of a scene. Fill it with #vbss_scene_config_init, then change fields. */
 typedef struct vbss_scene_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    /** Method; default VBSS_METHOD_OURS. Bodies of the scene must have the same method. */
+    /** Method; default VBSS_METHOD_IMPLICIT. Bodies of the scene must have the same method. */
     vbss_method method;
-    vbss_scene_mode mode;     /**< Mode; default VBSS_MODE_REAL_TIME. */
+    vbss_scene_mode mode;     /**< Mode; default VBSS_SCENE_MODE_REAL_TIME. */
     uint32_t thread_capacity; /**< Largest number of threads at a time, 0 to 64; default 4. */
     /** Largest number of nodes of all threads, 0 to 8192; default 1024. */
     uint32_t node_capacity;
@@ -111,23 +111,23 @@ typedef struct vbss_scene_config {
      * reduces it. */
     double penetration_tolerance;
     /** Largest number of linearisations of an attempt, 1 to 100; default 12. */
-    uint32_t linearisation_limit;
+    uint32_t iteration_limit;
     /** Largest number of solves for the contact states in a linearisation, 1 to 1000; default 36. */
-    uint32_t state_limit;
+    uint32_t active_set_limit;
     uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
     /** REAL_TIME: number of attempts in a step after which the rest of the step is left out, 1 to
-     * 1000; default 3. Without a work_limit each remaining part is tried once, and truncated if
+     * 1000; default 3. Without a step_budget each remaining part is tried once, and truncated if
      * necessary; after eight truncated parts the rest is left out. */
     uint32_t attempt_limit;
-    /** PAPER: number of passes of detection and response in a step, 1 to 1000; default 4. */
+    /** VBLAST: number of passes of detection and response in a step, 1 to 1000; default 4. */
     uint32_t paper_pass_limit;
     /** Largest number of grasped places of threads at a time, 0 to 256; default 8. Places that jaws
      * have released but not cleared count too, and so do the two ends at each cut of blades.
      * Without capacity the jaws stay open. */
     uint32_t grasp_capacity;
-    /** PAPER: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2; default 0. */
+    /** VBLAST: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2; default 0. */
     double paper_thickness;
-    /** REAL_TIME, method OURS: operations of a step after which the search for contact states
+    /** REAL_TIME, method IMPLICIT: operations of a step after which the search for contact states
      * stops; 0: no limit; default 250000. An operation costs about as much as a product of two 3x3
      * blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md). At the limit the
      * step uses the contact forces found so far. They balance, but miss the contact law by up to
@@ -137,15 +137,15 @@ typedef struct vbss_scene_config {
      * work: 20 uJ, or 1 mJ in a scene without drains. The next step then begins with smaller
      * parts, and driven bodies continue from where they stopped. In a scene's first step, whose
      * bodies may overlap as they were placed, an attempt has no limit. Between its attempts 32
-     * times work_limit and attempt_limit apply, and it is never suspended. The smallest part that
+     * times step_budget and attempt_limit apply, and it is never suspended. The smallest part that
      * halving_limit allows has no limit. If its contact states are not found, it is tried once
      * more with the full limit for itself. In a scene with drains the smallest part has the limit
      * too, and a part that exceeds it is halved up to three more times, after which it has none. */
-    uint32_t work_limit;
+    uint32_t step_budget;
     uint32_t drain_capacity; /**< Largest number of drains at a time, 0 to 16; default 1. */
     /** Largest number of holes of needles and threads in drains at a time, 0 to 256; default 16. */
     uint32_t hole_capacity;
-    /** REAL_TIME with a work_limit, method OURS: operations of a call of #vbss_scene_step; 0: each
+    /** REAL_TIME with a step_budget, method IMPLICIT: operations of a call of #vbss_scene_step; 0: each
      * call completes its step; default 210000. A step that needs more is suspended. The next call
      * resumes it, with the bits that it would have had without the suspension. With its remaining
      * operations that call begins the next step. After a call bodies are therefore up to two steps
@@ -156,50 +156,53 @@ typedef struct vbss_scene_config {
      * by the final work of a step and by attempts that the guard refuses. If other bodies wait for
      * it, a step that two calls have suspended is completed by the third, whatever it takes, and
      * counted in `overdue`. So bodies that touch nothing never miss more than three calls. */
-    uint32_t slot_limit;
+    uint32_t call_budget;
     /** Largest speed of any point of a driven or coupled body, or of a grasper, on the way to
      * its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that is
      * farther away at this speed, over several steps. A pose in the wrong unit, or a jump of a
-     * device, then causes no long step and no extreme force. Method OURS only. Logs and
+     * device, then causes no long step and no extreme force. Method IMPLICIT only. Logs and
      * snapshots store the limit, and a scene with another one rejects them. One exception:
      * scenes without a limit and with the default limit accept each other's snapshots. */
     double speed_limit;
-    /** Treatment of overlapping new bodies; default VBSS_OVERLAP_WARN. */
-    vbss_overlap_policy overlap;
+    /** Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN. */
+    vbss_scene_overlap_policy overlap;
     uint32_t reserved; /**< Zero. */
 } vbss_scene_config;
 
 /** The deepest overlap of a body. */
-typedef struct vbss_overlap {
+typedef struct vbss_scene_overlap {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t body;        /**< Number of the other body; 0: the floor, or none if depth is 0. */
     double depth;         /**< Depth of the overlap of the two surfaces, m; 0: no overlap. */
-} vbss_overlap;
+} vbss_scene_overlap;
 
-/** Kind of motion of a rigid body: a VBSS_RIGID_ constant. */
-typedef int32_t vbss_rigid_kind;
+/** Kind of motion of a rigid body: a VBSS_SCENE_RIGID_ constant. */
+typedef int32_t vbss_scene_rigid_kind;
 
-/** The constants of #vbss_rigid_kind. */
+/** The constants of #vbss_scene_rigid_kind. */
 enum {
-    VBSS_RIGID_DRIVEN = 0,  /**< The body follows its target exactly; only the guard can stop it. */
-    VBSS_RIGID_COUPLED = 1, /**< The body is a proxy that a virtual coupling ties to its target. */
-    VBSS_RIGID_FREE = 2     /**< The body moves under forces. */
+    VBSS_SCENE_RIGID_DRIVEN =
+        0, /**< The body follows its target exactly; only the guard can stop it. */
+    VBSS_SCENE_RIGID_COUPLED =
+        1, /**< The body is a proxy that a virtual coupling ties to its target. */
+    VBSS_SCENE_RIGID_FREE = 2 /**< The body moves under forces. */
 };
 
 /** One capsule of a rigid body, in the frame of the body. */
-typedef struct vbss_capsule {
+typedef struct vbss_scene_capsule {
     double begin[3]; /**< One end of the axis, m. */
     double end[3];   /**< The other end of the axis, m; equal ends make a ball. */
     double radius;   /**< Radius, m, 1e-6 to 1. */
-} vbss_capsule;
+} vbss_scene_capsule;
 
-/** Configuration of a rigid body. Fill it with #vbss_rigid_config_init, then change fields. */
-typedef struct vbss_rigid_config {
-    uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
-    vbss_rigid_kind kind;         /**< Kind of motion; default VBSS_RIGID_DRIVEN. */
-    uint32_t capsule_count;       /**< Number of capsules, 1 to 256. */
-    uint32_t reserved;            /**< Zero. */
-    const vbss_capsule *capsules; /**< Array of capsule_count capsules; the library copies it. */
+/** Configuration of a rigid body. Fill it with #vbss_scene_rigid_config_init, then change fields. */
+typedef struct vbss_scene_rigid_config {
+    uint32_t struct_size;       /**< Size of this struct in bytes, set by the init function. */
+    vbss_scene_rigid_kind kind; /**< Kind of motion; default VBSS_SCENE_RIGID_DRIVEN. */
+    uint32_t capsule_count;     /**< Number of capsules, 1 to 256. */
+    uint32_t reserved;          /**< Zero. */
+    const vbss_scene_capsule
+        *capsules; /**< Array of capsule_count capsules; the library copies it. */
     /** Position of the origin of the frame, m, each coordinate at most 1e3 in magnitude; default
      * 0. */
     double position[3];
@@ -225,12 +228,12 @@ typedef struct vbss_rigid_config {
     double turning_stiffness; /**< COUPLED: rotational stiffness, N m/rad, 0 to 1e9; default 2. */
     /** COUPLED: rotational damping, N m s/rad, 0 to 1e6; default 0.005. */
     double turning_damping;
-} vbss_rigid_config;
+} vbss_scene_rigid_config;
 
 /** State of a rigid body. */
-typedef struct vbss_rigid_state {
+typedef struct vbss_scene_rigid_state {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
-    vbss_rigid_kind kind;         /**< Kind of motion. */
+    vbss_scene_rigid_kind kind;   /**< Kind of motion. */
     double position[3];           /**< Position of the origin of its frame, m. */
     double orientation[4];        /**< Orientation from body to world, w, x, y, z. */
     double velocity[3];           /**< Velocity of the origin, m/s. */
@@ -244,15 +247,15 @@ typedef struct vbss_rigid_state {
     /** Sum of the forces of all contacts and pins on the body in the last step, N. */
     double contact_force[3];
     double contact_torque[3]; /**< Their torque about the origin of the body's frame, N m. */
-} vbss_rigid_state;
+} vbss_scene_rigid_state;
 
 /** An array of a scene: a VBSS_SCENE_VIEW_ constant. */
 typedef int32_t vbss_scene_field;
 
 /** The constants of #vbss_scene_field. Contacts are those that carried a force at the end of the
- * last step, in the order of their features. With method PAPER they are those with a response. */
+ * last step, in the order of their features. With method VBLAST they are those with a response. */
 enum {
-    /** x 5 uint32_t: #vbss_contact_kind, body a, feature a, body b, feature b. Features are
+    /** x 5 uint32_t: #vbss_scene_contact_kind, body a, feature a, body b, feature b. Features are
      * segments or nodes of a thread, capsules of a rigid body (2 times the capsule, plus the end
      * if an end touches), and nodes, triangles or sides of a drain; the floor has feature 0. Each
      * side of a drain's triangles is numbered once, in the order of its two nodes, the lower node
@@ -266,87 +269,88 @@ enum {
     VBSS_SCENE_VIEW_CONTACT_FORCES = 3,
     /** x 1: distance of the surfaces, m; negative when they overlap. */
     VBSS_SCENE_VIEW_CONTACT_GAPS = 4,
-    VBSS_SCENE_VIEW_EVENTS = 5 /**< x 4 uint32_t: #vbss_event_kind, two bodies, a number. */
+    VBSS_SCENE_VIEW_EVENTS = 5 /**< x 4 uint32_t: #vbss_scene_event_kind, two bodies, a number. */
 };
 
-/** Features of a contact: a VBSS_CONTACT_ constant. */
-typedef int32_t vbss_contact_kind;
+/** Features of a contact: a VBSS_SCENE_CONTACT_ constant. */
+typedef int32_t vbss_scene_contact_kind;
 
-/** The constants of #vbss_contact_kind. */
+/** The constants of #vbss_scene_contact_kind. */
 enum {
-    VBSS_CONTACT_SEGMENTS = 0,        /**< Two segments of threads. */
-    VBSS_CONTACT_NODE_CAPSULE = 1,    /**< A smoothed point of a fine thread and a capsule. */
-    VBSS_CONTACT_SEGMENT_CAPSULE = 2, /**< A segment of a coarse thread and a capsule. */
-    VBSS_CONTACT_NODE_FLOOR = 3,      /**< A node of a thread and the floor. */
-    VBSS_CONTACT_CAPSULES = 4,        /**< Two capsules of different bodies. */
-    VBSS_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule and the floor. */
+    VBSS_SCENE_CONTACT_SEGMENTS = 0,        /**< Two segments of threads. */
+    VBSS_SCENE_CONTACT_NODE_CAPSULE = 1,    /**< A smoothed point of a fine thread and a capsule. */
+    VBSS_SCENE_CONTACT_SEGMENT_CAPSULE = 2, /**< A segment of a coarse thread and a capsule. */
+    VBSS_SCENE_CONTACT_NODE_FLOOR = 3,      /**< A node of a thread and the floor. */
+    VBSS_SCENE_CONTACT_CAPSULES = 4,        /**< Two capsules of different bodies. */
+    VBSS_SCENE_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule and the floor. */
     /** A held point and a grasper. The feature of a thread is 3 times the index of the grasp plus
      * the index of one of its three held points. The feature of a needle or a drain is the index
      * of the held point. The feature of the grasper is 0. */
-    VBSS_CONTACT_GRASP = 6,
+    VBSS_SCENE_CONTACT_GRASP = 6,
     /** A node of a thread, an end of a capsule or a node of a drain, with a triangle of a drain. */
-    VBSS_CONTACT_POINT_FACE = 7,
+    VBSS_SCENE_CONTACT_POINT_FACE = 7,
     /** A segment of a thread, a capsule or a side of a drain's triangle, with a side of a drain's
      * triangle. */
-    VBSS_CONTACT_SIDES = 8,
-    VBSS_CONTACT_DRAIN_FLOOR = 9, /**< A node of a drain and the floor. */
+    VBSS_SCENE_CONTACT_SIDES = 8,
+    VBSS_SCENE_CONTACT_DRAIN_FLOOR = 9, /**< A node of a drain and the floor. */
     /** A needle or a thread in a hole of a drain. The feature of the suture is the index of the
-     * hole; the feature of the drain is 0. The normal is along the suture. PAPER: a place where
+     * hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
      * particles were moved. */
-    VBSS_CONTACT_HOLE = 10
+    VBSS_SCENE_CONTACT_HOLE = 10
 };
 
-/** Kind of an event: a VBSS_EVENT_ constant. Three numbers follow the kind: two bodies, and a third
+/** Kind of an event: a VBSS_SCENE_EVENT_ constant. Three numbers follow the kind: two bodies, and a third
  * number. */
-typedef int32_t vbss_event_kind;
+typedef int32_t vbss_scene_event_kind;
 
-/** The constants of #vbss_event_kind. Each comment lists the three numbers after its colon. */
+/** The constants of #vbss_scene_event_kind. Each comment lists the three numbers after its colon. */
 enum {
     /** Two bodies have come into contact, or a body with itself: body, body, 0. */
-    VBSS_EVENT_TOUCH = 1,
-    VBSS_EVENT_PART = 2, /**< Two bodies in contact have separated: body, body, 0. */
+    VBSS_SCENE_EVENT_TOUCH = 1,
+    VBSS_SCENE_EVENT_PART = 2, /**< Two bodies in contact have separated: body, body, 0. */
     /** A step was truncated or paused; the third number is the lost share of the step in 1/65536. */
-    VBSS_EVENT_CLAMPED = 3,
+    VBSS_SCENE_EVENT_CLAMPED = 3,
     /** Events exceeded the capacity; the third number is the number of lost events. */
-    VBSS_EVENT_LOST = 4,
+    VBSS_SCENE_EVENT_LOST = 4,
     /** Jaws have grasped a body: thread, needle or drain; grasper; arc length in um, or for a drain
      * a held triangle. */
-    VBSS_EVENT_GRASP = 5,
-    VBSS_EVENT_RELEASE = 6, /**< Jaws have opened and released a body: numbers as for GRASP. */
-    VBSS_EVENT_TORN = 7,    /**< A body was pulled out of the jaws: numbers as for GRASP. */
+    VBSS_SCENE_EVENT_GRASP = 5,
+    VBSS_SCENE_EVENT_RELEASE =
+        6,                     /**< Jaws have opened and released a body: numbers as for GRASP. */
+    VBSS_SCENE_EVENT_TORN = 7, /**< A body was pulled out of the jaws: numbers as for GRASP. */
     /** A body begins to slide through the jaws, or to turn in them: numbers as for GRASP. */
-    VBSS_EVENT_SLIP = 8,
+    VBSS_SCENE_EVENT_SLIP = 8,
     /** A grasp exceeded grasp_capacity, so the body is not held: thread, grasper, 0. */
-    VBSS_EVENT_GRASP_LOST = 9,
+    VBSS_SCENE_EVENT_GRASP_LOST = 9,
     /** A thread was cut: thread, its new piece, arc length of the cut in um. The second number is 0
      * if the thread had no cuts left and stayed whole. */
-    VBSS_EVENT_CUT = 10,
-    VBSS_EVENT_EXCHANGED = 11, /**< An instrument was exchanged: grasper, 0, new kind. */
+    VBSS_SCENE_EVENT_CUT = 10,
+    VBSS_SCENE_EVENT_EXCHANGED = 11, /**< An instrument was exchanged: grasper, 0, new kind. */
     /** An instrument was not exchanged: grasper, 0, wanted kind. */
-    VBSS_EVENT_NOT_EXCHANGED = 12,
-    /** A needle's tip has entered a wall (PAPER: has gone through it): needle, drain, id of the
+    VBSS_SCENE_EVENT_NOT_EXCHANGED = 12,
+    /** A needle's tip has entered a wall (VBLAST: has gone through it): needle, drain, id of the
      * hole (vbss_scene_get_hole). */
-    VBSS_EVENT_PUNCTURE = 13,
+    VBSS_SCENE_EVENT_PUNCTURE = 13,
     /** The tip has left the hole backwards: needle, drain, id of the hole. */
-    VBSS_EVENT_WITHDRAWN = 14,
+    VBSS_SCENE_EVENT_WITHDRAWN = 14,
     /** The needle and its swage have passed through the hole, and the thread follows: needle,
      * drain, id of the hole. */
-    VBSS_EVENT_PASSED = 15,
+    VBSS_SCENE_EVENT_PASSED = 15,
     /** A hole exceeded hole_capacity, so the wall is not pierced: needle, drain, 0. */
-    VBSS_EVENT_HOLE_LOST = 16,
+    VBSS_SCENE_EVENT_HOLE_LOST = 16,
     /** The swage has come back through the hole, and the needle is in it again: needle, drain, id
      * of the hole. */
-    VBSS_EVENT_RETURNED = 17,
-    VBSS_EVENT_UNTHREADED =
+    VBSS_SCENE_EVENT_RETURNED = 17,
+    VBSS_SCENE_EVENT_UNTHREADED =
         18, /**< An end of a thread has left the hole: thread, drain, id of the hole. */
-    /** Two bodies hold each other back: both bodies of #vbss_blocker, its cause. Reported once
+    /** Two bodies hold each other back: both bodies of #vbss_scene_blocker, its cause. Reported once
      * until they have moved freely again. */
-    VBSS_EVENT_BLOCKED = 19,
+    VBSS_SCENE_EVENT_BLOCKED = 19,
     /** Two bodies have moved freely for 0.1 s after BLOCKED: both bodies, cause. */
-    VBSS_EVENT_UNBLOCKED = 20
+    VBSS_SCENE_EVENT_UNBLOCKED = 20
 };
 
-/** Counters since creation, and results of the last step. Method PAPER uses these fields
+/** Counters since creation, and results of the last step. Method VBLAST uses these fields
  * differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
  * pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still moved
  * a body, and the stretch error is max |length / rest length - 1|. */
@@ -385,46 +389,48 @@ typedef struct vbss_scene_statistics {
     double stretch_error;      /**< Largest stretch error of all steps. */
     double last_residual;      /**< Residual of the contact law after the last part, N. */
     double time;               /**< Sum of the lengths of the steps, `time_paused` included, s. */
-    uint64_t operations; /**< Operations of all steps, as work_limit counts them; method OURS. */
+    uint64_t
+        operations; /**< Operations of all steps, as step_budget counts them; method IMPLICIT. */
     uint64_t most_operations; /**< Largest number of operations of a step. */
     uint64_t paused;          /**< REAL_TIME: steps of which a part, or all, was left out. */
     double time_paused;       /**< Simulated time that these steps have lost, s. */
-    /** Calls after which a step was suspended or had not begun; see slot_limit. */
+    /** Calls after which a step was suspended or had not begun; see call_budget. */
     uint64_t deferred;
     uint32_t behind; /**< Number of suspended and unbegun steps after the last call, 0 to 2. */
     /** Steps that two calls had suspended while other bodies waited, so that the third completed
-     * them without slot_limit. */
+     * them without call_budget. */
     uint32_t overdue;
 } vbss_scene_statistics;
 
-/** Reason why bodies are held back: a VBSS_BLOCKER_ constant. */
-typedef int32_t vbss_blocker_cause;
+/** Reason why bodies are held back: a VBSS_SCENE_BLOCKER_ constant. */
+typedef int32_t vbss_scene_blocker_cause;
 
-/** The constants of #vbss_blocker_cause. */
+/** The constants of #vbss_scene_blocker_cause. */
 enum {
-    VBSS_BLOCKER_WORK = 0,      /**< The work limit of the step was exhausted. */
-    VBSS_BLOCKER_COLLISION = 1, /**< The bodies would pass through each other, or come too near. */
-    VBSS_BLOCKER_PENETRATION =
-        2,                       /**< The bodies penetrate each other by more than the tolerance. */
-    VBSS_BLOCKER_CONTACT = 3,    /**< No contact forces were found that obey the contact law. */
-    VBSS_BLOCKER_CONVERGENCE = 4 /**< The motion of the body did not converge. */
+    VBSS_SCENE_BLOCKER_WORK = 0, /**< The work limit of the step was exhausted. */
+    VBSS_SCENE_BLOCKER_COLLISION =
+        1, /**< The bodies would pass through each other, or come too near. */
+    VBSS_SCENE_BLOCKER_PENETRATION =
+        2, /**< The bodies penetrate each other by more than the tolerance. */
+    VBSS_SCENE_BLOCKER_CONTACT = 3, /**< No contact forces were found that obey the contact law. */
+    VBSS_SCENE_BLOCKER_CONVERGENCE = 4 /**< The motion of the body did not converge. */
 };
 
 /** Two bodies that hold each other back, and all bodies that touch them. A failed step holds back
  * only the bodies that contacts, grasps, holes or pins connect with these two. All other bodies
  * move on. */
-typedef struct vbss_blocker {
-    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
-    vbss_blocker_cause cause; /**< Cause in the last step that held them back. */
-    uint32_t body_a;          /**< Number of one body; 0: unknown. */
-    uint32_t body_b;          /**< Number of the other body; 0: the floor, or no second body. */
-    double since;             /**< Simulated time at which they were first held back, s. */
-    double lost_time;         /**< Simulated time that they have lost since then, s. */
+typedef struct vbss_scene_blocker {
+    uint32_t struct_size;           /**< Bytes of this struct that the library filled. */
+    vbss_scene_blocker_cause cause; /**< Cause in the last step that held them back. */
+    uint32_t body_a;                /**< Number of one body; 0: unknown. */
+    uint32_t body_b;  /**< Number of the other body; 0: the floor, or no second body. */
+    double since;     /**< Simulated time at which they were first held back, s. */
+    double lost_time; /**< Simulated time that they have lost since then, s. */
     double depth; /**< Their deepest overlap in the last step that held them back, m; 0: none. */
-} vbss_blocker;
+} vbss_scene_blocker;
 
 /** A hole of a needle or a thread in a drain. */
-typedef struct vbss_hole {
+typedef struct vbss_scene_hole {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t id;          /**< Identifier from 1 on, in the order of creation; never reused. */
     uint32_t needle;      /**< Number of the needle in the hole; 0: a thread is in it. */
@@ -432,7 +438,7 @@ typedef struct vbss_hole {
     uint32_t triangle;    /**< Triangle of the drain. */
     uint32_t outward;     /**< 1: the tip went through from inside; 0: from outside. */
     double weights[3];    /**< Weights of the triangle's nodes at the hole. */
-    /** Position of the hole on the drain at rest, m: VBSS_DRAIN_REST_POSITIONS. */
+    /** Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS. */
     double rest_position[3];
     double position[3]; /**< Current position of the hole, in the middle of the wall, m. */
     /** Unit direction of the suture at the hole, towards the needle's tip, or the thread's
@@ -446,12 +452,12 @@ typedef struct vbss_hole {
     double force[3];   /**< Force on the suture, N. */
     uint32_t thread;   /**< Number of the thread in the hole; 0: a needle is in it. */
     uint32_t reserved; /**< Zero. */
-} vbss_hole;
+} vbss_scene_hole;
 
 /** A grasped place of a thread, a needle or a drain. */
-typedef struct vbss_grasp {
+typedef struct vbss_scene_grasp {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    uint32_t thread;      /**< Number of the held thread, needle or drain in the scene. */
+    uint32_t body;        /**< Number of the grasped body in the scene. */
     /** Arc length of the middle of the held part, m: unstretched along a thread, or from a needle's
      * tip. */
     double arc_length;
@@ -459,9 +465,9 @@ typedef struct vbss_grasp {
     /** Force of the jaws on the held body in the last step, N. While the body slides, it exceeds
      * the limit by the clamp's gain in a step. */
     double force[3];
-    double limit; /**< Largest force along the jaws' faces that they bear, N; PAPER: 0. */
+    double limit; /**< Largest force along the jaws' faces that they bear, N; VBLAST: 0. */
     double slid;  /**< Distance that the body has slid through the jaws since it was grasped, m. */
-} vbss_grasp;
+} vbss_scene_grasp;
 
 #ifdef __cplusplus
 extern "C" {
@@ -563,19 +569,20 @@ VBSS_API vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, 
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t struct_size);
+VBSS_API vbss_result vbss_scene_rigid_config_init(vbss_scene_rigid_config *config,
+                                                  uint32_t struct_size);
 
 /**
- * Returns the default configuration that #vbss_rigid_config_init fills.
+ * Returns the default configuration that #vbss_scene_rigid_config_init fills.
  *
  * @return the struct, with its size
  * @threads any thread, any time
  * @since 1.0
  */
-static inline vbss_rigid_config vbss_rigid_config_default(void)
+static inline vbss_scene_rigid_config vbss_scene_rigid_config_default(void)
 {
-    vbss_rigid_config vbss_filled;
-    (void)vbss_rigid_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    vbss_scene_rigid_config vbss_filled;
+    (void)vbss_scene_rigid_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
     return vbss_filled;
 }
 
@@ -591,13 +598,13 @@ static inline vbss_rigid_config vbss_rigid_config_default(void)
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config,
+VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_rigid_config *config,
                                           uint32_t *body);
 
 /**
  * Adds a needle as a free body with its current pose and velocity. A thread whose first node is
  * pinned to it at the swage (#vbss_scene_pin_thread) is swaged to it. Until its removal stepping,
- * placing, restoring or destroying it alone returns VBSS_ERROR_IN_SCENE. With method PAPER it
+ * placing, restoring or destroying it alone returns VBSS_ERROR_IN_SCENE. With method VBLAST it
  * exactly follows the tool whose jaws have closed on it first. A needle that no tool holds flies,
  * lies on the floor, and stays in the walls of drains that it passes through
  * (docs/paper-needle.md).
@@ -644,7 +651,7 @@ VBSS_API vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *gra
  * @since 0.1
  */
 VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
-                                          vbss_grasp *grasp, uint32_t struct_size);
+                                          vbss_scene_grasp *grasp, uint32_t struct_size);
 
 /**
  * Returns a hole of a needle or a thread in a drain, after the last step.
@@ -658,13 +665,13 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
+VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_hole *hole,
                                          uint32_t struct_size);
 
 /**
  * Returns a pair of bodies that hold each other back. Pairs are in the order in which they began. A
  * pair is listed until it has moved freely for 0.1 s of simulated time. At most 16 are listed.
- * Method OURS.
+ * Method IMPLICIT.
  *
  * @param scene         the scene
  * @param index         index of the pair, from 0 on
@@ -676,18 +683,18 @@ VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss
  * @since 0.1
  */
 VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
-                                            vbss_blocker *blocker, uint32_t struct_size);
+                                            vbss_scene_blocker *blocker, uint32_t struct_size);
 
 /**
  * Makes a hole where a thread or a needle already goes through the wall of a drain, for hosts that
  * lay out a stitch. Afterwards the hole behaves as if a needle had made it.
  *
- * @param scene       the scene, of method OURS
+ * @param scene       the scene, of method IMPLICIT
  * @param body        the thread or the needle; a thread of three nodes at least
  * @param arc_length  approximate arc length of the hole, m, 0 to its length; the hole is at the
  *         nearest place of the suture that a descent from there finds
  * @param drain       the drain
- * @param triangle of the drain in VBSS_DRAIN_TRIANGLES
+ * @param triangle of the drain in VBSS_DRAIN_VIEW_TRIANGLES
  * @param weights     three weights of its nodes at the hole, 0 to 1, with the sum 1
  * @param[out] id     receives the identifier of the hole; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a
@@ -722,7 +729,7 @@ VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
  * than half a turn.
  *
  * @param scene        the scene
- * @param body         a rigid body, neither a free one nor a grasper (#vbss_grasper_move)
+ * @param body         a rigid body, neither a free one nor a grasper (#vbss_grasper_set_target)
  * @param position     position of the origin of its frame, m, each coordinate at most 1e3 in
  *         magnitude
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
@@ -732,14 +739,15 @@ VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body,
-                                           const double position[3], const double *orientation);
+VBSS_API vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body,
+                                                 const double position[3],
+                                                 const double *orientation);
 
 /**
  * Pins a node of a thread to a point of a body. The node moves there within the next step and then
- * moves with the body. With method OURS the node's motion is eliminated in favour of the body's, so
- * the body bears its force, at any ratio of masses. With method PAPER, and on driven bodies and the
- * world, the node moves as the body does. With method PAPER pins keep a knot: pin the nearest node
+ * moves with the body. With method IMPLICIT the node's motion is eliminated in favour of the body's, so
+ * the body bears its force, at any ratio of masses. With method VBLAST, and on driven bodies and the
+ * world, the node moves as the body does. With method VBLAST pins keep a knot: pin the nearest node
  * of both strands of a crossing. No other attachment may hold the node. On driven bodies and the
  * world the node becomes the end of a section, and the pin is an attachment of the thread. A pin
  * whose attachment was detached holds nothing. Along the thread the thread does not touch the body
@@ -814,7 +822,7 @@ VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbs
 
 /**
  * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged,
- * except that its events are cleared. With method PAPER the step of a thread or drain that has
+ * except that its events are cleared. With method VBLAST the step of a thread or drain that has
  * diverged fails; see #vbss_thread_step and #vbss_drain_step for the bounds. If a call has ended a
  * suspended step, or some islands of a step, and the rest fails, that result stays: the call
  * returns VBSS_OK, `behind` counts the rest, and the next call returns the failure.
@@ -841,8 +849,8 @@ VBSS_API vbss_result vbss_scene_step(vbss_scene *scene, double h);
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_state *state,
-                                          uint32_t struct_size);
+VBSS_API vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body,
+                                          vbss_scene_rigid_state *state, uint32_t struct_size);
 
 /**
  * Returns a view of one of the scene's arrays.
@@ -889,8 +897,8 @@ VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_sta
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_overlap *overlap,
-                                            uint32_t struct_size);
+VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body,
+                                            vbss_scene_overlap *overlap, uint32_t struct_size);
 
 /**
  * Saves the state of the scene and all its bodies. A restored scene continues with the same bits,

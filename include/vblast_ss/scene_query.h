@@ -15,34 +15,34 @@
 #include <vblast_ss/base.h>
 #include <vblast_ss/scene.h>
 
-/** Kind of a body: a VBSS_BODY_ constant. */
-typedef int32_t vbss_body_kind;
+/** Kind of a body: a VBSS_SCENE_BODY_ constant. */
+typedef int32_t vbss_scene_body_kind;
 
-/** The constants of #vbss_body_kind. */
+/** The constants of #vbss_scene_body_kind. */
 enum {
-    VBSS_BODY_THREAD = 1,  /**< A thread. */
-    VBSS_BODY_DRAIN = 2,   /**< A drain. */
-    VBSS_BODY_RIGID = 3,   /**< A rigid body that is neither a needle nor a grasper. */
-    VBSS_BODY_NEEDLE = 4,  /**< A needle. */
-    VBSS_BODY_GRASPER = 5, /**< A grasper. */
-    VBSS_BODY_FLOOR = 6    /**< The floor, body 0. */
+    VBSS_SCENE_BODY_THREAD = 1,  /**< A thread. */
+    VBSS_SCENE_BODY_DRAIN = 2,   /**< A drain. */
+    VBSS_SCENE_BODY_RIGID = 3,   /**< A rigid body that is neither a needle nor a grasper. */
+    VBSS_SCENE_BODY_NEEDLE = 4,  /**< A needle. */
+    VBSS_SCENE_BODY_GRASPER = 5, /**< A grasper. */
+    VBSS_SCENE_BODY_FLOOR = 6    /**< The floor, body 0. */
 };
 
 /** Properties of a body in a scene. */
-typedef struct vbss_body_info {
-    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    uint32_t body;        /**< Number of the body. */
-    vbss_body_kind kind;  /**< Kind of the body. */
+typedef struct vbss_scene_body_info {
+    uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
+    uint32_t body;             /**< Number of the body. */
+    vbss_scene_body_kind kind; /**< Kind of the body. */
     /** Kind of motion of rigid bodies, needles and graspers; 0 for other bodies. */
-    vbss_rigid_kind motion;
+    vbss_scene_rigid_kind motion;
     uint32_t category; /**< Categories of its contact filter (#vbss_scene_set_filter). */
     uint32_t mask;     /**< Mask of its contact filter. */
     double friction;   /**< Coefficient of friction. For a thread, the one between threads. */
     double gravity[3]; /**< Gravitational acceleration, m/s^2; 0 for the floor. */
-} vbss_body_info;
+} vbss_scene_body_info;
 
 /** First surface that a ray hits. */
-typedef struct vbss_ray_hit {
+typedef struct vbss_scene_ray_hit {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t is_hit;      /**< 1: the ray hits something; 0: all other fields are 0. */
     uint32_t body;        /**< Number of the body; 0: the floor. */
@@ -50,10 +50,10 @@ typedef struct vbss_ray_hit {
     double fraction;      /**< Place on the ray, 0 at its origin to 1 at its end. */
     double point[3];      /**< Point on the surface, m. */
     double normal[3];     /**< Outward unit normal of the surface there. */
-} vbss_ray_hit;
+} vbss_scene_ray_hit;
 
 /** Body nearest to a point. */
-typedef struct vbss_nearest {
+typedef struct vbss_scene_nearest {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t is_found;    /**< 1: a surface is within the radius; 0: all other fields are 0. */
     uint32_t body;        /**< Number of the body; 0: the floor. */
@@ -61,7 +61,7 @@ typedef struct vbss_nearest {
     double distance;      /**< Distance of its surface, m; negative inside the body. */
     double point[3];      /**< Nearest point of that surface, m. */
     double normal[3];     /**< Outward unit normal of the surface there. */
-} vbss_nearest;
+} vbss_scene_nearest;
 
 #ifdef __cplusplus
 extern "C" {
@@ -93,8 +93,8 @@ VBSS_API vbss_result vbss_scene_get_bodies(vbss_scene *scene, uint32_t *numbers,
  * @threads one thread at a time per context
  * @since 1.0
  */
-VBSS_API vbss_result vbss_scene_get_body(vbss_scene *scene, uint32_t body, vbss_body_info *info,
-                                         uint32_t struct_size);
+VBSS_API vbss_result vbss_scene_get_body(vbss_scene *scene, uint32_t body,
+                                         vbss_scene_body_info *info, uint32_t struct_size);
 
 /**
  * Returns the handle of a drain in the scene.
@@ -181,7 +181,7 @@ VBSS_API vbss_result vbss_scene_get_user_data(vbss_scene *scene, uint32_t body, 
  */
 VBSS_API vbss_result vbss_scene_cast_ray(vbss_scene *scene, const double origin[3],
                                          const double translation[3], uint32_t mask,
-                                         vbss_ray_hit *hit, uint32_t struct_size);
+                                         vbss_scene_ray_hit *hit, uint32_t struct_size);
 
 /**
  * Finds the body whose surface is nearest to a point, within a radius. Inside several bodies it is
@@ -199,8 +199,8 @@ VBSS_API vbss_result vbss_scene_cast_ray(vbss_scene *scene, const double origin[
  * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_find_nearest(vbss_scene *scene, const double point[3],
-                                             double radius, uint32_t mask, vbss_nearest *nearest,
-                                             uint32_t struct_size);
+                                             double radius, uint32_t mask,
+                                             vbss_scene_nearest *nearest, uint32_t struct_size);
 
 #ifdef __cplusplus
 }

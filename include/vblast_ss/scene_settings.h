@@ -5,11 +5,11 @@
  *
  * Each function checks its arguments before anything changes. A refused call changes nothing. A
  * change is part of the scene's state: snapshots save it, hashes contain it, and a log records it
- * (#vbss_record_apply_input). A change ends a suspended step (see `slot_limit` of
+ * (#vbss_record_apply_input). A change ends a suspended step (see `call_budget` of
  * #vbss_scene_config), except a force, which acts in the next step that begins. A body that leaves
  * the scene has its configured values again.
  *
- * Scenes of method PAPER have no such changes: all functions return VBSS_ERROR_OUT_OF_RANGE.
+ * Scenes of method VBLAST have no such changes: all functions return VBSS_ERROR_OUT_OF_RANGE.
  *
  * SPDX-License-Identifier: Apache-2.0
  */

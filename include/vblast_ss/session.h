@@ -146,7 +146,7 @@ enum {
 typedef struct vbss_session_event {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
     vbss_session_event_kind kind; /**< Kind of the event. */
-    vbss_metrics_tool tool;   /**< Tool of the event; VBSS_METRICS_NO_TOOL: none, or not known. */
+    vbss_metrics_tool tool;   /**< Tool of the event; VBSS_METRICS_TOOL_NONE: none, or not known. */
     uint32_t number;          /**< Meaning depends on the kind. */
     uint32_t undone;          /**< 1: the fact has ceased. */
     vbss_session_stage stage; /**< STAGE: the stage that the throw has reached. */
@@ -178,7 +178,7 @@ typedef int32_t vbss_session_gap;
 enum {
     /** Gap between the lips, which are as high as the wall: #vbss_drain_gap.opening. A wall that
      * rises counts as closed when it meets the face of the other wall. A drain of
-     * VBSS_METHOD_PAPER uses EDGES instead. */
+     * VBSS_METHOD_VBLAST uses EDGES instead. */
     VBSS_SESSION_GAP_LIPS = 0,
     /** Gap between the edges in the middle of the wall: #vbss_drain_gap.gap, the paper's measure. */
     VBSS_SESSION_GAP_EDGES = 1
@@ -199,7 +199,7 @@ typedef struct vbss_session_config {
     /** Largest number of events that are kept, the newest ones; 8 to 65536; default 1024. */
     uint32_t event_capacity;
     /** Number of steps between inputs of the knot detector, 1 to 1000; default 4. The detector's
-     * own work_limit bounds the work of an input. */
+     * own step_budget bounds the work of an input. */
     uint32_t knot_interval;
     /** Number of steps between hashes of the task in the log, for replays to compare; 1 to 1e9;
      * default 100. Steps with events are hashed too. Used only with a record. */
@@ -255,7 +255,7 @@ typedef struct vbss_session_status {
     vbss_session_phase phase;     /**< Phase of the task. */
     vbss_session_stage stage;     /**< Stage of the throw in progress; NONE if there is none. */
     vbss_session_failure failure; /**< Reason of the failure; NONE if the task has not failed. */
-    /** The tool that holds the needle, the first of two; VBSS_METRICS_NO_TOOL: none. */
+    /** The tool that holds the needle, the first of two; VBSS_METRICS_TOOL_NONE: none. */
     vbss_metrics_tool holder;
     uint32_t punctured; /**< Bits: 1 the hole in exists, 2 the hole out exists. */
     uint32_t threaded;  /**< Bits: 1 the thread goes through the hole in, 2 through the hole out. */
@@ -278,7 +278,7 @@ typedef struct vbss_session_status {
     double tension[2];      /**< Largest tension of the short limb and of the needle's limb, N. */
     double deviation_mm[2]; /**< Deviation of each hole from its mark, mm. */
     /** Part of `time` that the scene has left out, s. It counts paused steps
-     * (vbss_scene_statistics::time_paused) and truncated substeps (#VBSS_EVENT_CLAMPED), from
+     * (vbss_scene_statistics::time_paused) and truncated substeps (#VBSS_SCENE_EVENT_CLAMPED), from
      * the second step on. */
     double time_lost;
     /** Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it may still be

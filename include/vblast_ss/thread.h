@@ -6,12 +6,12 @@
  * and i + 1. It resists stretching with EA and bending with EI, which are independent inputs, and
  * carries gravity. Lengths are measured along the thread from node 0 ("arc length").
  *
- * Method OURS is implicit with the node positions as unknowns: one system of equations for a step,
+ * Method IMPLICIT is implicit with the node positions as unknowns: one system of equations for a step,
  * generalised-alpha in time (Chung and Hulbert 1993; second order, high frequencies damped),
- * backward Euler where a motion starts or breaks. Method PAPER is that of VBLaST-SS (Qi et al.
+ * backward Euler where a motion starts or breaks. Method VBLAST is that of VBLaST-SS (Qi et al.
  * 2017): explicit springs, curvature-binormal bending, fast projection.
  *
- * The mesh is fixed or adapts to the shape (#VBSS_MESH_ADAPTIVE). An adaptive mesh changes the
+ * The mesh is fixed or adapts to the shape (#VBSS_THREAD_MESH_ADAPTIVE). An adaptive mesh changes the
  * number of nodes in the views, and their generation, after steps.
  *
  * SPDX-License-Identifier: Apache-2.0
@@ -24,33 +24,33 @@
 /** A suture thread. */
 typedef struct vbss_thread vbss_thread;
 
-/** Discretisation of bending: a VBSS_BENDING_ constant. Method PAPER has its own bending. */
-typedef int32_t vbss_bending;
+/** Discretisation of bending: a VBSS_THREAD_BENDING_ constant. Method VBLAST has its own bending. */
+typedef int32_t vbss_thread_bending;
 
-/** The constants of #vbss_bending. */
+/** The constants of #vbss_thread_bending. */
 enum {
     /** Fourth order: the energy of the cubic spline through the nodes, truncated to neighbours
      * three apart. The length of a segment is that of its arc. */
-    VBSS_BENDING_SPLINE = 0,
+    VBSS_THREAD_BENDING_SPLINE = 0,
     /** Second order: each node couples with its two neighbours only. The length of a segment is its
      * chord. */
-    VBSS_BENDING_LOCAL = 1
+    VBSS_THREAD_BENDING_LOCAL = 1
 };
 
-/** Kind of a thread's mesh: a VBSS_MESH_ constant. */
-typedef int32_t vbss_mesh;
+/** Kind of a thread's mesh: a VBSS_THREAD_MESH_ constant. */
+typedef int32_t vbss_thread_mesh;
 
-/** The constants of #vbss_mesh. */
+/** The constants of #vbss_thread_mesh. */
 enum {
     /** Nodes and rest lengths stay as they were created. */
-    VBSS_MESH_FIXED = 0,
-    /** Method OURS, docs/adaptive.md: between two steps the thread divides segments where it is
+    VBSS_THREAD_MESH_FIXED = 0,
+    /** Method IMPLICIT, docs/adaptive.md: between two steps the thread divides segments where it is
      * bent or near another body, and removes nodes where it is straight and has clearance. This
      * renumbers nodes, segments, attachments, pins, grasps and contacts. */
-    VBSS_MESH_ADAPTIVE = 1
+    VBSS_THREAD_MESH_ADAPTIVE = 1
 };
 
-/** Material of a thread: a VBSS_PRESET_ constant. */
+/** Material of a thread: a VBSS_THREAD_PRESET_ constant. */
 typedef int32_t vbss_thread_preset;
 
 /** The constants of #vbss_thread_preset. */
@@ -58,17 +58,17 @@ enum {
     /** 2-0 silk: 0.32 mm, 1.05e-4 kg/m, EA = 700 N (8.7 GPa), EI = 2.7e-8 N m^2. Diameter by USP
      * <861> (0.30 to 0.339 mm), density of a solid braid; EI is that of the paper's thread,
      * scaled with the fourth power of the radius, and uncertain by a factor of five. */
-    VBSS_PRESET_SILK_2_0 = 0,
+    VBSS_THREAD_PRESET_SILK_2_0 = 0,
     /** The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2. */
-    VBSS_PRESET_PAPER_THREAD = 1
+    VBSS_THREAD_PRESET_VBLAST = 1
 };
 
 /** Configuration of a thread. Fill it with #vbss_thread_config_init, then change fields. */
 typedef struct vbss_thread_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;   /**< Method; default VBSS_METHOD_OURS. */
-    /** Method OURS: discretisation of bending; default VBSS_BENDING_SPLINE. */
-    vbss_bending bending;
+    vbss_method method;   /**< Method; default VBSS_METHOD_IMPLICIT. */
+    /** Method IMPLICIT: discretisation of bending; default VBSS_THREAD_BENDING_SPLINE. */
+    vbss_thread_bending bending;
     uint32_t segment_count;       /**< Number of segments, 1 to 65536; default 120. */
     uint32_t attachment_capacity; /**< Largest number of attachments, 0 to 256; default 8. */
     /** Largest number of cuts of this thread and its pieces, 0 to 64; default 0. */
@@ -76,7 +76,7 @@ typedef struct vbss_thread_config {
     /** Length, m, 1e-6 to 1e3, at least 1e-7 per segment; default 0.15; ignored with
      * rest_lengths. */
     double length;
-    /** Radius, m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. Contact in a scene and display
+    /** Radius, m, 1e-7 to 0.1; default of VBSS_THREAD_PRESET_VBLAST. Contact in a scene and display
      * use it; a thread alone does not. */
     double radius;
     double linear_density;  /**< Mass per length, kg/m, 1e-9 to 1e3; default of that preset. */
@@ -91,7 +91,7 @@ typedef struct vbss_thread_config {
     double gravity[3];
     /** Drag coefficient, 1/s, 0 to 1e6; default 0. The force is -drag * mass * velocity. */
     double drag;
-    /** Method OURS: decay rate of the motion relative to the rigid motion of each section, 1/s,
+    /** Method IMPLICIT: decay rate of the motion relative to the rigid motion of each section, 1/s,
      * 0 to 1e6; default 0. It conserves linear and angular momentum. */
     double damping;
     /** Position of node 0, m, each coordinate at most 1e3 in magnitude; default (0, 0, 0); ignored
@@ -101,41 +101,42 @@ typedef struct vbss_thread_config {
      * with positions. */
     double direction[3];
     /** Rest length of each segment, m, 1e-7 to 1e2; segment_count values, or NULL (default) for
-     * length / segment_count each. #vbss_thread_grade fills such an array. The library copies
+     * length / segment_count each. #vbss_thread_grade_lengths fills such an array. The library copies
      * it. */
     const double *rest_lengths;
     /** Positions of the nodes, m, each at most 1e3; 3 (segment_count + 1) values, or NULL
      * (default) for a straight thread from start along direction. The library copies them. */
     const double *positions;
-    /** Method OURS: spectral radius at infinite frequency of the time integration, 0 (strongest
+    /** Method IMPLICIT: spectral radius at infinite frequency of the time integration, 0 (strongest
      * damping) to 1 (none); default 0.3. Above 0.5 stiff motion may gain energy. */
     double spectral_radius;
-    /** Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2; default 1e-6. */
+    /** Method IMPLICIT: largest stretch error that a step may leave, 1e-12 to 1e-2; default 1e-6. */
     double stretch_tolerance;
-    /** Method OURS: largest distance by which a further linearisation would move a node, m, 1e-12
+    /** Method IMPLICIT: largest distance by which a further linearisation would move a node, m, 1e-12
      * to 1; an estimate; default 1e-6. */
     double position_tolerance;
-    /** Method OURS: largest number of linearisations of an attempt, 1 to 100; default 40. Smooth
+    /** Method IMPLICIT: largest number of linearisations of an attempt, 1 to 100; default 40. Smooth
      * motion takes one or two. The worst known case (ends shaken by 3 mm every ms) takes 300 in a
      * step with its halves. */
     uint32_t iteration_limit;
-    /** Method OURS: how often a step is halved before its state is accepted unconverged, 0 to
+    /** Method IMPLICIT: how often a step is halved before its state is accepted unconverged, 0 to
      * 10; default 5. `forced` counts such states and should stay zero. */
     uint32_t halving_limit;
-    /** Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0: derived from mass and
+    /** Method VBLAST: spring constant of a segment, N/m, 0 to 1e9; default 0: derived from mass and
      * step by docs/paper-thread.md. */
     double paper_stiffness;
-    /** Method PAPER: share of the velocity relative to the section's rigid motion that is removed at
+    /** Method VBLAST: share of the velocity relative to the section's rigid motion that is removed at
      * each explicit step, 0 to 1; default 0. */
     double paper_damping;
-    /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
+    /** Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
      * bending mode and the tension need. */
     uint32_t paper_substeps;
-    /** Method PAPER: largest number of iterations of the projection, 1 to 1000; default 50. */
+    /** Method VBLAST: largest number of iterations of the projection, 1 to 1000; default 50. */
     uint32_t paper_iteration_limit;
-    /** Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
+    /** Method VBLAST: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
     double paper_tolerance;
-    vbss_mesh mesh; /**< Default VBSS_MESH_FIXED, which ignores the following fields. */
+    vbss_thread_mesh
+        mesh; /**< Default VBSS_THREAD_MESH_FIXED, which ignores the following fields. */
     /** ADAPTIVE: largest number of nodes, segment_count + 1 to 65537; default 0: four times the
      * initial number of segments, at most 65536. A scene must have capacity for all of them when
      * the thread is added. */
@@ -164,25 +165,25 @@ typedef struct vbss_thread_config {
     uint32_t reserved; /**< Zero. */
 } vbss_thread_config;
 
-/** Kind of an attachment: a VBSS_ATTACHMENT_ constant. */
-typedef int32_t vbss_attachment_kind;
+/** Kind of an attachment: a VBSS_THREAD_ATTACHMENT_ constant. */
+typedef int32_t vbss_thread_attachment_kind;
 
-/** The constants of #vbss_attachment_kind. */
+/** The constants of #vbss_thread_attachment_kind. */
 enum {
-    VBSS_ATTACHMENT_PIN = 0, /**< The node is held at `position`. */
+    VBSS_THREAD_ATTACHMENT_PIN = 0, /**< The node is held at `position`. */
     /** The node is held at `position`, and the thread's direction there is `direction`. */
-    VBSS_ATTACHMENT_CLAMP = 1,
-    VBSS_ATTACHMENT_FORCE = 2,  /**< `force` pulls at the node. */
-    VBSS_ATTACHMENT_SPRING = 3, /**< A spring-damper from `position` to the node. */
-    VBSS_ATTACHMENT_MASS = 4    /**< `mass` is fixed to the node; it has inertia and weight. */
+    VBSS_THREAD_ATTACHMENT_CLAMP = 1,
+    VBSS_THREAD_ATTACHMENT_FORCE = 2,  /**< `force` pulls at the node. */
+    VBSS_THREAD_ATTACHMENT_SPRING = 3, /**< A spring-damper from `position` to the node. */
+    VBSS_THREAD_ATTACHMENT_MASS = 4 /**< `mass` is fixed to the node; it has inertia and weight. */
 };
 
 /** An attachment acts on one node. Fill it with #vbss_thread_attachment_init. */
 typedef struct vbss_thread_attachment {
-    uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
-    vbss_attachment_kind kind; /**< Kind; default VBSS_ATTACHMENT_PIN. */
-    uint32_t node;             /**< Node, 0 to segment_count; default 0. */
-    uint32_t reserved;         /**< Zero. */
+    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
+    vbss_thread_attachment_kind kind; /**< Kind; default VBSS_THREAD_ATTACHMENT_PIN. */
+    uint32_t node;                    /**< Node, 0 to segment_count; default 0. */
+    uint32_t reserved;                /**< Zero. */
     /** PIN, CLAMP: target of the node in the next step; SPRING: its fixed end; m, each coordinate
      * at most 1e3 in magnitude. */
     double position[3];
@@ -204,25 +205,25 @@ typedef struct vbss_thread_reaction {
     double torque[3];     /**< CLAMP: torque of the attachment on the thread, N m; else 0. */
 } vbss_thread_reaction;
 
-/** An array of a thread: a VBSS_THREAD_ constant. */
+/** An array of a thread: a VBSS_THREAD_VIEW_ constant. */
 typedef int32_t vbss_thread_field;
 
 /** The constants of #vbss_thread_field. n is the number of nodes. */
 enum {
-    VBSS_THREAD_POSITIONS = 0,    /**< n x 3 doubles, m. */
-    VBSS_THREAD_VELOCITIES = 1,   /**< n x 3 doubles, m/s. */
-    VBSS_THREAD_REST_LENGTHS = 2, /**< n - 1 doubles, m. */
-    VBSS_THREAD_LENGTHS = 3,      /**< n - 1 doubles, m: chords, or arcs with BENDING_SPLINE. */
+    VBSS_THREAD_VIEW_POSITIONS = 0,    /**< n x 3 doubles, m. */
+    VBSS_THREAD_VIEW_VELOCITIES = 1,   /**< n x 3 doubles, m/s. */
+    VBSS_THREAD_VIEW_REST_LENGTHS = 2, /**< n - 1 doubles, m. */
+    VBSS_THREAD_VIEW_LENGTHS = 3, /**< n - 1 doubles, m: chords, or arcs with BENDING_SPLINE. */
     /** n - 1 doubles, N: force along each segment at the end of the last step, due to stretching
      * and bending. */
-    VBSS_THREAD_TENSIONS = 4,
-    VBSS_THREAD_CURVATURES =
+    VBSS_THREAD_VIEW_TENSIONS = 4,
+    VBSS_THREAD_VIEW_CURVATURES =
         5, /**< n x 3 doubles, 1/m: from the node to the centre of curvature. */
-    VBSS_THREAD_SECTIONS =
+    VBSS_THREAD_VIEW_SECTIONS =
         6, /**< First node of each section, uint32_t; the last ends at node n - 1. */
     /** n - 1 doubles, m: sagitta of each segment, the shape error due to the mesh. It is rest
      * length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too. */
-    VBSS_THREAD_SAGITTAS = 7
+    VBSS_THREAD_VIEW_SAGITTAS = 7
 };
 
 /** Energies of a thread, J. */
@@ -251,17 +252,17 @@ typedef struct vbss_thread_statistics {
     uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
     uint32_t last_iterations; /**< Linearisations, or projection iterations, of the last step. */
     uint64_t steps;           /**< Calls of #vbss_thread_step that succeeded. */
-    uint64_t iterations;      /**< OURS: linearisations; PAPER: iterations of the projection. */
-    uint64_t substeps;        /**< Accepted parts of steps; equal to steps if none was divided. */
-    uint64_t first_order;     /**< OURS: substeps made by backward Euler. */
-    uint64_t rejections;      /**< OURS: attempts that were rejected and halved. */
-    uint64_t forced;          /**< OURS: substeps accepted unconverged, at the last halving. */
-    /** PAPER: sections that did not converge and kept the point constraints alone. */
+    uint64_t iterations;  /**< IMPLICIT: linearisations; VBLAST: iterations of the projection. */
+    uint64_t substeps;    /**< Accepted parts of steps; equal to steps if none was divided. */
+    uint64_t first_order; /**< IMPLICIT: substeps made by backward Euler. */
+    uint64_t rejections;  /**< IMPLICIT: attempts that were rejected and halved. */
+    uint64_t forced;      /**< IMPLICIT: substeps accepted unconverged, at the last halving. */
+    /** VBLAST: sections that did not converge and kept the point constraints alone. */
     uint64_t fallbacks;
-    /** OURS: linearisations repeated with less compression, parts that started from the old positions because
+    /** IMPLICIT: linearisations repeated with less compression, parts that started from the old positions because
      * the prediction was unusable, and parts in which the force of rest curvature was kept constant. */
     uint64_t softened;
-    /** OURS: max |length / rest length - 1 - T / EA| after the last step; PAPER: max |length / rest
+    /** IMPLICIT: max |length / rest length - 1 - T / EA| after the last step; VBLAST: max |length / rest
      * length - 1|. */
     double last_stretch_error;
     double stretch_error; /**< Largest stretch error after any part of a step. */
@@ -279,7 +280,7 @@ typedef struct vbss_thread_statistics {
     uint64_t refused_near; /**< Removals refused because another body was too near. */
     uint32_t nodes;        /**< Present number of nodes; also for a fixed mesh. */
     uint32_t most_nodes;   /**< Largest number of nodes so far; 0 for a fixed mesh. */
-    double sagitta;        /**< Largest of VBSS_THREAD_SAGITTAS, m; also for a fixed mesh. */
+    double sagitta;        /**< Largest of VBSS_THREAD_VIEW_SAGITTAS, m; also for a fixed mesh. */
 } vbss_thread_statistics;
 
 #ifdef __cplusplus
@@ -343,9 +344,9 @@ VBSS_API vbss_result vbss_thread_config_preset(vbss_thread_config *config,
  * @threads any thread, any time
  * @since 0.1
  */
-VBSS_API vbss_result vbss_thread_grade(double length, double centre, double finest, double coarsest,
-                                       double ratio, double *rest_lengths, uint32_t capacity,
-                                       uint32_t *count);
+VBSS_API vbss_result vbss_thread_grade_lengths(double length, double centre, double finest,
+                                               double coarsest, double ratio, double *rest_lengths,
+                                               uint32_t capacity, uint32_t *count);
 
 /**
  * Creates a thread at rest.
@@ -374,7 +375,7 @@ VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
 
 /**
  * Advances a thread by one step. The call allocates nothing. If the new state is not finite, the
- * call fails and the thread keeps its state from before the step. With method PAPER the call also
+ * call fails and the thread keeps its state from before the step. With method VBLAST the call also
  * fails if a segment has become longer than 100 times the length of the thread plus the distance
  * that its attachments span: the explicit steps have diverged, and the error text states it. A
  * thread with an adaptive mesh then adapts it by its curvature alone, because only a scene knows
@@ -459,8 +460,9 @@ VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double target[3],
-                                      const double *direction);
+VBSS_API vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
+                                                       const double target[3],
+                                                       const double *direction);
 
 /**
  * Removes an attachment.
@@ -476,7 +478,7 @@ VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
 
 /**
  * Returns the reaction of an attachment in the last step, regardless of later changes; zero before
- * its first step. While a scene has a suspended step (vbss_scene_config::slot_limit), the last step
+ * its first step. While a scene has a suspended step (vbss_scene_config::call_budget), the last step
  * may be some calls ago. A host that feeds a spring's force back to a hand should then compute it
  * as stiffness times the current distance of both ends; a delayed force lets the hand wind the
  * thread up.

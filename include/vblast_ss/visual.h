@@ -66,27 +66,27 @@ typedef struct vbss_visual_config {
     double origin[3];
 } vbss_visual_config;
 
-/** Kind of a part: a VBSS_VISUAL_ constant. */
+/** Kind of a part: a VBSS_VISUAL_KIND_ constant. */
 typedef int32_t vbss_visual_kind;
 
 /** The constants of #vbss_visual_kind. */
 enum {
-    VBSS_VISUAL_THREAD = 1, /**< A thread, or a piece of one. */
-    VBSS_VISUAL_DRAIN = 2,  /**< A drain. */
-    VBSS_VISUAL_NEEDLE = 3, /**< A needle. */
-    VBSS_VISUAL_DRIVER = 4, /**< A grasper that is a needle driver. */
-    VBSS_VISUAL_SHEARS = 5, /**< A grasper that is shears. */
-    VBSS_VISUAL_RIGID = 6,  /**< Another rigid body of a scene: its capsules. */
-    VBSS_VISUAL_FLOOR = 7   /**< The floor of a scene. */
+    VBSS_VISUAL_KIND_THREAD = 1, /**< A thread, or a piece of one. */
+    VBSS_VISUAL_KIND_DRAIN = 2,  /**< A drain. */
+    VBSS_VISUAL_KIND_NEEDLE = 3, /**< A needle. */
+    VBSS_VISUAL_KIND_DRIVER = 4, /**< A grasper that is a needle driver. */
+    VBSS_VISUAL_KIND_SHEARS = 5, /**< A grasper that is shears. */
+    VBSS_VISUAL_KIND_RIGID = 6,  /**< Another rigid body of a scene: its capsules. */
+    VBSS_VISUAL_KIND_FLOOR = 7   /**< The floor of a scene. */
 };
 
-/** Kind of a spot: a VBSS_SPOT_ constant. */
-typedef int32_t vbss_spot_kind;
+/** Kind of a spot: a VBSS_VISUAL_SPOT_ constant. */
+typedef int32_t vbss_visual_spot_kind;
 
-/** The constants of #vbss_spot_kind. */
+/** The constants of #vbss_visual_spot_kind. */
 enum {
-    VBSS_SPOT_MARK = 1, /**< One of the two marks, on the outer face. */
-    VBSS_SPOT_HOLE = 2  /**< A hole with a needle or a thread in it, through the wall. */
+    VBSS_VISUAL_SPOT_MARK = 1, /**< One of the two marks, on the outer face. */
+    VBSS_VISUAL_SPOT_HOLE = 2  /**< A hole with a needle or a thread in it, through the wall. */
 };
 
 /** An array: a VBSS_VISUAL_VIEW_ constant. */
@@ -98,7 +98,7 @@ enum {
      * *Texture*: on tubes and tools, 0 to 1 around the section, and m along; on drains, m along the tube, and
      * m around it from the middle of the slit before it was opened; on floors, m in the plane.
      * *Material*, x 3, m: position in the undeformed body. On drains it is the position at rest in the drain's
-     * frame (VBSS_DRAIN_REST_POSITIONS); on tubes and tools, along and across the axis; on floors, the texture
+     * frame (VBSS_DRAIN_VIEW_REST_POSITIONS); on tubes and tools, along and across the axis; on floors, the texture
      * and 0.
      * *Value*: on threads, the tension, N; on drains, 1 on the outer face, -1 on the inner face, 0 on rims; on
      * graspers, 0 shaft, 1 neck, 2 jaws; else 0. */
@@ -109,7 +109,7 @@ enum {
      * vertices, first triangle, number of triangles, 0. Parts have the order of their sources, and within a
      * scene that of its bodies. */
     VBSS_VISUAL_VIEW_PARTS = 2,
-    /** x 6 float: index of the drain in VBSS_VISUAL_VIEW_PARTS, #vbss_spot_kind, material x 3, radius in m. */
+    /** x 6 float: index of the drain in VBSS_VISUAL_VIEW_PARTS, #vbss_visual_spot_kind, material x 3, radius in m. */
     VBSS_VISUAL_VIEW_SPOTS = 3
 };
 

@@ -41,7 +41,7 @@ vbss_result vbss_context_create(const vbss_context_config *config, vbss_context 
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     }
-    bool one_of_two = (own.allocate == NULL) != (own.release == NULL);
+    bool one_of_two = (own.allocate == NULL) != (own.deallocate == NULL);
     if (one_of_two || own.log_level < VBSS_LOG_NONE || own.log_level > VBSS_LOG_INFO) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
@@ -53,14 +53,14 @@ vbss_result vbss_context_create(const vbss_context_config *config, vbss_context 
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     if ((uintptr_t)made % VBSS_ALIGNMENT != 0) {
-        own.release(own.allocator_user, made, sizeof *made, VBSS_ALIGNMENT);
+        own.deallocate(own.allocator_user, made, sizeof *made, VBSS_ALIGNMENT);
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     memset(made, 0, sizeof *made);
     made->tag = VBSS_TAG_CONTEXT;
     made->log_level = own.log_level;
     made->allocate = own.allocate;
-    made->release = own.release;
+    made->deallocate = own.deallocate;
     made->allocator_user = own.allocator_user;
     made->log = own.log;
     made->log_user = own.log_user;
@@ -91,7 +91,7 @@ vbss_result vbss_context_destroy(vbss_context *context)
         return VBSS_OK;
     }
     VBSS_TRY(destroy_members(context));
-    context->release(context->allocator_user, context, sizeof *context, VBSS_ALIGNMENT);
+    context->deallocate(context->allocator_user, context, sizeof *context, VBSS_ALIGNMENT);
     return VBSS_OK;
 }
 

@@ -28,7 +28,7 @@ struct vbss_context {
     uint32_t tag;
     vbss_log_level log_level;
     vbss_allocate_fn allocate;
-    vbss_release_fn release;
+    vbss_deallocate_fn deallocate;
     void *allocator_user; /* passed to allocate and release */
     vbss_log_fn log;
     void *log_user; /* passed to log */

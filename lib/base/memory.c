@@ -38,7 +38,7 @@ static void libc_release(void *user, void *block, uint64_t size, uint64_t alignm
 void vbss_memory_from_libc(vbss_context_config *config)
 {
     config->allocate = libc_allocate;
-    config->release = libc_release;
+    config->deallocate = libc_release;
 }
 
 /* ---- arrays for the rest of the library */
@@ -52,7 +52,7 @@ static uint64_t block_bytes(size_t count, size_t size)
 static void release(vbss_context *context, void *block, uint64_t bytes)
 {
     bool outer = vbss_callback_begin(context);
-    context->release(context->allocator_user, block, bytes, VBSS_ALIGNMENT);
+    context->deallocate(context->allocator_user, block, bytes, VBSS_ALIGNMENT);
     vbss_callback_end(context, outer);
 }
 

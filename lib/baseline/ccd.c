@@ -1,4 +1,4 @@
-/* Method PAPER: the continuous collision test of VBLaST-SS (Qi et al. 2017, algorithm 1),
+/* Method VBLAST: the continuous collision test of VBLaST-SS (Qi et al. 2017, algorithm 1),
  * extended to a point and a triangle. It keeps the misses and false hits of the paper:
  * docs/paper-collision.md.
  *
@@ -247,7 +247,7 @@ static void test_point_triangle(const collision_ccd_query *question, collision_c
 static void test_pair(const collision_ccd_options *rules, const collision_ccd_query *question,
                       collision_ccd_result *answer, collision_counters *counters)
 {
-    if (question->kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (question->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         test_point_triangle(question, answer, counters);
     } else {
         double square = rules->length_unit * rules->length_unit;
@@ -255,4 +255,4 @@ static void test_pair(const collision_ccd_options *rules, const collision_ccd_qu
     }
 }
 
-const collision_ccd_method vbss_baseline_ccd = {test_pair, VBSS_DECISION_CLAIMED, false};
+const collision_ccd_method vbss_baseline_ccd = {test_pair, VBSS_COLLISION_DECISION_CLAIMED, false};

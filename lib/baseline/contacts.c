@@ -95,10 +95,10 @@ typedef struct pair {
 static uint32_t kind_of(const scene_body *a, const scene_body *b)
 {
     bool rigid = b->kind == SCENE_BODY_RIGID;
-    return b->kind == SCENE_BODY_DRAIN            ? VBSS_CONTACT_SIDES
-           : rigid && a->kind == SCENE_BODY_RIGID ? VBSS_CONTACT_CAPSULES
-           : rigid                                ? VBSS_CONTACT_SEGMENT_CAPSULE
-                                                  : VBSS_CONTACT_SEGMENTS;
+    return b->kind == SCENE_BODY_DRAIN            ? VBSS_SCENE_CONTACT_SIDES
+           : rigid && a->kind == SCENE_BODY_RIGID ? VBSS_SCENE_CONTACT_CAPSULES
+           : rigid                                ? VBSS_SCENE_CONTACT_SEGMENT_CAPSULE
+                                                  : VBSS_SCENE_CONTACT_SEGMENTS;
 }
 
 /* Sets up a pair in the order of the body kinds, threads first and drains last, so that the
@@ -116,15 +116,15 @@ static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p
         a = first;
     }
     uint32_t kind = kind_of(a, b);
-    if (kind == VBSS_CONTACT_CAPSULES) {
+    if (kind == VBSS_SCENE_CONTACT_CAPSULES) {
         return false;
     }
     const pair own = {{kind, a->number, i, b->number, k}, feature_of(s, a, i), feature_of(s, b, k)};
     *p = own;
-    if (kind == VBSS_CONTACT_SEGMENT_CAPSULE) {
+    if (kind == VBSS_SCENE_CONTACT_SEGMENT_CAPSULE) {
         return !vbss_scene_is_excluded_at_pin(s, a, i, b, k, p->a.radius + p->b.radius);
     }
-    if (kind == VBSS_CONTACT_SIDES) {
+    if (kind == VBSS_SCENE_CONTACT_SIDES) {
         return a->rigid.needle == NULL || !vbss_baseline_is_in_hole(s, a, i, b, k);
     }
     return !vbss_scene_is_excluded_across_cut(s, a, i, b, k);
@@ -167,10 +167,11 @@ vbss_result vbss_baseline_record_contact(scene_object *s, const contact_key *key
 
 /* ---- a pair of segments or axes */
 
-static vbss_impact ask(scene_object *s, const feature *a, const feature *b, double thickness)
+static vbss_collision_impact ask(scene_object *s, const feature *a, const feature *b,
+                                 double thickness)
 {
-    collision_ccd_query question = {.kind = VBSS_PAIR_EDGE_EDGE, .thickness = thickness};
-    collision_ccd_result answer = vbss_collision_ccd_miss(VBSS_DECISION_CLAIMED);
+    collision_ccd_query question = {.kind = VBSS_COLLISION_PAIR_EDGE_EDGE, .thickness = thickness};
+    collision_ccd_result answer = vbss_collision_ccd_miss(VBSS_COLLISION_DECISION_CLAIMED);
     for (int k = 0; k < 2; k++) {
         question.start[k] = *a->start[k];
         question.end[k] = *a->end[k];
@@ -178,14 +179,15 @@ static vbss_impact ask(scene_object *s, const feature *a, const feature *b, doub
         question.end[2 + k] = *b->end[k];
     }
     vbss_collision_run_ccd(&s->collision->ccd_options, &question, &answer, &s->collision->counters);
-    vbss_impact impact = {.struct_size = sizeof impact, .hit = answer.hit, .time = answer.time};
+    vbss_collision_impact impact = {
+        .struct_size = sizeof impact, .hit = answer.hit, .time = answer.time};
     vec3_store(impact.normal, answer.normal);
     memcpy(impact.weights, answer.weights, sizeof impact.weights);
     return impact;
 }
 
 static vbss_result respond(const feature *a, const feature *b, double thickness,
-                           const vbss_impact *impact, vbss_response *response)
+                           const vbss_collision_impact *impact, vbss_collision_response *response)
 {
     double start[12], end[12];
     const double mobility[4] = {a->mobility[0], a->mobility[1], b->mobility[0], b->mobility[1]};
@@ -195,8 +197,9 @@ static vbss_result respond(const feature *a, const feature *b, double thickness,
         vec3_store(start + 6 + 3 * k, *b->start[k]);
         vec3_store(end + 6 + 3 * k, *b->end[k]);
     }
-    return vbss_paper_response(VBSS_PAIR_EDGE_EDGE, VBSS_RESPONSE_END_OF_STEP, impact, start, end,
-                               thickness, mobility, response, sizeof *response);
+    return vbss_collision_get_vblast_response(VBSS_COLLISION_PAIR_EDGE_EDGE,
+                                              VBSS_COLLISION_RESPONSE_END_OF_STEP, impact, start,
+                                              end, thickness, mobility, response, sizeof *response);
 }
 
 static void limit_side(double displacement[6], double share, double wanted, double depth)
@@ -214,7 +217,7 @@ static void limit_side(double displacement[6], double share, double wanted, doub
 /* Limits the shares to 0 ... 1 and the displacement of each node to a multiple of the shift. The
  * paper allows larger shares, where one side moves away from the other, and long levers. Both
  * make knots explode. */
-static void limit_response(vbss_response *r)
+static void limit_response(vbss_collision_response *r)
 {
     double share = clamp_unit(r->share_a);
     limit_side(r->displacement, r->share_a, share, r->depth);
@@ -241,8 +244,8 @@ static vbss_result meet(scene_object *s, const contact_key *key, const feature *
                         double h)
 {
     double thickness = a->radius + b->radius + s->config.paper_thickness;
-    vbss_response response;
-    vbss_impact impact = ask(s, a, b, thickness);
+    vbss_collision_response response;
+    vbss_collision_impact impact = ask(s, a, b, thickness);
     s->baseline->counts.tested_pairs++;
     if (impact.hit == 0) {
         return VBSS_OK;
@@ -280,7 +283,7 @@ static double height_of(const scene_object *s, vec3 x)
 static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
 {
     bool thread = b->kind == SCENE_BODY_THREAD;
-    uint32_t kind = thread ? VBSS_CONTACT_NODE_FLOOR : VBSS_CONTACT_DRAIN_FLOOR;
+    uint32_t kind = thread ? VBSS_SCENE_CONTACT_NODE_FLOOR : VBSS_SCENE_CONTACT_DRAIN_FLOOR;
     uint32_t count = thread ? b->thread.thread->node_count : b->drain.drain->mesh.node_count;
     for (uint32_t i = 0; i < count; i++) {
         feature f = {.radius = 0.0};
@@ -308,12 +311,12 @@ vbss_result vbss_baseline_find_candidates(scene_object *s)
         const scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_THREAD) {
             const thread_object *t = b->thread.thread;
-            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &t->saved.x->x, &t->now.x->x,
-                                         t->node_count));
+            VBSS_TRY(vbss_collision_set_motion(scene_collision(s), b->shape, &t->saved.x->x,
+                                               &t->now.x->x, t->node_count));
         } else if (b->kind == SCENE_BODY_DRAIN) {
             const drain_object *d = b->drain.drain;
-            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &d->saved_x->x, &d->x->x,
-                                         d->mesh.node_count));
+            VBSS_TRY(vbss_collision_set_motion(scene_collision(s), b->shape, &d->saved_x->x,
+                                               &d->x->x, d->mesh.node_count));
         }
     }
     return vbss_collision_find_candidates(scene_collision(s));
@@ -375,7 +378,7 @@ double vbss_baseline_measure_contacts(scene_object *s, double h)
     for (uint32_t i = 0; i < s->baseline->contact_count; i++) {
         scene_contact_record *hit = &s->baseline->contacts[i];
         hit->force = vec3_scale(hit->force, 1.0 / (h * h));
-        if (hit->key.kind == VBSS_CONTACT_HOLE) {
+        if (hit->key.kind == VBSS_SCENE_CONTACT_HOLE) {
             vbss_baseline_locate_hole_contact(s, hit);
         } else {
             update_contact_geometry(s, hit);

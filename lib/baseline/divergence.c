@@ -43,8 +43,9 @@ static double attachment_span(const thread_object *t)
     bool any = false;
     for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
         const thread_attachment *a = &t->attachments[k];
-        bool has_point = a->kind == VBSS_ATTACHMENT_PIN || a->kind == VBSS_ATTACHMENT_CLAMP ||
-                         a->kind == VBSS_ATTACHMENT_SPRING;
+        bool has_point = a->kind == VBSS_THREAD_ATTACHMENT_PIN ||
+                         a->kind == VBSS_THREAD_ATTACHMENT_CLAMP ||
+                         a->kind == VBSS_THREAD_ATTACHMENT_SPRING;
         if (a->id != 0 && has_point) {
             low = smaller(any ? low : a->position, smaller(a->position, a->target));
             high = larger(any ? high : a->position, larger(a->position, a->target));

@@ -28,7 +28,7 @@ static void lead(scene_object *s, scene_thread_grasp *g)
 {
     if (leader_of(s, g->thread, g->segment) == NULL &&
         vbss_scene_pin_node(s, g->thread, g->segment, g->tool, NULL, pin_of(s, g)) == VBSS_OK) {
-        vbss_scene_emit_grasp_event(s, VBSS_EVENT_GRASP, g);
+        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
     }
 }
 
@@ -70,14 +70,14 @@ static void take(scene_object *s, const scene_body *tool)
             return;
         }
     }
-    vbss_scene_add_event(s, VBSS_EVENT_GRASP_LOST, found.thread, tool->number, 0);
+    vbss_scene_add_event(s, VBSS_SCENE_EVENT_GRASP_LOST, found.thread, tool->number, 0);
 }
 
 static void let_go(scene_object *s, scene_thread_grasp *g)
 {
     uint32_t *pin = pin_of(s, g);
     if (*pin != 0) {
-        vbss_scene_emit_grasp_event(s, VBSS_EVENT_RELEASE, g);
+        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
         (void)vbss_scene_unpin_node(s, *pin); /* the host may have removed the pin */
         *pin = 0;
     }
@@ -114,7 +114,7 @@ void vbss_baseline_update_grasps(scene_object *s)
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL &&
-            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER &&
+            b->rigid.grasper->kind == VBSS_GRASPER_KIND_NEEDLE_DRIVER &&
             baseline_body_of(s, b)->has_closed_jaws) {
             baseline_body_of(s, b)->has_closed_jaws = false;
             take(s, b);

@@ -50,7 +50,7 @@ static vbss_result carry(scene_object *s, uint32_t i, double h)
     suture_hole *hole = &s->holes[i];
     const scene_rigid *r = &vbss_scene_body(s, hole->needle)->rigid;
     drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
-    const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, i, hole->drain, 0};
+    const contact_key key = {VBSS_SCENE_CONTACT_HOLE, hole->needle, i, hole->drain, 0};
     vec3 displacement = displacement_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
     vec3 push = carry_triangle(hole, d, displacement, h);
     if (vec3_norm(displacement) < BASELINE_MIN_DEPTH_RATIO * d->config.thickness ||
@@ -122,7 +122,7 @@ static void note_forces(scene_object *s)
     }
     for (uint32_t i = 0; i < s->baseline->contact_count; i++) {
         const scene_contact_record *hit = &s->baseline->contacts[i];
-        if (hit->key.kind == VBSS_CONTACT_HOLE) {
+        if (hit->key.kind == VBSS_SCENE_CONTACT_HOLE) {
             s->holes[hit->key.feature_a].transverse_force = hit->force;
         }
     }

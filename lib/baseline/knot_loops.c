@@ -26,7 +26,7 @@ void vbss_baseline_list_loop_arrays(baseline_loops *p, uint32_t capacity,
 
 /* ---- the projection */
 
-projection_plane vbss_baseline_projection_plane(const vbss_knot_config *config,
+projection_plane vbss_baseline_projection_plane(const vbss_knot_detector_config *config,
                                                 const knot_tool *tool)
 {
     vec3 tip = tool->axis[tool->point_count - 1], behind = tool->axis[tool->point_count - 2];
@@ -173,7 +173,7 @@ static void record(baseline_loops *p, const projection_plane *plane, const knot_
 }
 
 /* The paper's segment 0 is the last segment here, at the end of the long limb. */
-void vbss_baseline_find_loops(baseline_loops *p, const vbss_knot_config *config,
+void vbss_baseline_find_loops(baseline_loops *p, const vbss_knot_detector_config *config,
                               const knot_input *scene, uint32_t tool)
 {
     projection_plane plane = vbss_baseline_projection_plane(config, &scene->tools[tool]);

@@ -73,7 +73,7 @@ static void count(baseline_loops *p, const projection_plane *plane, const knot_i
     }
 }
 
-baseline_throw vbss_baseline_find_throws(baseline_loops *p, const vbss_knot_config *config,
+baseline_throw vbss_baseline_find_throws(baseline_loops *p, const vbss_knot_detector_config *config,
                                          const knot_input *scene, uint32_t tool)
 {
     baseline_throw found = {0};

@@ -34,7 +34,7 @@ typedef struct baseline_throw {
 } baseline_throw;
 
 /* ---- knot_throws.c */
-baseline_throw vbss_baseline_find_throws(baseline_loops *p, const vbss_knot_config *config,
+baseline_throw vbss_baseline_find_throws(baseline_loops *p, const vbss_knot_detector_config *config,
                                          const knot_input *scene, uint32_t tool);
 
 /* ---- knot_loops.c */
@@ -45,7 +45,7 @@ void vbss_baseline_list_loop_arrays(baseline_loops *p, uint32_t capacity,
                                     vbss_array arrays[BASELINE_LOOP_ARRAYS]);
 
 /* Appends the loops in the projection along a tool to p->loops, whether they surround it or not. */
-void vbss_baseline_find_loops(baseline_loops *p, const vbss_knot_config *config,
+void vbss_baseline_find_loops(baseline_loops *p, const vbss_knot_detector_config *config,
                               const knot_input *scene, uint32_t tool);
 
 typedef struct plane_point {
@@ -57,7 +57,7 @@ typedef struct plane_point {
 typedef struct projection_plane {
     vec3 at, x, y, up;
 } projection_plane;
-projection_plane vbss_baseline_projection_plane(const vbss_knot_config *config,
+projection_plane vbss_baseline_projection_plane(const vbss_knot_detector_config *config,
                                                 const knot_tool *tool);
 plane_point vbss_baseline_project_point(const projection_plane *plane, vec3 point);
 double vbss_baseline_plane_height(const projection_plane *plane, vec3 point);

@@ -160,7 +160,7 @@ void vbss_baseline_set_needle_targets(scene_object *s, double h)
 
 /* ---- after a step: leaders */
 
-static void emit_grasp_event(scene_object *s, vbss_event_kind kind, const scene_body *tool)
+static void emit_grasp_event(scene_object *s, vbss_scene_event_kind kind, const scene_body *tool)
 {
     const scene_needle_grasp *hold = &tool->rigid.needle_grasp;
     vbss_scene_add_event(s, kind, hold->needle, tool->number, (uint32_t)(1e6 * hold->arc));
@@ -184,7 +184,7 @@ static void lead(scene_object *s, scene_body *tool)
     baseline_body_of(s, needle)->leader = tool->number;
     tool->rigid.needle_grasp.pose_in_jaws =
         pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->rigid.body.now.pose);
-    emit_grasp_event(s, VBSS_EVENT_GRASP, tool);
+    emit_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
 }
 
 static void let_go(scene_object *s, scene_body *tool)
@@ -192,7 +192,7 @@ static void let_go(scene_object *s, scene_body *tool)
     baseline_body *needle = baseline_body_of(s, needle_of(s, tool));
     if (needle->leader == tool->number) {
         needle->leader = 0;
-        emit_grasp_event(s, VBSS_EVENT_RELEASE, tool);
+        emit_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
     }
     tool->rigid.needle_grasp = (scene_needle_grasp){0};
 }
@@ -273,7 +273,7 @@ void vbss_baseline_update_needles(scene_object *s, double h)
         scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL &&
             baseline_body_of(s, b)->has_closed_jaws &&
-            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
+            b->rigid.grasper->kind == VBSS_GRASPER_KIND_NEEDLE_DRIVER) {
             take(s, b);
         }
     }

@@ -1,4 +1,4 @@
-/* Method PAPER: algorithm 3 of VBLaST-SS (Qi et al. 2017), by which a needle enters a wall.
+/* Method VBLAST: algorithm 3 of VBLaST-SS (Qi et al. 2017), by which a needle enters a wall.
  *
  * Two points behind the tip, one and two wall thicknesses along the needle's first segment, form
  * two short sub-segments with it. If the plane of a triangle separates the ends of the first one,

@@ -9,20 +9,20 @@
 #include "collision/closest.h"
 #include "collision/tuning.h"
 
-_Static_assert(sizeof(vbss_response) == 144, "published size");
+_Static_assert(sizeof(vbss_collision_response) == 144, "published size");
 
 static const uint32_t response_sizes[] = {144, 0}, impact_sizes[] = {136, 0};
-static const vbss_layout response_layout = {"vbss_response", NULL, response_sizes};
-static const vbss_impact no_impact = {.struct_size = sizeof no_impact};
-static const vbss_layout impact_layout = {"vbss_impact", &no_impact, impact_sizes};
+static const vbss_layout response_layout = {"vbss_collision_response", NULL, response_sizes};
+static const vbss_collision_impact no_impact = {.struct_size = sizeof no_impact};
+static const vbss_layout impact_layout = {"vbss_collision_impact", &no_impact, impact_sizes};
 
 typedef struct hit_pair {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     int first_of_b; /* vertices before it belong to a */
     vec3 start[4], end[4];
     double inverse_masses[4];
     double thickness;
-    vbss_impact impact; /* all zero if there is none */
+    vbss_collision_impact impact; /* all zero if there is none */
 } hit_pair;
 
 /* ---- vectors from b to a at one time */
@@ -92,7 +92,7 @@ static separation separate(const hit_pair *pair, const vec3 at[4])
         size = larger_component(size, to[k]);
     }
     s.min_length = BASELINE_MIN_DIRECTION_RATIO * size;
-    if (pair->kind == VBSS_PAIR_EDGE_EDGE) {
+    if (pair->kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
         separate_edges(to[0], vec3_sub(to[2], to[1]), to[1], &s);
     } else {
         separate_point(to, &s);
@@ -212,7 +212,7 @@ static double share_of_a(const side *a, const side *b, correction *c)
 
 /* Moves the contact point of a side by exactly `shift`. */
 static void displace(const hit_pair *pair, const double weights[4], const side *s, vec3 shift,
-                     vbss_response *response)
+                     vbss_collision_response *response)
 {
     for (int k = s->first; k <= s->last && s->mobility > 0.0; k++) {
         double part = weights[k] * pair->inverse_masses[k] / s->mobility;
@@ -220,11 +220,12 @@ static void displace(const hit_pair *pair, const double weights[4], const side *
     }
 }
 
-static vbss_response respond(const hit_pair *pair, vbss_response_variant variant)
+static vbss_collision_response respond(const hit_pair *pair,
+                                       vbss_collision_response_variant variant)
 {
     /* A hit at time 1 has no earlier time of impact, and its normal may be that after a
      * crossing. */
-    bool end_of_step = variant == VBSS_RESPONSE_END_OF_STEP || pair->impact.time == 1.0;
+    bool end_of_step = variant == VBSS_COLLISION_RESPONSE_END_OF_STEP || pair->impact.time == 1.0;
     separation before = separate(pair, pair->start), after = separate(pair, pair->end);
     const double *weights = end_of_step ? after.weights : pair->impact.weights;
     side a = side_of(pair, weights, 0, pair->first_of_b - 1);
@@ -233,7 +234,8 @@ static vbss_response respond(const hit_pair *pair, vbss_response_variant variant
     correction c = end_of_step ? at_end_of_step(pair, &before, &after, closing)
                                : at_time_of_impact(pair, &before, &after, closing);
     double share = share_of_a(&a, &b, &c);
-    vbss_response response = {.struct_size = sizeof response, .depth = c.depth, .share_a = share};
+    vbss_collision_response response = {
+        .struct_size = sizeof response, .depth = c.depth, .share_a = share};
     response.completed = c.completed ? 1 : 0;
     vec3_store(response.direction, c.q);
     displace(pair, weights, &a, vec3_scale(c.q, share * c.depth), &response);
@@ -266,7 +268,7 @@ static vbss_result check_sum(const double *weights, int count)
 
 /* Accepts the impacts that a test can return: a hit with weights, and with a unit normal or
  * none. */
-static vbss_result check_impact(const vbss_impact *impact, int first_of_b)
+static vbss_result check_impact(const vbss_collision_impact *impact, int first_of_b)
 {
     VBSS_TRY(vbss_check_range(NULL, impact->hit, 1.0, 1.0, "impact->hit"));
     VBSS_TRY(vbss_check_range(NULL, impact->time, 0.0, 1.0, "impact->time"));
@@ -278,23 +280,26 @@ static vbss_result check_impact(const vbss_impact *impact, int first_of_b)
     return check_sum(impact->weights + first_of_b, 4 - first_of_b);
 }
 
-vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_variant variant,
-                                const vbss_impact *impact, const double start[12],
-                                const double end[12], double thickness,
-                                const double inverse_masses[4], vbss_response *response,
-                                uint32_t struct_size)
+vbss_result vbss_collision_get_vblast_response(vbss_collision_pair_kind kind,
+                                               vbss_collision_response_variant variant,
+                                               const vbss_collision_impact *impact,
+                                               const double start[12], const double end[12],
+                                               double thickness, const double inverse_masses[4],
+                                               vbss_collision_response *response,
+                                               uint32_t struct_size)
 {
     VBSS_ENTER(NULL);
-    VBSS_TRY(vbss_check_range(NULL, kind, VBSS_PAIR_EDGE_EDGE, VBSS_PAIR_POINT_TRIANGLE, "kind"));
-    VBSS_TRY(vbss_check_range(NULL, variant, VBSS_RESPONSE_END_OF_STEP,
-                              VBSS_RESPONSE_TIME_OF_IMPACT, "variant"));
+    VBSS_TRY(vbss_check_range(NULL, kind, VBSS_COLLISION_PAIR_EDGE_EDGE,
+                              VBSS_COLLISION_PAIR_POINT_TRIANGLE, "kind"));
+    VBSS_TRY(vbss_check_range(NULL, variant, VBSS_COLLISION_RESPONSE_END_OF_STEP,
+                              VBSS_COLLISION_RESPONSE_TIME_OF_IMPACT, "variant"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
     VBSS_TRY(vbss_check_range(NULL, thickness, 0.0, COLLISION_MAX_COORDINATE, "thickness"));
     VBSS_TRY(check_masses(inverse_masses));
     hit_pair pair = {.kind = kind, .thickness = thickness};
-    pair.first_of_b = kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
-    if (impact != NULL || variant == VBSS_RESPONSE_TIME_OF_IMPACT) {
+    pair.first_of_b = kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1;
+    if (impact != NULL || variant == VBSS_COLLISION_RESPONSE_TIME_OF_IMPACT) {
         VBSS_TRY(vbss_config_read(NULL, &impact_layout, impact, &pair.impact));
         VBSS_TRY(check_impact(&pair.impact, pair.first_of_b));
     }
@@ -303,6 +308,6 @@ vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_variant varia
         pair.end[k] = vec3_load(end + 3 * (size_t)k);
         pair.inverse_masses[k] = inverse_masses[k];
     }
-    vbss_response own = respond(&pair, variant);
+    vbss_collision_response own = respond(&pair, variant);
     return vbss_struct_write(NULL, &response_layout, &own, response, struct_size);
 }

@@ -39,7 +39,7 @@ static void destroy_state(scene_object *s)
 
 static void configure_collision(const scene_object *s, vbss_collision_config *config)
 {
-    config->method = VBSS_COLLISION_PAPER;
+    config->method = VBSS_COLLISION_METHOD_VBLAST;
     config->thickness = s->config.paper_thickness;
     config->margin = 0.0;
 }
@@ -74,7 +74,7 @@ static void move_jaws(scene_object *s, scene_body *tool, double h)
 {
     grasper_object *g = tool->rigid.grasper;
     double before = g->jaw_angle;
-    if (g->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
+    if (g->kind == VBSS_GRASPER_KIND_NEEDLE_DRIVER) {
         g->jaw_angle = vbss_grasper_next_angle(g, h, 0.0);
     } else {
         vbss_scene_move_jaws(s, tool, h);

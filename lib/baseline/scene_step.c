@@ -76,7 +76,7 @@ static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid 
             end[2 * i + k] = c->trial[k];
         }
     }
-    return vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count);
+    return vbss_collision_set_motion(scene_collision(s), b->shape, &start->x, &end->x, count);
 }
 
 static vbss_result move_bodies(scene_object *s, double h)
@@ -183,7 +183,7 @@ static void note_hands(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->kind == VBSS_RIGID_COUPLED) {
+        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->kind == VBSS_SCENE_RIGID_COUPLED) {
             r->coupling_wrench.force = vec3_neg(r->force);
             r->coupling_wrench.torque = vec3_neg(r->torque);
         }

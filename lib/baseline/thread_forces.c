@@ -77,7 +77,7 @@ static const thread_attachment *clamp_at(const thread_object *t, uint32_t node)
 {
     const thread_attachment *a =
         t->prescribed_by[node] != 0 ? &t->attachments[t->prescribed_by[node] - 1] : NULL;
-    return a != NULL && a->kind == VBSS_ATTACHMENT_CLAMP ? a : NULL;
+    return a != NULL && a->kind == VBSS_THREAD_ATTACHMENT_CLAMP ? a : NULL;
 }
 
 /* Moments of the turns at a node, as they act on its two neighbours. They differ only at a

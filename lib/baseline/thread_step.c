@@ -33,7 +33,7 @@ static void resist(thread_object *t, double dt)
 {
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
-        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
+        if (a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_SPRING) {
             t->baseline->rows[a->node].resistance += a->damping + dt * a->stiffness;
         }
     }
@@ -71,9 +71,9 @@ static void gather_forces(thread_object *t, double h, double begin, double end, 
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
         vec3 *force = &forces[a->node];
-        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_FORCE) {
+        if (a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_FORCE) {
             *force = vec3_add(*force, a->force);
-        } else if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
+        } else if (a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_SPRING) {
             vec3 stretch = vec3_sub(vbss_thread_attachment_position(a, end), t->now.x[a->node]);
             vec3 displacement = vec3_sub(a->target, a->position);
             *force = vec3_add_scaled(*force, a->stiffness, stretch);

@@ -16,14 +16,15 @@ vbss_result vbss_collision_batch_init(vbss_collision_batch *batch, uint32_t stru
     return vbss_config_init(&batch_layout, batch, struct_size);
 }
 
-static vbss_result check_kind(vbss_context *context, vbss_pair_kind kind)
+static vbss_result check_kind(vbss_context *context, vbss_collision_pair_kind kind)
 {
-    return vbss_check_range(context, kind, VBSS_PAIR_EDGE_EDGE, VBSS_PAIR_POINT_TRIANGLE, "kind");
+    return vbss_check_range(context, kind, VBSS_COLLISION_PAIR_EDGE_EDGE,
+                            VBSS_COLLISION_PAIR_POINT_TRIANGLE, "kind");
 }
 
-vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_kind kind,
-                                const double start[12], const double end[12], vbss_impact *impact,
-                                uint32_t struct_size)
+vbss_result vbss_collision_test(vbss_collision *collision, vbss_collision_pair_kind kind,
+                                const double start[12], const double end[12],
+                                vbss_collision_impact *impact, uint32_t struct_size)
 {
     VBSS_ENTER(collision);
     collision_object *c;

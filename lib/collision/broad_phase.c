@@ -119,8 +119,8 @@ static void radix_sort(collision_object *c, uint32_t first, uint32_t features)
 }
 
 /* Traverses two trees and stores the run if it has candidates. */
-static bool collect_pairs(collision_object *c, const collision_traversal *w, vbss_pair_kind kind,
-                          uint32_t a, uint32_t b)
+static bool collect_pairs(collision_object *c, const collision_traversal *w,
+                          vbss_collision_pair_kind kind, uint32_t a, uint32_t b)
 {
     const collision_run run = {kind, c->active_shapes[a], c->active_shapes[b],
                                c->search.pair_count};
@@ -163,7 +163,7 @@ static bool collect_edge_pairs(collision_object *c, uint32_t a, uint32_t b)
                                    .shape = s,
                                    .excluded_lanes = s->exclusion.edge_lanes,
                                    .offsets = edge_offsets_of(s)};
-    return collect_pairs(c, &w, VBSS_PAIR_EDGE_EDGE, a, b);
+    return collect_pairs(c, &w, VBSS_COLLISION_PAIR_EDGE_EDGE, a, b);
 }
 
 static bool collect_point_pairs(collision_object *c, uint32_t a, uint32_t b)
@@ -177,7 +177,7 @@ static bool collect_point_pairs(collision_object *c, uint32_t a, uint32_t b)
                                    .shape = mesh,
                                    .excluded_lanes = mesh->exclusion.point_lanes,
                                    .offsets = point_offsets_of(s)};
-    return collect_pairs(c, &w, VBSS_PAIR_POINT_TRIANGLE, a, b);
+    return collect_pairs(c, &w, VBSS_COLLISION_PAIR_POINT_TRIANGLE, a, b);
 }
 
 static bool filtered_out(const collision_object *c, uint32_t a, uint32_t b)
@@ -237,7 +237,7 @@ static void write_pairs(collision_object *c, collision_candidate *list)
     for (uint32_t r = 0; r < c->run_count; r++) {
         const collision_run *run = &c->runs[r];
         const collision_shape *s = c->shapes[run->shape_a];
-        bool edges = run->kind == VBSS_PAIR_EDGE_EDGE;
+        bool edges = run->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
         uint32_t *offsets = edges ? s->edge_offsets : s->point_offsets;
         uint32_t end = r + 1 < c->run_count ? c->runs[r + 1].first : c->search.pair_count;
         collision_candidate candidate = {

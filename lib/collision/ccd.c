@@ -9,11 +9,11 @@
 #include <string.h>
 
 _Static_assert(sizeof(vbss_collision_config) == 72, "published size");
-_Static_assert(sizeof(vbss_impact) == 136, "published size");
+_Static_assert(sizeof(vbss_collision_impact) == 136, "published size");
 
 static const vbss_collision_config defaults = {
     .struct_size = sizeof(vbss_collision_config),
-    .method = VBSS_COLLISION_CONSERVATIVE,
+    .method = VBSS_COLLISION_METHOD_CONSERVATIVE,
     .tolerance = 1e-3,
     .pass_limit = 10000,
     .shape_capacity = 16,
@@ -26,7 +26,7 @@ static const vbss_collision_config defaults = {
 static const uint32_t config_sizes[] = {72, 0};
 const vbss_layout vbss_collision_config_layout = {"vbss_collision_config", &defaults, config_sizes};
 static const uint32_t impact_sizes[] = {136, 0};
-static const vbss_layout impact_layout = {"vbss_impact", NULL, impact_sizes};
+static const vbss_layout impact_layout = {"vbss_collision_impact", NULL, impact_sizes};
 
 vbss_result vbss_collision_config_init(vbss_collision_config *config, uint32_t struct_size)
 {
@@ -44,8 +44,8 @@ vbss_result vbss_collision_check_thickness(vbss_context *context, double thickne
 
 vbss_result vbss_collision_check_ccd_options(vbss_context *context, const vbss_collision_config *c)
 {
-    VBSS_TRY(vbss_check_range(context, c->method, VBSS_COLLISION_CONSERVATIVE, VBSS_COLLISION_PAPER,
-                              "method"));
+    VBSS_TRY(vbss_check_range(context, c->method, VBSS_COLLISION_METHOD_CONSERVATIVE,
+                              VBSS_COLLISION_METHOD_VBLAST, "method"));
     VBSS_TRY(vbss_collision_check_thickness(context, c->thickness));
     VBSS_TRY(vbss_check_range(context, c->tolerance, 1e-12, 1.0, "tolerance"));
     VBSS_TRY(vbss_check_range(context, c->pass_limit, 1.0, 1000000.0, "pass_limit"));
@@ -56,12 +56,12 @@ vbss_result vbss_collision_check_ccd_options(vbss_context *context, const vbss_c
 static const collision_ccd_method *method_of(const vbss_collision_config *config)
 {
     static const collision_ccd_method conservative = {vbss_collision_run_conservative,
-                                                      VBSS_DECISION_PROVED, true};
-    static const collision_ccd_method cubic = {vbss_collision_run_cubic, VBSS_DECISION_CLAIMED,
-                                               false};
-    return config->method == VBSS_COLLISION_PAPER   ? &vbss_baseline_ccd
-           : config->method == VBSS_COLLISION_CUBIC ? &cubic
-                                                    : &conservative;
+                                                      VBSS_COLLISION_DECISION_PROVED, true};
+    static const collision_ccd_method cubic = {vbss_collision_run_cubic,
+                                               VBSS_COLLISION_DECISION_CLAIMED, false};
+    return config->method == VBSS_COLLISION_METHOD_VBLAST  ? &vbss_baseline_ccd
+           : config->method == VBSS_COLLISION_METHOD_CUBIC ? &cubic
+                                                           : &conservative;
 }
 
 collision_ccd_options vbss_collision_ccd_options_of(const vbss_collision_config *config)
@@ -118,10 +118,10 @@ static vec3 point_at(const collision_ccd_query *q, const collision_ccd_result *r
 }
 
 vbss_result vbss_collision_write_impact(vbss_context *context, const collision_ccd_query *query,
-                                        const collision_ccd_result *result, vbss_impact *impact,
-                                        uint32_t struct_size)
+                                        const collision_ccd_result *result,
+                                        vbss_collision_impact *impact, uint32_t struct_size)
 {
-    vbss_impact own = {
+    vbss_collision_impact own = {
         .struct_size = sizeof own,
         .hit = result->hit,
         .decision = result->decision,
@@ -130,7 +130,7 @@ vbss_result vbss_collision_write_impact(vbss_context *context, const collision_c
         .distance = result->distance,
     };
     if (result->hit != 0) {
-        int last_of_a = query->kind == VBSS_PAIR_EDGE_EDGE ? 1 : 0;
+        int last_of_a = query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 1 : 0;
         vec3_store(own.normal, result->normal);
         memcpy(own.weights, result->weights, sizeof own.weights);
         vec3_store(own.point_a, point_at(query, result, 0, last_of_a));
@@ -162,8 +162,8 @@ VBSS_NEVER_INLINE void run_on_stack(const collision_ccd_options *options,
 }
 
 /* Without an object there is no context that could store an error text. */
-static vbss_result run_test(const vbss_collision_config *config, vbss_pair_kind kind,
-                            const double *start, const double *end, vbss_impact *impact,
+static vbss_result run_test(const vbss_collision_config *config, vbss_collision_pair_kind kind,
+                            const double *start, const double *end, vbss_collision_impact *impact,
                             uint32_t struct_size)
 {
     vbss_collision_config own = defaults;
@@ -181,17 +181,18 @@ static vbss_result run_test(const vbss_collision_config *config, vbss_pair_kind 
     return vbss_collision_write_impact(NULL, &query, &result, impact, struct_size);
 }
 
-vbss_result vbss_edges_test(const vbss_collision_config *config, const double start[12],
-                            const double end[12], vbss_impact *impact, uint32_t struct_size)
+vbss_result vbss_collision_test_edges(const vbss_collision_config *config, const double start[12],
+                                      const double end[12], vbss_collision_impact *impact,
+                                      uint32_t struct_size)
 {
     VBSS_ENTER(NULL);
-    return run_test(config, VBSS_PAIR_EDGE_EDGE, start, end, impact, struct_size);
+    return run_test(config, VBSS_COLLISION_PAIR_EDGE_EDGE, start, end, impact, struct_size);
 }
 
-vbss_result vbss_point_triangle_test(const vbss_collision_config *config, const double start[12],
-                                     const double end[12], vbss_impact *impact,
-                                     uint32_t struct_size)
+vbss_result vbss_collision_test_point_triangle(const vbss_collision_config *config,
+                                               const double start[12], const double end[12],
+                                               vbss_collision_impact *impact, uint32_t struct_size)
 {
     VBSS_ENTER(NULL);
-    return run_test(config, VBSS_PAIR_POINT_TRIANGLE, start, end, impact, struct_size);
+    return run_test(config, VBSS_COLLISION_PAIR_POINT_TRIANGLE, start, end, impact, struct_size);
 }

@@ -71,7 +71,7 @@ static void store_result(const collision_ccd_batch *batch, uint32_t i,
 {
     batch->hit[i] = (int32_t)(o->hit >> lane & 1u);
     if (batch->decision != NULL) {
-        batch->decision[i] = VBSS_DECISION_PROVED;
+        batch->decision[i] = VBSS_COLLISION_DECISION_PROVED;
     }
     if (batch->time != NULL) {
         batch->time[i] = o->time[lane];
@@ -94,7 +94,7 @@ static void store_four(const collision_ccd_batch *batch, uint32_t i, const colli
         batch->hit[i + k] = (int32_t)(o->hit >> k & 1u);
     }
     for (uint32_t k = 0; batch->decision != NULL && k < 4; k++) {
-        batch->decision[i + k] = VBSS_DECISION_PROVED;
+        batch->decision[i + k] = VBSS_COLLISION_DECISION_PROVED;
     }
     if (batch->time != NULL) {
         memcpy(batch->time + i, o->time, sizeof o->time);

@@ -27,11 +27,11 @@ typedef struct collision_ccd_outcome {
 
 /* If `first` is set, makes one pass from time 0. Otherwise makes a few passes, as long as at least
  * two lanes are pending. */
-void vbss_collision_advance_lanes_plain(const collision_ccd_options *options, vbss_pair_kind kind,
-                                        bool first, collision_ccd_lanes *four,
-                                        collision_ccd_outcome *outcome);
-void vbss_collision_advance_lanes_wide(const collision_ccd_options *options, vbss_pair_kind kind,
-                                       bool first, collision_ccd_lanes *four,
-                                       collision_ccd_outcome *outcome);
+void vbss_collision_advance_lanes_plain(const collision_ccd_options *options,
+                                        vbss_collision_pair_kind kind, bool first,
+                                        collision_ccd_lanes *four, collision_ccd_outcome *outcome);
+void vbss_collision_advance_lanes_wide(const collision_ccd_options *options,
+                                       vbss_collision_pair_kind kind, bool first,
+                                       collision_ccd_lanes *four, collision_ccd_outcome *outcome);
 
 #endif

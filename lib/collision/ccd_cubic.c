@@ -148,7 +148,7 @@ static bool test_root(const collision_ccd_query *q, double t, double side,
                       collision_ccd_result *result)
 {
     const vec3 *x = q->start, *y = q->end;
-    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     spanned s = spanned_by(vec3_lerp(x[0], y[0], t), vec3_lerp(x[1], y[1], t),
                            vec3_lerp(x[2], y[2], t), vec3_lerp(x[3], y[3], t), edges);
     vec3 n = vec3_cross(s.e, s.f);
@@ -200,7 +200,7 @@ static void test_end(const collision_ccd_query *q, collision_ccd_result *result)
     vec3 to1 = vec3_sub(y[1], y[0]), to2 = vec3_sub(y[2], y[0]), to3 = vec3_sub(y[3], y[0]),
          separation;
     double weights[4] = {1.0};
-    if (q->kind == VBSS_PAIR_EDGE_EDGE) {
+    if (q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
         separation =
             closest_between_edges(to1, vec3_sub(y[3], y[2]), to2, &weights[1], &weights[3]);
         weights[0] = 1.0 - weights[1];
@@ -227,7 +227,7 @@ void vbss_collision_run_cubic(const collision_ccd_options *options,
     (void)options;
     (void)counters;
     const vec3 *x = query->start, *y = query->end;
-    bool edges = query->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     spanned from = spanned_by(x[0], x[1], x[2], x[3], edges);
     spanned to = spanned_by(y[0], y[1], y[2], y[3], edges);
     cubic c = cubic_of(&from, &to);

@@ -302,7 +302,7 @@ static bool crosses(workspace *w, const crossing *p)
 
 static crossing make_crossing(workspace *w, const collision_ccd_query *q, int last)
 {
-    crossing p = {.edges = q->kind == VBSS_PAIR_EDGE_EDGE};
+    crossing p = {.edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE};
     if (p.edges) { /* s a = c + u b */
         ivec a = between(w, q, 0, 1, last), b = between(w, q, 2, 3, last);
         ivec c = between(w, q, 0, 2, last);
@@ -328,7 +328,7 @@ static const int touchings_of_triangle[3][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}
 /* Most touchings are ruled out by a proof that point and edge stay apart. */
 static bool may_touch(const collision_ccd_query *q, const int vertices[3])
 {
-    collision_ccd_query pair = {.kind = VBSS_PAIR_EDGE_EDGE};
+    collision_ccd_query pair = {.kind = VBSS_COLLISION_PAIR_EDGE_EDGE};
     const int both[4] = {vertices[0], vertices[0], vertices[1], vertices[2]};
     for (int k = 0; k < 4; k++) {
         pair.start[k] = q->start[both[k]];
@@ -340,7 +340,7 @@ static bool may_touch(const collision_ccd_query *q, const int vertices[3])
 exact_result vbss_collision_decide_exactly(const collision_ccd_query *q, workspace *w)
 {
     int last = last_exponent(q);
-    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE, hit = false;
+    bool edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE, hit = false;
     for (int k = 0; k < (edges ? 4 : 3) && !hit && !w->full; k++) {
         const int *v = edges ? touchings_of_edges[k] : touchings_of_triangle[k];
         if (may_touch(q, v)) {

@@ -365,11 +365,11 @@ static inline void advance(const collision_ccd_options *options, bool edges, boo
 }
 
 void VBSS_WIDE_NAME(vbss_collision_advance_lanes)(const collision_ccd_options *options,
-                                                  vbss_pair_kind kind, bool first,
+                                                  vbss_collision_pair_kind kind, bool first,
                                                   collision_ccd_lanes *four,
                                                   collision_ccd_outcome *outcome)
 {
-    if (kind == VBSS_PAIR_EDGE_EDGE) {
+    if (kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
         if (first) {
             advance(options, true, true, four, outcome);
         } else {

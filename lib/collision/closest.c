@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "collision/collision.h"
 
-_Static_assert(sizeof(vbss_closest) == 136, "published size");
+_Static_assert(sizeof(vbss_collision_closest) == 136, "published size");
 static const uint32_t closest_sizes[] = {136, 0};
-static const vbss_layout closest_layout = {"vbss_closest", NULL, closest_sizes};
+static const vbss_layout closest_layout = {"vbss_collision_closest", NULL, closest_sizes};
 
 static vbss_result check_coordinates(const double *coordinates, size_t count, const char *name)
 {
@@ -43,7 +43,7 @@ static double length_of(scaled_separation s)
 }
 
 /* Completes the result; its weights must be set. */
-static void fill(vbss_closest *own, const double *a, int vertices_of_a, const double *b,
+static void fill(vbss_collision_closest *own, const double *a, int vertices_of_a, const double *b,
                  int vertices_of_b, scaled_separation separation)
 {
     own->struct_size = sizeof *own;
@@ -53,9 +53,9 @@ static void fill(vbss_closest *own, const double *a, int vertices_of_a, const do
     store_point(own->point_b, b, own->weights_b, vertices_of_b);
 }
 
-static vbss_result write_closest(vbss_closest *own, const double *a, int vertices_of_a,
+static vbss_result write_closest(vbss_collision_closest *own, const double *a, int vertices_of_a,
                                  const double *b, int vertices_of_b, scaled_separation separation,
-                                 vbss_closest *closest, uint32_t struct_size)
+                                 vbss_collision_closest *closest, uint32_t struct_size)
 {
     fill(own, a, vertices_of_a, b, vertices_of_b, separation);
     return vbss_struct_write(NULL, &closest_layout, own, closest, struct_size);
@@ -96,7 +96,8 @@ static scaled_separation closest_on_segments(const double a[6], const double b[6
     return separation;
 }
 
-static scaled_separation closest_on_axes(const double a[6], const double b[6], vbss_closest *own)
+static scaled_separation closest_on_axes(const double a[6], const double b[6],
+                                         vbss_collision_closest *own)
 {
     double s, u;
     scaled_separation separation = closest_on_segments(a, b, &s, &u);
@@ -107,13 +108,13 @@ static scaled_separation closest_on_axes(const double a[6], const double b[6], v
     return separation;
 }
 
-vbss_result vbss_closest_segments(const double a[6], const double b[6], vbss_closest *closest,
-                                  uint32_t struct_size)
+vbss_result vbss_collision_closest_segments(const double a[6], const double b[6],
+                                            vbss_collision_closest *closest, uint32_t struct_size)
 {
     VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(a, 6, "a"));
     VBSS_TRY(check_coordinates(b, 6, "b"));
-    vbss_closest own = {0};
+    vbss_collision_closest own = {0};
     scaled_separation separation = closest_on_axes(a, b, &own);
     return write_closest(&own, a, 2, b, 2, separation, closest, struct_size);
 }
@@ -130,13 +131,14 @@ static scaled_separation closest_to_triangle(vec3 point, const double triangle[9
     return separation;
 }
 
-vbss_result vbss_closest_point_triangle(const double point[3], const double triangle[9],
-                                        vbss_closest *closest, uint32_t struct_size)
+vbss_result vbss_collision_closest_point_triangle(const double point[3], const double triangle[9],
+                                                  vbss_collision_closest *closest,
+                                                  uint32_t struct_size)
 {
     VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(point, 3, "point"));
     VBSS_TRY(check_coordinates(triangle, 9, "triangle"));
-    vbss_closest own = {0};
+    vbss_collision_closest own = {0};
     own.weights_a[0] = 1.0;
     scaled_separation separation = closest_to_triangle(vertex(point, 0), triangle, own.weights_b);
     return write_closest(&own, point, 1, triangle, 3, separation, closest, struct_size);
@@ -162,13 +164,15 @@ static bool segment_pierces_triangle(const double segment[6], const double trian
     return weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0;
 }
 
-vbss_result vbss_closest_segment_triangle(const double segment[6], const double triangle[9],
-                                          vbss_closest *closest, uint32_t struct_size)
+vbss_result vbss_collision_closest_segment_triangle(const double segment[6],
+                                                    const double triangle[9],
+                                                    vbss_collision_closest *closest,
+                                                    uint32_t struct_size)
 {
     VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(segment, 6, "segment"));
     VBSS_TRY(check_coordinates(triangle, 9, "triangle"));
-    vbss_closest own = {0};
+    vbss_collision_closest own = {0};
     double fraction, weights[3];
     if (segment_pierces_triangle(segment, triangle, &fraction, weights)) {
         own.weights_a[0] = 1.0 - fraction;
@@ -212,15 +216,16 @@ vbss_result vbss_closest_segment_triangle(const double segment[6], const double 
     return write_closest(&own, segment, 2, triangle, 3, best, closest, struct_size);
 }
 
-vbss_result vbss_closest_capsules(const double a[6], double radius_a, const double b[6],
-                                  double radius_b, vbss_closest *closest, uint32_t struct_size)
+vbss_result vbss_collision_closest_capsules(const double a[6], double radius_a, const double b[6],
+                                            double radius_b, vbss_collision_closest *closest,
+                                            uint32_t struct_size)
 {
     VBSS_ENTER(NULL);
     VBSS_TRY(check_coordinates(a, 6, "a"));
     VBSS_TRY(check_coordinates(b, 6, "b"));
     VBSS_TRY(vbss_check_range(NULL, radius_a, 0.0, COLLISION_MAX_COORDINATE, "radius_a"));
     VBSS_TRY(vbss_check_range(NULL, radius_b, 0.0, COLLISION_MAX_COORDINATE, "radius_b"));
-    vbss_closest own = {0};
+    vbss_collision_closest own = {0};
     fill(&own, a, 2, b, 2, closest_on_axes(a, b, &own));
     own.distance = own.distance - radius_a - radius_b;
     vec3 normal = vec3_load(own.normal);

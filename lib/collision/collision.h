@@ -40,8 +40,8 @@ typedef struct collision_ccd_method {
     /* Counts passes, exact and sign_tests_ended only. `result` comes as a miss. */
     void (*test_pair)(const collision_ccd_options *options, const collision_ccd_query *query,
                       collision_ccd_result *result, collision_counters *counters);
-    vbss_decision miss_decision; /* what a miss is worth */
-    bool has_lanes;              /* ccd_batch.c can test four pairs at a time */
+    vbss_collision_decision miss_decision; /* what a miss is worth */
+    bool has_lanes;                        /* ccd_batch.c can test four pairs at a time */
 } collision_ccd_method;
 extern const collision_ccd_method vbss_baseline_ccd; /* defined in lib/baseline */
 
@@ -61,15 +61,15 @@ struct collision_ccd_options {
 enum { COLLISION_LIMBS = 16384, COLLISION_STACK_LIMBS = 2900 };
 
 struct collision_ccd_query {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     double thickness; /* contact distance D, m */
     vec3 start[4], end[4];
 };
 
-/* Result as in vbss_impact, without the points. For a miss all fields are zero except time = 1. */
+/* Result as in vbss_collision_impact, without the points. For a miss all fields are zero except time = 1. */
 struct collision_ccd_result {
     int32_t hit;
-    vbss_decision decision;
+    vbss_collision_decision decision;
     uint32_t passes;
     double time, distance;
     vec3 normal;
@@ -91,7 +91,7 @@ void vbss_collision_run_conservative(const collision_ccd_options *options,
 void vbss_collision_run_cubic(const collision_ccd_options *options,
                               const collision_ccd_query *query, collision_ccd_result *result,
                               collision_counters *counters);
-static inline collision_ccd_result vbss_collision_ccd_miss(vbss_decision decision)
+static inline collision_ccd_result vbss_collision_ccd_miss(vbss_collision_decision decision)
 {
     collision_ccd_result miss = {.decision = decision, .time = 1.0};
     return miss;
@@ -101,7 +101,7 @@ static inline void vbss_collision_count_result(collision_counters *counters,
 {
     counters->queries++;
     counters->hits += result->hit != 0;
-    counters->undecided += result->decision == VBSS_DECISION_UNDECIDED;
+    counters->undecided += result->decision == VBSS_COLLISION_DECISION_UNDECIDED;
 }
 /* Checks the options of a test in a configuration, and extracts them. */
 vbss_result vbss_collision_check_ccd_options(vbss_context *context,
@@ -112,13 +112,13 @@ void vbss_collision_set_vertices(collision_ccd_query *query, const double start[
                                  const double end[12]);
 /* Writes a result with its points to the caller's struct. `context` may be NULL. */
 vbss_result vbss_collision_write_impact(vbss_context *context, const collision_ccd_query *query,
-                                        const collision_ccd_result *result, vbss_impact *impact,
-                                        uint32_t struct_size);
+                                        const collision_ccd_result *result,
+                                        vbss_collision_impact *impact, uint32_t struct_size);
 
 /* ---- batches of queries (ccd_batch.c), four at a time if the method allows it, with the same bits
  * as vbss_collision_run_ccd */
 typedef struct collision_ccd_batch {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     uint32_t count;
     size_t stride;             /* distance of rows, in numbers */
     const double *start, *end; /* 12 rows each: the coordinates of the four vertices */

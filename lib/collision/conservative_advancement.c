@@ -177,7 +177,7 @@ VBSS_NEVER_INLINE double separates_until_fallback(const collision_relative_motio
     return -1.0;
 }
 
-static inline void set_hit(collision_ccd_result *result, vbss_decision decision, double t,
+static inline void set_hit(collision_ccd_result *result, vbss_collision_decision decision, double t,
                            const closest_points *now, double distance, vec3 normal)
 {
     result->hit = 1;
@@ -214,7 +214,7 @@ VBSS_ALWAYS_INLINE void advance(const collision_relative_motion *m,
         if (now->distance_squared <= bounds.near_square) {
             double distance = sqrt(now->distance_squared);
             vec3 normal = normal_of(now, distance, bounds.rounding_square, last);
-            set_hit(result, VBSS_DECISION_PROVED, t, now, distance, normal);
+            set_hit(result, VBSS_COLLISION_DECISION_PROVED, t, now, distance, normal);
             return;
         }
         vec3 n = now->separation; /* not normalised, which would cost more than the rest */
@@ -233,7 +233,7 @@ VBSS_ALWAYS_INLINE void advance(const collision_relative_motion *m,
         last = n;
         if (!(until > t) || result->passes >= limit) {
             vec3 normal = vec3_unit_or(n, vec3_zero());
-            set_hit(result, VBSS_DECISION_UNDECIDED, t, now, distance, normal);
+            set_hit(result, VBSS_COLLISION_DECISION_UNDECIDED, t, now, distance, normal);
             return;
         }
         t = until;
@@ -255,7 +255,7 @@ VBSS_ALWAYS_INLINE bool hits_at_start(const collision_relative_motion *m,
     }
     double distance = sqrt(now->distance_squared);
     vec3 normal = normal_of(now, distance, 0.0, vec3_zero());
-    set_hit(result, VBSS_DECISION_PROVED, 0.0, now, distance, normal);
+    set_hit(result, VBSS_COLLISION_DECISION_PROVED, 0.0, now, distance, normal);
     return true;
 }
 
@@ -298,7 +298,7 @@ VBSS_ALWAYS_INLINE void run_test(const collision_ccd_options *options, uint32_t 
 static void run_test_of_kind(const collision_ccd_options *options, uint32_t limit,
                              const collision_ccd_query *query, collision_ccd_result *result)
 {
-    if (query->kind == VBSS_PAIR_EDGE_EDGE) {
+    if (query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
         run_test(options, limit, query, true, result);
     } else {
         run_test(options, limit, query, false, result);
@@ -334,7 +334,7 @@ static bool never_coplanar(const collision_relative_motion *m)
 bool vbss_collision_proves_separation(const collision_ccd_query *query)
 {
     static const collision_ccd_options options = {.tolerance = 0.0};
-    collision_ccd_result result = vbss_collision_ccd_miss(VBSS_DECISION_PROVED);
+    collision_ccd_result result = vbss_collision_ccd_miss(VBSS_COLLISION_DECISION_PROVED);
     run_test_of_kind(&options, COLLISION_ZERO_PASS_LIMIT, query, &result);
     return result.hit == 0;
 }
@@ -345,7 +345,7 @@ static exact_result decide_exactly(const collision_ccd_options *options,
                                    const collision_relative_motion *m, double t,
                                    collision_counters *counters)
 {
-    if (vbss_collision_certifies_crossing(m, query->kind == VBSS_PAIR_EDGE_EDGE, t)) {
+    if (vbss_collision_certifies_crossing(m, query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE, t)) {
         return COLLISION_EXACT_HIT;
     }
     workspace w = {.limbs = options->limbs, .capacity = options->limb_count};
@@ -371,20 +371,20 @@ static void run_zero_thickness(const collision_ccd_options *options,
     exact_result truth = decide_exactly(options, query, &m, result->time, counters);
     if (truth == COLLISION_EXACT_MISS) {
         uint32_t passes = result->passes;
-        *result = vbss_collision_ccd_miss(VBSS_DECISION_EXACT);
+        *result = vbss_collision_ccd_miss(VBSS_COLLISION_DECISION_EXACT);
         result->passes = passes;
         return;
     }
-    if (result->decision == VBSS_DECISION_UNDECIDED && options->pass_limit > limit) {
+    if (result->decision == VBSS_COLLISION_DECISION_UNDECIDED && options->pass_limit > limit) {
         /* The limit stopped the first run. Continue to the contact if it is not too far. */
         limit = options->pass_limit < COLLISION_ZERO_HIT_PASS_LIMIT ? options->pass_limit
                                                                     : COLLISION_ZERO_HIT_PASS_LIMIT;
-        *result = vbss_collision_ccd_miss(VBSS_DECISION_PROVED);
+        *result = vbss_collision_ccd_miss(VBSS_COLLISION_DECISION_PROVED);
         run_test_of_kind(options, limit, query, result);
     }
     if (result->hit != 0) { /* otherwise further passes have proved a miss */
-        result->decision =
-            truth == COLLISION_EXACT_HIT ? VBSS_DECISION_EXACT : VBSS_DECISION_UNDECIDED;
+        result->decision = truth == COLLISION_EXACT_HIT ? VBSS_COLLISION_DECISION_EXACT
+                                                        : VBSS_COLLISION_DECISION_UNDECIDED;
     }
 }
 

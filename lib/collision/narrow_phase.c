@@ -24,7 +24,7 @@ static void load_query(const collision_object *c, uint32_t at, const collision_c
     const collision_shape *a = c->shapes[q->shape_a], *b = c->shapes[q->shape_b];
     collision_block *block = c->block;
     block->thickness[at] = vbss_collision_contact_distance(c, a, b);
-    if (q->kind == VBSS_PAIR_EDGE_EDGE) {
+    if (q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
         load_vertex(block, 0, at, a, a->edges[q->a][0]);
         load_vertex(block, 1, at, a, a->edges[q->a][1]);
         load_vertex(block, 2, at, b, b->edges[q->b][0]);
@@ -48,7 +48,7 @@ static uint32_t test_block(const collision_object *c, uint32_t first, collision_
         load_query(c, count, &q[count]);
         count++;
     }
-    const collision_ccd_batch batch = {.kind = (vbss_pair_kind)q[0].kind,
+    const collision_ccd_batch batch = {.kind = (vbss_collision_pair_kind)q[0].kind,
                                        .count = count,
                                        .stride = COLLISION_BLOCK_SIZE,
                                        .start = block->start[0],

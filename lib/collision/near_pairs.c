@@ -171,7 +171,7 @@ bool vbss_collision_filter_near_pairs(collision_object *c)
     uint32_t count = 0;
     for (uint32_t i = 0; i < c->near_count; i++) {
         const collision_candidate *q = &c->near_pairs[i];
-        const bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
+        const bool edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
         if (i == 0 || q->a != q[-1].a || q->shape_a != q[-1].shape_a || q->kind != q[-1].kind) {
             const collision_shape *s = c->shapes[q->shape_a];
             a = edges ? feature_of(s, s->edges[q->a], 2) : feature_of(s, &q->a, 1);

@@ -33,15 +33,16 @@ static void update_search_displacements(collision_shape *s)
 static double max_of_feature_a(const collision_candidate *q, const collision_shape *a,
                                const double *of_nodes)
 {
-    return q->kind == VBSS_PAIR_EDGE_EDGE ? max_over_nodes(of_nodes, a->edges[q->a], 2)
-                                          : of_nodes[q->a];
+    return q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? max_over_nodes(of_nodes, a->edges[q->a], 2)
+                                                    : of_nodes[q->a];
 }
 
 static double max_of_feature_b(const collision_candidate *q, const collision_shape *b,
                                const double *of_nodes)
 {
-    return q->kind == VBSS_PAIR_EDGE_EDGE ? max_over_nodes(of_nodes, b->edges[q->b], 2)
-                                          : max_over_nodes(of_nodes, b->triangles[q->b], 3);
+    return q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE
+               ? max_over_nodes(of_nodes, b->edges[q->b], 2)
+               : max_over_nodes(of_nodes, b->triangles[q->b], 3);
 }
 
 void vbss_collision_update_search_displacements(collision_object *c)

@@ -326,8 +326,8 @@ vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape,
     return VBSS_OK;
 }
 
-vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const double *start,
-                                const double *end, uint32_t node_count)
+vbss_result vbss_collision_set_motion(vbss_collision *collision, uint32_t shape,
+                                      const double *start, const double *end, uint32_t node_count)
 {
     VBSS_ENTER(collision);
     collision_object *c;

@@ -230,7 +230,7 @@ typedef struct collision_pair {
 
 /* Pairs of two shapes: from `first` to the `first` of the next run. */
 typedef struct collision_run {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     uint32_t shape_a, shape_b, first;
 } collision_run;
 

@@ -15,8 +15,8 @@
  * friction; active_set.c finds their status together with the increments of all blocks;
  * line_search.c chooses the step length; weld.c eliminates a node that is a point of a rigid body;
  * snapshot.c saves the warm-start entries. docs/contact.md derives the method. */
-#ifndef VBSS_CONTACT_CONTACT_H
-#define VBSS_CONTACT_CONTACT_H
+#ifndef VBSS_SCENE_CONTACT_CONTACT_H
+#define VBSS_SCENE_CONTACT_CONTACT_H
 
 #include <vblast_ss/base.h>
 

@@ -4,15 +4,15 @@
  * published; and its test: the scenes of determinism.golden that fail when it is halved or doubled, among the
  * five of the bench tuning (docs/notebook/tuning.md).
  * That page says why a number stays absolute. */
-#ifndef VBSS_CONTACT_TUNING_H
-#define VBSS_CONTACT_TUNING_H
+#ifndef VBSS_SCENE_CONTACT_TUNING_H
+#define VBSS_SCENE_CONTACT_TUNING_H
 
 #include "base/tune.h"
 
 /* ---- Work (active_set.c) */
 
 /* Cost of a separator in a solve.
- * Unit: operations of work_limit. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first
+ * Unit: operations of step_budget. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first
  * throw. Test: scene-tools, scene-mesh, graspers, needle-hands, session. */
 #define CONTACT_SEPARATOR_COST VBSS_TUNE(CONTACT_SEPARATOR_COST, 70)
 

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "device/device.h"
 
-vbss_result vbss_device_stop(vbss_device *device)
+vbss_result vbss_device_latch_emergency_stop(vbss_device *device)
 {
     VBSS_ENTER(device);
     device_object *d;
@@ -14,7 +14,7 @@ vbss_result vbss_device_stop(vbss_device *device)
     return VBSS_OK;
 }
 
-vbss_result vbss_device_release(vbss_device *device)
+vbss_result vbss_device_clear_emergency_stop(vbss_device *device)
 {
     VBSS_ENTER(device);
     device_object *d;
@@ -39,7 +39,7 @@ static void set_orientation_offset(device_object *d, quat orientation)
     d->orientation_offset = quat_unit(quat_mul(quat_conjugate(current), orientation));
 }
 
-vbss_result vbss_device_clutch(vbss_device *device, int32_t held)
+vbss_result vbss_device_set_clutch(vbss_device *device, int32_t held)
 {
     VBSS_ENTER(device);
     device_object *d;

@@ -218,18 +218,18 @@ void vbss_output_init_state(const vbss_output_config *c, output_state *s);
 output_demand vbss_output_repeat_demand(const output_state *s, double h);
 /* Stores a demand for such steps, without numbers that are not finite. */
 void vbss_output_store_demand(output_state *s, const output_demand *demand);
-/* Computes the outputs of a step of h seconds in the state. Returns VBSS_OUTPUT_ bits. */
+/* Computes the outputs of a step of h seconds in the state. Returns VBSS_OUTPUT_FLAG_ bits. */
 uint32_t vbss_output_advance(const vbss_output_config *c, output_state *s, double h,
                              const output_demand *demand);
 /* Latches the emergency stop and sets the outputs to zero. */
 void vbss_output_latch_stop(output_state *s);
 /* Sets the outputs to zero, as those of the last step. */
 void vbss_output_set_zero(output_state *s);
-/* Fills the public result from the state. `flags` are VBSS_OUTPUT_ bits. */
+/* Fills the public result from the state. `flags` are VBSS_OUTPUT_FLAG_ bits. */
 void vbss_output_fill_result(const vbss_output_config *c, const output_state *s, uint32_t flags,
                              vbss_output_result *result);
 output_demand vbss_output_make_demand(const vbss_output_command *command);
-/* Switches the solenoid for a step of h seconds. Returns VBSS_OUTPUT_ bits that say why a wanted
+/* Switches the solenoid for a step of h seconds. Returns VBSS_OUTPUT_FLAG_ bits that say why a wanted
  * solenoid is off. */
 uint32_t vbss_output_switch_solenoid(const vbss_output_config *c, output_solenoid *s, double h,
                                      bool wanted, bool blocked, vbss_output_statistics *statistics);
@@ -324,7 +324,7 @@ void vbss_device_poll(device_object *d, uint32_t source, double now);
 /* Pose of the last sample in the world, without the offsets of clutch and re-centring. */
 pose vbss_device_calibrated_pose(const device_object *d);
 /* Writes an output to each adapter that drives a part of it. `coupling` is in the device's frame;
- * NULL: none. Returns VBSS_OUTPUT_NOT_WRITTEN if an adapter failed, otherwise 0. */
+ * NULL: none. Returns VBSS_OUTPUT_FLAG_NOT_WRITTEN if an adapter failed, otherwise 0. */
 uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
                           const vbss_device_coupling *coupling);
 /* Latches the emergency stop and writes zeros at once. */

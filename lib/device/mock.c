@@ -323,7 +323,7 @@ vbss_result vbss_mock_get_view(vbss_mock *mock, vbss_mock_field field, vbss_view
         return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "a mock has no field %d", field);
     }
     const vbss_view own = {0,
-                           VBSS_TYPE_F64,
+                           VBSS_VIEW_TYPE_F64,
                            MOCK_ROW_NUMBERS,
                            MOCK_ROW_NUMBERS * sizeof(double),
                            m->row_count,

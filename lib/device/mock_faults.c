@@ -10,23 +10,24 @@ static bool is_active(const mock_fault *f, double now)
 
 bool vbss_mock_needs_function(vbss_mock_fault fault)
 {
-    return fault == VBSS_MOCK_STALL || fault == VBSS_MOCK_RATE || fault == VBSS_MOCK_LATE ||
-           fault == VBSS_MOCK_SHUFFLE;
+    return fault == VBSS_MOCK_FAULT_STALL || fault == VBSS_MOCK_FAULT_RATE ||
+           fault == VBSS_MOCK_FAULT_LATE || fault == VBSS_MOCK_FAULT_SHUFFLE;
 }
 
 vbss_result vbss_mock_check_fault(vbss_context *context, const mock_fault *f)
 {
-    bool interval = f->kind == VBSS_MOCK_RATE || f->kind == VBSS_MOCK_SHUFFLE;
-    VBSS_TRY(vbss_check_range(context, f->kind, VBSS_MOCK_NAN, VBSS_MOCK_WRITE_FAILS, "fault"));
+    bool interval = f->kind == VBSS_MOCK_FAULT_RATE || f->kind == VBSS_MOCK_FAULT_SHUFFLE;
+    VBSS_TRY(vbss_check_range(context, f->kind, VBSS_MOCK_FAULT_NAN, VBSS_MOCK_FAULT_WRITE_FAILS,
+                              "fault"));
     VBSS_TRY(vbss_check_range(context, f->from, -1e9, 1e9, "from"));
     VBSS_TRY(vbss_check_range(context, f->until, f->from, 1e9, "until"));
     if (interval) {
         return vbss_check_range(context, f->value, 1e-6, 1e3, "value");
     }
-    if (f->kind == VBSS_MOCK_LATE) {
+    if (f->kind == VBSS_MOCK_FAULT_LATE) {
         return vbss_check_range(context, f->value, 0.0, 1e3, "value");
     }
-    if (f->kind == VBSS_MOCK_NAN) {
+    if (f->kind == VBSS_MOCK_FAULT_NAN) {
         return vbss_check_range(context, f->value, 0.0, 4.0, "value");
     }
     return vbss_check_range(context, f->value, -1e9, 1e9, "value");
@@ -43,13 +44,13 @@ static double faulted_time(const mock_fault *f, double time)
 {
     double intervals;
     switch (f->kind) {
-    case VBSS_MOCK_STALL:
+    case VBSS_MOCK_FAULT_STALL:
         return f->from;
-    case VBSS_MOCK_RATE:
+    case VBSS_MOCK_FAULT_RATE:
         return f->from + intervals_since(f, time) * f->value;
-    case VBSS_MOCK_LATE:
+    case VBSS_MOCK_FAULT_LATE:
         return time - f->value;
-    case VBSS_MOCK_SHUFFLE:
+    case VBSS_MOCK_FAULT_SHUFFLE:
         intervals = intervals_since(f, time);
         return intervals == 2.0 * floor(0.5 * intervals) ? time : time - f->value;
     default:
@@ -83,31 +84,31 @@ static void put_nan(double which, vbss_device_sample *sample)
 static void apply_fault(const mock_fault *f, vbss_device_sample *sample)
 {
     switch (f->kind) {
-    case VBSS_MOCK_NAN:
+    case VBSS_MOCK_FAULT_NAN:
         put_nan(floor(f->value), sample);
         break;
-    case VBSS_MOCK_DISCONNECT:
+    case VBSS_MOCK_FAULT_DISCONNECT:
         sample->flags |= VBSS_DEVICE_FLAG_LOST;
         break;
-    case VBSS_MOCK_NORM:
+    case VBSS_MOCK_FAULT_NORM:
         for (int i = 0; i < 4; i++) {
             sample->orientation[i] *= f->value;
         }
         break;
-    case VBSS_MOCK_JUMP:
+    case VBSS_MOCK_FAULT_JUMP:
         sample->position[0] += f->value;
         break;
-    case VBSS_MOCK_TEMPERATURE:
+    case VBSS_MOCK_FAULT_TEMPERATURE:
         sample->temperature = f->value;
         sample->valid |= VBSS_DEVICE_HAS_TEMPERATURE;
         break;
-    case VBSS_MOCK_JAW:
+    case VBSS_MOCK_FAULT_JAW:
         sample->jaw_raw = f->value;
         break;
-    case VBSS_MOCK_STOP:
+    case VBSS_MOCK_FAULT_STOP:
         sample->flags |= VBSS_DEVICE_FLAG_STOP;
         break;
-    case VBSS_MOCK_REFUSAL:
+    case VBSS_MOCK_FAULT_REFUSAL:
         sample->flags |= VBSS_DEVICE_FLAG_FAULT;
         break;
     default:
@@ -126,14 +127,14 @@ void vbss_mock_apply_faults(const mock_object *m, double now, vbss_device_sample
 
 bool vbss_mock_fails(mock_object *m, double now, bool reads)
 {
-    vbss_mock_fault own = reads ? VBSS_MOCK_READ_FAILS : VBSS_MOCK_WRITE_FAILS;
+    vbss_mock_fault own = reads ? VBSS_MOCK_FAULT_READ_FAILS : VBSS_MOCK_FAULT_WRITE_FAILS;
     bool fails = false;
     for (uint32_t i = 0; i < m->fault_count; i++) {
         const mock_fault *f = &m->faults[i];
-        if (is_active(f, now) && (f->kind == own || f->kind == VBSS_MOCK_DISCONNECT)) {
-            m->failure = f->kind == VBSS_MOCK_DISCONNECT ? "unplugged by a fault of the mock"
-                         : reads                         ? "a read fails by a fault of the mock"
-                                                         : "a write fails by a fault of the mock";
+        if (is_active(f, now) && (f->kind == own || f->kind == VBSS_MOCK_FAULT_DISCONNECT)) {
+            m->failure = f->kind == VBSS_MOCK_FAULT_DISCONNECT ? "unplugged by a fault of the mock"
+                         : reads ? "a read fails by a fault of the mock"
+                                 : "a write fails by a fault of the mock";
             fails = true;
         }
     }

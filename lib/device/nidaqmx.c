@@ -23,7 +23,7 @@ static const vbss_nidaqmx_config config_defaults = {
     .second_input = "Dev1/ai1",
     .first_line = "Dev1/port0/line0",
     .second_line = "Dev1/port0/line1",
-    .terminal = VBSS_NIDAQMX_SINGLE_ENDED,
+    .terminal = VBSS_NIDAQMX_TERMINAL_SINGLE_ENDED,
     .active_low = 1,
     .own_thread = 1,
     .low = -10.0,
@@ -126,8 +126,8 @@ static vbss_result read_config(nidaqmx_object *o, const vbss_nidaqmx_config *con
         VBSS_TRY(vbss_config_read(context, &config_layout, config, c));
     }
     VBSS_TRY(vbss_check_range(context, c->handle_count, 1.0, DAQ_HANDLES, "handle_count"));
-    VBSS_TRY(vbss_check_range(context, c->terminal, VBSS_NIDAQMX_SINGLE_ENDED,
-                              VBSS_NIDAQMX_DIFFERENTIAL, "terminal"));
+    VBSS_TRY(vbss_check_range(context, c->terminal, VBSS_NIDAQMX_TERMINAL_SINGLE_ENDED,
+                              VBSS_NIDAQMX_TERMINAL_DIFFERENTIAL, "terminal"));
     VBSS_TRY(vbss_check_range(context, c->active_low, 0.0, 1.0, "active_low"));
     VBSS_TRY(vbss_check_range(context, c->own_thread, 0.0, 1.0, "own_thread"));
     VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
@@ -309,14 +309,14 @@ static void explain_failure(daq_handle *h, const vbss_nidaqmx_status *s, bool ha
 static void explain_report(daq_handle *h, const daq_report *r)
 {
     const vbss_nidaqmx_status *s = &r->status;
-    if (s->state == VBSS_HARDWARE_RUNNING && r->is_slow) {
+    if (s->state == VBSS_HAPTICS_STATE_RUNNING && r->is_slow) {
         snprintf(h->text, sizeof h->text,
                  "rounds of %.9s ms: solenoids go off up to %.9s ms after the last command",
                  vbss_format_number(1e3 * s->round_time, 3).text,
                  vbss_format_number(1e3 * s->off_time, 3).text);
-    } else if (s->state == VBSS_HARDWARE_WAITING && s->error == 0) {
+    } else if (s->state == VBSS_HAPTICS_STATE_WAITING && s->error == 0) {
         vbss_device_copy_text(h->text, sizeof h->text, "nothing was measured yet");
-    } else if (s->state != VBSS_HARDWARE_RUNNING) {
+    } else if (s->state != VBSS_HAPTICS_STATE_RUNNING) {
         explain_failure(h, s, r->has_late_reads);
     }
 }
@@ -334,10 +334,10 @@ static vbss_result handle_read(void *user, double now, vbss_device_sample *sampl
     sample->valid = VBSS_DEVICE_HAS_JAW_RAW;
     sample->time = r->time;
     sample->jaw_raw = r->volts[h->handle_index];
-    sample->flags = r->status.state == VBSS_HARDWARE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
+    sample->flags = r->status.state == VBSS_HAPTICS_STATE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
     sample->flags |= r->is_slow ? VBSS_DEVICE_FLAG_SLOW : 0u;
     explain_report(h, r);
-    return r->status.state == VBSS_HARDWARE_RUNNING ? VBSS_OK : VBSS_ERROR_DEVICE;
+    return r->status.state == VBSS_HAPTICS_STATE_RUNNING ? VBSS_OK : VBSS_ERROR_DEVICE;
 }
 
 static vbss_result handle_write(void *user, double now, const vbss_output_result *output)
@@ -382,7 +382,7 @@ vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
 
 /* ---- public functions */
 
-vbss_result vbss_nidaqmx_pump(vbss_nidaqmx *nidaqmx, double now)
+vbss_result vbss_nidaqmx_poll(vbss_nidaqmx *nidaqmx, double now)
 {
     VBSS_ENTER(NULL); /* the context may be in use by another thread */
     nidaqmx_object *o;

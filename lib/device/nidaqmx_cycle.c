@@ -121,10 +121,10 @@ static void read_inputs(nidaqmx_object *o, double now)
 static void publish_report(nidaqmx_object *o)
 {
     vbss_nidaqmx_status *s = &o->report.status;
-    s->state = o->is_lost                         ? VBSS_HARDWARE_LOST
-               : o->read_failed || o->must_reopen ? VBSS_HARDWARE_REFUSING
-               : o->report.has_sample             ? VBSS_HARDWARE_RUNNING
-                                                  : VBSS_HARDWARE_WAITING;
+    s->state = o->is_lost                         ? VBSS_HAPTICS_STATE_LOST
+               : o->read_failed || o->must_reopen ? VBSS_HAPTICS_STATE_REFUSING
+               : o->report.has_sample             ? VBSS_HAPTICS_STATE_RUNNING
+                                                  : VBSS_HAPTICS_STATE_WAITING;
     o->report.is_slow = o->is_slow;
     o->report.has_late_reads = o->read_timeouts >= DAQ_TIMEOUTS_IN_A_ROW;
     o->reports[o->to_host.writer] = o->report;

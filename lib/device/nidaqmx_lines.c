@@ -25,7 +25,7 @@ void vbss_nidaqmx_close_tasks(nidaqmx_object *o)
 static int32_t open_inputs(nidaqmx_object *o, const char **what)
 {
     const int32_t terminal =
-        o->config.terminal == VBSS_NIDAQMX_DIFFERENTIAL ? DAQ_DIFFERENTIAL : DAQ_RSE;
+        o->config.terminal == VBSS_NIDAQMX_TERMINAL_DIFFERENTIAL ? DAQ_DIFFERENTIAL : DAQ_RSE;
     *what = "inputs";
     int32_t code = o->daq.create_task("", &o->analog);
     for (uint32_t i = 0; code >= 0 && i < o->handle_count; i++) {

@@ -51,8 +51,8 @@ static vbss_result list_devices(vbss_context *context, const daq_functions *daq,
     return VBSS_OK;
 }
 
-vbss_result vbss_nidaqmx_list(vbss_context *context, const char *library, char *text,
-                              uint32_t bytes)
+vbss_result vbss_nidaqmx_list_devices(vbss_context *context, const char *library, char *text,
+                                      uint32_t bytes)
 {
     VBSS_ENTER(context);
     daq_functions daq = {.library = NULL};

@@ -389,9 +389,9 @@ static void explain_status(haptic_arm *a, const vbss_openhaptics_status *s)
 {
     if (s->ticks == 0) {
         set_failure_text(a, "the servo has not begun yet");
-    } else if (s->state == VBSS_HARDWARE_UNCALIBRATED && s->is_constant != 0) {
+    } else if (s->state == VBSS_HAPTICS_STATE_UNCALIBRATED && s->is_constant != 0) {
         set_failure_text(a, "the arm gives a constant pose: not calibrated, or nobody holds it");
-    } else if (s->state == VBSS_HARDWARE_UNCALIBRATED) {
+    } else if (s->state == VBSS_HAPTICS_STATE_UNCALIBRATED) {
         set_failure_text(a, "not calibrated: put the stylus into the inkwell");
     } else if (s->error != 0) {
         snprintf(a->text, sizeof a->text, "%s (0x%04x, %d)", vbss_openhaptics_error_name(s->error),
@@ -411,8 +411,8 @@ static vbss_result arm_read(void *user, double now, vbss_device_sample *sample)
     const arm_report *r = newest_report(a);
     explain_status(a, &r->status);
     *sample = r->sample;
-    return r->status.ticks == 0 || r->status.state == VBSS_HARDWARE_LOST ? VBSS_ERROR_DEVICE
-                                                                         : VBSS_OK;
+    return r->status.ticks == 0 || r->status.state == VBSS_HAPTICS_STATE_LOST ? VBSS_ERROR_DEVICE
+                                                                              : VBSS_OK;
 }
 
 static vbss_result arm_write(void *user, double now, const vbss_output_result *output)

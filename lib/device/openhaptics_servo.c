@@ -151,15 +151,16 @@ static void measure_arm(openhaptics_object *o, haptic_arm *a)
 
 /* ---- force */
 
-static vbss_hardware_state hardware_state(const openhaptics_object *o, const haptic_arm *a)
+static vbss_haptics_state hardware_state(const openhaptics_object *o, const haptic_arm *a)
 {
     if (o->tick < a->lost_until_tick) {
-        return VBSS_HARDWARE_LOST;
+        return VBSS_HAPTICS_STATE_LOST;
     }
     if (!a->is_calibrated || a->status.is_constant != 0) {
-        return VBSS_HARDWARE_UNCALIBRATED;
+        return VBSS_HAPTICS_STATE_UNCALIBRATED;
     }
-    return o->tick < a->refused_until_tick ? VBSS_HARDWARE_REFUSING : VBSS_HARDWARE_RUNNING;
+    return o->tick < a->refused_until_tick ? VBSS_HAPTICS_STATE_REFUSING
+                                           : VBSS_HAPTICS_STATE_RUNNING;
 }
 
 /* Force of a coupling of this age, s. The tool is extrapolated with constant velocity. */
@@ -185,7 +186,7 @@ static vec3 compute_force(openhaptics_object *o, haptic_arm *a)
     output_demand demand = {.age = command->is_given ? age + h : OUTPUT_NEVER,
                             .temperature = a->sample.temperature,
                             .has_fault =
-                                a->status.state != VBSS_HARDWARE_RUNNING ||
+                                a->status.state != VBSS_HAPTICS_STATE_RUNNING ||
                                 atomic_load_explicit(&o->stop_requested, memory_order_acquire)};
     if (command->is_given) {
         demand.force = command->is_coupled ? coupled_force(a, command, age) : command->force;
@@ -194,7 +195,7 @@ static vec3 compute_force(openhaptics_object *o, haptic_arm *a)
         demand.has_fault = true;
     }
     uint32_t flags = vbss_output_advance(&a->limits, &a->output, h, &demand);
-    if (command->is_given && (flags & VBSS_OUTPUT_COMMAND_STALE) != 0) {
+    if (command->is_given && (flags & VBSS_OUTPUT_FLAG_COMMAND_STALE) != 0) {
         a->status.silent_ticks++;
     }
     return a->output.force;
@@ -208,11 +209,11 @@ static void publish_report(const openhaptics_object *o, haptic_arm *a, bool meas
     a->status.state = hardware_state(o, a);
     a->status.temperature = s->temperature;
     a->status.ticks = o->tick;
-    s->flags = a->status.state == VBSS_HARDWARE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
-    s->flags |=
-        a->status.state == VBSS_HARDWARE_REFUSING || a->status.state == VBSS_HARDWARE_UNCALIBRATED
-            ? VBSS_DEVICE_FLAG_FAULT
-            : 0u;
+    s->flags = a->status.state == VBSS_HAPTICS_STATE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
+    s->flags |= a->status.state == VBSS_HAPTICS_STATE_REFUSING ||
+                        a->status.state == VBSS_HAPTICS_STATE_UNCALIBRATED
+                    ? VBSS_DEVICE_FLAG_FAULT
+                    : 0u;
     if (measured) {
         s->time = (double)o->tick / o->config.rate;
     }

@@ -253,7 +253,7 @@ vbss_result vbss_output_step(vbss_output *output, double h, const vbss_output_co
     return vbss_struct_write(o->context, &vbss_output_result_layout, &own, result, struct_size);
 }
 
-vbss_result vbss_output_stop(vbss_output *output)
+vbss_result vbss_output_latch_emergency_stop(vbss_output *output)
 {
     VBSS_ENTER(output);
     output_object *o;
@@ -262,7 +262,7 @@ vbss_result vbss_output_stop(vbss_output *output)
     return VBSS_OK;
 }
 
-vbss_result vbss_output_release(vbss_output *output)
+vbss_result vbss_output_clear_emergency_stop(vbss_output *output)
 {
     VBSS_ENTER(output);
     output_object *o;

@@ -71,16 +71,16 @@ static vec3 limit_rise(vec3 last, vec3 wanted, double max_change, uint32_t *flag
     if (!(n > max_change)) {
         return wanted;
     }
-    *flags |= VBSS_OUTPUT_SLEWED;
+    *flags |= VBSS_OUTPUT_FLAG_SLEWED;
     return vec3_add_scaled(from, max_change / n, change);
 }
 
 static vec3 apply_limits(const vbss_output_config *c, const vector_limits *l, vec3 last,
                          vec3 wanted, double load, double temperature, double h, uint32_t *flags)
 {
-    vec3 v = clamp_length(wanted, l->max, VBSS_OUTPUT_CLAMPED, flags);
-    v = clamp_length(v, continuous_limit(l, load), VBSS_OUTPUT_CONTINUOUS, flags);
-    v = clamp_length(v, thermal_limit(c, l, temperature), VBSS_OUTPUT_WARM, flags);
+    vec3 v = clamp_length(wanted, l->max, VBSS_OUTPUT_FLAG_CLAMPED, flags);
+    v = clamp_length(v, continuous_limit(l, load), VBSS_OUTPUT_FLAG_CONTINUOUS, flags);
+    v = clamp_length(v, thermal_limit(c, l, temperature), VBSS_OUTPUT_FLAG_WARM, flags);
     return limit_rise(last, v, l->rise_rate * vbss_min(h, DEVICE_MAX_RISE_TIME), flags);
 }
 
@@ -125,8 +125,8 @@ static output_demand sanitise_demand(const output_demand *d)
 static double ramp_fraction(const vbss_output_config *c, const output_demand *d, uint32_t *flags)
 {
     double input = d->input_age - c->input_timeout, command = d->age - c->command_timeout;
-    *flags |= input > 0.0 ? VBSS_OUTPUT_INPUT_STALE : 0u;
-    *flags |= command > 0.0 ? VBSS_OUTPUT_COMMAND_STALE : 0u;
+    *flags |= input > 0.0 ? VBSS_OUTPUT_FLAG_INPUT_STALE : 0u;
+    *flags |= command > 0.0 ? VBSS_OUTPUT_FLAG_COMMAND_STALE : 0u;
     double elapsed = vbss_max(input, command);
     return c->ramp_time > 0.0 ? vbss_max(1.0 - elapsed / c->ramp_time, 0.0) : 0.0;
 }
@@ -134,7 +134,7 @@ static double ramp_fraction(const vbss_output_config *c, const output_demand *d,
 static void run_watchdog(const vbss_output_config *c, output_state *s, const output_demand *d,
                          const double before[2], uint32_t *flags)
 {
-    const uint32_t stale = VBSS_OUTPUT_INPUT_STALE | VBSS_OUTPUT_COMMAND_STALE;
+    const uint32_t stale = VBSS_OUTPUT_FLAG_INPUT_STALE | VBSS_OUTPUT_FLAG_COMMAND_STALE;
     uint32_t shorter = 0;
     double fraction = ramp_fraction(c, d, flags);
     if ((*flags & stale) == 0) {
@@ -158,18 +158,18 @@ static void count_flags(vbss_output_statistics *f, uint32_t flags)
     const struct {
         uint32_t flag;
         uint64_t *times;
-    } all[] = {{VBSS_OUTPUT_NOT_FINITE, &f->not_finite},
-               {VBSS_OUTPUT_FAULT, &f->faults},
-               {VBSS_OUTPUT_CLAMPED, &f->clamped},
-               {VBSS_OUTPUT_CONTINUOUS, &f->continuous},
-               {VBSS_OUTPUT_WARM, &f->warm},
-               {VBSS_OUTPUT_SLEWED, &f->slewed},
-               {VBSS_OUTPUT_INPUT_STALE, &f->input_stale},
-               {VBSS_OUTPUT_COMMAND_STALE, &f->command_stale},
-               {VBSS_OUTPUT_STOPPED, &f->stopped},
-               {VBSS_OUTPUT_LATE, &f->late},
-               {VBSS_OUTPUT_SOLENOID_OFF, &f->solenoid_off},
-               {VBSS_OUTPUT_SOLENOID_SPENT, &f->solenoid_spent}};
+    } all[] = {{VBSS_OUTPUT_FLAG_NOT_FINITE, &f->not_finite},
+               {VBSS_OUTPUT_FLAG_FAULT, &f->faults},
+               {VBSS_OUTPUT_FLAG_CLAMPED, &f->clamped},
+               {VBSS_OUTPUT_FLAG_CONTINUOUS, &f->continuous},
+               {VBSS_OUTPUT_FLAG_WARM, &f->warm},
+               {VBSS_OUTPUT_FLAG_SLEWED, &f->slewed},
+               {VBSS_OUTPUT_FLAG_INPUT_STALE, &f->input_stale},
+               {VBSS_OUTPUT_FLAG_COMMAND_STALE, &f->command_stale},
+               {VBSS_OUTPUT_FLAG_STOPPED, &f->stopped},
+               {VBSS_OUTPUT_FLAG_LATE, &f->late},
+               {VBSS_OUTPUT_FLAG_SOLENOID_OFF, &f->solenoid_off},
+               {VBSS_OUTPUT_FLAG_SOLENOID_SPENT, &f->solenoid_spent}};
     f->steps++;
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
         *all[i].times += (flags & all[i].flag) != 0 ? 1 : 0;
@@ -194,17 +194,18 @@ static void update_force(const vbss_output_config *c, output_state *s, double h,
 uint32_t vbss_output_advance(const vbss_output_config *c, output_state *s, double h,
                              const output_demand *demand)
 {
-    const uint32_t off = VBSS_OUTPUT_NOT_FINITE | VBSS_OUTPUT_FAULT | VBSS_OUTPUT_STOPPED;
+    const uint32_t off =
+        VBSS_OUTPUT_FLAG_NOT_FINITE | VBSS_OUTPUT_FLAG_FAULT | VBSS_OUTPUT_FLAG_STOPPED;
     const output_demand d = sanitise_demand(demand);
-    uint32_t flags = is_finite(demand) ? 0 : VBSS_OUTPUT_NOT_FINITE;
-    flags |= demand->has_fault ? VBSS_OUTPUT_FAULT : 0u;
-    flags |= s->is_stopped ? VBSS_OUTPUT_STOPPED : 0u;
-    flags |= h > c->command_timeout ? VBSS_OUTPUT_LATE : 0u;
+    uint32_t flags = is_finite(demand) ? 0 : VBSS_OUTPUT_FLAG_NOT_FINITE;
+    flags |= demand->has_fault ? VBSS_OUTPUT_FLAG_FAULT : 0u;
+    flags |= s->is_stopped ? VBSS_OUTPUT_FLAG_STOPPED : 0u;
+    flags |= h > c->command_timeout ? VBSS_OUTPUT_FLAG_LATE : 0u;
     update_force(c, s, h, &d, &flags);
     if ((flags & off) != 0) {
         s->force = s->torque = vec3_zero();
     }
-    const uint32_t reasons = off | VBSS_OUTPUT_INPUT_STALE | VBSS_OUTPUT_COMMAND_STALE;
+    const uint32_t reasons = off | VBSS_OUTPUT_FLAG_INPUT_STALE | VBSS_OUTPUT_FLAG_COMMAND_STALE;
     bool blocked = (flags & reasons) != 0 || demand->block_solenoid;
     flags |=
         vbss_output_switch_solenoid(c, &s->solenoid, h, demand->solenoid, blocked, &s->statistics);

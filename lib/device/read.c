@@ -86,12 +86,12 @@ static void fill_pose(device_object *d, vbss_device_input *in)
 static vbss_device_status current_status(const device_object *d)
 {
     if (d->sources[0].is_lost || d->sources[1].is_lost) {
-        return VBSS_DEVICE_LOST;
+        return VBSS_DEVICE_STATUS_LOST;
     }
     if (!d->pose_reading.is_known) {
-        return VBSS_DEVICE_WAITING;
+        return VBSS_DEVICE_STATUS_WAITING;
     }
-    return d->pose_reading.is_stale ? VBSS_DEVICE_STALE : VBSS_DEVICE_READY;
+    return d->pose_reading.is_stale ? VBSS_DEVICE_STATUS_STALE : VBSS_DEVICE_STATUS_READY;
 }
 
 static uint32_t stale_signals(const device_object *d)

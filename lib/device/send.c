@@ -13,7 +13,7 @@ uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
             d->write_failed = true;
         }
     }
-    return d->write_failed ? VBSS_OUTPUT_NOT_WRITTEN : 0;
+    return d->write_failed ? VBSS_OUTPUT_FLAG_NOT_WRITTEN : 0;
 }
 
 static void send_zeros(device_object *d, uint32_t flags)
@@ -26,11 +26,11 @@ static void send_zeros(device_object *d, uint32_t flags)
 void vbss_device_latch_stop(device_object *d)
 {
     vbss_output_latch_stop(&d->output);
-    send_zeros(d, VBSS_OUTPUT_STOPPED);
+    send_zeros(d, VBSS_OUTPUT_FLAG_STOPPED);
 }
 
 void vbss_device_switch_off(device_object *d)
 {
     vbss_output_set_zero(&d->output);
-    send_zeros(d, VBSS_OUTPUT_COMMAND_STALE);
+    send_zeros(d, VBSS_OUTPUT_FLAG_COMMAND_STALE);
 }

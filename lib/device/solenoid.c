@@ -30,13 +30,13 @@ uint32_t vbss_output_switch_solenoid(const vbss_output_config *c, output_solenoi
         return 0;
     }
     if (blocked) {
-        return VBSS_OUTPUT_SOLENOID_OFF;
+        return VBSS_OUTPUT_FLAG_SOLENOID_OFF;
     }
     /* The next step is assumed to be about as long as this one. */
     if (s->is_exhausted ||
         !(s->time_left > 0.0 && s->time_left >= vbss_min(h, DEVICE_MAX_RISE_TIME))) {
         s->is_exhausted = true;
-        return VBSS_OUTPUT_SOLENOID_SPENT;
+        return VBSS_OUTPUT_FLAG_SOLENOID_SPENT;
     }
     s->is_on = true;
     statistics->pulses += was_on ? 0 : 1;

@@ -78,9 +78,9 @@ static vbss_result read_demand(const device_object *d, double h, const vbss_outp
 /* ---- coupling */
 
 /* Flags with which a coupling is not passed on to an adapter. */
-#define COUPLING_OFF_FLAGS                                                                        \
-    (VBSS_OUTPUT_NOT_FINITE | VBSS_OUTPUT_FAULT | VBSS_OUTPUT_STOPPED | VBSS_OUTPUT_INPUT_STALE | \
-     VBSS_OUTPUT_COMMAND_STALE)
+#define COUPLING_OFF_FLAGS                                                             \
+    (VBSS_OUTPUT_FLAG_NOT_FINITE | VBSS_OUTPUT_FLAG_FAULT | VBSS_OUTPUT_FLAG_STOPPED | \
+     VBSS_OUTPUT_FLAG_INPUT_STALE | VBSS_OUTPUT_FLAG_COMMAND_STALE)
 
 /* Maps a coupling to the device's frame and adds its force to the demand. The tool's position is
  * taken relative to the last reported pose. Offsets of clutch, re-centring and workspace therefore

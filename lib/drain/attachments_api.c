@@ -81,7 +81,7 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
     return VBSS_OK;
 }
 
-vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[3])
+vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id, const double target[3])
 {
     VBSS_ENTER(drain);
     drain_object *d;

@@ -8,11 +8,11 @@ _Static_assert(sizeof(vbss_drain_config) == 304, "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
-    .method = VBSS_METHOD_OURS,
+    .method = VBSS_METHOD_IMPLICIT,
     .mesh = VBSS_DRAIN_MESH_137,
     .mesh_divisions = 1,
     .attachment_capacity = 8,
-    .linearisation_limit = 1,
+    .iteration_limit = 1,
     .halving_limit = 4,
     .radius = 6.5e-3,
     .length = 32e-3,
@@ -65,11 +65,11 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         const char *name;
         double value, low, high;
     } ranges[] = {
-        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"method", c->method, VBSS_METHOD_IMPLICIT, VBSS_METHOD_VBLAST},
         {"mesh", c->mesh, VBSS_DRAIN_MESH_137, VBSS_DRAIN_MESH_225},
         {"mesh_divisions", c->mesh_divisions, 1.0, 4.0},
         {"attachment_capacity", c->attachment_capacity, 0.0, 256.0},
-        {"linearisation_limit", c->linearisation_limit, 1.0, 50.0},
+        {"iteration_limit", c->iteration_limit, 1.0, 50.0},
         {"halving_limit", c->halving_limit, 0.0, 10.0},
         {"reserved", c->reserved, 0.0, 0.0},
         {"radius", c->radius, 1e-4, 1.0},

@@ -91,7 +91,7 @@ static void init_positions(drain_object *d)
 vbss_result vbss_drain_build(drain_object *d, const vbss_drain_config *config)
 {
     quat orientation;
-    d->method = config->method == VBSS_METHOD_PAPER ? &vbss_baseline_drain : &vbss_drain_implicit;
+    d->method = config->method == VBSS_METHOD_VBLAST ? &vbss_baseline_drain : &vbss_drain_implicit;
     d->config = *config;
     VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &orientation));
     d->frame = pose_make(vec3_load(config->position), orientation);

@@ -34,8 +34,8 @@ static void visit_config(vbss_stream *stream, const drain_object *d)
                               c->move_limit,
                               c->paper_stiffness,
                               c->paper_damping};
-    const uint32_t choices[] = {(uint32_t)c->method,    (uint32_t)c->mesh,      c->mesh_divisions,
-                                c->attachment_capacity, c->linearisation_limit, c->halving_limit,
+    const uint32_t choices[] = {(uint32_t)c->method,    (uint32_t)c->mesh,  c->mesh_divisions,
+                                c->attachment_capacity, c->iteration_limit, c->halving_limit,
                                 c->paper_substeps};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);

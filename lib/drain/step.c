@@ -55,7 +55,7 @@ static bool try_substep(drain_object *d, const drain_substep *substep, bool can_
                         bool *exceeds_move_limit)
 {
     increment_sizes m = {0.0, 0.0}; /* those of the last linearisation */
-    uint32_t limit = d->config.linearisation_limit;
+    uint32_t limit = d->config.iteration_limit;
     *exceeds_move_limit = false;
     vbss_drain_reset_trial(d);
     for (uint32_t k = 0; k < limit; k++) {

@@ -42,13 +42,13 @@ static void fill_strains(drain_object *d)
 
 static vbss_view triples(const void *data, uint64_t count)
 {
-    vbss_view view = {0, VBSS_TYPE_F64, 3, sizeof(vec3), count, data, 0};
+    vbss_view view = {0, VBSS_VIEW_TYPE_F64, 3, sizeof(vec3), count, data, 0};
     return view;
 }
 
 static vbss_view numbers(const uint32_t *data, uint64_t count)
 {
-    vbss_view view = {0, VBSS_TYPE_U32, 1, sizeof *data, count, data, 0};
+    vbss_view view = {0, VBSS_VIEW_TYPE_U32, 1, sizeof *data, count, data, 0};
     return view;
 }
 
@@ -56,37 +56,37 @@ static vbss_result get_field(drain_object *d, vbss_drain_field field, vbss_view 
 {
     const drain_mesh *m = &d->mesh;
     switch (field) {
-    case VBSS_DRAIN_POSITIONS:
+    case VBSS_DRAIN_VIEW_POSITIONS:
         *view = triples(d->x, m->node_count);
         return VBSS_OK;
-    case VBSS_DRAIN_VELOCITIES:
+    case VBSS_DRAIN_VIEW_VELOCITIES:
         *view = triples(d->v, m->node_count);
         return VBSS_OK;
-    case VBSS_DRAIN_REST_POSITIONS:
+    case VBSS_DRAIN_VIEW_REST_POSITIONS:
         *view = triples(m->rest, m->node_count);
         return VBSS_OK;
-    case VBSS_DRAIN_TRIANGLES:
+    case VBSS_DRAIN_VIEW_TRIANGLES:
         *view = (vbss_view){
-            0, VBSS_TYPE_U32, 3, sizeof *m->triangles, m->triangle_count, m->triangles, 0};
+            0, VBSS_VIEW_TYPE_U32, 3, sizeof *m->triangles, m->triangle_count, m->triangles, 0};
         return VBSS_OK;
-    case VBSS_DRAIN_SLIT_LEFT:
+    case VBSS_DRAIN_VIEW_SLIT_LEFT:
         *view = numbers(m->slit_nodes[DRAIN_LEFT], m->slit_count);
         return VBSS_OK;
-    case VBSS_DRAIN_SLIT_RIGHT:
+    case VBSS_DRAIN_VIEW_SLIT_RIGHT:
         *view = numbers(m->slit_nodes[DRAIN_RIGHT], m->slit_count);
         return VBSS_OK;
-    case VBSS_DRAIN_ANCHORS:
+    case VBSS_DRAIN_VIEW_ANCHORS:
         *view = numbers(m->anchors, m->anchor_count);
         return VBSS_OK;
-    case VBSS_DRAIN_ANCHOR_FORCES:
+    case VBSS_DRAIN_VIEW_ANCHOR_FORCES:
         fill_anchor_forces(d);
         *view = triples(d->anchor_forces, m->anchor_count);
         return VBSS_OK;
-    case VBSS_DRAIN_STRAINS:
+    case VBSS_DRAIN_VIEW_STRAINS:
         fill_strains(d);
         *view = triples(d->strains, m->triangle_count);
         return VBSS_OK;
-    case VBSS_DRAIN_CURVATURES:
+    case VBSS_DRAIN_VIEW_CURVATURES:
         fill_strains(d);
         *view = triples(d->curvatures, m->triangle_count);
         return VBSS_OK;

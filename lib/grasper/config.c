@@ -9,8 +9,8 @@ _Static_assert(sizeof(vbss_grasper_config) == 320, "published size");
 
 static const vbss_grasper_config defaults = {
     .struct_size = sizeof(vbss_grasper_config),
-    .method = VBSS_METHOD_OURS,
-    .kind = VBSS_GRASPER_NEEDLE_DRIVER,
+    .method = VBSS_METHOD_IMPLICIT,
+    .kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER,
     .driver_length = 13e-3,
     .driver_radius = 0.5e-3,
     .driver_opening = 0.35,
@@ -81,8 +81,8 @@ static vbss_result check(vbss_context *context, const range *ranges, size_t coun
 static vbss_result check_shape(vbss_context *context, const vbss_grasper_config *c)
 {
     const range ranges[] = {
-        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
-        {"kind", c->kind, VBSS_GRASPER_NEEDLE_DRIVER, VBSS_GRASPER_SHEARS},
+        {"method", c->method, VBSS_METHOD_IMPLICIT, VBSS_METHOD_VBLAST},
+        {"kind", c->kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER, VBSS_GRASPER_KIND_SHEARS},
         {"has_trocar", c->has_trocar, 0.0, 1.0},
         {"trocar", c->trocar[0], -1e3, 1e3},
         {"trocar", c->trocar[1], -1e3, 1e3},

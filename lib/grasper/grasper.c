@@ -118,8 +118,8 @@ static vbss_result edit(vbss_grasper *handle, grasper_object **grasper)
 
 /* ---- commands */
 
-vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
-                              const double *orientation)
+vbss_result vbss_grasper_set_target(vbss_grasper *grasper, const double position[3],
+                                    const double *orientation)
 {
     VBSS_ENTER(grasper);
     grasper_object *g;
@@ -161,8 +161,8 @@ vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
     VBSS_ENTER(grasper);
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
-    VBSS_TRY(vbss_check_range(g->context, kind, VBSS_GRASPER_NEEDLE_DRIVER, VBSS_GRASPER_SHEARS,
-                              "kind"));
+    VBSS_TRY(vbss_check_range(g->context, kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER,
+                              VBSS_GRASPER_KIND_SHEARS, "kind"));
     g->commanded_kind = kind;
     g->generation++;
     return VBSS_OK;
@@ -204,7 +204,7 @@ vbss_result vbss_grasper_get_view(vbss_grasper *grasper, vbss_grasper_field fiel
     if (field != VBSS_GRASPER_VIEW_CAPSULES) {
         return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE, "a grasper has no field %d", field);
     }
-    const vbss_view own = {.type = VBSS_TYPE_F64,
+    const vbss_view own = {.type = VBSS_VIEW_TYPE_F64,
                            .components = sizeof g->view_capsules[0] / sizeof(double),
                            .stride_bytes = sizeof g->view_capsules[0],
                            .count = GRASPER_CAPSULES,

@@ -7,7 +7,7 @@
 
 const grasper_jaws *vbss_grasper_current_jaws(const grasper_object *g)
 {
-    return g->kind == VBSS_GRASPER_SHEARS ? &g->shears : &g->driver;
+    return g->kind == VBSS_GRASPER_KIND_SHEARS ? &g->shears : &g->driver;
 }
 
 /* Rotated about x by the bend; its z axis points from the tip to the pivot. */

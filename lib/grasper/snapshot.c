@@ -42,7 +42,7 @@ static void visit_config(vbss_stream *stream, const grasper_object *g)
 
 static bool is_valid_kind(vbss_grasper_kind kind)
 {
-    return kind == VBSS_GRASPER_NEEDLE_DRIVER || kind == VBSS_GRASPER_SHEARS;
+    return kind == VBSS_GRASPER_KIND_NEEDLE_DRIVER || kind == VBSS_GRASPER_KIND_SHEARS;
 }
 
 static bool is_unit(quat q)

@@ -98,7 +98,7 @@ static knot_extension extension_through(const knot_input *input, const knot_tool
 }
 
 /* Selects the tool that holds each limb closest to its end, within tail_reach. */
-static void find_tool_extensions(knot_closure *c, const vbss_knot_config *config,
+static void find_tool_extensions(knot_closure *c, const vbss_knot_detector_config *config,
                                  const knot_input *input)
 {
     double last = input->point_count - 1.0;
@@ -122,7 +122,7 @@ static void find_tool_extensions(knot_closure *c, const vbss_knot_config *config
     }
 }
 
-void vbss_knot_closure_init(knot_closure *c, const vbss_knot_config *config,
+void vbss_knot_closure_init(knot_closure *c, const vbss_knot_detector_config *config,
                             const knot_input *input)
 {
     const uint32_t last = input->point_count - 1;

@@ -10,7 +10,8 @@
 
 /* ---- creation and destruction */
 
-vbss_result vbss_knot_detector_create(vbss_context *context, const vbss_knot_config *config,
+vbss_result vbss_knot_detector_create(vbss_context *context,
+                                      const vbss_knot_detector_config *config,
                                       vbss_knot_detector **detector)
 {
     VBSS_ENTER_WITH_RESULT(context, detector);
@@ -20,7 +21,7 @@ vbss_result vbss_knot_detector_create(vbss_context *context, const vbss_knot_con
     }
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
-    vbss_knot_config own;
+    vbss_knot_detector_config own;
     VBSS_TRY(vbss_config_init(&vbss_knot_config_layout, &own, sizeof own));
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &vbss_knot_config_layout, config, &own));
@@ -76,7 +77,7 @@ static bool update_winding(knot_detector *d, uint32_t tool)
     }
     bool wrong = t->wrapped && t->winding.sense < 0;
     if (wrong && !t->wrong_sense) {
-        vbss_knot_emit_event(d, VBSS_KNOT_EVENT_WRONG_WAY, tool, 0, 0);
+        vbss_knot_emit_event(d, VBSS_KNOT_EVENT_WRONG_DIRECTION, tool, 0, 0);
     }
     t->wrong_sense = wrong || (t->wrapped && t->wrong_sense && t->winding.sense == 0);
     return was != t->wrapped;

@@ -15,7 +15,7 @@ static knot_reading no_knot(void)
     return r;
 }
 
-void vbss_knot_job_begin(knot_job *job, const vbss_knot_config *config, uint64_t step)
+void vbss_knot_job_begin(knot_job *job, const vbss_knot_detector_config *config, uint64_t step)
 {
     job->step = step;
     job->ops_used = 0;
@@ -123,7 +123,7 @@ static void store_reading(knot_job *job)
     }
 }
 
-static void read_curves(knot_job *job, const vbss_knot_config *config, knot_ops *budget)
+static void read_curves(knot_job *job, const vbss_knot_detector_config *config, knot_ops *budget)
 {
     if (job->curve_began) {
         if (vbss_knot_curve_resume(&job->reader, budget)) {
@@ -146,7 +146,7 @@ static void read_curves(knot_job *job, const vbss_knot_config *config, knot_ops 
 
 /* ---- the complete job */
 
-bool vbss_knot_job_resume(knot_job *job, const vbss_knot_config *config, knot_ops *budget)
+bool vbss_knot_job_resume(knot_job *job, const vbss_knot_detector_config *config, knot_ops *budget)
 {
     const knot_ops had = *budget;
     while (*budget > 0 && vbss_knot_job_is_active(job)) {
@@ -172,7 +172,7 @@ bool vbss_knot_job_resume(knot_job *job, const vbss_knot_config *config, knot_op
     return job->stage == KNOT_JOB_DONE;
 }
 
-void vbss_knot_count_job(const knot_job *job, vbss_knot_statistics *statistics)
+void vbss_knot_count_job(const knot_job *job, vbss_knot_detector_statistics *statistics)
 {
     const knot_counts *c = &job->reader.counts;
     statistics->closures += c->closures;

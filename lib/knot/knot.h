@@ -406,7 +406,7 @@ typedef struct knot_closure {
     double tail_hold, long_hold;
     knot_extension tail_extension, long_extension;
 } knot_closure;
-void vbss_knot_closure_init(knot_closure *closure, const vbss_knot_config *config,
+void vbss_knot_closure_init(knot_closure *closure, const vbss_knot_detector_config *config,
                             const knot_input *input);
 knot_extension vbss_knot_straight_extension(vec3 from, vec3 out);
 /* Close a polygon far outside: vbss_knot_close_begin starts it with the tail's extension; after the
@@ -534,9 +534,9 @@ typedef struct knot_job {
 /* Whether a reading has started and is not complete. */
 bool vbss_knot_job_is_active(const knot_job *job);
 /* Starts a reading of job->input. */
-void vbss_knot_job_begin(knot_job *job, const vbss_knot_config *config, uint64_t step);
+void vbss_knot_job_begin(knot_job *job, const vbss_knot_detector_config *config, uint64_t step);
 /* Continues. Returns true when the reading is complete; the rest of the budget stays. */
-bool vbss_knot_job_resume(knot_job *job, const vbss_knot_config *config, knot_ops *budget);
+bool vbss_knot_job_resume(knot_job *job, const vbss_knot_detector_config *config, knot_ops *budget);
 
 /* ---- the detector (detector.c) */
 
@@ -567,7 +567,7 @@ extern const knot_method vbss_baseline_knots; /* defined in lib/baseline */
 struct knot_detector {
     const knot_method *method;
     vbss_context *context;
-    vbss_knot_config config;
+    vbss_knot_detector_config config;
     knot_input input; /* input in the last step */
     knot_tool_state *tools;
     knot_job job;
@@ -581,14 +581,14 @@ struct knot_detector {
     knot_classification classification;
     knot_event *events;
     uint32_t event_count, events_lost;
-    vbss_knot_statistics statistics; /* without the reading in progress */
-    const uint32_t *loop_rows;       /* 4 numbers for each loop, for the view */
+    vbss_knot_detector_statistics statistics; /* without the reading in progress */
+    const uint32_t *loop_rows;                /* 4 numbers for each loop, for the view */
     uint32_t loop_count;
     uint64_t generation;
 };
 /* Memory (memory.c): creates a detector in its initial state, without a handle, from a checked
  * configuration. */
-vbss_result vbss_knot_allocate(vbss_context *context, const vbss_knot_config *config,
+vbss_result vbss_knot_allocate(vbss_context *context, const vbss_knot_detector_config *config,
                                knot_detector **detector);
 void vbss_knot_free(vbss_context *context, void *object);
 /* Returns a detector to its initial state. */
@@ -600,7 +600,7 @@ vbss_result vbss_knot_open(const vbss_knot_detector *handle, knot_detector **det
 vbss_result vbss_knot_edit(vbss_knot_detector *handle, knot_detector **detector);
 /* Configuration (config.c) */
 extern const vbss_layout vbss_knot_config_layout;
-vbss_result vbss_knot_check_config(vbss_context *context, const vbss_knot_config *config);
+vbss_result vbss_knot_check_config(vbss_context *context, const vbss_knot_detector_config *config);
 /* input.c: checks all of it, then copies it to `scene`, which has room. */
 vbss_result vbss_knot_read_input(const knot_detector *detector, const vbss_knot_input *input,
                                  knot_input *copy);
@@ -614,7 +614,7 @@ void vbss_knot_classify(knot_detector *detector, bool follows);
 /* Updates the throw that is being tied, from winding and the last reading. */
 void vbss_knot_classify_next(knot_detector *detector);
 /* Adds the counters of a reading, complete or in progress, to the statistics. */
-void vbss_knot_count_job(const knot_job *job, vbss_knot_statistics *statistics);
+void vbss_knot_count_job(const knot_job *job, vbss_knot_detector_statistics *statistics);
 void vbss_knot_serialise(vbss_stream *stream, void *object);
 
 #endif

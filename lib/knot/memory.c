@@ -10,7 +10,8 @@ enum {
                   1 + 3
 };
 
-static uint32_t list_input_arrays(knot_input *input, const vbss_knot_config *c, vbss_array *arrays)
+static uint32_t list_input_arrays(knot_input *input, const vbss_knot_detector_config *c,
+                                  vbss_array *arrays)
 {
     arrays[0] = (vbss_array){&input->points, c->point_capacity, sizeof *input->points};
     arrays[1] = (vbss_array){&input->places, c->point_capacity, sizeof *input->places};
@@ -29,7 +30,7 @@ static uint32_t list_polygon_arrays(knot_polygon *polygon, uint32_t capacity, vb
 
 static uint32_t list_arrays(knot_detector *d, vbss_array arrays[ARRAY_COUNT])
 {
-    const vbss_knot_config *c = &d->config;
+    const vbss_knot_detector_config *c = &d->config;
     const uint32_t vertices = c->point_capacity + KNOT_FIXED_VERTICES + KNOT_CLOSURE_VERTICES;
     knot_curve *curve = &d->job.reader;
     knot_core *core = &d->job.core;
@@ -77,14 +78,14 @@ void vbss_knot_reset_state(knot_detector *d)
     d->job.stage = KNOT_JOB_IDLE;
     d->state = (vbss_knot_state){.struct_size = sizeof d->state};
     d->classification = (knot_classification){.throw_count = 0};
-    d->statistics = (vbss_knot_statistics){.struct_size = sizeof d->statistics};
+    d->statistics = (vbss_knot_detector_statistics){.struct_size = sizeof d->statistics};
     d->loop_count = 0;
     vbss_random_seed(&d->random, d->config.seed, 0);
     memset(d->tools, 0, d->config.tool_capacity * sizeof *d->tools);
     d->state.faults = vbss_knot_faults_of(&d->classification);
 }
 
-vbss_result vbss_knot_allocate(vbss_context *context, const vbss_knot_config *config,
+vbss_result vbss_knot_allocate(vbss_context *context, const vbss_knot_detector_config *config,
                                knot_detector **detector)
 {
     knot_detector *d = vbss_allocate(context, 1, sizeof *d, "knot detector");
@@ -92,7 +93,8 @@ vbss_result vbss_knot_allocate(vbss_context *context, const vbss_knot_config *co
     if (d == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    d->method = config->method == VBSS_KNOT_PROJECTION ? &vbss_baseline_knots : &vbss_knot_topology;
+    d->method =
+        config->method == VBSS_KNOT_METHOD_PROJECTION ? &vbss_baseline_knots : &vbss_knot_topology;
     d->context = context;
     d->config = *config;
     vbss_result result =

@@ -4,11 +4,11 @@
 #include "base/stream.h"
 #include "knot/knot.h"
 
-static void visit_config(vbss_stream *stream, const vbss_knot_config *c)
+static void visit_config(vbss_stream *stream, const vbss_knot_detector_config *c)
 {
     const uint32_t words[] = {(uint32_t)c->method,  c->point_capacity,  c->tool_capacity,
                               c->crossing_capacity, c->direction_limit, c->closure_count,
-                              c->closure_tolerance, c->work_limit,      c->interval};
+                              c->closure_tolerance, c->step_budget,     c->interval};
     const double numbers[] = {c->tail_reach, c->tail_least, c->wrap_turns, c->slip_limit,
                               c->plane_offset};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
@@ -95,7 +95,7 @@ static void visit_classification(vbss_stream *stream, knot_detector *d)
     }
 }
 
-static void visit_figures(vbss_stream *stream, vbss_knot_statistics *f)
+static void visit_figures(vbss_stream *stream, vbss_knot_detector_statistics *f)
 {
     uint64_t *const counts[] = {&f->readings,    &f->closures,       &f->certified, &f->uncertain,
                                 &f->projections, &f->degenerate,     &f->overflows, &f->removed,
@@ -137,7 +137,7 @@ static void visit_tool(vbss_stream *stream, knot_tool *t, uint32_t points)
 }
 
 /* Whether places are numbers of the host's points, in one direction. */
-static bool are_places_sound(const knot_input *input, const vbss_knot_config *config)
+static bool are_places_sound(const knot_input *input, const vbss_knot_detector_config *config)
 {
     bool sound = true;
     for (uint32_t i = 0; i < input->point_count && sound; i++) {
@@ -151,7 +151,8 @@ static bool are_places_sound(const knot_input *input, const vbss_knot_config *co
     return sound;
 }
 
-static void visit_scene(vbss_stream *stream, const vbss_knot_config *config, knot_input *input)
+static void visit_scene(vbss_stream *stream, const vbss_knot_detector_config *config,
+                        knot_input *input)
 {
     vbss_stream_count(stream, 80, &input->point_count, config->point_capacity);
     vbss_stream_count(stream, 81, &input->tool_count, config->tool_capacity);

@@ -57,7 +57,7 @@ static void end_reading(knot_detector *d, bool follows)
 static void read_topology(knot_detector *d)
 {
     if (vbss_knot_job_is_active(&d->job)) {
-        knot_ops budget = d->config.work_limit, before = d->job.ops_used;
+        knot_ops budget = d->config.step_budget, before = d->job.ops_used;
         bool done = vbss_knot_job_resume(&d->job, &d->config, &budget);
         uint64_t ops = (uint64_t)(d->job.ops_used - before);
         d->statistics.most_step_work =

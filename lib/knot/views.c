@@ -9,7 +9,7 @@
 _Static_assert(sizeof(vbss_knot_state) == 120, "published size");
 _Static_assert(sizeof(vbss_knot_throw) == 88, "published size");
 _Static_assert(sizeof(vbss_knot_winding) == 64, "published size");
-_Static_assert(sizeof(vbss_knot_statistics) == 104, "published size");
+_Static_assert(sizeof(vbss_knot_detector_statistics) == 104, "published size");
 _Static_assert(sizeof(knot_event) == 16, "four numbers side by side");
 
 static const uint32_t state_sizes[] = {120, 0};
@@ -19,7 +19,8 @@ static const vbss_layout throw_layout = {"vbss_knot_throw", NULL, throw_sizes};
 static const uint32_t winding_sizes[] = {64, 0};
 static const vbss_layout winding_layout = {"vbss_knot_winding", NULL, winding_sizes};
 static const uint32_t statistics_sizes[] = {104, 0};
-static const vbss_layout statistics_layout = {"vbss_knot_statistics", NULL, statistics_sizes};
+static const vbss_layout statistics_layout = {"vbss_knot_detector_statistics", NULL,
+                                              statistics_sizes};
 
 vbss_result vbss_knot_detector_get_state(vbss_knot_detector *detector, vbss_knot_state *state,
                                          uint32_t struct_size)
@@ -90,7 +91,7 @@ vbss_result vbss_knot_detector_get_view(vbss_knot_detector *detector, vbss_knot_
     VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
-    vbss_view own = {0, VBSS_TYPE_U32, 4, sizeof(knot_event), 0, NULL, d->generation};
+    vbss_view own = {0, VBSS_VIEW_TYPE_U32, 4, sizeof(knot_event), 0, NULL, d->generation};
     if (field == VBSS_KNOT_VIEW_EVENTS) {
         own.count = d->event_count;
         own.data = d->events;
@@ -105,13 +106,13 @@ vbss_result vbss_knot_detector_get_view(vbss_knot_detector *detector, vbss_knot_
 }
 
 vbss_result vbss_knot_detector_get_statistics(vbss_knot_detector *detector,
-                                              vbss_knot_statistics *statistics,
+                                              vbss_knot_detector_statistics *statistics,
                                               uint32_t struct_size)
 {
     VBSS_ENTER(detector);
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
-    vbss_knot_statistics own = d->statistics;
+    vbss_knot_detector_statistics own = d->statistics;
     if (vbss_knot_job_is_active(&d->job)) {
         vbss_knot_count_job(&d->job, &own);
     }

@@ -8,7 +8,7 @@ _Static_assert(sizeof(vbss_metrics_config) == 192, "published size");
 
 static const vbss_metrics_config defaults = {
     .struct_size = sizeof(vbss_metrics_config),
-    .tightness_method = VBSS_METHOD_OURS,
+    .tightness_test = VBSS_METRICS_TEST_PULL,
     .throw_capacity = 64,
     .phase_capacity = 256,
     .incident_capacity = 256,
@@ -43,7 +43,7 @@ static vbss_result check_config(vbss_context *context, const vbss_metrics_config
         const char *name;
         double value, low, high;
     } ranges[] = {
-        {"tightness_method", c->tightness_method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"tightness_test", c->tightness_test, VBSS_METRICS_TEST_PULL, VBSS_METRICS_TEST_STRAIN},
         {"throw_capacity", c->throw_capacity, 1.0, 4096.0},
         {"phase_capacity", c->phase_capacity, 1.0, 65536.0},
         {"incident_capacity", c->incident_capacity, 1.0, 65536.0},

@@ -7,7 +7,7 @@
 
 _Static_assert(sizeof(vbss_metrics_event) == 144, "published size");
 static const vbss_metrics_event defaults = {.struct_size = sizeof(vbss_metrics_event),
-                                            .tool = VBSS_METRICS_NO_TOOL};
+                                            .tool = VBSS_METRICS_TOOL_NONE};
 static const uint32_t sizes[] = {144, 0};
 static const vbss_layout layout = {"vbss_metrics_event", &defaults, sizes};
 
@@ -71,7 +71,7 @@ static vbss_result check_event(const metrics_object *m, const vbss_metrics_event
         double value, low, high;
     } ranges[] = {
         {"kind", e->kind, VBSS_METRICS_EVENT_NEEDLE_APPEARS, VBSS_METRICS_EVENT_BROKEN},
-        {"tool", e->tool, VBSS_METRICS_LEFT, VBSS_METRICS_NO_TOOL},
+        {"tool", e->tool, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_TOOL_NONE},
         {"number", e->number, 0.0, max_number(e->kind)},
         {"undone", e->undone, 0.0, e->kind == VBSS_METRICS_EVENT_PHASE ? 0.0 : 1.0},
         {"wraps", e->wraps, 0.0, 64.0},

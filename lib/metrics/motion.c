@@ -22,7 +22,7 @@ typedef struct tick_window {
 static vbss_result find_window(const metrics_object *m, int32_t phase, tick_window *w)
 {
     uint64_t begin = 0, end = m->tick_capacity;
-    if (phase != VBSS_METRICS_WHOLE && (phase < 0 || (uint32_t)phase >= m->phase_count)) {
+    if (phase != VBSS_METRICS_PHASE_ALL && (phase < 0 || (uint32_t)phase >= m->phase_count)) {
         return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "phase %d of %u", phase,
                          m->phase_count);
     }
@@ -151,7 +151,8 @@ vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics_tool too
     tick_window all = {0, 0};
     vbss_metrics_motion own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_metrics_open(metrics, &m));
-    VBSS_TRY(vbss_check_range(m->context, tool, VBSS_METRICS_LEFT, VBSS_METRICS_RIGHT, "tool"));
+    VBSS_TRY(vbss_check_range(m->context, tool, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_TOOL_RIGHT,
+                              "tool"));
     VBSS_TRY(find_window(m, phase, &all));
     const metrics_hand *h = &m->hands[tool];
     tick_window w = clip_window(all, h->tick_count);

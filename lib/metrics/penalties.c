@@ -67,14 +67,14 @@ static void add_placement_penalties(const metrics_object *m, penalty_tally *t)
 
 static vbss_metrics_tightness tightness(const metrics_object *m)
 {
-    return m->config.tightness_method == VBSS_METHOD_PAPER
+    return m->config.tightness_test == VBSS_METRICS_TEST_STRAIN
                ? vbss_metrics_tightness_by_strain(&m->pull)
                : vbss_metrics_tightness_by_load(&m->pull);
 }
 
 static metrics_entry entry_at(const metrics_object *m, double time)
 {
-    metrics_entry entry = {.tool = VBSS_METRICS_NO_TOOL, .step = m->last_step, .time = time};
+    metrics_entry entry = {.tool = VBSS_METRICS_TOOL_NONE, .step = m->last_step, .time = time};
     return entry;
 }
 

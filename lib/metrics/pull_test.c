@@ -87,7 +87,7 @@ vbss_result vbss_metrics_add_pull(vbss_metrics *metrics, const vbss_metrics_pull
         vbss_metrics_tightness_by_load(&next) != vbss_metrics_tightness_by_load(&m->pull) ||
         vbss_metrics_tightness_by_strain(&next) != vbss_metrics_tightness_by_strain(&m->pull)) {
         next.last_change =
-            (metrics_entry){.tool = VBSS_METRICS_NO_TOOL, .step = p.step, .time = p.time};
+            (metrics_entry){.tool = VBSS_METRICS_TOOL_NONE, .step = p.step, .time = p.time};
     }
     m->pull = next;
     vbss_metrics_advance_clock(m, p.time, p.step);

@@ -57,12 +57,13 @@ static void report_facts(const metrics_object *m, vbss_metrics_report *r)
     static const struct {
         metrics_fact fact;
         uint32_t flag;
-    } known[] = {{METRICS_APPEARED, VBSS_METRICS_STARTED},
-                 {METRICS_GAP, VBSS_METRICS_GAP},
-                 {METRICS_AVULSED, VBSS_METRICS_AVULSED},
-                 {METRICS_BROKEN, VBSS_METRICS_BROKEN}};
-    static const uint32_t puncture[2] = {VBSS_METRICS_PUNCTURE_0, VBSS_METRICS_PUNCTURE_1};
-    static const uint32_t tail[2] = {VBSS_METRICS_TAIL_0, VBSS_METRICS_TAIL_1};
+    } known[] = {{METRICS_APPEARED, VBSS_METRICS_FLAG_STARTED},
+                 {METRICS_GAP, VBSS_METRICS_FLAG_GAP},
+                 {METRICS_AVULSED, VBSS_METRICS_FLAG_AVULSED},
+                 {METRICS_BROKEN, VBSS_METRICS_FLAG_BROKEN}};
+    static const uint32_t puncture[2] = {VBSS_METRICS_FLAG_PUNCTURE_0,
+                                         VBSS_METRICS_FLAG_PUNCTURE_1};
+    static const uint32_t tail[2] = {VBSS_METRICS_FLAG_TAIL_0, VBSS_METRICS_FLAG_TAIL_1};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         r->flags |= m->facts[known[i].fact].is_active ? known[i].flag : 0u;
     }
@@ -131,9 +132,9 @@ static void report_time(const metrics_object *m, vbss_metrics_report *r)
     r->time = vbss_metrics_task_time(m);
     r->time_lost = vbss_metrics_task_time_lost(m);
     r->time_simulated = vbss_max(r->time - r->time_lost, 0.0);
-    r->flags |= r->time >= m->config.max_time ? VBSS_METRICS_TIMEOUT : 0;
+    r->flags |= r->time >= m->config.max_time ? VBSS_METRICS_FLAG_TIMEOUT : 0;
     r->flags |= vbss_metrics_is_time_lost(r->time_lost, r->time, m->config.lost_share)
-                    ? VBSS_METRICS_TIME_LOST
+                    ? VBSS_METRICS_FLAG_TIME_LOST
                     : 0;
 }
 
@@ -150,8 +151,8 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     count_incidents(m, &r);
     report_motion(m, &r);
     report_time(m, &r);
-    r.tightness_ours = vbss_metrics_tightness_by_load(&m->pull);
-    r.tightness_paper = vbss_metrics_tightness_by_strain(&m->pull);
+    r.tightness_pull = vbss_metrics_tightness_by_load(&m->pull);
+    r.tightness_strain = vbss_metrics_tightness_by_strain(&m->pull);
     r.pull_held = m->pull.longest_hold;
     r.pull_strain = m->pull.strain;
     r.drawn_in_mm = MILLIMETRES * m->pull.drawn_in;
@@ -160,9 +161,9 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     r.penalty_count = score.count;
     r.score = score.score;
     r.penalties = score.penalties;
-    r.flags |= vbss_metrics_is_stopped(m) ? VBSS_METRICS_STOPPED : 0;
-    r.flags |= m->is_finished ? VBSS_METRICS_FINISHED : 0;
-    r.flags |= score.is_final ? VBSS_METRICS_FINAL : 0;
+    r.flags |= vbss_metrics_is_stopped(m) ? VBSS_METRICS_FLAG_STOPPED : 0;
+    r.flags |= m->is_finished ? VBSS_METRICS_FLAG_FINISHED : 0;
+    r.flags |= score.is_final ? VBSS_METRICS_FLAG_FINAL : 0;
     return vbss_struct_write(m->context, &report_layout, &r, report, struct_size);
 }
 
@@ -242,7 +243,7 @@ vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field fiel
     const double *const arrays[] = {h->speed, h->jerk, h->peak};
     const uint32_t counts[] = {h->tick_count, h->tick_count, h->force_count};
     int quantity = field / METRICS_HANDS;
-    const vbss_view own = {.type = VBSS_TYPE_F64,
+    const vbss_view own = {.type = VBSS_VIEW_TYPE_F64,
                            .components = 1,
                            .stride_bytes = sizeof(double),
                            .count = counts[quantity],
@@ -253,8 +254,9 @@ vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field fiel
 
 /* ---- offset of a point from a mark, for hosts that have no angles */
 
-vbss_result vbss_metrics_offset(const double axis[3], const double centre[3], const double mark[3],
-                                const double place[3], double *angle, double *axial)
+vbss_result vbss_metrics_get_offset(const double axis[3], const double centre[3],
+                                    const double mark[3], const double place[3], double *angle,
+                                    double *axial)
 {
     VBSS_ENTER(NULL);
     const double *const given[] = {axis, centre, mark, place};

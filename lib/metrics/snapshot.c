@@ -30,7 +30,7 @@ static void visit_bounded(vbss_stream *stream, uint16_t tag, double *values, siz
 
 static void visit_config(vbss_stream *stream, const vbss_metrics_config *c)
 {
-    const uint32_t words[] = {(uint32_t)c->tightness_method, c->throw_capacity, c->phase_capacity,
+    const uint32_t words[] = {(uint32_t)c->tightness_test, c->throw_capacity, c->phase_capacity,
                               c->incident_capacity, c->throws_wanted};
     const double numbers[] = {c->duration,         c->drain_radius,     c->stiffness,
                               c->pull_force,       c->pull_time,        c->slip_limit,
@@ -147,7 +147,7 @@ static void visit_entry(vbss_stream *stream, metrics_entry *n)
     n->value[1] = numbers[3];
     n->time_lost = numbers[4];
     refuse(stream, n->kind == VBSS_METRICS_EVENT_PUNCTURE && n->number > 1);
-    refuse(stream, n->tool < VBSS_METRICS_LEFT || n->tool > VBSS_METRICS_NO_TOOL);
+    refuse(stream, n->tool < VBSS_METRICS_TOOL_LEFT || n->tool > VBSS_METRICS_TOOL_NONE);
 }
 
 static void visit_events(vbss_stream *stream, metrics_object *m)

@@ -10,7 +10,7 @@ _Static_assert(sizeof(vbss_needle_config) == 192, "published size");
 
 static const vbss_needle_config defaults = {
     .struct_size = sizeof(vbss_needle_config),
-    .method = VBSS_METHOD_OURS,
+    .method = VBSS_METHOD_IMPLICIT,
     .segment_count = 8,
     .radius = 10.5e-3,
     .wire_radius = 0.35e-3,
@@ -32,7 +32,7 @@ vbss_result vbss_needle_config_preset(vbss_needle_config *config, vbss_needle_pr
     VBSS_ENTER(NULL);
     vbss_needle_config own; /* only for the check of struct_size */
     VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
-    if (preset != VBSS_NEEDLE_PRESET_PAPER && preset != VBSS_NEEDLE_PRESET_SH) {
+    if (preset != VBSS_NEEDLE_PRESET_VBLAST && preset != VBSS_NEEDLE_PRESET_SH) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     config->radius = preset == VBSS_NEEDLE_PRESET_SH ? 8.28e-3 : defaults.radius;
@@ -47,7 +47,7 @@ static vbss_result check(vbss_context *context, const vbss_needle_config *c)
         const char *name;
         double value, low, high;
     } ranges[] = {
-        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"method", c->method, VBSS_METHOD_IMPLICIT, VBSS_METHOD_VBLAST},
         {"segment_count", c->segment_count, 2.0, NEEDLE_MAX_SEGMENTS},
         {"reserved", c->reserved, 0.0, 0.0},
         {"radius", c->radius, 1e-4, 1.0},

@@ -268,7 +268,7 @@ vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field field, v
         return vbss_fail(n->context, VBSS_ERROR_OUT_OF_RANGE, "a needle has no field %d", field);
     }
     fill_points(n);
-    const vbss_view own = {.type = VBSS_TYPE_F64,
+    const vbss_view own = {.type = VBSS_VIEW_TYPE_F64,
                            .components = 3,
                            .stride_bytes = sizeof n->view_points[0],
                            .count = n->config.segment_count + 1u,

@@ -9,14 +9,14 @@
 #include "base/memory.h"
 #include "record/record.h"
 
-_Static_assert(sizeof(vbss_log_report) == 240, "published size");
+_Static_assert(sizeof(vbss_record_log_report) == 240, "published size");
 
 static const uint32_t report_sizes[] = {232, 240, 0};
-static const vbss_layout report_layout = {"vbss_log_report", NULL, report_sizes};
+static const vbss_layout report_layout = {"vbss_record_log_report", NULL, report_sizes};
 
-enum { MAX_FAULTS = sizeof((vbss_log_report *)0)->fault_positions / sizeof(uint64_t) };
+enum { MAX_FAULTS = sizeof((vbss_record_log_report *)0)->fault_positions / sizeof(uint64_t) };
 
-static void add_fault(vbss_log_report *report, const log_fault *fault)
+static void add_fault(vbss_record_log_report *report, const log_fault *fault)
 {
     uint32_t n = report->fault_count++;
     if (n == 0) {
@@ -30,7 +30,7 @@ static void add_fault(vbss_log_report *report, const log_fault *fault)
 }
 
 /* Reads all records up to the end or to the first fault. */
-static vbss_result read_intact_records(replay_object *p, vbss_log_report *report)
+static vbss_result read_intact_records(replay_object *p, vbss_record_log_report *report)
 {
     VBSS_TRY(vbss_replay_open_log(p));
     report->snapshots = 1;
@@ -56,7 +56,7 @@ static vbss_result read_intact_records(replay_object *p, vbss_log_report *report
 
 /* Skips each faulty record and continues with the checksum that it stores. If that checksum is the
  * damaged part, the next record counts as faulty, too. */
-static void find_more_faults(log_reader *log, log_fault *fault, vbss_log_report *report)
+static void find_more_faults(log_reader *log, log_fault *fault, vbss_record_log_report *report)
 {
     log_record found;
     for (;;) {
@@ -74,7 +74,7 @@ static void find_more_faults(log_reader *log, log_fault *fault, vbss_log_report 
     }
 }
 
-static vbss_result check_records(replay_object *p, vbss_log_report *report)
+static vbss_result check_records(replay_object *p, vbss_record_log_report *report)
 {
     log_fault fault = {VBSS_OK, 0, NULL};
     p->log.fault = &fault;
@@ -89,14 +89,14 @@ static vbss_result check_records(replay_object *p, vbss_log_report *report)
     return VBSS_OK;
 }
 
-vbss_result vbss_log_check(vbss_context *context, const uint8_t *bytes, uint64_t count,
-                           vbss_log_report *report, uint32_t struct_size)
+vbss_result vbss_record_check_log(vbss_context *context, const uint8_t *bytes, uint64_t count,
+                                  vbss_record_log_report *report, uint32_t struct_size)
 {
     VBSS_ENTER(context);
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     VBSS_TRY(vbss_check_pointer(context, bytes, "bytes"));
-    vbss_log_report own = {.struct_size = sizeof own, .log_bytes = count};
+    vbss_record_log_report own = {.struct_size = sizeof own, .log_bytes = count};
     VBSS_TRY(vbss_struct_write(context, &report_layout, &own, report, struct_size));
     if (count > SIZE_MAX) {
         return vbss_fail(context, VBSS_ERROR_CORRUPT, "the log is larger than any memory");

@@ -55,17 +55,17 @@ static const config_field fields[] = {
     NUMBER(contact_margin),
     NUMBER(stretch_tolerance),
     NUMBER(penetration_tolerance),
-    WORD(linearisation_limit),
-    WORD(state_limit),
+    WORD(iteration_limit),
+    WORD(active_set_limit),
     WORD(halving_limit),
     WORD(attempt_limit),
     WORD(paper_pass_limit),
     NUMBER(paper_thickness),
     WORD(grasp_capacity), /* since version 2 */
-    WORD(work_limit),     /* since version 3 */
+    WORD(step_budget),    /* since version 3 */
     ROOM(drain_capacity), /* since version 4 */
     WORD(hole_capacity),
-    WORD(slot_limit),    /* since version 5 */
+    WORD(call_budget),   /* since version 5 */
     NUMBER(speed_limit), /* since version 6 */
 };
 /* Of version 1, whose scenes had no graspers, 2, whose work had no limit, 3, which had no drains and
@@ -93,10 +93,10 @@ static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
     vbss_section outer = vbss_stream_open(stream, CONFIG, 6);
     uint32_t count = field_count(stream->version);
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
-    config->work_limit = stream->version >= 3 ? config->work_limit : 0;
+    config->step_budget = stream->version >= 3 ? config->step_budget : 0;
     config->drain_capacity = stream->version >= 4 ? config->drain_capacity : DRAINS_3;
     config->hole_capacity = stream->version >= 4 ? config->hole_capacity : HOLES_3;
-    config->slot_limit = stream->version >= 5 ? config->slot_limit : 0;
+    config->call_budget = stream->version >= 5 ? config->call_budget : 0;
     config->speed_limit = stream->version >= 6 ? config->speed_limit : 0.0;
     for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;

@@ -11,8 +11,9 @@ _Static_assert(sizeof(vbss_replay_info) == 48, "published size");
 static const uint32_t info_sizes[] = {48, 0};
 static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
 static const uint32_t step_sizes[] = {72, 80, 0};
-static const vbss_layout step_layout = {"vbss_log_step", NULL, step_sizes};
-_Static_assert(sizeof(vbss_log_step) == 80 && sizeof(vbss_log_input) == 128, "published sizes");
+static const vbss_layout step_layout = {"vbss_replay_logged_step", NULL, step_sizes};
+_Static_assert(sizeof(vbss_replay_logged_step) == 80 && sizeof(vbss_record_input) == 128,
+               "published sizes");
 static const uint32_t scene_config_sizes[] = {160, 168, 176, 192, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
@@ -259,14 +260,14 @@ vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
     return VBSS_OK;
 }
 
-vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step *step,
+vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_replay_logged_step *step,
                              uint32_t struct_size)
 {
     VBSS_ENTER(replay);
     replay_object *p;
     bool end = false;
     VBSS_TRY(vbss_replay_edit(replay, &p));
-    vbss_log_step own = {.struct_size = sizeof own};
+    vbss_replay_logged_step own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_struct_write(p->context, &step_layout, &own, step, struct_size));
     if (number <= p->inspected_steps) {
         p->inspection = vbss_log_reader_at(&p->start, p->inspection.coder);

@@ -172,7 +172,7 @@ vbss_result vbss_log_compare_config(const log_header *header, const scene_info *
 
 /* ---- inputs.c: inputs, which are the calls of a host between steps */
 
-enum { LOG_INPUT_KINDS = VBSS_INPUT_SETTING + 1 };
+enum { LOG_INPUT_KINDS = VBSS_RECORD_INPUT_SETTING + 1 };
 /* How many words and numbers an input of a kind has. */
 typedef struct log_input_shape {
     uint32_t words, numbers;
@@ -180,7 +180,7 @@ typedef struct log_input_shape {
 extern const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS];
 /* Applies an input to the scene. `id` receives the number of a new pin, attachment or piece; may be
  * NULL. Returns the result of the scene's function. */
-vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log_input *input,
+vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_record_input *input,
                                  uint32_t *id);
 vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper);
 
@@ -191,7 +191,7 @@ typedef struct log_step {
     double h;                        /* length, s */
     uint32_t input_count, input_capacity;
     uint8_t *kinds;
-    vbss_log_input *inputs;
+    vbss_record_input *inputs;
     uint32_t event_count, event_capacity;
     uint32_t (*events)[4]; /* four words each; borrowed from the scene for writing */
 } log_step;
@@ -259,7 +259,7 @@ typedef struct replay_object {
     double inspected_time;
     vbss_scene *scene; /* a handle; NULL before vbss_replay_begin */
     vbss_replay_report report;
-    vbss_result stop_result; /* VBSS_OK unless the outcome is VBSS_REPLAY_STOPPED */
+    vbss_result stop_result; /* VBSS_OK unless the outcome is VBSS_REPLAY_OUTCOME_STOPPED */
 } replay_object;
 
 vbss_result vbss_replay_edit(vbss_replay *handle, replay_object **replay);

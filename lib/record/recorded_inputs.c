@@ -14,7 +14,7 @@ static vbss_result check_input_capacity(const record_object *r)
                            r->step.input_capacity);
 }
 
-static void record_input(record_object *r, uint8_t kind, const vbss_log_input *input)
+static void record_input(record_object *r, uint8_t kind, const vbss_record_input *input)
 {
     uint32_t next = r->step.input_count++;
     r->step.kinds[next] = kind;
@@ -23,7 +23,7 @@ static void record_input(record_object *r, uint8_t kind, const vbss_log_input *i
     r->known_edits = vbss_scene_inspect_edits(r->scene);
 }
 
-static vbss_result apply_and_record(record_object *r, uint8_t kind, const vbss_log_input *input,
+static vbss_result apply_and_record(record_object *r, uint8_t kind, const vbss_record_input *input,
                                     uint32_t *id)
 {
     VBSS_TRY(vbss_record_check_ready(r));
@@ -39,7 +39,7 @@ static vbss_result move_body(vbss_record *record, uint8_t kind, uint32_t body,
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, position, "position"));
-    vbss_log_input input = {.words = {body, orientation != NULL}};
+    vbss_record_input input = {.words = {body, orientation != NULL}};
     memcpy(input.numbers, position, 3 * sizeof(double));
     if (orientation != NULL) {
         memcpy(input.numbers + 3, orientation, 4 * sizeof(double));
@@ -47,21 +47,22 @@ static vbss_result move_body(vbss_record *record, uint8_t kind, uint32_t body,
     return apply_and_record(r, kind, &input, NULL);
 }
 
-vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const double position[3],
-                                   const double *orientation)
+vbss_result vbss_record_set_rigid_target(vbss_record *record, uint32_t body,
+                                         const double position[3], const double *orientation)
 {
     VBSS_ENTER(record);
-    return move_body(record, VBSS_INPUT_MOVE_RIGID, body, position, orientation);
+    return move_body(record, VBSS_RECORD_INPUT_RIGID_TARGET, body, position, orientation);
 }
 
-vbss_result vbss_record_apply_input(vbss_record *record, const vbss_log_input *input, uint32_t *id)
+vbss_result vbss_record_apply_input(vbss_record *record, const vbss_record_input *input,
+                                    uint32_t *id)
 {
     VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, input, "input"));
-    VBSS_TRY(vbss_check_range(r->context, input->kind, VBSS_INPUT_MOVE_RIGID, VBSS_INPUT_SETTING,
-                              "kind of the input"));
+    VBSS_TRY(vbss_check_range(r->context, input->kind, VBSS_RECORD_INPUT_RIGID_TARGET,
+                              VBSS_RECORD_INPUT_SETTING, "kind of the input"));
     const uint32_t numbers = vbss_log_input_shapes[input->kind].numbers;
     VBSS_TRY(vbss_check_finite(r->context, input->numbers, numbers, "numbers of the input"));
     return apply_and_record(r, (uint8_t)input->kind, input, id);
@@ -74,11 +75,11 @@ vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, pin, "pin"));
-    vbss_log_input input = {.words = {thread, node, body, point != NULL}};
+    vbss_record_input input = {.words = {thread, node, body, point != NULL}};
     if (point != NULL) {
         memcpy(input.numbers, point, 3 * sizeof(double));
     }
-    return apply_and_record(r, VBSS_INPUT_PIN, &input, pin);
+    return apply_and_record(r, VBSS_RECORD_INPUT_PIN, &input, pin);
 }
 
 vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
@@ -86,8 +87,8 @@ vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
     VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const vbss_log_input input = {.words = {pin}};
-    return apply_and_record(r, VBSS_INPUT_UNPIN, &input, NULL);
+    const vbss_record_input input = {.words = {pin}};
+    return apply_and_record(r, VBSS_RECORD_INPUT_UNPIN, &input, NULL);
 }
 
 vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double arc_length,
@@ -97,8 +98,8 @@ vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double 
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, piece, "piece"));
-    const vbss_log_input input = {.words = {thread}, .numbers = {arc_length}};
-    return apply_and_record(r, VBSS_INPUT_CUT, &input, piece);
+    const vbss_record_input input = {.words = {thread}, .numbers = {arc_length}};
+    return apply_and_record(r, VBSS_RECORD_INPUT_CUT, &input, piece);
 }
 
 /* The fields are read after vbss_thread_attach, which checks the struct and its version. */
@@ -113,30 +114,30 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
     VBSS_TRY(check_input_capacity(r));
     VBSS_TRY(vbss_scene_get_thread(r->scene, thread, &handle));
     VBSS_TRY(vbss_thread_attach(handle, attachment, id));
-    vbss_log_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
+    vbss_record_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
     memcpy(input.numbers, attachment->position, 3 * sizeof(double));
     memcpy(input.numbers + 3, attachment->direction, 3 * sizeof(double));
     memcpy(input.numbers + 6, attachment->force, 3 * sizeof(double));
     input.numbers[9] = attachment->stiffness;
     input.numbers[10] = attachment->damping;
     input.numbers[11] = attachment->mass;
-    record_input(r, VBSS_INPUT_ATTACH, &input);
+    record_input(r, VBSS_RECORD_INPUT_ATTACH, &input);
     return VBSS_OK;
 }
 
-vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t thread, uint32_t id,
-                                        const double target[3], const double *direction)
+vbss_result vbss_record_set_attachment_target(vbss_record *record, uint32_t thread, uint32_t id,
+                                              const double target[3], const double *direction)
 {
     VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, target, "target"));
-    vbss_log_input input = {.words = {thread, id, direction != NULL}};
+    vbss_record_input input = {.words = {thread, id, direction != NULL}};
     memcpy(input.numbers, target, 3 * sizeof(double));
     if (direction != NULL) {
         memcpy(input.numbers + 3, direction, 3 * sizeof(double));
     }
-    return apply_and_record(r, VBSS_INPUT_MOVE, &input, NULL);
+    return apply_and_record(r, VBSS_RECORD_INPUT_ATTACHMENT_TARGET, &input, NULL);
 }
 
 vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id)
@@ -144,15 +145,15 @@ vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id
     VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const vbss_log_input input = {.words = {thread, id}};
-    return apply_and_record(r, VBSS_INPUT_DETACH, &input, NULL);
+    const vbss_record_input input = {.words = {thread, id}};
+    return apply_and_record(r, VBSS_RECORD_INPUT_DETACH, &input, NULL);
 }
 
-vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body, const double position[3],
-                                     const double *orientation)
+vbss_result vbss_record_set_grasper_target(vbss_record *record, uint32_t body,
+                                           const double position[3], const double *orientation)
 {
     VBSS_ENTER(record);
-    return move_body(record, VBSS_INPUT_MOVE_GRASPER, body, position, orientation);
+    return move_body(record, VBSS_RECORD_INPUT_GRASPER_TARGET, body, position, orientation);
 }
 
 vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening)
@@ -160,8 +161,8 @@ vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double o
     VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const vbss_log_input input = {.words = {body}, .numbers = {opening}};
-    return apply_and_record(r, VBSS_INPUT_SET_OPENING, &input, NULL);
+    const vbss_record_input input = {.words = {body}, .numbers = {opening}};
+    return apply_and_record(r, VBSS_RECORD_INPUT_SET_OPENING, &input, NULL);
 }
 
 vbss_result vbss_record_exchange(vbss_record *record, uint32_t body, vbss_grasper_kind kind)
@@ -169,6 +170,6 @@ vbss_result vbss_record_exchange(vbss_record *record, uint32_t body, vbss_graspe
     VBSS_ENTER(record);
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const vbss_log_input input = {.words = {body, (uint32_t)kind}};
-    return apply_and_record(r, VBSS_INPUT_EXCHANGE, &input, NULL);
+    const vbss_record_input input = {.words = {body, (uint32_t)kind}};
+    return apply_and_record(r, VBSS_RECORD_INPUT_EXCHANGE, &input, NULL);
 }

@@ -28,7 +28,7 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
     p->scene = scene;
     p->log = vbss_log_reader_at(&p->start, p->log.coder);
     p->stop_result = VBSS_OK;
-    const vbss_replay_report initial = {.outcome = VBSS_REPLAY_STEPPED,
+    const vbss_replay_report initial = {.outcome = VBSS_REPLAY_OUTCOME_STEPPED,
                                         .position = p->start.position};
     p->report = initial;
     return VBSS_OK;
@@ -48,7 +48,7 @@ static vbss_result compare_hash(replay_object *p)
     if (report->found_hash == report->recorded_hash) {
         report->agreed_step = report->step;
     } else {
-        report->outcome = VBSS_REPLAY_DIFFERS;
+        report->outcome = VBSS_REPLAY_OUTCOME_DIFFERS;
     }
     return VBSS_OK;
 }
@@ -72,7 +72,7 @@ static vbss_result replay_next(replay_object *p)
     if (!end) {
         return replay_step(p);
     }
-    p->report.outcome = VBSS_REPLAY_ENDED;
+    p->report.outcome = VBSS_REPLAY_OUTCOME_ENDED;
     return compare_hash(p);
 }
 
@@ -81,7 +81,7 @@ static vbss_result set_outcome(replay_object *p, vbss_result result)
 {
     p->stop_result = result;
     if (result != VBSS_OK) {
-        p->report.outcome = VBSS_REPLAY_STOPPED;
+        p->report.outcome = VBSS_REPLAY_OUTCOME_STOPPED;
     }
     return result;
 }
@@ -103,7 +103,7 @@ vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, ui
     VBSS_ENTER(replay);
     replay_object *p;
     VBSS_TRY(open_started(replay, report, struct_size, &p));
-    if (p->report.outcome == VBSS_REPLAY_STEPPED) {
+    if (p->report.outcome == VBSS_REPLAY_OUTCOME_STEPPED) {
         (void)set_outcome(p, replay_next(p));
         (void)vbss_struct_write(p->context, &report_layout, &p->report, report, struct_size);
     }
@@ -160,7 +160,7 @@ static vbss_result find_seek_point(replay_object *p, uint64_t step, place *found
 static vbss_result replay_from(replay_object *p, const place *from, uint64_t step)
 {
     const uint64_t number = from->snapshot.number;
-    const vbss_replay_report initial = {.outcome = VBSS_REPLAY_STEPPED,
+    const vbss_replay_report initial = {.outcome = VBSS_REPLAY_OUTCOME_STEPPED,
                                         .step = number,
                                         .agreed_step = number,
                                         .position = from->reader.position};
@@ -169,7 +169,7 @@ static vbss_result replay_from(replay_object *p, const place *from, uint64_t ste
     p->step.has_hash = number > 0 ? from->has_hash : 0;
     p->step.hash = from->hash;
     VBSS_TRY(compare_hash(p));
-    while (p->report.step < step && p->report.outcome == VBSS_REPLAY_STEPPED) {
+    while (p->report.step < step && p->report.outcome == VBSS_REPLAY_OUTCOME_STEPPED) {
         VBSS_TRY(replay_next(p));
     }
     return VBSS_OK;

@@ -45,7 +45,7 @@ static vbss_result check_compatible(const replay_object *p, const scene_info *sc
 static vbss_result replay_to_end(replay_object *p, uint64_t steps)
 {
     VBSS_TRY(vbss_replay_seek_step(p, steps));
-    return p->report.outcome == VBSS_REPLAY_STEPPED
+    return p->report.outcome == VBSS_REPLAY_OUTCOME_STEPPED
                ? VBSS_OK
                : vbss_fail(p->context, VBSS_ERROR_CORRUPT,
                            "the scene after step %llu is not the recorded one",

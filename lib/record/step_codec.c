@@ -85,14 +85,14 @@ void vbss_log_reset_coder(log_coder *coder)
 /* ---- channels */
 
 /* Each attachment has a history of its own. In other inputs the second word is not an object. */
-static void key_of(const vbss_log_input *input, uint32_t key[2])
+static void key_of(const vbss_record_input *input, uint32_t key[2])
 {
     key[0] = input->words[0];
-    key[1] = input->kind == VBSS_INPUT_MOVE ? input->words[1] : 0;
+    key[1] = input->kind == VBSS_RECORD_INPUT_ATTACHMENT_TARGET ? input->words[1] : 0;
 }
 
 /* Index of the channel, or MAX_CHANNELS if there is none. */
-static uint32_t find_channel(const log_coder *c, const vbss_log_input *input)
+static uint32_t find_channel(const log_coder *c, const vbss_record_input *input)
 {
     uint32_t key[2], i = 0;
     key_of(input, key);
@@ -105,13 +105,13 @@ static uint32_t find_channel(const log_coder *c, const vbss_log_input *input)
 }
 
 static const log_predictor *predictors_of(const log_coder *c, bool same, uint32_t i,
-                                          const vbss_log_input *input)
+                                          const vbss_record_input *input)
 {
     uint32_t channel_index = same ? c->channel_indices[i] : find_channel(c, input);
     return channel_index < MAX_CHANNELS ? c->channels[channel_index].numbers : empty_predictors;
 }
 
-static uint32_t make_channel(log_coder *c, const vbss_log_input *input)
+static uint32_t make_channel(log_coder *c, const vbss_record_input *input)
 {
     uint32_t channel_index =
         c->channel_count < MAX_CHANNELS ? c->channel_count++ : c->oldest++ % MAX_CHANNELS;
@@ -124,7 +124,7 @@ static uint32_t make_channel(log_coder *c, const vbss_log_input *input)
 static void update_history(log_coder *c, const log_step *step, bool same)
 {
     for (uint32_t i = 0; i < step->input_count; i++) {
-        const vbss_log_input *input = &step->inputs[i];
+        const vbss_record_input *input = &step->inputs[i];
         uint32_t channel_index = same ? c->channel_indices[i] : find_channel(c, input);
         channel_index = channel_index < MAX_CHANNELS ? channel_index : make_channel(c, input);
         for (uint32_t n = 0; n < vbss_log_input_shapes[input->kind].numbers; n++) {
@@ -231,9 +231,9 @@ size_t vbss_log_encode(log_coder *coder, const log_step *step, uint8_t *bytes, s
 
 static void set_input_kind(log_step *step, uint32_t i, uint32_t kind)
 {
-    vbss_log_input *input = &step->inputs[i];
+    vbss_record_input *input = &step->inputs[i];
     step->kinds[i] = (uint8_t)kind;
-    input->kind = (vbss_input_kind)kind;
+    input->kind = (vbss_record_input_kind)kind;
     input->word_count = vbss_log_input_shapes[kind].words;
     input->number_count = vbss_log_input_shapes[kind].numbers;
 }

@@ -11,7 +11,7 @@ static void visit_inputs(vbss_stream *stream, log_step *step)
     vbss_stream_u8(stream, 4, step->kinds, step->input_count);
     for (uint32_t i = 0; i < step->input_count && stream->result == VBSS_OK; i++) {
         uint8_t kind = step->kinds[i];
-        vbss_log_input *input = &step->inputs[i];
+        vbss_record_input *input = &step->inputs[i];
         if (kind == 0 || kind >= LOG_INPUT_KINDS) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such input");
             return;

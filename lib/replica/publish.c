@@ -123,15 +123,16 @@ static vbss_replica_kind kind_of(const scene_geometry *g)
 {
     switch (g->type) {
     case SCENE_GEOMETRY_THREAD:
-        return VBSS_REPLICA_THREAD;
+        return VBSS_REPLICA_KIND_THREAD;
     case SCENE_GEOMETRY_DRAIN:
-        return VBSS_REPLICA_DRAIN;
+        return VBSS_REPLICA_KIND_DRAIN;
     case SCENE_GEOMETRY_NEEDLE:
-        return VBSS_REPLICA_NEEDLE;
+        return VBSS_REPLICA_KIND_NEEDLE;
     case SCENE_GEOMETRY_GRASPER:
-        return g->grasper.kind == VBSS_GRASPER_SHEARS ? VBSS_REPLICA_SHEARS : VBSS_REPLICA_DRIVER;
+        return g->grasper.kind == VBSS_GRASPER_KIND_SHEARS ? VBSS_REPLICA_KIND_SHEARS
+                                                           : VBSS_REPLICA_KIND_DRIVER;
     default:
-        return VBSS_REPLICA_RIGID;
+        return VBSS_REPLICA_KIND_RIGID;
     }
 }
 

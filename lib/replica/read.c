@@ -89,30 +89,32 @@ vbss_result vbss_replica_take(vbss_replica *replica, vbss_replica_state *state,
 typedef struct array_shape {
     const void *data;
     uint32_t count;
-    vbss_type type;
+    vbss_view_type type;
     uint32_t components;
 } array_shape;
 
 static bool find_array(const replica_state *s, vbss_replica_field field, array_shape *shape)
 {
     const array_shape arrays[] = {
-        [VBSS_REPLICA_VIEW_BODIES] = {s->body_rows, s->body_count, VBSS_TYPE_U32, 8},
-        [VBSS_REPLICA_VIEW_POSES] = {s->poses, s->body_count, VBSS_TYPE_F64, 7},
-        [VBSS_REPLICA_VIEW_SIZES] = {s->sizes, s->body_count, VBSS_TYPE_F64, 2},
-        [VBSS_REPLICA_VIEW_NODES] = {s->nodes, s->node_count, VBSS_TYPE_F64, 3},
-        [VBSS_REPLICA_VIEW_TENSIONS] = {s->tensions, s->node_count, VBSS_TYPE_F64, 1},
-        [VBSS_REPLICA_VIEW_TRIANGLES] = {s->triangles, s->triangle_count, VBSS_TYPE_U32, 3},
-        [VBSS_REPLICA_VIEW_CAPSULES] = {s->capsules, s->capsule_count, VBSS_TYPE_F64, 7},
-        [VBSS_REPLICA_VIEW_HOLES] = {s->hole_bodies, s->hole_count, VBSS_TYPE_U32, 4},
-        [VBSS_REPLICA_VIEW_HOLE_PLACES] = {s->hole_rows, s->hole_count, VBSS_TYPE_F64, 8},
-        [VBSS_REPLICA_VIEW_CONTACTS] = {s->contact_features, s->contact_count, VBSS_TYPE_U32, 5},
-        [VBSS_REPLICA_VIEW_CONTACT_POINTS] = {s->contact_points, s->contact_count, VBSS_TYPE_F64,
-                                              3},
-        [VBSS_REPLICA_VIEW_CONTACT_NORMALS] = {s->contact_normals, s->contact_count, VBSS_TYPE_F64,
-                                               3},
-        [VBSS_REPLICA_VIEW_CONTACT_FORCES] = {s->contact_forces, s->contact_count, VBSS_TYPE_F64,
-                                              3},
-        [VBSS_REPLICA_VIEW_CONTACT_GAPS] = {s->contact_gaps, s->contact_count, VBSS_TYPE_F64, 1},
+        [VBSS_REPLICA_VIEW_BODIES] = {s->body_rows, s->body_count, VBSS_VIEW_TYPE_U32, 8},
+        [VBSS_REPLICA_VIEW_POSES] = {s->poses, s->body_count, VBSS_VIEW_TYPE_F64, 7},
+        [VBSS_REPLICA_VIEW_SIZES] = {s->sizes, s->body_count, VBSS_VIEW_TYPE_F64, 2},
+        [VBSS_REPLICA_VIEW_NODES] = {s->nodes, s->node_count, VBSS_VIEW_TYPE_F64, 3},
+        [VBSS_REPLICA_VIEW_TENSIONS] = {s->tensions, s->node_count, VBSS_VIEW_TYPE_F64, 1},
+        [VBSS_REPLICA_VIEW_TRIANGLES] = {s->triangles, s->triangle_count, VBSS_VIEW_TYPE_U32, 3},
+        [VBSS_REPLICA_VIEW_CAPSULES] = {s->capsules, s->capsule_count, VBSS_VIEW_TYPE_F64, 7},
+        [VBSS_REPLICA_VIEW_HOLES] = {s->hole_bodies, s->hole_count, VBSS_VIEW_TYPE_U32, 4},
+        [VBSS_REPLICA_VIEW_HOLE_PLACES] = {s->hole_rows, s->hole_count, VBSS_VIEW_TYPE_F64, 8},
+        [VBSS_REPLICA_VIEW_CONTACTS] = {s->contact_features, s->contact_count, VBSS_VIEW_TYPE_U32,
+                                        5},
+        [VBSS_REPLICA_VIEW_CONTACT_POINTS] = {s->contact_points, s->contact_count,
+                                              VBSS_VIEW_TYPE_F64, 3},
+        [VBSS_REPLICA_VIEW_CONTACT_NORMALS] = {s->contact_normals, s->contact_count,
+                                               VBSS_VIEW_TYPE_F64, 3},
+        [VBSS_REPLICA_VIEW_CONTACT_FORCES] = {s->contact_forces, s->contact_count,
+                                              VBSS_VIEW_TYPE_F64, 3},
+        [VBSS_REPLICA_VIEW_CONTACT_GAPS] = {s->contact_gaps, s->contact_count, VBSS_VIEW_TYPE_F64,
+                                            1},
     };
     const bool known = field >= 0 && (size_t)field < sizeof arrays / sizeof arrays[0];
     *shape = arrays[known ? field : 0];
@@ -134,7 +136,7 @@ vbss_result vbss_replica_get_view(vbss_replica *replica, vbss_replica_field fiel
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     const uint32_t size =
-        (uint32_t)(shape.type == VBSS_TYPE_F64 ? sizeof(double) : sizeof(uint32_t));
+        (uint32_t)(shape.type == VBSS_VIEW_TYPE_F64 ? sizeof(double) : sizeof(uint32_t));
     const vbss_view own = {.struct_size = sizeof own,
                            .type = shape.type,
                            .count = shape.count,

@@ -36,7 +36,7 @@
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
 #define SCENE_MAX_SLIDE_RATIO VBSS_TUNE(SCENE_MAX_SLIDE_RATIO, 0.25)
 
-/* ---- Work in operations of work_limit (world/work_budget.c, solve/newton.c, step/time_slice.c) */
+/* ---- Work in operations of step_budget (world/work_budget.c, solve/newton.c, step/time_slice.c) */
 
 /* Cost of a candidate pair in an attempt.
  * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
@@ -63,7 +63,7 @@
  * session. */
 #define SCENE_CORRECTION_COST VBSS_TUNE(SCENE_CORRECTION_COST, 12)
 /* A correction of drains begins while a step has used no more than this of its operations.
- * Unit: 1, relative to work_limit. Origin: chosen: docs/notebook/drain-corrections.md. Test: session. */
+ * Unit: 1, relative to step_budget. Origin: chosen: docs/notebook/drain-corrections.md. Test: session. */
 #define SCENE_CORRECTION_BUDGET_RATIO VBSS_TUNE(SCENE_CORRECTION_BUDGET_RATIO, 0.4)
 /* A search leaves this much work for another linearisation and its solve.
  * Unit: halves of a linearisation. Origin: chosen. Test: halved session; doubled scene-tools, session. */

@@ -68,9 +68,9 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
         .phase = s->phase,
         .stage = (vbss_session_stage)(s->throw_stage.value % 8),
         .failure = s->failure,
-        .holder = s->holding_tools.value == 0          ? VBSS_METRICS_NO_TOOL
-                  : (s->holding_tools.value & 1u) != 0 ? VBSS_METRICS_LEFT
-                                                       : VBSS_METRICS_RIGHT,
+        .holder = s->holding_tools.value == 0          ? VBSS_METRICS_TOOL_NONE
+                  : (s->holding_tools.value & 1u) != 0 ? VBSS_METRICS_TOOL_LEFT
+                                                       : VBSS_METRICS_TOOL_RIGHT,
         .tail_set = s->tail_set.value,
         .throws = s->throw_count,
         .seated = s->seated_count,

@@ -56,7 +56,7 @@ void vbss_session_update_lost_time(session_object *s)
     if (is_lossy != s->is_lossy) {
         s->is_lossy = is_lossy;
         vbss_session_event *e = vbss_session_emit_event(s, VBSS_SESSION_EVENT_TIME_LOST, 0,
-                                                        !is_lossy, VBSS_METRICS_NO_TOOL);
+                                                        !is_lossy, VBSS_METRICS_TOOL_NONE);
         e->amount = s->time_lost;
     }
 }

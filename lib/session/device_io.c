@@ -4,8 +4,8 @@
 #include "session/session.h"
 #include "session/tuning.h"
 
-_Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_NEEDLE_DRIVER &&
-                   (int)VBSS_DEVICE_TOOL_SHEARS == (int)VBSS_GRASPER_SHEARS,
+_Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_KIND_NEEDLE_DRIVER &&
+                   (int)VBSS_DEVICE_TOOL_SHEARS == (int)VBSS_GRASPER_KIND_SHEARS,
                "tools of devices and of scenes have the same numbers");
 
 static vbss_grasper *tool_of_hand(const session_object *s, uint32_t hand)
@@ -22,8 +22,9 @@ static vbss_result move_tool(const session_object *s, uint32_t hand, const vbss_
         return VBSS_OK;
     }
     return s->config.record != NULL
-               ? vbss_record_move_grasper(s->config.record, body, input->position, orientation)
-               : vbss_grasper_move(tool_of_hand(s, hand), input->position, orientation);
+               ? vbss_record_set_grasper_target(s->config.record, body, input->position,
+                                                orientation)
+               : vbss_grasper_set_target(tool_of_hand(s, hand), input->position, orientation);
 }
 
 static vbss_result set_tool_opening(const session_object *s, uint32_t hand,
@@ -81,7 +82,7 @@ static vbss_result hold_jaws(const session_object *s, uint32_t hand)
 static vbss_result follow_hand(const session_object *s, uint32_t hand,
                                const vbss_device_input *input)
 {
-    if (input->status == VBSS_DEVICE_WAITING) {
+    if (input->status == VBSS_DEVICE_STATUS_WAITING) {
         return VBSS_OK;
     }
     VBSS_TRY(move_tool(s, hand, input));

@@ -28,10 +28,10 @@ static vbss_result replay_scene_step(session_object *s)
     }
     VBSS_TRY(vbss_replay_step(s->config.replay, &report, sizeof report));
     s->h = p->step.h;
-    if (report.outcome == VBSS_REPLAY_ENDED) {
+    if (report.outcome == VBSS_REPLAY_OUTCOME_ENDED) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the log has ended");
     }
-    return report.outcome == VBSS_REPLAY_STEPPED
+    return report.outcome == VBSS_REPLAY_OUTCOME_STEPPED
                ? VBSS_OK
                : vbss_fail(s->context, VBSS_ERROR_CORRUPT,
                            "the scene after step %llu is not the recorded one",

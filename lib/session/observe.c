@@ -91,8 +91,8 @@ static void measure_mark_offsets(const scene_drain_info *d, vec3 rest,
     for (int k = 0; k < 2; k++) {
         vec3 mark_rest = d->rest_positions[d->marks[k]];
         vec3_store(mark_position, mark_rest);
-        (void)vbss_metrics_offset(axis, centre, mark_position, hole_position, &hole->angle[k],
-                                  &hole->axial[k]);
+        (void)vbss_metrics_get_offset(axis, centre, mark_position, hole_position, &hole->angle[k],
+                                      &hole->axial[k]);
         distance[k] = vec3_distance(mark_rest, rest);
     }
     hole->mark = distance[1] < distance[0] ? 1 : 0;
@@ -163,7 +163,7 @@ static session_tool_observation observe_tool(const session_object *s, uint32_t t
     (void)vbss_grasper_get_state(b->tools[tool], &state, sizeof state);
     session_tool_observation observed = {.has_needle =
                                              state.needle != 0 && state.needle == s->config.needle,
-                                         .is_shears = state.kind == VBSS_GRASPER_SHEARS,
+                                         .is_shears = state.kind == VBSS_GRASPER_KIND_SHEARS,
                                          .tip = vec3_load(state.position),
                                          .force = vec3_load(state.hand_force)};
     observed.held_arc = find_held_arc(s, session_tool_number(s, tool), b);

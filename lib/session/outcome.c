@@ -7,27 +7,27 @@ void vbss_session_fail(session_object *s, vbss_session_failure failure)
     if (s->failure == VBSS_SESSION_FAILURE_NONE) {
         s->failure = failure;
         (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_FAILED, (uint32_t)failure, 0,
-                                      VBSS_METRICS_NO_TOOL);
+                                      VBSS_METRICS_TOOL_NONE);
     }
 }
 
 /* ---- cuts */
 
-/* The hand whose shears are nearest to the cut. VBSS_METRICS_NO_TOOL if the nearest shears are not
+/* The hand whose shears are nearest to the cut. VBSS_METRICS_TOOL_NONE if the nearest shears are not
  * in a hand. */
 static uint32_t find_cutting_tool(const session_observation *observed, vec3 cut_position)
 {
-    uint32_t nearest = VBSS_METRICS_NO_TOOL;
+    uint32_t nearest = VBSS_METRICS_TOOL_NONE;
     double min_distance = 0.0;
     for (uint32_t i = 0; i < SESSION_TOOLS; i++) {
         double distance = vec3_distance(observed->tools[i].tip, cut_position);
         if (observed->tools[i].is_shears &&
-            (nearest == VBSS_METRICS_NO_TOOL || distance < min_distance)) {
+            (nearest == VBSS_METRICS_TOOL_NONE || distance < min_distance)) {
             nearest = i;
             min_distance = distance;
         }
     }
-    return nearest < SESSION_HANDS ? nearest : VBSS_METRICS_NO_TOOL;
+    return nearest < SESSION_HANDS ? nearest : VBSS_METRICS_TOOL_NONE;
 }
 
 /* Arc length at which the limb leaves the knot, or its hole if no knot is located, on the thread
@@ -83,7 +83,7 @@ void vbss_session_update_cuts(session_object *s, const session_observation *obse
         e->amount = remaining;
         s->cut_limbs |= 1u << limb;
         if (s->cut_limbs == 3) {
-            (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_DONE, 0, 0, VBSS_METRICS_NO_TOOL);
+            (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_DONE, 0, 0, VBSS_METRICS_TOOL_NONE);
         }
     }
 }

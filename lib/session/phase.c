@@ -31,13 +31,13 @@ static void update_holder(session_object *s, const session_observation *observed
         s->last_holder = now == 1u << i ? i : s->last_holder;
     }
     if (now == 0 && s->holes[SESSION_ENTRY].id == 0 && !is_needle_in_wall(observed)) {
-        (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_DROPPED, 0, 0, VBSS_METRICS_NO_TOOL);
+        (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_DROPPED, 0, 0, VBSS_METRICS_TOOL_NONE);
     }
 }
 
 static uint32_t holding_tool(const session_object *s)
 {
-    return s->holding_tools.value == 0          ? VBSS_METRICS_NO_TOOL
+    return s->holding_tools.value == 0          ? VBSS_METRICS_TOOL_NONE
            : (s->holding_tools.value & 1u) != 0 ? 0
                                                 : 1;
 }
@@ -219,7 +219,7 @@ static void update_phase(session_object *s)
         uint32_t undone = phase < s->phase;
         s->phase = phase;
         (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_PHASE, (uint32_t)phase, undone,
-                                      VBSS_METRICS_NO_TOOL);
+                                      VBSS_METRICS_TOOL_NONE);
     }
     if (vbss_session_is_over(s)) {
         s->end_time = s->time;
@@ -238,7 +238,7 @@ void vbss_session_update_progress(session_object *s, const session_observation *
         return;
     }
     if (s->steps == 1) {
-        (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_APPEARED, 0, 0, VBSS_METRICS_NO_TOOL);
+        (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_APPEARED, 0, 0, VBSS_METRICS_TOOL_NONE);
     }
     if (observed->has_lost_body) {
         vbss_session_fail(s, VBSS_SESSION_FAILURE_LOST);

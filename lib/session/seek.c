@@ -18,7 +18,7 @@ static vbss_result restore_snapshot(const vbss_slot *slot, const session_object 
                                     replay_object *p, const log_snapshot *snapshot)
 {
     VBSS_TRY(vbss_replay_seek_step(p, snapshot->number));
-    if (p->report.outcome != VBSS_REPLAY_STEPPED) {
+    if (p->report.outcome != VBSS_REPLAY_OUTCOME_STEPPED) {
         return vbss_fail(s->context, VBSS_ERROR_CORRUPT,
                          "the scene after step %llu is not the recorded one",
                          (unsigned long long)snapshot->number);

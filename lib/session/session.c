@@ -26,7 +26,7 @@ vbss_result vbss_session_allocate(vbss_context *context, const vbss_session_conf
     s->context = context;
     s->config = *config;
     s->thread = config->thread;
-    s->last_holder = VBSS_METRICS_NO_TOOL;
+    s->last_holder = VBSS_METRICS_TOOL_NONE;
     const vbss_array events = event_array(s);
     vbss_result result = vbss_allocate_arrays(context, &events, 1, "events of a session");
     if (result != VBSS_OK) {

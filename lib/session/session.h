@@ -144,7 +144,7 @@ typedef struct session_object {
     uint32_t newest_hole;                     /* largest id of a hole that has been classified */
     uint32_t stray_holes[SESSION_MAX_STRAYS]; /* ids; 0: the entry is free */
     session_debounced_value holding_tools;    /* bit per hand that holds the needle */
-    uint32_t last_holder; /* hand that last held it alone; VBSS_METRICS_NO_TOOL: none yet */
+    uint32_t last_holder; /* hand that last held it alone; VBSS_METRICS_TOOL_NONE: none yet */
     /* tail_set: 1 if the length of the tail is within its limits. throw_stage: 8 * throw plus a
      * VBSS_SESSION_STAGE_ constant. newest_seated: 1 if the newest throw is seated. knot_faults:
      * VBSS_KNOT_FAULT_ bits but for the half hitch. half_hitch: 1 if the knot has that fault.
@@ -154,7 +154,7 @@ typedef struct session_object {
     uint32_t throw_count, seated_count; /* tied throws; seated throws among them */
     /* Bit per throw: the needle did not change hands before it. */
     uint32_t missed_transfers;
-    /* Per throw: hand that held the needle when it was tied, or VBSS_METRICS_NO_TOOL. */
+    /* Per throw: hand that held the needle when it was tied, or VBSS_METRICS_TOOL_NONE. */
     uint32_t tied_by[SESSION_MAX_THROWS];
     uint32_t transferred;          /* bit per throw: the needle has changed hands after it */
     uint32_t cut_limbs;            /* bit per limb: it is cut */

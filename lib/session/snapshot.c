@@ -108,7 +108,7 @@ static void visit_throws(vbss_stream *stream, session_object *s)
         visit_throw_observation(stream, &t->value);
         visit_throw_observation(stream, &t->candidate);
         visit_bounded(stream, 38, &t->since, LARGEST_TIME);
-        visit_below(stream, 39, &s->tied_by[i], VBSS_METRICS_NO_TOOL + 1);
+        visit_below(stream, 39, &s->tied_by[i], VBSS_METRICS_TOOL_NONE + 1);
         tied += tied == i && t->value.wraps != 0;
     }
     visit_below(stream, 40, &s->throw_count, SESSION_MAX_THROWS + 1);
@@ -135,7 +135,7 @@ static void visit_task(vbss_stream *stream, session_object *s)
     visit_choice(stream, 9, &s->failure, VBSS_SESSION_FAILURE_LOST);
     visit_holes(stream, s);
     visit_debounced(stream, &s->holding_tools, 4);
-    visit_below(stream, 13, &s->last_holder, VBSS_METRICS_NO_TOOL + 1);
+    visit_below(stream, 13, &s->last_holder, VBSS_METRICS_TOOL_NONE + 1);
     visit_debounced(stream, &s->tail_set, 2);
     visit_debounced(stream, &s->throw_stage, 8 * (SESSION_MAX_THROWS + 1));
     visit_debounced(stream, &s->newest_seated, 2);

@@ -136,7 +136,7 @@ static void update_transfer(session_object *s)
         return;
     }
     uint32_t *tied_by = &s->tied_by[newest];
-    *tied_by = *tied_by == VBSS_METRICS_NO_TOOL ? s->last_holder : *tied_by;
+    *tied_by = *tied_by == VBSS_METRICS_TOOL_NONE ? s->last_holder : *tied_by;
     set_transferred(s, newest, s->last_holder != *tied_by);
 }
 

@@ -135,9 +135,9 @@ vbss_rigid_wrench vbss_rigid_coupling_wrench(const vbss_rigid *rigid,
                                              const vbss_rigid_substep *substep,
                                              const vbss_rigid_motion *motion);
 
-/* Visits all fields with VBSS_RIGID_TAGS tags from `first_tag` on. Mass and moments must equal
+/* Visits all fields with VBSS_SCENE_RIGID_TAGS tags from `first_tag` on. Mass and moments must equal
  * those of the saved state, otherwise VBSS_ERROR_CORRUPT. */
-enum { VBSS_RIGID_TAGS = 12 };
+enum { VBSS_SCENE_RIGID_TAGS = 12 };
 void vbss_rigid_serialise(vbss_stream *stream, uint16_t first_tag, vbss_rigid *rigid);
 
 /* ---- mass of solid capsules (rigid_capsules.c) */

@@ -138,7 +138,7 @@ static void set_nodes(const thread_object *t, const thread_substep *substep, vbs
                       uint32_t first)
 {
     const vbss_integration *in = substep->integration;
-    uint32_t n = t->node_count, bandwidth = t->config.bending == VBSS_BENDING_SPLINE ? 3 : 2;
+    uint32_t n = t->node_count, bandwidth = t->config.bending == VBSS_THREAD_BENDING_SPLINE ? 3 : 2;
     segment_ring p;
     p.at[2] = p.at[3] = no_segment; /* segments -2 and -1 */
     set_segment_terms(t, 0, substep->min_tension, &p.at[0]);
@@ -208,9 +208,9 @@ static void add_attachments(const thread_object *t, const thread_substep *subste
             continue;
         }
         vec3 *rhs = &system->rhs[first + a->node];
-        if (a->kind == VBSS_ATTACHMENT_FORCE) {
+        if (a->kind == VBSS_THREAD_ATTACHMENT_FORCE) {
             *rhs = vec3_add(*rhs, a->force);
-        } else if (a->kind == VBSS_ATTACHMENT_SPRING) {
+        } else if (a->kind == VBSS_THREAD_ATTACHMENT_SPRING) {
             vec3 displacement = vec3_sub(t->trial[a->node], t->x_predicted[a->node]);
             vec3 velocity =
                 vec3_add_scaled(t->v_predicted[a->node], in->velocity_factor, displacement);

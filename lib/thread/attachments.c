@@ -2,15 +2,16 @@
 #include "base/error.h"
 #include "thread/thread.h"
 
-bool vbss_thread_prescribes_motion(vbss_attachment_kind kind)
+bool vbss_thread_prescribes_motion(vbss_thread_attachment_kind kind)
 {
-    return kind == VBSS_ATTACHMENT_PIN || kind == VBSS_ATTACHMENT_CLAMP;
+    return kind == VBSS_THREAD_ATTACHMENT_PIN || kind == VBSS_THREAD_ATTACHMENT_CLAMP;
 }
 
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node)
 {
     uint32_t prescribed_by = t->prescribed_by[node];
-    return prescribed_by != 0 && t->attachments[prescribed_by - 1].kind == VBSS_ATTACHMENT_CLAMP;
+    return prescribed_by != 0 &&
+           t->attachments[prescribed_by - 1].kind == VBSS_THREAD_ATTACHMENT_CLAMP;
 }
 
 thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id)

@@ -10,7 +10,7 @@ _Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
 
 static const vbss_thread_attachment defaults = {
     .struct_size = sizeof(vbss_thread_attachment),
-    .kind = VBSS_ATTACHMENT_PIN,
+    .kind = VBSS_THREAD_ATTACHMENT_PIN,
     .direction = {1.0, 0.0, 0.0},
 };
 static const uint32_t attachment_sizes[] = {112, 0};
@@ -34,7 +34,8 @@ static vbss_result check_direction(vbss_context *context, const double v[3])
 static vbss_result check_attachment(const thread_object *t, const vbss_thread_attachment *a)
 {
     vbss_context *context = t->context;
-    VBSS_TRY(vbss_check_range(context, a->kind, VBSS_ATTACHMENT_PIN, VBSS_ATTACHMENT_MASS, "kind"));
+    VBSS_TRY(vbss_check_range(context, a->kind, VBSS_THREAD_ATTACHMENT_PIN,
+                              VBSS_THREAD_ATTACHMENT_MASS, "kind"));
     VBSS_TRY(vbss_check_range(context, a->node, 0.0, t->node_count - 1.0, "node"));
     VBSS_TRY(vbss_check_range(context, a->reserved, 0.0, 0.0, "reserved"));
     VBSS_TRY(vbss_check_vector(context, a->position, 1e3, "position"));
@@ -108,8 +109,8 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     return VBSS_OK;
 }
 
-vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double target[3],
-                             const double *direction)
+vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
+                                              const double target[3], const double *direction)
 {
     VBSS_ENTER(thread);
     thread_object *t;
@@ -119,10 +120,10 @@ vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double targ
     if (a == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
-    if (a->kind == VBSS_ATTACHMENT_MASS) {
+    if (a->kind == VBSS_THREAD_ATTACHMENT_MASS) {
         return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "attachment %u is a mass", id);
     }
-    bool force = a->kind == VBSS_ATTACHMENT_FORCE;
+    bool force = a->kind == VBSS_THREAD_ATTACHMENT_FORCE;
     VBSS_TRY(vbss_check_vector(t->context, target, force ? 1e6 : 1e3, "target"));
     if (direction != NULL) {
         VBSS_TRY(check_direction(t->context, direction));

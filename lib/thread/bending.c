@@ -14,7 +14,7 @@
  *       EI/2 (sum W_i |d_i / W_i|^2 + sum l_i / 6 |d_{i+1} / W_{i+1} - d_i / W_i|^2).
  *     This is positive, local, and of fourth order.
  *
- * VBSS_BENDING_LOCAL leaves out the last sum. Both are quadratic in the positions, so coefficients
+ * VBSS_THREAD_BENDING_LOCAL leaves out the last sum. Both are quadratic in the positions, so coefficients
  * are constant. */
 #include "thread/thread.h"
 
@@ -142,7 +142,7 @@ static void eliminate_with_estimate(thread_object *t, const clamp_interval *s,
 static void add_neumann(thread_object *t, const clamp_interval *s, uint32_t first_node,
                         uint32_t count, uint32_t low, uint32_t high)
 {
-    bool spline = t->config.bending == VBSS_BENDING_SPLINE;
+    bool spline = t->config.bending == VBSS_THREAD_BENDING_SPLINE;
     thread_spline_moment *m = t->spline_moments;
     /* A free end counts as a neighbour whose moment is zero. Eliminated moments do not count. */
     bool free_low = s->clamps[0] == NULL, free_high = s->clamps[1] == NULL;
@@ -183,7 +183,7 @@ static void add_neumann(thread_object *t, const clamp_interval *s, uint32_t firs
 
 static void add_interval(thread_object *t, const clamp_interval *s)
 {
-    bool spline = t->config.bending == VBSS_BENDING_SPLINE;
+    bool spline = t->config.bending == VBSS_THREAD_BENDING_SPLINE;
     bool both = s->clamps[0] != NULL && s->clamps[1] != NULL;
     /* All nodes except free ends have a moment. */
     uint32_t first_node = s->low + (s->clamps[0] == NULL), end = s->high + (s->clamps[1] != NULL);
@@ -289,7 +289,7 @@ void vbss_thread_build_bending(thread_object *t)
         s.high = c < t->clamp_count ? t->clamps[c].node : n - 1;
         if (s.high > s.low) {
             add_interval(t, &s);
-            if (t->config.bending == VBSS_BENDING_SPLINE) {
+            if (t->config.bending == VBSS_THREAD_BENDING_SPLINE) {
                 add_arcs(t, &s);
             }
         }

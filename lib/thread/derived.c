@@ -79,7 +79,8 @@ static void find_prescribed_nodes(thread_object *t)
     memset(t->prescribed_by, 0, t->node_count * sizeof *t->prescribed_by);
     for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
         const thread_attachment *a = &t->attachments[k];
-        bool prescribes_motion = a->kind == VBSS_ATTACHMENT_PIN || a->kind == VBSS_ATTACHMENT_CLAMP;
+        bool prescribes_motion =
+            a->kind == VBSS_THREAD_ATTACHMENT_PIN || a->kind == VBSS_THREAD_ATTACHMENT_CLAMP;
         if (a->id != 0 && prescribes_motion) {
             t->prescribed_by[a->node] = k + 1;
         }
@@ -90,7 +91,7 @@ static void add_attached_masses(thread_object *t)
 {
     for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
         const thread_attachment *a = &t->attachments[k];
-        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_MASS) {
+        if (a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_MASS) {
             t->mass[a->node] += a->mass;
         }
     }
@@ -111,7 +112,8 @@ static void find_sections(thread_object *t)
 
 uint32_t vbss_thread_bandwidth(const thread_object *t)
 {
-    return t->config.bending == VBSS_BENDING_SPLINE ? THREAD_BANDWIDTH : THREAD_BANDWIDTH - 1;
+    return t->config.bending == VBSS_THREAD_BENDING_SPLINE ? THREAD_BANDWIDTH
+                                                           : THREAD_BANDWIDTH - 1;
 }
 
 /* Prescribed nodes have no unknowns. A node with a spring and its neighbours are separators, in a
@@ -127,7 +129,7 @@ static void set_roles(const thread_object *t, vbss_system *s, uint32_t first,
     }
     for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
         const thread_attachment *a = &t->attachments[k];
-        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
+        if (a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_SPRING) {
             uint32_t low = a->node > 0 ? a->node - 1 : 0;
             low = low + THREAD_BANDWIDTH <= n ? low
                   : n > THREAD_BANDWIDTH      ? n - THREAD_BANDWIDTH

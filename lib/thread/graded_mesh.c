@@ -55,9 +55,9 @@ static bool fit_segments(side *s, double finest, double coarsest, double ratio)
     return true;
 }
 
-vbss_result vbss_thread_grade(double length, double centre, double finest, double coarsest,
-                              double ratio, double *rest_lengths, uint32_t capacity,
-                              uint32_t *count)
+vbss_result vbss_thread_grade_lengths(double length, double centre, double finest, double coarsest,
+                                      double ratio, double *rest_lengths, uint32_t capacity,
+                                      uint32_t *count)
 {
     VBSS_ENTER(NULL);
     VBSS_TRY(vbss_check_pointer(NULL, count, "count"));

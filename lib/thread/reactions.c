@@ -67,9 +67,9 @@ static vec3 other_forces(const thread_object *t, uint32_t node)
     vec3 sum = vec3_zero();
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *a = &t->attachments[i];
-        if (a->id != 0 && a->node == node && a->kind == VBSS_ATTACHMENT_FORCE) {
+        if (a->id != 0 && a->node == node && a->kind == VBSS_THREAD_ATTACHMENT_FORCE) {
             sum = vec3_add(sum, a->force);
-        } else if (a->id != 0 && a->node == node && a->kind == VBSS_ATTACHMENT_SPRING) {
+        } else if (a->id != 0 && a->node == node && a->kind == VBSS_THREAD_ATTACHMENT_SPRING) {
             sum = vec3_add(sum, spring_force(t, a));
         }
     }
@@ -88,9 +88,9 @@ static void update_reaction(const thread_object *t, thread_attachment *a)
         /* Without loads and springs at the node. */
         a->reaction = t->method->reaction_force(t, a->node);
         a->reaction_torque = t->method->reaction_torque(t, a->node);
-    } else if (a->kind == VBSS_ATTACHMENT_FORCE) {
+    } else if (a->kind == VBSS_THREAD_ATTACHMENT_FORCE) {
         a->reaction = a->force;
-    } else if (a->kind == VBSS_ATTACHMENT_SPRING) {
+    } else if (a->kind == VBSS_THREAD_ATTACHMENT_SPRING) {
         a->reaction = spring_force(t, a);
     } else {
         vec3 slowed = vec3_add_scaled(t->now.q[a->node], t->config.drag, t->now.v[a->node]);

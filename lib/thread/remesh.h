@@ -9,7 +9,7 @@
 
 static inline bool thread_is_adaptive(const thread_object *t)
 {
-    return t->config.mesh == VBSS_MESH_ADAPTIVE;
+    return t->config.mesh == VBSS_THREAD_MESH_ADAPTIVE;
 }
 
 /* ---- criteria (remesh_criteria.c) */

@@ -79,7 +79,7 @@ void vbss_remesh_extract_window(const thread_object *t, uint32_t node, remesh_wi
     uint32_t last = t->node_count - 1;
     uint32_t low = node > REMESH_WINDOW_SIDE ? node - REMESH_WINDOW_SIDE : 0;
     uint32_t high = last - node > REMESH_WINDOW_SIDE ? node + REMESH_WINDOW_SIDE : last;
-    *w = (remesh_window){.has_arcs = t->config.bending == VBSS_BENDING_SPLINE,
+    *w = (remesh_window){.has_arcs = t->config.bending == VBSS_THREAD_BENDING_SPLINE,
                          .first_node = low,
                          .count = high - low + 1,
                          .has_thread_start = low == 0,

@@ -94,12 +94,13 @@ static void visit_attachment(vbss_stream *stream, const thread_object *t, thread
     if (a->id == 0 || stream->trusted || stream->mode != VBSS_STREAM_READ) {
         return;
     }
-    bool clamp = kind == VBSS_ATTACHMENT_CLAMP;
+    bool clamp = kind == VBSS_THREAD_ATTACHMENT_CLAMP;
     if (clamp && !(is_unit(a->direction) && is_unit(a->target_direction))) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such direction");
     }
-    if (kind < VBSS_ATTACHMENT_PIN || kind > VBSS_ATTACHMENT_MASS || a->node >= t->node_count ||
-        a->id > t->last_id || !(a->stiffness >= 0.0) || !(a->damping >= 0.0) || !(a->mass >= 0.0)) {
+    if (kind < VBSS_THREAD_ATTACHMENT_PIN || kind > VBSS_THREAD_ATTACHMENT_MASS ||
+        a->node >= t->node_count || a->id > t->last_id || !(a->stiffness >= 0.0) ||
+        !(a->damping >= 0.0) || !(a->mass >= 0.0)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such attachment");
     }
 }

@@ -16,7 +16,7 @@ static vec3 arc_curvature(const thread_object *t, const vec3 *x, uint32_t segmen
 
 void vbss_thread_compute_strains(const thread_object *t, const vec3 *x, thread_strain *strains)
 {
-    bool arcs = t->arcs != NULL && t->config.bending == VBSS_BENDING_SPLINE;
+    bool arcs = t->arcs != NULL && t->config.bending == VBSS_THREAD_BENDING_SPLINE;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         thread_strain *s = &strains[i];
         vec3 e = vec3_sub(x[i + 1], x[i]);

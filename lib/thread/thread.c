@@ -20,8 +20,8 @@ _Static_assert(sizeof(vbss_thread_config) == 304, "published size");
 
 static const vbss_thread_config defaults = {
     .struct_size = sizeof(vbss_thread_config),
-    .method = VBSS_METHOD_OURS,
-    .bending = VBSS_BENDING_SPLINE,
+    .method = VBSS_METHOD_IMPLICIT,
+    .bending = VBSS_THREAD_BENDING_SPLINE,
     .segment_count = 120,
     .attachment_capacity = 8,
     .length = 0.15,
@@ -39,7 +39,7 @@ static const vbss_thread_config defaults = {
     .paper_damping = 0.0,
     .paper_iteration_limit = 50,
     .paper_tolerance = 1e-6,
-    .mesh = VBSS_MESH_FIXED,
+    .mesh = VBSS_THREAD_MESH_FIXED,
     .finest_length = 3e-4,
     .coarsest_length = 2e-3,
     .refine_angle = 0.25,
@@ -62,13 +62,13 @@ vbss_result vbss_thread_config_preset(vbss_thread_config *config, vbss_thread_pr
     vbss_thread_config own; /* only to check struct_size */
     VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     switch (preset) {
-    case VBSS_PRESET_SILK_2_0:
+    case VBSS_THREAD_PRESET_SILK_2_0:
         config->radius = 0.16e-3;
         config->linear_density = 1.05e-4;
         config->axial_stiffness = 700.0;
         config->bending_stiffness = 2.7e-8;
         return VBSS_OK;
-    case VBSS_PRESET_PAPER_THREAD:
+    case VBSS_THREAD_PRESET_VBLAST:
         config->radius = VBLAST_RADIUS;
         config->linear_density = VBLAST_LINEAR_DENSITY;
         config->axial_stiffness = VBLAST_AXIAL_STIFFNESS;
@@ -96,8 +96,8 @@ static vbss_result check_ranges(vbss_context *context, const range *ranges, size
 static vbss_result check_choices(vbss_context *context, const vbss_thread_config *c)
 {
     const range ranges[] = {
-        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
-        {"bending", c->bending, VBSS_BENDING_SPLINE, VBSS_BENDING_LOCAL},
+        {"method", c->method, VBSS_METHOD_IMPLICIT, VBSS_METHOD_VBLAST},
+        {"bending", c->bending, VBSS_THREAD_BENDING_SPLINE, VBSS_THREAD_BENDING_LOCAL},
         {"segment_count", c->segment_count, 1.0, 65536.0},
         {"attachment_capacity", c->attachment_capacity, 0.0, 256.0},
         {"cut_capacity", c->cut_capacity, 0.0, 64.0},
@@ -118,7 +118,7 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
         {"paper_stiffness", c->paper_stiffness, 0.0, 1e9},
         {"paper_damping", c->paper_damping, 0.0, 1.0},
         {"paper_tolerance", c->paper_tolerance, 1e-14, 1.0},
-        {"mesh", c->mesh, VBSS_MESH_FIXED, VBSS_MESH_ADAPTIVE},
+        {"mesh", c->mesh, VBSS_THREAD_MESH_FIXED, VBSS_THREAD_MESH_ADAPTIVE},
         {"reserved", c->reserved, 0.0, 0.0},
     };
     return check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]);
@@ -139,9 +139,9 @@ static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c
         {"node_capacity", c->node_capacity, c->node_capacity == 0 ? 0.0 : nodes, 65537.0},
     };
     VBSS_TRY(check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]));
-    if (c->mesh == VBSS_MESH_ADAPTIVE && c->method != VBSS_METHOD_OURS) {
+    if (c->mesh == VBSS_THREAD_MESH_ADAPTIVE && c->method != VBSS_METHOD_IMPLICIT) {
         return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
-                         "VBSS_METHOD_PAPER has no adaptive mesh");
+                         "VBSS_METHOD_VBLAST has no adaptive mesh");
     }
     return VBSS_OK;
 }
@@ -234,7 +234,8 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     if (t == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    t->method = config->method == VBSS_METHOD_PAPER ? &vbss_baseline_thread : &vbss_thread_implicit;
+    t->method =
+        config->method == VBSS_METHOD_VBLAST ? &vbss_baseline_thread : &vbss_thread_implicit;
     t->context = context;
     t->config = *config;
     t->config.rest_lengths = t->config.positions = NULL;

@@ -24,7 +24,7 @@ enum {
 
 typedef struct thread_attachment {
     uint32_t id; /* 0: unused */
-    vbss_attachment_kind kind;
+    vbss_thread_attachment_kind kind;
     uint32_t node;
     vec3 position, target;            /* PIN, CLAMP, SPRING: current, and after the next step, m */
     vec3 direction, target_direction; /* CLAMP: unit, current, and after the next step */
@@ -259,7 +259,7 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
 /* ---- attachments.c */
 
 /* Whether attachments of this kind prescribe the motion of their node: pins and clamps. */
-bool vbss_thread_prescribes_motion(vbss_attachment_kind kind);
+bool vbss_thread_prescribes_motion(vbss_thread_attachment_kind kind);
 
 /* Whether a clamp prescribes the node. */
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);

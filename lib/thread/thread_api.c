@@ -62,7 +62,7 @@ static void warn_of_units(vbss_context *context, const vbss_thread_config *c)
 static uint32_t node_capacity_of(const vbss_thread_config *c)
 {
     uint32_t segments = c->segment_count;
-    if (c->mesh == VBSS_MESH_FIXED) {
+    if (c->mesh == VBSS_THREAD_MESH_FIXED) {
         return segments + 1;
     }
     return c->node_capacity > 0 ? c->node_capacity : (segments < 16384 ? 4 * segments : 65536) + 1;

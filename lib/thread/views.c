@@ -41,19 +41,19 @@ static void fill_sagittas(thread_object *t)
 
 static vbss_view vectors(const vec3 *data, uint64_t count)
 {
-    vbss_view view = {0, VBSS_TYPE_F64, 3, sizeof *data, count, data, 0};
+    vbss_view view = {0, VBSS_VIEW_TYPE_F64, 3, sizeof *data, count, data, 0};
     return view;
 }
 
 static vbss_view scalars(const double *data, uint64_t count)
 {
-    vbss_view view = {0, VBSS_TYPE_F64, 1, sizeof *data, count, data, 0};
+    vbss_view view = {0, VBSS_VIEW_TYPE_F64, 1, sizeof *data, count, data, 0};
     return view;
 }
 
 static vbss_view numbers(const uint32_t *data, uint64_t count)
 {
-    vbss_view view = {0, VBSS_TYPE_U32, 1, sizeof *data, count, data, 0};
+    vbss_view view = {0, VBSS_VIEW_TYPE_U32, 1, sizeof *data, count, data, 0};
     return view;
 }
 
@@ -61,32 +61,32 @@ static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_vie
 {
     uint32_t n = t->node_count;
     switch (field) {
-    case VBSS_THREAD_POSITIONS:
+    case VBSS_THREAD_VIEW_POSITIONS:
         *view = vectors(t->now.x, n);
         return VBSS_OK;
-    case VBSS_THREAD_VELOCITIES:
+    case VBSS_THREAD_VIEW_VELOCITIES:
         *view = vectors(t->now.v, n);
         return VBSS_OK;
-    case VBSS_THREAD_REST_LENGTHS:
+    case VBSS_THREAD_VIEW_REST_LENGTHS:
         *view = scalars(t->rest, n - 1);
         return VBSS_OK;
-    case VBSS_THREAD_LENGTHS:
+    case VBSS_THREAD_VIEW_LENGTHS:
         fill_lengths(t);
         *view = scalars(t->lengths, n - 1);
         return VBSS_OK;
-    case VBSS_THREAD_TENSIONS: {
+    case VBSS_THREAD_VIEW_TENSIONS: {
         const double *forces = t->method->axial_forces(t);
         *view = scalars(forces, n - 1);
         return VBSS_OK;
     }
-    case VBSS_THREAD_CURVATURES:
+    case VBSS_THREAD_VIEW_CURVATURES:
         fill_curvatures(t);
         *view = vectors(t->curvatures, n);
         return VBSS_OK;
-    case VBSS_THREAD_SECTIONS:
+    case VBSS_THREAD_VIEW_SECTIONS:
         *view = numbers(t->sections, t->section_count);
         return VBSS_OK;
-    case VBSS_THREAD_SAGITTAS:
+    case VBSS_THREAD_VIEW_SAGITTAS:
         fill_sagittas(t);
         *view = scalars(t->sagittas, n - 1);
         return VBSS_OK;

@@ -82,7 +82,7 @@ static void add_mark_decals(const visual_object *v, visual_frame *f, const scene
 {
     for (int k = 0; k < 2; k++) {
         if (d->marks[k] != SCENE_INSPECT_NONE) {
-            vbss_visual_add_decal(v, f, VBSS_SPOT_MARK, d->rest_positions[d->marks[k]],
+            vbss_visual_add_decal(v, f, VBSS_VISUAL_SPOT_MARK, d->rest_positions[d->marks[k]],
                                   v->config.mark_radius);
         }
     }

@@ -99,7 +99,7 @@ static void draw_jaw(visual_object *v, visual_frame *f, const scene_grasper_info
         quat_rotate(body_pose.orientation, forward),
         quat_rotate(body_pose.orientation, vec3_unit_or(outward, vec3_make(0.0, 1.0, 0.0))),
         c->radius,
-        g->kind == VBSS_GRASPER_SHEARS ? 0.4 * c->radius : c->radius,
+        g->kind == VBSS_GRASPER_KIND_SHEARS ? 0.4 * c->radius : c->radius,
         PIECE_JAW};
     vbss_visual_add_capsule(v, f, section, &capsule);
 }

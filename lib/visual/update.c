@@ -36,7 +36,7 @@ static void begin_part(const visual_object *v, visual_frame *f, vbss_visual_kind
     f->part_count++;
 }
 
-void vbss_visual_add_decal(const visual_object *v, visual_frame *f, vbss_spot_kind kind,
+void vbss_visual_add_decal(const visual_object *v, visual_frame *f, vbss_visual_spot_kind kind,
                            vec3 material, double radius)
 {
     if (f->decal_count < v->config.spot_capacity) {
@@ -72,7 +72,7 @@ static vbss_result draw_thread(visual_object *v, visual_frame *f, const visual_l
                                const scene_geometry *g)
 {
     VBSS_TRY(check_node_count(v, g->thread.node_count, "thread"));
-    begin_part(v, f, VBSS_VISUAL_THREAD, label);
+    begin_part(v, f, VBSS_VISUAL_KIND_THREAD, label);
     vbss_visual_draw_thread(v, f, &g->thread, g->identity);
     return VBSS_OK;
 }
@@ -81,7 +81,7 @@ static vbss_result draw_drain(visual_object *v, visual_frame *f, const visual_la
                               const scene_geometry *g)
 {
     VBSS_TRY(check_node_count(v, g->drain.node_count, "drain"));
-    begin_part(v, f, VBSS_VISUAL_DRAIN, label);
+    begin_part(v, f, VBSS_VISUAL_KIND_DRAIN, label);
     vbss_visual_draw_drain(v, f, &g->drain, g->identity);
     return VBSS_OK;
 }
@@ -89,7 +89,9 @@ static vbss_result draw_drain(visual_object *v, visual_frame *f, const visual_la
 static void draw_grasper(visual_object *v, visual_frame *f, const visual_label *label,
                          const scene_grasper_info *g)
 {
-    begin_part(v, f, g->kind == VBSS_GRASPER_SHEARS ? VBSS_VISUAL_SHEARS : VBSS_VISUAL_DRIVER,
+    begin_part(v, f,
+               g->kind == VBSS_GRASPER_KIND_SHEARS ? VBSS_VISUAL_KIND_SHEARS
+                                                   : VBSS_VISUAL_KIND_DRIVER,
                label);
     vbss_visual_draw_grasper(v, f, g);
 }
@@ -104,7 +106,7 @@ static vbss_result draw_geometry(visual_object *v, visual_frame *f, const visual
     case SCENE_GEOMETRY_DRAIN:
         return draw_drain(v, f, label, g);
     case SCENE_GEOMETRY_NEEDLE:
-        begin_part(v, f, VBSS_VISUAL_NEEDLE, label);
+        begin_part(v, f, VBSS_VISUAL_KIND_NEEDLE, label);
         vbss_visual_draw_needle(v, f, &g->needle);
         return VBSS_OK;
     default:
@@ -120,7 +122,7 @@ static void add_hole(const visual_object *v, visual_frame *f, const scene_hole_i
                      uint32_t drain)
 {
     if (hole->id != 0 && hole->drain == drain && hole->radius > 0.0) {
-        vbss_visual_add_decal(v, f, VBSS_SPOT_HOLE, hole->rest_position, hole->radius);
+        vbss_visual_add_decal(v, f, VBSS_VISUAL_SPOT_HOLE, hole->rest_position, hole->radius);
     }
 }
 
@@ -133,7 +135,7 @@ static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
     const vec3 across = vec3_any_normal(up), along = vec3_cross(up, across);
     double height = vec3_dot(v->origin, up) - floor_height;
     const vec3 centre = vec3_add_scaled(v->origin, -height, up);
-    begin_part(v, f, VBSS_VISUAL_FLOOR, &(visual_label){source, 0});
+    begin_part(v, f, VBSS_VISUAL_KIND_FLOOR, &(visual_label){source, 0});
     const uint32_t first = f->vertex_count;
     f->vertex_count += 4;
     for (uint32_t i = 0; i < 4; i++) {
@@ -157,7 +159,7 @@ static vbss_result draw_body(visual_object *v, visual_frame *f, uint32_t source,
     if (geometry.type != SCENE_GEOMETRY_CAPSULES) {
         return draw_geometry(v, f, &label, &geometry);
     }
-    begin_part(v, f, VBSS_VISUAL_RIGID, &label);
+    begin_part(v, f, VBSS_VISUAL_KIND_RIGID, &label);
     for (uint32_t i = 0; i < body->capsule_count; i++) {
         const scene_capsule_info capsule = vbss_scene_inspect_capsule(scene, body, i);
         vbss_visual_draw_capsule(v, f, body->pose.orientation, &capsule);
@@ -196,7 +198,7 @@ static vbss_result draw_copied_body(visual_object *v, visual_frame *f, uint32_t 
     if (body->geometry.type != SCENE_GEOMETRY_CAPSULES) {
         return draw_geometry(v, f, &label, &body->geometry);
     }
-    begin_part(v, f, VBSS_VISUAL_RIGID, &label);
+    begin_part(v, f, VBSS_VISUAL_KIND_RIGID, &label);
     for (uint32_t i = 0; i < body->capsule_count; i++) {
         vbss_visual_draw_capsule(v, f, body->orientation,
                                  &state->capsules[body->first_capsule + i]);

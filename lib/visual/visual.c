@@ -208,7 +208,7 @@ vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field, v
     VBSS_TRY(vbss_slot_open(visual, &vbss_visual_kind_of_slot, &slot));
     const visual_object *v = slot->object;
     const visual_frame *f = &v->frames[v->front];
-    vbss_view own = {.type = VBSS_TYPE_F32, .generation = v->generation};
+    vbss_view own = {.type = VBSS_VIEW_TYPE_F32, .generation = v->generation};
     switch (field) {
     case VBSS_VISUAL_VIEW_VERTICES:
         own.components = 12;
@@ -217,14 +217,14 @@ vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field, v
         own.data = f->vertices;
         break;
     case VBSS_VISUAL_VIEW_TRIANGLES:
-        own.type = VBSS_TYPE_U32;
+        own.type = VBSS_VIEW_TYPE_U32;
         own.components = 3;
         own.stride_bytes = sizeof *f->triangles;
         own.count = f->triangle_count;
         own.data = f->triangles;
         break;
     case VBSS_VISUAL_VIEW_PARTS:
-        own.type = VBSS_TYPE_U32;
+        own.type = VBSS_VIEW_TYPE_U32;
         own.components = 8;
         own.stride_bytes = sizeof *f->parts;
         own.count = f->part_count;

@@ -196,7 +196,7 @@ extern const vbss_kind vbss_visual_kind_of_slot;
 /* ---- update.c */
 
 /* Adds a decal to the current part. `material` is a position at rest, m; `radius` is in m. */
-void vbss_visual_add_decal(const visual_object *v, visual_frame *f, vbss_spot_kind kind,
+void vbss_visual_add_decal(const visual_object *v, visual_frame *f, vbss_visual_spot_kind kind,
                            vec3 material, double radius);
 /* Whether the frame is within all capacities so far. */
 bool vbss_visual_fits(const visual_object *v, const visual_frame *f);

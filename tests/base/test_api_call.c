@@ -56,7 +56,7 @@ static void begin(host *h)
     rod_config body;
     expect_ok(vbss_context_config_init(&config, sizeof config));
     config.allocate = on_allocate;
-    config.release = on_release;
+    config.deallocate = on_release;
     config.log = on_log;
     config.allocator_user = config.log_user = h;
     *h = (host){.context = NULL};

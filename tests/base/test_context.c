@@ -22,7 +22,7 @@ static void incomplete_allocator_or_unknown_log_level_is_rejected(void **state)
     harness_memory memory;
     vbss_context_config config = harness_watched_config(&memory);
     vbss_context *context = (vbss_context *)&memory;
-    config.release = NULL;
+    config.deallocate = NULL;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_context_create(&config, &context));
     assert_null(context);
     config = harness_watched_config(&memory);
@@ -285,7 +285,7 @@ static void meddling_release(void *user, void *block, uint64_t size, uint64_t al
 {
     meddler *m = user;
     meddle(m);
-    m->watched.release(m->watched.allocator_user, block, size, alignment);
+    m->watched.deallocate(m->watched.allocator_user, block, size, alignment);
 }
 
 static vbss_context *meddled_context(meddler *m)
@@ -294,7 +294,7 @@ static vbss_context *meddled_context(meddler *m)
     m->watched = harness_watched_config(&m->memory);
     vbss_context_config config = m->watched;
     config.allocate = meddling_allocate;
-    config.release = meddling_release;
+    config.deallocate = meddling_release;
     config.allocator_user = m;
     vbss_context *context;
     expect_ok(vbss_context_create(&config, &context));
@@ -376,7 +376,7 @@ static void skewed_release(void *user, void *block, uint64_t size, uint64_t alig
 {
     skewed *s = user;
     uintptr_t off = (uintptr_t)block % alignment;
-    s->good.release(s->good.allocator_user, (unsigned char *)block - off, size + off, alignment);
+    s->good.deallocate(s->good.allocator_user, (unsigned char *)block - off, size + off, alignment);
 }
 
 static void misaligned_allocation_is_released(void **state)
@@ -387,7 +387,7 @@ static void misaligned_allocation_is_released(void **state)
     vbss_context_config config = s.good;
     vbss_context *context;
     config.allocate = skewed_allocate;
-    config.release = skewed_release;
+    config.deallocate = skewed_release;
     config.allocator_user = &s;
     expect_result(VBSS_ERROR_OUT_OF_MEMORY, vbss_context_create(&config, &context));
     assert_null(context);

@@ -16,13 +16,13 @@ static inline vbss_result closest(kind which, const double *a, const double *b, 
 {
     switch (which) {
     case EDGES:
-        return vbss_closest_segments(a, b, out, size);
+        return vbss_collision_closest_segments(a, b, out, size);
     case POINT_TRIANGLE:
-        return vbss_closest_point_triangle(a, b, out, size);
+        return vbss_collision_closest_point_triangle(a, b, out, size);
     case EDGE_TRIANGLE:
-        return vbss_closest_segment_triangle(a, b, out, size);
+        return vbss_collision_closest_segment_triangle(a, b, out, size);
     default:
-        return vbss_closest_capsules(a, 0.125, b, 0.125, out, size);
+        return vbss_collision_closest_capsules(a, 0.125, b, 0.125, out, size);
     }
 }
 
@@ -160,9 +160,10 @@ static inline void expect_point(const feature *f, const double weights[3], const
 }
 
 /* The answer, whole, its distance right to a share of the size. */
-static inline vbss_closest expect_closest(const feature *a, const feature *b, double share)
+static inline vbss_collision_closest expect_closest(const feature *a, const feature *b,
+                                                    double share)
 {
-    vbss_closest c;
+    vbss_collision_closest c;
     memset(&c, 0xff, sizeof c);
     kind which = b->count == 2 ? EDGES : a->count == 1 ? POINT_TRIANGLE : EDGE_TRIANGLE;
     expect_ok(closest(which, a->x, b->x, &c, sizeof c));

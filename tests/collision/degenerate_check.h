@@ -22,9 +22,10 @@ static inline int places_of(const collision_query *query)
 /* What is wrong with an answer; NULL: nothing. The time told is one before which nothing meets. Beyond
  * EXACT_PLACES, which a subnormal coordinate next to 1 exceeds, a hit may be told without proof. */
 enum { EXACT_PLACES = 250 };
-static inline const char *degenerate_wrong(const collision_query *query, const vbss_impact *impact)
+static inline const char *degenerate_wrong(const collision_query *query,
+                                           const vbss_collision_impact *impact)
 {
-    if (impact->decision == VBSS_DECISION_UNDECIDED) {
+    if (impact->decision == VBSS_COLLISION_DECISION_UNDECIDED) {
         return places_of(query) > EXACT_PLACES && impact->hit ? NULL : "undecided";
     }
     if (query->hit != (impact->hit != 0)) {
@@ -34,7 +35,7 @@ static inline const char *degenerate_wrong(const collision_query *query, const v
                                                                    : NULL;
 }
 
-static inline score degenerate_score(uint32_t which, vbss_pair_kind kind, uint32_t count,
+static inline score degenerate_score(uint32_t which, vbss_collision_pair_kind kind, uint32_t count,
                                      uint64_t seed)
 {
     collision_set set;
@@ -43,7 +44,7 @@ static inline score degenerate_score(uint32_t which, vbss_pair_kind kind, uint32
     for (uint32_t i = 0; i < set.count; i++) {
         const collision_query *query = &set.queries[i];
         vbss_collision_config config = config_of(query);
-        vbss_impact impact = ask(&config, query);
+        vbss_collision_impact impact = ask(&config, query);
         score_add(&s, query, &impact);
         const char *wrong = degenerate_wrong(query, &impact);
         if (wrong != NULL && s.wrong++ < 3) {
@@ -59,11 +60,12 @@ static inline void expect_degenerate_sets_right(uint32_t count, uint64_t seed)
 {
     uint64_t wrong = 0;
     for (uint32_t i = 0; i < collision_degenerate_count; i++) {
-        for (vbss_pair_kind kind = 0; kind < 2; kind++) {
+        for (vbss_collision_pair_kind kind = 0; kind < 2; kind++) {
             score s = degenerate_score(i, kind, count, seed);
             print_message("%-22s %s %6llu queries, %5llu hits: missed %llu, invented %llu, "
                           "undecided %llu, wrong %llu\n",
-                          collision_degenerate_names[i], kind == VBSS_PAIR_EDGE_EDGE ? "EE" : "VF",
+                          collision_degenerate_names[i],
+                          kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? "EE" : "VF",
                           (unsigned long long)s.queries, (unsigned long long)s.hits,
                           (unsigned long long)s.missed, (unsigned long long)s.invented,
                           (unsigned long long)s.undecided, (unsigned long long)s.wrong);

@@ -58,13 +58,13 @@ double fcl_triangles_distance(const double a[9], const double b[9])
         at(a, 0), at(a, 1), at(a, 2), at(b, 0), at(b, 1), at(b, 2), on_a, on_b);
 }
 
-bool fcl_features_meet(vbss_pair_kind kind, const double start[12], const double end[12],
+bool fcl_features_meet(vbss_collision_pair_kind kind, const double start[12], const double end[12],
                        double *time)
 {
     typedef fcl::detail::Intersectd intersect;
     const double *s = start, *e = end;
     point where;
-    return kind == VBSS_PAIR_EDGE_EDGE
+    return kind == VBSS_COLLISION_PAIR_EDGE_EDGE
                ? intersect::intersect_EE(at(s, 0), at(s, 1), at(s, 2), at(s, 3), at(e, 0), at(e, 1),
                                          at(e, 2), at(e, 3), time, &where)
                : intersect::intersect_VF(at(s, 1), at(s, 2), at(s, 3), at(s, 0), at(e, 1), at(e, 2),

@@ -25,7 +25,7 @@ double fcl_capsules_distance(const double a[6], double radius_a, const double b[
 /* 0 when they meet. */
 double fcl_triangles_distance(const double a[9], const double b[9]);
 /* Zero thickness; on a hit *time is set. */
-bool fcl_features_meet(vbss_pair_kind kind, const double start[12], const double end[12],
+bool fcl_features_meet(vbss_collision_pair_kind kind, const double start[12], const double end[12],
                        double *time);
 /* Two capsules along edges that do not turn: each moves as its first vertex does. Looks at `instants`
  * of the step; on a hit *time is set. */

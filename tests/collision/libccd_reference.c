@@ -40,10 +40,10 @@ bool libccd_meet(const libccd_hull *a, const libccd_hull *b)
     return ccdGJKIntersect(a, b, &ccd) != 0;
 }
 
-void libccd_features(vbss_pair_kind kind, const double vertices[12], double thickness,
+void libccd_features(vbss_collision_pair_kind kind, const double vertices[12], double thickness,
                      libccd_hull *a, libccd_hull *b)
 {
-    uint32_t of_a = kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    uint32_t of_a = kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1;
     a->count = of_a;
     b->count = 4 - of_a;
     a->radius = b->radius = 0.5 * thickness;
@@ -51,10 +51,10 @@ void libccd_features(vbss_pair_kind kind, const double vertices[12], double thic
     memcpy(b->points, vertices + 3 * (size_t)of_a, b->count * sizeof b->points[0]);
 }
 
-void libccd_swept_difference(vbss_pair_kind kind, const double start[12], const double end[12],
-                             double thickness, libccd_hull *difference)
+void libccd_swept_difference(vbss_collision_pair_kind kind, const double start[12],
+                             const double end[12], double thickness, libccd_hull *difference)
 {
-    size_t of_a = kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    size_t of_a = kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1;
     difference->count = 0;
     difference->radius = thickness;
     for (size_t a = 0; a < of_a; a++) {

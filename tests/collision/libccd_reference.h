@@ -26,14 +26,14 @@ typedef struct libccd_hull {
 bool libccd_meet(const libccd_hull *a, const libccd_hull *b);
 
 /* The features of a pair at one time, inflated by half of the thickness each. */
-void libccd_features(vbss_pair_kind kind, const double vertices[12], double thickness,
+void libccd_features(vbss_collision_pair_kind kind, const double vertices[12], double thickness,
                      libccd_hull *a, libccd_hull *b);
 /* All that the vector from a point of a to one of b can be in the step, and more: the hull of the
  * differences of vertices at the start and at the end, inflated by the thickness. Features that come
  * within the thickness of each other make it hold the origin; the reverse is not true, as what happens
  * at different times counts too. */
-void libccd_swept_difference(vbss_pair_kind kind, const double start[12], const double end[12],
-                             double thickness, libccd_hull *difference);
+void libccd_swept_difference(vbss_collision_pair_kind kind, const double start[12],
+                             const double end[12], double thickness, libccd_hull *difference);
 bool libccd_holds_origin(const libccd_hull *difference);
 
 #endif

@@ -9,12 +9,12 @@
 #include "harness/harness.h"
 
 typedef struct question {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     double start[12], end[12];
 } question;
 
 typedef struct reported {
-    vbss_impact impact;
+    vbss_collision_impact impact;
     collision_counters counters;
 } reported;
 
@@ -49,10 +49,11 @@ static inline reported ask_with(const vbss_collision_config *config, const quest
     vbss_collision_set_vertices(&own, q->start, q->end);
     vbss_collision_run_ccd(&rules, &own, &answer, &t.counters);
     expect_ok(vbss_collision_write_impact(NULL, &own, &answer, &t.impact, sizeof t.impact));
-    const vbss_impact *i = &t.impact;
-    expect_finite(&i->time, (int)((sizeof *i - offsetof(vbss_impact, time)) / sizeof i->time));
+    const vbss_collision_impact *i = &t.impact;
+    expect_finite(&i->time,
+                  (int)((sizeof *i - offsetof(vbss_collision_impact, time)) / sizeof i->time));
     double length = vec3_norm(vec3_load(i->normal));
-    int of_a = q->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    int of_a = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1;
     double a = 0.0, all = 0.0;
     for (int k = 0; k < 4; k++) {
         assert_true(i->weights[k] >= 0.0 && i->weights[k] <= 1.0);
@@ -119,7 +120,7 @@ static inline double draw_coordinate(harness_source *source, drawn how)
 
 static inline question draw_question(harness_source *source, drawn how)
 {
-    question q = {.kind = (vbss_pair_kind)harness_draw_below(source, 2)};
+    question q = {.kind = (vbss_collision_pair_kind)harness_draw_below(source, 2)};
     for (int k = 0; k < 12; k++) {
         q.start[k] = draw_coordinate(source, how);
         q.end[k] = draw_coordinate(source, how);
@@ -135,10 +136,10 @@ typedef struct printed_lines {
     bool parallel;
 } printed_lines;
 
-static inline printed_lines printed_w(vbss_pair_kind kind, const vec3 x[4], double eps)
+static inline printed_lines printed_w(vbss_collision_pair_kind kind, const vec3 x[4], double eps)
 {
     printed_lines p = {.parallel = false};
-    if (kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         vec3 eb = vec3_sub(x[2], x[1]), ec = vec3_sub(x[3], x[1]), w0 = vec3_sub(x[0], x[1]);
         vec3 n = vec3_cross(eb, ec);
         double area = vec3_norm(n);
@@ -201,7 +202,7 @@ static inline printed_steps printed_crossing(const question *q, double eps, doub
     steps.time = w / (w - m * w1);
     load_at(q, steps.time, unit, x);
     printed_lines then = printed_w(q->kind, x, eps);
-    int feet = q->kind == VBSS_PAIR_POINT_TRIANGLE ? 3 : 2;
+    int feet = q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE ? 3 : 2;
     steps.hit = true;
     for (int k = 0; k < feet; k++) {
         double s = then.feet[k], inside = s < 1.0 - s ? s : 1.0 - s;

@@ -15,11 +15,13 @@ static inline vbss_collision_config config_of(const collision_query *query)
     return config;
 }
 
-static inline vbss_impact ask(const vbss_collision_config *config, const collision_query *query)
+static inline vbss_collision_impact ask(const vbss_collision_config *config,
+                                        const collision_query *query)
 {
-    vbss_impact impact;
+    vbss_collision_impact impact;
     memset(&impact, 0, sizeof impact);
-    expect_ok((query->kind == VBSS_PAIR_EDGE_EDGE ? vbss_edges_test : vbss_point_triangle_test)(
+    expect_ok((query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? vbss_collision_test_edges
+                                                            : vbss_collision_test_point_triangle)(
         config, query->start, query->end, &impact, sizeof impact));
     return impact;
 }
@@ -93,12 +95,13 @@ typedef struct score {
     double worst; /* clearance of an invented hit, as a share of D, where the set knows it */
 } score;
 
-static inline void score_add(score *s, const collision_query *query, const vbss_impact *impact)
+static inline void score_add(score *s, const collision_query *query,
+                             const vbss_collision_impact *impact)
 {
     s->queries++;
     s->hits += query->hit ? 1 : 0;
     s->missed += query->hit && !impact->hit ? 1 : 0;
-    s->undecided += impact->decision == VBSS_DECISION_UNDECIDED ? 1 : 0;
+    s->undecided += impact->decision == VBSS_COLLISION_DECISION_UNDECIDED ? 1 : 0;
     if (impact->hit && !query->hit) {
         s->invented++;
         if (query->clearance < 0.01 * query->thickness) {

@@ -280,8 +280,8 @@ void model_move(const model *m, vbss_collision *collision)
     for (uint32_t i = 0; i < m->count; i++) {
         const model_shape *s = &m->shapes[i];
         if (!s->removed) {
-            expect_ok(
-                vbss_collision_move(collision, i, &s->start[0].x, &s->end[0].x, s->node_count));
+            expect_ok(vbss_collision_set_motion(collision, i, &s->start[0].x, &s->end[0].x,
+                                                s->node_count));
         }
     }
 }

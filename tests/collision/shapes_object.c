@@ -23,7 +23,7 @@ void object_move(vbss_collision *collision, double time)
     double x[18];
     for (uint32_t shape = 0; shape < OBJECT_SHAPES; shape++) {
         place(x, nodes[shape], time, 0.3 * shape);
-        expect_ok(vbss_collision_move(collision, shape, NULL, x, nodes[shape]));
+        expect_ok(vbss_collision_set_motion(collision, shape, NULL, x, nodes[shape]));
     }
 }
 
@@ -86,7 +86,7 @@ static vbss_result call_mesh(void *c)
 static vbss_result call_move(void *c)
 {
     const double x[18] = {0.0};
-    return vbss_collision_move(c, OBJECT_CHAIN, NULL, x, 6);
+    return vbss_collision_set_motion(c, OBJECT_CHAIN, NULL, x, 6);
 }
 static vbss_result call_candidates(void *c)
 {
@@ -112,8 +112,8 @@ vbss_result object_call_restore(void *c)
 static vbss_result call_test(void *c)
 {
     const double x[12] = {0.0};
-    vbss_impact impact;
-    return vbss_collision_test(c, VBSS_PAIR_EDGE_EDGE, x, x, &impact, sizeof impact);
+    vbss_collision_impact impact;
+    return vbss_collision_test(c, VBSS_COLLISION_PAIR_EDGE_EDGE, x, x, &impact, sizeof impact);
 }
 static vbss_result call_batch(void *c)
 {

@@ -84,7 +84,7 @@ static bool meant(const model *m, const candidate *pair)
     if (a->removed || b->removed) {
         return false;
     }
-    if (pair->kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (pair->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         const uint32_t *corners = b->triangles[pair->b];
         return a != b || (!touches(corners, 3, pair->a) && far_apart(b, &pair->a, 1, corners, 3));
     }
@@ -125,7 +125,7 @@ typedef struct check {
 
 static void check_pair(check *c, const candidate *pair)
 {
-    bool edges = pair->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = pair->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     const model_shape *a = &c->m->shapes[pair->shape_a], *b = &c->m->shapes[pair->shape_b];
     candidate named = *pair;
     named.shape_a += c->first_name;
@@ -157,7 +157,7 @@ static void check_pair(check *c, const candidate *pair)
 static void check_shapes(check *c, candidate pair)
 {
     const model *m = c->m;
-    bool edges = pair.kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = pair.kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     const model_shape *a = &m->shapes[pair.shape_a];
     for (pair.a = 0; pair.a < (edges ? a->edge_count : a->node_count); pair.a++) {
         for (pair.shape_b = 0; pair.shape_b < m->count; pair.shape_b++) {
@@ -173,8 +173,8 @@ void model_check(const model *m, vbss_collision *collision, uint32_t first_name)
 {
     vbss_view view = shapes_view(collision, VBSS_COLLISION_VIEW_CANDIDATES);
     check c = {m, first_name, view.data, view.count};
-    candidate pair = {.kind = VBSS_PAIR_EDGE_EDGE};
-    for (; pair.kind <= VBSS_PAIR_POINT_TRIANGLE; pair.kind++) {
+    candidate pair = {.kind = VBSS_COLLISION_PAIR_EDGE_EDGE};
+    for (; pair.kind <= VBSS_COLLISION_PAIR_POINT_TRIANGLE; pair.kind++) {
         for (pair.shape_a = 0; pair.shape_a < m->count; pair.shape_a++) {
             check_shapes(&c, pair);
         }

@@ -6,7 +6,8 @@ static void run(harness_soak *soak)
 {
     score all = {0};
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
-        score s = degenerate_score(i / 2, (vbss_pair_kind)(i % 2), 400, 1000 + soak->seed);
+        score s =
+            degenerate_score(i / 2, (vbss_collision_pair_kind)(i % 2), 400, 1000 + soak->seed);
         all.queries += s.queries;
         all.hits += s.hits;
         all.missed += s.missed;

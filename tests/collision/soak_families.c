@@ -11,7 +11,7 @@ static void check_queries(harness_soak *soak, const collision_set *set, uint32_t
     for (uint32_t i = first; i < first + count && i < set->count; i++) {
         const collision_query *query = &set->queries[i];
         vbss_collision_config config = config_of(query);
-        vbss_impact impact = ask(&config, query);
+        vbss_collision_impact impact = ask(&config, query);
         score_add(s, query, &impact);
         bool invented = impact.hit && query->clearance > config.tolerance * query->thickness;
         if ((query->hit && !impact.hit) || invented) {

@@ -83,7 +83,7 @@ static void ask_singly(const fixture *f, vbss_collision_method method, outputs *
     for (uint32_t i = 0; i < f->batch.count; i++) {
         vbss_collision_config config;
         vbss_collision *object;
-        vbss_impact impact;
+        vbss_collision_impact impact;
         expect_ok(vbss_collision_config_init(&config, sizeof config));
         config.method = method;
         config.thickness = f->batch.thickness != NULL ? f->batch.thickness[i] : COLLISION_THICKNESS;

@@ -129,9 +129,9 @@ static void candidates_of_many_shapes(void **state)
         }
         own[1] = vec3_lerp(own[0], own[1], 0.1);
         expect_ok(vbss_collision_add_capsules(many, 1, 0.0, &name));
-        expect_ok(vbss_collision_move(many, name, &own[0].x, &own[0].x, 2));
+        expect_ok(vbss_collision_set_motion(many, name, &own[0].x, &own[0].x, 2));
     }
-    expect_ok(vbss_collision_move(one, 0, &ends[0].x, &ends[0].x, 2 * SHAPES));
+    expect_ok(vbss_collision_set_motion(one, 0, &ends[0].x, &ends[0].x, 2 * SHAPES));
     const candidate *wanted = shapes_find(one, &count);
     assert_true(count > 1000);
     uint32_t found;
@@ -154,7 +154,7 @@ static vec3 vertex(const model_shape *s, uint32_t node, double time)
 static double distance_at(const model *m, const candidate *pair, double time)
 {
     const model_shape *a = &m->shapes[pair->shape_a], *b = &m->shapes[pair->shape_b];
-    if (pair->kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (pair->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         vec3 corners[3], point = vertex(a, pair->a, time);
         double weights[3];
         for (int k = 0; k < 3; k++) {
@@ -186,9 +186,9 @@ static void what_comes_near(harness_source *source, void *user)
     model_move(&m, collision);
     const candidate *listed = shapes_find(collision, &count), *last = listed + count;
     double reach = 1.75 * MODEL_UNIT * (1.0 + m.config.tolerance) + m.config.margin;
-    candidate pair = {.kind = VBSS_PAIR_EDGE_EDGE, .shape_b = 1};
-    for (; pair.kind <= VBSS_PAIR_POINT_TRIANGLE; pair.kind++) {
-        bool edges = pair.kind == VBSS_PAIR_EDGE_EDGE;
+    candidate pair = {.kind = VBSS_COLLISION_PAIR_EDGE_EDGE, .shape_b = 1};
+    for (; pair.kind <= VBSS_COLLISION_PAIR_POINT_TRIANGLE; pair.kind++) {
+        bool edges = pair.kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
         for (pair.a = 0; pair.a < (edges ? 19u : 20u); pair.a++) {
             for (pair.b = 0; pair.b < (edges ? 33u : 18u); pair.b++) {
                 double smallest = (double)INFINITY;

@@ -97,7 +97,7 @@ static void pierce(harness_source *source, void *user)
         return;
     }
     set_vertex(&a, 1, vec3_add_scaled(where, 0.5, vec3_sub(where, from)));
-    vbss_closest c = expect_closest(&a, &b, 1e-15);
+    vbss_collision_closest c = expect_closest(&a, &b, 1e-15);
     assert_true(c.distance == 0.0 && vec3_norm(vec3_load(c.normal)) == 0.0);
     expect_near(2.0 / 3.0, c.weights_a[1], 1e-12);
     expect_near(v, c.weights_b[1], 1e-12);
@@ -115,12 +115,12 @@ static void edge_through_triangle_has_zero_distance(void **state)
 static void capsules_of(harness_source *source, void *user)
 {
     feature a, b;
-    vbss_closest axes, c;
+    vbss_collision_closest axes, c;
     draw_features(source, EDGES, *(const int *)user, &a, &b);
     double radius_a = harness_draw_real(source, 0.0, 0.5);
     double radius_b = harness_draw_real(source, 0.0, 0.5);
-    expect_ok(vbss_closest_segments(a.x, b.x, &axes, sizeof axes));
-    expect_ok(vbss_closest_capsules(a.x, radius_a, b.x, radius_b, &c, sizeof c));
+    expect_ok(vbss_collision_closest_segments(a.x, b.x, &axes, sizeof axes));
+    expect_ok(vbss_collision_closest_capsules(a.x, radius_a, b.x, radius_b, &c, sizeof c));
     expect_same_bits(axes.distance - radius_a - radius_b, c.distance);
     assert_memory_equal(axes.normal, c.normal, sizeof c.normal);
     assert_memory_equal(axes.weights_a, c.weights_a, 2 * sizeof c.weights_a);
@@ -141,10 +141,10 @@ static void capsule_distance_is_between_surfaces(void **state)
 
 /* ---- what changes nothing */
 
-static void expect_same(const vbss_closest *wanted, bool exchanged, const feature *a,
+static void expect_same(const vbss_collision_closest *wanted, bool exchanged, const feature *a,
                         const feature *b)
 {
-    vbss_closest c = expect_closest(a, b, 1e-14);
+    vbss_collision_closest c = expect_closest(a, b, 1e-14);
     double sign = exchanged ? -1.0 : 1.0;
     const double *on_a = exchanged ? c.point_b : c.point_a;
     const double *on_b = exchanged ? c.point_a : c.point_b;
@@ -169,7 +169,7 @@ static void exchanges(harness_source *source, void *user)
     feature a, b;
     kind which = (kind)harness_draw_below(source, EDGE_TRIANGLE);
     draw_features(source, which, EVENLY, &a, &b);
-    vbss_closest c = expect_closest(&a, &b, 1e-14);
+    vbss_collision_closest c = expect_closest(&a, &b, 1e-14);
     exchange(&a, 0, a.count - 1);
     expect_same(&c, false, &a, &b);
     for (int k = 0; k < b.count; k++) {

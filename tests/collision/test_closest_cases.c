@@ -31,7 +31,7 @@ static void touching_features_have_no_normal(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof meeting / sizeof meeting[0]; i++) {
         feature a = meeting[i].a;
-        vbss_closest c = expect_closest(&a, &meeting[i].b, 1e-15);
+        vbss_collision_closest c = expect_closest(&a, &meeting[i].b, 1e-15);
         assert_true(c.distance == 0.0 && c.normal[0] == 0.0 && c.normal[2] == 0.0);
         assert_memory_equal(c.point_a, c.point_b, sizeof c.point_a);
         for (int k = 0; k < a.count; k++) { /* lifted */
@@ -72,7 +72,7 @@ static void expect_refused(vbss_result wanted, const arguments *with, bool null_
 static void bad_numbers_are_rejected_without_output(void **state)
 {
     (void)state;
-    const uint32_t size = sizeof(vbss_closest);
+    const uint32_t size = sizeof(vbss_collision_closest);
     for (kind which = EDGES; which < KINDS; which++) {
         for (int i = 0; i < numbers[which][0] + numbers[which][1]; i++) {
             for (int k = 0; k < 5; k++) {
@@ -100,14 +100,15 @@ static void bad_radii_are_rejected_without_output(void **state)
     for (int i = 0; i < 4; i++) {
         vbss_result wanted = i < 2 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_NOT_FINITE;
         for (int of_b = 0; of_b < 2; of_b++) {
-            vbss_closest c, before;
+            vbss_collision_closest c, before;
             memset(&c, 0xa5, sizeof c);
             before = c;
-            expect_result(wanted, vbss_closest_capsules(x.a, of_b ? 0.5 : bad[i], x.b,
-                                                        of_b ? bad[i] : 0.5, &c, sizeof c));
+            expect_result(wanted,
+                          vbss_collision_closest_capsules(x.a, of_b ? 0.5 : bad[i], x.b,
+                                                          of_b ? bad[i] : 0.5, &c, sizeof c));
             assert_memory_equal(&c, &before, sizeof c);
             c.distance = (double)NAN;
-            expect_ok(vbss_closest_capsules(x.a, good[i % 3], x.b, 0.5, &c, sizeof c));
+            expect_ok(vbss_collision_closest_capsules(x.a, good[i % 3], x.b, 0.5, &c, sizeof c));
             assert_true(c.distance < 100.0);
         }
     }
@@ -116,10 +117,10 @@ static void bad_radii_are_rejected_without_output(void **state)
 static void answer_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t own = sizeof(vbss_closest), never[] = {4097, 0xa5a5a5a5u, UINT32_MAX};
+    const uint32_t own = sizeof(vbss_collision_closest), never[] = {4097, 0xa5a5a5a5u, UINT32_MAX};
     for (kind which = EDGES; which < KINDS; which++) {
         arguments good = good_arguments(which);
-        vbss_closest c;
+        vbss_collision_closest c;
         expect_ok(closest(which, good.a, good.b, &c, own));
         for (uint32_t size = 0; size < own; size++) {
             expect_refused(VBSS_ERROR_STRUCT_SIZE, &good, false, false, size);
@@ -147,7 +148,7 @@ static void largest_coordinates_are_answered(void **state)
                 x.a[k] = ((i * 37u) >> (k % 8) & 1u) != 0 ? 1e30 : -1e30;
                 x.b[k] = ((i * 101u + 7u) >> (k * 3 % 8) & 1u) != 0 ? 1e30 : -1e30;
             }
-            vbss_closest c;
+            vbss_collision_closest c;
             expect_ok(closest(which, x.a, x.b, &c, sizeof c));
             const double *first = &c.distance;
             for (size_t k = 0; k < (sizeof c - 8) / sizeof *first; k++) {

@@ -26,7 +26,7 @@ static double size_of(const collision_query *query)
 
 /* What is wrong with a hit that was told: a contact before its time, among some earlier times; no contact
  * at its time, or another distance. NULL: nothing. */
-static const char *wrong_time(const collision_query *query, const vbss_impact *impact,
+static const char *wrong_time(const collision_query *query, const vbss_collision_impact *impact,
                               double tolerance)
 {
     double rounding = 1e-14 * size_of(query);
@@ -58,7 +58,7 @@ static score score_set(const collision_set *set, double tolerance, bool times)
         const collision_query *query = &set->queries[i];
         vbss_collision_config config = config_of(query);
         config.tolerance = tolerance;
-        vbss_impact impact = ask(&config, query);
+        vbss_collision_impact impact = ask(&config, query);
         score_add(&s, query, &impact);
         const char *wrong = query->hit && !impact.hit ? "missed" : NULL;
         if (impact.hit && !query->hit && is_clear(query, tolerance)) {
@@ -123,10 +123,10 @@ static void no_false_negative_with_few_passes(void **state)
             const collision_query *query = &set.queries[k];
             vbss_collision_config config = config_of(query);
             config.pass_limit = 1 + k % 3;
-            vbss_impact impact = ask(&config, query);
+            vbss_collision_impact impact = ask(&config, query);
             assert_true(impact.hit || !query->hit);
             assert_true(impact.passes <= config.pass_limit);
-            undecided += impact.decision == VBSS_DECISION_UNDECIDED ? 1 : 0;
+            undecided += impact.decision == VBSS_COLLISION_DECISION_UNDECIDED ? 1 : 0;
         }
         collision_set_release(&set);
     }

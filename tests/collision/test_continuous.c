@@ -11,18 +11,18 @@ static double size_of(const collision_query *query)
     return fmax(vbss_max_abs(query->start, 12), vbss_max_abs(query->end, 12));
 }
 
-static void expect_miss(const vbss_impact *impact)
+static void expect_miss(const vbss_collision_impact *impact)
 {
-    const vbss_impact wanted = {.struct_size = sizeof wanted,
-                                .decision = impact->decision,
-                                .passes = impact->passes,
-                                .time = 1.0};
+    const vbss_collision_impact wanted = {.struct_size = sizeof wanted,
+                                          .decision = impact->decision,
+                                          .passes = impact->passes,
+                                          .time = 1.0};
     assert_memory_equal(impact, &wanted, sizeof wanted);
 }
 
 /* The point of the vertices first .. last, which are all of a feature. */
-static void expect_point(const collision_query *query, const vbss_impact *impact, int first,
-                         int last, const double reported[3])
+static void expect_point(const collision_query *query, const vbss_collision_impact *impact,
+                         int first, int last, const double reported[3])
 {
     vec3 point = vec3_zero();
     double all = 0.0;
@@ -38,10 +38,10 @@ static void expect_point(const collision_query *query, const vbss_impact *impact
     expect_near(0.0, vec3_distance(point, vec3_load(reported)), 1e-14 * size_of(query));
 }
 
-static void expect_hit(const collision_query *query, const vbss_impact *impact)
+static void expect_hit(const collision_query *query, const vbss_collision_impact *impact)
 {
     double rounding = 1e-14 * size_of(query);
-    int last_of_a = query->kind == VBSS_PAIR_EDGE_EDGE ? 1 : 0;
+    int last_of_a = query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 1 : 0;
     assert_int_equal(impact->struct_size, sizeof *impact);
     assert_int_equal(impact->hit, 1);
     assert_true(impact->time >= 0.0 && impact->time <= 1.0);
@@ -51,13 +51,14 @@ static void expect_hit(const collision_query *query, const vbss_impact *impact)
     vec3 n = vec3_load(impact->normal);
     bool none = vec3_norm(n) == 0.0;
     expect_near(none ? 0.0 : 1.0, vec3_norm(n), 1e-15);
-    if (impact->decision == VBSS_DECISION_CLAIMED) { /* by a formula that parallel edges spoil */
+    if (impact->decision ==
+        VBSS_COLLISION_DECISION_CLAIMED) { /* by a formula that parallel edges spoil */
         return;
     }
     expect_near(impact->distance, vec3_norm(apart), rounding);
     double no_direction = 1e-12 * size_of(query);
     assert_true(!none || impact->distance < no_direction);
-    if (impact->decision == VBSS_DECISION_PROVED && impact->distance > no_direction) {
+    if (impact->decision == VBSS_COLLISION_DECISION_PROVED && impact->distance > no_direction) {
         expect_near(impact->distance, vec3_dot(n, apart), rounding);
     } else { /* the last direction that proved something */
         assert_true(vec3_dot(n, apart) >= -no_direction);
@@ -65,7 +66,7 @@ static void expect_hit(const collision_query *query, const vbss_impact *impact)
 }
 
 /* CONSERVATIVE: nothing is within D at some times before that of a hit, or at all after a miss. */
-static void expect_nothing_before(const collision_query *query, const vbss_impact *impact)
+static void expect_nothing_before(const collision_query *query, const vbss_collision_impact *impact)
 {
     for (int i = 0; i <= 8 && impact->time > 0.0; i++) {
         long double t = (long double)impact->time * (i / (impact->hit ? 9.0L : 8.0L));
@@ -86,30 +87,30 @@ static void ask_set(const collision_set *set, const vbss_collision_config *confi
 {
     for (uint32_t i = 0; i < set->count; i++) {
         const collision_query *query = &set->queries[i];
-        vbss_impact impact = ask(config, query), other;
+        vbss_collision_impact impact = ask(config, query), other;
         if (impact.hit) {
             expect_hit(query, &impact);
         } else {
             expect_miss(&impact);
-            assert_true(impact.decision != VBSS_DECISION_UNDECIDED);
+            assert_true(impact.decision != VBSS_COLLISION_DECISION_UNDECIDED);
         }
-        if (config->method == VBSS_COLLISION_CONSERVATIVE) {
+        if (config->method == VBSS_COLLISION_METHOD_CONSERVATIVE) {
             expect_nothing_before(query, &impact);
         }
         expect_ok(vbss_collision_test(object, query->kind, query->start, query->end, &other,
                                       sizeof other));
-        if (impact.decision == VBSS_DECISION_UNDECIDED) {
+        if (impact.decision == VBSS_COLLISION_DECISION_UNDECIDED) {
             sum->too_long++;
         } else {
             assert_memory_equal(&impact, &other, sizeof impact);
         }
         sum->queries++;
         sum->hits += other.hit != 0;
-        sum->undecided += other.decision == VBSS_DECISION_UNDECIDED;
+        sum->undecided += other.decision == VBSS_COLLISION_DECISION_UNDECIDED;
         sum->passes += other.passes;
-        bool claimed = other.decision == VBSS_DECISION_CLAIMED;
-        assert_true(claimed == (config->method != VBSS_COLLISION_CONSERVATIVE));
-        assert_true(other.decision != VBSS_DECISION_EXACT || config->thickness == 0.0);
+        bool claimed = other.decision == VBSS_COLLISION_DECISION_CLAIMED;
+        assert_true(claimed == (config->method != VBSS_COLLISION_METHOD_CONSERVATIVE));
+        assert_true(other.decision != VBSS_COLLISION_DECISION_EXACT || config->thickness == 0.0);
     }
 }
 
@@ -128,8 +129,8 @@ static void ask_all(vbss_context *context, vbss_collision_method method, double 
         if (i < thick) {
             make_thick_set(i, 60, 31, &set);
         } else {
-            assert_true(collision_set_degenerate((i - thick) / 2, (vbss_pair_kind)((i - thick) % 2),
-                                                 100, 32, NULL, &set));
+            assert_true(collision_set_degenerate(
+                (i - thick) / 2, (vbss_collision_pair_kind)((i - thick) % 2), 100, 32, NULL, &set));
         }
         ask_set(&set, &config, object, &sum);
         collision_set_release(&set);
@@ -141,10 +142,10 @@ static void ask_all(vbss_context *context, vbss_collision_method method, double 
     assert_true(sum.hits > sum.queries / 10 && sum.hits < sum.queries);
     assert_true(sum.too_long < sum.queries / 100);
     assert_true(s.queries == sum.queries && s.hits == sum.hits && s.undecided == sum.undecided);
-    bool conservative = method == VBSS_COLLISION_CONSERVATIVE;
+    bool conservative = method == VBSS_COLLISION_METHOD_CONSERVATIVE;
     assert_true(s.passes == (conservative ? sum.passes : 0));
     assert_true((s.exact > 0) == (conservative && thickness == 0.0));
-    assert_true((s.sign_tests_ended > 0) == (method == VBSS_COLLISION_PAPER));
+    assert_true((s.sign_tests_ended > 0) == (method == VBSS_COLLISION_METHOD_VBLAST));
 }
 
 static void answers_are_complete_and_counted(void **state)
@@ -162,7 +163,7 @@ static void answers_are_complete_and_counted(void **state)
 /* ---- what an answer stands on */
 
 /* A point, as an edge or as it is, goes round the end of an edge or a corner of a triangle, 0.14 away. */
-static collision_query round_a_corner(vbss_pair_kind kind, double thickness)
+static collision_query round_a_corner(vbss_collision_pair_kind kind, double thickness)
 {
     collision_query query = {
         .kind = kind,
@@ -170,7 +171,7 @@ static collision_query round_a_corner(vbss_pair_kind kind, double thickness)
         .start = {-1, 1.2, 0, -1, 1.2, 0, 0, 0, 0, -4, 0, 0},
         .end = {1.2, -1, 0, 1.2, -1, 0, 0, 0, 0, -4, 0, 0},
     };
-    if (kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         const double triangle[9] = {0, 0, 0, -4, 0, 0, 0, -4, 0};
         memcpy(query.start + 3, triangle, sizeof triangle);
         memcpy(query.end + 3, triangle, sizeof triangle);
@@ -179,12 +180,12 @@ static collision_query round_a_corner(vbss_pair_kind kind, double thickness)
 }
 
 static void expect_answer(const collision_query *query, vbss_collision_method method,
-                          uint32_t pass_limit, int hit, vbss_decision decision)
+                          uint32_t pass_limit, int hit, vbss_collision_decision decision)
 {
     vbss_collision_config config = config_of(query);
     config.method = method;
     config.pass_limit = pass_limit;
-    vbss_impact impact = ask(&config, query);
+    vbss_collision_impact impact = ask(&config, query);
     assert_int_equal(impact.hit, hit);
     assert_int_equal(impact.decision, decision);
     assert_true(impact.passes <= pass_limit);
@@ -198,29 +199,29 @@ static void expect_answer(const collision_query *query, vbss_collision_method me
 static void answer_reports_its_certainty(void **state)
 {
     (void)state;
-    const vbss_collision_method ours = VBSS_COLLISION_CONSERVATIVE;
-    for (vbss_pair_kind kind = 0; kind < 2; kind++) {
+    const vbss_collision_method ours = VBSS_COLLISION_METHOD_CONSERVATIVE;
+    for (vbss_collision_pair_kind kind = 0; kind < 2; kind++) {
         collision_query misses = round_a_corner(kind, 0.1), hits = misses, through = misses;
         hits.thickness = 0.15;
         through.end[0] = -1.2;
-        if (kind == VBSS_PAIR_EDGE_EDGE) {
+        if (kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
             through.end[3] = -1.2;
         }
-        expect_answer(&misses, ours, 10000, 0, VBSS_DECISION_PROVED);
-        expect_answer(&misses, ours, 1, 1, VBSS_DECISION_UNDECIDED);
-        expect_answer(&hits, ours, 10000, 1, VBSS_DECISION_PROVED);
-        expect_answer(&hits, ours, 1, 1, VBSS_DECISION_UNDECIDED);
+        expect_answer(&misses, ours, 10000, 0, VBSS_COLLISION_DECISION_PROVED);
+        expect_answer(&misses, ours, 1, 1, VBSS_COLLISION_DECISION_UNDECIDED);
+        expect_answer(&hits, ours, 10000, 1, VBSS_COLLISION_DECISION_PROVED);
+        expect_answer(&hits, ours, 1, 1, VBSS_COLLISION_DECISION_UNDECIDED);
         misses.thickness = through.thickness = 0.0;
-        expect_answer(&misses, ours, 10000, 0, VBSS_DECISION_PROVED);
-        expect_answer(&through, ours, 10000, 1, VBSS_DECISION_EXACT);
+        expect_answer(&misses, ours, 10000, 0, VBSS_COLLISION_DECISION_PROVED);
+        expect_answer(&through, ours, 10000, 1, VBSS_COLLISION_DECISION_EXACT);
         for (vbss_collision_method method = 1; method < 3; method++) {
-            expect_answer(&misses, method, 10000, 0, VBSS_DECISION_CLAIMED);
+            expect_answer(&misses, method, 10000, 0, VBSS_COLLISION_DECISION_CLAIMED);
             hits.end[0] = -0.9; /* ends in contact */
             hits.end[1] = 0.1;
-            if (kind == VBSS_PAIR_EDGE_EDGE) {
+            if (kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
                 memcpy(hits.end + 3, hits.end, 3 * sizeof(double));
             }
-            expect_answer(&hits, method, 10000, 1, VBSS_DECISION_CLAIMED);
+            expect_answer(&hits, method, 10000, 1, VBSS_COLLISION_DECISION_CLAIMED);
         }
     }
 }
@@ -244,7 +245,7 @@ static void wide_magnitudes_are_decided_with_object(void **state)
     expect_ok(vbss_collision_create(context, NULL, &object));
     for (uint32_t i = 0; i < 4 * sizeof heights / sizeof heights[0]; i++) {
         /* The crossing, or the point over the triangle; some move aside with many digits. */
-        collision_query query = {.kind = (vbss_pair_kind)(i % 2)};
+        collision_query query = {.kind = (vbss_collision_pair_kind)(i % 2)};
         const double edges[12] = {-1, 0, 0, 1, 0, 0, 0.1, -1, 0, 0.1, 1, 0};
         const double triangle[12] = {0.1, 0.1, 0, -1, -1, 0, 1, -1, 0, 0, 1, 0};
         memcpy(query.start, i % 2 == 0 ? edges : triangle, sizeof edges);
@@ -255,13 +256,13 @@ static void wide_magnitudes_are_decided_with_object(void **state)
             query.end[3 * k] += i / 2 % 2 == 0 ? 0.0 : 1.0 / 3.0;
             query.start[3 * k + 1] += i / 2 % 2 == 0 ? 0.0 : 0.1;
         }
-        vbss_impact impact, pure = ask(NULL, &query);
+        vbss_collision_impact impact, pure = ask(NULL, &query);
         expect_ok(vbss_collision_test(object, query.kind, query.start, query.end, &impact,
                                       sizeof impact));
         assert_int_equal(impact.hit, heights[i / 4].hit);
-        assert_true(impact.decision == VBSS_DECISION_EXACT);
+        assert_true(impact.decision == VBSS_COLLISION_DECISION_EXACT);
         exact++;
-        if (pure.decision == VBSS_DECISION_UNDECIDED) { /* its memory is the stack */
+        if (pure.decision == VBSS_COLLISION_DECISION_UNDECIDED) { /* its memory is the stack */
             assert_int_equal(pure.hit, 1);
             undecided++;
         } else {

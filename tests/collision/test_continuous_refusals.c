@@ -7,8 +7,9 @@
 #include "shapes_model.h"
 
 typedef vbss_result (*test_fn)(const vbss_collision_config *config, const double start[12],
-                               const double end[12], vbss_impact *impact, uint32_t struct_size);
-static const test_fn tests_of[2] = {vbss_edges_test, vbss_point_triangle_test};
+                               const double end[12], vbss_collision_impact *impact,
+                               uint32_t struct_size);
+static const test_fn tests_of[2] = {vbss_collision_test_edges, vbss_collision_test_point_triangle};
 
 /* a0 a1 b0 b1; the same vertices are a point and a triangle. */
 static const double start_x[12] = {-1, 0, 1, 1, 0.25, 1, 0.125, -1, 0, 0, 1, 0.125};
@@ -31,10 +32,10 @@ static vbss_result config_init(void *config, uint32_t struct_size)
 
 static vbss_result ask_both(vbss_context *context, const void *config)
 {
-    vbss_impact impact;
+    vbss_collision_impact impact;
     (void)context;
-    VBSS_TRY(vbss_edges_test(config, start_x, end_x, &impact, sizeof impact));
-    return vbss_point_triangle_test(config, start_x, end_x, &impact, sizeof impact);
+    VBSS_TRY(vbss_collision_test_edges(config, start_x, end_x, &impact, sizeof impact));
+    return vbss_collision_test_point_triangle(config, start_x, end_x, &impact, sizeof impact);
 }
 
 static void config_size_protocol(void **state)
@@ -45,7 +46,7 @@ static void config_size_protocol(void **state)
     harness_config_protocol(&protocol);
     const vbss_collision_config config = defaults(0.0);
     for (int kind = 0; kind < 2; kind++) { /* none is the defaults */
-        vbss_impact with, without;
+        vbss_collision_impact with, without;
         expect_ok(tests_of[kind](&config, start_x, end_x, &with, sizeof with));
         expect_ok(tests_of[kind](NULL, start_x, end_x, &without, sizeof without));
         assert_memory_equal(&with, &without, sizeof with);
@@ -57,15 +58,15 @@ static vbss_result ask_with(size_t offset, const void *value, size_t size)
 {
     vbss_collision_config config = defaults(0.125);
     memcpy((char *)&config + offset, value, size);
-    vbss_impact impact, before;
+    vbss_collision_impact impact, before;
     memset(&impact, 0xa5, sizeof impact);
     before = impact;
-    vbss_result result = vbss_edges_test(&config, start_x, end_x, &impact, sizeof impact);
+    vbss_result result = vbss_collision_test_edges(&config, start_x, end_x, &impact, sizeof impact);
     if (result != VBSS_OK) {
         assert_memory_equal(&impact, &before, sizeof impact);
     }
-    expect_result(result,
-                  vbss_point_triangle_test(&config, start_x, end_x, &impact, sizeof impact));
+    expect_result(result, vbss_collision_test_point_triangle(&config, start_x, end_x, &impact,
+                                                             sizeof impact));
     return result;
 }
 
@@ -121,8 +122,8 @@ static void expect_refused(vbss_result wanted, const asked *a)
     if (a->object != NULL) {
         counted = shapes_statistics(a->object);
     }
-    for (vbss_pair_kind kind = 0; kind < 2; kind++) {
-        vbss_impact *impact = (void *)out;
+    for (vbss_collision_pair_kind kind = 0; kind < 2; kind++) {
+        vbss_collision_impact *impact = (void *)out;
         expect_result(wanted, a->object != NULL
                                   ? vbss_collision_test(a->object, kind, a->start, a->end, impact,
                                                         a->struct_size)
@@ -138,8 +139,8 @@ static void expect_refused(vbss_result wanted, const asked *a)
 static void expect_all_refused(vbss_collision *object)
 {
     double x[12];
-    const asked bad_start = {object, x, end_x, sizeof(vbss_impact)};
-    const asked bad_end = {object, start_x, x, sizeof(vbss_impact)};
+    const asked bad_start = {object, x, end_x, sizeof(vbss_collision_impact)};
+    const asked bad_end = {object, start_x, x, sizeof(vbss_collision_impact)};
     for (int i = 0; i < 60; i++) {
         double large = i % 2 == 0 ? 1.01e30 : -DBL_MAX;
         memcpy(x, start_x, sizeof x);
@@ -148,9 +149,11 @@ static void expect_all_refused(vbss_collision *object)
         expect_refused(wanted, &bad_start);
         expect_refused(wanted, &bad_end);
     }
-    expect_refused(VBSS_ERROR_NULL_ARGUMENT, &(asked){object, NULL, end_x, sizeof(vbss_impact)});
-    expect_refused(VBSS_ERROR_NULL_ARGUMENT, &(asked){object, start_x, NULL, sizeof(vbss_impact)});
-    for (uint32_t size = 0; size < sizeof(vbss_impact); size++) {
+    expect_refused(VBSS_ERROR_NULL_ARGUMENT,
+                   &(asked){object, NULL, end_x, sizeof(vbss_collision_impact)});
+    expect_refused(VBSS_ERROR_NULL_ARGUMENT,
+                   &(asked){object, start_x, NULL, sizeof(vbss_collision_impact)});
+    for (uint32_t size = 0; size < sizeof(vbss_collision_impact); size++) {
         expect_refused(VBSS_ERROR_STRUCT_SIZE, &(asked){object, start_x, end_x, size});
     }
     expect_refused(VBSS_ERROR_STRUCT_SIZE, &(asked){object, start_x, end_x, UINT32_MAX});
@@ -160,7 +163,7 @@ static void host_mode_does_not_change_impacts(void **state)
 {
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
-        vbss_impact wanted, found;
+        vbss_collision_impact wanted, found;
         expect_ok(tests_of[kind](NULL, start_x, end_x, &wanted, sizeof wanted));
         for (size_t k = 0; k < harness_mode_count; k++) {
             harness_mode_set(k);
@@ -178,22 +181,23 @@ static void bad_query_is_rejected_without_output_or_count(void **state)
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     vbss_collision *object;
-    vbss_impact impact;
+    vbss_collision_impact impact;
     expect_ok(vbss_collision_create(context, NULL, &object));
     expect_all_refused(NULL);
     expect_all_refused(object);
     const uint32_t size = sizeof impact;
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_edges_test(NULL, start_x, end_x, NULL, size));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT,
+                  vbss_collision_test_edges(NULL, start_x, end_x, NULL, size));
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
                   vbss_collision_test(object, 0, start_x, end_x, NULL, size));
-    for (vbss_pair_kind kind = -1; kind < 4; kind += 3) {
+    for (vbss_collision_pair_kind kind = -1; kind < 4; kind += 3) {
         expect_result(VBSS_ERROR_OUT_OF_RANGE,
                       vbss_collision_test(object, kind, start_x, end_x, &impact, size));
     }
     unsigned char out[512];
     memset(out, 0xff, sizeof out); /* a newer header: zeros beyond what is known */
-    expect_ok(vbss_edges_test(NULL, start_x, end_x, (void *)out, 300));
-    expect_ok(vbss_edges_test(NULL, start_x, end_x, &impact, size));
+    expect_ok(vbss_collision_test_edges(NULL, start_x, end_x, (void *)out, 300));
+    expect_ok(vbss_collision_test_edges(NULL, start_x, end_x, &impact, size));
     assert_memory_equal(out, &impact, size);
     for (uint32_t i = size; i < sizeof out; i++) {
         assert_int_equal(out[i], i < 300 ? 0 : 0xff);
@@ -210,12 +214,12 @@ typedef struct listener {
 static void listen(void *user, vbss_log_level level, const char *message)
 {
     listener *l = user;
-    vbss_impact impact;
+    vbss_collision_impact impact;
     (void)level;
     (void)message;
     if (l->heard++ == 0) { /* what it is refused is logged, too */
         l->counted = vbss_collision_test(l->object, 0, start_x, end_x, &impact, sizeof impact);
-        l->pure = vbss_edges_test(NULL, start_x, end_x, &impact, sizeof impact);
+        l->pure = vbss_collision_test_edges(NULL, start_x, end_x, &impact, sizeof impact);
     }
 }
 
@@ -228,7 +232,7 @@ static void counting_test_inside_callback_is_rejected(void **state)
     config.log = listen;
     config.log_user = &l;
     vbss_context *context;
-    vbss_impact impact;
+    vbss_collision_impact impact;
     expect_ok(vbss_context_create(&config, &context));
     expect_ok(vbss_collision_create(context, NULL, &l.object));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,

@@ -13,13 +13,13 @@ static void degenerate_sets_match_oracle_at_any_pass_limit(void **state)
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
         collision_set set;
-        assert_true(
-            collision_set_degenerate(i / 2, (vbss_pair_kind)(i % 2), 100, 2, oracle_meets, &set));
+        assert_true(collision_set_degenerate(i / 2, (vbss_collision_pair_kind)(i % 2), 100, 2,
+                                             oracle_meets, &set));
         for (uint32_t k = 0; k < set.count; k++) {
             const collision_query *query = &set.queries[k];
             vbss_collision_config config = config_of(query);
             config.pass_limit = 1 + k % 4;
-            vbss_impact impact = ask(&config, query);
+            vbss_collision_impact impact = ask(&config, query);
             if (degenerate_wrong(query, &impact) != NULL) {
                 print_query(degenerate_wrong(query, &impact), query);
                 fail_msg("with %u passes", config.pass_limit);

@@ -40,8 +40,8 @@ static void expect_truth(const collision_query *query, exact_result reported)
 static void make_set(uint32_t which, uint32_t count, uint64_t seed, collision_oracle oracle,
                      collision_set *set)
 {
-    assert_true(
-        collision_set_degenerate(which / 2, (vbss_pair_kind)(which % 2), count, seed, oracle, set));
+    assert_true(collision_set_degenerate(which / 2, (vbss_collision_pair_kind)(which % 2), count,
+                                         seed, oracle, set));
 }
 
 static void degenerate_sets_are_decided_correctly(void **state)
@@ -137,7 +137,7 @@ static double any_coordinate(harness_source *source)
 static void any_numbers(harness_source *source, void *user)
 {
     uint64_t *hits = user;
-    collision_query query = {.kind = (vbss_pair_kind)harness_draw_below(source, 2)};
+    collision_query query = {.kind = (vbss_collision_pair_kind)harness_draw_below(source, 2)};
     uint32_t axes = 1 + harness_draw_below(source, 3);
     for (uint32_t i = 0; i < 12; i++) {
         double start = any_coordinate(source), end = any_coordinate(source);
@@ -177,7 +177,7 @@ static collision_relative_motion relative_of(const collision_query *query)
 static bool claims_truly(const collision_query *query, double t)
 {
     collision_relative_motion m = relative_of(query);
-    if (!vbss_collision_certifies_crossing(&m, query->kind == VBSS_PAIR_EDGE_EDGE, t)) {
+    if (!vbss_collision_certifies_crossing(&m, query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE, t)) {
         return false;
     }
     if (!oracle_meets(query) || (t + 1e-6 < 1.0 && !oracle_meets_before(query, t + 1e-6))) {
@@ -231,7 +231,7 @@ static void draw_near(harness_source *source, collision_query *query, double *wh
     double border = (double)harness_draw_below(source, 2);
     double first = in_time ? harness_draw_real(source, 0.1, 0.4) : border + hair;
     double second = harness_draw_real(source, 0.1, 0.4), t = in_time ? border + hair : 0.5;
-    bool edges = query->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     if (!edges && !in_time && border == 1.0) { /* of the three, the border where they sum to 1 */
         first = 1.0 - second + hair;
     }
@@ -257,7 +257,7 @@ static void draw_near(harness_source *source, collision_query *query, double *wh
 static void near_crossings(harness_source *source, void *user)
 {
     uint64_t *claimed = user;
-    collision_query query = {.kind = (vbss_pair_kind)harness_draw_below(source, 2)};
+    collision_query query = {.kind = (vbss_collision_pair_kind)harness_draw_below(source, 2)};
     double t;
     draw_near(source, &query, &t);
     claimed[0] += claims_truly(&query, t);

@@ -4,13 +4,13 @@
 
 #include "harness/harness.h"
 
-static vbss_impact ask(double thickness, const double start[12], const double end[12])
+static vbss_collision_impact ask(double thickness, const double start[12], const double end[12])
 {
     vbss_collision_config config;
-    vbss_impact impact;
+    vbss_collision_impact impact;
     expect_ok(vbss_collision_config_init(&config, sizeof config));
     config.thickness = thickness;
-    expect_ok(vbss_edges_test(&config, start, end, &impact, sizeof impact));
+    expect_ok(vbss_collision_test_edges(&config, start, end, &impact, sizeof impact));
     return impact;
 }
 
@@ -52,16 +52,16 @@ static void an_answer_without_thickness_has_no_unit(harness_source *source, void
         start[i] = (double)harness_draw_below(source, 5) - 2.0;
         end[i] = (double)harness_draw_below(source, 5) - 2.0;
     }
-    vbss_impact wanted = ask(0.0, start, end);
+    vbss_collision_impact wanted = ask(0.0, start, end);
     for (size_t u = 0; u < sizeof units / sizeof units[0]; u++) {
         double s[12], e[12];
         for (int i = 0; i < 12; i++) {
             s[i] = units[u] * start[i];
             e[i] = units[u] * end[i];
         }
-        vbss_impact got = ask(0.0, s, e);
+        vbss_collision_impact got = ask(0.0, s, e);
         assert_int_equal(wanted.hit, got.hit);
-        assert_true(got.decision != VBSS_DECISION_UNDECIDED);
+        assert_true(got.decision != VBSS_COLLISION_DECISION_UNDECIDED);
     }
 }
 
@@ -90,9 +90,9 @@ static void crossing_at(harness_source *source, void *user)
         vec3_store(start + 6 + 3 * (size_t)k, vec3_add_scaled(at, when, n));
         vec3_store(end + 6 + 3 * (size_t)k, vec3_add_scaled(at, when - 1.0, n));
     }
-    vbss_impact impact = ask(0.0, start, end);
+    vbss_collision_impact impact = ask(0.0, start, end);
     assert_int_equal(impact.hit, 1);
-    assert_int_equal(impact.decision, VBSS_DECISION_EXACT);
+    assert_int_equal(impact.decision, VBSS_COLLISION_DECISION_EXACT);
     assert_true(impact.time <= when + 1e-13);
     expect_near(when, impact.time, 1e-11);
     assert_true(impact.distance < 1e-12);
@@ -121,7 +121,7 @@ static void turning_at(harness_source *source, void *user)
         start[i] = harness_draw_real(source, -1.0, 1.0);
         end[i] = harness_draw_real(source, -1.0, 1.0);
     }
-    vbss_impact impact = ask(0.0, start, end);
+    vbss_collision_impact impact = ask(0.0, start, end);
     if (impact.hit != 0) {
         t->hits++;
         t->far += impact.distance > 1e-12;
@@ -152,8 +152,8 @@ static void spread(harness_source *source, void *user)
     double tiny =
         harness_draw_real(source, 1.0, 2.0) * 0x1p-196; /* 2 has bit 1, the last is -248 */
     *(place < 12 ? &start[place] : &end[place - 12]) = tiny;
-    vbss_impact impact = ask(0.0, start, end);
-    assert_true(impact.decision != VBSS_DECISION_UNDECIDED);
+    vbss_collision_impact impact = ask(0.0, start, end);
+    assert_true(impact.decision != VBSS_COLLISION_DECISION_UNDECIDED);
     *hits += impact.hit != 0;
 }
 

@@ -16,9 +16,9 @@ static void compare_capsules(harness_source *source, void *user)
 {
     capsule_pair_kind kind = *(const capsule_pair_kind *)user;
     capsule_pair pair = draw_capsule_pair(source, kind);
-    vbss_closest closest;
-    expect_ok(vbss_closest_capsules(pair.vertices, pair.radius_a, pair.vertices + 6, pair.radius_b,
-                                    &closest, sizeof closest));
+    vbss_collision_closest closest;
+    expect_ok(vbss_collision_closest_capsules(pair.vertices, pair.radius_a, pair.vertices + 6,
+                                              pair.radius_b, &closest, sizeof closest));
     double theirs =
         fcl_capsules_distance(pair.vertices, pair.radius_a, pair.vertices + 6, pair.radius_b);
     if (kind == CAPSULES_LEANING) {
@@ -41,8 +41,8 @@ static void capsule_distances_match(void **state)
 static double segment_to_triangle(const double a[3], const double b[3], const double triangle[9])
 {
     const double segment[6] = {a[0], a[1], a[2], b[0], b[1], b[2]};
-    vbss_closest closest;
-    expect_ok(vbss_closest_segment_triangle(segment, triangle, &closest, sizeof closest));
+    vbss_collision_closest closest;
+    expect_ok(vbss_collision_closest_segment_triangle(segment, triangle, &closest, sizeof closest));
     return closest.distance;
 }
 
@@ -62,7 +62,7 @@ static double by_edges(const double a[9], const double b[9])
 static double by_features(const double a[9], const double b[9])
 {
     double smallest = (double)INFINITY;
-    vbss_closest closest;
+    vbss_collision_closest closest;
     for (size_t i = 0; i < 3; i++) {
         for (size_t j = 0; j < 3; j++) {
             double edges[2][6];
@@ -72,12 +72,13 @@ static double by_features(const double a[9], const double b[9])
                 edges[1][k] = b[3 * j + k];
                 edges[1][k + 3] = b[3 * ((j + 1) % 3) + k];
             }
-            expect_ok(vbss_closest_segments(edges[0], edges[1], &closest, sizeof closest));
+            expect_ok(
+                vbss_collision_closest_segments(edges[0], edges[1], &closest, sizeof closest));
             smallest = fmin(smallest, closest.distance);
         }
-        expect_ok(vbss_closest_point_triangle(a + 3 * i, b, &closest, sizeof closest));
+        expect_ok(vbss_collision_closest_point_triangle(a + 3 * i, b, &closest, sizeof closest));
         smallest = fmin(smallest, closest.distance);
-        expect_ok(vbss_closest_point_triangle(b + 3 * i, a, &closest, sizeof closest));
+        expect_ok(vbss_collision_closest_point_triangle(b + 3 * i, a, &closest, sizeof closest));
         smallest = fmin(smallest, closest.distance);
     }
     return smallest;
@@ -134,16 +135,17 @@ static void segment_triangle_distances_match(void **state)
 
 /* ---- motion */
 
-static vbss_impact test_pair(vbss_pair_kind kind, const double start[12], const double end[12],
-                             double thickness)
+static vbss_collision_impact test_pair(vbss_collision_pair_kind kind, const double start[12],
+                                       const double end[12], double thickness)
 {
     vbss_collision_config config;
-    vbss_impact impact;
+    vbss_collision_impact impact;
     expect_ok(vbss_collision_config_init(&config, sizeof config));
     config.thickness = thickness;
-    expect_ok(kind == VBSS_PAIR_EDGE_EDGE
-                  ? vbss_edges_test(&config, start, end, &impact, sizeof impact)
-                  : vbss_point_triangle_test(&config, start, end, &impact, sizeof impact));
+    expect_ok(
+        kind == VBSS_COLLISION_PAIR_EDGE_EDGE
+            ? vbss_collision_test_edges(&config, start, end, &impact, sizeof impact)
+            : vbss_collision_test_point_triangle(&config, start, end, &impact, sizeof impact));
     return impact;
 }
 
@@ -152,7 +154,7 @@ static vbss_impact test_pair(vbss_pair_kind kind, const double start[12], const 
 #define FCL_NEAR 1e-6
 
 typedef struct counts {
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     uint32_t theirs, ours, wrong;
 } counts;
 
@@ -164,14 +166,14 @@ static void compare_moving_features(harness_source *source, void *user)
         vec3_store(start + 3 * k, harness_draw_vec3(source, -1.0, 1.0));
         vec3_store(end + 3 * k, harness_draw_vec3(source, -1.0, 1.0));
     }
-    vbss_impact exact = test_pair(c->kind, start, end, 0.0);
+    vbss_collision_impact exact = test_pair(c->kind, start, end, 0.0);
     c->ours += exact.hit == 1;
     if (!fcl_features_meet(c->kind, start, end, &time)) {
         return; /* its known error: it misses */
     }
     c->theirs++;
     c->wrong += exact.hit == 0;
-    vbss_impact near = test_pair(c->kind, start, end, FCL_NEAR);
+    vbss_collision_impact near = test_pair(c->kind, start, end, FCL_NEAR);
     assert_int_equal(near.hit, 1);
     assert_true(near.time <= time + 1e-6);
 }
@@ -179,12 +181,13 @@ static void compare_moving_features(harness_source *source, void *user)
 static void moving_feature_hits_match(void **state)
 {
     (void)state;
-    for (int kind = VBSS_PAIR_EDGE_EDGE; kind <= VBSS_PAIR_POINT_TRIANGLE; kind++) {
+    for (int kind = VBSS_COLLISION_PAIR_EDGE_EDGE; kind <= VBSS_COLLISION_PAIR_POINT_TRIANGLE;
+         kind++) {
         counts c = {.kind = kind};
         harness_property("moving features", 2000, compare_moving_features, &c);
         print_message("%s: FCL tells %u hits, %u of them near misses; we tell %u\n",
-                      kind == VBSS_PAIR_EDGE_EDGE ? "edges" : "point and triangle", c.theirs,
-                      c.wrong, c.ours);
+                      kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? "edges" : "point and triangle",
+                      c.theirs, c.wrong, c.ours);
     }
 }
 
@@ -201,7 +204,8 @@ static void compare_shifted_capsules(harness_source *source, void *user)
     }
     /* libccd decides at its instants, so its blur is FCL's. */
     double thickness = pair.radius_a + pair.radius_b + LIBCCD_BLUR;
-    vbss_impact impact = test_pair(VBSS_PAIR_EDGE_EDGE, pair.vertices, end, thickness);
+    vbss_collision_impact impact =
+        test_pair(VBSS_COLLISION_PAIR_EDGE_EDGE, pair.vertices, end, thickness);
     c->ours += impact.hit == 1;
     if (fcl_shifted_capsules_meet(pair.vertices, end, pair.radius_a, pair.radius_b, 50, &time)) {
         c->theirs++;

@@ -13,7 +13,7 @@ typedef struct fixture {
 static void question(const model *m, const candidate *pair, double start[12], double end[12])
 {
     const model_shape *a = &m->shapes[pair->shape_a], *b = &m->shapes[pair->shape_b];
-    bool edges = pair->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = pair->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     uint32_t split = edges ? 2 : 1;
     for (uint32_t k = 0; k < 4; k++) {
         const model_shape *s = k < split ? a : b;
@@ -26,15 +26,16 @@ static void question(const model *m, const candidate *pair, double start[12], do
     }
 }
 
-static vbss_impact ask(const model *m, const candidate *pair)
+static vbss_collision_impact ask(const model *m, const candidate *pair)
 {
     double start[12], end[12];
-    vbss_impact impact;
+    vbss_collision_impact impact;
     vbss_collision_config config = m->config;
     config.thickness =
         m->shapes[pair->shape_a].radius + m->shapes[pair->shape_b].radius + m->config.thickness;
     question(m, pair, start, end);
-    expect_ok((pair->kind == VBSS_PAIR_EDGE_EDGE ? vbss_edges_test : vbss_point_triangle_test)(
+    expect_ok((pair->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? vbss_collision_test_edges
+                                                           : vbss_collision_test_point_triangle)(
         &config, start, end, &impact, sizeof impact));
     return impact;
 }
@@ -54,7 +55,8 @@ static uint32_t number(vbss_collision *collision, vbss_collision_field field, ui
     return ((const uint32_t *)view.data)[i];
 }
 
-static void expect_impact(vbss_collision *collision, uint64_t i, const vbss_impact *wanted)
+static void expect_impact(vbss_collision *collision, uint64_t i,
+                          const vbss_collision_impact *wanted)
 {
     expect_same_bits(wanted->time, *reals(collision, VBSS_COLLISION_VIEW_TIMES, i));
     expect_same_bits(wanted->distance, *reals(collision, VBSS_COLLISION_VIEW_DISTANCES, i));
@@ -75,11 +77,11 @@ static uint32_t compare_impacts(const model *m, vbss_collision *collision)
     const candidate *listed = shapes_find(collision, &count);
     expect_ok(vbss_collision_find_impacts(collision));
     for (uint32_t i = 0; i < count; i++) {
-        vbss_impact wanted = ask(m, &listed[i]);
+        vbss_collision_impact wanted = ask(m, &listed[i]);
         if (wanted.hit != 0) {
             assert_int_equal(number(collision, VBSS_COLLISION_VIEW_IMPACTS, hits), i);
             expect_impact(collision, hits, &wanted);
-            undecided += wanted.decision == VBSS_DECISION_UNDECIDED;
+            undecided += wanted.decision == VBSS_COLLISION_DECISION_UNDECIDED;
             hits++;
         }
     }
@@ -171,8 +173,8 @@ static void scene_with_both_feature_kinds_is_tested(void **state)
         vbss_collision_statistics s = shapes_statistics(scene.collision);
         const candidate *listed = shapes_view(scene.collision, VBSS_COLLISION_VIEW_CANDIDATES).data;
         assert_true(s.impacts > 0 && s.candidates > 100);
-        assert_int_equal(listed[0].kind, VBSS_PAIR_EDGE_EDGE);
-        assert_int_equal(listed[s.candidates - 1].kind, VBSS_PAIR_POINT_TRIANGLE);
+        assert_int_equal(listed[0].kind, VBSS_COLLISION_PAIR_EDGE_EDGE);
+        assert_int_equal(listed[s.candidates - 1].kind, VBSS_COLLISION_PAIR_POINT_TRIANGLE);
         hits += s.impacts;
         assert_true(s.hits == hits);
     }

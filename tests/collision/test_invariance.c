@@ -38,7 +38,7 @@ static void translate(collision_query *query, double amount)
 /* The ends of a, of b, or of both; of a triangle the corners in turn, or two of them. */
 static void reorder(collision_query *query, double amount)
 {
-    bool edges = query->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     if (amount != 2.0) {
         exchange_vertices(query, edges ? 0 : 1, edges ? 1 : 2);
     }
@@ -50,7 +50,7 @@ static void reorder(collision_query *query, double amount)
 static void swap_pair(collision_query *query, double amount)
 {
     (void)amount;
-    if (query->kind == VBSS_PAIR_EDGE_EDGE) {
+    if (query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
         exchange_pair(query);
     }
 }
@@ -124,7 +124,7 @@ static bool is_open(const collision_query *query, double tolerance)
 static void expect_unchanged(const collision_query *query)
 {
     vbss_collision_config config = config_of(query);
-    vbss_impact first = ask(&config, query);
+    vbss_collision_impact first = ask(&config, query);
     if (query->thickness > 0.0 && is_open(query, config.tolerance)) {
         return;
     }
@@ -135,7 +135,7 @@ static void expect_unchanged(const collision_query *query)
         collision_query other = *query;
         changes[i].apply(&other, changes[i].amount);
         config.thickness = other.thickness;
-        vbss_impact impact = ask(&config, &other);
+        vbss_collision_impact impact = ask(&config, &other);
         if (impact.hit != first.hit) {
             print_query(changes[i].name, query);
             fail_msg("%s: %d became %d", changes[i].name, first.hit, impact.hit);
@@ -162,7 +162,8 @@ static void invariance_without_thickness(void **state)
     (void)state;
     for (uint32_t i = 0; i < 2 * collision_degenerate_count; i++) {
         collision_set set;
-        assert_true(collision_set_degenerate(i / 2, (vbss_pair_kind)(i % 2), 200, 22, NULL, &set));
+        assert_true(collision_set_degenerate(i / 2, (vbss_collision_pair_kind)(i % 2), 200, 22,
+                                             NULL, &set));
         for (uint32_t k = 0; k < set.count; k++) {
             expect_unchanged(&set.queries[k]); /* as they are: moved only where that is exact */
             each_coordinate(&set.queries[k], rounded, 0x1p-34);

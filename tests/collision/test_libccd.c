@@ -13,14 +13,14 @@
 static void compare_overlap(harness_source *source, void *user)
 {
     capsule_pair pair = draw_capsule_pair(source, *(const capsule_pair_kind *)user);
-    vbss_closest closest;
-    expect_ok(vbss_closest_capsules(pair.vertices, pair.radius_a, pair.vertices + 6, pair.radius_b,
-                                    &closest, sizeof closest));
+    vbss_collision_closest closest;
+    expect_ok(vbss_collision_closest_capsules(pair.vertices, pair.radius_a, pair.vertices + 6,
+                                              pair.radius_b, &closest, sizeof closest));
     if (fabs(closest.distance) <= LIBCCD_BLUR) {
         return; /* its known error: nearer than this GJK's rounding decides */
     }
     libccd_hull a, b;
-    libccd_features(VBSS_PAIR_EDGE_EDGE, pair.vertices, 0.0, &a, &b);
+    libccd_features(VBSS_COLLISION_PAIR_EDGE_EDGE, pair.vertices, 0.0, &a, &b);
     a.radius = pair.radius_a;
     b.radius = pair.radius_b;
     assert_int_equal(libccd_meet(&a, &b), closest.distance < 0.0);
@@ -44,8 +44,8 @@ enum { QUERIES = 300 };
 static void check_between(const collision_query *q, const vbss_collision_config *config)
 {
     libccd_hull a, b, difference;
-    vbss_impact impact;
-    expect_ok(vbss_edges_test(config, q->start, q->end, &impact, sizeof impact));
+    vbss_collision_impact impact;
+    expect_ok(vbss_collision_test_edges(config, q->start, q->end, &impact, sizeof impact));
     for (int end = 0; end < 2; end++) {
         libccd_features(q->kind, end ? q->end : q->start, q->thickness - LIBCCD_BLUR, &a, &b);
         if (libccd_meet(&a, &b)) {

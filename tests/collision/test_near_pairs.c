@@ -121,9 +121,9 @@ static void lips_touch_except_near_tips(void **state)
         find(&f);
         for (uint32_t k = 1; k < 8; k++) {
             uint32_t around = k < 8 - k ? 2 * k : 16 - 2 * k, across = k < 5 ? 2 * k : 17 - 2 * k;
-            const candidate edges = {VBSS_PAIR_EDGE_EDGE, 0, edge_of(s, 20 + k, 21 + k), 0,
-                                     edge_of(s, 39 + k, 40 + k)};
-            const candidate point = {VBSS_PAIR_POINT_TRIANGLE, 0, 39 + k, 0, 19 + 2 * k};
+            const candidate edges = {VBSS_COLLISION_PAIR_EDGE_EDGE, 0, edge_of(s, 20 + k, 21 + k),
+                                     0, edge_of(s, 39 + k, 40 + k)};
+            const candidate point = {VBSS_COLLISION_PAIR_POINT_TRIANGLE, 0, 39 + k, 0, 19 + 2 * k};
             assert_int_equal(lists(&f, edges), around >= distances[i]);
             assert_int_equal(lists(&f, point), across >= distances[i]);
         }
@@ -207,9 +207,10 @@ static void path_distance_is_symmetric(void **state)
     for (int near = 0; near < 2; near++) {
         near_leave_out(&f, 0, at, near != 0 ? there : back);
         expect_ok(vbss_collision_find_candidates(f.collision));
-        const candidate from_first = {VBSS_PAIR_POINT_TRIANGLE, 0, 0, 0, 3};
-        const candidate from_last = {VBSS_PAIR_POINT_TRIANGLE, 0, 3, 0, 4};
-        const candidate edges = {VBSS_PAIR_EDGE_EDGE, 0, edge_of(s, 0, 7), 0, edge_of(s, 3, 5)};
+        const candidate from_first = {VBSS_COLLISION_PAIR_POINT_TRIANGLE, 0, 0, 0, 3};
+        const candidate from_last = {VBSS_COLLISION_PAIR_POINT_TRIANGLE, 0, 3, 0, 4};
+        const candidate edges = {VBSS_COLLISION_PAIR_EDGE_EDGE, 0, edge_of(s, 0, 7), 0,
+                                 edge_of(s, 3, 5)};
         assert_int_equal(lists(&f, from_first), near == 0);
         assert_int_equal(lists(&f, from_last), near == 0);
         assert_int_equal(lists(&f, edges), near == 0);

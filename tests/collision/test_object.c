@@ -144,7 +144,7 @@ static void *pass_allocate(void *user, uint64_t size, uint64_t alignment)
 static void release_and_hash(void *user, void *block, uint64_t size, uint64_t alignment)
 {
     watcher *w = user;
-    w->inner.release(w->inner.allocator_user, block, size, alignment);
+    w->inner.deallocate(w->inner.allocator_user, block, size, alignment);
     if (w->collision != NULL) {
         w->hash = object_hash(w->collision);
     }
@@ -159,7 +159,7 @@ static void shape_is_removed_before_its_memory(void **state)
     expect_ok(vbss_context_config_init(&config, sizeof config));
     w.inner = harness_watched_config(&w.memory);
     config.allocate = pass_allocate;
-    config.release = release_and_hash;
+    config.deallocate = release_and_hash;
     config.allocator_user = &w;
     expect_ok(vbss_context_create(&config, &context));
     vbss_collision *collision = w.collision = object_make(context, NULL);

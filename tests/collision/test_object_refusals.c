@@ -163,23 +163,25 @@ static void bad_moves_are_rejected(void **state)
             double good[18] = {0.0};
             vbss_result wanted = k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE;
             x[i] = k < 3 ? harness_bad_numbers[k] : k == 3 ? 1.01e30 : -DBL_MAX;
-            unchanged(&f, wanted, vbss_collision_move(c, OBJECT_CHAIN, NULL, x, 6), hash);
-            unchanged(&f, wanted, vbss_collision_move(c, OBJECT_CHAIN, x, good, 6), hash);
-            unchanged(&f, wanted, vbss_collision_move(c, OBJECT_CHAIN, good, x, 6), hash);
+            unchanged(&f, wanted, vbss_collision_set_motion(c, OBJECT_CHAIN, NULL, x, 6), hash);
+            unchanged(&f, wanted, vbss_collision_set_motion(c, OBJECT_CHAIN, x, good, 6), hash);
+            unchanged(&f, wanted, vbss_collision_set_motion(c, OBJECT_CHAIN, good, x, 6), hash);
         }
         x[i] = i % 2 == 0 ? 1e30 : -1e30;
     }
     const uint32_t none[] = {OBJECT_SHAPES, 77, UINT32_MAX}, nodes[] = {0, 5, 7, UINT32_MAX};
     for (int i = 0; i < 3; i++) {
-        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_move(c, none[i], NULL, x, 6), hash);
+        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_set_motion(c, none[i], NULL, x, 6),
+                  hash);
         unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_remove(c, none[i]), hash);
         unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_get_edge(c, none[i], 0, NULL), hash);
     }
     for (int i = 0; i < 4; i++) {
-        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_move(c, 0, NULL, x, nodes[i]), hash);
+        unchanged(&f, VBSS_ERROR_OUT_OF_RANGE, vbss_collision_set_motion(c, 0, NULL, x, nodes[i]),
+                  hash);
     }
-    unchanged(&f, VBSS_ERROR_NULL_ARGUMENT, vbss_collision_move(c, 0, x, NULL, 6), hash);
-    expect_ok(vbss_collision_move(c, OBJECT_CHAIN, x, x, 6)); /* the largest there are */
+    unchanged(&f, VBSS_ERROR_NULL_ARGUMENT, vbss_collision_set_motion(c, 0, x, NULL, 6), hash);
+    expect_ok(vbss_collision_set_motion(c, OBJECT_CHAIN, x, x, 6)); /* the largest there are */
     assert_true(object_hash(c) != hash);
     uint32_t count;
     shapes_find(c, &count);
@@ -199,7 +201,7 @@ static void snapshot_with_bad_coordinates_is_rejected(void **state)
         double x[2][18] = {{0.0}};
         uint64_t at = 0;
         x[i / 18][i % 18] = mark;
-        expect_ok(vbss_collision_move(f.collision, OBJECT_CAPSULES, x[0], x[1], 6));
+        expect_ok(vbss_collision_set_motion(f.collision, OBJECT_CAPSULES, x[0], x[1], 6));
         expect_ok(vbss_collision_find_candidates(f.collision));
         hash = object_hash(f.collision);
         expect_ok(vbss_collision_save(f.collision, bytes, sizeof bytes, &count));

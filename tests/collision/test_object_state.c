@@ -155,7 +155,7 @@ static void snapshot_of_other_config_is_rejected(void **state)
         expect_refused(&f, object_make(f.context, &config), bytes, count);
     }
     config = kept;
-    config.method = VBSS_COLLISION_PAPER;
+    config.method = VBSS_COLLISION_METHOD_VBLAST;
     expect_refused(&f, object_make(f.context, &config), bytes, count);
     config = kept;
     config.pass_limit--;
@@ -227,7 +227,7 @@ static void hash_covers_all_state(void **state)
     seen[count++] = object_hash(f.collision);
     for (int i = 0; i < 36; i++) {
         x[i / 18][i % 18] = 1e-9;
-        expect_ok(vbss_collision_move(f.collision, OBJECT_CAPSULES, x[0], x[1], 6));
+        expect_ok(vbss_collision_set_motion(f.collision, OBJECT_CAPSULES, x[0], x[1], 6));
         seen[count++] = object_hash(f.collision);
     }
     expect_ok(vbss_collision_find_candidates(f.collision));

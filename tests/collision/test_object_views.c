@@ -6,10 +6,11 @@ static void view_dimensions(void **state)
 {
     (void)state;
     static const struct {
-        vbss_type type;
+        vbss_view_type type;
         uint32_t components;
-    } wanted[] = {{VBSS_TYPE_U32, 5}, {VBSS_TYPE_U32, 1}, {VBSS_TYPE_F64, 1}, {VBSS_TYPE_F64, 3},
-                  {VBSS_TYPE_F64, 4}, {VBSS_TYPE_U32, 1}, {VBSS_TYPE_F64, 1}};
+    } wanted[] = {{VBSS_VIEW_TYPE_U32, 5}, {VBSS_VIEW_TYPE_U32, 1}, {VBSS_VIEW_TYPE_F64, 1},
+                  {VBSS_VIEW_TYPE_F64, 3}, {VBSS_VIEW_TYPE_F64, 4}, {VBSS_VIEW_TYPE_U32, 1},
+                  {VBSS_VIEW_TYPE_F64, 1}};
     object_fixture f;
     object_begin(&f);
     vbss_collision_statistics s = shapes_statistics(f.collision);
@@ -20,7 +21,7 @@ static void view_dimensions(void **state)
         assert_int_equal(view.type, wanted[field].type);
         assert_int_equal(view.components, wanted[field].components);
         assert_true(view.stride_bytes >=
-                    wanted[field].components * (view.type == VBSS_TYPE_F64 ? 8u : 4u));
+                    wanted[field].components * (view.type == VBSS_VIEW_TYPE_F64 ? 8u : 4u));
         assert_int_equal(view.count,
                          field == VBSS_COLLISION_VIEW_CANDIDATES ? s.candidates : s.impacts);
         assert_non_null(view.data);

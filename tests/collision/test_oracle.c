@@ -8,12 +8,12 @@
 typedef struct known_case {
     const char *name;
     bool hit;
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     double start[12], end[12];
 } known_case;
 
-#define EE VBSS_PAIR_EDGE_EDGE
-#define VF VBSS_PAIR_POINT_TRIANGLE
+#define EE VBSS_COLLISION_PAIR_EDGE_EDGE
+#define VF VBSS_COLLISION_PAIR_POINT_TRIANGLE
 #define REST_1 -1, 0, 0, 1, 0, 0
 #define REST_5 -2.5, 0, 0, 2.5, 0, 0
 
@@ -198,7 +198,7 @@ static void draw_query(harness_source *source, collision_query *query)
     vbss_random random;
     collision_motion motion;
     vbss_random_seed(&random, harness_draw_u64(source), 1);
-    vbss_pair_kind kind = harness_draw_below(source, 2) == 0 ? EE : VF;
+    vbss_collision_pair_kind kind = harness_draw_below(source, 2) == 0 ? EE : VF;
     collision_make_any(&random, kind, &motion);
     collision_query_fill(query, kind, 0.0, &motion);
 }

@@ -1,4 +1,4 @@
-/* Method PAPER against hand-computed cases and against the algorithm as printed. What it misses and
+/* Method VBLAST against hand-computed cases and against the algorithm as printed. What it misses and
  * invents: test_counter_examples.c. */
 #include <stdlib.h>
 
@@ -18,7 +18,7 @@ static void expect_vector(double x, double y, double z, const double got[3])
 }
 
 static void expect_weights(double first, double second, double third, double fourth,
-                           const vbss_impact *i)
+                           const vbss_collision_impact *i)
 {
     const double wanted[4] = {first, second, third, fourth};
     for (int k = 0; k < 4; k++) {
@@ -30,10 +30,11 @@ static void crossing_edges_hit_at_linear_time(void **state)
 {
     (void)state;
     /* b, along y above x = 0.5, sinks from 3 to -1. */
-    question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, .5, -1, 3, .5, 3, 3}, {EDGE, .5, -1, -1, .5, 3, -1}};
-    reported t = ask(VBSS_COLLISION_PAPER, 0.0, &q);
+    question q = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, .5, -1, 3, .5, 3, 3}, {EDGE, .5, -1, -1, .5, 3, -1}};
+    reported t = ask(VBSS_COLLISION_METHOD_VBLAST, 0.0, &q);
     assert_int_equal(1, t.impact.hit);
-    assert_int_equal(VBSS_DECISION_CLAIMED, t.impact.decision);
+    assert_int_equal(VBSS_COLLISION_DECISION_CLAIMED, t.impact.decision);
     assert_int_equal(1, t.impact.passes);
     assert_int_equal(0, t.counters.sign_tests_ended);
     expect_near(0.75, t.impact.time, 1e-15);
@@ -45,7 +46,7 @@ static void crossing_edges_hit_at_linear_time(void **state)
 
     question below = exchanged(&q, 0, 2);
     below = exchanged(&below, 1, 3); /* a is b */
-    t = ask(VBSS_COLLISION_PAPER, 0.0, &below);
+    t = ask(VBSS_COLLISION_METHOD_VBLAST, 0.0, &below);
     expect_near(0.75, t.impact.time, 1e-15);
     expect_vector(0, 0, -1, t.impact.normal);
 }
@@ -53,8 +54,9 @@ static void crossing_edges_hit_at_linear_time(void **state)
 static void parallel_edges_use_start_point_of_a(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, -3, 2, 0, 0, 2, 0}, {EDGE, -3, -2, 0, 0, -2, 0}};
-    reported t = ask(VBSS_COLLISION_PAPER, 0.0, &q);
+    question q = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, -3, 2, 0, 0, 2, 0}, {EDGE, -3, -2, 0, 0, -2, 0}};
+    reported t = ask(VBSS_COLLISION_METHOD_VBLAST, 0.0, &q);
     assert_int_equal(1, t.impact.hit);
     expect_near(0.5, t.impact.time, 1e-15);
     expect_vector(0, 1, 0, t.impact.normal);
@@ -62,7 +64,7 @@ static void parallel_edges_use_start_point_of_a(void **state)
     /* Called parallel, so the cross product, here along z, is not asked for the normal. */
     q.start[10] += 1e-4;
     q.end[10] += 1e-4;
-    t = ask(VBSS_COLLISION_PAPER, 0.0, &q);
+    t = ask(VBSS_COLLISION_METHOD_VBLAST, 0.0, &q);
     assert_int_equal(1, t.impact.hit);
     expect_near(1.0, t.impact.normal[1], 1e-7);
 }
@@ -71,10 +73,12 @@ static void end_distance_test_comes_first_and_is_strict(void **state)
 {
     (void)state;
     /* Through a, and stopped 0.25 beyond it: step (ii) would say 0.8. */
-    question q = {
-        VBSS_PAIR_EDGE_EDGE, {EDGE, .5, -1, 1, .5, 3, 1}, {EDGE, .5, -1, -.25, .5, 3, -.25}};
-    expect_near(0.8, ask(VBSS_COLLISION_PAPER, 0.25, &q).impact.time, 1e-15); /* not below D */
-    reported t = ask(VBSS_COLLISION_PAPER, 0.5, &q);
+    question q = {VBSS_COLLISION_PAIR_EDGE_EDGE,
+                  {EDGE, .5, -1, 1, .5, 3, 1},
+                  {EDGE, .5, -1, -.25, .5, 3, -.25}};
+    expect_near(0.8, ask(VBSS_COLLISION_METHOD_VBLAST, 0.25, &q).impact.time,
+                1e-15); /* not below D */
+    reported t = ask(VBSS_COLLISION_METHOD_VBLAST, 0.5, &q);
     assert_int_equal(1, t.impact.hit);
     assert_true(t.impact.time == 1.0);
     assert_int_equal(0, t.impact.passes);
@@ -87,10 +91,11 @@ static void end_distance_uses_edges_when_foot_is_outside(void **state)
 {
     (void)state;
     /* Lines cross at x = 1.5, 0.5 beyond a's end. */
-    question q = {
-        VBSS_PAIR_EDGE_EDGE, {EDGE, 1.5, -1, 2, 1.5, 3, 2}, {EDGE, 1.5, -1, 0, 1.5, 3, 0}};
-    assert_int_equal(0, ask(VBSS_COLLISION_PAPER, 0.5, &q).impact.hit);
-    reported t = ask(VBSS_COLLISION_PAPER, 0.625, &q);
+    question q = {VBSS_COLLISION_PAIR_EDGE_EDGE,
+                  {EDGE, 1.5, -1, 2, 1.5, 3, 2},
+                  {EDGE, 1.5, -1, 0, 1.5, 3, 0}};
+    assert_int_equal(0, ask(VBSS_COLLISION_METHOD_VBLAST, 0.5, &q).impact.hit);
+    reported t = ask(VBSS_COLLISION_METHOD_VBLAST, 0.625, &q);
     assert_int_equal(1, t.impact.hit);
     expect_near(0.5, t.impact.distance, 1e-15);
     expect_vector(1, 0, 0, t.impact.normal);
@@ -100,18 +105,22 @@ static void end_distance_uses_edges_when_foot_is_outside(void **state)
 static void early_sign_rejections_are_counted(void **state)
 {
     (void)state;
-    question approach = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, 1, 0, 1, 1}};
-    question point = {VBSS_PAIR_POINT_TRIANGLE, {.5, .5, 3, TRIANGLE}, {.5, .5, 1, TRIANGLE}};
+    question approach = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, 1, 0, 1, 1}};
+    question point = {
+        VBSS_COLLISION_PAIR_POINT_TRIANGLE, {.5, .5, 3, TRIANGLE}, {.5, .5, 1, TRIANGLE}};
     /* Crosses the plane beside the triangle, so it is the inside test that ends this one. */
-    question beside = {VBSS_PAIR_POINT_TRIANGLE, {2, 2, 3, TRIANGLE}, {2, 2, -1, TRIANGLE}};
-    question onto = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, 0, 0, 1, 0}};
+    question beside = {
+        VBSS_COLLISION_PAIR_POINT_TRIANGLE, {2, 2, 3, TRIANGLE}, {2, 2, -1, TRIANGLE}};
+    question onto = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, 0, 0, 1, 0}};
     const question *asked[] = {&approach, &point, &beside, &onto};
     const uint64_t ended[] = {1, 1, 0, 1}, ended_thick[] = {1, 1, 0, 0};
     for (int k = 0; k < 4; k++) {
-        reported thin = ask(VBSS_COLLISION_PAPER, 0.0, asked[k]);
+        reported thin = ask(VBSS_COLLISION_METHOD_VBLAST, 0.0, asked[k]);
         assert_int_equal(0, thin.impact.hit);
         assert_int_equal(ended[k], thin.counters.sign_tests_ended);
-        reported thick = ask(VBSS_COLLISION_PAPER, 0.25, asked[k]);
+        reported thick = ask(VBSS_COLLISION_METHOD_VBLAST, 0.25, asked[k]);
         assert_int_equal(k == 3, thick.impact.hit);
         assert_int_equal(ended_thick[k], thick.counters.sign_tests_ended);
     }
@@ -120,22 +129,24 @@ static void early_sign_rejections_are_counted(void **state)
 static void point_triangle_test_is_analogous(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_POINT_TRIANGLE, {.5, .5, 3, TRIANGLE}, {.5, .5, -1, TRIANGLE}};
-    reported t = ask(VBSS_COLLISION_PAPER, 0.5, &q);
+    question q = {
+        VBSS_COLLISION_PAIR_POINT_TRIANGLE, {.5, .5, 3, TRIANGLE}, {.5, .5, -1, TRIANGLE}};
+    reported t = ask(VBSS_COLLISION_METHOD_VBLAST, 0.5, &q);
     assert_int_equal(1, t.impact.hit);
     expect_near(0.75, t.impact.time, 1e-15);
     expect_near(0.0, t.impact.distance, 1e-15);
     expect_vector(0, 0, -1, t.impact.normal); /* from the point to the triangle */
     expect_weights(1, .5, .25, .25, &t.impact);
     expect_vector(.5, .5, 0, t.impact.point_b);
-    t = ask(VBSS_COLLISION_PAPER, 1.5, &q);
+    t = ask(VBSS_COLLISION_METHOD_VBLAST, 1.5, &q);
     assert_true(t.impact.time == 1.0);
     expect_near(1.0, t.impact.distance, 1e-15);
     expect_vector(0, 0, 1, t.impact.normal);
     /* Beside it at the end: the closest corner counts. */
-    question out = {VBSS_PAIR_POINT_TRIANGLE, {-3, -4, 9, TRIANGLE}, {-3, -4, 0, TRIANGLE}};
-    assert_int_equal(0, ask(VBSS_COLLISION_PAPER, 5.0, &out).impact.hit);
-    t = ask(VBSS_COLLISION_PAPER, 5.5, &out);
+    question out = {
+        VBSS_COLLISION_PAIR_POINT_TRIANGLE, {-3, -4, 9, TRIANGLE}, {-3, -4, 0, TRIANGLE}};
+    assert_int_equal(0, ask(VBSS_COLLISION_METHOD_VBLAST, 5.0, &out).impact.hit);
+    t = ask(VBSS_COLLISION_METHOD_VBLAST, 5.5, &out);
     assert_int_equal(1, t.impact.hit);
     expect_near(5.0, t.impact.distance, 1e-15);
     expect_weights(1, 1, 0, 0, &t.impact);
@@ -148,7 +159,7 @@ static double printed_distance_at_end(const question *q, double eps)
     vec3 x[4];
     load_at(q, 1.0, 1.0, x);
     printed_lines last = printed_w(q->kind, x, eps);
-    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     bool inside = true;
     for (int k = 0; k < (edges ? 2 : 3); k++) {
         inside = inside && last.feet[k] >= 0.0 && last.feet[k] <= 1.0;
@@ -167,7 +178,7 @@ static void does_what_is_printed(harness_source *source, void *user)
 {
     uint32_t *compared = user;
     question q = draw_question(source, DRAWN_EVENLY);
-    vbss_collision_config config = rules_for(VBSS_COLLISION_PAPER, 0.0);
+    vbss_collision_config config = rules_for(VBSS_COLLISION_METHOD_VBLAST, 0.0);
     double thickness = harness_draw_below(source, 2) != 0 ? harness_draw_real(source, 0, .5) : 0.0;
     const double units[] = {1.0, 1e-3, 25.4e-3, 1e3};
     config.paper_unit = units[harness_draw_below(source, 4)];
@@ -208,7 +219,8 @@ static void answers_are_whole(harness_source *source, void *user)
     (void)user;
     question q =
         draw_question(source, harness_draw_below(source, 2) != 0 ? DRAWN_WILD : DRAWN_INTEGERS);
-    vbss_collision_config config = rules_for(VBSS_COLLISION_PAPER, harness_draw_below(source, 3));
+    vbss_collision_config config =
+        rules_for(VBSS_COLLISION_METHOD_VBLAST, harness_draw_below(source, 3));
     const double constants[] = {0.0, 1e-6, 1.0};
     config.paper_parallel = constants[harness_draw_below(source, 3)];
     ask_with(&config, &q);
@@ -219,8 +231,9 @@ static void degenerate_features_give_no_nan(void **state)
     (void)state;
     harness_property("paper answers are whole", 20000, answers_are_whole, NULL);
     /* At right angles, called parallel: w has no length that could be told. */
-    question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, -3, 0, 1, -3}};
-    vbss_collision_config config = rules_for(VBSS_COLLISION_PAPER, 0.25);
+    question q = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, -3, 0, 1, -3}};
+    vbss_collision_config config = rules_for(VBSS_COLLISION_METHOD_VBLAST, 0.25);
     config.paper_unit = 1e3;
     assert_int_equal(0, ask_with(&config, &q).impact.hit);
 }

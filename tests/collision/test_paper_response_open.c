@@ -7,18 +7,21 @@
 
 static const double equal[4] = {1, 1, 1, 1};
 
-static vbss_response respond(const question *q, const vbss_impact *impact, const double masses[4])
+static vbss_collision_response respond(const question *q, const vbss_collision_impact *impact,
+                                       const double masses[4])
 {
-    vbss_response r;
-    expect_ok(vbss_paper_response(q->kind, VBSS_RESPONSE_END_OF_STEP, impact, q->start, q->end, D,
-                                  masses, &r, sizeof r));
-    expect_finite(r.direction, (int)((sizeof r - offsetof(vbss_response, direction)) / 8));
+    vbss_collision_response r;
+    expect_ok(vbss_collision_get_vblast_response(q->kind, VBSS_COLLISION_RESPONSE_END_OF_STEP,
+                                                 impact, q->start, q->end, D, masses, &r,
+                                                 sizeof r));
+    expect_finite(r.direction,
+                  (int)((sizeof r - offsetof(vbss_collision_response, direction)) / 8));
     expect_near(1.0, vec3_norm(vec3_load(r.direction)), 1e-15);
     return r;
 }
 
 static void expect_open(double x, double y, double z, double depth, double share,
-                        const vbss_response *r)
+                        const vbss_collision_response *r)
 {
     assert_int_equal(1, r->completed);
     expect_near(x, r->direction[0], 1e-15);
@@ -32,16 +35,17 @@ static void masses_share_without_closing_motion(void **state)
 {
     (void)state;
     question rests = {
-        VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, .1, 0, 1, .1}, {EDGE, 0, -1, .1, 0, 1, .1}};
-    question slides = {
-        VBSS_PAIR_EDGE_EDGE, {EDGE, -.5, -1, .1, -.5, 1, .1}, {EDGE, 0, -1, .1, 0, 1, .1}};
-    question together = {VBSS_PAIR_EDGE_EDGE,
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, .1, 0, 1, .1}, {EDGE, 0, -1, .1, 0, 1, .1}};
+    question slides = {VBSS_COLLISION_PAIR_EDGE_EDGE,
+                       {EDGE, -.5, -1, .1, -.5, 1, .1},
+                       {EDGE, 0, -1, .1, 0, 1, .1}};
+    question together = {VBSS_COLLISION_PAIR_EDGE_EDGE,
                          {EDGE, 0, -1, .1, 0, 1, .1},
                          {-1, 0, .7, 1, 0, .7, 0, -1, .8, 0, 1, .8}};
     const double masses[4] = {3, 3, 1, 1};
     const question *asked[] = {&rests, &slides, &together};
     for (int k = 0; k < 3; k++) {
-        vbss_response r = respond(asked[k], NULL, masses);
+        vbss_collision_response r = respond(asked[k], NULL, masses);
         expect_open(0, 0, -1, D - .1, .75, &r);
         expect_near(-.75 * (D - .1), r.displacement[2], 1e-15);
         expect_near(.25 * (D - .1), r.displacement[8], 1e-15);
@@ -51,14 +55,17 @@ static void masses_share_without_closing_motion(void **state)
 static void touching_features_return_to_start_positions(void **state)
 {
     (void)state;
-    question edges = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, -1, 0, 1, -1}, {EDGE, 0, -1, 0, 0, 1, 0}};
-    vbss_response r = respond(&edges, NULL, equal);
+    question edges = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, -1, 0, 1, -1}, {EDGE, 0, -1, 0, 0, 1, 0}};
+    vbss_collision_response r = respond(&edges, NULL, equal);
     expect_open(0, 0, 1, D, 0, &r);
-    question point = {VBSS_PAIR_POINT_TRIANGLE, {.5, .5, 1, TRIANGLE}, {.5, .5, 0, TRIANGLE}};
+    question point = {
+        VBSS_COLLISION_PAIR_POINT_TRIANGLE, {.5, .5, 1, TRIANGLE}, {.5, .5, 0, TRIANGLE}};
     r = respond(&point, NULL, equal);
     expect_open(0, 0, 1, D, 1, &r);
     /* In one plane at all times: no w, but closest points at the start. */
-    question flat = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, 1, 0, 0, 3, 0}, {EDGE, 0, -1, 0, 0, 1, 0}};
+    question flat = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, 1, 0, 0, 3, 0}, {EDGE, 0, -1, 0, 0, 1, 0}};
     r = respond(&flat, NULL, equal);
     expect_open(0, -1, 0, D, 0, &r);
 }
@@ -66,22 +73,25 @@ static void touching_features_return_to_start_positions(void **state)
 static void features_touching_twice_use_fallback_normal(void **state)
 {
     (void)state;
-    question q = {
-        VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 0, 0, 1, 0}, {-1, 0, .5, 1, 0, .5, 0, -1, .5, 0, 1, .5}};
-    vbss_impact hit = ask(VBSS_COLLISION_PAPER, D, &q).impact;
+    question q = {VBSS_COLLISION_PAIR_EDGE_EDGE,
+                  {EDGE, 0, -1, 0, 0, 1, 0},
+                  {-1, 0, .5, 1, 0, .5, 0, -1, .5, 0, 1, .5}};
+    vbss_collision_impact hit = ask(VBSS_COLLISION_METHOD_VBLAST, D, &q).impact;
     assert_int_equal(1, hit.hit);
     hit.normal[0] = .6;
     hit.normal[1] = 0.0;
     hit.normal[2] = .8;
-    vbss_response r = respond(&q, &hit, equal);
+    vbss_collision_response r = respond(&q, &hit, equal);
     expect_open(-.6, 0, -.8, D, .5, &r);
     r = respond(&q, NULL, equal); /* the normal of both; its sign is free as nothing closes */
     expect_open(0, 0, 1, D, .5, &r);
-    question apart = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 0, 0, 1, 0}, {EDGE, 0, -1, 0, 0, 1, 0}};
+    question apart = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 0, 0, 1, 0}, {EDGE, 0, -1, 0, 0, 1, 0}};
     apart.end[2] = apart.end[5] = 1e-14; /* too little to say where, enough to say who closes in */
     r = respond(&apart, NULL, equal);
     expect_open(0, 0, -1, D, 1, &r);
-    question along = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, 0, 0, 2, 0, 0}, {EDGE, 0, 0, 0, 2, 0, 0}};
+    question along = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, 0, 0, 2, 0, 0}, {EDGE, 0, 0, 0, 2, 0, 0}};
     r = respond(&along, NULL, equal);
     assert_int_equal(1, r.completed);
     expect_near(0.0, r.direction[0], 0.0); /* any normal */
@@ -91,37 +101,40 @@ static void features_touching_twice_use_fallback_normal(void **state)
 static void coincident_points_separate(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_EDGE_EDGE, {0}, {0}};
+    question q = {VBSS_COLLISION_PAIR_EDGE_EDGE, {0}, {0}};
     expect_near(D, respond(&q, NULL, equal).depth, 0.0);
-    q.kind = VBSS_PAIR_POINT_TRIANGLE;
+    q.kind = VBSS_COLLISION_PAIR_POINT_TRIANGLE;
     expect_near(D, respond(&q, NULL, equal).depth, 0.0);
     q.start[2] = 1.0; /* the point falls on a triangle without area */
-    vbss_response r = respond(&q, NULL, equal);
+    vbss_collision_response r = respond(&q, NULL, equal);
     expect_open(0, 0, 1, D, 1, &r);
 }
 
 static void edges_turned_by_right_angle_count_as_uncrossed(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, .1, -1, 0, .1, 1}};
-    vbss_response r = respond(&q, NULL, equal);
+    question q = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, .1, -1, 0, .1, 1}};
+    vbss_collision_response r = respond(&q, NULL, equal);
     expect_open(0, -1, 0, D - .1, 0, &r);
 }
 
 static void separated_features_are_unchanged(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, -1, .5, 0, 1, .5}};
-    vbss_response r = respond(&q, NULL, equal);
+    question q = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, -1, .5, 0, 1, .5}};
+    vbss_collision_response r = respond(&q, NULL, equal);
     expect_open(0, 0, -1, 0, 0, &r);
 }
 
 static void other_side_moves_at_held_vertex(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 1, 0, 1, 1, 2, 1}, {EDGE, 1, 0, -.1, 1, 2, -.1}};
+    question q = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 1, 0, 1, 1, 2, 1}, {EDGE, 1, 0, -.1, 1, 2, -.1}};
     const double held[4] = {1, 1, 0, 1}, both_held[4] = {1, 0, 0, 1};
-    vbss_response r = respond(&q, NULL, held); /* b moved, but it cannot be put back */
+    vbss_collision_response r = respond(&q, NULL, held); /* b moved, but it cannot be put back */
     expect_open(0, 0, -1, D + .1, 1, &r);
     expect_near(-(D + .1), r.displacement[5], 1e-15);
     r = respond(&q, NULL, both_held);
@@ -140,11 +153,11 @@ static void other_side_moves_at_held_vertex(void **state)
 static void degenerate_triangle_has_no_plane(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_POINT_TRIANGLE,
+    question q = {VBSS_COLLISION_PAIR_POINT_TRIANGLE,
                   {-1, -1, 0, 0, 0, 0, .1, .2, .3, .3, .6, .9},
                   {-.1, -.1, 0, 0, 0, 0, .1, .2, .3, .3, .6, .9}};
     assert_true(.2 * .9 != .3 * .6);
-    vbss_response r = respond(&q, NULL, equal);
+    vbss_collision_response r = respond(&q, NULL, equal);
     expect_open(-sqrt(.5), -sqrt(.5), 0, D - .1 * sqrt(2.0), 1, &r);
 }
 
@@ -170,9 +183,9 @@ static void degenerate_features_give_no_nan(void **state)
 /* ---- refusals */
 
 typedef struct call {
-    vbss_pair_kind kind;
-    vbss_response_variant variant;
-    const vbss_impact *impact;
+    vbss_collision_pair_kind kind;
+    vbss_collision_response_variant variant;
+    const vbss_collision_impact *impact;
     const double *start, *end;
     double thickness;
     const double *masses;
@@ -181,27 +194,29 @@ typedef struct call {
 
 static void expect_refused(vbss_result wanted, call c)
 {
-    vbss_response r, untouched;
+    vbss_collision_response r, untouched;
     memset(&r, 0x55, sizeof r);
     memcpy(&untouched, &r, sizeof r);
-    expect_result(wanted, vbss_paper_response(c.kind, c.variant, c.impact, c.start, c.end,
-                                              c.thickness, c.masses, &r, c.size));
+    expect_result(wanted,
+                  vbss_collision_get_vblast_response(c.kind, c.variant, c.impact, c.start, c.end,
+                                                     c.thickness, c.masses, &r, c.size));
     assert_memory_equal(&untouched, &r, sizeof r);
 }
 
 static void bad_arguments_are_rejected(void **state)
 {
     (void)state;
-    question q = {VBSS_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, -1, -.1, 0, 1, -.1}};
-    vbss_impact hit = ask(VBSS_COLLISION_PAPER, 0.0, &q).impact;
-    const call good = {q.kind, VBSS_RESPONSE_TIME_OF_IMPACT, &hit, q.start, q.end, D,
-                       equal,  sizeof(vbss_response)};
-    vbss_response r;
-    expect_ok(vbss_paper_response(good.kind, good.variant, good.impact, good.start, good.end, D,
-                                  good.masses, &r, good.size));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_paper_response(good.kind, good.variant, good.impact, good.start, good.end, D,
-                                      good.masses, NULL, good.size));
+    question q = {
+        VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 1, 0, 1, 1}, {EDGE, 0, -1, -.1, 0, 1, -.1}};
+    vbss_collision_impact hit = ask(VBSS_COLLISION_METHOD_VBLAST, 0.0, &q).impact;
+    const call good = {q.kind, VBSS_COLLISION_RESPONSE_TIME_OF_IMPACT, &hit, q.start, q.end, D,
+                       equal,  sizeof(vbss_collision_response)};
+    vbss_collision_response r;
+    expect_ok(vbss_collision_get_vblast_response(good.kind, good.variant, good.impact, good.start,
+                                                 good.end, D, good.masses, &r, good.size));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_collision_get_vblast_response(
+                                                good.kind, good.variant, good.impact, good.start,
+                                                good.end, D, good.masses, NULL, good.size));
 #define REFUSED(wanted, field, value) \
     do {                              \
         call c = good;                \
@@ -216,7 +231,7 @@ static void bad_arguments_are_rejected(void **state)
     REFUSED(VBSS_ERROR_NULL_ARGUMENT, masses, NULL);
     REFUSED(VBSS_ERROR_OUT_OF_RANGE, thickness, -1e-9);
     REFUSED(VBSS_ERROR_NOT_FINITE, thickness, (double)NAN);
-    REFUSED(VBSS_ERROR_STRUCT_SIZE, size, sizeof(vbss_response) - 8);
+    REFUSED(VBSS_ERROR_STRUCT_SIZE, size, sizeof(vbss_collision_response) - 8);
     double numbers[12], far[12] = {1.1e30};
     for (int k = 0; k < 3; k++) {
         memcpy(numbers, q.end, sizeof numbers);
@@ -229,7 +244,7 @@ static void bad_arguments_are_rejected(void **state)
     const double none[4] = {0}, negative[4] = {1, 1, -1, 1};
     REFUSED(VBSS_ERROR_OUT_OF_RANGE, masses, none);
     REFUSED(VBSS_ERROR_OUT_OF_RANGE, masses, negative);
-    vbss_impact bad[7];
+    vbss_collision_impact bad[7];
     for (int k = 0; k < 7; k++) {
         bad[k] = hit;
     }

@@ -7,7 +7,7 @@ enum { MAX_COUNT = 400, STRIDE = MAX_COUNT + 5 };
 /* Columns of questions; rows are `stride` apart, at most STRIDE. */
 typedef struct table {
     uint32_t count;
-    vbss_pair_kind kind;
+    vbss_collision_pair_kind kind;
     size_t stride;
     double start[12 * STRIDE], end[12 * STRIDE], thickness[STRIDE];
     collision_ccd_query single[MAX_COUNT]; /* the same */
@@ -164,8 +164,8 @@ static void make_set(uint32_t which, uint64_t seed, collision_set *set)
         return;
     }
     which -= thick_set_count();
-    assert_true(collision_set_degenerate(which / 2, (vbss_pair_kind)(which % 2), MAX_COUNT / 2,
-                                         seed, NULL, set));
+    assert_true(collision_set_degenerate(which / 2, (vbss_collision_pair_kind)(which % 2),
+                                         MAX_COUNT / 2, seed, NULL, set));
 }
 
 static void batched_rows_match_in_every_set(void **state)
@@ -201,7 +201,7 @@ static void batched_rows_match_at_any_pass_limit(void **state)
         collision_set set;
         make_set(i, 42, &set);
         for (int k = 0; k < 8; k++) {
-            collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, limits[k]);
+            collision_ccd_options rules = rules_of(VBSS_COLLISION_METHOD_CONSERVATIVE, limits[k]);
             make_table(&set, 50 * (uint32_t)k, 97, 97, k % 2 != 0);
             add(&all, expect_same(&rules));
         }
@@ -215,7 +215,7 @@ static void underflowing_products_are_decided(void **state)
 {
     (void)state;
     collision_counters all = {0};
-    collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
+    collision_ccd_options rules = rules_of(VBSS_COLLISION_METHOD_CONSERVATIVE, 10000);
     for (uint32_t i = thick_set_count(); i < set_count(); i++) {
         collision_set set;
         make_set(i, 45, &set);
@@ -233,7 +233,7 @@ static void underflowing_products_are_decided(void **state)
 static void many_slow_pairs_converge(void **state)
 {
     (void)state;
-    collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
+    collision_ccd_options rules = rules_of(VBSS_COLLISION_METHOD_CONSERVATIVE, 10000);
     rules.tolerance = 1e-9;
     collision_set picked;
     assert_true(collision_set_begin(&picked, "slow", MAX_COUNT));
@@ -262,7 +262,7 @@ static void many_slow_pairs_converge(void **state)
 static void any_number_of_queries_and_outputs(void **state)
 {
     (void)state;
-    collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
+    collision_ccd_options rules = rules_of(VBSS_COLLISION_METHOD_CONSERVATIVE, 10000);
     for (uint32_t i = 0; i < set_count(); i++) {
         collision_set set;
         make_set(i, 44, &set);

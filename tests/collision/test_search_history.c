@@ -185,9 +185,9 @@ static void removed_and_added_again(harness_source *source, void *user)
     for (uint32_t i = 0; i < shapes; i++) {
         const model_shape *s = &f.m.shapes[i];
         expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                      vbss_collision_move(collision, i, NULL, &s->end[0].x, s->node_count));
-        expect_ok(vbss_collision_move(collision, shapes + i, &s->start[0].x, &s->end[0].x,
-                                      s->node_count));
+                      vbss_collision_set_motion(collision, i, NULL, &s->end[0].x, s->node_count));
+        expect_ok(vbss_collision_set_motion(collision, shapes + i, &s->start[0].x, &s->end[0].x,
+                                            s->node_count));
     }
     shapes_find(collision, &count);
     model_check(&f.m, collision, shapes);
@@ -216,8 +216,8 @@ static void moves_go_on_where_they_ended(harness_source *source, void *user)
                 vec3 displacement = harness_draw_vec3(source, -4.0 * MODEL_UNIT, 4.0 * MODEL_UNIT);
                 f.m.shapes[k].end[node] = vec3_add(f.m.shapes[k].end[node], displacement);
             }
-            expect_ok(vbss_collision_move(on, k, NULL, &f.m.shapes[k].end[0].x,
-                                          f.m.shapes[k].node_count));
+            expect_ok(vbss_collision_set_motion(on, k, NULL, &f.m.shapes[k].end[0].x,
+                                                f.m.shapes[k].node_count));
         }
         model_move(&f.m, reported);
         shapes_find(on, &count);

@@ -92,7 +92,7 @@ static void search(fixture *f)
 static double distance_of(const fixture *f, const collision_candidate *q, double time)
 {
     const collision_shape *a = f->object->shapes[q->shape_a], *b = f->object->shapes[q->shape_b];
-    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     vec3 x[4];
     double at[3];
     for (uint32_t k = 0; k < 4; k++) {

@@ -153,7 +153,7 @@ static void families_match_their_names(void **state)
         uint32_t hits = 0;
         for (uint32_t k = 0; k < set.count; k++) {
             hits += set.queries[k].hit ? 1 : 0;
-            assert_int_equal(set.queries[k].kind, VBSS_PAIR_POINT_TRIANGLE);
+            assert_int_equal(set.queries[k].kind, VBSS_COLLISION_PAIR_POINT_TRIANGLE);
         }
         assert_in_range(hits, COUNT / 25, COUNT * 3 / 4);
         collision_set_release(&set);
@@ -199,7 +199,7 @@ typedef struct shares {
     uint32_t flat, shared, square; /* of COUNT */
 } shares;
 
-static shares shares_of(uint32_t which, vbss_pair_kind kind)
+static shares shares_of(uint32_t which, vbss_collision_pair_kind kind)
 {
     collision_set set;
     assert_true(collision_set_degenerate(which, kind, COUNT, 7, NULL, &set));
@@ -213,8 +213,8 @@ static shares shares_of(uint32_t which, vbss_pair_kind kind)
         s.flat += at[0] == 0.0 && at[1] == 0.0 && at[2] == 0.0 && at[3] == 0.0 ? 1 : 0;
         s.square += at[2] == 0.0 && at[1] * at[3] > 0.0 ? 1 : 0;
         bool shared = false;
-        for (int a = 0; a < (kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1); a++) {
-            for (int b = kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1; b < 4; b++) {
+        for (int a = 0; a < (kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1); a++) {
+            for (int b = kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1; b < 4; b++) {
                 shared = shared ||
                          vec3_distance(vertex_of(q, false, a), vertex_of(q, false, b)) == 0.0 ||
                          vec3_distance(vertex_of(q, true, a), vertex_of(q, true, b)) == 0.0;
@@ -239,7 +239,7 @@ static uint32_t called(const char *name)
 static void degenerate_sets_match_their_names(void **state)
 {
     (void)state;
-    for (vbss_pair_kind kind = 0; kind < 2; kind++) {
+    for (vbss_collision_pair_kind kind = 0; kind < 2; kind++) {
         assert_true(shares_of(called("integers"), kind).flat < COUNT / 5);
         assert_true(shares_of(called("planar"), kind).flat == COUNT);
         assert_true(shares_of(called("collinear"), kind).flat == COUNT);
@@ -248,7 +248,7 @@ static void degenerate_sets_match_their_names(void **state)
         assert_true(shares_of(called("graze"), kind).square > COUNT * 2 / 5);
         assert_true(shares_of(called("last places"), kind).flat < COUNT * 2 / 5);
     }
-    assert_true(shares_of(called("parallel"), VBSS_PAIR_EDGE_EDGE).flat > COUNT / 4);
+    assert_true(shares_of(called("parallel"), VBSS_COLLISION_PAIR_EDGE_EDGE).flat > COUNT / 4);
 }
 
 int test_set_names(void)

@@ -18,8 +18,8 @@ static void make_set(uint32_t which, uint64_t seed, collision_set *set)
         return;
     }
     which -= thick_set_count();
-    assert_true(
-        collision_set_degenerate(which / 2, (vbss_pair_kind)(which % 2), COUNT, seed, NULL, set));
+    assert_true(collision_set_degenerate(which / 2, (vbss_collision_pair_kind)(which % 2), COUNT,
+                                         seed, NULL, set));
 }
 
 static uint64_t hash_of(uint32_t which, uint64_t seed)
@@ -46,7 +46,7 @@ static void seed_determines_set(void **state)
 /* The largest speed of a vertex of b relative to one of a. */
 static double relative_speed(const collision_query *query)
 {
-    int first_b = query->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    int first_b = query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1;
     double largest = 0.0;
     for (int i = 0; i < first_b; i++) {
         for (int j = first_b; j < 4; j++) {
@@ -117,7 +117,7 @@ static void truth_matches_samples(void **state)
 
 /* A pass at a known smallest distance: over the middle of an edge in its plane's normal, or past the
  * corner of a triangle. */
-static collision_query known_pass(vbss_pair_kind kind, double distance)
+static collision_query known_pass(vbss_collision_pair_kind kind, double distance)
 {
     collision_motion edges = {
         .start = {{-1, 0, 0}, {1, 0, 0}, {-2, 1, distance}, {1, 2, distance}},
@@ -126,7 +126,8 @@ static collision_query known_pass(vbss_pair_kind kind, double distance)
     collision_motion point = {.start = {{s + 2, s - 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0}},
                               .end = {{s, s + 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0}}};
     collision_query query;
-    collision_query_fill(&query, kind, 0.25, kind == VBSS_PAIR_EDGE_EDGE ? &edges : &point);
+    collision_query_fill(&query, kind, 0.25,
+                         kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? &edges : &point);
     return query;
 }
 
@@ -135,7 +136,7 @@ static void truth_of_known_crossings(void **state)
     (void)state;
     for (int i = -4; i < 4; i++) {
         double off = 1e-9 * i + 5e-10;
-        for (vbss_pair_kind kind = 0; kind < 2; kind++) {
+        for (vbss_collision_pair_kind kind = 0; kind < 2; kind++) {
             collision_query query = known_pass(kind, 0.25 + off);
             assert_true(collision_truth(&query));
             assert_int_equal(query.hit, off < 0.0);

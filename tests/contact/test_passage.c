@@ -138,7 +138,7 @@ static void draw_chains(harness_source *source, chains *c)
 
 static bool truth(const chains *c, int k, size_t i, int l, size_t j)
 {
-    collision_query query = {.kind = VBSS_PAIR_EDGE_EDGE};
+    collision_query query = {.kind = VBSS_COLLISION_PAIR_EDGE_EDGE};
     for (size_t n = 0; n < 2; n++) {
         vec3_store(query.start + 3 * n, c->start[k][i + n]);
         vec3_store(query.start + 6 + 3 * n, c->start[l][j + n]);

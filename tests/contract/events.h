@@ -21,7 +21,7 @@ static inline uint32_t count_events(vbss_scene *scene, event_counts *counts)
         memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
         assert_in_range(words[0], 0, 63);
         counts->of[words[0]]++;
-        cuts += words[0] == VBSS_EVENT_CUT && words[2] != 0;
+        cuts += words[0] == VBSS_SCENE_EVENT_CUT && words[2] != 0;
     }
     return cuts;
 }

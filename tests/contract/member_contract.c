@@ -16,7 +16,7 @@ static uint64_t hash_of(const contract_member *m, void *handle)
 static void *make(const contract_member *m, const small *s, uint32_t place)
 {
     void *handle = NULL;
-    expect_ok(m->create(s->context, place, VBSS_METHOD_OURS, &handle));
+    expect_ok(m->create(s->context, place, VBSS_METHOD_IMPLICIT, &handle));
     return handle;
 }
 
@@ -140,14 +140,15 @@ static void invalid_object_is_rejected(void **state)
 static void object_of_other_method_is_rejected(void **state)
 {
     const contract_member *m = *state;
-    for (int method = VBSS_METHOD_OURS; method <= VBSS_METHOD_PAPER; method++) {
+    for (int method = VBSS_METHOD_IMPLICIT; method <= VBSS_METHOD_VBLAST; method++) {
         small s;
         void *other = NULL;
         small_begin(&s);
         m->limit(&s.config, 1, 0);
         s.config.method = method;
         small_create(&s);
-        expect_ok(m->create(s.context, 0, VBSS_METHOD_OURS + VBSS_METHOD_PAPER - method, &other));
+        expect_ok(
+            m->create(s.context, 0, VBSS_METHOD_IMPLICIT + VBSS_METHOD_VBLAST - method, &other));
         expect_rejected(m, &s, VBSS_ERROR_OUT_OF_RANGE, other);
         expect_ok(m->step(other));
         small_end(&s);
@@ -285,7 +286,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     if (result != VBSS_OK) {
         return result;
     }
-    result = attempted->create(context, 0, VBSS_METHOD_OURS, &handle);
+    result = attempted->create(context, 0, VBSS_METHOD_IMPLICIT, &handle);
     result = result == VBSS_OK ? use_in(scene, handle) : result;
     expect_ok(vbss_scene_get_hash(scene, &hash)); /* the scene is intact */
     expect_ok(vbss_scene_destroy(scene));

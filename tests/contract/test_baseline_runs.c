@@ -45,8 +45,8 @@ static void check_needle_step(const scene_object *scene, int i, const event_coun
         i == PAPER_NEEDLE_SCENE_BOTH || i == PAPER_NEEDLE_SCENE_HANDED) {
         assert_int_equal(own->leader, leader);
     }
-    assert_true(i != PAPER_NEEDLE_SCENE_THROUGH || counts->of[VBSS_EVENT_PUNCTURE] == 2);
-    assert_true(i != PAPER_NEEDLE_SCENE_PASSED || counts->of[VBSS_EVENT_PASSED] == 2);
+    assert_true(i != PAPER_NEEDLE_SCENE_THROUGH || counts->of[VBSS_SCENE_EVENT_PUNCTURE] == 2);
+    assert_true(i != PAPER_NEEDLE_SCENE_PASSED || counts->of[VBSS_SCENE_EVENT_PASSED] == 2);
     const thread_object *t = vbss_scene_body(scene, PAPER_NEEDLE_SCENE_THREAD)->thread.thread;
     const vec3 swage =
         pose_apply(vbss_needle_pose(needle->needle),
@@ -57,13 +57,13 @@ static void check_needle_step(const scene_object *scene, int i, const event_coun
 
 static void check_needle_events(const event_counts *counts)
 {
-    static const uint32_t wanted[] = {[VBSS_EVENT_GRASP] = 2,
-                                      [VBSS_EVENT_RELEASE] = 2,
-                                      [VBSS_EVENT_PUNCTURE] = 2,
-                                      [VBSS_EVENT_PASSED] = 2,
-                                      [VBSS_EVENT_HOLE_LOST] = 0};
-    for (uint32_t k = VBSS_EVENT_GRASP; k <= VBSS_EVENT_HOLE_LOST; k++) {
-        if (k != VBSS_EVENT_CUT) {
+    static const uint32_t wanted[] = {[VBSS_SCENE_EVENT_GRASP] = 2,
+                                      [VBSS_SCENE_EVENT_RELEASE] = 2,
+                                      [VBSS_SCENE_EVENT_PUNCTURE] = 2,
+                                      [VBSS_SCENE_EVENT_PASSED] = 2,
+                                      [VBSS_SCENE_EVENT_HOLE_LOST] = 0};
+    for (uint32_t k = VBSS_SCENE_EVENT_GRASP; k <= VBSS_SCENE_EVENT_HOLE_LOST; k++) {
+        if (k != VBSS_SCENE_EVENT_CUT) {
             assert_int_equal(counts->of[k], wanted[k]);
         }
     }
@@ -149,13 +149,13 @@ static vbss_result heap_create(vbss_context *context, void *user, void **handle)
     vbss_scene *scene = NULL;
     uint32_t body = 0, pin;
     VBSS_TRY(vbss_scene_config_init(&c, sizeof c));
-    c.method = VBSS_METHOD_PAPER;
+    c.method = VBSS_METHOD_VBLAST;
     c.floor = 1;
     c.floor_height = -0.01;
     VBSS_TRY(vbss_scene_create(context, &c, &scene));
     *handle = scene;
-    uint32_t tool =
-        add_capsule(scene, VBSS_RIGID_COUPLED, vec3_make(0, 0, -0.02), vec3_make(0, 0, 0.02), 2e-3);
+    uint32_t tool = add_capsule(scene, VBSS_SCENE_RIGID_COUPLED, vec3_make(0, 0, -0.02),
+                                vec3_make(0, 0, 0.02), 2e-3);
     for (int k = 0; k < 2; k++) {
         vbss_thread_config t = paper_thread(12);
         vec3_store(t.start, vec3_make(-0.02, 0.003 + 0.002 * k, 0.001 * k));
@@ -172,7 +172,7 @@ static vbss_result heap_step(void *handle)
     VBSS_TRY(vbss_scene_get_statistics(handle, &t, sizeof t));
     double along = 1e-4 * (double)t.steps;
     const double to[3] = {along, 0.3 * along, 0.0}, turn[4] = {1.0, 0.0, 10.0 * along, 0.0};
-    VBSS_TRY(vbss_scene_move_rigid(handle, 1, to, turn));
+    VBSS_TRY(vbss_scene_set_rigid_target(handle, 1, to, turn));
     return vbss_scene_step(handle, FRAME);
 }
 
@@ -203,12 +203,12 @@ static vbss_result poked_create(vbss_context *context, void *user, void **handle
     vbss_scene_config c;
     vbss_scene *scene = NULL;
     VBSS_TRY(vbss_scene_config_init(&c, sizeof c));
-    c.method = VBSS_METHOD_PAPER;
+    c.method = VBSS_METHOD_VBLAST;
     c.floor = 1;
     c.floor_height = -6.8e-3;
     VBSS_TRY(vbss_scene_create(context, &c, &scene));
     *handle = scene;
-    (void)add_capsule(scene, VBSS_RIGID_COUPLED, vec3_zero(), vec3_make(0, 0, 0.05), 2e-3);
+    (void)add_capsule(scene, VBSS_SCENE_RIGID_COUPLED, vec3_zero(), vec3_make(0, 0, 0.05), 2e-3);
     VBSS_TRY(poked_add_drain(context, scene));
     vbss_thread_config t = paper_thread(12);
     vec3_store(t.start, vec3_make(3e-3, 7.3e-3, -0.02));
@@ -223,7 +223,7 @@ static vbss_result poked_step(void *handle)
     VBSS_TRY(vbss_scene_get_statistics(handle, &t, sizeof t));
     double along = 1e-4 * (double)(t.steps % 40);
     const double to[3] = {along, 0.2 * along, 0.0095 - along};
-    VBSS_TRY(vbss_scene_move_rigid(handle, 1, to, NULL));
+    VBSS_TRY(vbss_scene_set_rigid_target(handle, 1, to, NULL));
     return vbss_scene_step(handle, 1e-3);
 }
 

@@ -19,7 +19,7 @@ static vbss_result pulled_create(vbss_context *context, void *user, void **handl
     vbss_drain_config config;
     VBSS_TRY(vbss_drain_config_init(&config, sizeof config));
     config.tear_stress = p->tear_stress;
-    config.linearisation_limit = p->linearisations;
+    config.iteration_limit = p->linearisations;
     config.mesh = p->mesh;
     config.gravity[1] = -9.81;
     config.move_limit = 3e-4; /* so that steps are divided */
@@ -53,7 +53,7 @@ static vbss_result pulled_step(void *handle)
     }
     if (s.steps < 60) {
         const double to[3] = {0.1 * t, 5e-3 + 0.08 * t, -4e-3 - 0.02 * t};
-        VBSS_TRY(vbss_drain_move(handle, 1, to));
+        VBSS_TRY(vbss_drain_set_attachment_target(handle, 1, to));
     }
     if (s.steps == 60) {
         VBSS_TRY(vbss_drain_detach(handle, 1));
@@ -102,7 +102,7 @@ static vbss_result held_create(vbss_context *context, void *user, void **handle)
     (void)user;
     VBSS_TRY(vbss_drain_config_init(&config, sizeof config));
     VBSS_TRY(vbss_drain_create(context, &config, (vbss_drain **)handle));
-    VBSS_TRY(vbss_drain_get_view(*handle, VBSS_DRAIN_POSITIONS, &view, sizeof view));
+    VBSS_TRY(vbss_drain_get_view(*handle, VBSS_DRAIN_VIEW_POSITIONS, &view, sizeof view));
     VBSS_TRY(vbss_drain_attachment_init(&a, sizeof a));
     vec3_store(a.position, vec3_load(view.data));
     VBSS_TRY(vbss_drain_attach(*handle, &a, &id));
@@ -175,7 +175,7 @@ static void paper_config(void *config)
 {
     vbss_drain_config *c = config;
     expect_ok(vbss_drain_config_init(c, sizeof *c));
-    c->method = VBSS_METHOD_PAPER;
+    c->method = VBSS_METHOD_VBLAST;
     c->paper_damping = 0.05;
     c->drag = 20.0;
     c->gravity[1] = -9.81;
@@ -203,8 +203,8 @@ static vbss_result paper_step(void *handle)
     VBSS_TRY(vbss_drain_get_statistics(handle, &s, sizeof s));
     double swing = 0.01 * (double)((s.steps * 7) % 11);
     const double pin[3] = {0.1 * swing, 7e-3, 1e-3}, force[3] = {0.0, swing, -2.0 * swing};
-    VBSS_TRY(vbss_drain_move(handle, 1, pin));
-    VBSS_TRY(vbss_drain_move(handle, 2, force));
+    VBSS_TRY(vbss_drain_set_attachment_target(handle, 1, pin));
+    VBSS_TRY(vbss_drain_set_attachment_target(handle, 2, force));
     return vbss_drain_step(handle, 1e-3);
 }
 
@@ -261,7 +261,7 @@ static vbss_result create(vbss_context *context, void **handle)
     VBSS_TRY(vbss_drain_config_init(&config, sizeof config));
     VBSS_TRY(vbss_drain_create(context, &config, (vbss_drain **)handle));
     VBSS_TRY(vbss_drain_get_places(*handle, &places, sizeof places));
-    VBSS_TRY(vbss_drain_get_view(*handle, VBSS_DRAIN_POSITIONS, &view, sizeof view));
+    VBSS_TRY(vbss_drain_get_view(*handle, VBSS_DRAIN_VIEW_POSITIONS, &view, sizeof view));
     for (int k = 0; k < 2; k++) {
         vbss_drain_attachment a;
         VBSS_TRY(vbss_drain_attachment_init(&a, sizeof a));
@@ -300,7 +300,7 @@ static vbss_result write_statistics(void *handle, void *out, uint32_t size)
 }
 static vbss_result write_view(void *handle, void *out, uint32_t size)
 {
-    return vbss_drain_get_view(handle, VBSS_DRAIN_STRAINS, out, size);
+    return vbss_drain_get_view(handle, VBSS_DRAIN_VIEW_STRAINS, out, size);
 }
 
 /* Nothing given: nothing placed. */
@@ -319,7 +319,7 @@ static vbss_result call_attach(void *d)
 static vbss_result call_move(void *d)
 {
     const double zero[3] = {0.0, 0.0, 0.0};
-    return vbss_drain_move(d, 1, zero);
+    return vbss_drain_set_attachment_target(d, 1, zero);
 }
 static vbss_result call_restore(void *d)
 {
@@ -537,7 +537,7 @@ static const contract_snapshot snapshot = {
                CHOICE(mesh),
                CHOICE(mesh_divisions),
                CHOICE(attachment_capacity),
-               CHOICE(linearisation_limit),
+               CHOICE(iteration_limit),
                CHOICE(halving_limit)},
     .reserve_more = scale_orientation,
     .step = call_step,
@@ -553,7 +553,7 @@ static const contract_snapshot paper_snapshot = {
     .fields = {NUMBER(paper_stiffness),
                NUMBER(paper_damping),
                CHOICE(paper_substeps),
-               {offsetof(vbss_drain_config, method), 0, VBSS_METHOD_OURS - VBSS_METHOD_PAPER}},
+               {offsetof(vbss_drain_config, method), 0, VBSS_METHOD_IMPLICIT - VBSS_METHOD_VBLAST}},
 };
 
 int test_drain(void)

@@ -25,7 +25,7 @@ static vbss_result command(vbss_grasper *grasper, const grasper_object *g)
                                g->commanded_pose.orientation);
     const double to[3] = {0.01 + 0.9 * p.x, 0.5 * p.y, 0.1 - p.z};
     const double q[4] = {turn.w, turn.x, turn.y, turn.z};
-    VBSS_TRY(vbss_grasper_move(grasper, to, q));
+    VBSS_TRY(vbss_grasper_set_target(grasper, to, q));
     VBSS_TRY(vbss_grasper_set_opening(grasper, 1.0 - 0.7 * g->opening));
     return vbss_grasper_exchange(grasper, 3 - g->commanded_kind);
 }
@@ -141,7 +141,7 @@ static vbss_result write_view(void *handle, void *out, uint32_t size)
 static vbss_result call_move(void *handle)
 {
     static const double zero[3];
-    return vbss_grasper_move(handle, zero, NULL);
+    return vbss_grasper_set_target(handle, zero, NULL);
 }
 static vbss_result call_opening(void *handle)
 {
@@ -149,7 +149,7 @@ static vbss_result call_opening(void *handle)
 }
 static vbss_result call_exchange(void *handle)
 {
-    return vbss_grasper_exchange(handle, VBSS_GRASPER_SHEARS);
+    return vbss_grasper_exchange(handle, VBSS_GRASPER_KIND_SHEARS);
 }
 static vbss_result call_state(void *handle)
 {
@@ -220,7 +220,7 @@ static const contract_snapshot snapshot = {
     .fields = {{FIRST_NUMBER, NUMBERS, 1.0 + DBL_EPSILON},
                {offsetof(vbss_grasper_config, method), 0, 1},
                {offsetof(vbss_grasper_config, kind), 0,
-                VBSS_GRASPER_SHEARS - VBSS_GRASPER_NEEDLE_DRIVER},
+                VBSS_GRASPER_KIND_SHEARS - VBSS_GRASPER_KIND_NEEDLE_DRIVER},
                {offsetof(vbss_grasper_config, has_trocar), 0, 1}},
 };
 

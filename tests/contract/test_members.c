@@ -68,7 +68,7 @@ static void thread_use(void *thread, bool owned)
     const double there[3] = {0.0, 1e-4, 0.0}, velocities[18] = {0.0};
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
     expect_ok(vbss_thread_attach(thread, &a, &id));
-    expect_ok(vbss_thread_move(thread, id, there, NULL));
+    expect_ok(vbss_thread_set_attachment_target(thread, id, there, NULL));
     expect_ok(vbss_thread_detach(thread, id));
     expect_ok(vbss_thread_set_state(thread, NULL, velocities, 6));
     expect_ok(vbss_thread_get_statistics(thread, &statistics, sizeof statistics));
@@ -152,16 +152,16 @@ static void drain_use(void *drain, bool owned)
     uint32_t id;
     double there[3], force[3];
     expect_ok(vbss_drain_get_places(drain, &places, sizeof places));
-    for (int32_t field = VBSS_DRAIN_POSITIONS; field <= VBSS_DRAIN_CURVATURES; field++) {
+    for (int32_t field = VBSS_DRAIN_VIEW_POSITIONS; field <= VBSS_DRAIN_VIEW_CURVATURES; field++) {
         expect_ok(vbss_drain_get_view(drain, field, &view, sizeof view));
     }
-    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_POSITIONS, &view, sizeof view));
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
     a.node = places.marks[0];
     memcpy(there, (const char *)view.data + (size_t)a.node * view.stride_bytes, sizeof there);
     memcpy(a.position, there, sizeof there);
     expect_ok(vbss_drain_attach(drain, &a, &id));
-    expect_ok(vbss_drain_move(drain, id, there));
+    expect_ok(vbss_drain_set_attachment_target(drain, id, there));
     expect_ok(vbss_drain_get_reaction(drain, id, force));
     expect_ok(vbss_drain_detach(drain, id));
     expect_ok(vbss_drain_set_state(drain, (const double *)view.data, NULL, places.node_count));

@@ -6,7 +6,7 @@
 #include "scene/api/api.h"
 #include "fixtures/scene_build.h"
 
-static const vbss_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
+static const vbss_scene_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
 
 /* ---- configurations: small ones, as hundreds are made */
 
@@ -28,8 +28,8 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 
 static vbss_result rigid_init(void *config, uint32_t struct_size)
 {
-    vbss_rigid_config *c = config;
-    VBSS_TRY(vbss_rigid_config_init(config, struct_size));
+    vbss_scene_rigid_config *c = config;
+    VBSS_TRY(vbss_scene_rigid_config_init(config, struct_size));
     c->capsule_count = 1;
     c->capsules = &ball;
     return VBSS_OK;
@@ -60,10 +60,10 @@ static vbss_thread *spare_thread; /* of the newest scene */
 
 static vbss_result add_rigid(vbss_scene *scene, double height)
 {
-    vbss_rigid_config config;
+    vbss_scene_rigid_config config;
     uint32_t body;
     VBSS_TRY(rigid_init(&config, sizeof config));
-    config.kind = VBSS_RIGID_DRIVEN;
+    config.kind = VBSS_SCENE_RIGID_DRIVEN;
     config.position[1] = height;
     return vbss_scene_add_rigid(scene, &config, &body);
 }
@@ -138,7 +138,7 @@ static vbss_result call_pin(void *scene)
 static vbss_result call_move(void *scene)
 {
     const double there[3] = {0.0, 1.0, 0.0};
-    return vbss_scene_move_rigid(scene, 2, there, NULL);
+    return vbss_scene_set_rigid_target(scene, 2, there, NULL);
 }
 static vbss_result call_unpin(void *scene)
 {
@@ -166,7 +166,7 @@ static vbss_result call_hash(void *scene)
 }
 static vbss_result call_rigid(void *scene)
 {
-    vbss_rigid_state out;
+    vbss_scene_rigid_state out;
     return write_rigid(scene, &out, sizeof out);
 }
 static vbss_result call_view(void *scene)
@@ -185,7 +185,7 @@ static vbss_result call_statistics(void *scene)
 typedef struct plan {
     vbss_scene_config scene;
     vbss_thread_config thread;
-    vbss_rigid_config rigid;
+    vbss_scene_rigid_config rigid;
 } plan;
 
 static vbss_result save_and_restore(vbss_scene *scene)
@@ -239,7 +239,7 @@ static void *loose(void)
     p->scene.contact_capacity = p->scene.candidate_capacity = 16;
     p->scene.event_capacity = 4;
     p->thread.segment_count = 6;
-    p->rigid.kind = VBSS_RIGID_FREE;
+    p->rigid.kind = VBSS_SCENE_RIGID_FREE;
     return p;
 }
 
@@ -247,7 +247,7 @@ static void *driven_above_floor(void)
 {
     (void)loose();
     attempted.scene.floor = 1;
-    attempted.rigid.kind = VBSS_RIGID_DRIVEN;
+    attempted.rigid.kind = VBSS_SCENE_RIGID_DRIVEN;
     return &attempted;
 }
 
@@ -255,7 +255,7 @@ static void *paper(void)
 {
     (void)driven_above_floor();
     attempted.scene.floor = 0;
-    attempted.scene.method = attempted.thread.method = VBSS_METHOD_PAPER;
+    attempted.scene.method = attempted.thread.method = VBSS_METHOD_VBLAST;
     return &attempted;
 }
 
@@ -311,7 +311,7 @@ static const contract_object object = {
 static vbss_result create_pair(vbss_context *context, const void *config, void **handle)
 {
     vbss_thread_config own;
-    vbss_rigid_config rigid;
+    vbss_scene_rigid_config rigid;
     uint32_t body;
     VBSS_TRY(vbss_scene_create(context, config, (vbss_scene **)handle));
     VBSS_TRY(vbss_thread_config_init(&own, sizeof own));
@@ -319,7 +319,7 @@ static vbss_result create_pair(vbss_context *context, const void *config, void *
     own.length = 0.01;
     VBSS_TRY(scene_build_thread(context, *handle, &own, NULL, NULL));
     VBSS_TRY(rigid_init(&rigid, sizeof rigid));
-    rigid.kind = VBSS_RIGID_FREE;
+    rigid.kind = VBSS_SCENE_RIGID_FREE;
     return vbss_scene_add_rigid(*handle, &rigid, &body);
 }
 
@@ -369,9 +369,9 @@ static const contract_snapshot snapshot = {
     .fields = {NUMBER(floor_height), NUMBER(floor_friction), NUMBER(thread_friction),
                NUMBER(contact_stiffness), NUMBER(contact_margin), NUMBER(stretch_tolerance),
                NUMBER(penetration_tolerance), NUMBER(floor_normal[0]), NUMBER(speed_limit),
-               CHOICE(mode, 1), CHOICE(floor, 1), CHOICE(state_limit, -1),
-               CHOICE(linearisation_limit, -1), CHOICE(halving_limit, -1),
-               CHOICE(attempt_limit, -1), CHOICE(pin_capacity, -1)},
+               CHOICE(mode, 1), CHOICE(floor, 1), CHOICE(active_set_limit, -1),
+               CHOICE(iteration_limit, -1), CHOICE(halving_limit, -1), CHOICE(attempt_limit, -1),
+               CHOICE(pin_capacity, -1)},
     .reserve_more = reserve_more,
     .step = call_step,
 };

@@ -20,10 +20,10 @@ enum { CUTS_AT = 12, LATER_CUT = 25 };
 
 static vbss_result cut_add_tool(vbss_scene *scene, double x)
 {
-    const vbss_capsule capsule = {{x, 0.0, -5e-3}, {x, 0.0, 5e-3}, 1e-3};
-    vbss_rigid_config config;
-    VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
-    config.kind = x > 0.02 ? VBSS_RIGID_FREE : VBSS_RIGID_DRIVEN;
+    const vbss_scene_capsule capsule = {{x, 0.0, -5e-3}, {x, 0.0, 5e-3}, 1e-3};
+    vbss_scene_rigid_config config;
+    VBSS_TRY(vbss_scene_rigid_config_init(&config, sizeof config));
+    config.kind = x > 0.02 ? VBSS_SCENE_RIGID_FREE : VBSS_SCENE_RIGID_DRIVEN;
     return scene_build_capsule(scene, &config, capsule, NULL);
 }
 
@@ -78,7 +78,8 @@ static vbss_result cut_step(void *handle)
 
 static vbss_result adaptive_create(vbss_context *context, void *user, void **handle)
 {
-    return adaptive_scene_create(context, *(const vbss_bending *)user, (vbss_scene **)handle);
+    return adaptive_scene_create(context, *(const vbss_thread_bending *)user,
+                                 (vbss_scene **)handle);
 }
 
 static vbss_result adaptive_step(void *handle)
@@ -105,13 +106,18 @@ static void adaptive_refines_and_coarsens(const contract_run *run)
     harness_context_end(context, &memory);
 }
 
-#define ADAPTIVE_RUN(title, bending, covered)                                          \
-    {                                                                                  \
-        .name = (title),                                                               \
-        .body = {"scene that adapts", &vbss_scene_kind, adaptive_create,         NULL, \
-                 adaptive_step,       destroy,          &(vbss_bending){bending}},     \
-        .saves = {0, 3, 20, 45, 69, 70, 71, 110}, .save_count = 8, .continued = 30,    \
-        .damages = {30}, .damage_count = 1, .quiet = 120, .covers = (covered)          \
+#define ADAPTIVE_RUN(title, bending, covered)                                       \
+    {                                                                               \
+        .name = (title),                                                            \
+        .body = {"scene that adapts",                                               \
+                 &vbss_scene_kind,                                                  \
+                 adaptive_create,                                                   \
+                 NULL,                                                              \
+                 adaptive_step,                                                     \
+                 destroy,                                                           \
+                 &(vbss_thread_bending){bending}},                                  \
+        .saves = {0, 3, 20, 45, 69, 70, 71, 110}, .save_count = 8, .continued = 30, \
+        .damages = {30}, .damage_count = 1, .quiet = 120, .covers = (covered)       \
     }
 
 /* ---- */
@@ -148,11 +154,11 @@ int test_scene_runs(void)
     vbss_scene_config low_budget;
     scene_scene_kind knot = SCENE_SCENE_KNOT, tools = SCENE_SCENE_TOOLS;
     expect_ok(drain_hands_init(&usual));
-    other[0] = hands_on(VBSS_DRAIN_MESH_159, 5e4, 0.0, VBSS_MODE_REAL_TIME);
-    other[1] = hands_on(VBSS_DRAIN_MESH_137, 2e3, -9.81, VBSS_MODE_REAL_TIME);
-    other[2] = hands_on(VBSS_DRAIN_MESH_137, 5e4, 0.0, VBSS_MODE_OFFLINE);
+    other[0] = hands_on(VBSS_DRAIN_MESH_159, 5e4, 0.0, VBSS_SCENE_MODE_REAL_TIME);
+    other[1] = hands_on(VBSS_DRAIN_MESH_137, 2e3, -9.81, VBSS_SCENE_MODE_REAL_TIME);
+    other[2] = hands_on(VBSS_DRAIN_MESH_137, 5e4, 0.0, VBSS_SCENE_MODE_OFFLINE);
     expect_ok(vbss_scene_config_init(&low_budget, sizeof low_budget));
-    low_budget.work_limit = 50000; /* one Newton iteration or two */
+    low_budget.step_budget = 50000; /* one Newton iteration or two */
     const contract_run runs[] = {
         /* The knot is in contact from the first steps on, and tight at 290; the tools press from 20 on. */
         {.name = "knot",
@@ -192,10 +198,10 @@ int test_scene_runs(void)
                    LEAP_AT + 5, LEAP_AT + 6, LEAP_AT + 7, LEAP_AT + 8, LEAP_AT + 9},
          .save_count = 11,
          .continued = 12},
-        CUT_RUN("thread that is cut", VBSS_METHOD_OURS),
-        CUT_RUN("thread that is cut, baseline", VBSS_METHOD_PAPER),
-        ADAPTIVE_RUN("adaptive threads", VBSS_BENDING_SPLINE, adaptive_refines_and_coarsens),
-        ADAPTIVE_RUN("adaptive threads, local bending", VBSS_BENDING_LOCAL, NULL),
+        CUT_RUN("thread that is cut", VBSS_METHOD_IMPLICIT),
+        CUT_RUN("thread that is cut, baseline", VBSS_METHOD_VBLAST),
+        ADAPTIVE_RUN("adaptive threads", VBSS_THREAD_BENDING_SPLINE, adaptive_refines_and_coarsens),
+        ADAPTIVE_RUN("adaptive threads, local bending", VBSS_THREAD_BENDING_LOCAL, NULL),
     };
     return contract_check_runs("contract.scene_runs", runs, sizeof runs / sizeof runs[0]);
 }

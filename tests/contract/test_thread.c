@@ -8,10 +8,10 @@
 
 /* ---- scripted runs */
 
-#define TUGGED(kind, method, bending, segments)                      \
-    &(thread_body_options)                                           \
-    {                                                                \
-        kind, VBSS_METHOD_##method, VBSS_BENDING_##bending, segments \
+#define TUGGED(kind, method, bending, segments)                             \
+    &(thread_body_options)                                                  \
+    {                                                                       \
+        kind, VBSS_METHOD_##method, VBSS_THREAD_BENDING_##bending, segments \
     }
 #define PULLED_RUN(title, stepped, options)                                              \
     {                                                                                    \
@@ -32,15 +32,15 @@ static vbss_result adaptive_create(vbss_context *context, void *user, void **han
     uint32_t id;
     VBSS_TRY(vbss_thread_config_init(&c, sizeof c));
     VBSS_TRY(vbss_thread_attachment_init(&a, sizeof a));
-    c.mesh = VBSS_MESH_ADAPTIVE;
-    c.bending = *(const vbss_bending *)user;
+    c.mesh = VBSS_THREAD_MESH_ADAPTIVE;
+    c.bending = *(const vbss_thread_bending *)user;
     c.segment_count = 40;
     c.length = 0.08;
     c.node_capacity = 90;
     c.refine_angle = 0.06;
     c.coarsen_angle = 0.03;
     c.coarsest_length = 4e-3;
-    a.kind = VBSS_ATTACHMENT_CLAMP;
+    a.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
     VBSS_TRY(vbss_thread_create(context, &c, &thread));
     VBSS_TRY(vbss_thread_attach(thread, &a, &id));
     *handle = thread;
@@ -52,13 +52,18 @@ static vbss_result call_step(void *handle)
     return vbss_thread_step(handle, 1e-3);
 }
 
-#define ADAPTIVE_RUN(title, bending)                                                    \
-    {                                                                                   \
-        .name = (title),                                                                \
-        .body = {"adaptive thread", &vbss_thread_kind,   adaptive_create,         NULL, \
-                 call_step,         thread_body_destroy, &(vbss_bending){bending}},     \
-        .saves = {0, 25, 90}, .save_count = 3, .continued = 60, .damages = {40},        \
-        .damage_count = 1, .quiet = 150, .repeated = 100                                \
+#define ADAPTIVE_RUN(title, bending)                                             \
+    {                                                                            \
+        .name = (title),                                                         \
+        .body = {"adaptive thread",                                              \
+                 &vbss_thread_kind,                                              \
+                 adaptive_create,                                                \
+                 NULL,                                                           \
+                 call_step,                                                      \
+                 thread_body_destroy,                                            \
+                 &(vbss_thread_bending){bending}},                               \
+        .saves = {0, 25, 90}, .save_count = 3, .continued = 60, .damages = {40}, \
+        .damage_count = 1, .quiet = 150, .repeated = 100                         \
     }
 
 /* The published method, clamped by the host and moved. */
@@ -67,7 +72,7 @@ static vbss_result paper_create(vbss_context *context, void *user, void **handle
     (void)user;
     vbss_thread_config config;
     VBSS_TRY(vbss_thread_config_init(&config, sizeof config));
-    config.method = VBSS_METHOD_PAPER;
+    config.method = VBSS_METHOD_VBLAST;
     config.segment_count = 20;
     return vbss_thread_create(context, &config, (vbss_thread **)handle);
 }
@@ -77,9 +82,9 @@ static vbss_result paper_clamp(void *handle)
     uint32_t id;
     vbss_thread_attachment clamp;
     VBSS_TRY(vbss_thread_attachment_init(&clamp, sizeof clamp));
-    clamp.kind = VBSS_ATTACHMENT_CLAMP;
+    clamp.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
     VBSS_TRY(vbss_thread_attach(handle, &clamp, &id));
-    return vbss_thread_move(handle, id, (const double[3]){0.001, 0.0, 0.0}, NULL);
+    return vbss_thread_set_attachment_target(handle, id, (const double[3]){0.001, 0.0, 0.0}, NULL);
 }
 
 /* ---- the object */
@@ -165,7 +170,7 @@ static vbss_result write_reaction(void *handle, void *out, uint32_t size)
 }
 static vbss_result write_view(void *handle, void *out, uint32_t size)
 {
-    return vbss_thread_get_view(handle, VBSS_THREAD_POSITIONS, out, size);
+    return vbss_thread_get_view(handle, VBSS_THREAD_VIEW_POSITIONS, out, size);
 }
 static vbss_result write_energies(void *handle, void *out, uint32_t size)
 {
@@ -198,7 +203,7 @@ static vbss_result call_attach(void *t)
 static vbss_result call_move(void *t)
 {
     static const double zero[3];
-    return vbss_thread_move(t, 1, zero, NULL);
+    return vbss_thread_set_attachment_target(t, 1, zero, NULL);
 }
 static vbss_result call_detach(void *t)
 {
@@ -281,7 +286,7 @@ static vbss_result attempt(vbss_context *context, void *user)
     return result;
 }
 
-static void *small_config(uint32_t cuts, uint32_t attachments, vbss_bending bending)
+static void *small_config(uint32_t cuts, uint32_t attachments, vbss_thread_bending bending)
 {
     static vbss_thread_config config;
     expect_ok(vbss_thread_config_init(&config, sizeof config));
@@ -293,31 +298,31 @@ static void *small_config(uint32_t cuts, uint32_t attachments, vbss_bending bend
 }
 static void *plain(void)
 {
-    return small_config(0, 0, VBSS_BENDING_SPLINE);
+    return small_config(0, 0, VBSS_THREAD_BENDING_SPLINE);
 }
 static void *attached(void)
 {
-    return small_config(0, 3, VBSS_BENDING_SPLINE);
+    return small_config(0, 3, VBSS_THREAD_BENDING_SPLINE);
 }
 static void *cut_once(void)
 {
-    return small_config(1, 0, VBSS_BENDING_SPLINE);
+    return small_config(1, 0, VBSS_THREAD_BENDING_SPLINE);
 }
 static void *cut_once_attached(void)
 {
-    return small_config(1, 3, VBSS_BENDING_SPLINE);
+    return small_config(1, 3, VBSS_THREAD_BENDING_SPLINE);
 }
 static void *cut_twice(void)
 {
-    return small_config(2, 0, VBSS_BENDING_SPLINE);
+    return small_config(2, 0, VBSS_THREAD_BENDING_SPLINE);
 }
 static void *cut_twice_attached(void)
 {
-    return small_config(2, 3, VBSS_BENDING_SPLINE);
+    return small_config(2, 3, VBSS_THREAD_BENDING_SPLINE);
 }
 static void *local_bending(void)
 {
-    return small_config(2, 3, VBSS_BENDING_LOCAL);
+    return small_config(2, 3, VBSS_THREAD_BENDING_LOCAL);
 }
 
 static vbss_result cycle(vbss_context *context, uint32_t i)
@@ -432,21 +437,21 @@ int test_thread(void)
 {
     const contract_run runs[] = {
         PULLED_RUN("released thread", thread_body_step_released,
-                   TUGGED(THREAD_SCENE_RELEASE, OURS, SPLINE, 16)),
+                   TUGGED(THREAD_SCENE_RELEASE, IMPLICIT, SPLINE, 16)),
         PULLED_RUN("pulled thread", thread_body_step,
-                   TUGGED(THREAD_SCENE_TUGGED, OURS, SPLINE, 16)),
+                   TUGGED(THREAD_SCENE_TUGGED, IMPLICIT, SPLINE, 16)),
         PULLED_RUN("pulled thread, local bending", thread_body_step,
-                   TUGGED(THREAD_SCENE_TUGGED, OURS, LOCAL, 13)),
+                   TUGGED(THREAD_SCENE_TUGGED, IMPLICIT, LOCAL, 13)),
         PULLED_RUN("cut thread", thread_body_step_and_cut,
-                   TUGGED(THREAD_SCENE_CUT, OURS, SPLINE, 16)),
+                   TUGGED(THREAD_SCENE_CUT, IMPLICIT, SPLINE, 16)),
         PULLED_RUN("cut thread, local bending", thread_body_step_and_cut,
-                   TUGGED(THREAD_SCENE_CUT, OURS, LOCAL, 24)),
+                   TUGGED(THREAD_SCENE_CUT, IMPLICIT, LOCAL, 24)),
         PULLED_RUN("pulled thread, baseline", thread_body_step,
-                   TUGGED(THREAD_SCENE_TUGGED, PAPER, SPLINE, 16)),
+                   TUGGED(THREAD_SCENE_TUGGED, VBLAST, SPLINE, 16)),
         PULLED_RUN("cut thread, baseline", thread_body_step_and_cut,
-                   TUGGED(THREAD_SCENE_CUT, PAPER, SPLINE, 16)),
-        ADAPTIVE_RUN("adaptive thread", VBSS_BENDING_SPLINE),
-        ADAPTIVE_RUN("adaptive thread, local bending", VBSS_BENDING_LOCAL),
+                   TUGGED(THREAD_SCENE_CUT, VBLAST, SPLINE, 16)),
+        ADAPTIVE_RUN("adaptive thread", VBSS_THREAD_BENDING_SPLINE),
+        ADAPTIVE_RUN("adaptive thread, local bending", VBSS_THREAD_BENDING_LOCAL),
         {.name = "clamped thread, baseline",
          .body = {"paper thread", &vbss_thread_kind, paper_create, paper_clamp, call_step,
                   thread_body_destroy, NULL},

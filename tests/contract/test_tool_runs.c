@@ -83,9 +83,9 @@ static void needle_is_handed_over(const contract_run *run)
         count_events(scene, &counts);
     }
     assert_int_equal(next, NEEDLE_MOMENTS);
-    assert_int_equal(counts.of[VBSS_EVENT_GRASP], 2);
-    assert_int_equal(counts.of[VBSS_EVENT_RELEASE], 2);
-    assert_int_equal(counts.of[VBSS_EVENT_TORN], 0);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_GRASP], 2);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_RELEASE], 2);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_TORN], 0);
     assert_true(vec3_distance(at[NEEDLE_MOMENTS - 1], at[0]) > 0.5 * NEEDLE_SCENE_CARRY);
     assert_int_equal(small_statistics(&s).clamped, 0);
     assert_int_equal(small_statistics(&s).paused, 0);
@@ -146,7 +146,7 @@ enum { TOOL_MOMENTS = sizeof tool_moments / sizeof tool_moments[0] };
 
 static void check_tool_moment(const scene_object *scene, const tool_moment *m, vbss_method method)
 {
-    const bool ours = method == VBSS_METHOD_OURS;
+    const bool ours = method == VBSS_METHOD_IMPLICIT;
     const double angle = vbss_scene_body(scene, 2)->rigid.grasper->jaw_angle;
     assert_int_equal(vbss_scene_count_grasps(scene, 2), m->first);
     assert_int_equal(vbss_scene_count_grasps(scene, 3), ours ? m->second : 0);
@@ -175,10 +175,10 @@ static void tools_take_and_let_go(const contract_run *run)
         count_events(scene, &counts);
     }
     assert_int_equal(next, TOOL_MOMENTS);
-    assert_int_equal(counts.of[VBSS_EVENT_GRASP], counts.of[VBSS_EVENT_RELEASE]);
-    assert_true(counts.of[VBSS_EVENT_GRASP] >= 1);
-    assert_int_equal(counts.of[VBSS_EVENT_EXCHANGED], 2);
-    assert_int_equal(counts.of[VBSS_EVENT_NOT_EXCHANGED], 1);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_GRASP], counts.of[VBSS_SCENE_EVENT_RELEASE]);
+    assert_true(counts.of[VBSS_SCENE_EVENT_GRASP] >= 1);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_EXCHANGED], 2);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_NOT_EXCHANGED], 1);
     assert_int_equal(small_statistics(&s).clamped, 0);
     small_end(&s);
 }
@@ -214,8 +214,8 @@ static void needle_goes_in_and_out(const contract_run *run)
         expect_ok(run->body.step(scene));
         count_events(scene, &counts);
     }
-    assert_int_equal(counts.of[VBSS_EVENT_PUNCTURE], 2);
-    assert_int_equal(counts.of[VBSS_EVENT_WITHDRAWN], 2);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_PUNCTURE], 2);
+    assert_int_equal(counts.of[VBSS_SCENE_EVENT_WITHDRAWN], 2);
     harness_context_end(context, &memory);
 }
 
@@ -274,7 +274,7 @@ static void shears_cut_twice(const contract_run *run)
 
 int test_tool_runs(void)
 {
-    vbss_method ours = VBSS_METHOD_OURS, paper = VBSS_METHOD_PAPER;
+    vbss_method ours = VBSS_METHOD_IMPLICIT, paper = VBSS_METHOD_VBLAST;
     uint32_t holes = 16, two_holes = 2;
     const contract_run runs[] = {
         /* Also as it is taken (300), settles in the jaws (320), and is let go (1099). */
@@ -322,8 +322,8 @@ int test_tool_runs(void)
                   &two_holes},
          .damages = {190},
          .damage_count = 1},
-        CUTTING_RUN("shears", VBSS_METHOD_OURS),
-        CUTTING_RUN("shears, baseline", VBSS_METHOD_PAPER),
+        CUTTING_RUN("shears", VBSS_METHOD_IMPLICIT),
+        CUTTING_RUN("shears, baseline", VBSS_METHOD_VBLAST),
     };
     return contract_check_runs("contract.tool_runs", runs, sizeof runs / sizeof runs[0]);
 }

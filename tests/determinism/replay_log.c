@@ -27,16 +27,16 @@ static uint32_t probe;
 /* A throw above the slit of a drain, drawn at by both ends, and a ball that pushes the wall in beside it. */
 static vbss_result make_stitch(vbss_context *context, vbss_scene **scene)
 {
-    const vbss_capsule ball = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 2e-3};
+    const vbss_scene_capsule ball = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 2e-3};
     static stitch_scene_options options;
-    vbss_rigid_config c;
+    vbss_scene_rigid_config c;
     VBSS_TRY(stitch_scene_init(&options));
     options.crossings = 3;
     options.segment = 1e-3;
     options.limb = 15e-3;
     VBSS_TRY(stitch_scene_create(context, &options, &stitch));
-    VBSS_TRY(vbss_rigid_config_init(&c, sizeof c));
-    c.kind = VBSS_RIGID_COUPLED;
+    VBSS_TRY(vbss_scene_rigid_config_init(&c, sizeof c));
+    c.kind = VBSS_SCENE_RIGID_COUPLED;
     c.capsules = &ball;
     c.capsule_count = 1;
     c.position[0] = 10e-3;
@@ -52,10 +52,10 @@ static vbss_result drive_stitch(vbss_record *record, uint32_t step)
         double target[3];
         stitch.at[k].z += (k == 0 ? -1.0 : 1.0) * 5e-5;
         vec3_store(target, stitch.at[k]);
-        VBSS_TRY(
-            vbss_record_move_attachment(record, stitch.thread_body, stitch.hands[k], target, NULL));
+        VBSS_TRY(vbss_record_set_attachment_target(record, stitch.thread_body, stitch.hands[k],
+                                                   target, NULL));
     }
-    return vbss_record_move_rigid(record, probe, pressed, NULL);
+    return vbss_record_set_rigid_target(record, probe, pressed, NULL);
 }
 
 static const struct logged {
@@ -136,7 +136,7 @@ static vbss_result replay(vbss_context *context, const struct logged *s, const u
     VBSS_TRY(vbss_replay_begin(replay, scene));
     do {
         VBSS_TRY(vbss_replay_step(replay, report, sizeof *report));
-    } while (report->outcome == VBSS_REPLAY_STEPPED);
+    } while (report->outcome == VBSS_REPLAY_OUTCOME_STEPPED);
     return VBSS_OK;
 }
 
@@ -171,7 +171,7 @@ static int replay_file(const char *path)
         return report_failure(context, path, result);
     }
     printf("%s %" PRIu64 " %" PRIu64 "\n", s->name, report.step,
-           report.outcome == VBSS_REPLAY_DIFFERS ? report.step : 0);
+           report.outcome == VBSS_REPLAY_OUTCOME_DIFFERS ? report.step : 0);
     (void)vbss_context_destroy(context);
     return 0;
 }

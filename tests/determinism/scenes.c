@@ -141,27 +141,27 @@ static void run_thread(thread_scene_kind kind, vbss_method method, uint64_t *has
 
 static void run_thread_release(uint64_t *hashes, size_t count)
 {
-    run_thread(THREAD_SCENE_RELEASE, VBSS_METHOD_OURS, hashes, count);
+    run_thread(THREAD_SCENE_RELEASE, VBSS_METHOD_IMPLICIT, hashes, count);
 }
 
 static void run_thread_tugged(uint64_t *hashes, size_t count)
 {
-    run_thread(THREAD_SCENE_TUGGED, VBSS_METHOD_OURS, hashes, count);
+    run_thread(THREAD_SCENE_TUGGED, VBSS_METHOD_IMPLICIT, hashes, count);
 }
 
 static void run_thread_cut(uint64_t *hashes, size_t count)
 {
-    run_thread(THREAD_SCENE_CUT, VBSS_METHOD_OURS, hashes, count);
+    run_thread(THREAD_SCENE_CUT, VBSS_METHOD_IMPLICIT, hashes, count);
 }
 
 static void run_thread_paper(uint64_t *hashes, size_t count)
 {
-    run_thread(THREAD_SCENE_RELEASE, VBSS_METHOD_PAPER, hashes, count);
+    run_thread(THREAD_SCENE_RELEASE, VBSS_METHOD_VBLAST, hashes, count);
 }
 
 /* ---- collision: degenerate questions to every method, without thickness and with it */
 
-static void add_impact(vbss_stream *stream, vbss_impact *impact)
+static void add_impact(vbss_stream *stream, vbss_collision_impact *impact)
 {
     vbss_stream_i32(stream, 1, &impact->hit, 1);
     vbss_stream_i32(stream, 2, &impact->decision, 1);
@@ -197,14 +197,14 @@ static void run_collision_questions(uint64_t *hashes, size_t count)
     for (size_t i = 0; i < count; i++) {
         vbss_stream stream;
         collision_set set;
-        vbss_pair_kind kind = (vbss_pair_kind)(i % 2);
+        vbss_collision_pair_kind kind = (vbss_collision_pair_kind)(i % 2);
         uint32_t which = (uint32_t)(i / 2) % collision_degenerate_count;
         vbss_stream_begin_hash(&stream);
         must(collision_set_degenerate(which, kind, 30, i, NULL, &set) ? VBSS_OK
                                                                       : VBSS_ERROR_OUT_OF_MEMORY);
         for (uint32_t q = 0; q < set.count; q++) {
             for (int k = 0; k < ASKERS; k++) {
-                vbss_impact impact;
+                vbss_collision_impact impact;
                 must(vbss_collision_test(askers[k], kind, set.queries[q].start, set.queries[q].end,
                                          &impact, sizeof impact));
                 add_impact(&stream, &impact);
@@ -225,7 +225,7 @@ static void add_view(vbss_stream *stream, vbss_collision *collision, vbss_collis
     for (uint64_t i = 0; i < view.count; i++) {
         const uint8_t *item = (const uint8_t *)view.data + i * view.stride_bytes;
         for (uint32_t k = 0; k < view.components; k++) {
-            if (view.type == VBSS_TYPE_U32) {
+            if (view.type == VBSS_VIEW_TYPE_U32) {
                 uint32_t value = ((const uint32_t *)(const void *)item)[k];
                 vbss_stream_u32(stream, 1, &value, 1);
             } else {
@@ -313,12 +313,12 @@ static void run_graspers_by(vbss_method method, uint64_t *hashes, size_t count)
 
 static void run_graspers(uint64_t *hashes, size_t count)
 {
-    run_graspers_by(VBSS_METHOD_OURS, hashes, count);
+    run_graspers_by(VBSS_METHOD_IMPLICIT, hashes, count);
 }
 
 static void run_graspers_paper(uint64_t *hashes, size_t count)
 {
-    run_graspers_by(VBSS_METHOD_PAPER, hashes, count);
+    run_graspers_by(VBSS_METHOD_VBLAST, hashes, count);
 }
 
 /* ---- knots: one that is tied and comes undone, seen by both methods; and stacks of throws that are judged */
@@ -328,10 +328,10 @@ enum { WATCHERS = 2, JUDGE = 2, KNOT_DETECTORS };
 static void create_knot_detectors(vbss_context *context, vbss_knot_detector *d[KNOT_DETECTORS])
 {
     for (int k = 0; k < KNOT_DETECTORS; k++) {
-        vbss_knot_config config;
+        vbss_knot_detector_config config;
         must(moving_knot_config(&config));
-        config.method = k == 1 ? VBSS_KNOT_PROJECTION : VBSS_KNOT_TOPOLOGY;
-        config.work_limit = 2500; /* readings last over some steps */
+        config.method = k == 1 ? VBSS_KNOT_METHOD_PROJECTION : VBSS_KNOT_METHOD_TOPOLOGY;
+        config.step_budget = 2500; /* readings last over some steps */
         if (k == JUDGE) {
             config.point_capacity = 400;
             config.crossing_capacity = 256;
@@ -436,12 +436,12 @@ static void run_device(uint64_t *hashes, size_t count)
 static void add_motion(vbss_stream *stream, vbss_metrics *metrics)
 {
     vbss_metrics_bimanual b;
-    must(vbss_metrics_get_bimanual(metrics, VBSS_METRICS_WHOLE, &b, sizeof b));
+    must(vbss_metrics_get_bimanual(metrics, VBSS_METRICS_PHASE_ALL, &b, sizeof b));
     vbss_stream_f64(stream, 1, &b.correlation, 1);
     vbss_stream_f64(stream, 2, &b.both_moving_share, 1);
-    for (int tool = VBSS_METRICS_LEFT; tool <= VBSS_METRICS_RIGHT; tool++) {
+    for (int tool = VBSS_METRICS_TOOL_LEFT; tool <= VBSS_METRICS_TOOL_RIGHT; tool++) {
         vbss_metrics_motion o;
-        must(vbss_metrics_get_motion(metrics, tool, VBSS_METRICS_WHOLE, &o, sizeof o));
+        must(vbss_metrics_get_motion(metrics, tool, VBSS_METRICS_PHASE_ALL, &o, sizeof o));
         vbss_stream_f64(stream, 3, &o.path_length, 1);
         vbss_stream_f64(stream, 4, &o.ldj_length, 1);
         vbss_stream_f64(stream, 5, &o.ldj_speed, 1);
@@ -490,7 +490,7 @@ static void run_drain(uint64_t *hashes, size_t count)
     for (int k = 0; k < DRAINS; k++) {
         vbss_drain_config config;
         must(drain_scene_config(kinds[k], &config));
-        config.method = k == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
+        config.method = k == 2 ? VBSS_METHOD_VBLAST : VBSS_METHOD_IMPLICIT;
         must(drain_scene_create(context, kinds[k], &config, &scenes[k]));
     }
     for (size_t i = 0; i < count; i++) {
@@ -674,7 +674,7 @@ static void run_visual(uint64_t *hashes, size_t count)
     vbss_visual *visual;
     tool_run run;
     must(vbss_context_create(NULL, &context));
-    must(tool_run_create(context, VBSS_METHOD_OURS, &run));
+    must(tool_run_create(context, VBSS_METHOD_IMPLICIT, &run));
     must(vbss_drain_config_init(&drain_config, sizeof drain_config));
     must(vbss_drain_create(context, &drain_config, &drain));
     must(vbss_needle_create(context, NULL, &needle));

@@ -59,7 +59,7 @@ void hardware_rig_tick(hardware_rig *r)
 {
     if (r->step >= r->next_round && r->step > 1) {
         (void)r->daq->waited();
-        expect_ok(vbss_nidaqmx_pump(r->nidaqmx, (double)r->step / 1000.0));
+        expect_ok(vbss_nidaqmx_poll(r->nidaqmx, (double)r->step / 1000.0));
         const uint64_t waited = (uint64_t)ceil(1000.0 * r->daq->waited() - 1e-6);
         r->next_round = r->step + (waited > 2 ? waited : 2);
     }

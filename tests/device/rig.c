@@ -130,17 +130,17 @@ static vbss_result call_write(void *device)
 
 static vbss_result call_stop(void *device)
 {
-    return vbss_device_stop(device);
+    return vbss_device_latch_emergency_stop(device);
 }
 
 static vbss_result call_release(void *device)
 {
-    return vbss_device_release(device);
+    return vbss_device_clear_emergency_stop(device);
 }
 
 static vbss_result call_clutch(void *device)
 {
-    return vbss_device_clutch(device, 1);
+    return vbss_device_set_clutch(device, 1);
 }
 
 static vbss_result call_recentre(void *device)
@@ -161,7 +161,7 @@ vbss_result device_call_restore(void *device)
 
 static vbss_result call_unclutch(void *device)
 {
-    return vbss_device_clutch(device, 0);
+    return vbss_device_set_clutch(device, 0);
 }
 
 static vbss_result call_capabilities(void *device)

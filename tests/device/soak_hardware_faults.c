@@ -42,16 +42,16 @@ static bool is_reported(const hardware_rig *r, kind k)
     case COMM_ERROR:
         return arm.error == 0x0302 && r->inputs[0].stopped != 0;
     case WARM:
-        return arm.state == VBSS_HARDWARE_REFUSING;
+        return arm.state == VBSS_HAPTICS_STATE_REFUSING;
     case NAN_POSE:
     case STALLED:
-        return r->inputs[0].status == VBSS_DEVICE_STALE;
+        return r->inputs[0].status == VBSS_DEVICE_STATUS_STALE;
     case SILENT:
         return arm.silent_ticks > 0;
     case READ_TIMEOUT:
-        return lines.state == VBSS_HARDWARE_REFUSING;
+        return lines.state == VBSS_HAPTICS_STATE_REFUSING;
     case REMOVED:
-        return lines.state == VBSS_HARDWARE_LOST && r->inputs[0].stopped != 0;
+        return lines.state == VBSS_HAPTICS_STATE_LOST && r->inputs[0].stopped != 0;
     }
     return false;
 }

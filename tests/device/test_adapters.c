@@ -122,7 +122,7 @@ static void adapter_opens_once_and_closes_after_zeros(void **state)
     expect_ok(vbss_device_destroy(r.device));
     assert_int_equal(d.closed, 1);
     assert_true(d.last.force[0] == 0.0 && d.last.solenoid == 0);
-    assert_int_equal(d.last.flags, VBSS_OUTPUT_STOPPED);
+    assert_int_equal(d.last.flags, VBSS_OUTPUT_FLAG_STOPPED);
     /* A context that ends does the same. */
     expect_ok(create(&r, &a, NULL));
     device_rig_steps(&r, 5);
@@ -142,13 +142,13 @@ static void stop_is_written_at_once(void **state)
     r.command.force[0] = 0.4;
     device_rig_steps(&r, 5);
     int before = d.written;
-    expect_ok(vbss_device_stop(r.device));
+    expect_ok(vbss_device_latch_emergency_stop(r.device));
     assert_int_equal(d.written, before + 1);
     assert_true(d.last.force[0] == 0.0);
     device_rig_steps(&r, 5);
     assert_true(d.last.force[0] == 0.0);
     assert_int_equal(r.input.stopped, 1);
-    expect_ok(vbss_device_release(r.device));
+    expect_ok(vbss_device_clear_emergency_stop(r.device));
     device_rig_steps(&r, 1);
     expect_near(0.4, d.last.force[0], 1e-15);
     device_rig_end(&r);
@@ -215,7 +215,7 @@ static void function_table_without_functions_is_rejected(void **state)
     assert_int_equal(all.outputs, 0);
     r.command.force[0] = 1.0;
     device_rig_steps(&r, 10);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_int_equal(r.flags, 0);
     assert_true(r.result.force[0] == 0.0);
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
@@ -292,7 +292,7 @@ static void disconnect_turns_solenoid_off(void **state)
     d.flags = VBSS_DEVICE_FLAG_LOST;
     device_rig_steps(&r, 1);
     assert_int_equal(d.last.solenoid, 0);
-    assert_int_equal(r.input.status, VBSS_DEVICE_LOST);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_LOST);
     device_rig_end(&r);
 }
 
@@ -314,7 +314,7 @@ static void newer_adapter_header_fits(void **state)
     assert_int_equal(all.signals, DEVICE_SIGNALS);
     assert_int_equal(all.outputs, DEVICE_OUTPUTS);
     device_rig_steps(&r, 10);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_int_equal(r.input.valid & ~(uint32_t)DEVICE_SIGNALS, 0);
     assert_int_equal(d.seen_beyond, 0); /* whatever it left there in its samples */
     device_rig_end(&r);

@@ -15,11 +15,11 @@ static void falling_rate_is_followed(void **state)
     begin(&r);
     device_rig_open(&r, 1);
     device_rig_steps(&r, 20);
-    device_rig_fault(&r, 0, VBSS_MOCK_RATE, 100.0, 0.004);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_RATE, 100.0, 0.004);
     device_rig_forget(&r);
     for (int i = 0; i < 90; i++) {
         device_rig_steps(&r, 1);
-        assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+        assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
         expect_near(0.1, r.input.velocity[0], 1e-9);
         expect_near(1.0, r.input.angular_velocity[2], 1e-9);
         expect_near(0.1 * r.input.time - 0.005, r.input.position[0], 1e-15);
@@ -41,13 +41,13 @@ static void slow_device_has_longer_timeout(void **state)
         begin(&r);
         r.capabilities[0].update_rate = reported == 1 ? 100.0 : 0.0;
         device_rig_open(&r, 1);
-        device_rig_fault(&r, 0, VBSS_MOCK_RATE, 1000.0, 0.01);
+        device_rig_fault(&r, 0, VBSS_MOCK_FAULT_RATE, 1000.0, 0.01);
         device_rig_steps(&r, 200);
         assert_int_equal((r.events & VBSS_DEVICE_EVENT_STALE) != 0, reported == 0);
-        assert_int_equal((r.flags & VBSS_OUTPUT_INPUT_STALE) != 0, reported == 0);
-        device_rig_fault(&r, 0, VBSS_MOCK_STALL, 1000.0, 0.0);
+        assert_int_equal((r.flags & VBSS_OUTPUT_FLAG_INPUT_STALE) != 0, reported == 0);
+        device_rig_fault(&r, 0, VBSS_MOCK_FAULT_STALL, 1000.0, 0.0);
         device_rig_steps(&r, 32);
-        assert_int_equal(r.input.status, VBSS_DEVICE_STALE); /* but not for ever */
+        assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_STALE); /* but not for ever */
         device_rig_end(&r);
     }
 }
@@ -62,11 +62,12 @@ static void late_sample_is_aged_on_shared_clock(void **state)
         r.config.clock = shared;
         device_rig_open(&r, 1);
         device_rig_steps(&r, 20);
-        device_rig_fault(&r, 0, VBSS_MOCK_LATE, 500.0, 0.0085);
+        device_rig_fault(&r, 0, VBSS_MOCK_FAULT_LATE, 500.0, 0.0085);
         device_rig_steps(&r, 40);
         vbss_device_statistics s = device_rig_statistics(&r);
         assert_int_equal(s.out_of_order[0], 8); /* until it has caught up */
-        assert_int_equal(r.input.status, shared == 1 ? VBSS_DEVICE_STALE : VBSS_DEVICE_READY);
+        assert_int_equal(r.input.status,
+                         shared == 1 ? VBSS_DEVICE_STATUS_STALE : VBSS_DEVICE_STATUS_READY);
         expect_near(shared == 1 ? 0.0085 : 0.0, r.input.age, 1e-12);
         /* 3.5 of 5 ms of the ramp are over. */
         if (shared == 1) {
@@ -85,7 +86,7 @@ static void out_of_order_samples_are_rejected(void **state)
     begin(&r);
     device_rig_open(&r, 1);
     device_rig_steps(&r, 20);
-    device_rig_fault(&r, 0, VBSS_MOCK_SHUFFLE, 60.0, 0.0011);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_SHUFFLE, 60.0, 0.0011);
     double before = r.input.position[0];
     device_rig_forget(&r);
     for (int i = 0; i < 60; i++) {
@@ -122,11 +123,11 @@ static void restarted_clock_is_followed_after_delay(void **state)
     device_rig_steps(&r, 20);
     origin = 0.0;
     device_rig_steps(&r, 99);
-    assert_int_equal(r.input.status, VBSS_DEVICE_STALE);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_STALE);
     assert_true(r.result.force[0] == 0.0);
     device_rig_forget(&r);
     device_rig_steps(&r, 3);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_true((r.events & VBSS_DEVICE_EVENT_RESTARTED) != 0);
     vbss_device_statistics s = device_rig_statistics(&r);
     assert_int_equal(s.restarts[0], 1);
@@ -151,7 +152,7 @@ static void single_future_time_does_not_block(void **state)
     device_rig_steps(&r, 1);
     origin = 0.0;
     device_rig_steps(&r, 120);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     device_rig_end(&r);
     /* A shared clock knows better: such a sample is refused. */
     begin(&r);
@@ -163,7 +164,7 @@ static void single_future_time_does_not_block(void **state)
     device_rig_steps(&r, 1);
     origin = 0.0;
     device_rig_steps(&r, 1);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_int_equal(device_rig_statistics(&r).out_of_range[0], 1);
     device_rig_end(&r);
 }
@@ -178,11 +179,11 @@ static void reconnected_device_may_restart_clock(void **state)
     origin = 5000.0;
     device_rig_open(&r, 1);
     device_rig_steps(&r, 20);
-    device_rig_fault(&r, 0, VBSS_MOCK_DISCONNECT, 10.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_DISCONNECT, 10.0, 0.0);
     device_rig_steps(&r, 10);
     origin = 0.0;
     device_rig_steps(&r, 1);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_true(r.input.velocity[0] == 0.0);
     expect_near(0.5, r.input.jaw, 1e-12);
     device_rig_steps(&r, 1);
@@ -206,17 +207,17 @@ static void briefly_lost_device_restarts(void **state)
         device_rig_open(&r, 1);
         device_rig_steps(&r, 20);
         if (restart == 0) {
-            device_rig_fault(&r, 0, VBSS_MOCK_DISCONNECT, 2.0, 0.0);
+            device_rig_fault(&r, 0, VBSS_MOCK_FAULT_DISCONNECT, 2.0, 0.0);
             device_rig_steps(&r, 2);
         } else { /* or its clock jumps back, for which the host waits */
             origin = 0.0;
             device_rig_steps(&r, 100);
         }
-        device_rig_fault(&r, 0, VBSS_MOCK_JUMP, 1000.0, 0.5);
-        device_rig_fault(&r, 0, VBSS_MOCK_JAW, 1000.0, 0.9);
+        device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JUMP, 1000.0, 0.5);
+        device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JAW, 1000.0, 0.9);
         device_rig_forget(&r);
         device_rig_steps(&r, 1);
-        assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+        assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
         expect_near(0.1 * r.now + 0.495, r.input.position[0], 1e-15);
         assert_true(r.input.velocity[0] == 0.0);
         expect_near(0.9, r.input.jaw, 1e-12);
@@ -236,10 +237,10 @@ static void handle_filter_uses_handle_times(void **state)
     r.calibration.jaw_time = 0.02;
     r.calibration.jaw_play = 0.0;
     device_rig_open(&r, 1);
-    device_rig_fault(&r, 0, VBSS_MOCK_RATE, 1000.0, 0.004);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_RATE, 1000.0, 0.004);
     device_rig_steps(&r, 20);
     double last = r.input.time;
-    device_rig_fault(&r, 0, VBSS_MOCK_JAW, 1000.0, 1.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JAW, 1000.0, 1.0);
     for (int i = 0; i < 40; i++) {
         device_rig_steps(&r, 1);
         double since = r.input.time - last;
@@ -256,22 +257,22 @@ static void device_waits_for_first_sample(void **state)
     r.command.solenoid = 1;
     r.calibration.workspace_low[2] = 0.5; /* where nothing is yet */
     device_rig_open(&r, 1);
-    device_rig_fault(&r, 0, VBSS_MOCK_READ_FAILS, 20.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_READ_FAILS, 20.0, 0.0);
     r.step = 1;
     device_rig_steps(&r, 10);
-    assert_int_equal(r.input.status, VBSS_DEVICE_WAITING);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_WAITING);
     assert_int_equal(r.input.valid, 0);
     expect_near(-1.0, r.input.age, 0.0);
     expect_near(-1.0, r.input.jaw_age, 0.0);
     expect_near(1.0, r.input.orientation[0], 0.0);
     expect_near(1.0, r.input.jaw, 0.0);
     assert_true(r.result.force[0] == 0.0 && r.result.solenoid == 0);
-    assert_true((r.flags & VBSS_OUTPUT_INPUT_STALE) != 0);
+    assert_true((r.flags & VBSS_OUTPUT_FLAG_INPUT_STALE) != 0);
     assert_int_equal(r.events & (VBSS_DEVICE_EVENT_STALE | VBSS_DEVICE_EVENT_FRESH), 0);
     assert_int_equal(device_rig_statistics(&r).pose_stale_reads, 0);
     assert_int_equal(device_rig_statistics(&r).clamped_reads, 0);
     device_rig_steps(&r, 30);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_true((r.events & VBSS_DEVICE_EVENT_FRESH) != 0);
     assert_true((r.events & VBSS_DEVICE_EVENT_JAW_FRESH) != 0);
     device_rig_end(&r);

@@ -46,7 +46,7 @@ static void pose_holds_and_continues(void **state)
         vec3 held = position_of(&r);
         quat turned = orientation_of(&r);
         vec3 velocity = vec3_load(r.input.velocity), spin = vec3_load(r.input.angular_velocity);
-        expect_ok(vbss_device_clutch(r.device, 1));
+        expect_ok(vbss_device_set_clutch(r.device, 1));
         for (int i = 0; i < 50; i++) {
             device_rig_steps(&r, 1);
             assert_int_equal(r.input.clutched, 1);
@@ -60,7 +60,7 @@ static void pose_holds_and_continues(void **state)
                         turn_between(turned, orientation_of(&r)), 1e-9);
             assert_true(r.result.force[0] == 0.0 && r.result.solenoid == 0);
         }
-        expect_ok(vbss_device_clutch(r.device, 0));
+        expect_ok(vbss_device_set_clutch(r.device, 0));
         vec3 before = position_of(&r);
         quat turned_before = orientation_of(&r);
         device_rig_steps(&r, 1);
@@ -89,17 +89,17 @@ static void double_hold_is_one_hold(void **state)
     device_rig_steps(&r, 20);
     vec3 held = position_of(&r);
     vec3 velocity = vec3_load(r.input.velocity);
-    expect_ok(vbss_device_clutch(r.device, 0)); /* nothing to let go */
+    expect_ok(vbss_device_set_clutch(r.device, 0)); /* nothing to let go */
     device_rig_read(&r);
     assert_int_equal(r.input.clutched, 0);
     expect_near(0.0, vec3_distance(vec3_add_scaled(held, 1e-3, velocity), position_of(&r)), 1e-12);
     held = position_of(&r);
-    expect_ok(vbss_device_clutch(r.device, 1));
+    expect_ok(vbss_device_set_clutch(r.device, 1));
     device_rig_steps(&r, 5);
-    expect_ok(vbss_device_clutch(r.device, 1));
+    expect_ok(vbss_device_set_clutch(r.device, 1));
     device_rig_steps(&r, 5);
     expect_near(0.0, vec3_distance(held, position_of(&r)), 0.0);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_device_clutch(r.device, 2));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_device_set_clutch(r.device, 2));
     assert_int_equal(device_rig_statistics(&r).clutches, 1);
     device_rig_end(&r);
 }
@@ -115,7 +115,7 @@ static void recentre_sets_pose(void **state)
     const double wanted[3] = {0.2, -0.3, 0.4};
     quat q = vbss_quat_from_rotation_vector(vec3_make(-1.0, 0.4, 2.0));
     const double turned[4] = {3.0 * q.w, 3.0 * q.x, 3.0 * q.y, 3.0 * q.z};
-    expect_ok(vbss_device_clutch(r.device, 1));
+    expect_ok(vbss_device_set_clutch(r.device, 1));
     expect_ok(vbss_device_recentre(r.device, wanted, turned));
     device_rig_steps(&r, 1);
     vec3 expected = vec3_add_scaled(vec3_load(wanted), 1e-3, velocity);
@@ -160,7 +160,7 @@ static void new_calibration_applies_from_next_read(void **state)
     device_rig_steps(&r, 20);
     const double elsewhere[3] = {0.3, 0.3, 0.3}, turned[4] = {0.0, 1.0, 0.0, 0.0};
     expect_ok(vbss_device_recentre(r.device, elsewhere, turned));
-    expect_ok(vbss_device_clutch(r.device, 1));
+    expect_ok(vbss_device_set_clutch(r.device, 1));
     vbss_device_calibration bad = r.calibration, good = r.calibration;
     bad.scale = 0.0;
     uint64_t before = device_rig_hash(&r);

@@ -22,16 +22,16 @@ static void command_persists_until_next(void **state)
     device_rig_steps(&r, 1);
     device_rig_read(&r);
     device_rig_write(&r, NULL);
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_WARM);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_WARM);
     r.command.fault = 1;
     device_rig_steps(&r, 1);
     device_rig_read(&r);
     device_rig_write(&r, NULL);
-    assert_true((r.result.flags & VBSS_OUTPUT_FAULT) != 0);
+    assert_true((r.result.flags & VBSS_OUTPUT_FLAG_FAULT) != 0);
     /* A fault of the device is over when the device says so. */
     r.command.fault = 0;
     r.command.temperature = 0.0;
-    device_rig_fault(&r, 0, VBSS_MOCK_REFUSAL, 5.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_REFUSAL, 5.0, 0.0);
     device_rig_steps(&r, 3);
     for (int i = 0; i < 20; i++) {
         device_rig_read(&r);
@@ -54,7 +54,7 @@ static void non_finite_command_sets_flag(void **state)
         bad.force[1] = harness_bad_numbers[i];
         device_rig_read(&r);
         device_rig_write(&r, &bad);
-        assert_int_equal(r.result.flags, VBSS_OUTPUT_NOT_FINITE);
+        assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_NOT_FINITE);
         assert_true(r.result.force[0] == 0.0);
         device_rig_steps(&r, 1);
         expect_near(0.4, r.result.force[0], 1e-15);
@@ -63,7 +63,7 @@ static void non_finite_command_sets_flag(void **state)
     bad.input_age = bad.age = harness_bad_numbers[0];
     device_rig_read(&r);
     device_rig_write(&r, &bad);
-    assert_true((r.result.flags & VBSS_OUTPUT_NOT_FINITE) != 0);
+    assert_true((r.result.flags & VBSS_OUTPUT_FLAG_NOT_FINITE) != 0);
     assert_int_equal(device_rig_output_statistics(&r).not_finite, 4);
     device_rig_end(&r);
 }
@@ -103,7 +103,7 @@ static void pose_ages_between_read_and_write(void **state)
     r.command.force[0] = 0.8;
     device_rig_steps(&r, 20);
     expect_ok(vbss_device_write(r.device, r.now + 0.0075, &r.command, &r.result, sizeof r.result));
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_INPUT_STALE | VBSS_OUTPUT_LATE);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_INPUT_STALE | VBSS_OUTPUT_FLAG_LATE);
     expect_near(0.4, r.result.force[0], 1e-12);
     expect_ok(vbss_device_write(r.device, r.now + 0.0085, NULL, &r.result, sizeof r.result));
     expect_near(0.24, r.result.force[0], 1e-12);

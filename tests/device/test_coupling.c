@@ -125,18 +125,18 @@ static void coupling_is_withheld_while_forces_are_off(void **state)
     }
     assert_int_equal(couples, 10);
     assert_true(r.result.force[0] > 0.5);
-    expect_ok(vbss_device_stop(r.device));
+    expect_ok(vbss_device_latch_emergency_stop(r.device));
     couples = 0;
     device_rig_read(&r);
     write_it(&r, &c);
     assert_true(couples == 0 && r.result.force[0] == 0.0);
-    expect_ok(vbss_device_release(r.device));
-    expect_ok(vbss_device_clutch(r.device, 1));
+    expect_ok(vbss_device_clear_emergency_stop(r.device));
+    expect_ok(vbss_device_set_clutch(r.device, 1));
     device_rig_read(&r);
     write_it(&r, &c);
     assert_true(couples == 0 && r.result.force[0] == 0.0);
-    expect_ok(vbss_device_clutch(r.device, 0));
-    device_rig_fault(&r, 0, VBSS_MOCK_REFUSAL, 5.0, 0.0);
+    expect_ok(vbss_device_set_clutch(r.device, 0));
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_REFUSAL, 5.0, 0.0);
     device_rig_read(&r);
     write_it(&r, &c);
     assert_true(couples == 0 && r.result.force[0] == 0.0);
@@ -194,7 +194,7 @@ static void command_with_a_force_is_rejected_beside_a_coupling(void **state)
     r.now += 1e-3;
     device_rig_read(&r);
     write_it(&r, &c);
-    assert_true((r.result.flags & VBSS_OUTPUT_NOT_FINITE) != 0 && r.result.force[0] == 0.0);
+    assert_true((r.result.flags & VBSS_OUTPUT_FLAG_NOT_FINITE) != 0 && r.result.force[0] == 0.0);
     device_rig_end(&r);
 }
 

@@ -14,7 +14,7 @@ static void begin(device_rig *r)
     device_rig_steps(r, 20);
     expect_near(0.8, r->result.force[0], 1e-15);
     assert_int_equal(r->result.solenoid, 1);
-    assert_int_equal(r->input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r->input.status, VBSS_DEVICE_STATUS_READY);
     device_rig_forget(r);
     device_rig_steps(r, 1);
     assert_int_equal(r->events, 0); /* nothing is told twice */
@@ -31,10 +31,10 @@ static void expect_stale(const device_rig *r, double good)
     assert_true(is_off(r));
     expect_near(0.1 * good - 0.005, r->input.position[0], 1e-15);
     assert_true(r->input.velocity[0] == 0.0 && r->input.angular_velocity[2] == 0.0);
-    assert_int_equal(r->input.status, VBSS_DEVICE_STALE);
+    assert_int_equal(r->input.status, VBSS_DEVICE_STATUS_STALE);
     assert_true((r->input.stale & VBSS_DEVICE_HAS_POSITION) != 0);
     assert_true((r->events & VBSS_DEVICE_EVENT_STALE) != 0);
-    assert_true((r->flags & VBSS_OUTPUT_INPUT_STALE) != 0);
+    assert_true((r->flags & VBSS_OUTPUT_FLAG_INPUT_STALE) != 0);
     vbss_device_statistics s = device_rig_statistics(r);
     assert_int_equal(s.pose_stale, 1);
     expect_near(0.01, r->input.age, 1e-12);
@@ -45,7 +45,7 @@ static void expect_recovery(device_rig *r)
 {
     device_rig_forget(r);
     device_rig_steps(r, 30);
-    assert_int_equal(r->input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r->input.status, VBSS_DEVICE_STATUS_READY);
     assert_true((r->events & VBSS_DEVICE_EVENT_FRESH) != 0);
     expect_near(0.8, r->result.force[0], 1e-15);
     assert_int_equal(r->result.solenoid, 1);
@@ -78,12 +78,13 @@ static void non_finite_numbers_are_rejected(void **state)
     (void)state;
     for (int which = 0; which <= 4; which++) {
         if (which != 2) { /* this hand gives no velocity: nobody looks there */
-            refused_samples(VBSS_MOCK_NAN, which, offsetof(vbss_device_statistics, not_finite));
+            refused_samples(VBSS_MOCK_FAULT_NAN, which,
+                            offsetof(vbss_device_statistics, not_finite));
         }
     }
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_NAN, 30.0, 2.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_NAN, 30.0, 2.0);
     device_rig_steps(&r, 20);
     assert_int_equal(r.events & VBSS_DEVICE_EVENT_REFUSED, 0);
     device_rig_end(&r);
@@ -92,9 +93,9 @@ static void non_finite_numbers_are_rejected(void **state)
 static void non_unit_orientations_are_rejected(void **state)
 {
     (void)state;
-    refused_samples(VBSS_MOCK_NORM, 0.9, offsetof(vbss_device_statistics, not_unit));
-    refused_samples(VBSS_MOCK_NORM, 0.0, offsetof(vbss_device_statistics, not_unit));
-    refused_samples(VBSS_MOCK_NORM, 1e9, offsetof(vbss_device_statistics, not_unit));
+    refused_samples(VBSS_MOCK_FAULT_NORM, 0.9, offsetof(vbss_device_statistics, not_unit));
+    refused_samples(VBSS_MOCK_FAULT_NORM, 0.0, offsetof(vbss_device_statistics, not_unit));
+    refused_samples(VBSS_MOCK_FAULT_NORM, 1e9, offsetof(vbss_device_statistics, not_unit));
 }
 
 static void nearly_unit_orientations_are_normalised(void **state)
@@ -102,7 +103,7 @@ static void nearly_unit_orientations_are_normalised(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_NORM, 30.0, 1.0009);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_NORM, 30.0, 1.0009);
     device_rig_steps(&r, 10);
     assert_int_equal(r.events & VBSS_DEVICE_EVENT_REFUSED, 0);
     double square = 0.0;
@@ -116,7 +117,7 @@ static void nearly_unit_orientations_are_normalised(void **state)
 static void absurd_poses_are_rejected(void **state)
 {
     (void)state;
-    refused_samples(VBSS_MOCK_JUMP, 1e6, offsetof(vbss_device_statistics, out_of_range));
+    refused_samples(VBSS_MOCK_FAULT_JUMP, 1e6, offsetof(vbss_device_statistics, out_of_range));
 }
 
 static void stalled_device_is_stale(void **state)
@@ -124,9 +125,9 @@ static void stalled_device_is_stale(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_STALL, 30.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_STALL, 30.0, 0.0);
     device_rig_steps(&r, 3);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY); /* 3 ms are no reason */
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY); /* 3 ms are no reason */
     double good = r.input.time;
     device_rig_steps(&r, 8);
     expect_stale(&r, good);
@@ -134,7 +135,7 @@ static void stalled_device_is_stale(void **state)
     device_rig_steps(&r, 19);
     /* The first new sample is far from the last: no velocity until there is a second. */
     device_rig_steps(&r, 1);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_true(r.input.velocity[0] == 0.0 && r.input.position[0] > 0.1 * good - 0.003);
     expect_near(0.029, device_rig_statistics(&r).oldest_pose, 1e-9);
     device_rig_steps(&r, 1);
@@ -148,7 +149,7 @@ static void failed_reads_are_no_samples(void **state)
     device_rig r;
     begin(&r);
     double good = r.now;
-    device_rig_fault(&r, 0, VBSS_MOCK_READ_FAILS, 30.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_READ_FAILS, 30.0, 0.0);
     device_rig_steps(&r, 1);
     assert_int_equal(r.result.solenoid, 0); /* off on every fault */
     expect_near(0.8, r.result.force[0], 1e-15);
@@ -173,19 +174,19 @@ static void lost_device_stops_until_release(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_DISCONNECT, 30.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_DISCONNECT, 30.0, 0.0);
     device_rig_steps(&r, 1);
     assert_true(is_off(&r));
-    assert_int_equal(r.input.status, VBSS_DEVICE_LOST);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_LOST);
     assert_int_equal(r.input.stopped, 1);
     assert_int_equal(r.events & (VBSS_DEVICE_EVENT_LOST | VBSS_DEVICE_EVENT_STOPPED),
                      VBSS_DEVICE_EVENT_LOST | VBSS_DEVICE_EVENT_STOPPED);
-    assert_true((r.flags & VBSS_OUTPUT_NOT_WRITTEN) != 0);
+    assert_true((r.flags & VBSS_OUTPUT_FLAG_NOT_WRITTEN) != 0);
     device_rig_steps(&r, 40);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_true((r.events & VBSS_DEVICE_EVENT_FOUND) != 0);
     assert_true(is_off(&r));
-    expect_ok(vbss_device_release(r.device));
+    expect_ok(vbss_device_clear_emergency_stop(r.device));
     device_rig_steps(&r, 1);
     expect_near(0.5, r.result.force[0], 1e-15); /* rises from zero */
     device_rig_steps(&r, 30);
@@ -204,9 +205,9 @@ static void lost_device_only_ages(void **state)
     r.command.force[0] = 0.8;
     device_rig_open(&r, 1);
     device_rig_steps(&r, 20);
-    device_rig_fault(&r, 0, VBSS_MOCK_DISCONNECT, 30.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_DISCONNECT, 30.0, 0.0);
     device_rig_steps(&r, 11);
-    assert_int_equal(r.input.status, VBSS_DEVICE_LOST);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_LOST);
     assert_int_equal(r.input.stopped, 0);
     assert_true(r.result.force[0] == 0.0);
     device_rig_steps(&r, 40);
@@ -221,12 +222,12 @@ static void device_without_force_capability_gets_none(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_REFUSAL, 30.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_REFUSAL, 30.0, 0.0);
     device_rig_steps(&r, 1);
     assert_true(is_off(&r));
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_true((r.events & VBSS_DEVICE_EVENT_FAULT) != 0);
-    assert_true((r.flags & VBSS_OUTPUT_FAULT) != 0);
+    assert_true((r.flags & VBSS_OUTPUT_FLAG_FAULT) != 0);
     device_rig_steps(&r, 40);
     expect_near(0.8, r.result.force[0], 1e-15);
     assert_int_equal(device_rig_statistics(&r).faults[0], 1);
@@ -239,13 +240,13 @@ static void force_refusal_holds_until_new_sample(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_REFUSAL, 2.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_REFUSAL, 2.0, 0.0);
     device_rig_steps(&r, 2);
-    device_rig_fault(&r, 0, VBSS_MOCK_READ_FAILS, 3.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_READ_FAILS, 3.0, 0.0);
     device_rig_steps(&r, 3);
-    assert_true((r.result.flags & VBSS_OUTPUT_FAULT) != 0);
+    assert_true((r.result.flags & VBSS_OUTPUT_FLAG_FAULT) != 0);
     device_rig_steps(&r, 1);
-    assert_int_equal(r.result.flags & VBSS_OUTPUT_FAULT, 0);
+    assert_int_equal(r.result.flags & VBSS_OUTPUT_FLAG_FAULT, 0);
     device_rig_end(&r);
 }
 
@@ -254,7 +255,7 @@ static void device_can_request_emergency_stop(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_STOP, 30.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_STOP, 30.0, 0.0);
     uint64_t accepted = device_rig_statistics(&r).accepted[0];
     device_rig_steps(&r, 1);
     assert_true(is_off(&r));
@@ -262,12 +263,12 @@ static void device_can_request_emergency_stop(void **state)
                 1e-15); /* the sample counts all the same */
     assert_int_equal(device_rig_statistics(&r).accepted[0], accepted + 1);
     assert_true((r.events & VBSS_DEVICE_EVENT_STOPPED) != 0);
-    expect_ok(vbss_device_release(r.device)); /* the reason is still there */
+    expect_ok(vbss_device_clear_emergency_stop(r.device)); /* the reason is still there */
     device_rig_steps(&r, 1);
     assert_true(is_off(&r));
     device_rig_steps(&r, 40);
     assert_true(is_off(&r));
-    expect_ok(vbss_device_release(r.device));
+    expect_ok(vbss_device_clear_emergency_stop(r.device));
     device_rig_steps(&r, 30);
     expect_near(0.8, r.result.force[0], 1e-15);
     assert_int_equal(device_rig_output_statistics(&r).stops, 2);
@@ -279,10 +280,10 @@ static void warm_motor_is_derated(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_TEMPERATURE, 30.0, 1.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_TEMPERATURE, 30.0, 1.0);
     device_rig_steps(&r, 1);
     assert_true(r.result.force[0] == 0.0);
-    assert_int_equal(r.flags & VBSS_OUTPUT_WARM, VBSS_OUTPUT_WARM);
+    assert_int_equal(r.flags & VBSS_OUTPUT_FLAG_WARM, VBSS_OUTPUT_FLAG_WARM);
     expect_near(1.0, r.input.temperature, 0.0);
     device_rig_end(&r);
 }
@@ -292,9 +293,9 @@ static void failed_write_turns_solenoid_off(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_WRITE_FAILS, 2.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_WRITE_FAILS, 2.0, 0.0);
     device_rig_steps(&r, 1);
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_NOT_WRITTEN);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_NOT_WRITTEN);
     device_rig_steps(&r, 1);
     assert_int_equal(r.result.solenoid, 0);
     assert_int_equal(device_rig_statistics(&r).failed_writes[0], 2);
@@ -314,9 +315,9 @@ static void broken_handle_wire_makes_opening_stale(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_JAW, 200.0, 9.7);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JAW, 200.0, 9.7);
     device_rig_steps(&r, 102);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_true((r.input.stale & VBSS_DEVICE_HAS_JAW) != 0);
     expect_near(0.5, r.input.jaw, 1e-15); /* held */
     expect_near(9.7, r.input.jaw_raw, 0.0);

@@ -93,7 +93,7 @@ static void slow_rounds_turn_solenoid_off_within_10_ms(void **state)
         for (int i = 1; i <= last + 10; i++) {
             r.now = 1e-3 * i;
             if (i % spacing == 0) {
-                expect_ok(vbss_nidaqmx_pump(r.nidaqmx, r.now));
+                expect_ok(vbss_nidaqmx_poll(r.nidaqmx, r.now));
             }
             r.hd->tick(1);
             if (i <= last) {
@@ -144,9 +144,9 @@ static void devices_are_listed(void **state)
     hardware_rig r;
     char text[64];
     hardware_rig_begin(&r, false);
-    expect_ok(vbss_nidaqmx_list(r.context, VBSS_STAND_IN_NIDAQMX, text, sizeof text));
+    expect_ok(vbss_nidaqmx_list_devices(r.context, VBSS_STAND_IN_NIDAQMX, text, sizeof text));
     assert_string_equal(text, "Dev1  USB-6008\nDev2  USB-6009\n");
-    expect_ok(vbss_nidaqmx_list(r.context, VBSS_STAND_IN_NIDAQMX, text, 9));
+    expect_ok(vbss_nidaqmx_list_devices(r.context, VBSS_STAND_IN_NIDAQMX, text, 9));
     assert_string_equal(text, "Dev1  US");
     hardware_rig_end(&r);
 }

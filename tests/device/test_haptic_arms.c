@@ -14,7 +14,7 @@ static void poses_are_in_metres_and_unit_quaternions(void **state)
     r.hd->set_hand(0, &(stand_in_hand){.mass = 0.1});
     hardware_rig_steps(&r, 20);
     const vbss_device_input *in = &r.inputs[0];
-    assert_int_equal(in->status, VBSS_DEVICE_READY);
+    assert_int_equal(in->status, VBSS_DEVICE_STATUS_READY);
     for (int i = 0; i < 3; i++) {
         assert_true(fabs(in->position[i] - there[i]) < 1e-12);
     }
@@ -131,7 +131,7 @@ static void force_is_written_in_next_tick(void **state)
     assert_true(fabs(now.force[1] + 0.3) < 1e-12);
     assert_true(hardware_rig_force(&r, 0) == 0.0);
     expect_ok(vbss_openhaptics_get_status(r.openhaptics, 1, &status, sizeof status));
-    assert_int_equal(status.state, VBSS_HARDWARE_RUNNING);
+    assert_int_equal(status.state, VBSS_HAPTICS_STATE_RUNNING);
     assert_true(status.ticks == 12 && status.errors == 0 && status.failed_ticks == 0);
     assert_true(status.force[1] == now.force[1]);
     hardware_rig_end(&r);
@@ -207,7 +207,7 @@ static void host_may_step_inside_servo(void **state)
     hardware_rig_open(&r, 1);
     hardware_rig_steps(&r, 20);
     assert_int_equal(calls, 20);
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_READY);
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_READY);
     assert_true(fabs(hardware_rig_force(&r, 0) - 0.4) < 1e-12);
     hardware_rig_end(&r);
 }
@@ -243,7 +243,7 @@ static void abandoned_device_reports_arm_lost(void **state)
     assert_true(hardware_rig_force(&r, 0) == 0.0);
     r.openhaptics = NULL;
     hardware_rig_steps(&r, 2);
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_LOST);
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_LOST);
     assert_int_equal(r.inputs[0].stopped, 1);
     expect_ok(vbss_device_get_error(r.devices[0], 0, NULL, &text));
     assert_string_equal(text, "the arms were closed");

@@ -48,16 +48,16 @@ static void unplugged_arm_is_lost(void **state)
     begin_pressed(&r);
     r.hd->set_fault(0, STAND_IN_UNPLUGGED, 1);
     expect_safe(&r, ARM, "communication failed (0x0302");
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_LOST);
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_LOST);
     assert_int_equal(r.inputs[0].stopped, 1);
-    assert_int_equal(r.inputs[1].status, VBSS_DEVICE_READY); /* the other goes on */
+    assert_int_equal(r.inputs[1].status, VBSS_DEVICE_STATUS_READY); /* the other goes on */
     expect_ok(vbss_openhaptics_get_status(r.openhaptics, 0, &status, sizeof status));
-    assert_int_equal(status.state, VBSS_HARDWARE_LOST);
+    assert_int_equal(status.state, VBSS_HAPTICS_STATE_LOST);
     r.hd->set_fault(0, STAND_IN_UNPLUGGED, 0); /* back: no force until it is released */
     hardware_rig_steps(&r, 300);
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_READY);
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_READY);
     assert_true(hardware_rig_force(&r, 0) == 0.0);
-    expect_ok(vbss_device_release(r.devices[0]));
+    expect_ok(vbss_device_clear_emergency_stop(r.devices[0]));
     hardware_rig_steps(&r, 20);
     assert_true(fabs(hardware_rig_force(&r, 0) - 1.0) < 0.01);
     hardware_rig_end(&r);
@@ -84,7 +84,7 @@ static void non_finite_pose_moves_nothing(void **state)
     hardware_rig_steps(&r, 2); /* the servo sees it before the host does */
     assert_true(hardware_rig_force(&r, 0) == 0.0);
     expect_safe(&r, ARM, NULL);
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STALE);
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_STALE);
     expect_ok(vbss_device_get_statistics(r.devices[0], &figures, sizeof figures));
     assert_true(figures.not_finite[0] > 100);
     hardware_rig_end(&r);
@@ -99,10 +99,10 @@ static void warm_motors_get_no_force(void **state)
     r.hd->set_fault(0, STAND_IN_WARM, 1);
     expect_safe(&r, ARM, NULL);
     expect_ok(vbss_openhaptics_get_status(r.openhaptics, 0, &status, sizeof status));
-    assert_int_equal(status.state, VBSS_HARDWARE_REFUSING);
+    assert_int_equal(status.state, VBSS_HAPTICS_STATE_REFUSING);
     assert_int_equal(status.error, 0x0200);
     assert_true(status.temperature == 0.95);
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_READY); /* it still measures */
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_READY); /* it still measures */
     r.hd->set_fault(0, STAND_IN_WARM, 0);
     hardware_rig_steps(&r, 1500);
     assert_true(fabs(hardware_rig_force(&r, 0) - 1.0) < 0.01);
@@ -133,7 +133,7 @@ static void uncalibrated_arm_gets_no_force(void **state)
     hardware_rig_steps(&r, 50);
     assert_true(hardware_rig_force(&r, 0) == 0.0);
     expect_ok(vbss_openhaptics_get_status(r.openhaptics, 0, &status, sizeof status));
-    assert_int_equal(status.state, VBSS_HARDWARE_UNCALIBRATED);
+    assert_int_equal(status.state, VBSS_HAPTICS_STATE_UNCALIBRATED);
     r.hd->set_fault(0, STAND_IN_UNCALIBRATED, 0); /* in the inkwell */
     hardware_rig_steps(&r, 150);
     assert_true(fabs(hardware_rig_force(&r, 0) - 1.0) < 0.01);
@@ -149,11 +149,11 @@ static void stopped_servo_makes_pose_stale(void **state)
     begin_pressed(&r);
     r.hd->set_fault(0, STAND_IN_STALLED, 1);
     hardware_rig_steps(&r, 10);
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STALE);
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_STALE);
     assert_false(hardware_rig_solenoid(&r, 0));
     expect_ok(vbss_device_write_coupled(r.devices[0], r.now, &r.commands[0], &r.couplings[0], &out,
                                         sizeof out));
-    assert_true(out.force[0] == 0.0 && (out.flags & VBSS_OUTPUT_INPUT_STALE) != 0);
+    assert_true(out.force[0] == 0.0 && (out.flags & VBSS_OUTPUT_FLAG_INPUT_STALE) != 0);
     r.hd->set_fault(0, STAND_IN_STALLED, 0);
     r.silent = true;
     hardware_rig_steps(&r, 1);
@@ -183,7 +183,7 @@ static void late_lines_turn_solenoids_off(void **state)
     r.daq->set_fault(STAND_IN_READ_TIMEOUT, 1);
     expect_safe(&r, LINES, "no sample in time (-200284)");
     expect_ok(vbss_nidaqmx_get_status(r.nidaqmx, &status, sizeof status));
-    assert_int_equal(status.state, VBSS_HARDWARE_REFUSING);
+    assert_int_equal(status.state, VBSS_HAPTICS_STATE_REFUSING);
     assert_int_equal(r.inputs[0].stopped, 0); /* a handle that is slow is not lost */
     r.daq->set_fault(STAND_IN_READ_TIMEOUT, 0);
     hardware_rig_steps(&r, 10);
@@ -199,7 +199,7 @@ static void removed_lines_are_lost(void **state)
     r.daq->set_fault(STAND_IN_REMOVED, 1);
     expect_safe(&r, LINES, "device removed (-200045)");
     assert_true(hardware_rig_force(&r, 0) == 0.0); /* a lost part stops all of the device */
-    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_LOST);
+    assert_int_equal(r.inputs[0].status, VBSS_DEVICE_STATUS_LOST);
     assert_int_equal(r.inputs[0].stopped, 1);
     hardware_rig_end(&r);
 }
@@ -214,7 +214,7 @@ static void warnings_are_only_counted(void **state)
     hardware_rig_steps(&r, 100);
     assert_true(hardware_rig_solenoid(&r, 0));
     expect_ok(vbss_nidaqmx_get_status(r.nidaqmx, &status, sizeof status));
-    assert_true(status.warnings == 50 && status.state == VBSS_HARDWARE_RUNNING);
+    assert_true(status.warnings == 50 && status.state == VBSS_HAPTICS_STATE_RUNNING);
     hardware_rig_end(&r);
 }
 
@@ -243,9 +243,9 @@ static void failed_measurement_turns_solenoids_off(void **state)
     begin_pressed(&r);
     uint64_t writes = r.daq->writes();
     r.daq->set_fault(STAND_IN_READ_TIMEOUT, 1);
-    expect_ok(vbss_nidaqmx_pump(r.nidaqmx, r.now + 0.001)); /* while the host still wants it on */
+    expect_ok(vbss_nidaqmx_poll(r.nidaqmx, r.now + 0.001)); /* while the host still wants it on */
     assert_false(hardware_rig_solenoid(&r, 0));
-    expect_ok(vbss_nidaqmx_pump(r.nidaqmx, r.now + 0.002));
+    expect_ok(vbss_nidaqmx_poll(r.nidaqmx, r.now + 0.002));
     assert_false(hardware_rig_solenoid(&r, 0));
     assert_true(r.daq->writes() == writes + 1);
     hardware_rig_end(&r);

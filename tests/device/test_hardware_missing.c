@@ -69,7 +69,7 @@ static void driver_without_devices_says_so(void **state)
     hardware_rig_expect_text(&r, "install NI-DAQmx Base");
 #endif
     expect_result(VBSS_ERROR_DEVICE,
-                  vbss_nidaqmx_list(r.context, VBSS_STAND_IN_NIDAQMX, text, sizeof text));
+                  vbss_nidaqmx_list_devices(r.context, VBSS_STAND_IN_NIDAQMX, text, sizeof text));
     hardware_rig_expect_text(&r, "the driver knows no device");
     hardware_rig_end(&r);
 }
@@ -137,8 +137,8 @@ static void base_library_needs_one_port(void **state)
         r.lines.second_line = wrong[i];
         expect_no_lines(&r, "are not lines 0 to 7 of one port");
     }
-    expect_result(VBSS_ERROR_DEVICE,
-                  vbss_nidaqmx_list(r.context, VBSS_STAND_IN_NIDAQMXBASE, text, sizeof text));
+    expect_result(VBSS_ERROR_DEVICE, vbss_nidaqmx_list_devices(r.context, VBSS_STAND_IN_NIDAQMXBASE,
+                                                               text, sizeof text));
     hardware_rig_expect_text(&r, "lsdaq");
     hardware_rig_end(&r);
 }

@@ -31,7 +31,7 @@ static void missing_library_is_named(void **state)
     expect_no_arms(&r, VBSS_ERROR_DEVICE, "no library /nowhere/libHD.so");
     expect_no_lines(&r, VBSS_ERROR_DEVICE, "no library /nowhere/libnidaqmx.so.1");
     expect_result(VBSS_ERROR_DEVICE,
-                  vbss_nidaqmx_list(r.context, "/nowhere/lib.so", text, sizeof text));
+                  vbss_nidaqmx_list_devices(r.context, "/nowhere/lib.so", text, sizeof text));
     hardware_rig_end(&r);
 }
 
@@ -123,12 +123,12 @@ static void pump_requires_lines_without_thread(void **state)
     hardware_rig r;
     hardware_rig_begin(&r, false);
     expect_ok(vbss_nidaqmx_create(r.context, &r.lines, &r.nidaqmx));
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_nidaqmx_pump(r.nidaqmx, harness_bad_numbers[0]));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_nidaqmx_pump(r.nidaqmx, 2e9));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_nidaqmx_poll(r.nidaqmx, harness_bad_numbers[0]));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_nidaqmx_poll(r.nidaqmx, 2e9));
     expect_ok(vbss_nidaqmx_destroy(r.nidaqmx));
     r.lines.own_thread = 1;
     expect_ok(vbss_nidaqmx_create(r.context, &r.lines, &r.nidaqmx));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_nidaqmx_pump(r.nidaqmx, 1.0));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_nidaqmx_poll(r.nidaqmx, 1.0));
     hardware_rig_end(&r);
 }
 
@@ -205,7 +205,7 @@ static vbss_result call_handle_adapter(void *lines)
 
 static vbss_result call_pump(void *lines)
 {
-    return vbss_nidaqmx_pump(lines, 0.0);
+    return vbss_nidaqmx_poll(lines, 0.0);
 }
 
 static vbss_result call_lines_status(void *lines)

@@ -136,10 +136,10 @@ static void find_report(table_run *t, vbss_result result)
     const bool of_clock = result != VBSS_OK;
     expect_ok(vbss_nidaqmx_get_status(r->nidaqmx, &lines, sizeof lines));
     expect_ok(vbss_openhaptics_get_status(r->openhaptics, 0, &arm, sizeof arm));
-    const bool of_device =
-        !r->silent && !of_clock &&
-        ((r->inputs[0].events & ~good) != 0 ||
-         (r->results[0].flags & (VBSS_OUTPUT_COMMAND_STALE | VBSS_OUTPUT_INPUT_STALE)) != 0);
+    const bool of_device = !r->silent && !of_clock &&
+                           ((r->inputs[0].events & ~good) != 0 ||
+                            (r->results[0].flags &
+                             (VBSS_OUTPUT_FLAG_COMMAND_STALE | VBSS_OUTPUT_FLAG_INPUT_STALE)) != 0);
     const bool of_counts =
         (r->silent && arm.silent_ticks > 0) || lines.failed_writes > t->write_fails;
     if (of_clock) {
@@ -231,8 +231,8 @@ static int come_back(table_run *t)
     end_fault(t);
     for (int ms = 1; ms <= COMES_BACK; ms++) {
         step(t);
-        if (t->fault->needs_release && t->rig.inputs[0].status == VBSS_DEVICE_READY) {
-            expect_ok(vbss_device_release(t->rig.devices[0]));
+        if (t->fault->needs_release && t->rig.inputs[0].status == VBSS_DEVICE_STATUS_READY) {
+            expect_ok(vbss_device_clear_emergency_stop(t->rig.devices[0]));
         }
         if (is_back(t)) {
             return ms;
@@ -346,7 +346,7 @@ static void short_timeout_is_named(void **state)
     expect_ok(vbss_device_get_error(t.rig.devices[0], 1, NULL, &text));
     assert_string_equal(text, "no sample in time (-200284): the timeout of 4 ms is too short");
     expect_ok(vbss_nidaqmx_get_status(t.rig.nidaqmx, &status, sizeof status));
-    assert_true(status.state == VBSS_HARDWARE_REFUSING && status.timeouts > 10);
+    assert_true(status.state == VBSS_HAPTICS_STATE_REFUSING && status.timeouts > 10);
     t.rig.daq->set_call_time(0.0, 0);
     hardware_rig_end(&t.rig);
 }
@@ -387,15 +387,15 @@ static void lines_that_stay_away_are_lost(void **state)
         step(&t);
     }
     expect_ok(vbss_nidaqmx_get_status(t.rig.nidaqmx, &status, sizeof status));
-    assert_int_equal(status.state, VBSS_HARDWARE_LOST);
-    assert_int_equal(t.rig.inputs[0].status, VBSS_DEVICE_LOST);
+    assert_int_equal(status.state, VBSS_HAPTICS_STATE_LOST);
+    assert_int_equal(t.rig.inputs[0].status, VBSS_DEVICE_STATUS_LOST);
     t.rig.daq->set_fault(STAND_IN_UNKNOWN, 0);
     for (int ms = 0; ms < 100; ms++) {
         step(&t);
     }
-    assert_int_equal(t.rig.inputs[0].status, VBSS_DEVICE_READY);
+    assert_int_equal(t.rig.inputs[0].status, VBSS_DEVICE_STATUS_READY);
     expect_ok(vbss_nidaqmx_get_status(t.rig.nidaqmx, &status, sizeof status));
-    assert_true(status.reopened == 1 && status.state == VBSS_HARDWARE_RUNNING);
+    assert_true(status.reopened == 1 && status.state == VBSS_HAPTICS_STATE_RUNNING);
     hardware_rig_end(&t.rig);
 }
 
@@ -406,8 +406,8 @@ static void clock_of_rounds_that_steps_back_switches_solenoids_off(void **state)
     table_run t;
     begin_run(&t, &faults[0]);
     t.rig.silent = true;
-    expect_ok(vbss_nidaqmx_pump(t.rig.nidaqmx, t.rig.now - 50.0)); /* may find the last command */
-    expect_ok(vbss_nidaqmx_pump(t.rig.nidaqmx, t.rig.now - 60.0));
+    expect_ok(vbss_nidaqmx_poll(t.rig.nidaqmx, t.rig.now - 50.0)); /* may find the last command */
+    expect_ok(vbss_nidaqmx_poll(t.rig.nidaqmx, t.rig.now - 60.0));
     assert_false(hardware_rig_solenoid(&t.rig, 0));
     hardware_rig_end(&t.rig);
 }

@@ -85,11 +85,11 @@ static void host_sample_is_passed_through(void **state)
     expect_ok(vbss_mock_set_sample(r.mock, &handed));
     expect_ok(read_at(&r, 3.0));
     assert_memory_equal(&handed, &r.sample, sizeof handed);
-    add(&r, VBSS_MOCK_JUMP, 2.0);
+    add(&r, VBSS_MOCK_FAULT_JUMP, 2.0);
     expect_ok(read_at(&r, 1.5));
     expect_near(2.0, r.sample.position[0], 0.0);
-    const vbss_mock_fault timed[] = {VBSS_MOCK_STALL, VBSS_MOCK_RATE, VBSS_MOCK_LATE,
-                                     VBSS_MOCK_SHUFFLE};
+    const vbss_mock_fault timed[] = {VBSS_MOCK_FAULT_STALL, VBSS_MOCK_FAULT_RATE,
+                                     VBSS_MOCK_FAULT_LATE, VBSS_MOCK_FAULT_SHUFFLE};
     for (int i = 0; i < 4; i++) {
         expect_result(VBSS_ERROR_OUT_OF_RANGE,
                       vbss_mock_add_fault(r.mock, timed[i], 0.0, 1.0, 0.5));
@@ -116,20 +116,20 @@ static void faults_change_on_sampling(void **state)
 {
     (void)state;
     const double before = 0.9999, after = 2.0;
-    for (vbss_mock_fault fault = VBSS_MOCK_STALL; fault <= VBSS_MOCK_SHUFFLE; fault++) {
-        if (fault != VBSS_MOCK_DISCONNECT) {
+    for (vbss_mock_fault fault = VBSS_MOCK_FAULT_STALL; fault <= VBSS_MOCK_FAULT_SHUFFLE; fault++) {
+        if (fault != VBSS_MOCK_FAULT_DISCONNECT) {
             expect_near(before, time_with(fault, 0.25, before), 0.0);
             expect_near(after, time_with(fault, 0.25, after), 0.0);
         }
     }
-    expect_near(1.0, time_with(VBSS_MOCK_STALL, 0.0, 1.0), 0.0);
-    expect_near(1.0, time_with(VBSS_MOCK_STALL, 0.0, 1.9), 0.0);
-    expect_near(1.0, time_with(VBSS_MOCK_RATE, 0.25, 1.24), 0.0);
-    expect_near(1.75, time_with(VBSS_MOCK_RATE, 0.25, 1.76), 0.0);
-    expect_near(1.25, time_with(VBSS_MOCK_LATE, 0.25, 1.5), 0.0);
-    expect_near(1.125, time_with(VBSS_MOCK_SHUFFLE, 0.25, 1.125), 0.0);
-    expect_near(1.125, time_with(VBSS_MOCK_SHUFFLE, 0.25, 1.375), 0.0);
-    expect_near(1.625, time_with(VBSS_MOCK_SHUFFLE, 0.25, 1.625), 0.0);
+    expect_near(1.0, time_with(VBSS_MOCK_FAULT_STALL, 0.0, 1.0), 0.0);
+    expect_near(1.0, time_with(VBSS_MOCK_FAULT_STALL, 0.0, 1.9), 0.0);
+    expect_near(1.0, time_with(VBSS_MOCK_FAULT_RATE, 0.25, 1.24), 0.0);
+    expect_near(1.75, time_with(VBSS_MOCK_FAULT_RATE, 0.25, 1.76), 0.0);
+    expect_near(1.25, time_with(VBSS_MOCK_FAULT_LATE, 0.25, 1.5), 0.0);
+    expect_near(1.125, time_with(VBSS_MOCK_FAULT_SHUFFLE, 0.25, 1.125), 0.0);
+    expect_near(1.125, time_with(VBSS_MOCK_FAULT_SHUFFLE, 0.25, 1.375), 0.0);
+    expect_near(1.625, time_with(VBSS_MOCK_FAULT_SHUFFLE, 0.25, 1.625), 0.0);
 }
 
 static void faults_corrupt_sample_content(void **state)
@@ -140,7 +140,7 @@ static void faults_corrupt_sample_content(void **state)
     r.config.fault_capacity = 1;
     create(&r);
     for (int which = 0; which <= 4; which++) {
-        add(&r, VBSS_MOCK_NAN, which);
+        add(&r, VBSS_MOCK_FAULT_NAN, which);
         expect_ok(read_at(&r, 1.0));
         const double numbers[] = {r.sample.position[0], r.sample.orientation[0],
                                   r.sample.velocity[0], r.sample.jaw_raw, r.sample.time};
@@ -154,9 +154,9 @@ static void faults_corrupt_sample_content(void **state)
         vbss_mock_fault fault;
         double value;
         size_t at;
-    } cases[] = {{VBSS_MOCK_NORM, 1.5, offsetof(vbss_device_sample, orientation)},
-                 {VBSS_MOCK_TEMPERATURE, 0.9, offsetof(vbss_device_sample, temperature)},
-                 {VBSS_MOCK_JAW, -3.0, offsetof(vbss_device_sample, jaw_raw)}};
+    } cases[] = {{VBSS_MOCK_FAULT_NORM, 1.5, offsetof(vbss_device_sample, orientation)},
+                 {VBSS_MOCK_FAULT_TEMPERATURE, 0.9, offsetof(vbss_device_sample, temperature)},
+                 {VBSS_MOCK_FAULT_JAW, -3.0, offsetof(vbss_device_sample, jaw_raw)}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         double found;
         add(&r, cases[i].fault, cases[i].value);
@@ -165,14 +165,15 @@ static void faults_corrupt_sample_content(void **state)
         expect_near(cases[i].value, found, 0.0);
         expect_ok(vbss_mock_clear_faults(r.mock));
     }
-    add(&r, VBSS_MOCK_STOP, 0.0);
+    add(&r, VBSS_MOCK_FAULT_STOP, 0.0);
     expect_ok(read_at(&r, 1.5));
     assert_int_equal(r.sample.flags, VBSS_DEVICE_FLAG_STOP);
     expect_ok(vbss_mock_clear_faults(r.mock));
-    add(&r, VBSS_MOCK_REFUSAL, 0.0);
+    add(&r, VBSS_MOCK_FAULT_REFUSAL, 0.0);
     expect_ok(read_at(&r, 1.5));
     assert_int_equal(r.sample.flags, VBSS_DEVICE_FLAG_FAULT);
-    expect_result(VBSS_ERROR_CAPACITY, vbss_mock_add_fault(r.mock, VBSS_MOCK_STOP, 0.0, 1.0, 0.0));
+    expect_result(VBSS_ERROR_CAPACITY,
+                  vbss_mock_add_fault(r.mock, VBSS_MOCK_FAULT_STOP, 0.0, 1.0, 0.0));
     expect_ok(read_at(&r, 2.0));
     assert_int_equal(r.sample.flags, 0);
     end(&r);
@@ -188,17 +189,17 @@ static void calls_fail_on_request(void **state)
     create(&r);
     r.adapter.explain(r.adapter.user, text, sizeof text);
     assert_string_equal(text, "nothing has failed yet");
-    add(&r, VBSS_MOCK_READ_FAILS, 0.0);
+    add(&r, VBSS_MOCK_FAULT_READ_FAILS, 0.0);
     expect_result(VBSS_ERROR_DEVICE, read_at(&r, 1.0));
     assert_int_equal(r.sample.flags, 0);
     expect_ok(r.adapter.write(r.adapter.user, 1.0, &nothing));
     expect_ok(vbss_mock_clear_faults(r.mock));
-    add(&r, VBSS_MOCK_WRITE_FAILS, 0.0);
+    add(&r, VBSS_MOCK_FAULT_WRITE_FAILS, 0.0);
     expect_ok(read_at(&r, 1.0));
     expect_result(VBSS_ERROR_DEVICE, r.adapter.write(r.adapter.user, 1.0, &nothing));
     r.adapter.explain(r.adapter.user, text, sizeof text);
     assert_non_null(strstr(text, "a write fails"));
-    add(&r, VBSS_MOCK_DISCONNECT, 0.0);
+    add(&r, VBSS_MOCK_FAULT_DISCONNECT, 0.0);
     expect_result(VBSS_ERROR_DEVICE, read_at(&r, 1.0));
     assert_int_equal(r.sample.flags, VBSS_DEVICE_FLAG_LOST);
     r.adapter.explain(r.adapter.user, text, 9);
@@ -232,7 +233,7 @@ static void writes_are_recorded_by_row(void **state)
     expect_ok(vbss_mock_get_view(r.mock, VBSS_MOCK_VIEW_ROWS, &view, sizeof view));
     assert_int_equal(view.count, 3);
     assert_int_equal(view.components, 9);
-    assert_int_equal(view.type, VBSS_TYPE_F64);
+    assert_int_equal(view.type, VBSS_VIEW_TYPE_F64);
     assert_int_equal(view.stride_bytes, 72);
     const double second[9] = {0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 1.0, 4.0};
     assert_memory_equal((const double *)view.data + 9, second, sizeof second);
@@ -284,10 +285,10 @@ static void device_outlives_mock(void **state)
     create(&r);
     expect_ok(vbss_device_create(r.context, &r.adapter, NULL, NULL, &device));
     expect_ok(vbss_device_read(device, 0.0, &input, sizeof input));
-    assert_int_equal(input.status, VBSS_DEVICE_READY);
+    assert_int_equal(input.status, VBSS_DEVICE_STATUS_READY);
     expect_ok(vbss_mock_destroy(r.mock));
     expect_ok(vbss_device_read(device, 0.001, &input, sizeof input));
-    assert_int_equal(input.status, VBSS_DEVICE_LOST);
+    assert_int_equal(input.status, VBSS_DEVICE_STATUS_LOST);
     expect_ok(vbss_device_write(device, 0.001, NULL, NULL, 0));
     expect_ok(vbss_device_destroy(device));
     end(&r);
@@ -301,9 +302,10 @@ static void default_mock(void **state)
     begin(&r);
     expect_ok(vbss_mock_create(r.context, NULL, &r.mock));
     for (int i = 0; i < 16; i++) {
-        expect_ok(vbss_mock_add_fault(r.mock, VBSS_MOCK_STOP, 0.0, 1.0, 0.0));
+        expect_ok(vbss_mock_add_fault(r.mock, VBSS_MOCK_FAULT_STOP, 0.0, 1.0, 0.0));
     }
-    expect_result(VBSS_ERROR_CAPACITY, vbss_mock_add_fault(r.mock, VBSS_MOCK_STOP, 0.0, 1.0, 0.0));
+    expect_result(VBSS_ERROR_CAPACITY,
+                  vbss_mock_add_fault(r.mock, VBSS_MOCK_FAULT_STOP, 0.0, 1.0, 0.0));
     union {
         vbss_device_adapter known;
         unsigned char bytes[sizeof(vbss_device_adapter) + 64];
@@ -328,22 +330,22 @@ static void bad_faults_are_rejected(void **state)
     for (int i = 0; i < 3; i++) {
         double bad = harness_bad_numbers[i];
         expect_result(VBSS_ERROR_NOT_FINITE,
-                      vbss_mock_add_fault(r.mock, VBSS_MOCK_JUMP, bad, 1.0, 0.0));
+                      vbss_mock_add_fault(r.mock, VBSS_MOCK_FAULT_JUMP, bad, 1.0, 0.0));
         expect_result(VBSS_ERROR_NOT_FINITE,
-                      vbss_mock_add_fault(r.mock, VBSS_MOCK_JUMP, 0.0, bad, 0.0));
+                      vbss_mock_add_fault(r.mock, VBSS_MOCK_FAULT_JUMP, 0.0, bad, 0.0));
         expect_result(VBSS_ERROR_NOT_FINITE,
-                      vbss_mock_add_fault(r.mock, VBSS_MOCK_JUMP, 0.0, 1.0, bad));
+                      vbss_mock_add_fault(r.mock, VBSS_MOCK_FAULT_JUMP, 0.0, 1.0, bad));
     }
     const struct {
         vbss_mock_fault fault;
         double from, until, value;
     } bad[] = {{0, 0.0, 1.0, 0.0},
                {15, 0.0, 1.0, 0.0},
-               {VBSS_MOCK_JUMP, 1.0, 0.5, 0.0},
-               {VBSS_MOCK_RATE, 0.0, 1.0, 0.0},
-               {VBSS_MOCK_SHUFFLE, 0.0, 1.0, -1.0},
-               {VBSS_MOCK_LATE, 0.0, 1.0, -1e-3},
-               {VBSS_MOCK_NAN, 0.0, 1.0, 5.0}};
+               {VBSS_MOCK_FAULT_JUMP, 1.0, 0.5, 0.0},
+               {VBSS_MOCK_FAULT_RATE, 0.0, 1.0, 0.0},
+               {VBSS_MOCK_FAULT_SHUFFLE, 0.0, 1.0, -1.0},
+               {VBSS_MOCK_FAULT_LATE, 0.0, 1.0, -1e-3},
+               {VBSS_MOCK_FAULT_NAN, 0.0, 1.0, 5.0}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         expect_result(
             VBSS_ERROR_OUT_OF_RANGE,

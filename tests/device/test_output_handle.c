@@ -75,7 +75,7 @@ static void step_without_command_holds_last(void **state)
         double left = 1.0 - 0.2 * (i - 5);
         expect_near(i <= 5 ? 0.4 : 0.4 * vbss_max(left, 0.0), r.result.force[0], 1e-12);
     }
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_INPUT_STALE | VBSS_OUTPUT_COMMAND_STALE);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_INPUT_STALE | VBSS_OUTPUT_FLAG_COMMAND_STALE);
     expect_near(0.01, r.result.expires, 1e-15);
     expect_ok(step(&r, &r.command));
     expect_near(0.4, r.result.force[0], 1e-15);
@@ -89,7 +89,7 @@ static void no_output_before_first_command(void **state)
     begin(&r);
     create(&r);
     expect_ok(step(&r, NULL));
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_INPUT_STALE | VBSS_OUTPUT_COMMAND_STALE);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_INPUT_STALE | VBSS_OUTPUT_FLAG_COMMAND_STALE);
     assert_true(r.result.force[0] == 0.0);
     end(&r);
 }
@@ -103,11 +103,11 @@ static void stop_and_release(void **state)
     create(&r);
     r.command.force[1] = 0.4;
     expect_ok(step(&r, &r.command));
-    expect_ok(vbss_output_stop(r.output));
+    expect_ok(vbss_output_latch_emergency_stop(r.output));
     expect_ok(step(&r, &r.command));
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_STOPPED);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_STOPPED);
     assert_true(r.result.force[1] == 0.0);
-    expect_ok(vbss_output_release(r.output));
+    expect_ok(vbss_output_clear_emergency_stop(r.output));
     expect_ok(step(&r, &r.command));
     expect_near(0.4, r.result.force[1], 1e-15);
     expect_ok(vbss_output_get_statistics(r.output, &s, sizeof s));
@@ -168,7 +168,7 @@ static void non_finite_command_is_not_stored(void **state)
     r.command.force[0] = 0.4;
     r.command.temperature = (double)NAN;
     expect_ok(step(&r, &r.command));
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_NOT_FINITE);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_NOT_FINITE);
     hash_of(r.output);
     vbss_slot *slot;
     uint8_t bytes[2048];
@@ -199,12 +199,12 @@ static void command_persists_until_next(void **state)
     r.command.fault = 1;
     expect_ok(step(&r, &r.command));
     expect_ok(step(&r, NULL));
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_FAULT | VBSS_OUTPUT_SOLENOID_OFF);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_FAULT | VBSS_OUTPUT_FLAG_SOLENOID_OFF);
     r.command.temperature = 1.0;
     r.command.fault = 0;
     expect_ok(step(&r, &r.command));
     expect_ok(step(&r, NULL));
-    assert_int_equal(r.result.flags, VBSS_OUTPUT_WARM);
+    assert_int_equal(r.result.flags, VBSS_OUTPUT_FLAG_WARM);
     end(&r);
 }
 
@@ -254,12 +254,12 @@ static vbss_result call_step(void *output)
 
 static vbss_result call_stop(void *output)
 {
-    return vbss_output_stop(output);
+    return vbss_output_latch_emergency_stop(output);
 }
 
 static vbss_result call_release(void *output)
 {
-    return vbss_output_release(output);
+    return vbss_output_clear_emergency_stop(output);
 }
 
 static vbss_result call_statistics(void *output)

@@ -36,7 +36,7 @@ static void force_is_clamped_along_direction(void **state)
     const vec3 direction = vec3_make(0.36, -0.48, 0.8);
     for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
         vec3 out = stage_rig_step(&r, h, vec3_scale(direction, lengths[i]));
-        assert_int_equal(r.flags, VBSS_OUTPUT_CLAMPED);
+        assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_CLAMPED);
         expect_near(3.0, vec3_norm(out), 1e-15 * 3.0);
         expect_near(0.0, vec3_distance(direction, vec3_scale(out, 1.0 / 3.0)), 1e-15);
     }
@@ -55,7 +55,7 @@ static void torque_is_clamped_independently(void **state)
     assert_true(force.x == 5.0);
     expect_near(0.1, vec3_norm(r.state.torque), 1e-16);
     expect_near(0.06, r.state.torque.y, 1e-16);
-    assert_int_equal(r.flags, VBSS_OUTPUT_CLAMPED);
+    assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_CLAMPED);
 }
 
 /* ---- numbers */
@@ -84,8 +84,8 @@ static void non_finite_command_turns_all_off(void **state)
                                       &r.demand.input_age};
             *places[part] = harness_bad_numbers[i];
             vec3 out = stage_rig_step(&r, h, bad);
-            assert_true((r.flags & VBSS_OUTPUT_NOT_FINITE) != 0);
-            assert_true((r.flags & VBSS_OUTPUT_SOLENOID_OFF) != 0);
+            assert_true((r.flags & VBSS_OUTPUT_FLAG_NOT_FINITE) != 0);
+            assert_true((r.flags & VBSS_OUTPUT_FLAG_SOLENOID_OFF) != 0);
             assert_true(vec3_norm(out) == 0.0 && vec3_norm(r.state.torque) == 0.0);
             assert_false(r.state.solenoid.is_on);
         }
@@ -100,7 +100,7 @@ static void device_without_force_capability_gets_none(void **state)
     stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0));
     r.demand.has_fault = true;
     assert_true(vec3_norm(stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0))) == 0.0);
-    assert_int_equal(r.flags, VBSS_OUTPUT_FAULT);
+    assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_FAULT);
     r.demand.has_fault = false;
     assert_true(stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0)).x == 1.0);
     assert_int_equal(r.state.statistics.faults, 1);
@@ -118,13 +118,13 @@ static void force_rise_is_rate_limited(void **state)
         double wanted = 0.5 * i;
         expect_near(0.6 * wanted, out.y, 1e-15);
         expect_near(0.8 * wanted, out.z, 1e-15);
-        assert_int_equal(r.flags, VBSS_OUTPUT_SLEWED);
+        assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_SLEWED);
     }
     /* Longer steps rise more, but no step for longer than 10 ms. */
     stage_rig_step(&r, h, vec3_zero());
     expect_near(1.0, vec3_norm(stage_rig_step(&r, 2e-3, vec3_make(0.0, 30.0, 40.0))), 1e-15);
     expect_near(6.0, vec3_norm(stage_rig_step(&r, 5.0, vec3_make(0.0, 30.0, 40.0))), 1e-14);
-    assert_true((r.flags & VBSS_OUTPUT_LATE) != 0);
+    assert_true((r.flags & VBSS_OUTPUT_FLAG_LATE) != 0);
 }
 
 static void force_fall_is_not_limited(void **state)

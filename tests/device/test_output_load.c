@@ -78,7 +78,7 @@ static void peaks_are_allowed_and_derated_in_time(void **state)
     /* 9 (1 - exp(-t/2)) reaches three quarters of 0.64 after 110 ms. */
     expect_near(-2.0 * vbss_log(1.0 - 0.48 / 9.0), 1e-3 * free_steps, 2e-3);
     expect_near(0.8, last, 1e-6);
-    assert_int_equal(r.flags, VBSS_OUTPUT_CONTINUOUS);
+    assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_CONTINUOUS);
     assert_int_equal(r.state.statistics.continuous, 20000 - free_steps);
     vbss_output_result result;
     vbss_output_fill_result(&r.config, &r.state, r.flags, &result);
@@ -99,7 +99,7 @@ static void derating_keeps_direction(void **state)
         stage_rig_step(&r, h, vec3_scale(direction, 2.0));
     }
     vec3 out = r.state.force;
-    assert_int_equal(r.flags, VBSS_OUTPUT_CONTINUOUS);
+    assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_CONTINUOUS);
     expect_near(0.0, vec3_norm(vec3_cross(direction, out)), 1e-15);
     assert_true(vec3_dot(direction, out) > 0.79);
 }
@@ -152,7 +152,7 @@ static void warm_motor_is_derated(void **state)
         r.demand.temperature = temperatures[i];
         vec3 out = stage_rig_step(&r, h, vec3_make(0.0, 2.9999, 0.0));
         expect_near(vbss_min(forces[i], 2.9999), out.y, 1e-14);
-        assert_int_equal(r.flags, i < 2 ? 0 : VBSS_OUTPUT_WARM);
+        assert_int_equal(r.flags, i < 2 ? 0 : VBSS_OUTPUT_FLAG_WARM);
         stage_rig_step(&r, h, vec3_zero());
     }
     r.demand.temperature = 0.95;

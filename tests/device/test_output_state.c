@@ -110,7 +110,8 @@ static void last_command_is_restored(void **state)
         expect_ok(vbss_snapshot_save(slots[0], bytes, sizeof bytes, &count));
         expect_ok(vbss_snapshot_restore(slots[1], bytes, count));
         expect_ok(vbss_output_step(two, 1e-3, NULL, &result, sizeof result));
-        assert_int_equal(result.flags, VBSS_OUTPUT_WARM | (fault == 1 ? VBSS_OUTPUT_FAULT : 0));
+        assert_int_equal(result.flags,
+                         VBSS_OUTPUT_FLAG_WARM | (fault == 1 ? VBSS_OUTPUT_FLAG_FAULT : 0));
         harness_context_end(context, &memory);
     }
 }

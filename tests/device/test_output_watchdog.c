@@ -2,7 +2,7 @@
 #include "device/stage_rig.h"
 
 static const double h = 1e-3;
-static const uint32_t stale = VBSS_OUTPUT_INPUT_STALE | VBSS_OUTPUT_COMMAND_STALE;
+static const uint32_t stale = VBSS_OUTPUT_FLAG_INPUT_STALE | VBSS_OUTPUT_FLAG_COMMAND_STALE;
 
 /* At age t after the timeout: the force at which it began, times 1 - t/ramp. */
 static void expect_ramp(uint32_t flag, double timeout)
@@ -12,7 +12,7 @@ static void expect_ramp(uint32_t flag, double timeout)
     r.config.command_timeout = 0.008;
     r.config.ramp_time = 0.004;
     for (int age = 0; age <= 20; age++) {
-        double *old = flag == VBSS_OUTPUT_INPUT_STALE ? &r.demand.input_age : &r.demand.age;
+        double *old = flag == VBSS_OUTPUT_FLAG_INPUT_STALE ? &r.demand.input_age : &r.demand.age;
         *old = age * h;
         vec3 out = stage_rig_step(&r, h, vec3_make(0.0, -1.2, 1.6));
         double over = age * h - timeout;
@@ -30,13 +30,13 @@ static void expect_ramp(uint32_t flag, double timeout)
 static void stale_pose_ramps_to_zero(void **state)
 {
     (void)state;
-    expect_ramp(VBSS_OUTPUT_INPUT_STALE, 0.005);
+    expect_ramp(VBSS_OUTPUT_FLAG_INPUT_STALE, 0.005);
 }
 
 static void stale_command_ramps_to_zero(void **state)
 {
     (void)state;
-    expect_ramp(VBSS_OUTPUT_COMMAND_STALE, 0.008);
+    expect_ramp(VBSS_OUTPUT_FLAG_COMMAND_STALE, 0.008);
 }
 
 /* The defaults: nothing after 10 ms. */
@@ -141,7 +141,7 @@ static void stop_is_immediate_and_permanent(void **state)
         assert_true(vec3_norm(stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0))) == 0.0);
         assert_true(vec3_norm(r.state.torque) == 0.0);
         assert_false(r.state.solenoid.is_on);
-        assert_int_equal(r.flags, VBSS_OUTPUT_STOPPED | VBSS_OUTPUT_SOLENOID_OFF);
+        assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_STOPPED | VBSS_OUTPUT_FLAG_SOLENOID_OFF);
     }
     vbss_output_latch_stop(&r.state);
     assert_int_equal(r.state.statistics.stops, 1);
@@ -169,7 +169,7 @@ static void late_host_is_counted(void **state)
     stage_rig_step(&r, 0.005, vec3_zero());
     assert_int_equal(r.flags, 0);
     stage_rig_step(&r, 0.0051, vec3_zero());
-    assert_int_equal(r.flags, VBSS_OUTPUT_LATE);
+    assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_LATE);
     assert_int_equal(r.state.statistics.late, 1);
 }
 

@@ -205,7 +205,7 @@ static void jump_of_clock_switches_outputs_off_for_10_ms(void **state)
     r.step += 50000;
     device_rig_steps(&r, 1);
     assert_true(last_output(&r)[1] == 0.0);
-    assert_true((r.result.flags & VBSS_OUTPUT_COMMAND_STALE) != 0);
+    assert_true((r.result.flags & VBSS_OUTPUT_FLAG_COMMAND_STALE) != 0);
     device_rig_steps(&r, 9);
     assert_true(last_output(&r)[1] == 0.0);
     device_rig_steps(&r, 5);

@@ -37,7 +37,7 @@ static void only_valid_signals_are_used(void **state)
     sample.tool = 99;
     show(&r);
     assert_int_equal(r.input.valid, VBSS_DEVICE_HAS_POSITION);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     expect_near(0.01, r.input.position[0], 0.0);
     expect_near(1.0, r.input.orientation[0], 0.0);
     assert_int_equal(r.input.buttons, 0);
@@ -247,13 +247,13 @@ static void each_change_warns_once(void **state)
     reported_count = 0;
     device_rig_open(&r, 1);
     device_rig_steps(&r, 5);
-    device_rig_fault(&r, 0, VBSS_MOCK_REFUSAL, 5.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_REFUSAL, 5.0, 0.0);
     device_rig_steps(&r, 10);
-    device_rig_fault(&r, 0, VBSS_MOCK_STOP, 5.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_STOP, 5.0, 0.0);
     device_rig_steps(&r, 10);
-    device_rig_fault(&r, 0, VBSS_MOCK_DISCONNECT, 5.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_DISCONNECT, 5.0, 0.0);
     device_rig_steps(&r, 10);
-    device_rig_fault(&r, 0, VBSS_MOCK_LATE, 200.0, 0.15);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_LATE, 200.0, 0.15);
     device_rig_steps(&r, 105);
     assert_int_equal(reported_count, 5);
     assert_string_equal(reported[0], "mock refuses forces");

@@ -42,7 +42,7 @@ static void overlong_request_latches_off(void **state)
     assert_true(on == 199 || on == 200);
     expect_near(0.2, r.state.statistics.solenoid_on, 1.5e-3);
     assert_true(r.state.statistics.solenoid_on <= 0.2 + 1e-12);
-    assert_int_equal(r.flags, VBSS_OUTPUT_SOLENOID_SPENT);
+    assert_int_equal(r.flags, VBSS_OUTPUT_FLAG_SOLENOID_SPENT);
     assert_int_equal(r.state.statistics.solenoid_spent, 3000 - on);
     /* Let go for a moment it comes again. */
     assert_false(stays_on(&r, false));
@@ -98,7 +98,7 @@ static void every_fault_turns_solenoid_off(void **state)
             vbss_output_latch_stop(&r.state);
         }
         assert_false(stays_on(&r, true));
-        assert_true((r.flags & VBSS_OUTPUT_SOLENOID_OFF) != 0);
+        assert_true((r.flags & VBSS_OUTPUT_FLAG_SOLENOID_OFF) != 0);
         assert_int_equal(r.state.statistics.solenoid_off, 1);
         r.demand.has_fault = r.demand.block_solenoid = r.state.is_stopped = false;
         r.demand.age = r.demand.input_age = 0.0;

@@ -111,7 +111,7 @@ static void restore_between_read_and_write(void **state)
     device_rig_open(&two, 1);
     one.command.solenoid = two.command.solenoid = 1;
     device_rig_steps(&one, 5);
-    device_rig_fault(&one, 0, VBSS_MOCK_READ_FAILS, 5.0, 0.0);
+    device_rig_fault(&one, 0, VBSS_MOCK_FAULT_READ_FAILS, 5.0, 0.0);
     device_rig_read(&one);
     expect_ok(vbss_device_save(one.device, bytes, sizeof bytes, &count));
     expect_ok(vbss_device_restore(two.device, bytes, count));

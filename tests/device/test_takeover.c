@@ -15,7 +15,7 @@ static void begin(device_rig *r)
 /* The handle is at `raw` from now on. */
 static void squeeze(device_rig *r, double raw)
 {
-    device_rig_fault(r, 0, VBSS_MOCK_JAW, 2.5, raw);
+    device_rig_fault(r, 0, VBSS_MOCK_FAULT_JAW, 2.5, raw);
     device_rig_forget(r);
     device_rig_steps(r, 2);
 }
@@ -55,13 +55,13 @@ static void clutch_holds_jaws(void **state)
     (void)state;
     device_rig r;
     begin(&r);
-    device_rig_fault(&r, 0, VBSS_MOCK_JAW, 3.5, 0.1);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JAW, 3.5, 0.1);
     device_rig_steps(&r, 3);
-    expect_ok(vbss_device_clutch(r.device, 1));
+    expect_ok(vbss_device_set_clutch(r.device, 1));
     squeeze(&r, 0.0); /* with the clutch held the handle takes nothing over */
     squeeze(&r, 1.0);
     assert_true(fabs(r.input.jaw - 0.1) < 1e-12 && r.input.jaw_held == 1);
-    expect_ok(vbss_device_clutch(r.device, 0));
+    expect_ok(vbss_device_set_clutch(r.device, 0));
     device_rig_steps(&r, 1);
     r.events = VBSS_DEVICE_EVENT_JAW_HELD;
     expect_takeover(&r);
@@ -76,7 +76,7 @@ static void restored_jaws_stay(void **state)
     device_rig r;
     begin(&r);
     expect_ok(vbss_device_hold_jaw(r.device, 0.1));
-    device_rig_fault(&r, 0, VBSS_MOCK_JAW, 3.5, 0.1);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JAW, 3.5, 0.1);
     device_rig_steps(&r, 3);
     assert_true(r.input.jaw_held == 0 && fabs(r.input.jaw - 0.1) < 1e-12);
     expect_ok(vbss_device_save(r.device, bytes, sizeof bytes, &size));
@@ -99,8 +99,8 @@ static void option_is_off_by_default(void **state)
     device_rig_open(&r, 1);
     device_rig_steps(&r, 5);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_device_hold_jaw(r.device, 0.1));
-    expect_ok(vbss_device_clutch(r.device, 1));
-    device_rig_fault(&r, 0, VBSS_MOCK_JAW, 1000.0, 1.0);
+    expect_ok(vbss_device_set_clutch(r.device, 1));
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JAW, 1000.0, 1.0);
     device_rig_steps(&r, 200);
     assert_true(r.input.jaw > 0.99 && r.input.jaw_held == 0);
     device_rig_end(&r);

@@ -116,22 +116,22 @@ static void each_adapter_has_its_age(void **state)
     begin(&r);
     device_rig_open(&r, 2);
     device_rig_steps(&r, 20);
-    device_rig_fault(&r, 1, VBSS_MOCK_STALL, 300.0, 0.0);
+    device_rig_fault(&r, 1, VBSS_MOCK_FAULT_STALL, 300.0, 0.0);
     device_rig_steps(&r, 100);
     assert_int_equal(r.input.stale, 0);
     assert_int_equal(r.result.solenoid, 1);
     device_rig_steps(&r, 10);
     assert_int_equal(r.input.stale, VBSS_DEVICE_HAS_JAW | VBSS_DEVICE_HAS_JAW_RAW);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_int_equal(r.result.solenoid, 0);
     expect_near(0.8, r.result.force[0], 1e-15); /* the arm is as good as ever */
     device_rig_steps(&r, 250);
     assert_int_equal(r.input.stale, 0);
     assert_int_equal(r.result.solenoid, 1);
-    device_rig_fault(&r, 0, VBSS_MOCK_STALL, 300.0, 0.0);
+    device_rig_fault(&r, 0, VBSS_MOCK_FAULT_STALL, 300.0, 0.0);
     device_rig_steps(&r, 20);
     assert_int_equal(r.input.stale & VBSS_DEVICE_HAS_JAW, 0);
-    assert_int_equal(r.input.status, VBSS_DEVICE_STALE);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_STALE);
     assert_true(r.result.force[0] == 0.0 && r.result.solenoid == 0);
     expect_near(r.now, r.input.jaw, 1e-9); /* the handle goes on */
     vbss_device_statistics s = device_rig_statistics(&r);
@@ -148,13 +148,13 @@ static void either_disconnect_stops_both(void **state)
         begin(&r);
         device_rig_open(&r, 2);
         device_rig_steps(&r, 20);
-        device_rig_fault(&r, which, VBSS_MOCK_DISCONNECT, 5.0, 0.0);
+        device_rig_fault(&r, which, VBSS_MOCK_FAULT_DISCONNECT, 5.0, 0.0);
         device_rig_steps(&r, 1);
         double row[9];
         last_row(&r, 1 - which, row); /* the one that is there gets zeros */
         assert_true(row[1] == 0.0 && row[7] == 0.0);
-        assert_int_equal((uint32_t)row[8] & VBSS_OUTPUT_STOPPED, VBSS_OUTPUT_STOPPED);
-        assert_int_equal(r.input.status, VBSS_DEVICE_LOST);
+        assert_int_equal((uint32_t)row[8] & VBSS_OUTPUT_FLAG_STOPPED, VBSS_OUTPUT_FLAG_STOPPED);
+        assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_LOST);
         vbss_device_statistics s = device_rig_statistics(&r);
         assert_int_equal(s.lost[which], 1);
         assert_int_equal(s.lost[1 - which], 0);
@@ -171,11 +171,11 @@ static void lost_handle_may_leave_arm_force(void **state)
     r.config.stop_when_lost = 0;
     device_rig_open(&r, 2);
     device_rig_steps(&r, 20);
-    device_rig_fault(&r, 1, VBSS_MOCK_DISCONNECT, 50.0, 0.0);
+    device_rig_fault(&r, 1, VBSS_MOCK_FAULT_DISCONNECT, 50.0, 0.0);
     device_rig_steps(&r, 20);
     expect_near(0.8, r.result.force[0], 1e-15);
     assert_int_equal(r.result.solenoid, 0);
-    assert_int_equal(r.input.status, VBSS_DEVICE_LOST);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_LOST);
     device_rig_end(&r);
 }
 
@@ -283,7 +283,7 @@ static void second_adapter_needs_no_signals(void **state)
     r.config.second_signals = 0;
     expect_ok(vbss_device_create(r.context, &r.adapters[0], &r.adapters[1], &r.config, &r.device));
     device_rig_steps(&r, 20);
-    assert_int_equal(r.input.status, VBSS_DEVICE_READY);
+    assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_int_equal(r.result.solenoid, 1);
     double row[9];
     last_row(&r, 1, row);

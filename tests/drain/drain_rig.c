@@ -65,7 +65,7 @@ void drain_rig_move(drain_rig *r, uint32_t id, vec3 target)
 {
     double to[3];
     vec3_store(to, target);
-    expect_ok(vbss_drain_move(r->drain, id, to));
+    expect_ok(vbss_drain_set_attachment_target(r->drain, id, to));
 }
 
 void drain_rig_detach(drain_rig *r, uint32_t id)
@@ -93,7 +93,7 @@ void drain_rig_run(drain_rig *r, double h, uint32_t steps)
 
 void drain_rig_statics(drain_rig *r)
 {
-    r->config.linearisation_limit = 20;
+    r->config.iteration_limit = 20;
     r->config.position_tolerance = 1e-12;
     r->config.move_limit = 1.0;
     r->config.halving_limit = 0;
@@ -126,7 +126,7 @@ uint32_t drain_rig_count(drain_rig *r, vbss_drain_field field)
 const vec3 *drain_rig_vectors(drain_rig *r, vbss_drain_field field)
 {
     vbss_view view = view_of(r, field);
-    assert_int_equal(view.type, VBSS_TYPE_F64);
+    assert_int_equal(view.type, VBSS_VIEW_TYPE_F64);
     assert_int_equal(view.stride_bytes, sizeof(vec3));
     return view.data;
 }
@@ -134,7 +134,7 @@ const vec3 *drain_rig_vectors(drain_rig *r, vbss_drain_field field)
 const uint32_t *drain_rig_numbers(drain_rig *r, vbss_drain_field field)
 {
     vbss_view view = view_of(r, field);
-    assert_int_equal(view.type, VBSS_TYPE_U32);
+    assert_int_equal(view.type, VBSS_VIEW_TYPE_U32);
     assert_int_equal(view.stride_bytes, view.components * sizeof(uint32_t));
     return view.data;
 }
@@ -142,7 +142,7 @@ const uint32_t *drain_rig_numbers(drain_rig *r, vbss_drain_field field)
 vec3 drain_rig_position(drain_rig *r, uint32_t node)
 {
     assert_true(node < r->places.node_count);
-    return drain_rig_vectors(r, VBSS_DRAIN_POSITIONS)[node];
+    return drain_rig_vectors(r, VBSS_DRAIN_VIEW_POSITIONS)[node];
 }
 
 vec3 drain_rig_reaction(drain_rig *r, uint32_t id)
@@ -154,7 +154,7 @@ vec3 drain_rig_reaction(drain_rig *r, uint32_t id)
 
 double drain_rig_fastest(drain_rig *r)
 {
-    const vec3 *v = drain_rig_vectors(r, VBSS_DRAIN_VELOCITIES);
+    const vec3 *v = drain_rig_vectors(r, VBSS_DRAIN_VIEW_VELOCITIES);
     double fastest = 0.0;
     for (uint32_t i = 0; i < r->places.node_count; i++) {
         assert_true(vec3_is_finite(v[i]));
@@ -165,9 +165,9 @@ double drain_rig_fastest(drain_rig *r)
 
 vec3 drain_rig_anchor_sum(drain_rig *r)
 {
-    const vec3 *forces = drain_rig_vectors(r, VBSS_DRAIN_ANCHOR_FORCES);
+    const vec3 *forces = drain_rig_vectors(r, VBSS_DRAIN_VIEW_ANCHOR_FORCES);
     vec3 sum = vec3_zero();
-    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_ANCHORS); i++) {
+    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_VIEW_ANCHORS); i++) {
         sum = vec3_add(sum, forces[i]);
     }
     return sum;
@@ -204,7 +204,7 @@ uint64_t drain_rig_hash(drain_rig *r)
 void drain_rig_tear_off(drain_rig *r)
 {
     static vec3 rest[DRAIN_RIG_NODES], still[DRAIN_RIG_NODES];
-    uint32_t anchors = drain_rig_count(r, VBSS_DRAIN_ANCHORS);
+    uint32_t anchors = drain_rig_count(r, VBSS_DRAIN_VIEW_ANCHORS);
     drain_rig_copy(r, rest);
     uint32_t pull = drain_rig_force(r, r->places.marks[0], vec3_make(0.0, 0.2, 0.0));
     for (uint32_t k = 0; k < 1000 && drain_rig_statistics(r).torn < anchors; k++) {
@@ -219,8 +219,8 @@ void drain_rig_tear_off(drain_rig *r)
 
 void drain_rig_areas(drain_rig *r, double *areas)
 {
-    const vec3 *rest = drain_rig_vectors(r, VBSS_DRAIN_REST_POSITIONS);
-    const uint32_t *corners = drain_rig_numbers(r, VBSS_DRAIN_TRIANGLES);
+    const vec3 *rest = drain_rig_vectors(r, VBSS_DRAIN_VIEW_REST_POSITIONS);
+    const uint32_t *corners = drain_rig_numbers(r, VBSS_DRAIN_VIEW_TRIANGLES);
     assert_true(r->places.node_count <= DRAIN_RIG_NODES);
     memset(areas, 0, r->places.node_count * sizeof *areas);
     for (uint32_t t = 0; t < r->places.triangle_count; t++) {
@@ -242,7 +242,7 @@ void drain_rig_masses(drain_rig *r, double *masses)
 
 double drain_rig_distance(drain_rig *r, const vec3 *positions)
 {
-    const vec3 *x = drain_rig_vectors(r, VBSS_DRAIN_POSITIONS);
+    const vec3 *x = drain_rig_vectors(r, VBSS_DRAIN_VIEW_POSITIONS);
     double largest = 0.0;
     for (uint32_t i = 0; i < r->places.node_count; i++) {
         largest = fmax(largest, vec3_distance(x[i], positions[i]));
@@ -253,14 +253,14 @@ double drain_rig_distance(drain_rig *r, const vec3 *positions)
 void drain_rig_copy(drain_rig *r, vec3 *positions)
 {
     assert_true(r->places.node_count <= DRAIN_RIG_NODES);
-    memcpy(positions, drain_rig_vectors(r, VBSS_DRAIN_POSITIONS),
+    memcpy(positions, drain_rig_vectors(r, VBSS_DRAIN_VIEW_POSITIONS),
            r->places.node_count * sizeof *positions);
 }
 
 bool drain_rig_is_anchor(drain_rig *r, uint32_t node)
 {
-    const uint32_t *anchors = drain_rig_numbers(r, VBSS_DRAIN_ANCHORS);
-    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_ANCHORS); i++) {
+    const uint32_t *anchors = drain_rig_numbers(r, VBSS_DRAIN_VIEW_ANCHORS);
+    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_VIEW_ANCHORS); i++) {
         if (anchors[i] == node) {
             return true;
         }

@@ -1,4 +1,4 @@
-/* One drain of method PAPER in a watched context. Every call that fails, fails the test. */
+/* One drain of method VBLAST in a watched context. Every call that fails, fails the test. */
 #ifndef VBSS_TESTS_PAPER_DRAIN_RIG_H
 #define VBSS_TESTS_PAPER_DRAIN_RIG_H
 
@@ -23,7 +23,7 @@ static inline vbss_drain_config paper_config(void)
 {
     vbss_drain_config config;
     expect_ok(vbss_drain_config_init(&config, sizeof config));
-    config.method = VBSS_METHOD_PAPER;
+    config.method = VBSS_METHOD_VBLAST;
     config.paper_damping = 0.0;
     config.drag = 0.0;
     return config;
@@ -59,13 +59,13 @@ static inline vec3 paper_vector(paper_rig *r, vbss_drain_field field, uint32_t i
 
 static inline vec3 paper_place(paper_rig *r, uint32_t node)
 {
-    return paper_vector(r, VBSS_DRAIN_POSITIONS, node);
+    return paper_vector(r, VBSS_DRAIN_VIEW_POSITIONS, node);
 }
 
 /* From its rest position, in a drain whose frame is the world. */
 static inline vec3 paper_moved(paper_rig *r, uint32_t node)
 {
-    return vec3_sub(paper_place(r, node), paper_vector(r, VBSS_DRAIN_REST_POSITIONS, node));
+    return vec3_sub(paper_place(r, node), paper_vector(r, VBSS_DRAIN_VIEW_REST_POSITIONS, node));
 }
 
 /* Takes nodes away from where they are; all others stay. */
@@ -99,7 +99,7 @@ static inline void paper_take(paper_rig *r, uint32_t id, vec3 target)
 {
     double t[3];
     vec3_store(t, target);
-    expect_ok(vbss_drain_move(r->drain, id, t));
+    expect_ok(vbss_drain_set_attachment_target(r->drain, id, t));
 }
 
 static inline vec3 paper_reaction(paper_rig *r, uint32_t id)

@@ -109,7 +109,7 @@ static void pinned_node_reaches_target_after_step(void **state)
         expect_near_vec3(to, drain_rig_position(&r, node), 0.0);
         /* Evenly: all parts of a step have the same speed. */
         expect_near_vec3(vec3_scale(displacement, 1.0 / h),
-                         drain_rig_vectors(&r, VBSS_DRAIN_VELOCITIES)[node], 1e-9);
+                         drain_rig_vectors(&r, VBSS_DRAIN_VIEW_VELOCITIES)[node], 1e-9);
         to = vec3_add(to, vec3_make(1e-4 * (i % 7 - 3), i % 2 == 0 ? 3e-4 : -3e-4, -1e-4));
         drain_rig_move(&r, pin, vec3_zero()); /* the last word counts */
         drain_rig_move(&r, pin, to);
@@ -146,14 +146,14 @@ static void expect_balance(drain_rig *r, const uint32_t *ids, const uint32_t *no
     double masses[DRAIN_RIG_NODES];
     vec3 force = vec3_zero(), torque = vec3_zero(), g = vec3_load(r->config.gravity);
     drain_rig_masses(r, masses);
-    const vec3 *x = drain_rig_vectors(r, VBSS_DRAIN_POSITIONS);
+    const vec3 *x = drain_rig_vectors(r, VBSS_DRAIN_VIEW_POSITIONS);
     for (uint32_t i = 0; i < r->places.node_count; i++) {
         force = vec3_add_scaled(force, masses[i], g);
         torque = vec3_add_scaled(torque, masses[i], vec3_cross(x[i], g));
     }
-    const vec3 *held = drain_rig_vectors(r, VBSS_DRAIN_ANCHOR_FORCES);
-    const uint32_t *anchors = drain_rig_numbers(r, VBSS_DRAIN_ANCHORS);
-    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_ANCHORS); i++) {
+    const vec3 *held = drain_rig_vectors(r, VBSS_DRAIN_VIEW_ANCHOR_FORCES);
+    const uint32_t *anchors = drain_rig_numbers(r, VBSS_DRAIN_VIEW_ANCHORS);
+    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_VIEW_ANCHORS); i++) {
         force = vec3_add(force, held[i]);
         torque = vec3_add(torque, vec3_cross(x[anchors[i]], held[i]));
     }
@@ -196,7 +196,7 @@ static void reactions_and_anchors_balance_loads(void **state)
 
 static vec3 momentum_of(drain_rig *r, const double *masses)
 {
-    const vec3 *v = drain_rig_vectors(r, VBSS_DRAIN_VELOCITIES);
+    const vec3 *v = drain_rig_vectors(r, VBSS_DRAIN_VIEW_VELOCITIES);
     vec3 sum = vec3_zero();
     for (uint32_t i = 0; i < r->places.node_count; i++) {
         sum = vec3_add_scaled(sum, masses[i], v[i]);

@@ -146,8 +146,8 @@ static void bad_config_choices_are_rejected(void **state)
         {offsetof(vbss_drain_config, mesh_divisions), UINT32_MAX},
         {offsetof(vbss_drain_config, attachment_capacity), 257},
         {offsetof(vbss_drain_config, attachment_capacity), UINT32_MAX},
-        {offsetof(vbss_drain_config, linearisation_limit), 0},
-        {offsetof(vbss_drain_config, linearisation_limit), 51},
+        {offsetof(vbss_drain_config, iteration_limit), 0},
+        {offsetof(vbss_drain_config, iteration_limit), 51},
         {offsetof(vbss_drain_config, halving_limit), 11},
         {offsetof(vbss_drain_config, halving_limit), UINT32_MAX},
         {offsetof(vbss_drain_config, reserved), 1},
@@ -214,7 +214,7 @@ static void bad_attachments_are_rejected(void **state)
         unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_attach(r.drain, &a, &id));
     }
     const uint32_t nodes[] = {r.places.node_count, UINT32_MAX,
-                              drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS)[0], r.places.marks[0]};
+                              drain_rig_numbers(&r, VBSS_DRAIN_VIEW_ANCHORS)[0], r.places.marks[0]};
     for (int k = 0; k < 4; k++) {
         a = good;
         a.node = nodes[k];
@@ -243,20 +243,24 @@ static void bad_moves_are_rejected(void **state)
     uint64_t hash = drain_rig_hash(&r);
     double zero[3] = {0.0, 0.0, 0.0}, force[3];
     for (uint32_t id = 1; id <= 3; id++) {
-        unchanged(&r, hash, VBSS_ERROR_NULL_ARGUMENT, vbss_drain_move(r.drain, id, NULL));
+        unchanged(&r, hash, VBSS_ERROR_NULL_ARGUMENT,
+                  vbss_drain_set_attachment_target(r.drain, id, NULL));
         for (int c = 0; c < 3; c++) {
             double target[3] = {0.0, 0.0, 0.0};
             for (int k = 0; k < 3; k++) {
                 target[c] = harness_bad_numbers[k];
-                unchanged(&r, hash, VBSS_ERROR_NOT_FINITE, vbss_drain_move(r.drain, id, target));
+                unchanged(&r, hash, VBSS_ERROR_NOT_FINITE,
+                          vbss_drain_set_attachment_target(r.drain, id, target));
             }
             target[c] = id == 2 ? -1.001e6 : 1001.0;
-            unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_move(r.drain, id, target));
+            unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_drain_set_attachment_target(r.drain, id, target));
         }
     }
     const uint32_t none[] = {0, 4, UINT32_MAX};
     for (int k = 0; k < 3; k++) {
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_move(r.drain, none[k], zero));
+        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_drain_set_attachment_target(r.drain, none[k], zero));
         unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_detach(r.drain, none[k]));
         unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
                   vbss_drain_get_reaction(r.drain, none[k], force));
@@ -271,7 +275,8 @@ static void bad_steps_states_and_fields_are_rejected(void **state)
     drain_rig r;
     begin_subject(&r);
     uint64_t hash = drain_rig_hash(&r);
-    uint32_t nodes = r.places.node_count, anchor = drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS)[7];
+    uint32_t nodes = r.places.node_count,
+             anchor = drain_rig_numbers(&r, VBSS_DRAIN_VIEW_ANCHORS)[7];
     static vec3 x[DRAIN_RIG_NODES], kept[DRAIN_RIG_NODES], v[DRAIN_RIG_NODES];
     vbss_view view;
     drain_rig_copy(&r, kept);

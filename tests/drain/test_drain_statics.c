@@ -32,7 +32,7 @@ static void rest_alone(harness_source *source, void *user)
     turn(&r, source);
     drain_rig_make(&r);
     drain_rig_copy(&r, x);
-    const vec3 *rest = drain_rig_vectors(&r, VBSS_DRAIN_REST_POSITIONS);
+    const vec3 *rest = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_REST_POSITIONS);
     for (uint32_t i = 0; i < r.places.node_count; i++) {
         expect_near_vec3(pose_apply(frame_of(&r), rest[i]), x[i], 1e-16);
     }
@@ -69,8 +69,8 @@ static void loaded(drain_rig *r, vec3 *shape, vec3 *held)
     for (uint32_t i = 0; i < r->places.node_count; i++) {
         shape[i] = pose_apply_inverse(frame, shape[i]);
     }
-    const vec3 *forces = drain_rig_vectors(r, VBSS_DRAIN_ANCHOR_FORCES);
-    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_ANCHORS); i++) {
+    const vec3 *forces = drain_rig_vectors(r, VBSS_DRAIN_VIEW_ANCHOR_FORCES);
+    for (uint32_t i = 0; i < drain_rig_count(r, VBSS_DRAIN_VIEW_ANCHORS); i++) {
         held[i] = quat_rotate_back(frame.orientation, forces[i]);
     }
 }
@@ -88,7 +88,7 @@ static void same_in_a_frame(harness_source *source, void *user)
     for (uint32_t i = 0; i < plain.places.node_count; i++) {
         expect_near_vec3(x[0][i], x[1][i], 1e-11);
     }
-    for (uint32_t i = 0; i < drain_rig_count(&plain, VBSS_DRAIN_ANCHORS); i++) {
+    for (uint32_t i = 0; i < drain_rig_count(&plain, VBSS_DRAIN_VIEW_ANCHORS); i++) {
         expect_near_vec3(held[0][i], held[1][i], 1e-9);
     }
     expect_near(drain_rig_gap(&plain).signed_gap, drain_rig_gap(&turned).signed_gap, 1e-11);

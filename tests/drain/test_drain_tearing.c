@@ -22,13 +22,13 @@ static void find_load(loaded *l)
     drain_rig_begin(&r);
     drain_rig_statics(&r);
     drain_rig_make(&r);
-    assert_int_equal(drain_rig_count(&r, VBSS_DRAIN_ANCHORS), ANCHORS);
+    assert_int_equal(drain_rig_count(&r, VBSS_DRAIN_VIEW_ANCHORS), ANCHORS);
     drain_rig_force(&r, r.places.marks[0], load);
     drain_rig_relax(&r, 1e-13, 500);
     drain_rig_copy(&r, l->x);
     drain_rig_areas(&r, areas);
-    const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_ANCHOR_FORCES);
-    const uint32_t *anchors = drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS);
+    const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_ANCHOR_FORCES);
+    const uint32_t *anchors = drain_rig_numbers(&r, VBSS_DRAIN_VIEW_ANCHORS);
     l->largest = l->next = 0.0;
     for (uint32_t i = 0; i < ANCHORS; i++) {
         double stress = vec3_norm(forces[i]) / areas[anchors[i]];
@@ -69,7 +69,7 @@ static void anchor_tears_at_strength(void **state)
     begin_at(&r, &l, l.largest * (1.0 - 1e-6));
     drain_rig_run(&r, 1e-3, 1);
     assert_int_equal(drain_rig_statistics(&r).torn, 1);
-    const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_ANCHOR_FORCES);
+    const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_ANCHOR_FORCES);
     for (uint32_t i = 0; i < ANCHORS; i++) {
         assert_true((vec3_norm(forces[i]) > 0.0) == (i != l.worst));
     }
@@ -88,7 +88,7 @@ static void one_anchor_tears_per_step(void **state)
         drain_rig_run(&r, 1e-3, 1);
         assert_int_equal(drain_rig_statistics(&r).torn, step);
         if (step == 1) {
-            const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_ANCHOR_FORCES);
+            const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_ANCHOR_FORCES);
             expect_near_vec3(vec3_zero(), forces[l.worst], 0.0);
         }
     }
@@ -106,7 +106,7 @@ static void torn_node_stays_free(void **state)
     uint32_t id;
     find_load(&l);
     begin_at(&r, &l, 0.999 * l.largest);
-    uint32_t node = drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS)[l.worst];
+    uint32_t node = drain_rig_numbers(&r, VBSS_DRAIN_VIEW_ANCHORS)[l.worst];
     vec3 rest = drain_rig_position(&r, node);
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
     vec3_store(a.position, vec3_add(rest, vec3_make(0.0, 1e-3, 0.0)));
@@ -117,10 +117,10 @@ static void torn_node_stays_free(void **state)
     /* It moves, unlike those that are left. */
     drain_rig_run(&r, 1e-3, 1);
     assert_true(vec3_distance(rest, drain_rig_position(&r, node)) > 1e-8);
-    const vec3 *x = drain_rig_vectors(&r, VBSS_DRAIN_POSITIONS);
-    const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_ANCHOR_FORCES);
-    const vec3 *at_rest = drain_rig_vectors(&r, VBSS_DRAIN_REST_POSITIONS);
-    const uint32_t *anchors = drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS);
+    const vec3 *x = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_POSITIONS);
+    const vec3 *forces = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_ANCHOR_FORCES);
+    const vec3 *at_rest = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_REST_POSITIONS);
+    const uint32_t *anchors = drain_rig_numbers(&r, VBSS_DRAIN_VIEW_ANCHORS);
     for (uint32_t i = 0; i < ANCHORS; i++) {
         bool holds = vec3_norm(forces[i]) > 0.0;
         double moved = vec3_distance(x[anchors[i]], at_rest[anchors[i]]);

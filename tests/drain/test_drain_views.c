@@ -22,25 +22,26 @@ static void view_dimensions(void **state)
     for (int mesh = 0; mesh < 4; mesh++) {
         uint32_t n = wanted[mesh].nodes, m = wanted[mesh].triangles;
         const struct {
-            vbss_type type;
+            vbss_view_type type;
             uint32_t components;
             uint64_t count;
-        } fields[] = {{VBSS_TYPE_F64, 3, n},  {VBSS_TYPE_F64, 3, n},  {VBSS_TYPE_F64, 3, n},
-                      {VBSS_TYPE_U32, 3, m},  {VBSS_TYPE_U32, 1, 7},  {VBSS_TYPE_U32, 1, 7},
-                      {VBSS_TYPE_U32, 1, 33}, {VBSS_TYPE_F64, 3, 33}, {VBSS_TYPE_F64, 3, m},
-                      {VBSS_TYPE_F64, 3, m}};
+        } fields[] = {{VBSS_VIEW_TYPE_F64, 3, n},  {VBSS_VIEW_TYPE_F64, 3, n},
+                      {VBSS_VIEW_TYPE_F64, 3, n},  {VBSS_VIEW_TYPE_U32, 3, m},
+                      {VBSS_VIEW_TYPE_U32, 1, 7},  {VBSS_VIEW_TYPE_U32, 1, 7},
+                      {VBSS_VIEW_TYPE_U32, 1, 33}, {VBSS_VIEW_TYPE_F64, 3, 33},
+                      {VBSS_VIEW_TYPE_F64, 3, m},  {VBSS_VIEW_TYPE_F64, 3, m}};
         drain_rig r;
         drain_rig_begin(&r);
         r.config.mesh = mesh;
         drain_rig_make(&r);
         assert_int_equal(r.places.node_count, n);
         assert_int_equal(r.places.triangle_count, m);
-        for (vbss_drain_field f = VBSS_DRAIN_POSITIONS; f <= VBSS_DRAIN_CURVATURES; f++) {
+        for (vbss_drain_field f = VBSS_DRAIN_VIEW_POSITIONS; f <= VBSS_DRAIN_VIEW_CURVATURES; f++) {
             vbss_view view = view_of(&r, f);
             assert_int_equal(view.type, fields[f].type);
             assert_int_equal(view.components, fields[f].components);
             assert_int_equal(view.count, fields[f].count);
-            uint32_t item = view.type == VBSS_TYPE_F64 ? sizeof(double) : sizeof(uint32_t);
+            uint32_t item = view.type == VBSS_VIEW_TYPE_F64 ? sizeof(double) : sizeof(uint32_t);
             assert_int_equal(view.stride_bytes, view.components * item);
             assert_non_null(view.data);
         }
@@ -81,11 +82,12 @@ static void generation_changes_with_every_step_and_edit(void **state)
         default:
             break;
         }
-        seen[k] = view_of(&r, k % 2 == 0 ? VBSS_DRAIN_POSITIONS : VBSS_DRAIN_STRAINS).generation;
+        seen[k] = view_of(&r, k % 2 == 0 ? VBSS_DRAIN_VIEW_POSITIONS : VBSS_DRAIN_VIEW_STRAINS)
+                      .generation;
         assert_true(k == 0 || (seen[k] != seen[k - 1]) == (k <= 6));
     }
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_drain_step(r.drain, 0.0));
-    assert_true(view_of(&r, VBSS_DRAIN_POSITIONS).generation == seen[8]);
+    assert_true(view_of(&r, VBSS_DRAIN_VIEW_POSITIONS).generation == seen[8]);
     drain_rig_end(&r);
 }
 
@@ -98,9 +100,9 @@ static void reference_points_are_placed_correctly(void **state)
     drain_rig r;
     drain_rig_begin(&r);
     drain_rig_make(&r);
-    const uint32_t *left = drain_rig_numbers(&r, VBSS_DRAIN_SLIT_LEFT);
-    const uint32_t *right = drain_rig_numbers(&r, VBSS_DRAIN_SLIT_RIGHT);
-    const vec3 *x = drain_rig_vectors(&r, VBSS_DRAIN_POSITIONS);
+    const uint32_t *left = drain_rig_numbers(&r, VBSS_DRAIN_VIEW_SLIT_LEFT);
+    const uint32_t *right = drain_rig_numbers(&r, VBSS_DRAIN_VIEW_SLIT_RIGHT);
+    const vec3 *x = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_POSITIONS);
     assert_int_equal(r.places.gap_points[0], left[3]);
     assert_int_equal(r.places.gap_points[1], right[3]);
     for (int k = 0; k < 7; k++) {
@@ -117,7 +119,7 @@ static void reference_points_are_placed_correctly(void **state)
     expect_near_vec3(vec3_make(mark.x, mark.y, -mark.z), x[r.places.marks[0]], 0.0);
     /* The strip: 25 degrees to either side of the bottom. */
     double edge = 6.5e-3 * sin(25.0 / 180.0 * 3.14159265358979323846);
-    const uint32_t *anchors = drain_rig_numbers(&r, VBSS_DRAIN_ANCHORS);
+    const uint32_t *anchors = drain_rig_numbers(&r, VBSS_DRAIN_VIEW_ANCHORS);
     for (int k = 0; k < 33; k++) {
         assert_true(x[anchors[k]].y < -5.8e-3 && fabs(x[anchors[k]].z) < edge + 1e-12);
     }
@@ -197,7 +199,7 @@ static void lip_gap_at_rest_is_between_inner_ends(void **state)
 static void set_upright(drain_rig *r, double from_plane)
 {
     const uint32_t(*triangles)[3] =
-        (const uint32_t(*)[3])drain_rig_numbers(r, VBSS_DRAIN_TRIANGLES);
+        (const uint32_t(*)[3])drain_rig_numbers(r, VBSS_DRAIN_VIEW_TRIANGLES);
     for (uint32_t n = 0; n < r->places.node_count; n++) {
         bool beside[2] = {false, false};
         for (uint32_t t = 0; t < r->places.triangle_count; t++) {
@@ -246,8 +248,8 @@ static void strain_at_rest_is_zero(void **state)
     drain_rig_begin(&r);
     r.config.orientation[3] = 0.4;
     drain_rig_make(&r);
-    const vec3 *strains = drain_rig_vectors(&r, VBSS_DRAIN_STRAINS);
-    const vec3 *curvatures = drain_rig_vectors(&r, VBSS_DRAIN_CURVATURES);
+    const vec3 *strains = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_STRAINS);
+    const vec3 *curvatures = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_CURVATURES);
     for (uint32_t t = 0; t < r.places.triangle_count; t++) {
         expect_near_vec3(vec3_zero(), strains[t], 1e-14);
         expect_near_vec3(vec3_zero(), curvatures[t], 1e-9);
@@ -276,13 +278,13 @@ static grown grow(vbss_drain_mesh mesh, uint32_t divisions, double factor)
     drain_rig_tear_off(&r);
     drain_rig_areas(&r, areas);
     quat turned = quat_unit(quat_make(0.3, -0.5, 0.7, 0.2));
-    const vec3 *rest = drain_rig_vectors(&r, VBSS_DRAIN_REST_POSITIONS);
+    const vec3 *rest = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_REST_POSITIONS);
     for (uint32_t i = 0; i < r.places.node_count; i++) {
         x[i] = quat_rotate(turned, vec3_scale(rest[i], factor));
         area += areas[i];
     }
     expect_ok(vbss_drain_set_state(r.drain, &x[0].x, NULL, r.places.node_count));
-    const vec3 *strains = drain_rig_vectors(&r, VBSS_DRAIN_STRAINS);
+    const vec3 *strains = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_STRAINS);
     for (uint32_t t = 0; t < r.places.triangle_count; t++) {
         worst.along = fmax(worst.along, fabs(strains[t].x / strain - 1.0));
         worst.along = fmax(worst.along, fabs(strains[t].y / strain - 1.0));
@@ -327,7 +329,7 @@ static void kinetic_energy_is_of_lumped_masses(void **state)
     drain_rig_masses(&r, masses);
     v[r.places.marks[0]] = vec3_make(0.3, 0.4, 0.0);
     expect_ok(vbss_drain_set_state(r.drain, NULL, &v[0].x, r.places.node_count));
-    const vec3 *x = drain_rig_vectors(&r, VBSS_DRAIN_POSITIONS);
+    const vec3 *x = drain_rig_vectors(&r, VBSS_DRAIN_VIEW_POSITIONS);
     for (uint32_t i = 0; i < r.places.node_count; i++) {
         potential += 9.81 * masses[i] * x[i].y;
     }

@@ -1,4 +1,4 @@
-/* Method PAPER: its mesh, what it does when it is pulled, and what it cannot do. */
+/* Method VBLAST: its mesh, what it does when it is pulled, and what it cannot do. */
 #include "drain/paper_drain_rig.h"
 
 #include <math.h>
@@ -43,7 +43,7 @@ static void slit_and_targets_snap_to_nearest_lines(void **state)
     paper_begin(&r, &config);
     vbss_drain_places p = paper_places(&r);
     vbss_view left;
-    expect_ok(vbss_drain_get_view(r.drain, VBSS_DRAIN_SLIT_LEFT, &left, sizeof left));
+    expect_ok(vbss_drain_get_view(r.drain, VBSS_DRAIN_VIEW_SLIT_LEFT, &left, sizeof left));
     assert_int_equal(3, left.count);
     const uint32_t *edge = left.data;
     expect_near(32e-3 / 3.0, paper_place(&r, edge[2]).x - paper_place(&r, edge[0]).x, 1e-17);
@@ -52,9 +52,10 @@ static void slit_and_targets_snap_to_nearest_lines(void **state)
     assert_int_equal(PAPER_MIDDLE + 1, p.marks[1]);
     assert_int_equal(PAPER_MIDDLE + 11, p.marks[0]);
     vbss_view anchors;
-    expect_ok(vbss_drain_get_view(r.drain, VBSS_DRAIN_ANCHORS, &anchors, sizeof anchors));
+    expect_ok(vbss_drain_get_view(r.drain, VBSS_DRAIN_VIEW_ANCHORS, &anchors, sizeof anchors));
     assert_int_equal(0, anchors.count);
-    expect_ok(vbss_drain_get_view(r.drain, VBSS_DRAIN_ANCHOR_FORCES, &anchors, sizeof anchors));
+    expect_ok(
+        vbss_drain_get_view(r.drain, VBSS_DRAIN_VIEW_ANCHOR_FORCES, &anchors, sizeof anchors));
     assert_int_equal(0, anchors.count);
     paper_end(&r);
 }
@@ -119,7 +120,7 @@ static void closing_targets_leaves_slit_open(void **state)
     paper_rig r;
     vbss_drain_config config = paper_config();
     expect_ok(vbss_drain_config_init(&config, sizeof config));
-    config.method = VBSS_METHOD_PAPER;
+    config.method = VBSS_METHOD_VBLAST;
     paper_begin(&r, &config);
     vbss_drain_places p = paper_places(&r);
     vbss_drain_gap before, after;
@@ -184,8 +185,8 @@ static void strain_is_of_surface(void **state)
     vbss_drain_config config = paper_config();
     paper_begin(&r, &config);
     for (uint32_t t = 0; t < r.object->mesh.triangle_count; t++) {
-        expect_near_vec3(vec3_zero(), paper_vector(&r, VBSS_DRAIN_STRAINS, t), 1e-12);
-        expect_near_vec3(vec3_zero(), paper_vector(&r, VBSS_DRAIN_CURVATURES, t), 1e-6);
+        expect_near_vec3(vec3_zero(), paper_vector(&r, VBSS_DRAIN_VIEW_STRAINS, t), 1e-12);
+        expect_near_vec3(vec3_zero(), paper_vector(&r, VBSS_DRAIN_VIEW_CURVATURES, t), 1e-6);
     }
     /* Everything 1 % longer along the axis, which is no side's direction: e11 + e22 is what all see. */
     vec3 x[PAPER_NODES];
@@ -195,7 +196,7 @@ static void strain_is_of_surface(void **state)
     }
     expect_ok(vbss_drain_set_state(r.drain, &x[0].x, NULL, PAPER_NODES));
     for (uint32_t t = 0; t < r.object->mesh.triangle_count; t++) {
-        vec3 strain = paper_vector(&r, VBSS_DRAIN_STRAINS, t);
+        vec3 strain = paper_vector(&r, VBSS_DRAIN_VIEW_STRAINS, t);
         expect_near(0.5 * (1.01 * 1.01 - 1.0), strain.x + strain.y, 1e-3);
     }
     expect_near(0.0, paper_energies(&r).membrane + paper_energies(&r).bending, 0.0);

@@ -1,4 +1,4 @@
-/* Method PAPER: its configuration, and numbers that are rejected. */
+/* Method VBLAST: its configuration, and numbers that are rejected. */
 #include "base/error.h"
 #include "drain/paper_drain_rig.h"
 

@@ -1,4 +1,4 @@
-/* Method PAPER: what is attached to its particles. */
+/* Method VBLAST: what is attached to its particles. */
 #include "drain/paper_drain_rig.h"
 
 static void pinned_particles_move_linearly_to_targets(void **state)

@@ -1,4 +1,4 @@
-/* Method PAPER in motion: its oscillator, its damping, the length of its explicit steps. */
+/* Method VBLAST in motion: its oscillator, its damping, the length of its explicit steps. */
 #include "drain/paper_drain_rig.h"
 
 #include <math.h>

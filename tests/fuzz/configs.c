@@ -18,12 +18,12 @@ uint32_t init_config(uint8_t kind, uint8_t *config)
     }
         INIT(SCENE, vbss_scene_config, vbss_scene_config_init)
         INIT(THREAD, vbss_thread_config, vbss_thread_config_init)
-        INIT(RIGID, vbss_rigid_config, vbss_rigid_config_init)
+        INIT(RIGID, vbss_scene_rigid_config, vbss_scene_rigid_config_init)
         INIT(GRASPER, vbss_grasper_config, vbss_grasper_config_init)
         INIT(NEEDLE, vbss_needle_config, vbss_needle_config_init)
         INIT(DRAIN, vbss_drain_config, vbss_drain_config_init)
         INIT(RECORD, vbss_record_config, vbss_record_config_init)
-        INIT(KNOT, vbss_knot_config, vbss_knot_config_init)
+        INIT(KNOT, vbss_knot_detector_config, vbss_knot_detector_config_init)
 #undef INIT
     default:
         return 0;
@@ -77,11 +77,11 @@ static vbss_scene *plain_scene(vbss_context *context)
 
 static void try_in_scene(vbss_context *context, uint8_t kind, void *config)
 {
-    const vbss_capsule capsules[4] = {{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.01}, 1e-3}};
+    const vbss_scene_capsule capsules[4] = {{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.01}, 1e-3}};
     vbss_scene *scene = plain_scene(context);
     uint32_t body;
     vbss_grasper *grasper = NULL;
-    vbss_rigid_config *rigid = config;
+    vbss_scene_rigid_config *rigid = config;
     vbss_result result = scene == NULL ? VBSS_ERROR_OUT_OF_MEMORY : VBSS_OK;
     if (result == VBSS_OK && kind == RIGID) {
         rigid->capsules = capsules;

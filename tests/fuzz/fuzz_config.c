@@ -45,7 +45,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     MUST(vbss_context_config_init(&c, sizeof c) == VBSS_OK);
     c.allocate = allocate;
-    c.release = release;
+    c.deallocate = release;
     c.allocator_user = &left;
     if (vbss_context_create(&c, &context) == VBSS_OK) {
         try_config(context, kind, config);

@@ -59,10 +59,10 @@ static void restore_and_step(const table *t, const uint8_t *bytes, size_t count)
 
 /* ---- without a scene */
 
-static void read_steps(vbss_replay *replay, uint64_t steps, const vbss_log_report *report)
+static void read_steps(vbss_replay *replay, uint64_t steps, const vbss_record_log_report *report)
 {
     uint64_t inputs = 0, events = 0, number = 0;
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     while (vbss_replay_read(replay, number + 1, &step, sizeof step) == VBSS_OK) {
         number++;
         MUST(step.number == number);
@@ -81,7 +81,7 @@ static void replay_some(vbss_replay *replay, uint64_t steps)
     for (int i = 0; i < MAX_STEPS; i++) {
         (void)vbss_replay_step(replay, &report, sizeof report);
         MUST(report.step <= steps);
-        if (report.outcome != VBSS_REPLAY_STEPPED) {
+        if (report.outcome != VBSS_REPLAY_OUTCOME_STEPPED) {
             return;
         }
     }
@@ -98,7 +98,7 @@ static void go_on(vbss_replay *replay, uint64_t steps)
     MUST((record == NULL) == (result != VBSS_OK));
     if (result == VBSS_OK) {
         const double at[3] = {0.0, 0.0, 0.0};
-        (void)vbss_record_move_rigid(record, 3, at, NULL);
+        (void)vbss_record_set_rigid_target(record, 3, at, NULL);
         (void)vbss_record_step(record, 1e-3);
         MUST(vbss_record_end(record) == VBSS_OK);
         MUST(vbss_record_take(record, &taken, &count) == VBSS_OK && count > 0);
@@ -127,12 +127,12 @@ static void follow(const table *t, vbss_replay *replay, uint64_t steps)
 
 static void try_log(const table *t, const uint8_t *bytes, size_t count)
 {
-    vbss_log_report report;
+    vbss_record_log_report report;
     vbss_replay *replay;
     vbss_replay_info info;
     vbss_scene_config config;
     uint64_t steps = 0;
-    MUST(vbss_log_check(t->context, bytes, count, &report, sizeof report) == VBSS_OK);
+    MUST(vbss_record_check_log(t->context, bytes, count, &report, sizeof report) == VBSS_OK);
     MUST(report.good_bytes <= count && (report.fault_count == 0) == (report.result == VBSS_OK));
     vbss_result opened = vbss_replay_create(t->context, bytes, count, &replay);
     if (opened != VBSS_OK) {

@@ -51,7 +51,7 @@ static vbss_result add_tool(vbss_context *context, vbss_scene *scene, double z, 
     const double tip[3] = {-ASIDE, ASIDE, z};
     TRY(vbss_grasper_config_init(&c, sizeof c));
     TRY(vbss_grasper_create(context, &c, &grasper));
-    TRY(vbss_grasper_move(grasper, tip, NULL));
+    TRY(vbss_grasper_set_target(grasper, tip, NULL));
     return vbss_scene_add_grasper(scene, grasper, body);
 }
 

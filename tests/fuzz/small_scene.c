@@ -42,16 +42,16 @@ static vbss_result add_tools(vbss_context *context, vbss_scene *scene)
 {
     vbss_grasper_config config;
     vbss_grasper *grasper;
-    vbss_rigid_config rigid;
+    vbss_scene_rigid_config rigid;
     uint32_t body;
-    const vbss_capsule ball = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 2e-3};
+    const vbss_scene_capsule ball = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 2e-3};
     const double tip[3] = {0.0, 2e-3, -1e-3};
     TRY(vbss_grasper_config_init(&config, sizeof config));
     TRY(vbss_grasper_create(context, &config, &grasper));
-    TRY(vbss_grasper_move(grasper, tip, NULL));
+    TRY(vbss_grasper_set_target(grasper, tip, NULL));
     TRY(vbss_scene_add_grasper(scene, grasper, &body));
-    TRY(vbss_rigid_config_init(&rigid, sizeof rigid));
-    rigid.kind = VBSS_RIGID_COUPLED;
+    TRY(vbss_scene_rigid_config_init(&rigid, sizeof rigid));
+    rigid.kind = VBSS_SCENE_RIGID_COUPLED;
     rigid.capsules = &ball;
     rigid.capsule_count = 1;
     rigid.position[0] = 0.01;
@@ -114,11 +114,11 @@ static vbss_result attach(vbss_record *record)
     vbss_thread_attachment a;
     uint32_t id;
     TRY(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_FORCE;
+    a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
     a.node = 5;
     a.force[2] = 1e-3;
     TRY(vbss_record_attach(record, THREAD, &a, &id));
-    return vbss_record_move_attachment(record, THREAD, id, a.force, NULL);
+    return vbss_record_set_attachment_target(record, THREAD, id, a.force, NULL);
 }
 
 vbss_result small_scene_drive(vbss_record *record, uint32_t step)
@@ -126,16 +126,16 @@ vbss_result small_scene_drive(vbss_record *record, uint32_t step)
     const double t = step % 40, turned[4] = {1.0, 0.0, 0.01 * t, 0.0};
     const double tip[3] = {0.0, 2e-3 + 2e-5 * t, -1e-3}, at[3] = {0.01 - 2e-4 * t, 0.0, 0.0};
     uint32_t name;
-    TRY(vbss_record_move_grasper(record, TOOL, tip, NULL));
+    TRY(vbss_record_set_grasper_target(record, TOOL, tip, NULL));
     TRY(vbss_record_set_opening(record, TOOL, t < 20.0 ? fmax(0.0, 1.0 - 0.1 * t) : 1.0));
-    TRY(vbss_record_move_rigid(record, BALL, at, turned));
+    TRY(vbss_record_set_rigid_target(record, BALL, at, turned));
     if (step == 5) {
         TRY(attach(record));
     }
     if (step == 30) {
         TRY(vbss_record_pin_thread(record, THREAD, SEGMENTS, BALL, NULL, &name));
         TRY(vbss_record_unpin_thread(record, name));
-        TRY(vbss_record_exchange(record, TOOL, VBSS_GRASPER_SHEARS));
+        TRY(vbss_record_exchange(record, TOOL, VBSS_GRASPER_KIND_SHEARS));
     }
     return step == 33 ? vbss_record_cut_thread(record, THREAD, 0.0101, &name) : VBSS_OK;
 }

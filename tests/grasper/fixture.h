@@ -59,7 +59,7 @@ static inline vbss_result move_to(vbss_grasper *grasper, vec3 position, quat ori
     const double q[4] = {orientation.w, orientation.x, orientation.y, orientation.z};
     double p[3];
     vec3_store(p, position);
-    return vbss_grasper_move(grasper, p, q);
+    return vbss_grasper_set_target(grasper, p, q);
 }
 
 #endif

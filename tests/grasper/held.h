@@ -20,7 +20,7 @@ typedef struct held {
 static inline held hold_along(vec3 along)
 {
     held s = {.along = vec3_unit_or(along, vec3_zero()), .pressure = 4.0, .h = 1e-3};
-    s.g.kind = VBSS_GRASPER_NEEDLE_DRIVER;
+    s.g.kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER;
     s.g.driver = (grasper_jaws){13e-3, 0.7e-3, 0.0, 0.35, 0.0};
     s.g.config.grip_friction = 0.5;
     s.g.config.grip_length = 2.0 * HALF_GRIP;

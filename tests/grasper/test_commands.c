@@ -9,7 +9,7 @@ static void move_sets_pose(void **state)
     vbss_grasper *grasper = make(&f);
     const double position[3] = {0.1, -0.2, 0.3}, orientation[4] = {0.0, 0.0, 3e99, 3e99};
     uint64_t generation = inside(grasper)->generation;
-    expect_ok(vbss_grasper_move(grasper, position, orientation));
+    expect_ok(vbss_grasper_set_target(grasper, position, orientation));
     assert_true(inside(grasper)->generation > generation);
     vbss_grasper_state s = get_state(grasper);
     for (int i = 0; i < 3; i++) {
@@ -26,7 +26,7 @@ static void move_sets_pose(void **state)
     assert_int_equal(s.body, 0);
     /* only the place */
     const double there[3] = {-1e3, 1e3, 0.0};
-    expect_ok(vbss_grasper_move(grasper, there, NULL));
+    expect_ok(vbss_grasper_set_target(grasper, there, NULL));
     vbss_grasper_state later = get_state(grasper);
     assert_memory_equal(s.orientation, later.orientation, sizeof s.orientation);
     expect_same_bits(-1e3, later.position[0]);
@@ -44,15 +44,15 @@ static void handle_and_exchange_apply_in_next_step(void **state)
     expect_ok(vbss_grasper_set_opening(grasper, 0.25));
     assert_true(g->generation > generation);
     generation = g->generation;
-    expect_ok(vbss_grasper_exchange(grasper, VBSS_GRASPER_SHEARS));
+    expect_ok(vbss_grasper_exchange(grasper, VBSS_GRASPER_KIND_SHEARS));
     assert_true(g->generation > generation);
     vbss_grasper_state s = get_state(grasper);
     expect_same_bits(0.25, s.opening);
     expect_same_bits(f.config.driver_opening, s.jaw_angle);
-    assert_int_equal(s.kind, VBSS_GRASPER_NEEDLE_DRIVER);
-    assert_int_equal(g->commanded_kind, VBSS_GRASPER_SHEARS);
+    assert_int_equal(s.kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
+    assert_int_equal(g->commanded_kind, VBSS_GRASPER_KIND_SHEARS);
     /* told to be what it is, it forgets the exchange */
-    expect_ok(vbss_grasper_exchange(grasper, VBSS_GRASPER_NEEDLE_DRIVER));
+    expect_ok(vbss_grasper_exchange(grasper, VBSS_GRASPER_KIND_NEEDLE_DRIVER));
     assert_int_equal(g->commanded_kind, g->kind);
     end(&f);
 }
@@ -111,7 +111,7 @@ static void view_shows_capsules(void **state)
     vbss_view view;
     expect_ok(move_to(grasper, vec3_make(0.1, 0.2, 0.3), quat_make(0.5, -0.1, 0.7, 0.2)));
     expect_ok(vbss_grasper_get_view(grasper, VBSS_GRASPER_VIEW_CAPSULES, &view, sizeof view));
-    assert_int_equal(view.type, VBSS_TYPE_F64);
+    assert_int_equal(view.type, VBSS_VIEW_TYPE_F64);
     assert_int_equal(view.components, 7);
     assert_int_equal(view.stride_bytes, 7 * sizeof(double));
     assert_int_equal(view.count, GRASPER_CAPSULES);
@@ -145,19 +145,19 @@ static void bad_numbers_change_nothing(void **state)
     vbss_grasper_state s;
     uint64_t hash = hash_of(grasper), generation = inside(grasper)->generation;
     double p[3] = {0.1, 0.1, 0.1}, q[4] = {1.0, 0.0, 0.0, 0.0};
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_grasper_move(grasper, NULL, q));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_grasper_set_target(grasper, NULL, q));
     for (int i = 0; i < 7; i++) {
         double *at = i < 3 ? &p[i] : &q[i - 3], kept = *at;
         for (int k = 0; k < 3; k++) {
             *at = harness_bad_numbers[k];
-            expect_result(VBSS_ERROR_NOT_FINITE, vbss_grasper_move(grasper, p, q));
+            expect_result(VBSS_ERROR_NOT_FINITE, vbss_grasper_set_target(grasper, p, q));
         }
         *at = i < 3 ? 1e3 * (1.0 + 1e-15) : 1.01e100;
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_move(grasper, p, q));
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_set_target(grasper, p, q));
         *at = kept;
     }
     q[0] = 0.0;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_move(grasper, p, q));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_set_target(grasper, p, q));
     for (int k = 0; k < 3; k++) {
         expect_result(VBSS_ERROR_NOT_FINITE,
                       vbss_grasper_set_opening(grasper, harness_bad_numbers[k]));

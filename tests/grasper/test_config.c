@@ -11,7 +11,7 @@ static void null_config_is_default(void **state)
     assert_memory_equal(&f.config, &inside(plain)->config, sizeof f.config);
     assert_int_equal(hash_of(plain) == hash_of(make(&f)), 1);
     vbss_grasper_state s = get_state(plain);
-    assert_int_equal(s.kind, VBSS_GRASPER_NEEDLE_DRIVER);
+    assert_int_equal(s.kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
     assert_int_equal(s.body, 0);
     assert_int_equal(s.grasp_count, 0);
     expect_same_bits(1.0, s.opening);
@@ -19,10 +19,10 @@ static void null_config_is_default(void **state)
     expect_same_bits(0.0, s.pressure);
     expect_same_bits(0.0, vec3_norm(vec3_load(s.position)));
     expect_same_bits(1.0, s.orientation[0]);
-    f.config.kind = VBSS_GRASPER_SHEARS;
+    f.config.kind = VBSS_GRASPER_KIND_SHEARS;
     f.config.shears_opening = 0.5;
     s = get_state(make(&f));
-    assert_int_equal(s.kind, VBSS_GRASPER_SHEARS);
+    assert_int_equal(s.kind, VBSS_GRASPER_KIND_SHEARS);
     expect_same_bits(0.5, s.jaw_angle);
     end(&f);
 }
@@ -124,8 +124,8 @@ static void bad_choices_are_rejected(void **state)
         size_t offset;
         int32_t good, bad[3];
     } choices[] = {
-        {offsetof(vbss_grasper_config, method), VBSS_METHOD_PAPER, {2, -1, INT32_MAX}},
-        {offsetof(vbss_grasper_config, kind), VBSS_GRASPER_SHEARS, {0, 3, INT32_MIN}},
+        {offsetof(vbss_grasper_config, method), VBSS_METHOD_VBLAST, {2, -1, INT32_MAX}},
+        {offsetof(vbss_grasper_config, kind), VBSS_GRASPER_KIND_SHEARS, {0, 3, INT32_MIN}},
         {offsetof(vbss_grasper_config, has_trocar), 1, {2, -1, INT32_MAX}},
     };
     fixture f;

@@ -3,7 +3,7 @@
 
 static grasper_object tool(double length, double radius, double bend)
 {
-    grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER, .opening = 1.0, .jaw_angle = 0.35};
+    grasper_object g = {.kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER, .opening = 1.0, .jaw_angle = 0.35};
     g.driver = (grasper_jaws){length, radius, bend, 0.35, 0.0};
     g.shears = (grasper_jaws){2.0 * length, 3.0 * radius, -bend, 0.5, 0.0};
     g.config.shaft_length = 0.15;
@@ -133,7 +133,7 @@ static void jaw_shape_follows_kind(void **state)
     (void)state;
     grasper_object g = tool(13e-3, 0.7e-3, 0.2);
     assert_ptr_equal(vbss_grasper_current_jaws(&g), &g.driver);
-    g.kind = VBSS_GRASPER_SHEARS;
+    g.kind = VBSS_GRASPER_KIND_SHEARS;
     assert_ptr_equal(vbss_grasper_current_jaws(&g), &g.shears);
     expect_near(-26e-3 * sin(0.2), vbss_grasper_jaw_frame(&g).position.y, 1e-16);
     expect_same_bits(0.5, vbss_grasper_commanded_angle(&g));

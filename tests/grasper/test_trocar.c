@@ -28,7 +28,7 @@ static void random_trocar(harness_source *source, vbss_grasper_config *c)
 /* Of all ways to the same axis the shortest turn has none of it about that axis. */
 static void the_shaft_goes_through(harness_source *source, void *user)
 {
-    grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
+    grasper_object g = {.kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER};
     double *worst = user, up;
     random_trocar(source, &g.config);
     g.driver.length = g.config.driver_length;
@@ -74,7 +74,7 @@ static void shaft_passes_through_trocar(void **state)
 static void roll_matches_command(void **state)
 {
     (void)state;
-    grasper_object g = {.kind = VBSS_GRASPER_SHEARS};
+    grasper_object g = {.kind = VBSS_GRASPER_KIND_SHEARS};
     g.config.has_trocar = 1;
     g.config.trocar[2] = 0.2;
     g.shears.length = 15e-3;
@@ -89,7 +89,7 @@ static void roll_matches_command(void **state)
 static void inverted_tool_is_turned_over(void **state)
 {
     (void)state;
-    grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
+    grasper_object g = {.kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER};
     g.config.has_trocar = 1;
     vec3_store(g.config.trocar, vec3_make(0.05, -0.1, 0.15));
     g.driver.length = 13e-3;
@@ -144,7 +144,7 @@ static void pose_too_near_trocar_is_rejected_and_changes_nothing(void **state)
 static void straight_jaws_may_approach_but_not_enter_trocar(void **state)
 {
     (void)state;
-    grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
+    grasper_object g = {.kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER};
     g.config.has_trocar = 1;
     g.driver.length = 13e-3;
     pose target, reported = pose_identity();

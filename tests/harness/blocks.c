@@ -121,7 +121,7 @@ void harness_block_give_back(void *block, size_t size)
     unlock();
     if (!keeps) {
         free(note);
-        libc().release(NULL, block, size, LINE);
+        libc().deallocate(NULL, block, size, LINE);
     }
 }
 

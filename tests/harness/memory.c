@@ -68,7 +68,7 @@ vbss_context_config harness_watched_config(harness_memory *memory)
     memset(memory, 0, sizeof *memory);
     expect_ok(vbss_context_config_init(&config, sizeof config));
     config.allocate = watched_allocate;
-    config.release = watched_release;
+    config.deallocate = watched_release;
     config.allocator_user = memory;
     return config;
 }

@@ -85,15 +85,15 @@ static void wrong_releases_and_leaks_are_detected(void **state)
     void *a = config.allocate(config.allocator_user, 100, 64);
     assert_non_null(a);
     assert_int_equal((uintptr_t)a % 64, 0);
-    config.release(config.allocator_user, a, 99, 64);
+    config.deallocate(config.allocator_user, a, 99, 64);
     assert_int_equal(memory.wrong_releases, 1);
-    config.release(config.allocator_user, a, 100, 32);
+    config.deallocate(config.allocator_user, a, 100, 32);
     assert_int_equal(memory.wrong_releases, 2);
     assert_int_equal(memory.blocks, 1);
-    config.release(config.allocator_user, a, 100, 64);
+    config.deallocate(config.allocator_user, a, 100, 64);
     assert_int_equal(memory.blocks, 0);
     assert_int_equal(memory.wrong_releases, 2);
-    config.release(config.allocator_user, a, 100, 64); /* twice */
+    config.deallocate(config.allocator_user, a, 100, 64); /* twice */
     assert_int_equal(memory.wrong_releases, 3);
 }
 
@@ -113,9 +113,9 @@ static void chosen_allocation_fails(void **state)
         assert_non_null(blocks[0]);
         assert_null(blocks[1]);
         assert_int_equal(blocks[2] == NULL, ever_after);
-        config.release(config.allocator_user, blocks[0], 8, 64);
+        config.deallocate(config.allocator_user, blocks[0], 8, 64);
         if (blocks[2] != NULL) {
-            config.release(config.allocator_user, blocks[2], 8, 64);
+            config.deallocate(config.allocator_user, blocks[2], 8, 64);
         }
     }
     assert_int_equal(memory.blocks, 0);

@@ -18,7 +18,7 @@ void detector_rig_begin(detector_rig *r)
 {
     memset(r, 0, sizeof *r);
     r->context = harness_context(&r->memory);
-    expect_ok(vbss_knot_config_init(&r->config, sizeof r->config));
+    expect_ok(vbss_knot_detector_config_init(&r->config, sizeof r->config));
     r->config.point_capacity = RIG_POINTS;
     r->config.tool_capacity = RIG_TOOLS;
     expect_ok(vbss_knot_input_init(&r->input, sizeof r->input));
@@ -175,9 +175,9 @@ vbss_knot_winding detector_rig_winding(const detector_rig *r, uint32_t tool)
     return w;
 }
 
-vbss_knot_statistics detector_rig_statistics(const detector_rig *r)
+vbss_knot_detector_statistics detector_rig_statistics(const detector_rig *r)
 {
-    vbss_knot_statistics s;
+    vbss_knot_detector_statistics s;
     expect_ok(vbss_knot_detector_get_statistics(r->detector, &s, sizeof s));
     return s;
 }
@@ -256,7 +256,7 @@ void detectors_are_alike(vbss_knot_detector *a, vbss_knot_detector *b, bool even
 {
     uint64_t hashes[2];
     vbss_knot_state states[2];
-    vbss_knot_statistics figures[2];
+    vbss_knot_detector_statistics figures[2];
     char texts[2][32];
     for (int k = 0; k < 2; k++) {
         vbss_knot_detector *d = k == 0 ? a : b;
@@ -331,7 +331,7 @@ static vbss_result call_view(void *detector)
 }
 static vbss_result call_statistics(void *detector)
 {
-    vbss_knot_statistics statistics;
+    vbss_knot_detector_statistics statistics;
     return vbss_knot_detector_get_statistics(detector, &statistics, sizeof statistics);
 }
 /* There is none of these. */

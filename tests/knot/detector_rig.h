@@ -15,7 +15,7 @@ typedef struct detector_rig {
     harness_memory memory;
     vbss_context *context;
     vbss_knot_detector *detector;
-    vbss_knot_config config; /* change it before it is made */
+    vbss_knot_detector_config config; /* change it before it is made */
     /* What is shown: change it before it is. */
     thread_line line;
     double points[RIG_POINTS][3];
@@ -48,7 +48,7 @@ uint32_t detector_rig_read(detector_rig *r);
 vbss_knot_state detector_rig_state(const detector_rig *r);
 vbss_knot_throw detector_rig_throw(const detector_rig *r, uint32_t number);
 vbss_knot_winding detector_rig_winding(const detector_rig *r, uint32_t tool);
-vbss_knot_statistics detector_rig_statistics(const detector_rig *r);
+vbss_knot_detector_statistics detector_rig_statistics(const detector_rig *r);
 vbss_view detector_rig_view(const detector_rig *r, vbss_knot_field field);
 uint64_t detector_rig_hash(const detector_rig *r);
 /* How many events of that kind the last step had, and the last of them if `event` is not NULL. */

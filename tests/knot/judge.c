@@ -11,7 +11,7 @@
 void judge_begin(judge *j)
 {
     memset(j, 0, sizeof *j);
-    (void)vbss_knot_config_init(&j->config, sizeof j->config);
+    (void)vbss_knot_detector_config_init(&j->config, sizeof j->config);
     j->config.point_capacity = STACK_POINTS;
     j->config.tool_capacity = 0;
 }

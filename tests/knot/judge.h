@@ -11,7 +11,7 @@ enum { JUDGE_THROWS = 8 };
 typedef struct judge {
     vbss_context *context;
     vbss_knot_detector *detector;
-    vbss_knot_config config; /* change it before the detector is made */
+    vbss_knot_detector_config config; /* change it before the detector is made */
 } judge;
 
 /* All that a detector says of one input. */

@@ -6,7 +6,7 @@
 void paper_rig_begin(paper_rig *rig)
 {
     *rig = (paper_rig){.config = {.struct_size = sizeof rig->config,
-                                  .method = VBSS_KNOT_PROJECTION,
+                                  .method = VBSS_KNOT_METHOD_PROJECTION,
                                   .point_capacity = PAPER_RIG_POINTS}};
     for (int k = 0; k < PAPER_RIG_TOOLS; k++) {
         rig->tools[k].point_count = 2;

@@ -9,7 +9,7 @@
 enum { PAPER_RIG_POINTS = 640, PAPER_RIG_TOOLS = 2 };
 
 typedef struct paper_rig {
-    vbss_knot_config config;
+    vbss_knot_detector_config config;
     knot_tool tools[PAPER_RIG_TOOLS];
     vec3 points[PAPER_RIG_POINTS];
     knot_input scene;

@@ -9,29 +9,29 @@
 static void defaults_match_documentation(void **state)
 {
     (void)state;
-    vbss_knot_config c;
+    vbss_knot_detector_config c;
     vbss_knot_input in;
     memset(&c, 0xff, sizeof c);
     memset(&in, 0xff, sizeof in);
-    expect_ok(vbss_knot_config_init(&c, sizeof c));
+    expect_ok(vbss_knot_detector_config_init(&c, sizeof c));
     expect_ok(vbss_knot_input_init(&in, sizeof in));
-    const vbss_knot_config config = {.struct_size = sizeof c,
-                                     .method = VBSS_KNOT_TOPOLOGY,
-                                     .point_capacity = 1024,
-                                     .tool_capacity = 4,
-                                     .crossing_capacity = 512,
-                                     .direction_limit = 6,
-                                     .closure_count = 8,
-                                     .closure_tolerance = 2,
-                                     .work_limit = 8000,
-                                     .interval = 20,
-                                     .event_capacity = 64,
-                                     .tail_reach = 0.03,
-                                     .tail_least = 0.003,
-                                     .wrap_turns = 0.75,
-                                     .slip_limit = 0.6,
-                                     .plane_offset = -0.002,
-                                     .seed = 1};
+    const vbss_knot_detector_config config = {.struct_size = sizeof c,
+                                              .method = VBSS_KNOT_METHOD_TOPOLOGY,
+                                              .point_capacity = 1024,
+                                              .tool_capacity = 4,
+                                              .crossing_capacity = 512,
+                                              .direction_limit = 6,
+                                              .closure_count = 8,
+                                              .closure_tolerance = 2,
+                                              .step_budget = 8000,
+                                              .interval = 20,
+                                              .event_capacity = 64,
+                                              .tail_reach = 0.03,
+                                              .tail_least = 0.003,
+                                              .wrap_turns = 0.75,
+                                              .slip_limit = 0.6,
+                                              .plane_offset = -0.002,
+                                              .seed = 1};
     const vbss_knot_input input = {
         .struct_size = sizeof in, .stride_bytes = 24, .hole_places = {-1.0, -1.0}};
     assert_memory_equal(&c, &config, sizeof c);
@@ -63,7 +63,8 @@ static void documented_minimum_suffices(void **state)
 {
     (void)state;
     detector_rig r;
-    for (vbss_knot_method method = VBSS_KNOT_TOPOLOGY; method <= VBSS_KNOT_PROJECTION; method++) {
+    for (vbss_knot_method method = VBSS_KNOT_METHOD_TOPOLOGY; method <= VBSS_KNOT_METHOD_PROJECTION;
+         method++) {
         detector_rig_begin(&r);
         r.config.method = method;
         r.config.point_capacity = 2;
@@ -71,7 +72,7 @@ static void documented_minimum_suffices(void **state)
         r.config.crossing_capacity = r.config.event_capacity = 8;
         r.config.direction_limit = 1;
         r.config.closure_count = r.config.closure_tolerance = r.config.interval = 0;
-        r.config.work_limit = 100;
+        r.config.step_budget = 100;
         r.config.tail_reach = r.config.tail_least = r.config.slip_limit = 0.0;
         r.config.wrap_turns = 0.1;
         detector_rig_create(&r);
@@ -88,7 +89,8 @@ static void documented_maximum_is_accepted(void **state)
 {
     (void)state;
     detector_rig r;
-    for (vbss_knot_method method = VBSS_KNOT_TOPOLOGY; method <= VBSS_KNOT_PROJECTION; method++) {
+    for (vbss_knot_method method = VBSS_KNOT_METHOD_TOPOLOGY; method <= VBSS_KNOT_METHOD_PROJECTION;
+         method++) {
         detector_rig_begin(&r);
         r.config.method = method;
         r.config.point_capacity = 8192;
@@ -96,7 +98,7 @@ static void documented_maximum_is_accepted(void **state)
         r.config.crossing_capacity = 2048;
         r.config.direction_limit = 64;
         r.config.closure_count = r.config.closure_tolerance = 16;
-        r.config.work_limit = 1000000000;
+        r.config.step_budget = 1000000000;
         r.config.interval = UINT32_MAX;
         r.config.event_capacity = 4096;
         r.config.tail_reach = r.config.tail_least = r.config.slip_limit = 1.0;
@@ -105,7 +107,7 @@ static void documented_maximum_is_accepted(void **state)
         detector_rig_tie(&r, "2=1", 120);
         detector_rig_add_tools(&r, 3);
         detector_rig_judge(&r);
-        if (method == VBSS_KNOT_TOPOLOGY) {
+        if (method == VBSS_KNOT_METHOD_TOPOLOGY) {
             detector_rig_expect_notation(&r, "2=1");
         }
         detector_rig_end(&r);
@@ -135,9 +137,9 @@ static void expect_config(detector_rig *r, vbss_result wanted, const char *name)
     assert_int_equal(before.objects_created, after.objects_created);
 }
 
-#define FIELD(field, low, high)                                  \
-    {                                                            \
-#field, offsetof(vbss_knot_config, field), (low), (high) \
+#define FIELD(field, low, high)                                           \
+    {                                                                     \
+#field, offsetof(vbss_knot_detector_config, field), (low), (high) \
     }
 
 static void bad_config_numbers_are_rejected(void **state)
@@ -187,7 +189,7 @@ static void bad_config_counts_are_rejected(void **state)
         FIELD(direction_limit, 1, 64),
         FIELD(closure_count, 0, 16),
         FIELD(closure_tolerance, 0, 16),
-        FIELD(work_limit, 100, 1000000000),
+        FIELD(step_budget, 100, 1000000000),
         FIELD(interval, 0, UINT32_MAX),
         FIELD(event_capacity, 8, 4096),
         FIELD(reserved, 0, 0),

@@ -7,8 +7,8 @@
 /* Small ones, as hundreds are made. */
 static vbss_result config_init(void *config, uint32_t struct_size)
 {
-    vbss_knot_config *c = config;
-    VBSS_TRY(vbss_knot_config_init(config, struct_size));
+    vbss_knot_detector_config *c = config;
+    VBSS_TRY(vbss_knot_detector_config_init(config, struct_size));
     c->point_capacity = 8;
     c->crossing_capacity = 8;
     return VBSS_OK;
@@ -34,7 +34,7 @@ static vbss_result input_init(void *input, uint32_t struct_size)
 
 static vbss_result show_and_destroy(vbss_context *context, const void *input)
 {
-    vbss_knot_config config;
+    vbss_knot_detector_config config;
     vbss_knot_detector *detector;
     VBSS_TRY(config_init(&config, sizeof config));
     VBSS_TRY(vbss_knot_detector_create(context, &config, &detector));
@@ -144,7 +144,7 @@ static void calls_inside_callback_are_rejected(void **state)
     config.log = listen;
     config.log_user = &l;
     expect_ok(vbss_context_create(&config, &r.context));
-    r.config.work_limit = 300;
+    r.config.step_budget = 300;
     detector_rig_create(&r);
     detector_rig_tie(&r, "1", 60);
     detector_rig_steps(&r, 5);
@@ -169,7 +169,8 @@ static void calls_inside_callback_are_rejected(void **state)
 
 /* ---- memory */
 
-static knot_body_options both[] = {{VBSS_KNOT_TOPOLOGY, 300}, {VBSS_KNOT_PROJECTION, 300}};
+static knot_body_options both[] = {{VBSS_KNOT_METHOD_TOPOLOGY, 300},
+                                   {VBSS_KNOT_METHOD_PROJECTION, 300}};
 
 static vbss_result live(vbss_context *context, void *user)
 {
@@ -216,7 +217,7 @@ static void context_end_destroys_live_detectors(void **state)
     (void)state;
     detector_rig r;
     detector_rig_begin(&r);
-    r.config.work_limit = 300;
+    r.config.step_budget = 300;
     detector_rig_tie(&r, "2=1", 120);
     for (int i = 0; i < 3; i++) { /* never shown anything, in a reading, after it */
         detector_rig_create(&r);

@@ -13,7 +13,7 @@ typedef struct subject {
     vbss_knot_tool good_tools[RIG_TOOLS];
     uint64_t hash, generation, events;
     vbss_knot_state state;
-    vbss_knot_statistics statistics;
+    vbss_knot_detector_statistics statistics;
 } subject;
 
 typedef enum moment { NOTHING_SHOWN, IN_A_READING, AFTER_A_READING, MOMENTS } moment;
@@ -22,7 +22,7 @@ static void begin_subject(subject *s, moment when)
 {
     detector_rig *r = &s->r;
     detector_rig_begin(r);
-    r->config.work_limit = 300;
+    r->config.step_budget = 300;
     r->config.point_capacity = 130;
     detector_rig_create(r);
     detector_rig_tie(r, "2=1", 120);
@@ -45,7 +45,7 @@ static void begin_subject(subject *s, moment when)
 static void expect_unchanged(const subject *s)
 {
     vbss_knot_state state = detector_rig_state(&s->r);
-    vbss_knot_statistics statistics = detector_rig_statistics(&s->r);
+    vbss_knot_detector_statistics statistics = detector_rig_statistics(&s->r);
     vbss_view events = detector_rig_view(&s->r, VBSS_KNOT_VIEW_EVENTS);
     assert_true(detector_rig_hash(&s->r) == s->hash);
     assert_memory_equal(&state, &s->state, sizeof state);

@@ -163,7 +163,8 @@ static void expect_stage(const detector_rig *r, uint64_t step)
 static void knot_is_tracked_while_tying(void **state)
 {
     (void)state;
-    knot_body_options options[] = {{VBSS_KNOT_TOPOLOGY, 15000}, {VBSS_KNOT_PROJECTION, 15000}};
+    knot_body_options options[] = {{VBSS_KNOT_METHOD_TOPOLOGY, 15000},
+                                   {VBSS_KNOT_METHOD_PROJECTION, 15000}};
     for (int i = 0; i < 2; i++) {
         harness_memory memory;
         vbss_context *context = harness_context(&memory);
@@ -198,7 +199,7 @@ static void readings_start_at_intervals(void **state)
     for (int i = 0; i < 6; i++) {
         detector_rig r;
         detector_rig_begin(&r);
-        r.config.work_limit = 1000000000;
+        r.config.step_budget = 1000000000;
         r.config.interval = intervals[i];
         detector_rig_create(&r);
         detector_rig_tie(&r, "1", 60);
@@ -224,7 +225,7 @@ static void readings_start_at_events(void **state)
     detector_rig r;
     detector_rig_begin(&r);
     r.config.interval = 0;
-    r.config.work_limit = 1000000000;
+    r.config.step_budget = 1000000000;
     detector_rig_create(&r);
     detector_rig_wind(&r, 0.2);
     assert_true(begun(&r, 200) == 1);

@@ -13,8 +13,8 @@ static vbss_knot_input input_of(vbss_view *positions)
 {
     vbss_knot_input in;
     expect_ok(vbss_knot_input_init(&in, sizeof in));
-    expect_ok(
-        vbss_thread_get_view(knot.thread, VBSS_THREAD_POSITIONS, positions, sizeof *positions));
+    expect_ok(vbss_thread_get_view(knot.thread, VBSS_THREAD_VIEW_POSITIONS, positions,
+                                   sizeof *positions));
     const double *x = positions->data;
     uint32_t lowest = 0;
     for (uint32_t i = 0; i < positions->count; i++) {

@@ -4,8 +4,9 @@
 #include "knot/detector_rig.h"
 #include "fixtures/knot_body.h"
 
-static knot_body_options lives[] = {
-    {VBSS_KNOT_TOPOLOGY, 300}, {VBSS_KNOT_TOPOLOGY, 2500}, {VBSS_KNOT_PROJECTION, 15000}};
+static knot_body_options lives[] = {{VBSS_KNOT_METHOD_TOPOLOGY, 300},
+                                    {VBSS_KNOT_METHOD_TOPOLOGY, 2500},
+                                    {VBSS_KNOT_METHOD_PROJECTION, 15000}};
 
 static void bad_snapshots_are_rejected(void **state)
 {
@@ -38,7 +39,7 @@ static snapshot save(const detector_rig *r)
 static void begin_reading(detector_rig *r)
 {
     detector_rig_begin(r);
-    r->config.work_limit = 300;
+    r->config.step_budget = 300;
     detector_rig_create(r);
     detector_rig_tie(r, "2=1", 120);
     detector_rig_add_tools(r, 2);
@@ -71,7 +72,7 @@ static void refuse_changed(detector_rig *r, const snapshot *good, uint8_t *at, u
 {
     uint64_t kept, hash = detector_rig_hash(r);
     vbss_view events = detector_rig_view(r, VBSS_KNOT_VIEW_EVENTS);
-    vbss_knot_statistics figures = detector_rig_statistics(r), after;
+    vbss_knot_detector_statistics figures = detector_rig_statistics(r), after;
     memcpy(&kept, at, sizeof kept);
     memcpy(at, &bits, sizeof bits); /* machines that test are little-endian */
     harness_seal_snapshot(good->bytes, (size_t)good->count);
@@ -92,7 +93,7 @@ static void impossible_reading_is_rejected(void **state)
     begin_reading(&r);
     snapshot good = save(&r);
     detector_rig_begin(&other);
-    other.config.work_limit = 300;
+    other.config.step_budget = 300;
     detector_rig_create(&other);
     detector_rig_tie(&other, "1", 80);
     detector_rig_judge(&other); /* has events, too */
@@ -152,22 +153,26 @@ static void bad_numbers_in_copied_thread_are_rejected(void **state)
 static void snapshot_of_other_detector_is_rejected(void **state)
 {
     (void)state;
-    static const size_t words[] = {
-        offsetof(vbss_knot_config, method),          offsetof(vbss_knot_config, point_capacity),
-        offsetof(vbss_knot_config, tool_capacity),   offsetof(vbss_knot_config, crossing_capacity),
-        offsetof(vbss_knot_config, direction_limit), offsetof(vbss_knot_config, closure_count),
-        offsetof(vbss_knot_config, work_limit),      offsetof(vbss_knot_config, closure_tolerance),
-        offsetof(vbss_knot_config, interval)};
-    static const size_t numbers[] = {
-        offsetof(vbss_knot_config, tail_reach), offsetof(vbss_knot_config, tail_least),
-        offsetof(vbss_knot_config, wrap_turns), offsetof(vbss_knot_config, slip_limit),
-        offsetof(vbss_knot_config, plane_offset)};
+    static const size_t words[] = {offsetof(vbss_knot_detector_config, method),
+                                   offsetof(vbss_knot_detector_config, point_capacity),
+                                   offsetof(vbss_knot_detector_config, tool_capacity),
+                                   offsetof(vbss_knot_detector_config, crossing_capacity),
+                                   offsetof(vbss_knot_detector_config, direction_limit),
+                                   offsetof(vbss_knot_detector_config, closure_count),
+                                   offsetof(vbss_knot_detector_config, step_budget),
+                                   offsetof(vbss_knot_detector_config, closure_tolerance),
+                                   offsetof(vbss_knot_detector_config, interval)};
+    static const size_t numbers[] = {offsetof(vbss_knot_detector_config, tail_reach),
+                                     offsetof(vbss_knot_detector_config, tail_least),
+                                     offsetof(vbss_knot_detector_config, wrap_turns),
+                                     offsetof(vbss_knot_detector_config, slip_limit),
+                                     offsetof(vbss_knot_detector_config, plane_offset)};
     enum { WORDS = sizeof words / sizeof words[0], NUMBERS = sizeof numbers / sizeof numbers[0] };
     detector_rig r;
     begin_reading(&r);
     snapshot good = save(&r);
     const uint64_t first = detector_rig_hash(&r);
-    const vbss_knot_config config = r.config;
+    const vbss_knot_detector_config config = r.config;
     for (int k = 0; k < WORDS + NUMBERS + 1; k++) {
         r.config = config;
         if (k < WORDS) {

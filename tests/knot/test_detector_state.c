@@ -5,10 +5,10 @@
 #include "fixtures/knot_body.h"
 
 /* Few operations a step, so that a reading lasts over many; more, so that it lasts over some; plenty. */
-static knot_body_options lives[] = {{VBSS_KNOT_TOPOLOGY, 300},
-                                    {VBSS_KNOT_TOPOLOGY, 2500},
-                                    {VBSS_KNOT_TOPOLOGY, 15000},
-                                    {VBSS_KNOT_PROJECTION, 15000}};
+static knot_body_options lives[] = {{VBSS_KNOT_METHOD_TOPOLOGY, 300},
+                                    {VBSS_KNOT_METHOD_TOPOLOGY, 2500},
+                                    {VBSS_KNOT_METHOD_TOPOLOGY, 15000},
+                                    {VBSS_KNOT_METHOD_PROJECTION, 15000}};
 enum { LIVES = sizeof lives / sizeof lives[0] };
 
 static const char *const knots[] = {"", "1", "2=1=1", "1x2"};
@@ -139,15 +139,15 @@ static void expect_same_results(const detector_rig *a, const detector_rig *b)
         vbss_knot_winding w = detector_rig_winding(a, i), x = detector_rig_winding(b, i);
         assert_memory_equal(&w, &x, sizeof w);
     }
-    vbss_knot_statistics f = detector_rig_statistics(a), g = detector_rig_statistics(b);
+    vbss_knot_detector_statistics f = detector_rig_statistics(a), g = detector_rig_statistics(b);
     f.most_step_work = g.most_step_work = 0;
     assert_memory_equal(&f, &g, sizeof f);
 }
 
-static void begin_knot(detector_rig *r, int knot, uint32_t work_limit)
+static void begin_knot(detector_rig *r, int knot, uint32_t step_budget)
 {
     detector_rig_begin(r);
-    r->config.work_limit = work_limit;
+    r->config.step_budget = step_budget;
     detector_rig_create(r);
     detector_rig_tie(r, knots[knot], 100);
     detector_rig_add_tools(r, knot % 2 == 0 ? 3 : 0);
@@ -161,7 +161,7 @@ static void results_do_not_depend_on_budget(void **state)
     for (int knot = 0; knot < 4; knot++) {
         begin_knot(&slow, knot, 100);
         uint32_t last = detector_rig_read(&slow);
-        const vbss_knot_statistics fine = detector_rig_statistics(&slow);
+        const vbss_knot_detector_statistics fine = detector_rig_statistics(&slow);
         for (int i = 1; i < 5; i++) {
             begin_knot(&r, knot, limits[i]);
             uint32_t steps = detector_rig_read(&r);
@@ -207,12 +207,12 @@ static void judge_discards_current_reading(void **state)
         expect_ok(vbss_knot_detector_reset(r.detector));
         detector_rig_tie(&r, knots[2], 100);
         detector_rig_steps(&r, steps);
-        vbss_knot_statistics before = detector_rig_statistics(&r);
+        vbss_knot_detector_statistics before = detector_rig_statistics(&r);
         detector_rig_tie(&r, knots[1], 100);
         r.input.tool_count = 0;
         detector_rig_judge(&r);
-        vbss_knot_statistics after = detector_rig_statistics(&r),
-                             own = detector_rig_statistics(&fresh);
+        vbss_knot_detector_statistics after = detector_rig_statistics(&r),
+                                      own = detector_rig_statistics(&fresh);
         assert_true(after.readings == before.readings + 1);
         assert_true(after.work == before.work + own.work); /* what was done was done */
         assert_true(after.closures == before.closures + own.closures);

@@ -48,7 +48,7 @@ static void winding_has_hysteresis(void **state)
                 assert_int_equal(event[2], turns > 0.0 ? 2 : 1);
             }
             assert_int_equal(detector_rig_events(&r, VBSS_KNOT_EVENT_UNWRAPPED, NULL), off);
-            assert_int_equal(detector_rig_events(&r, VBSS_KNOT_EVENT_WRONG_WAY, NULL),
+            assert_int_equal(detector_rig_events(&r, VBSS_KNOT_EVENT_WRONG_DIRECTION, NULL),
                              on && sense < 0);
         }
         detector_rig_end(&r);
@@ -127,7 +127,8 @@ static void view_dimensions(void **state)
 {
     (void)state;
     detector_rig r;
-    for (vbss_knot_method method = VBSS_KNOT_TOPOLOGY; method <= VBSS_KNOT_PROJECTION; method++) {
+    for (vbss_knot_method method = VBSS_KNOT_METHOD_TOPOLOGY; method <= VBSS_KNOT_METHOD_PROJECTION;
+         method++) {
         detector_rig_begin(&r);
         r.config.method = method;
         detector_rig_create(&r);
@@ -135,11 +136,11 @@ static void view_dimensions(void **state)
             for (vbss_knot_field f = VBSS_KNOT_VIEW_EVENTS; f <= VBSS_KNOT_VIEW_LOOPS; f++) {
                 vbss_view v = detector_rig_view(&r, f);
                 assert_int_equal(v.struct_size, sizeof v);
-                assert_int_equal(v.type, VBSS_TYPE_U32);
+                assert_int_equal(v.type, VBSS_VIEW_TYPE_U32);
                 assert_int_equal(v.components, 4);
                 assert_int_equal(v.stride_bytes, 16);
                 assert_non_null(v.data);
-                bool some = f == VBSS_KNOT_VIEW_EVENTS || method == VBSS_KNOT_PROJECTION;
+                bool some = f == VBSS_KNOT_VIEW_EVENTS || method == VBSS_KNOT_METHOD_PROJECTION;
                 assert_true((v.count > 0) == (i == 1 && some));
             }
             r.input.tool_count = 0;
@@ -233,11 +234,11 @@ static void events_above_capacity_are_counted(void **state)
 static void counters_are_monotonic_and_add_up(void **state)
 {
     (void)state;
-    knot_body_options options = {VBSS_KNOT_TOPOLOGY, 15000};
+    knot_body_options options = {VBSS_KNOT_METHOD_TOPOLOGY, 15000};
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     void *detector = NULL;
-    vbss_knot_statistics f = {0}, last = {0};
+    vbss_knot_detector_statistics f = {0}, last = {0};
     uint64_t read = 0, uncertain = 0, revoked = 0;
     expect_ok(knot_body_create(context, &options, &detector));
     detector_rig r = {.context = context, .detector = detector};

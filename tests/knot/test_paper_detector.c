@@ -19,10 +19,10 @@ static void host_begin(host *h)
 {
     memset(h, 0, sizeof *h);
     h->context = harness_context(&h->memory);
-    vbss_knot_config config;
-    expect_ok(vbss_knot_config_init(&config, sizeof config));
+    vbss_knot_detector_config config;
+    expect_ok(vbss_knot_detector_config_init(&config, sizeof config));
     assert_true(config.plane_offset == -2e-3); /* as the sweep has it */
-    config.method = VBSS_KNOT_PROJECTION;
+    config.method = VBSS_KNOT_METHOD_PROJECTION;
     expect_ok(vbss_knot_detector_create(h->context, &config, &h->detector));
     expect_ok(vbss_knot_input_init(&h->input, sizeof h->input));
     h->tool = paper_knot_tool();

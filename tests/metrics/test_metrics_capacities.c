@@ -25,7 +25,7 @@ static void full_lists_are_reported_and_change_nothing(void **state)
     vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_PUNCTURE, 0, 2.0);
     e.undone = 1;
     expect_result(VBSS_ERROR_CAPACITY, vbss_metrics_add_event(f.metrics, &e));
-    assert_true(report_of(&f).flags & VBSS_METRICS_PUNCTURE_0);
+    assert_true(report_of(&f).flags & VBSS_METRICS_FLAG_PUNCTURE_0);
     end(&f);
 }
 
@@ -49,7 +49,7 @@ static void motion_above_capacity_is_counted(void **state)
     expect_ok(vbss_metrics_finish(f.metrics));
     assert_int_equal(report_of(&f).ticks, 200);
     assert_int_equal(report_of(&f).ticks_lost, 101);
-    expect_near(2.0, motion_of(&f, 0, VBSS_METRICS_WHOLE).force_integral, 1e-9);
+    expect_near(2.0, motion_of(&f, 0, VBSS_METRICS_PHASE_ALL).force_integral, 1e-9);
     report(&f, VBSS_METRICS_EVENT_DROP, 0, 3.0, 0.0); /* events go on */
     end(&f);
 }
@@ -67,7 +67,7 @@ static void long_silence_costs_no_time(void **state)
     show(&f, 3, 9e8 + 0.01, vec3_make(2.0, 0.0, 0.0), vec3_zero());
     expect_ok(vbss_metrics_finish(f.metrics));
     assert_int_equal(report_of(&f).ticks, 60000);
-    expect_same_bits(0.0, motion_of(&f, 0, VBSS_METRICS_WHOLE).path_length);
+    expect_same_bits(0.0, motion_of(&f, 0, VBSS_METRICS_PHASE_ALL).path_length);
     end(&f);
 }
 
@@ -90,7 +90,7 @@ static void ten_minutes_are_measured(void **state)
         show(&f, 3, t, swinging(t), swinging(t));
     }
     expect_ok(vbss_metrics_finish(f.metrics));
-    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL);
     expect_ok(vbss_context_get_statistics(f.context, &after, sizeof after));
     assert_true(before.bytes_allocated == after.bytes_allocated);
     assert_true(before.bytes_peak < 6000000);

@@ -102,7 +102,7 @@ static void out_of_range_choices_are_rejected(void **state)
         expect_config(&f, i < 3 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK);
         f.config = plain;
     }
-    f.config.tightness_method = 2;
+    f.config.tightness_test = 2;
     expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
     f.config = plain;
     f.config.idle_release = 0.5 * f.config.idle_speed; /* hysteresis the wrong way round */
@@ -168,12 +168,12 @@ static vbss_result call_penalty(void *m)
 static vbss_result call_motion(void *m)
 {
     vbss_metrics_motion r;
-    return vbss_metrics_get_motion(m, 0, VBSS_METRICS_WHOLE, &r, sizeof r);
+    return vbss_metrics_get_motion(m, 0, VBSS_METRICS_PHASE_ALL, &r, sizeof r);
 }
 static vbss_result call_bimanual(void *m)
 {
     vbss_metrics_bimanual r;
-    return vbss_metrics_get_bimanual(m, VBSS_METRICS_WHOLE, &r, sizeof r);
+    return vbss_metrics_get_bimanual(m, VBSS_METRICS_PHASE_ALL, &r, sizeof r);
 }
 static vbss_result call_view(void *m)
 {

@@ -20,7 +20,7 @@ static void reappearance_adds_no_path(void **state)
         show(&f, gone ? 0 : VBSS_METRICS_HAS_LEFT, t, p, vec3_zero());
     }
     expect_ok(vbss_metrics_finish(f.metrics));
-    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL);
     expect_near(0.2, m.path_length, 1e-4);
     expect_near(0.09375, m.peak_speed, 1e-4);
     expect_near(1.5, m.unseen_time, 0.011);
@@ -39,10 +39,10 @@ static void late_instrument_was_absent(void **state)
         show(&f, i < 2000 ? 1 : 3, t, vec3_zero(), reaching(t - 2.0));
     }
     expect_ok(vbss_metrics_finish(f.metrics));
-    const vbss_metrics_motion m = motion_of(&f, VBSS_METRICS_RIGHT, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, VBSS_METRICS_TOOL_RIGHT, VBSS_METRICS_PHASE_ALL);
     expect_near(2.0, m.unseen_time, 0.011);
     expect_near(0.1, m.path_length, 1e-4);
-    expect_near(2.01, hands_of(&f, VBSS_METRICS_WHOLE).time, 0.011);
+    expect_near(2.01, hands_of(&f, VBSS_METRICS_PHASE_ALL).time, 0.011);
     end(&f);
 }
 
@@ -57,7 +57,7 @@ static void lost_samples_are_bridged(void **state)
         show(&f, i % 3 == 1 && i > 30 ? 0 : 1, t, reaching(t - 1.0), vec3_zero());
     }
     expect_ok(vbss_metrics_finish(f.metrics));
-    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL);
     expect_near(0.0, m.unseen_time, 0.0);
     expect_near(0.1, m.path_length, 1e-4);
     end(&f);
@@ -79,7 +79,7 @@ static void motion_is_known_after_filter_delay(void **state)
     uint64_t hash = hash_of(f.metrics);
     expect_ok(vbss_metrics_finish(f.metrics));
     assert_true(hash_of(f.metrics) == hash);
-    expect_near(0.1, motion_of(&f, 0, VBSS_METRICS_WHOLE).path_length, 1e-4);
+    expect_near(0.1, motion_of(&f, 0, VBSS_METRICS_PHASE_ALL).path_length, 1e-4);
     end(&f);
 }
 

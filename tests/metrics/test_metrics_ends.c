@@ -28,7 +28,7 @@ static vbss_metrics_motion measured(fixture *f, curve at, double seconds, double
     begin_and_make(f);
     record(f, at, 0.0, seconds, rate, jitter);
     expect_ok(vbss_metrics_finish(f->metrics));
-    return motion_of(f, VBSS_METRICS_LEFT, VBSS_METRICS_WHOLE);
+    return motion_of(f, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_PHASE_ALL);
 }
 
 /* ---- a straight line at constant speed */
@@ -84,11 +84,11 @@ static void gap_in_constant_speed_has_no_jerk(void **state)
         show(&f, i > 2000 && i < 3000 ? 0 : VBSS_METRICS_HAS_LEFT, t, p, vec3_zero());
     }
     expect_ok(vbss_metrics_finish(f.metrics));
-    const vbss_metrics_motion m = motion_of(&f, VBSS_METRICS_LEFT, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_PHASE_ALL);
     expect_no_jerk(&f);
     expect_near(1.0, m.unseen_time, 1e-9);
     expect_near(4.0 * SPEED, m.path_length, 1e-9);
-    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_LEFT], 2);
+    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_TOOL_LEFT], 2);
     end(&f);
 }
 

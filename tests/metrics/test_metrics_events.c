@@ -13,8 +13,8 @@ static void deviation_is_geodesic_on_cylinder(void **state)
     const vbss_metrics_report r = report_of(&f);
     expect_near(1.3, r.deviation_mm[0], 1e-12);
     expect_near(6.5, r.deviation_mm[1], 1e-12);
-    assert_int_equal(r.flags,
-                     VBSS_METRICS_STARTED | VBSS_METRICS_PUNCTURE_0 | VBSS_METRICS_PUNCTURE_1);
+    assert_int_equal(r.flags, VBSS_METRICS_FLAG_STARTED | VBSS_METRICS_FLAG_PUNCTURE_0 |
+                                  VBSS_METRICS_FLAG_PUNCTURE_1);
     end(&f);
 }
 
@@ -32,18 +32,18 @@ static void offsets_use_cylinder_in_any_pose(void **state)
         vec3_store(mark, pose_apply(at, vec3_make(r * cos(0.3), r * sin(0.3), 0.01)));
         vec3_store(place, pose_apply(at, vec3_make(2.0 * r * cos(0.3 + angle),
                                                    2.0 * r * sin(0.3 + angle), 0.01 + axial)));
-        expect_ok(vbss_metrics_offset(axis, centre, mark, place, &got[0], &got[1]));
+        expect_ok(vbss_metrics_get_offset(axis, centre, mark, place, &got[0], &got[1]));
         expect_near(angle, got[0], 1e-12);
         expect_near(axial, got[1], 1e-14);
         expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                      vbss_metrics_offset(axis, centre, centre, place, &got[0], &got[1]));
+                      vbss_metrics_get_offset(axis, centre, centre, place, &got[0], &got[1]));
         expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                      vbss_metrics_offset(axis, centre, mark, NULL, &got[0], &got[1]));
+                      vbss_metrics_get_offset(axis, centre, mark, NULL, &got[0], &got[1]));
         expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                      vbss_metrics_offset(axis, centre, mark, place, NULL, &got[1]));
+                      vbss_metrics_get_offset(axis, centre, mark, place, NULL, &got[1]));
         axis[1] = (double)NAN;
         expect_result(VBSS_ERROR_NOT_FINITE,
-                      vbss_metrics_offset(axis, centre, mark, place, &got[0], &got[1]));
+                      vbss_metrics_get_offset(axis, centre, mark, place, &got[0], &got[1]));
     }
 }
 
@@ -80,11 +80,11 @@ static void time_runs_from_needle_to_second_cut(void **state)
     expect_near(17.0, report_of(&f).tail_mm[1], 1e-12);
     report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 90.0, 4e-3);
     expect_near(4.0, report_of(&f).tail_mm[1], 1e-12);
-    assert_false(report_of(&f).flags & VBSS_METRICS_STOPPED);
+    assert_false(report_of(&f).flags & VBSS_METRICS_FLAG_STOPPED);
     report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 93.5, 5e-3);
     report(&f, VBSS_METRICS_EVENT_DROP, 0, 120.0, 0.0);
     expect_same_bits(88.5, report_of(&f).time);
-    assert_true(report_of(&f).flags & VBSS_METRICS_STOPPED);
+    assert_true(report_of(&f).flags & VBSS_METRICS_FLAG_STOPPED);
     end(&f);
 }
 

@@ -33,7 +33,7 @@ static void peak_and_integral_are_of_magnitude(void **state)
         fixture f;
         begin_and_make(&f);
         bear(&f, rates[i]);
-        const vbss_metrics_motion whole = motion_of(&f, 0, VBSS_METRICS_WHOLE),
+        const vbss_metrics_motion whole = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL),
                                   part = motion_of(&f, 0, 0), other = motion_of(&f, 1, 0);
         expect_near(8.0, whole.force_integral, 1e-9); /* 4^2/2 */
         expect_near(4.0, whole.force_peak, 1e-12);
@@ -56,7 +56,7 @@ static void phases_partition_integral(void **state)
     for (int i = 0; i < 3; i++) {
         sum += motion_of(&f, 0, i).force_integral;
     }
-    expect_near(motion_of(&f, 0, VBSS_METRICS_WHOLE).force_integral, sum, 1e-12);
+    expect_near(motion_of(&f, 0, VBSS_METRICS_PHASE_ALL).force_integral, sum, 1e-12);
     end(&f);
 }
 
@@ -69,7 +69,7 @@ static void long_sample_gap_is_unknown(void **state)
     load(&f, 0.05, vec3_make(1.0, 0.0, 0.0), vec3_zero());
     load(&f, 1.0, vec3_make(9.0, 0.0, 0.0), vec3_zero());
     load(&f, 1.05, vec3_make(1.0, 0.0, 0.0), vec3_zero());
-    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL);
     expect_near(0.05 + 0.25, m.force_integral, 1e-12);
     expect_near(9.0, m.force_peak, 1e-15);
     end(&f);
@@ -90,7 +90,7 @@ static void only_task_phase_counts(void **state)
         }
         load(&f, t, vec3_make(i < 100 || i > 310 ? 50.0 : 1.0, 0.0, 0.0), vec3_zero());
     }
-    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL);
     expect_near(2.0, m.force_integral, 1e-9);
     expect_near(1.0, m.force_peak, 1e-12);
     end(&f);

@@ -89,7 +89,7 @@ static void rest_and_motion_partition_time(void **state)
     swing(&f, moving_left, moving_right);
     double left_from = 3.0 + fast_time(2.0, 6e-3), left_to = 5.0 - fast_time(2.0, 5e-3);
     double right_from = 4.0 + fast_time(3.0, 6e-3), right_to = 7.0 - fast_time(3.0, 5e-3);
-    const vbss_metrics_motion m = motion_of(&f, VBSS_METRICS_LEFT, 0);
+    const vbss_metrics_motion m = motion_of(&f, VBSS_METRICS_TOOL_LEFT, 0);
     const vbss_metrics_bimanual b = hands_of(&f, 0);
     expect_near(8.0 - (left_to - left_from), m.idle_time, 0.021);
     expect_near(m.idle_time / 8.0, m.idle_share, 1e-12);
@@ -116,8 +116,8 @@ static void hysteresis_keeps_status(void **state)
     fixture f;
     begin_and_make(&f);
     swing(&f, creeping, slowing);
-    expect_near(0.0, motion_of(&f, VBSS_METRICS_LEFT, 0).idle_time, 1e-12);
-    assert_true(motion_of(&f, VBSS_METRICS_RIGHT, VBSS_METRICS_WHOLE).idle_share > 0.9);
+    expect_near(0.0, motion_of(&f, VBSS_METRICS_TOOL_LEFT, 0).idle_time, 1e-12);
+    assert_true(motion_of(&f, VBSS_METRICS_TOOL_RIGHT, VBSS_METRICS_PHASE_ALL).idle_share > 0.9);
     end(&f);
 }
 

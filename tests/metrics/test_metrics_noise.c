@@ -61,7 +61,7 @@ static void sensor_noise_is_rest(void **state)
     fixture f;
     begin_and_make(&f);
     rest_with_noise(&f, 1000.0, 1e-4, 20.0);
-    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion m = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL);
     assert_true(m.idle_share > 0.99);
     assert_true(m.peak_speed < 5e-3);
     end(&f);

@@ -25,7 +25,7 @@ static vbss_metrics_motion measured(fixture *f, const fault *wrong)
         show(f, VBSS_METRICS_HAS_LEFT, i / wrong->rate, p, vec3_zero());
     }
     expect_ok(vbss_metrics_finish(f->metrics));
-    return motion_of(f, VBSS_METRICS_LEFT, VBSS_METRICS_WHOLE);
+    return motion_of(f, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_PHASE_ALL);
 }
 
 static vbss_metrics_motion measured_without_fault(double rate)
@@ -45,9 +45,9 @@ static void expect_bridged(const fault *wrong, uint64_t outliers)
     fixture f;
     begin(&f);
     const vbss_metrics_motion m = measured(&f, wrong);
-    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_LEFT], outliers);
-    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_RIGHT], 0);
-    assert_int_equal(report_of(&f).jumps[VBSS_METRICS_LEFT], 0);
+    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_TOOL_LEFT], outliers);
+    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_TOOL_RIGHT], 0);
+    assert_int_equal(report_of(&f).jumps[VBSS_METRICS_TOOL_LEFT], 0);
     assert_int_equal(report_of(&f).samples, SAMPLES);
     expect_near(plain.path_length, m.path_length, 1e-4 * plain.path_length);
     expect_near(plain.peak_speed, m.peak_speed, 1e-3 * plain.peak_speed);
@@ -78,7 +78,7 @@ static void outlier_without_bound_becomes_motion(void **state)
     begin(&f);
     f.config.max_speed = 0.0;
     const vbss_metrics_motion m = measured(&f, &(fault){900, 1, 0.2, RATE});
-    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_LEFT], 0);
+    assert_int_equal(report_of(&f).outliers[VBSS_METRICS_TOOL_LEFT], 0);
     assert_true(m.path_length > plain.path_length + 0.2);
     assert_true(m.peak_speed > 3.0);
     end(&f);
@@ -98,8 +98,8 @@ static void lasting_jump_is_no_motion(void **state)
             const vbss_metrics_motion m =
                 measured(&f, &(fault){900, SAMPLES, distances[k], rates[i]});
             const vbss_metrics_report r = report_of(&f);
-            assert_int_equal(r.jumps[VBSS_METRICS_LEFT], 1);
-            expect_near(0.1 * rates[i], (double)r.outliers[VBSS_METRICS_LEFT], 1.0);
+            assert_int_equal(r.jumps[VBSS_METRICS_TOOL_LEFT], 1);
+            expect_near(0.1 * rates[i], (double)r.outliers[VBSS_METRICS_TOOL_LEFT], 1.0);
             expect_near(0.1, m.unseen_time, 0.05);
             expect_near(plain.path_length, m.path_length, 0.16 * (m.unseen_time + 0.01));
             expect_near(plain.peak_speed, m.peak_speed, 0.01 * plain.peak_speed);
@@ -125,7 +125,7 @@ static uint64_t outliers_at_speed(double speed, double max_speed)
     reach_length = speed * 0.5 / 1.875;
     record(&f, reaching, 0.0, 3.0, 1000.0, 0.0);
     expect_ok(vbss_metrics_finish(f.metrics));
-    uint64_t count = report_of(&f).outliers[VBSS_METRICS_LEFT];
+    uint64_t count = report_of(&f).outliers[VBSS_METRICS_TOOL_LEFT];
     end(&f);
     return count;
 }
@@ -163,10 +163,10 @@ static void lost_time_of_trial_is_reported(void **state)
     expect_near(10.0, report_of(&f).time, 1e-12);
     expect_near(0.15, report_of(&f).time_lost, 1e-12);
     expect_near(9.85, report_of(&f).time_simulated, 1e-12);
-    assert_int_equal(report_of(&f).flags & VBSS_METRICS_TIME_LOST, 0);
+    assert_int_equal(report_of(&f).flags & VBSS_METRICS_FLAG_TIME_LOST, 0);
     const double score = report_of(&f).score;
     show_lost(&f, 20.0 + 1e-9, 3.25);
-    assert_int_not_equal(report_of(&f).flags & VBSS_METRICS_TIME_LOST, 0);
+    assert_int_not_equal(report_of(&f).flags & VBSS_METRICS_FLAG_TIME_LOST, 0);
     expect_near(score, report_of(&f).score, 1e-6);
     assert_int_equal(report_of(&f).penalty_count, 1);
     const vbss_metrics_penalty p = penalty_of(&f, 0);

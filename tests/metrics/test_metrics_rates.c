@@ -17,7 +17,7 @@ static vbss_metrics_motion reported_at(fixture *f, double rate, double jitter)
     begin_and_make(f);
     record(f, working, 0.0, 9.0, rate, jitter);
     expect_ok(vbss_metrics_finish(f->metrics));
-    return motion_of(f, VBSS_METRICS_LEFT, VBSS_METRICS_WHOLE);
+    return motion_of(f, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_PHASE_ALL);
 }
 
 static void compare(double rate, double jitter, double part, double logarithms)
@@ -88,8 +88,8 @@ static void clock_shift_invariance(void **state)
     }
     expect_ok(vbss_metrics_finish(f.metrics));
     expect_ok(vbss_metrics_finish(g.metrics));
-    const vbss_metrics_motion a = motion_of(&f, 0, VBSS_METRICS_WHOLE),
-                              b = motion_of(&g, 0, VBSS_METRICS_WHOLE);
+    const vbss_metrics_motion a = motion_of(&f, 0, VBSS_METRICS_PHASE_ALL),
+                              b = motion_of(&g, 0, VBSS_METRICS_PHASE_ALL);
     expect_near(a.path_length, b.path_length, 1e-9);
     expect_near(a.ldj_length, b.ldj_length, 1e-6);
     expect_near(a.sparc, b.sparc, 1e-6);

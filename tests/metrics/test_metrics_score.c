@@ -13,7 +13,7 @@ static void do_task(const fixture *f)
     vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_GAP, 0, 100.0);
     e.other[0] = 0.5e-3;
     e.amount = 0.9e-3; /* the largest, which does not count */
-    e.tool = VBSS_METRICS_RIGHT;
+    e.tool = VBSS_METRICS_TOOL_RIGHT;
     e.force[1] = 2.5;
     expect_ok(vbss_metrics_add_event(f->metrics, &e));
     report(f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 120.0, 4e-3);
@@ -45,7 +45,7 @@ static void score_is_time_minus_penalties(void **state)
     expect_same_bits(120.0, r.time);
     expect_near(10.0 * (1.3 + 0.65 + 0.5) + 10.0, r.penalties, 1e-9); /* 34.5 */
     expect_near(600.0 - 120.0 - 34.5, r.score, 1e-9);
-    assert_true(r.flags & VBSS_METRICS_FINAL);
+    assert_true(r.flags & VBSS_METRICS_FLAG_FINAL);
     expect_sums(&f);
     assert_int_equal(r.penalty_count, 4);
     const vbss_metrics_penalty first = penalty_of(&f, 0), gap = penalty_of(&f, 2),
@@ -57,7 +57,7 @@ static void score_is_time_minus_penalties(void **state)
     expect_same_bits(20.0, first.time);
     assert_int_equal(first.step, 20000);
     assert_int_equal(gap.kind, VBSS_METRICS_PENALTY_GAP);
-    assert_int_equal(gap.tool, VBSS_METRICS_RIGHT);
+    assert_int_equal(gap.tool, VBSS_METRICS_TOOL_RIGHT);
     expect_same_bits(2.5, gap.force[1]);
     assert_int_equal(knot.kind, VBSS_METRICS_PENALTY_TIGHTNESS);
     expect_same_bits(10.0, knot.amount);
@@ -80,12 +80,12 @@ static void flawless_expert_scores_512(void **state)
     report(&f, VBSS_METRICS_EVENT_GAP, 0, 30.0, 0.0);
     report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 88.0, 4e-3);
     report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 88.0, 4e-3);
-    assert_false(report_of(&f).flags & VBSS_METRICS_FINAL); /* the knot was not pulled */
+    assert_false(report_of(&f).flags & VBSS_METRICS_FLAG_FINAL); /* the knot was not pulled */
     pull_at(&f, 90.0, 2.0, 0.01, 0.0, 1);
     pull_at(&f, 91.0, 2.0, 0.01, 0.0, 1);
     expect_same_bits(512.0, report_of(&f).score);
     assert_int_equal(report_of(&f).penalty_count, 0);
-    assert_true(report_of(&f).flags & VBSS_METRICS_FINAL);
+    assert_true(report_of(&f).flags & VBSS_METRICS_FLAG_FINAL);
     end(&f);
 }
 
@@ -94,10 +94,10 @@ static void tightness_method_is_applied(void **state)
     (void)state;
     fixture f;
     begin(&f);
-    f.config.tightness_method = VBSS_METHOD_PAPER;
+    f.config.tightness_test = VBSS_METRICS_TEST_STRAIN;
     make(&f);
     do_task(&f);
-    assert_int_equal(report_of(&f).tightness_ours, VBSS_METRICS_TIGHTNESS_SLIPS);
+    assert_int_equal(report_of(&f).tightness_pull, VBSS_METRICS_TIGHTNESS_SLIPS);
     expect_near(600.0 - 120.0 - 24.5, report_of(&f).score, 1e-9);
     end(&f);
 }
@@ -150,7 +150,7 @@ static void expect_zero(const fixture *f, vbss_metrics_penalty_kind kind, uint32
 {
     const vbss_metrics_report r = report_of(f);
     expect_same_bits(0.0, r.score);
-    assert_true(r.flags & VBSS_METRICS_FINAL);
+    assert_true(r.flags & VBSS_METRICS_FLAG_FINAL);
     assert_true((r.flags & flag) == flag);
     assert_int_equal(penalty_of(f, r.penalty_count - 1).kind, kind);
     expect_sums(f);
@@ -165,7 +165,7 @@ static void timeout_is_at_limit(void **state)
     report(&f, VBSS_METRICS_EVENT_PHASE, 0, 609.0, 0.0);
     expect_same_bits(1.0, report_of(&f).score);
     report(&f, VBSS_METRICS_EVENT_PHASE, 0, 610.0, 0.0);
-    expect_zero(&f, VBSS_METRICS_PENALTY_TIMEOUT, VBSS_METRICS_TIMEOUT);
+    expect_zero(&f, VBSS_METRICS_PENALTY_TIMEOUT, VBSS_METRICS_FLAG_TIMEOUT);
     expect_same_bits(610.0, penalty_of(&f, 0).time);
     end(&f);
 }
@@ -178,12 +178,12 @@ static void torn_drain_or_thread_scores_zero_until_undone(void **state)
     do_task(&f);
     double score = report_of(&f).score;
     report(&f, VBSS_METRICS_EVENT_AVULSED, 0, 200.0, 0.0);
-    expect_zero(&f, VBSS_METRICS_PENALTY_AVULSED, VBSS_METRICS_AVULSED);
+    expect_zero(&f, VBSS_METRICS_PENALTY_AVULSED, VBSS_METRICS_FLAG_AVULSED);
     expect_near(score, penalty_of(&f, 4).amount, 1e-9);
     take_back(&f, VBSS_METRICS_EVENT_AVULSED, 0, 201.0);
     expect_same_bits(score, report_of(&f).score);
     report(&f, VBSS_METRICS_EVENT_BROKEN, 0, 202.0, 0.0);
-    expect_zero(&f, VBSS_METRICS_PENALTY_BROKEN, VBSS_METRICS_BROKEN);
+    expect_zero(&f, VBSS_METRICS_PENALTY_BROKEN, VBSS_METRICS_FLAG_BROKEN);
     end(&f);
 }
 
@@ -196,7 +196,7 @@ static void abandoned_trial_has_no_score(void **state)
     report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 20.0, 4e-3);
     expect_same_bits(580.0, report_of(&f).score);
     expect_ok(vbss_metrics_finish(f.metrics));
-    expect_zero(&f, VBSS_METRICS_PENALTY_INCOMPLETE, VBSS_METRICS_FINISHED);
+    expect_zero(&f, VBSS_METRICS_PENALTY_INCOMPLETE, VBSS_METRICS_FLAG_FINISHED);
     end(&f);
 }
 

@@ -33,7 +33,7 @@ static vbss_metrics_motion measured(fixture *f, curve at, double from, double to
     report(f, VBSS_METRICS_EVENT_PHASE, 2, to, 0.0);
     record(f, at, to, last, 1000.0, 0.0);
     expect_ok(vbss_metrics_finish(f->metrics));
-    return motion_of(f, VBSS_METRICS_LEFT, 0);
+    return motion_of(f, VBSS_METRICS_TOOL_LEFT, 0);
 }
 
 /* Of a minimum-jerk reach: L in all, 15/8 L/T at most, and 720 L^2/T^5 of squared jerk. The jerk jumps by 60 L/T^3 at

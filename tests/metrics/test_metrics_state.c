@@ -64,7 +64,7 @@ static void same_log_gives_same_bits(void **state)
         vbss_metrics_motion motion;
         expect_ok(metrics_run_step(one));
         /* looking changes nothing */
-        expect_ok(vbss_metrics_get_motion(one, 0, VBSS_METRICS_WHOLE, &motion, sizeof motion));
+        expect_ok(vbss_metrics_get_motion(one, 0, VBSS_METRICS_PHASE_ALL, &motion, sizeof motion));
         expect_ok(metrics_run_step(two));
         assert_true(hash_of(one) == hash_of(two));
         assert_true(hash_of(one) != before);
@@ -91,7 +91,7 @@ static void snapshot_of_other_config_is_rejected(void **state)
     show(&f, 3, 1.0, vec3_zero(), vec3_zero());
     expect_ok(vbss_metrics_save(f.metrics, bytes, sizeof bytes, &written));
     const vbss_metrics_config plain = f.config;
-    size_t first = offsetof(vbss_metrics_config, tightness_method);
+    size_t first = offsetof(vbss_metrics_config, tightness_test);
     for (size_t at = first; at < sizeof plain; at += 4) {
         f.config = plain;
         if (at < offsetof(vbss_metrics_config, duration)) {

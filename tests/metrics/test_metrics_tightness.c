@@ -6,8 +6,8 @@
 static void expect_results(const fixture *f, int32_t ours, int32_t paper)
 {
     const vbss_metrics_report r = report_of(f);
-    assert_int_equal(r.tightness_ours, ours);
-    assert_int_equal(r.tightness_paper, paper);
+    assert_int_equal(r.tightness_pull, ours);
+    assert_int_equal(r.tightness_strain, paper);
 }
 
 /* Ramps up in half a second, then pulls for `held` seconds, with so much drawn in a second. */
@@ -121,9 +121,9 @@ static void threshold_is_force_strain_or_given(void **state)
         double threshold = given ? 0.01 : 0.002;
         make(&f);
         pull_at(&f, 0.0, 0.1, 0.999 * threshold, 0.0, 1);
-        assert_int_equal(report_of(&f).tightness_paper, VBSS_METRICS_TIGHTNESS_SLIPS);
+        assert_int_equal(report_of(&f).tightness_strain, VBSS_METRICS_TIGHTNESS_SLIPS);
         pull_at(&f, 0.1, 0.1, threshold, 0.0, 1);
-        assert_int_equal(report_of(&f).tightness_paper, VBSS_METRICS_TIGHTNESS_TIGHT);
+        assert_int_equal(report_of(&f).tightness_strain, VBSS_METRICS_TIGHTNESS_TIGHT);
     }
     end(&f);
 }

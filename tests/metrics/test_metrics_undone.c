@@ -8,7 +8,7 @@ static void withdrawn_puncture_is_an_attempt(void **state)
     begin_and_make(&f);
     puncture(&f, 1, 1.0, 0.3, 0.0);
     take_back(&f, VBSS_METRICS_EVENT_PUNCTURE, 1, 2.0);
-    assert_false(report_of(&f).flags & VBSS_METRICS_PUNCTURE_1);
+    assert_false(report_of(&f).flags & VBSS_METRICS_FLAG_PUNCTURE_1);
     expect_same_bits(0.0, report_of(&f).deviation_mm[1]);
     assert_int_equal(report_of(&f).attempts[0], 0);
     assert_int_equal(report_of(&f).attempts[1], 1);
@@ -49,7 +49,7 @@ static void rejected_cut_keeps_clock_running(void **state)
     report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 10.0, 4e-3);
     report(&f, VBSS_METRICS_EVENT_TAIL_CUT, 1, 12.0, 4e-3);
     take_back(&f, VBSS_METRICS_EVENT_TAIL_CUT, 0, 20.0);
-    assert_false(report_of(&f).flags & VBSS_METRICS_STOPPED);
+    assert_false(report_of(&f).flags & VBSS_METRICS_FLAG_STOPPED);
     expect_same_bits(20.0, report_of(&f).time);
     end(&f);
 }

@@ -12,7 +12,7 @@ static void null_config_is_default(void **state)
     expect_ok(vbss_needle_create(f.context, NULL, &plain));
     assert_memory_equal(&f.config, &inside(plain)->config, sizeof f.config);
     assert_true(hash_of(plain) == hash_of(make(&f)));
-    assert_int_equal(f.config.method, VBSS_METHOD_OURS);
+    assert_int_equal(f.config.method, VBSS_METHOD_IMPLICIT);
     assert_int_equal(f.config.segment_count, 8);
     assert_int_equal(f.config.reserved, 0);
     expect_same_bits(10.5e-3, f.config.radius);
@@ -43,7 +43,7 @@ static void presets_change_shape_only(void **state)
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_config_preset(NULL, 0));
     expect_same_bits(8.28e-3, c.radius);
     c.density = usual.density;
-    expect_ok(vbss_needle_config_preset(&c, VBSS_NEEDLE_PRESET_PAPER));
+    expect_ok(vbss_needle_config_preset(&c, VBSS_NEEDLE_PRESET_VBLAST));
     assert_memory_equal(&c, &usual, sizeof c);
     c.struct_size = 3;
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_needle_config_preset(&c, VBSS_NEEDLE_PRESET_SH));

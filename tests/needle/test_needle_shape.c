@@ -237,7 +237,7 @@ static void view_shows_capsule_ends_on_arc(void **state)
         steps(needle, 1e-3, 10);
         expect_ok(vbss_needle_get_view(needle, VBSS_NEEDLE_VIEW_POINTS, &view, sizeof view));
         assert_true(view.generation != generation);
-        assert_int_equal(view.type, VBSS_TYPE_F64);
+        assert_int_equal(view.type, VBSS_VIEW_TYPE_F64);
         assert_int_equal(view.components, 3);
         assert_int_equal(view.stride_bytes, 24);
         assert_int_equal(view.count, counts[k] + 1);

@@ -109,7 +109,7 @@ static void for_all(features *f, void (*each)(polynomial *p))
 static void features_init(features *f, const collision_query *query)
 {
     for_all(f, polynomial_init);
-    f->a_count = query->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    f->a_count = query->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1;
     set_positions(f, query);
     for (int i = 0; i < 4; i++) {
         for (int j = i + 1; j < 4; j++) {

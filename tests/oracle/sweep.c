@@ -181,8 +181,8 @@ bool sweep_meets(const sweep *a, const sweep *b, bool *asked)
     if (!is_finite(a) || !is_finite(b)) {
         return true;
     }
-    collision_query query = {.kind =
-                                 a->corners == 2 ? VBSS_PAIR_EDGE_EDGE : VBSS_PAIR_POINT_TRIANGLE};
+    collision_query query = {.kind = a->corners == 2 ? VBSS_COLLISION_PAIR_EDGE_EDGE
+                                                     : VBSS_COLLISION_PAIR_POINT_TRIANGLE};
     put(&query, a, 0);
     put(&query, b, a->corners);
     return oracle_meets(&query);

@@ -18,7 +18,7 @@ def test_a_drain_rests_and_is_pulled(context):
         drain.step()
     assert drain.gap.gap > gap and drain.energies.total > 0.0
     assert drain.reaction(force) == pytest.approx((0.0, 0.0, -0.3)) and drain.reaction(pin)[2] > 0.01
-    drain.move(force, (0.0, 0.0, 0.0))
+    drain.set_attachment_target(force, (0.0, 0.0, 0.0))
     drain.detach(pin)
     saved, wanted = drain.save(), drain.state_hash
     drain.step()
@@ -59,7 +59,7 @@ def test_a_needle_flies(context):
 
 def test_a_grasper_is_commanded(context):
     grasper = vb.Grasper(context, preset="angled", kind="needle_driver")
-    grasper.move((0.0, 0.1, 0.0), orientation=(1, 0, 0, 0))
+    grasper.set_target((0.0, 0.1, 0.0), orientation=(1, 0, 0, 0))
     grasper.set_opening(0.5)
     grasper.exchange("shears")
     assert grasper.state.target_position == (0.0, 0.1, 0.0) and grasper.state.kind is vb.GrasperKind.NEEDLE_DRIVER
@@ -67,5 +67,5 @@ def test_a_grasper_is_commanded(context):
     with pytest.raises(vb.OutOfRangeError):
         grasper.set_opening(2.0)
     with pytest.raises(vb.NotFiniteError):
-        grasper.move((0.0, math.inf, 0.0))
+        grasper.set_target((0.0, math.inf, 0.0))
     assert "needle driver" in repr(grasper)

@@ -23,9 +23,9 @@ def test_closest_points():
 
 def test_moving_features_meet_or_not():
     hit = vb.test_edges(CROSSED, BELOW)
-    assert hit.hit == 1 and hit.time == pytest.approx(0.5) and hit.decision is vb.Decision.EXACT
+    assert hit.hit == 1 and hit.time == pytest.approx(0.5) and hit.decision is vb.CollisionDecision.EXACT
     assert vb.test_edges(CROSSED, CROSSED).hit == 0
-    assert vb.test_edges(CROSSED, CROSSED, thickness=1.5, method="paper").decision is vb.Decision.CLAIMED
+    assert vb.test_edges(CROSSED, CROSSED, thickness=1.5, method="vblast").decision is vb.CollisionDecision.CLAIMED
     point = [[0.2, 0.2, 1], [0, 0, 0], [1, 0, 0], [0, 1, 0]]
     assert vb.test_point_triangle(point, [[0.2, 0.2, -1], *point[1:]]).hit == 1
     with pytest.raises(TypeError, match="did you mean 'thickness'"):
@@ -33,10 +33,10 @@ def test_moving_features_meet_or_not():
 
 
 def test_the_papers_response_pushes_apart():
-    impact = vb.test_edges(CROSSED, BELOW, thickness=0.1, method="paper")
-    response = vb.paper_response("edge_edge", "end_of_step", impact, CROSSED, BELOW, 0.1)
+    impact = vb.test_edges(CROSSED, BELOW, thickness=0.1, method="vblast")
+    response = vb.vblast_response("edge_edge", "end_of_step", impact, CROSSED, BELOW, 0.1)
     assert response.depth == pytest.approx(1.1) and len(response.displacement) == 12
-    assert vb.paper_response("edge_edge", 0, None, CROSSED, BELOW, 0.1).depth == response.depth
+    assert vb.vblast_response("edge_edge", 0, None, CROSSED, BELOW, 0.1).depth == response.depth
 
 
 def test_batches_have_the_answers_of_single_tests(context):
@@ -57,10 +57,10 @@ def test_shapes_are_searched(context):
     rods = collision.add_capsules(1, 0.1)
     sheet = collision.add_mesh(4, [[0, 1, 2], [1, 3, 2]], 0.01)
     places = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]
-    collision.move(chain, places, start=places)
-    collision.move(rods, [[0.5, -1, -0.5], [0.5, 1, -0.5]], start=[[0.5, -1, 1], [0.5, 1, 1]])
-    collision.move(sheet, [[0, 0, 9], [1, 0, 9], [0, 1, 9], [1, 1, 9]])
-    collision.move(sheet, [[0, 0, 9], [1, 0, 9], [0, 1, 9], [1, 1, 9]])
+    collision.set_motion(chain, places, start=places)
+    collision.set_motion(rods, [[0.5, -1, -0.5], [0.5, 1, -0.5]], start=[[0.5, -1, 1], [0.5, 1, 1]])
+    collision.set_motion(sheet, [[0, 0, 9], [1, 0, 9], [0, 1, 9], [1, 1, 9]])
+    collision.set_motion(sheet, [[0, 0, 9], [1, 0, 9], [0, 1, 9], [1, 1, 9]])
     collision.set_filter(sheet, category=2)
     assert collision.edge(sheet, 0) == (0, 1)
     assert len(collision.find_candidates()) == collision.statistics.candidates > 0
@@ -69,7 +69,7 @@ def test_shapes_are_searched(context):
     assert len(collision.normals[0]) == 3 and len(collision.weights[0]) == 4
     assert collision.candidates[impacts[0]].tolist()[1::2] == [chain, rods]
     saved, wanted = collision.save(), collision.state_hash
-    collision.move(chain, [[0, 0, 5], [1, 0, 5], [2, 0, 5]])
+    collision.set_motion(chain, [[0, 0, 5], [1, 0, 5], [2, 0, 5]])
     collision.restore(saved)
     assert collision.state_hash == wanted
     collision.remove(sheet)

@@ -48,7 +48,7 @@ def test_a_device_in_python_is_read_and_written(context):
         assert found.position == (0.001, 0.0, 0.0) and found.jaw == pytest.approx(0.5)
         assert vb.DeviceHasBits.POSITION in found.valid and vb.DeviceHasBits.ORIENTATION not in found.valid
         out = device.write(0.001, force=(9.0, 0.0, 0.0))
-        assert vb.OutputBits.CLAMPED in out.flags or vb.OutputBits.SLEWED in out.flags
+        assert vb.OutputFlagBits.CLAMPED in out.flags or vb.OutputFlagBits.SLEWED in out.flags
         for i in range(2, 60):
             device.read(1e-3 * i)
             out = device.write(1e-3 * i, force=(9.0, 0.0, 0.0))
@@ -136,16 +136,16 @@ def test_a_mock_replaces_hardware(context):
     assert device.read(0.02).status is vb.DeviceStatus.LOST
     mock.clear_faults()
     assert device.read(0.03).status is vb.DeviceStatus.READY
-    device.clutch(True)
+    device.set_clutch(True)
     assert device.read(0.031).clutched == 1
-    device.clutch(False)
+    device.set_clutch(False)
     device.recentre((0.1, 0.0, 0.0), (1, 0, 0, 0))
     assert device.read(0.032).position[0] == pytest.approx(0.1, abs=3e-3)
     device.set_calibration(offset=(0.0, 0.5, 0.0))
     assert device.read(0.033).position[1] == pytest.approx(0.5)
-    device.stop()
-    assert vb.OutputBits.STOPPED in device.write(0.034, force=(1, 0, 0)).flags
-    device.release()
+    device.latch_emergency_stop()
+    assert vb.OutputFlagBits.STOPPED in device.write(0.034, force=(1, 0, 0)).flags
+    device.clear_emergency_stop()
     saved, wanted = device.save(), device.state_hash
     device.read(0.04)
     device.restore(saved)
@@ -183,10 +183,10 @@ def test_an_output_stage_alone(context):
     for _ in range(20):
         result = output.step(1e-3, force=(5.0, 0.0, 0.0))
     assert result.force[0] <= 1.0 and output.statistics.steps == 20
-    output.stop()
+    output.latch_emergency_stop()
     assert output.step(1e-3).force == (0.0, 0.0, 0.0)
-    output.release()
-    assert vb.OutputBits.NOT_FINITE in output.step(1e-3, force=(math.nan, 0, 0)).flags
+    output.clear_emergency_stop()
+    assert vb.OutputFlagBits.NOT_FINITE in output.step(1e-3, force=(math.nan, 0, 0)).flags
     with pytest.raises(TypeError, match="no setting 'fore'"):
         output.step(1e-3, fore=(0, 0, 0))
 

@@ -21,7 +21,7 @@ def test_a_helix_is_no_knot():
 
 
 def test_readings_are_spread_over_steps(context):
-    detector = vb.KnotDetector(context, work_limit=2000)
+    detector = vb.KnotDetector(context, step_budget=2000)
     points, kinds = trefoil(), []
     while not any(kind is vb.KnotEvent.READ for kind in kinds):
         detector.step(points)

@@ -35,9 +35,9 @@ def test_the_score_is_what_time_and_penalties_leave(context):
     metrics = vb.Metrics(context, weight_granny=5.0)
     do_task(metrics)
     report = metrics.report
-    assert report.flags & vb.MetricsBits.FINAL and report.time == 120.0
+    assert report.flags & vb.MetricsFlagBits.FINAL and report.time == 120.0
     assert report.deviation_mm == pytest.approx((1.3, 0.65)) and report.gap_mm == pytest.approx(0.5)
-    assert report.tightness_ours is vb.MetricsTightness.SLIPS and report.tightness_paper is vb.MetricsTightness.TIGHT
+    assert report.tightness_pull is vb.MetricsTightness.SLIPS and report.tightness_strain is vb.MetricsTightness.TIGHT
     penalties = metrics.penalties
     assert sum(penalty.amount for penalty in penalties) == pytest.approx(report.penalties) == pytest.approx(39.5)
     assert report.score == pytest.approx(600.0 - 120.0 - 39.5)
@@ -72,10 +72,10 @@ def test_lost_time_is_reported(context):
     metrics.add_sample(0.0)
     metrics.add_event("needle_appears", 0.0)
     metrics.add_sample(10.0, time_lost=0.9)
-    assert not metrics.report.flags & vb.MetricsBits.TIME_LOST and "lost" not in repr(metrics)
+    assert not metrics.report.flags & vb.MetricsFlagBits.TIME_LOST and "lost" not in repr(metrics)
     metrics.add_sample(20.0, time_lost=5.0)
     report = metrics.report
-    assert report.flags & vb.MetricsBits.TIME_LOST and "5 s of it lost" in repr(metrics)
+    assert report.flags & vb.MetricsFlagBits.TIME_LOST and "5 s of it lost" in repr(metrics)
     assert (report.time, report.time_lost, report.time_simulated) == (20.0, 5.0, 15.0)
     assert metrics.penalties[0].kind is vb.MetricsPenaltyKind.TIME_LOST and metrics.penalties[0].amount == 0.0
 

@@ -10,7 +10,7 @@ def make(context, settings=None):
     body = scene.add(thread)
     ball = scene.add_rigid([((0, 0, 0), (0, 0, 0), 2e-3)], position=(0, 0.05, 0))
     tool = vb.Grasper(context)
-    tool.move((0.0, 0.1, 0.0))
+    tool.set_target((0.0, 0.1, 0.0))
     return scene, body, ball, scene.add(tool)
 
 
@@ -18,8 +18,8 @@ def recorded(context):
     scene, body, ball, tool = make(context)
     record = vb.Record(scene, note=b"a thread and a ball", hash_interval=1, snapshot_interval=3)
     log = record.take()
-    record.move_rigid(ball, (0, 0.051, 0), (1, 0, 0, 0))
-    record.move_grasper(tool, (0.001, 0.1, 0.0))
+    record.set_rigid_target(ball, (0, 0.051, 0), (1, 0, 0, 0))
+    record.set_grasper_target(tool, (0.001, 0.1, 0.0))
     record.set_opening(tool, 0.5)
     record.exchange(tool, "shears")
     pin = record.pin_thread(body, 0)
@@ -27,7 +27,7 @@ def recorded(context):
     record.unpin_thread(pin)
     name = record.attach(body, "force", 5, force=(0, 0, 1e-3))
     record.step()
-    record.move_attachment(body, name, (0, 0, 2e-3))
+    record.set_attachment_target(body, name, (0, 0, 2e-3))
     log += record.take()
     record.step()
     record.detach(body, name)
@@ -84,10 +84,10 @@ def test_steps_are_read_without_a_scene(context):
     log, wanted = recorded(context)
     replay = vb.Replay(log, context)
     first = replay.read(1)
-    assert [one.kind.name for one in first.inputs] == ["MOVE_RIGID", "MOVE_GRASPER", "SET_OPENING", "EXCHANGE", "PIN"]
+    assert [one.kind.name for one in first.inputs] == ["RIGID_TARGET", "GRASPER_TARGET", "SET_OPENING", "EXCHANGE", "PIN"]
     assert first.inputs[0].numbers[:3] == (0.0, 0.051, 0.0) and first.inputs[2].numbers == (0.5,)
     cut = replay.read(4)
-    assert [one.kind for one in cut.inputs] == [vb.InputKind.DETACH, vb.InputKind.CUT]
+    assert [one.kind for one in cut.inputs] == [vb.RecordInputKind.DETACH, vb.RecordInputKind.CUT]
     last = replay.read(8)
     assert (last.number, last.hash, last.h) == (8, wanted, 1e-3) and last.time == pytest.approx(8e-3)
     assert last.position < len(log)
@@ -104,7 +104,7 @@ def test_events_are_in_the_log(context):
         seen.append(tuple(scene.events))
     replay = vb.Replay(record.take(), context)
     assert [replay.read(number + 1).events for number in range(20)] == seen
-    assert vb.EventKind.TOUCH in {event.kind for events in seen for event in events}
+    assert vb.SceneEventKind.TOUCH in {event.kind for events in seen for event in events}
 
 
 def test_a_record_goes_on_with_a_log_that_is_cut_off(context):

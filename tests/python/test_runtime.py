@@ -33,7 +33,7 @@ def test_settings_are_those_that_were_set(stage):
     assert scene.state_hash != before
     info = scene.body_info(ball)
     assert (info.friction, info.category, info.mask) == (0.7, 2, 0xfffffffe)
-    assert scene.body_info(0).kind == vb.BodyKind.FLOOR and scene.body_info(0).friction == 0.2
+    assert scene.body_info(0).kind == vb.SceneBodyKind.FLOOR and scene.body_info(0).friction == 0.2
     with pytest.raises(vb.OutOfRangeError):
         scene.set_coupling(ball, 1.0, 1.0, 1.0, 1.0)
 
@@ -55,7 +55,7 @@ def test_bodies_are_found_by_number(context):
     drain, needle, grasper = (scene.add(one(context)) for one in (vb.Drain, vb.Needle, vb.Grasper))
     assert scene.bodies == [ball, drain, needle, grasper]
     kinds = [scene.body_info(body).kind for body in scene.bodies]
-    assert kinds == [vb.BodyKind.RIGID, vb.BodyKind.DRAIN, vb.BodyKind.NEEDLE, vb.BodyKind.GRASPER]
+    assert kinds == [vb.SceneBodyKind.RIGID, vb.SceneBodyKind.DRAIN, vb.SceneBodyKind.NEEDLE, vb.SceneBodyKind.GRASPER]
     assert len({scene.drain_handle(drain), scene.needle_handle(needle), scene.grasper_handle(grasper)}) == 3
     with pytest.raises(vb.OutOfRangeError):
         scene.needle_handle(ball)
@@ -77,7 +77,7 @@ def test_rays_and_nearest_bodies(stage):
 def test_changes_are_in_the_log(stage):
     scene, ball, _ = stage
     record = vb.Record(scene, hash_interval=1)
-    record.apply_input("setting", (vb.Setting.GRAVITY, ball), (0, -2.0, 0))
+    record.apply_input("setting", (vb.SceneSetting.GRAVITY, ball), (0, -2.0, 0))
     record.step()
     record.end()
     log = record.take()

@@ -22,10 +22,10 @@ def test_a_thread_falls_on_the_floor_and_lies(lying):
     for _ in range(40):
         scene.step()
         kinds |= {event.kind for event in scene.events}
-    assert body == 1 and vb.EventKind.TOUCH in kinds
+    assert body == 1 and vb.SceneEventKind.TOUCH in kinds
     contacts = scene.contacts
     assert len(contacts) == scene.statistics.contacts == len(scene.contact_gaps) > 10
-    assert {contact.kind for contact in contacts} == {vb.ContactKind.NODE_FLOOR}
+    assert {contact.kind for contact in contacts} == {vb.SceneContactKind.NODE_FLOOR}
     assert len(scene.contact_points) == len(scene.contact_normals) == len(scene.contact_forces) == len(contacts)
     weight = sum(abs(force[1]) for force in scene.contact_forces.tolist())
     assert weight == pytest.approx(thread.momentum.mass * 9.81, rel=0.05)
@@ -60,16 +60,16 @@ def test_threads_are_pinned_and_cut(lying):
     ball = scene.add_rigid(BALL, position=(0.0, 0.05, 0.0))
     pin = scene.pin_thread(body, 0, 0)
     other = scene.pin_thread(body, 20, ball, (0.0, 0.0, 0.0))
-    scene.move_rigid(ball, (0.0, 0.051, 0.0), orientation=(1, 0, 0, 0))
+    scene.set_rigid_target(ball, (0.0, 0.051, 0.0), orientation=(1, 0, 0, 0))
     scene.step()
     assert scene.rigid(ball).position == pytest.approx((0.0, 0.051, 0.0))
-    assert scene.rigid(ball).kind is vb.RigidKind.DRIVEN
+    assert scene.rigid(ball).kind is vb.SceneRigidKind.DRIVEN
     scene.unpin_thread(pin)
     scene.unpin_thread(other)
     piece = scene.cut_thread(body, 0.05)
     cut = scene.thread(piece)
     assert cut is scene.body(piece) and cut.node_count < 20
-    assert vb.Event(vb.EventKind.CUT, body, piece, 50000) in scene.events
+    assert vb.Event(vb.SceneEventKind.CUT, body, piece, 50000) in scene.events
     scene.step()
     assert cut.statistics.steps >= 1
     with pytest.raises(vb.OutOfRangeError):
@@ -83,7 +83,7 @@ def test_a_grasper_holds_a_thread(context):
     thread = vb.Thread(context, segment_count=60, start=(-0.03, 0, 0), length=0.06, gravity=(0, 0, 0))
     tool = vb.Grasper(context)
     # The jaws open along x: turned by a quarter about z they open along y, about the thread.
-    tool.move((0.0, 0.0, -2e-3), orientation=(math.sqrt(0.5), 0, 0, math.sqrt(0.5)))
+    tool.set_target((0.0, 0.0, -2e-3), orientation=(math.sqrt(0.5), 0, 0, math.sqrt(0.5)))
     scene.add(thread)
     body = scene.add(tool)
     tool.set_opening(0.0)
@@ -117,12 +117,12 @@ def test_bodies_that_hold_each_other_back_are_listed(context):
               for y in (0.0, 5e-3)]
     scene.step()
     assert scene.blockers == []
-    scene.move_rigid(sticks[1], (0, -5e-3, 0))
+    scene.set_rigid_target(sticks[1], (0, -5e-3, 0))
     scene.step()
     (blocker,) = scene.blockers
     assert {blocker.body_a, blocker.body_b} == set(sticks)
-    assert blocker.cause is vb.BlockerCause.COLLISION and 0.0 < blocker.lost_time < 1e-3
-    assert vb.EventKind.BLOCKED in [event.kind for event in scene.events]
+    assert blocker.cause is vb.SceneBlockerCause.COLLISION and 0.0 < blocker.lost_time < 1e-3
+    assert vb.SceneEventKind.BLOCKED in [event.kind for event in scene.events]
 
 
 def test_a_heavy_needle_goes_through_a_wall(context):
@@ -139,7 +139,7 @@ def test_a_heavy_needle_goes_through_a_wall(context):
             break
     hole = scene.hole(0)
     assert scene.holes == [hole] and (hole.needle, hole.drain, hole.outward) == (body, 1, 0)
-    assert vb.EventKind.PUNCTURE in events and sum(hole.weights) == pytest.approx(1.0)
+    assert vb.SceneEventKind.PUNCTURE in events and sum(hole.weights) == pytest.approx(1.0)
 
 
 def test_a_thread_lies_in_a_hole_that_was_made_and_is_pulled_out(context):
@@ -164,9 +164,9 @@ def test_a_thread_lies_in_a_hole_that_was_made_and_is_pulled_out(context):
     end, events = thread.attach("pin", 10), []
     tip = thread.positions[10].tolist()
     for step in range(400):
-        thread.move(end, [p + 2e-5 * (step + 1) * n for p, n in zip(tip, across)])
+        thread.set_attachment_target(end, [p + 2e-5 * (step + 1) * n for p, n in zip(tip, across)])
         scene.step()
-        events += [event for event in scene.events if event.kind is vb.EventKind.UNTHREADED]
+        events += [event for event in scene.events if event.kind is vb.SceneEventKind.UNTHREADED]
         if events:
             break
     assert [event[1:] for event in events] == [(body, wall, name)] and scene.holes == []

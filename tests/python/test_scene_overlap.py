@@ -20,7 +20,7 @@ def test_an_overlap_causes_a_warning_and_can_be_queried():
 
 def test_an_overlap_is_refused_by_policy():
     with vb.Context() as context:
-        scene = vb.Scene(context=context, overlap=vb.OverlapPolicy.REFUSE)
+        scene = vb.Scene(context=context, overlap=vb.SceneOverlapPolicy.REFUSE)
         scene.add_rigid(STICK)
         with pytest.raises(vb.OutOfRangeError, match="overlaps"):
             scene.add(vb.Thread(context=context, **SETTINGS))

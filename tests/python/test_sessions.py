@@ -14,7 +14,7 @@ class Rig:
         self.thread = vb.Thread(context, segment_count=30, gravity=(0.0, 0.0, 0.0), start=(0.0, 0.08, 0.04))
         self.tools = [vb.Grasper(context), vb.Grasper(context)]
         for side, tool in zip((-1, 1), self.tools):
-            tool.move((-0.08, 0.08, 0.08 * side), (0.70710678118654752, -0.70710678118654752, 0.0, 0.0))
+            tool.set_target((-0.08, 0.08, 0.08 * side), (0.70710678118654752, -0.70710678118654752, 0.0, 0.0))
         self.bodies = {"drain": self.scene.add(self.drain), "thread": self.scene.add(self.thread),
                        "needle": self.scene.add(self.needle), "tools": [self.scene.add(tool) for tool in self.tools]}
 
@@ -35,7 +35,7 @@ def test_the_task_begins_with_the_needle(context):
     assert status.failure is vb.SessionFailure.NONE and status.stage is vb.SessionStage.NONE
     assert [event.kind for event in session.events] == [vb.SessionEventKind.APPEARED, vb.SessionEventKind.PHASE]
     assert heard == session.events
-    assert metrics.report.flags & vb.MetricsBits.STARTED and metrics.report.samples == 5
+    assert metrics.report.flags & vb.MetricsFlagBits.STARTED and metrics.report.samples == 5
     assert "LOADING" in repr(session)
     with pytest.raises(vb.errors.OutOfRangeError):
         session.event(2)
@@ -70,7 +70,7 @@ def test_a_log_replays_and_goes_on(context):
     session = rig.session(record=record, hash_interval=1)
     log = b""
     for i in range(6):
-        record.move_grasper(rig.bodies["tools"][0], (-0.08, 0.08, -0.08 + 1e-4 * i))
+        record.set_grasper_target(rig.bodies["tools"][0], (-0.08, 0.08, -0.08 + 1e-4 * i))
         session.step()
         log += record.take()
     with vb.Context() as other:

@@ -65,7 +65,7 @@ def test_rows_of_another_length_are_refused(context, points):
 
 
 @pytest.mark.parametrize("use", [lambda t: t.step("1e-3"), lambda t: t.step(None), lambda t: t.detach(1.5), lambda t: t.restore(3),
-                                 lambda t: t.move("a", (0, 0, 0)), lambda t: t.set_state(positions=5)])
+                                 lambda t: t.set_attachment_target("a", (0, 0, 0)), lambda t: t.set_state(positions=5)])
 def test_arguments_of_another_type_are_type_errors(context, use):
     with pytest.raises(TypeError):
         use(vb.Thread(context))
@@ -93,10 +93,10 @@ def test_the_text_names_the_value_that_was_refused(context):
 
 
 def test_constants_are_taken_by_name_number_and_member(context):
-    for method in ("paper", "PAPER", 1, vb.Method.PAPER):
+    for method in ("vblast", "VBLAST", 1, vb.Method.VBLAST):
         thread = vb.Thread(context, method=method, segment_count=10)
         thread.step()
-    assert vb.Thread.defaults()["method"] is vb.Method.OURS
+    assert vb.Thread.defaults()["method"] is vb.Method.IMPLICIT
 
 
 def test_presets_come_before_keywords(context):

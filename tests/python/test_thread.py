@@ -16,7 +16,7 @@ def test_a_falling_thread_falls_as_it_should(context):
 
 
 def test_a_hanging_thread_weighs_what_it_weighs(context):
-    thread = vb.Thread(context, preset="paper_thread", direction=(0, -1, 0), segment_count=10, drag=50.0)
+    thread = vb.Thread(context, preset="vblast", direction=(0, -1, 0), segment_count=10, drag=50.0)
     pin = thread.attach("pin")
     for _ in range(2000):
         thread.step()
@@ -29,12 +29,12 @@ def test_a_hanging_thread_weighs_what_it_weighs(context):
 
 def test_attachments_move_and_go(context):
     thread = vb.Thread(context, segment_count=10, gravity=(0, 0, 0))
-    pin = thread.attach(vb.AttachmentKind.PIN, 10)
-    thread.move(pin, (0.15, 0.001, 0.0))
+    pin = thread.attach(vb.ThreadAttachmentKind.PIN, 10)
+    thread.set_attachment_target(pin, (0.15, 0.001, 0.0))
     thread.step()
     assert thread.positions[10][1] == pytest.approx(0.001, abs=1e-12)
     clamp = thread.attach("clamp", 0, position=(0, 0, 0), direction=(1, 0, 0))
-    thread.move(clamp, (0, 0, 0), direction=(1, 1, 0))
+    thread.set_attachment_target(clamp, (0, 0, 0), direction=(1, 1, 0))
     force = thread.attach("force", 5, force=(0, 0, 1e-3))
     thread.step()
     assert thread.velocities[5][2] > 0.0
@@ -44,9 +44,9 @@ def test_attachments_move_and_go(context):
     with pytest.raises(vb.OutOfRangeError):
         thread.attach("pin", 99)
     with pytest.raises(vb.OutOfRangeError):
-        thread.move(77, (0, 0, 0))
+        thread.set_attachment_target(77, (0, 0, 0))
     with pytest.raises(vb.NotFiniteError):
-        thread.move(clamp, (math.nan, 0, 0))
+        thread.set_attachment_target(clamp, (math.nan, 0, 0))
 
 
 def test_a_thread_is_cut(context):
@@ -87,12 +87,12 @@ def test_states_are_set_saved_and_restored(context):
 
 
 def test_rest_lengths_are_graded():
-    lengths = vb.grade(0.15, 0.05, 3e-4, 2e-3, 1.2)
+    lengths = vb.grade_lengths(0.15, 0.05, 3e-4, 2e-3, 1.2)
     assert sum(lengths) == pytest.approx(0.15) and min(lengths) < 3.3e-4
     thread = vb.Thread(rest_lengths=lengths)
     assert thread.rest_lengths.tolist() == lengths
     with pytest.raises(vb.OutOfRangeError):
-        vb.grade(-1.0, 0.0, 1e-3, 1e-3)
+        vb.grade_lengths(-1.0, 0.0, 1e-3, 1e-3)
 
 
 @pytest.mark.parametrize("h, error", [(0.0, vb.OutOfRangeError), (math.nan, vb.NotFiniteError), (-1e-3, vb.OutOfRangeError),

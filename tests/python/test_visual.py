@@ -22,7 +22,7 @@ def test_a_scene_is_drawn(context):
     radii = np.hypot(vertices[wall.vertices, 1], vertices[wall.vertices, 2])
     assert 5.8e-3 < radii.min() and radii.max() < 7.1e-3
     assert np.allclose(np.linalg.norm(vertices[:, 3:6], axis=1), 1.0, atol=1e-6)
-    assert [decal.kind for decal in visual.spots] == [vb.SpotKind.MARK] * 2
+    assert [decal.kind for decal in visual.spots] == [vb.VisualSpotKind.MARK] * 2
     marks = [drain.places.marks[side] for side in range(2)]
     assert visual.spots[0].part == 0 and visual.spots[0].radius == pytest.approx(2e-3)
     assert np.allclose(visual.spots[0].material, drain.rest_positions[marks[0]], atol=1e-9)

@@ -47,9 +47,9 @@ static inline vbss_result damage_read(damage *d, const log_bytes *log, uint64_t 
         checked = vbss_replay_check(replay, steps);
         if (vbss_replay_begin(replay, d->s.scene) == VBSS_OK) {
             vbss_result result = replay_all(replay, &report);
-            assert_true((result != VBSS_OK) == (report.outcome == VBSS_REPLAY_STOPPED));
+            assert_true((result != VBSS_OK) == (report.outcome == VBSS_REPLAY_OUTCOME_STOPPED));
             assert_true(report.step <= *steps);
-            assert_true(report.outcome != VBSS_REPLAY_ENDED || checked == VBSS_OK);
+            assert_true(report.outcome != VBSS_REPLAY_OUTCOME_ENDED || checked == VBSS_OK);
         }
         expect_ok(vbss_replay_destroy(replay));
     }

@@ -10,20 +10,20 @@ enum { NODES = 31 };
 
 stage_options stage_defaults(void)
 {
-    const stage_options options = {0.3, 0.15, 1e-8, 256, VBSS_METHOD_OURS, VBSS_MODE_REAL_TIME,
-                                   20.0};
+    const stage_options options = {
+        0.3, 0.15, 1e-8, 256, VBSS_METHOD_IMPLICIT, VBSS_SCENE_MODE_REAL_TIME, 20.0};
     return options;
 }
 
 /* ---- the scene */
 
-static vbss_result add_capsule(stage *s, const stage_options *options, vbss_rigid_kind kind,
+static vbss_result add_capsule(stage *s, const stage_options *options, vbss_scene_rigid_kind kind,
                                vec3 at, double half_length, uint32_t *body)
 {
-    vbss_rigid_config config;
-    const vbss_capsule capsule = {{0.0, 0.0, -half_length}, {0.0, 0.0, half_length}, 2e-3};
-    VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
-    config.kind = options->method == VBSS_METHOD_PAPER ? VBSS_RIGID_DRIVEN : kind;
+    vbss_scene_rigid_config config;
+    const vbss_scene_capsule capsule = {{0.0, 0.0, -half_length}, {0.0, 0.0, half_length}, 2e-3};
+    VBSS_TRY(vbss_scene_rigid_config_init(&config, sizeof config));
+    config.kind = options->method == VBSS_METHOD_VBLAST ? VBSS_SCENE_RIGID_DRIVEN : kind;
     config.friction = options->tool_friction;
     vec3_store(config.position, at);
     return scene_build_capsule(s->scene, &config, capsule, body);
@@ -59,9 +59,9 @@ vbss_result stage_make(stage *s, const stage_options *options)
     VBSS_TRY(vbss_scene_create(s->context, &config, &s->scene));
     VBSS_TRY(vbss_scene_add_thread(s->scene, s->thread, &s->body));
     const vec3 at[3] = {{0.093, 0.03, 0.0}, {0.04, 0.02, 0.0}, {0.06, 0.0021, 0.02}};
-    VBSS_TRY(add_capsule(s, options, VBSS_RIGID_DRIVEN, at[0], 0.0, &s->tools[0]));
-    VBSS_TRY(add_capsule(s, options, VBSS_RIGID_DRIVEN, at[1], 0.02, &s->tools[1]));
-    VBSS_TRY(add_capsule(s, options, VBSS_RIGID_COUPLED, at[2], 0.0, &s->ball));
+    VBSS_TRY(add_capsule(s, options, VBSS_SCENE_RIGID_DRIVEN, at[0], 0.0, &s->tools[0]));
+    VBSS_TRY(add_capsule(s, options, VBSS_SCENE_RIGID_DRIVEN, at[1], 0.02, &s->tools[1]));
+    VBSS_TRY(add_capsule(s, options, VBSS_SCENE_RIGID_COUPLED, at[2], 0.0, &s->ball));
     VBSS_TRY(vbss_scene_pin_thread(s->scene, s->body, 0, 0, NULL, &pin));
     return vbss_scene_pin_thread(s->scene, s->body, NODES - 1, s->tools[0], NULL, &pin);
 }
@@ -91,11 +91,11 @@ static void move_rigid(stage *s, vbss_record *record, uint32_t body, vec3 at, co
 {
     double position[3];
     vec3_store(position, at);
-    expect_ok(record != NULL ? vbss_record_move_rigid(record, body, position, turned)
-                             : vbss_scene_move_rigid(s->scene, body, position, turned));
+    expect_ok(record != NULL ? vbss_record_set_rigid_target(record, body, position, turned)
+                             : vbss_scene_set_rigid_target(s->scene, body, position, turned));
 }
 
-static void attach(stage *s, vbss_record *record, vbss_attachment_kind kind, uint32_t node,
+static void attach(stage *s, vbss_record *record, vbss_thread_attachment_kind kind, uint32_t node,
                    uint32_t *id)
 {
     vbss_thread_attachment a;
@@ -117,8 +117,9 @@ static void move(stage *s, vbss_record *record, uint32_t id, vec3 to, const doub
 {
     double target[3];
     vec3_store(target, to);
-    expect_ok(record != NULL ? vbss_record_move_attachment(record, s->body, id, target, direction)
-                             : vbss_thread_move(s->thread, id, target, direction));
+    expect_ok(record != NULL
+                  ? vbss_record_set_attachment_target(record, s->body, id, target, direction)
+                  : vbss_thread_set_attachment_target(s->thread, id, target, direction));
 }
 
 static void detach(stage *s, vbss_record *record, uint32_t id)
@@ -130,11 +131,11 @@ static void detach(stage *s, vbss_record *record, uint32_t id)
 /* A node to the ball, a tenth of a millimetre beside where it is. */
 static void pin(stage *s, vbss_record *record, uint32_t node)
 {
-    vbss_rigid_state ball;
+    vbss_scene_rigid_state ball;
     vbss_view view;
     double x[3], point[3];
     expect_ok(vbss_scene_get_rigid(s->scene, s->ball, &ball, sizeof ball));
-    expect_ok(vbss_thread_get_view(s->thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view));
     memcpy(x, (const char *)view.data + (size_t)node * view.stride_bytes, sizeof x);
     const double *q = ball.orientation;
     pose at = pose_make(vec3_load(ball.position), quat_make(q[0], q[1], q[2], q[3]));
@@ -165,12 +166,12 @@ void stage_report(stage *s, vbss_record *record)
         move_rigid(s, record, s->ball, vec3_make(0.06 + 0.01 * t, 0.001, 0.02), NULL);
     }
     if (phase == 3) {
-        attach(s, record, VBSS_ATTACHMENT_FORCE, 10, &s->force);
+        attach(s, record, VBSS_THREAD_ATTACHMENT_FORCE, 10, &s->force);
     } else if (phase > 3 && phase < 20) {
         move(s, record, s->force, vec3_make(0.0, 0.0, 2e-3 * vbss_sin(100.0 * t)), NULL);
     } else if (phase == 20) {
         detach(s, record, s->force);
-        attach(s, record, VBSS_ATTACHMENT_CLAMP, 22, &s->clamp);
+        attach(s, record, VBSS_THREAD_ATTACHMENT_CLAMP, 22, &s->clamp);
     } else if (phase > 20 && phase < 30) {
         move(s, record, s->clamp, vec3_make(0.06, 0.035, 0.002), direction);
     } else if (phase == 30) {
@@ -379,7 +380,7 @@ vbss_result replay_all(vbss_replay *replay, vbss_replay_report *report)
     vbss_result result;
     do {
         result = vbss_replay_step(replay, report, sizeof *report);
-    } while (report->outcome == VBSS_REPLAY_STEPPED);
+    } while (report->outcome == VBSS_REPLAY_OUTCOME_STEPPED);
     return result;
 }
 

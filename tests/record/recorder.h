@@ -30,7 +30,7 @@ static inline void recorder_end(recorder *r, uint64_t steps)
     vbss_replay *replay = replay_of(&other, &r->log);
     expect_ok(vbss_replay_begin(replay, other.scene));
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     assert_int_equal(report.step, steps);
     assert_int_equal(report.agreed_step, steps);
     stage_end(&other);

@@ -143,8 +143,8 @@ static bool replay_all(cut *c, uint64_t steps, vbss_result wanted)
     OR_FAIL(c, vbss_replay_begin(replay, c->scene));
     do {
         result = vbss_replay_step(replay, &report, sizeof report);
-    } while (report.outcome == VBSS_REPLAY_STEPPED);
-    if (result != wanted || report.step != steps || report.outcome == VBSS_REPLAY_DIFFERS) {
+    } while (report.outcome == VBSS_REPLAY_OUTCOME_STEPPED);
+    if (result != wanted || report.step != steps || report.outcome == VBSS_REPLAY_OUTCOME_DIFFERS) {
         harness_soak_fail(c->soak, "replay: %s after step %llu of %llu", vbss_result_name(result),
                           (unsigned long long)report.step, (unsigned long long)steps);
     }
@@ -172,12 +172,12 @@ static bool go_on(cut *c, uint64_t steps)
 
 static bool check_log(cut *c)
 {
-    vbss_log_report report;
+    vbss_record_log_report report;
     bool loses = vbss_random_below(&c->random, 3) == 0;
     if (!read_file(c, loses ? vbss_random_below(&c->random, 500) : 0)) {
         return false;
     }
-    OR_FAIL(c, vbss_log_check(c->context, c->bytes, c->count, &report, sizeof report));
+    OR_FAIL(c, vbss_record_check_log(c->context, c->bytes, c->count, &report, sizeof report));
     bool ended = report.result == VBSS_OK;
     if (!ended && report.result != VBSS_ERROR_TRUNCATED) {
         harness_soak_fail(c->soak, "what is left is %s", vbss_result_name(report.result));

@@ -33,7 +33,7 @@ static void begin(adapting *a)
     own.segment_count = line.node_count - 1;
     own.positions = &x[0].x;
     own.rest_lengths = rest;
-    own.mesh = VBSS_MESH_ADAPTIVE;
+    own.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     own.node_capacity = 400;
     own.cut_capacity = 1;
     expect_ok(vbss_scene_create(a->context, &config, &a->scene));
@@ -51,7 +51,7 @@ static void record_edits(const adapting *a, vbss_record *record, uint32_t step)
     expect_ok(vbss_thread_get_statistics(a->thread, &s, sizeof s));
     if (step == FORCE_AT) {
         expect_ok(vbss_thread_attachment_init(&force, sizeof force));
-        force.kind = VBSS_ATTACHMENT_FORCE;
+        force.kind = VBSS_THREAD_ATTACHMENT_FORCE;
         force.node = s.nodes - 1;
         force.force[0] = 0.02;
         expect_ok(vbss_record_attach(record, a->body, &force, &id));
@@ -90,7 +90,7 @@ static void adapted_scene_replays_bit_equal(void **state)
         expect_ok(vbss_replay_create(scenes[k]->context, log.bytes, log.count, &replay));
         expect_ok(vbss_replay_begin(replay, scenes[k]->scene));
         expect_ok(replay_all(replay, &report));
-        assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+        assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
         assert_int_equal(report.agreed_step, STEPS);
         expect_ok(vbss_replay_destroy(replay));
     }

@@ -44,7 +44,7 @@ static void record_edits(const cutting *c, vbss_record *record, uint32_t step)
         vbss_thread_attachment a;
         uint32_t id;
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-        a.kind = VBSS_ATTACHMENT_FORCE;
+        a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
         a.force[2] = 1e-3;
         expect_ok(vbss_record_attach(record, 2, &a, &id));
     }
@@ -71,7 +71,7 @@ static void replay(const cutting *c, const log_bytes *log)
     expect_ok(vbss_replay_create(c->context, log->bytes, log->count, &replay));
     expect_ok(vbss_replay_begin(replay, c->scene));
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     assert_int_equal(report.agreed_step, STEPS);
     expect_ok(vbss_replay_destroy(replay));
 }
@@ -100,7 +100,7 @@ static void rejected_cuts_are_not_recorded(void **state)
     cutting c;
     vbss_record *record;
     uint32_t piece = 77;
-    begin(&c, VBSS_METHOD_OURS);
+    begin(&c, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(c.scene, NULL, &record));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_cut_thread(record, 1, 0.01, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_cut_thread(record, 2, 0.01, &piece));
@@ -121,7 +121,7 @@ static void impossible_cuts_keep_recording(void **state)
     cutting c;
     vbss_record *record;
     uint32_t piece;
-    begin(&c, VBSS_METHOD_OURS);
+    begin(&c, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(c.scene, NULL, &record));
     for (int k = 1; k <= 3; k++) {
         expect_ok(vbss_record_cut_thread(record, 1, 0.02 - 5e-3 * k, &piece));

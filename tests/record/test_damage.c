@@ -31,7 +31,7 @@ static void steps_before_cut_are_replayed(void **state)
     vbss_replay *replay = replay_of(&d.s, &log);
     expect_ok(vbss_replay_begin(replay, d.s.scene));
     expect_result(VBSS_ERROR_TRUNCATED, replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_STOPPED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STOPPED);
     assert_int_equal(report.agreed_step, 17);
     assert_int_equal(report.position, log_find(&d.good, STEP, 18).at);
     damage_end(&d);

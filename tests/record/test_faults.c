@@ -2,13 +2,13 @@
 #include "base/little_endian.h"
 #include "damage.h"
 
-static vbss_log_report check(damage *d, const log_bytes *log)
+static vbss_record_log_report check(damage *d, const log_bytes *log)
 {
-    vbss_log_report report;
+    vbss_record_log_report report;
     uint8_t *exact = malloc(log->count > 0 ? log->count : 1); /* reading beyond is found out */
     assert_non_null(exact);
     memcpy(exact, log->bytes, log->count);
-    expect_ok(vbss_log_check(d->s.context, exact, log->count, &report, sizeof report));
+    expect_ok(vbss_record_check_log(d->s.context, exact, log->count, &report, sizeof report));
     free(exact);
     assert_int_equal(report.log_bytes, log->count);
     assert_true((report.result == VBSS_OK) == (report.fault_count == 0));
@@ -35,13 +35,13 @@ static void good_log_is_counted(void **state)
     uint64_t inputs = 0, events = 0;
     double time = 0.0;
     for (uint32_t i = 1; i <= 45; i++) {
-        vbss_log_step step;
+        vbss_replay_logged_step step;
         expect_ok(vbss_replay_read(replay, i, &step, sizeof step));
         inputs += step.input_count;
         events += step.event_count;
         time = step.time;
     }
-    const vbss_log_report report = check(&d, &log);
+    const vbss_record_log_report report = check(&d, &log);
     expect_ok(report.result);
     assert_int_equal(report.ended, 1);
     assert_int_equal(report.good_bytes, log.count);
@@ -69,7 +69,7 @@ static void cut_is_reported_at_last_complete_record(void **state)
             complete += place.code == STEP;
             good = place.code == HEAD ? 0 : place.next; /* it takes both to begin */
         }
-        const vbss_log_report report = check(&d, &log);
+        const vbss_record_log_report report = check(&d, &log);
         assert_int_equal(report.result, VBSS_ERROR_TRUNCATED);
         assert_int_equal(report.fault_count, 1);
         assert_int_equal(report.steps, complete);
@@ -90,7 +90,7 @@ static void changed_byte_is_reported_and_rest_is_found(void **state)
             assert_true(log_next_place(&d.good, &place));
         }
         d.good.bytes[at] ^= (uint8_t)(1u << (at % 8));
-        const vbss_log_report report = check(&d, &d.good);
+        const vbss_record_log_report report = check(&d, &d.good);
         assert_int_equal(report.result,
                          at >= 4 && at < 8 ? VBSS_ERROR_DATA_VERSION : VBSS_ERROR_CORRUPT);
         bool in_sum = at >= 8 && at >= place.next - 8; /* which the next record covers too */
@@ -111,7 +111,7 @@ static void all_faults_are_reported(void **state)
         d.good.bytes[log_find(&d.good, STEP, step).at + 10] ^= 1;
     }
     const log_bytes cut = {d.good.bytes, log_find(&d.good, STEP, 40).next - 2};
-    const vbss_log_report report = check(&d, &cut);
+    const vbss_record_log_report report = check(&d, &cut);
     assert_int_equal(report.result, VBSS_ERROR_CORRUPT);
     assert_int_equal(report.steps, 2);
     assert_int_equal(report.fault_count, 13 + 1);
@@ -133,7 +133,7 @@ static void invalid_content_with_valid_checksum_is_reported(void **state)
     log_bytes log = log_copy(&d.good);
     log.bytes[step + 8 + 8 + 8] = 9; /* another step */
     log_seal(&log);
-    vbss_log_report report = check(&d, &log);
+    vbss_record_log_report report = check(&d, &log);
     assert_int_equal(report.result, VBSS_ERROR_CORRUPT);
     assert_int_equal(report.steps, 2);
     assert_int_equal(report.good_bytes, step);
@@ -185,13 +185,13 @@ static void any_bytes_can_be_checked(void **state)
 {
     (void)state;
     damage d;
-    vbss_log_report report;
+    vbss_record_log_report report;
     damage_begin(&d, 1);
     harness_property("no log at all", 300, check_anything, &d);
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_log_check(d.s.context, NULL, 9, &report, sizeof report));
+                  vbss_record_check_log(d.s.context, NULL, 9, &report, sizeof report));
     expect_result(VBSS_ERROR_INVALID_HANDLE,
-                  vbss_log_check(NULL, d.good.bytes, 9, &report, sizeof report));
+                  vbss_record_check_log(NULL, d.good.bytes, 9, &report, sizeof report));
     damage_end(&d);
 }
 

@@ -42,12 +42,12 @@ static void expect_replayed(stage *recorded, const log_bytes *log, vbss_method m
         expect_ok(vbss_replay_begin(replay, replayed.scene));
         for (uint32_t i = 1; i <= steps; i++) {
             expect_ok(vbss_replay_step(replay, &report, sizeof report));
-            assert_int_equal(report.outcome, VBSS_REPLAY_STEPPED);
+            assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STEPPED);
             assert_int_equal(report.agreed_step, i);
             assert_true(report.recorded_hash == stage_hash(&replayed));
         }
         expect_ok(vbss_replay_step(replay, &report, sizeof report));
-        assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+        assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
         assert_true(stage_hash(&replayed) == stage_hash(recorded));
     }
     stage_end(&replayed);
@@ -58,15 +58,15 @@ static void grasper_session_replays_bit_equal(void **state)
 {
     (void)state;
     stage recorded, plain;
-    tools_make(&recorded, VBSS_METHOD_OURS);
-    tools_make(&plain, VBSS_METHOD_OURS);
+    tools_make(&recorded, VBSS_METHOD_IMPLICIT);
+    tools_make(&plain, VBSS_METHOD_IMPLICIT);
     log_bytes log = record_tools(&recorded, TOOL_SCENE_ROUND);
     for (uint32_t i = 0; i < TOOL_SCENE_ROUND; i++) {
         expect_ok(tool_scene_step(plain.scene));
     }
     assert_true(stage_hash(&plain) == stage_hash(&recorded)); /* recording changes nothing */
     stage_end(&plain);
-    expect_replayed(&recorded, &log, VBSS_METHOD_OURS, TOOL_SCENE_ROUND);
+    expect_replayed(&recorded, &log, VBSS_METHOD_IMPLICIT, TOOL_SCENE_ROUND);
     stage_end(&recorded);
     log_free(&log);
 }
@@ -75,12 +75,12 @@ static void session_starting_with_held_thread_replays_bit_equal(void **state)
 {
     (void)state;
     stage recorded;
-    tools_make(&recorded, VBSS_METHOD_OURS);
+    tools_make(&recorded, VBSS_METHOD_IMPLICIT);
     for (uint32_t i = 0; i < TOOL_SCENE_SLIDING; i++) {
         expect_ok(tool_scene_step(recorded.scene));
     }
     log_bytes log = record_tools(&recorded, 200);
-    expect_replayed(&recorded, &log, VBSS_METHOD_OURS, 200);
+    expect_replayed(&recorded, &log, VBSS_METHOD_IMPLICIT, 200);
     stage_end(&recorded);
     log_free(&log);
 }
@@ -89,9 +89,9 @@ static void paper_session_replays_bit_equal(void **state)
 {
     (void)state;
     stage recorded;
-    tools_make(&recorded, VBSS_METHOD_PAPER);
+    tools_make(&recorded, VBSS_METHOD_VBLAST);
     log_bytes log = record_tools(&recorded, 200);
-    expect_replayed(&recorded, &log, VBSS_METHOD_PAPER, 200);
+    expect_replayed(&recorded, &log, VBSS_METHOD_VBLAST, 200);
     stage_end(&recorded);
     log_free(&log);
 }
@@ -104,12 +104,12 @@ static void step_takes_documented_space(void **state)
     vbss_record *record;
     log_bytes log = {NULL, 0};
     const double tip[3] = {0.0, 0.0, 0.05}, turned[4] = {1.0, 0.0, 0.0, 0.0};
-    tools_make(&s, VBSS_METHOD_OURS);
+    tools_make(&s, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(s.scene, NULL, &record));
     log_take(&log, record);
     size_t before = log.count;
     for (uint32_t body = 2; body <= 3; body++) {
-        expect_ok(vbss_record_move_grasper(record, body, tip, turned));
+        expect_ok(vbss_record_set_grasper_target(record, body, tip, turned));
         expect_ok(vbss_record_set_opening(record, body, 0.5));
     }
     expect_ok(vbss_record_step(record, 1e-3));
@@ -130,14 +130,14 @@ static void unrecorded_commands_are_detected(void **state)
         vbss_record *record;
         scene_object *scene;
         const double tip[3] = {0.0, 0.0, 0.05};
-        tools_make(&s, VBSS_METHOD_OURS);
+        tools_make(&s, VBSS_METHOD_IMPLICIT);
         expect_ok(vbss_record_create(s.scene, NULL, &record));
         expect_ok(vbss_record_step(record, 1e-3));
         expect_ok(vbss_scene_open(s.scene, &scene));
         vbss_grasper *tool = (vbss_grasper *)vbss_scene_body(scene, 2)->rigid.slot;
-        expect_ok(how == 0   ? vbss_grasper_move(tool, tip, NULL)
+        expect_ok(how == 0   ? vbss_grasper_set_target(tool, tip, NULL)
                   : how == 1 ? vbss_grasper_set_opening(tool, 0.5)
-                             : vbss_grasper_exchange(tool, VBSS_GRASPER_SHEARS));
+                             : vbss_grasper_exchange(tool, VBSS_GRASPER_KIND_SHEARS));
         assert_true(vbss_record_step(record, 1e-3) != VBSS_OK);
         expect_ok(vbss_record_destroy(record));
         stage_end(&s);
@@ -152,21 +152,22 @@ static void rejected_commands_are_not_recorded(void **state)
     vbss_record *record;
     const double tip[3] = {0.0, 0.0, 0.05}, far[3] = {1e4, 0.0, 0.0}, none[4] = {0.0};
     const double odd[3] = {harness_bad_numbers[0], 0.0, 0.0};
-    tools_make(&s, VBSS_METHOD_OURS);
+    tools_make(&s, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(s.scene, NULL, &record));
     uint64_t hash = stage_hash(&s);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 9, tip, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 1, tip, NULL));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_move_grasper(record, 2, NULL, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 2, far, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 2, tip, none));
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_move_grasper(record, 2, odd, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 9, tip, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 1, tip, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_set_grasper_target(record, 2, NULL, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 2, far, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 2, tip, none));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_set_grasper_target(record, 2, odd, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_opening(record, 2, 1.5));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_opening(record, 1, 0.5));
     expect_result(VBSS_ERROR_NOT_FINITE,
                   vbss_record_set_opening(record, 2, harness_bad_numbers[1]));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_exchange(record, 2, 3));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_exchange(record, 0, VBSS_GRASPER_SHEARS));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_record_exchange(record, 0, VBSS_GRASPER_KIND_SHEARS));
     assert_true(stage_hash(&s) == hash);
     expect_ok(vbss_record_step(record, 1e-3));
     expect_ok(vbss_record_destroy(record));

@@ -14,7 +14,7 @@ static vbss_result call_take(void *handle)
 
 static vbss_result call_move_rigid(void *handle)
 {
-    return vbss_record_move_rigid(handle, 1, position, NULL);
+    return vbss_record_set_rigid_target(handle, 1, position, NULL);
 }
 
 static vbss_result call_pin(void *handle)
@@ -38,7 +38,7 @@ static vbss_result call_attach(void *handle)
 
 static vbss_result call_move(void *handle)
 {
-    return vbss_record_move_attachment(handle, 1, 1, position, NULL);
+    return vbss_record_set_attachment_target(handle, 1, 1, position, NULL);
 }
 
 static vbss_result call_detach(void *handle)
@@ -102,7 +102,7 @@ static vbss_result call_seek(void *handle)
 
 static vbss_result call_read(void *handle)
 {
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     return vbss_replay_read(handle, 1, &step, sizeof step);
 }
 
@@ -146,7 +146,7 @@ static void bad_handles_are_rejected(void **state)
     expect_ok(stage_leave(&s));
     vbss_replay_report report;
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_replay_step(the_replay, &report, sizeof report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_STOPPED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STOPPED);
     harness_refuses_bad_handles(s.context, s.scene, of_scenes, 2);
     expect_ok(vbss_record_destroy(NULL));
     expect_ok(vbss_replay_destroy(NULL));

@@ -29,11 +29,12 @@ static void inputs_rejected_by_scene_are_not_recorded(void **state)
     bad.node = 31;
     vbss_record *record = r.record;
     const uint32_t tool = r.s.tools[0], body = r.s.body, force = r.s.force;
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_move_rigid(record, tool, NULL, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_rigid(record, tool, far, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_rigid(record, body, somewhere, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_set_rigid_target(record, tool, NULL, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_rigid_target(record, tool, far, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_record_set_rigid_target(record, body, somewhere, NULL));
     far[1] = harness_bad_numbers[0];
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_move_rigid(record, tool, far, NULL));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_set_rigid_target(record, tool, far, NULL));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_pin_thread(record, body, 9, 0, NULL, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_record_pin_thread(record, body, 0, tool, NULL, &id)); /* held */
@@ -45,11 +46,11 @@ static void inputs_rejected_by_scene_are_not_recorded(void **state)
     bad.struct_size = 111;
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_record_attach(record, body, &bad, &id));
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_record_move_attachment(record, body, force, NULL, NULL));
+                  vbss_record_set_attachment_target(record, body, force, NULL, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_record_move_attachment(record, body, 999, somewhere, NULL));
+                  vbss_record_set_attachment_target(record, body, 999, somewhere, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_record_move_attachment(record, tool, force, somewhere, NULL));
+                  vbss_record_set_attachment_target(record, tool, force, somewhere, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_detach(record, body, 999));
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_step(record, harness_bad_numbers[1]));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 0.2));
@@ -80,8 +81,8 @@ static void undone_step_leaves_no_trace(void **state)
     (void)state;
     stage_options options = stage_defaults();
     options.contact_capacity = 3;
-    options.speed_limit = 0.0;        /* the tool is there in one step */
-    options.mode = VBSS_MODE_OFFLINE; /* or some of the steps would wait instead */
+    options.speed_limit = 0.0;              /* the tool is there in one step */
+    options.mode = VBSS_SCENE_MODE_OFFLINE; /* or some of the steps would wait instead */
     stage s, other;
     vbss_record *record;
     vbss_replay_report report;
@@ -92,9 +93,9 @@ static void undone_step_leaves_no_trace(void **state)
     const double turned[4] = {1.0, 0.0, 1.0, 0.0};
     for (uint64_t i = 0; i < 10; i++) {
         /* through the thread and along it: too much for three contacts */
-        expect_ok(vbss_record_move_rigid(record, s.tools[1], along, turned));
+        expect_ok(vbss_record_set_rigid_target(record, s.tools[1], along, turned));
         expect_result(VBSS_ERROR_CAPACITY, vbss_record_step(record, 1e-3));
-        expect_ok(vbss_record_move_rigid(record, s.tools[1], here, NULL));
+        expect_ok(vbss_record_set_rigid_target(record, s.tools[1], here, NULL));
         expect_ok(vbss_record_step(record, 1e-3));
         steps++;
     }
@@ -105,7 +106,7 @@ static void undone_step_leaves_no_trace(void **state)
     vbss_replay *replay = replay_of(&other, &log);
     expect_ok(vbss_replay_begin(replay, other.scene));
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     assert_int_equal(report.agreed_step, steps);
     assert_true(stage_hash(&other) == stage_hash(&s));
     stage_end(&other);
@@ -124,10 +125,11 @@ static void missing_input_space_is_reported(void **state)
     vbss_record_config config = config_of(2, 4096);
     recorder_begin(&r, &config);
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_MASS;
+    a.kind = VBSS_THREAD_ATTACHMENT_MASS;
     for (int round = 0; round < 2; round++) {
-        expect_ok(vbss_record_move_rigid(r.record, r.s.ball, somewhere, NULL));
-        expect_ok(vbss_record_move_attachment(r.record, r.s.body, r.s.force, somewhere, NULL));
+        expect_ok(vbss_record_set_rigid_target(r.record, r.s.ball, somewhere, NULL));
+        expect_ok(
+            vbss_record_set_attachment_target(r.record, r.s.body, r.s.force, somewhere, NULL));
         uint64_t hash = stage_hash(&r.s);
         expect_result(VBSS_ERROR_CAPACITY, vbss_record_detach(r.record, r.s.body, r.s.force));
         expect_result(VBSS_ERROR_CAPACITY, vbss_record_attach(r.record, r.s.body, &a, &id));
@@ -241,7 +243,7 @@ static void record_outlives_scene(void **state)
     expect_ok(stage_leave(&r.s));
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_record_step(r.record, 1e-3));
     expect_result(VBSS_ERROR_INVALID_HANDLE,
-                  vbss_record_move_rigid(r.record, r.s.tools[0], somewhere, NULL));
+                  vbss_record_set_rigid_target(r.record, r.s.tools[0], somewhere, NULL));
     expect_ok(vbss_record_end(r.record));
     recorder_end(&r, 1);
 }
@@ -252,7 +254,7 @@ static void inputs_after_last_step_are_dropped(void **state)
     recorder r;
     recorder_begin(&r, NULL);
     stage_step(&r.s, r.record);
-    expect_ok(vbss_record_move_rigid(r.record, r.s.ball, somewhere, NULL));
+    expect_ok(vbss_record_set_rigid_target(r.record, r.s.ball, somewhere, NULL));
     expect_ok(vbss_record_end(r.record));
     recorder_end(&r, 1);
 }

@@ -97,11 +97,13 @@ static void log_output_struct_size_protocol(void **state)
         if (size == 232) { /* of older hosts */
             continue;
         }
-        expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_log_check(s.context, log.bytes, log.count,
-                                                             (vbss_log_report *)out, size));
+        expect_result(VBSS_ERROR_STRUCT_SIZE,
+                      vbss_record_check_log(s.context, log.bytes, log.count,
+                                            (vbss_record_log_report *)out, size));
     }
     memset(out, 0xff, sizeof out);
-    expect_ok(vbss_log_check(s.context, log.bytes, log.count, (vbss_log_report *)out, 248));
+    expect_ok(
+        vbss_record_check_log(s.context, log.bytes, log.count, (vbss_record_log_report *)out, 248));
     assert_int_equal(out[0], 240);
     assert_int_equal(out[247], 0);
     assert_int_equal(out[248], 0xff);
@@ -196,7 +198,7 @@ static vbss_result live(vbss_context *context, void *user)
     if (result == VBSS_OK) {
         vbss_replay_report report;
         expect_ok(replay_all(replay, &report));
-        assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+        assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     }
     vbss_record *resumed = NULL;
     if (result == VBSS_OK) {
@@ -205,8 +207,8 @@ static vbss_result live(vbss_context *context, void *user)
         assert_true((resumed == NULL) == (result != VBSS_OK));
     }
     if (result == VBSS_OK) {
-        vbss_log_report found;
-        result = vbss_log_check(context, log->bytes, log->count, &found, sizeof found);
+        vbss_record_log_report found;
+        result = vbss_record_check_log(context, log->bytes, log->count, &found, sizeof found);
         assert_true(result != VBSS_OK || found.result == VBSS_OK);
     }
     VBSS_TRY(vbss_record_destroy(resumed));

@@ -30,13 +30,13 @@ static log_bytes read_file(const char *path)
 /* The scene of which the log is. */
 static void desk_begin(desk *d)
 {
-    vbss_rigid_config config;
-    const vbss_capsule capsule = {{0.0, 0.0, -0.01}, {0.0, 0.0, 0.01}, 2e-3};
+    vbss_scene_rigid_config config;
+    const vbss_scene_capsule capsule = {{0.0, 0.0, -0.01}, {0.0, 0.0, 0.01}, 2e-3};
     memset(d, 0, sizeof *d);
     d->context = harness_context(&d->memory);
     expect_ok(empty_scene(d->context, &d->scene));
-    expect_ok(vbss_rigid_config_init(&config, sizeof config));
-    config.kind = VBSS_RIGID_DRIVEN;
+    expect_ok(vbss_scene_rigid_config_init(&config, sizeof config));
+    config.kind = VBSS_SCENE_RIGID_DRIVEN;
     config.capsules = &capsule;
     config.capsule_count = 1;
     expect_ok(vbss_scene_add_rigid(d->scene, &config, &d->body));
@@ -61,22 +61,22 @@ static void old_format_reads_bit_exact(void **state)
 {
     (void)state;
     desk d;
-    vbss_log_report report;
+    vbss_record_log_report report;
     desk_begin(&d);
-    expect_ok(vbss_log_check(d.context, d.log.bytes, d.log.count, &report, sizeof report));
+    expect_ok(vbss_record_check_log(d.context, d.log.bytes, d.log.count, &report, sizeof report));
     expect_ok(report.result);
     assert_int_equal(report.steps, STEPS);
     assert_int_equal(report.inputs, STEPS);
     assert_int_equal(report.snapshots, 2);
     for (uint32_t i = 1; i <= STEPS; i++) {
-        vbss_log_step step;
+        vbss_replay_logged_step step;
         double at[3];
         expect_ok(vbss_replay_read(d.replay, i, &step, sizeof step));
         position_at(i, at);
         expect_same_bits(i < 9 ? 0x1p-10 : 0x1p-9, step.h);
         assert_int_equal(step.hashed, i % 2 == 0);
         assert_int_equal(step.input_count, 1);
-        assert_int_equal(step.inputs[0].kind, VBSS_INPUT_MOVE_RIGID);
+        assert_int_equal(step.inputs[0].kind, VBSS_RECORD_INPUT_RIGID_TARGET);
         assert_int_equal(step.inputs[0].words[1], i % 2);
         assert_memory_equal(step.inputs[0].numbers, at, sizeof at);
         expect_same_bits(i % 2 == 1 ? i / 256.0 : 0.0, step.inputs[0].numbers[4]);
@@ -103,11 +103,11 @@ static void old_format_replays_and_seeks(void **state)
         const uint64_t targets[] = {10, 3, 9};
         for (int i = 0; i < 3; i++) {
             expect_ok(vbss_replay_seek(d.replay, targets[i], &report, sizeof report));
-            assert_int_equal(report.outcome, VBSS_REPLAY_STEPPED);
+            assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STEPPED);
             assert_int_equal(report.step, targets[i]);
         }
         expect_ok(replay_all(d.replay, &report));
-        assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+        assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
         assert_int_equal(report.agreed_step, STEPS);
     }
     desk_end(&d);
@@ -136,7 +136,7 @@ static void old_format_can_be_resumed(void **state)
     for (uint32_t i = STEPS + 1; i <= STEPS + MORE; i++) {
         double at[3];
         position_at(i, at);
-        expect_ok(vbss_record_move_rigid(record, d.body, at, NULL));
+        expect_ok(vbss_record_set_rigid_target(record, d.body, at, NULL));
         expect_ok(vbss_record_step(record, 0x1p-10));
     }
     expect_ok(vbss_record_end(record));
@@ -145,7 +145,7 @@ static void old_format_can_be_resumed(void **state)
     expect_ok(vbss_replay_create(d.context, d.log.bytes, d.log.count, &d.replay));
     expect_ok(vbss_replay_begin(d.replay, d.scene));
     expect_ok(replay_all(d.replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     assert_int_equal(report.agreed_step, STEPS + MORE);
     desk_end(&d);
 }
@@ -154,8 +154,9 @@ static void old_format_can_be_resumed(void **state)
 
 static vbss_result check(desk *d)
 {
-    vbss_log_report report;
-    expect_ok(vbss_log_check(d->context, d->log.bytes, d->log.count, &report, sizeof report));
+    vbss_record_log_report report;
+    expect_ok(
+        vbss_record_check_log(d->context, d->log.bytes, d->log.count, &report, sizeof report));
     return report.result;
 }
 
@@ -193,7 +194,7 @@ static void damaged_old_log_with_valid_checksum_is_handled(void **state)
             log.bytes[i] ^= (uint8_t)(1u << i % 8);
             log_seal(&log);
             if (vbss_replay_create(d.context, log.bytes, log.count, &d.replay) == VBSS_OK) {
-                vbss_log_step step;
+                vbss_replay_logged_step step;
                 for (uint64_t n = 1; vbss_replay_read(d.replay, n, &step, sizeof step) == VBSS_OK;
                      n++) {
                     assert_true(step.h - step.h == 0.0);

@@ -39,9 +39,9 @@ static log_bytes log_seen(stage *s, const vbss_record_config *config, seen *v)
     return log;
 }
 
-static vbss_log_step read_step(vbss_replay *replay, uint64_t number)
+static vbss_replay_logged_step read_step(vbss_replay *replay, uint64_t number)
 {
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     expect_ok(vbss_replay_read(replay, number, &step, sizeof step));
     assert_int_equal(step.number, number);
     return step;
@@ -58,7 +58,7 @@ static void scene_events_are_in_log(void **state)
     vbss_replay *replay = replay_of(&s, &log);
     uint32_t found = 0;
     for (uint32_t i = 1; i <= STEPS; i++) {
-        const vbss_log_step step = read_step(replay, i);
+        const vbss_replay_logged_step step = read_step(replay, i);
         assert_int_equal(step.event_count, v.events_after[i] - v.events_after[i - 1]);
         assert_memory_equal(step.events, v.events[found], 16 * (size_t)step.event_count);
         found += step.event_count;
@@ -74,7 +74,7 @@ static void hashes_times_and_positions_are_in_log(void **state)
     static seen v;
     stage s;
     vbss_record_config config;
-    vbss_log_step last = {.time = 0.0};
+    vbss_replay_logged_step last = {.time = 0.0};
     expect_ok(vbss_record_config_init(&config, sizeof config));
     config.hash_interval = 3;
     config.snapshot_interval = 7; /* over which reading goes */
@@ -82,7 +82,7 @@ static void hashes_times_and_positions_are_in_log(void **state)
     log_bytes log = log_seen(&s, &config, &v);
     vbss_replay *replay = replay_of(&s, &log);
     for (uint32_t i = 1; i <= STEPS; i++) {
-        const vbss_log_step step = read_step(replay, i);
+        const vbss_replay_logged_step step = read_step(replay, i);
         assert_int_equal(step.hashed, i % 3 == 0);
         assert_true(step.hash == (i % 3 == 0 ? v.hashes[i] : 0));
         expect_same_bits(1e-3, step.h);
@@ -101,13 +101,13 @@ static void inputs_are_read_as_given(void **state)
     stage_begin(&s, NULL);
     log_bytes log = log_of(&s, NULL, 45);
     vbss_replay *replay = replay_of(&s, &log);
-    uint32_t kinds[VBSS_INPUT_EXCHANGE + 1] = {0};
+    uint32_t kinds[VBSS_RECORD_INPUT_EXCHANGE + 1] = {0};
     for (uint32_t i = 1; i <= 45; i++) {
-        const vbss_log_step step = read_step(replay, i);
+        const vbss_replay_logged_step step = read_step(replay, i);
         assert_true(step.input_count >= 2);
-        const vbss_log_input *first = step.inputs, *second = step.inputs + 1;
+        const vbss_record_input *first = step.inputs, *second = step.inputs + 1;
         double t = 1e-3 * (i - 1);
-        assert_int_equal(first->kind, VBSS_INPUT_MOVE_RIGID);
+        assert_int_equal(first->kind, VBSS_RECORD_INPUT_RIGID_TARGET);
         assert_int_equal(first->words[0], s.tools[0]);
         assert_int_equal(first->words[1], 0); /* not turned */
         expect_same_bits(0.093 + -0.01 * (1.0 - vbss_cos(20.0 * t)), first->numbers[0]);
@@ -115,13 +115,13 @@ static void inputs_are_read_as_given(void **state)
         assert_int_equal(second->words[1], 1);
         expect_same_bits(0.2 * vbss_sin(40.0 * t), second->numbers[5]);
         for (uint32_t k = 0; k < step.input_count; k++) {
-            const vbss_log_input *input = &step.inputs[k];
-            assert_true(input->kind > 0 && input->kind <= VBSS_INPUT_EXCHANGE);
+            const vbss_record_input *input = &step.inputs[k];
+            assert_true(input->kind > 0 && input->kind <= VBSS_RECORD_INPUT_EXCHANGE);
             assert_true(input->word_count <= 4 && input->number_count <= 12 && !input->reserved);
             kinds[input->kind]++;
         }
     }
-    for (int kind = VBSS_INPUT_MOVE_RIGID; kind <= VBSS_INPUT_DETACH; kind++) {
+    for (int kind = VBSS_RECORD_INPUT_RIGID_TARGET; kind <= VBSS_RECORD_INPUT_DETACH; kind++) {
         assert_true(kinds[kind] > 0); /* the stage tells all of these */
     }
     stage_end(&s);
@@ -132,7 +132,7 @@ static void steps_are_read_in_any_order_beside_replay(void **state)
 {
     (void)state;
     stage s;
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     vbss_replay_report report;
     stage_begin(&s, NULL);
     log_bytes log = log_of(&s, NULL, 12);
@@ -156,7 +156,7 @@ static void readable_part_of_damaged_log_is_read(void **state)
 {
     (void)state;
     damage d;
-    vbss_log_step step;
+    vbss_replay_logged_step step;
     damage_begin(&d, 8);
     log_bytes cut = {d.good.bytes, log_find(&d.good, STEP, 6).next - 1};
     vbss_replay *replay = replay_of(&d.s, &cut);

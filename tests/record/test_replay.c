@@ -30,14 +30,14 @@ static void scene_replays_bit_equal_in_fresh_context(void **state)
         expect_ok(vbss_replay_begin(replay, replayed.scene));
         for (uint32_t i = 1; i <= STEPS; i++) {
             expect_ok(vbss_replay_step(replay, &report, sizeof report));
-            assert_int_equal(report.outcome, VBSS_REPLAY_STEPPED);
+            assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STEPPED);
             assert_int_equal(report.step, i);
             assert_int_equal(report.agreed_step, i);
             assert_true(report.recorded_hash == stage_hash(&replayed));
         }
         for (int again = 0; again < 2; again++) {
             expect_ok(vbss_replay_step(replay, &report, sizeof report));
-            assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+            assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
             assert_int_equal(report.step, STEPS);
             assert_int_equal(report.position, log.count);
         }
@@ -54,7 +54,7 @@ static void paper_scene_replays_bit_equal(void **state)
     stage recorded, replayed;
     vbss_replay_report report;
     stage_options options = stage_defaults();
-    options.method = VBSS_METHOD_PAPER;
+    options.method = VBSS_METHOD_VBLAST;
     stage_begin(&recorded, &options);
     stage_begin(&replayed, &options);
     for (uint32_t i = 0; i < 13; i++) {
@@ -64,7 +64,7 @@ static void paper_scene_replays_bit_equal(void **state)
     vbss_replay *replay = replay_of(&replayed, &log);
     expect_ok(vbss_replay_begin(replay, replayed.scene));
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     assert_int_equal(report.agreed_step, 100);
     assert_true(stage_hash(&replayed) == stage_hash(&recorded));
     stage_end(&replayed);
@@ -90,7 +90,7 @@ static void log_may_start_mid_life(void **state)
     vbss_replay *replay = replay_of(&replayed, &log);
     expect_ok(vbss_replay_begin(replay, replayed.scene));
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     assert_int_equal(report.agreed_step, 120);
     assert_true(stage_hash(&replayed) == stage_hash(&recorded));
     stage_end(&replayed);
@@ -107,7 +107,7 @@ static void expect_difference(const log_bytes *log, uint64_t after, uint64_t agr
     vbss_replay *replay = replay_of(&s, log);
     expect_ok(vbss_replay_begin(replay, s.scene));
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_DIFFERS);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_DIFFERS);
     assert_int_equal(report.step, after);
     assert_int_equal(report.agreed_step, agreed);
     assert_true(report.found_hash == stage_hash(&s));
@@ -143,7 +143,7 @@ static void changed_input_is_located_by_step(void **state)
         vbss_replay *replay = replay_of(&s, &changed);
         expect_ok(vbss_replay_begin(replay, s.scene));
         expect_result(VBSS_ERROR_CORRUPT, replay_all(replay, &report));
-        assert_int_equal(report.outcome, VBSS_REPLAY_STOPPED);
+        assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STOPPED);
         assert_int_equal(report.step, step - 1);
         assert_int_equal(report.position, place.at);
         stage_end(&s);
@@ -237,7 +237,7 @@ static void failing_step_stops_replay(void **state)
     vbss_replay *replay = replay_of(&s, &log);
     expect_ok(vbss_replay_begin(replay, s.scene));
     expect_result(VBSS_ERROR_CAPACITY, replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_STOPPED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STOPPED);
     assert_true(report.step < 150 && report.step == report.agreed_step);
     expect_result(VBSS_ERROR_CAPACITY, vbss_replay_step(replay, &report, sizeof report));
     stage_end(&s);
@@ -288,7 +288,7 @@ static void log_reports_its_origin(void **state)
     expect_ok(vbss_replay_check(replay, &steps));
     assert_int_equal(steps, 12);
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     stage_end(&recorded);
     log_free(&log);
 }

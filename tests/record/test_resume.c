@@ -55,7 +55,7 @@ static void expect_whole(const log_bytes *log, uint32_t steps)
 {
     stage plain, s;
     vbss_replay_report report;
-    vbss_log_report found;
+    vbss_record_log_report found;
     stage_begin(&plain, NULL);
     stage_begin(&s, NULL);
     while (plain.step < steps) {
@@ -64,10 +64,10 @@ static void expect_whole(const log_bytes *log, uint32_t steps)
     vbss_replay *replay = replay_of(&s, log);
     expect_ok(vbss_replay_begin(replay, s.scene));
     expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
     assert_int_equal(report.agreed_step, steps);
     assert_true(stage_hash(&s) == stage_hash(&plain));
-    expect_ok(vbss_log_check(s.context, log->bytes, log->count, &found, sizeof found));
+    expect_ok(vbss_record_check_log(s.context, log->bytes, log->count, &found, sizeof found));
     expect_ok(found.result);
     assert_int_equal(found.steps, steps);
     stage_end(&s);
@@ -156,12 +156,12 @@ static void damaged_log_is_rejected_and_good_part_accepted(void **state)
     log_bytes log = first_part(FIRST);
     log_bytes bad = log_copy(&log);
     const log_place place = log_find(&log, STEP, 20);
-    vbss_log_report found;
+    vbss_record_log_report found;
     stage s;
     bad.bytes[place.at + 50] ^= 4;
     expect_refused(&bad, NULL, VBSS_ERROR_CORRUPT, "checksum");
     stage_begin(&s, NULL);
-    expect_ok(vbss_log_check(s.context, bad.bytes, bad.count, &found, sizeof found));
+    expect_ok(vbss_record_check_log(s.context, bad.bytes, bad.count, &found, sizeof found));
     assert_int_equal(found.good_bytes, place.at);
     stage_end(&s);
     bad.count = (size_t)found.good_bytes;

@@ -65,7 +65,7 @@ static vbss_replay_report seek(sought *p, uint64_t step)
 {
     vbss_replay_report report;
     expect_ok(vbss_replay_seek(p->replay, step, &report, sizeof report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_STEPPED);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STEPPED);
     assert_int_equal(report.step, step);
     assert_int_equal(report.agreed_step, step);
     assert_true(stage_hash(&p->s) == p->hashes[step]);
@@ -120,7 +120,7 @@ static void replay_continues_after_seek(void **state)
             assert_true(stage_hash(&p.s) == p.hashes[i]);
         }
         expect_ok(vbss_replay_step(p.replay, &report, sizeof report));
-        assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+        assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
         assert_int_equal(report.position, p.log.count);
     }
     sought_end(&p);
@@ -140,7 +140,7 @@ static void seek_replays_only_from_last_snapshot(void **state)
     (void)seek(&p, 19);
     vbss_replay_report report;
     expect_ok(vbss_replay_seek(p.replay, 20, &report, sizeof report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_DIFFERS);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_DIFFERS);
     assert_int_equal(report.agreed_step, 19);
     (void)seek(&p, 32);
     (void)seek(&p, 47);
@@ -192,7 +192,7 @@ static void mismatching_snapshot_is_detected(void **state)
            first.next - first.at - INSIDE - 8 - 8);
     log_seal(&p.log);
     expect_ok(vbss_replay_seek(p.replay, 40, &report, sizeof report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_DIFFERS);
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_DIFFERS);
     assert_int_equal(report.step, 32);
     (void)seek(&p, 31); /* by the one before */
     sought_end(&p);

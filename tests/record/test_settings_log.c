@@ -6,18 +6,18 @@
 
 static void change(stage *s, vbss_record *record, uint32_t which)
 {
-    const vbss_log_input inputs[] = {
-        {.words = {VBSS_SETTING_GRAVITY}, .numbers = {0.5, -3.0, 0.25}},
-        {.words = {VBSS_SETTING_FRICTION, s->ball}, .numbers = {0.7}},
-        {.words = {VBSS_SETTING_THREAD_FRICTION}, .numbers = {0.05}},
-        {.words = {VBSS_SETTING_COUPLING, s->ball}, .numbers = {900.0, 3.0, 1.0, 0.01}},
-        {.words = {VBSS_SETTING_SPEED_LIMIT}, .numbers = {7.0}},
-        {.words = {VBSS_SETTING_FILTER, s->tools[1], 2u, 0xfffffff0u}},
-        {.words = {VBSS_SETTING_FORCE, s->ball, 1, 1},
+    const vbss_record_input inputs[] = {
+        {.words = {VBSS_SCENE_SETTING_GRAVITY}, .numbers = {0.5, -3.0, 0.25}},
+        {.words = {VBSS_SCENE_SETTING_FRICTION, s->ball}, .numbers = {0.7}},
+        {.words = {VBSS_SCENE_SETTING_THREAD_FRICTION}, .numbers = {0.05}},
+        {.words = {VBSS_SCENE_SETTING_COUPLING, s->ball}, .numbers = {900.0, 3.0, 1.0, 0.01}},
+        {.words = {VBSS_SCENE_SETTING_SPEED_LIMIT}, .numbers = {7.0}},
+        {.words = {VBSS_SCENE_SETTING_FILTER, s->tools[1], 2u, 0xfffffff0u}},
+        {.words = {VBSS_SCENE_SETTING_FORCE, s->ball, 1, 1},
          .numbers = {0.1, 0.2, 0.3, 0.01, 0.02, 0.0, 1e-4, 0.0, 0.0}},
     };
-    vbss_log_input input = inputs[which % (sizeof inputs / sizeof inputs[0])];
-    input.kind = VBSS_INPUT_SETTING;
+    vbss_record_input input = inputs[which % (sizeof inputs / sizeof inputs[0])];
+    input.kind = VBSS_RECORD_INPUT_SETTING;
     expect_ok(vbss_record_apply_input(record, &input, NULL));
 }
 
@@ -42,16 +42,16 @@ static void input_that_does_not_exist_is_refused(void **state)
 {
     (void)state;
     recorder r;
-    vbss_log_input input = {.kind = VBSS_INPUT_SETTING, .words = {99}};
+    vbss_record_input input = {.kind = VBSS_RECORD_INPUT_SETTING, .words = {99}};
     recorder_begin(&r, NULL);
     const uint64_t before = stage_hash(&r.s);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_apply_input(r.record, &input, NULL));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_apply_input(r.record, NULL, NULL));
     input.kind = 12;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_apply_input(r.record, &input, NULL));
-    input = (vbss_log_input){.kind = VBSS_INPUT_SETTING,
-                             .words = {VBSS_SETTING_SPEED_LIMIT},
-                             .numbers = {1.0, harness_bad_numbers[0]}};
+    input = (vbss_record_input){.kind = VBSS_RECORD_INPUT_SETTING,
+                                .words = {VBSS_SCENE_SETTING_SPEED_LIMIT},
+                                .numbers = {1.0, harness_bad_numbers[0]}};
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_apply_input(r.record, &input, NULL));
     assert_true(stage_hash(&r.s) == before);
     stage_step(&r.s, r.record);

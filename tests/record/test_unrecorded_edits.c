@@ -8,12 +8,12 @@ static const double somewhere[3] = {0.05, 0.02, 0.01};
 
 static void move_a_tool(stage *s)
 {
-    expect_ok(vbss_scene_move_rigid(s->scene, s->tools[1], somewhere, NULL));
+    expect_ok(vbss_scene_set_rigid_target(s->scene, s->tools[1], somewhere, NULL));
 }
 
 static void move_a_force(stage *s)
 {
-    expect_ok(vbss_thread_move(s->thread, s->force, somewhere, NULL));
+    expect_ok(vbss_thread_set_attachment_target(s->thread, s->force, somewhere, NULL));
 }
 
 static void detach_a_force(stage *s)
@@ -26,7 +26,7 @@ static void attach_a_mass(stage *s)
     uint32_t id;
     vbss_thread_attachment a;
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_MASS;
+    a.kind = VBSS_THREAD_ATTACHMENT_MASS;
     expect_ok(vbss_thread_attach(s->thread, &a, &id));
 }
 
@@ -75,7 +75,7 @@ static void unrecorded_edit_is_detected(void **state)
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
         const vbss_result results[] = {
             vbss_record_step(r.record, 1e-3),
-            vbss_record_move_rigid(r.record, r.s.tools[0], somewhere, NULL),
+            vbss_record_set_rigid_target(r.record, r.s.tools[0], somewhere, NULL),
             vbss_record_pin_thread(r.record, r.s.body, 5, 0, NULL, &id),
             vbss_record_attach(r.record, r.s.body, &a, &id),
         };
@@ -125,7 +125,7 @@ static void refused_call_leaves_record_alive(void **state)
     uint32_t id;
     recorder_begin(&r, NULL);
     scene_object *scene = ((vbss_slot *)r.s.scene)->object;
-    scene->config.slot_limit = 1;
+    scene->config.call_budget = 1;
     for (int i = 0; i < 200 || !scene->cursor.is_suspended; i++) {
         stage_step(&r.s, r.record);
     }
@@ -155,14 +155,14 @@ static void queries_are_no_edits(void **state)
     recorder r;
     uint8_t bytes[8];
     uint64_t written;
-    vbss_rigid_state rigid;
+    vbss_scene_rigid_state rigid;
     vbss_view view;
     recorder_begin(&r, NULL);
     stage_step(&r.s, r.record);
     (void)stage_hash(&r.s);
     expect_result(VBSS_ERROR_CAPACITY, vbss_scene_save(r.s.scene, bytes, 8, &written));
     expect_ok(vbss_scene_get_rigid(r.s.scene, r.s.ball, &rigid, sizeof rigid));
-    expect_ok(vbss_thread_get_view(r.s.thread, VBSS_THREAD_CURVATURES, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(r.s.thread, VBSS_THREAD_VIEW_CURVATURES, &view, sizeof view));
     expect_result(VBSS_ERROR_IN_SCENE, vbss_thread_step(r.s.thread, 1e-3));
     stage_step(&r.s, r.record);
     expect_ok(vbss_record_end(r.record));

@@ -13,7 +13,7 @@ static void add_number(vbss_hash *hash, uint64_t number)
 
 static void add_view(vbss_hash *hash, const vbss_view *view)
 {
-    const size_t size = view->type == VBSS_TYPE_U32 ? sizeof(uint32_t) : sizeof(double);
+    const size_t size = view->type == VBSS_VIEW_TYPE_U32 ? sizeof(uint32_t) : sizeof(double);
     for (uint64_t i = 0; i < view->count; i++) {
         vbss_hash_add(hash, (const char *)view->data + i * view->stride_bytes,
                       view->components * size);
@@ -26,7 +26,8 @@ static void add_thread(vbss_hash *hash, vbss_thread *thread)
     vbss_view positions;
     const double none = 0.0;
     const scene_thread_info info = vbss_scene_inspect_thread(thread);
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &positions, sizeof positions));
+    expect_ok(
+        vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &positions, sizeof positions));
     add_number(hash, positions.count);
     add_view(hash, &positions);
     vbss_hash_add(hash, info.tensions, (info.node_count - 1) * sizeof *info.tensions);
@@ -35,7 +36,7 @@ static void add_thread(vbss_hash *hash, vbss_thread *thread)
 
 static void add_drain(vbss_hash *hash, vbss_drain *drain)
 {
-    const vbss_drain_field fields[2] = {VBSS_DRAIN_POSITIONS, VBSS_DRAIN_TRIANGLES};
+    const vbss_drain_field fields[2] = {VBSS_DRAIN_VIEW_POSITIONS, VBSS_DRAIN_VIEW_TRIANGLES};
     for (int i = 0; i < 2; i++) {
         vbss_view view;
         expect_ok(vbss_drain_get_view(drain, fields[i], &view, sizeof view));
@@ -46,7 +47,7 @@ static void add_drain(vbss_hash *hash, vbss_drain *drain)
 
 static void add_rigid(vbss_hash *hash, vbss_scene *scene, const scene_body_info *body)
 {
-    vbss_rigid_state state;
+    vbss_scene_rigid_state state;
     vbss_grasper_state tool = {.jaw_angle = 0.0};
     expect_ok(vbss_scene_get_rigid(scene, body->number, &state, sizeof state));
     vbss_hash_add(hash, state.position, sizeof state.position);
@@ -63,7 +64,7 @@ static void add_rigid(vbss_hash *hash, vbss_scene *scene, const scene_body_info 
 
 static void add_holes(vbss_hash *hash, vbss_scene *scene)
 {
-    vbss_hole hole;
+    vbss_scene_hole hole;
     for (uint32_t i = 0; vbss_scene_get_hole(scene, i, &hole, sizeof hole) == VBSS_OK; i++) {
         const uint32_t bodies[4] = {hole.id, hole.needle, hole.thread, hole.drain};
         vbss_hash_add(hash, bodies, sizeof bodies);
@@ -140,11 +141,11 @@ static void add_body(vbss_hash *hash, vbss_replica *replica, const body_row *row
     const vbss_view capsules = rig_view(replica, VBSS_REPLICA_VIEW_CAPSULES);
     const double *jaws = (const double *)sizes.data + 2 * index + 1;
     add_number(hash, row->number);
-    if (row->kind == VBSS_REPLICA_THREAD) {
+    if (row->kind == VBSS_REPLICA_KIND_THREAD) {
         add_number(hash, row->node_count);
         add_rows(hash, &nodes, row->first_node, row->node_count);
         add_rows(hash, &tensions, row->first_node, row->node_count);
-    } else if (row->kind == VBSS_REPLICA_DRAIN) {
+    } else if (row->kind == VBSS_REPLICA_KIND_DRAIN) {
         add_number(hash, row->node_count);
         add_rows(hash, &nodes, row->first_node, row->node_count);
         add_number(hash, row->triangle_count);

@@ -17,7 +17,7 @@ typedef struct fixture {
 static void begin(fixture *f)
 {
     f->context = harness_context(&f->memory);
-    expect_ok(tool_run_create(f->context, VBSS_METHOD_OURS, &f->run));
+    expect_ok(tool_run_create(f->context, VBSS_METHOD_IMPLICIT, &f->run));
     expect_ok(vbss_replica_create(f->run.scene, NULL, &f->replica));
 }
 
@@ -206,12 +206,13 @@ static void view_dimensions_match_documentation(void **state)
 {
     (void)state;
     const struct {
-        vbss_type type;
+        vbss_view_type type;
         uint32_t components;
-    } wanted[] = {{VBSS_TYPE_U32, 8}, {VBSS_TYPE_F64, 7}, {VBSS_TYPE_F64, 2}, {VBSS_TYPE_F64, 3},
-                  {VBSS_TYPE_F64, 1}, {VBSS_TYPE_U32, 3}, {VBSS_TYPE_F64, 7}, {VBSS_TYPE_U32, 4},
-                  {VBSS_TYPE_F64, 8}, {VBSS_TYPE_U32, 5}, {VBSS_TYPE_F64, 3}, {VBSS_TYPE_F64, 3},
-                  {VBSS_TYPE_F64, 3}, {VBSS_TYPE_F64, 1}};
+    } wanted[] = {{VBSS_VIEW_TYPE_U32, 8}, {VBSS_VIEW_TYPE_F64, 7}, {VBSS_VIEW_TYPE_F64, 2},
+                  {VBSS_VIEW_TYPE_F64, 3}, {VBSS_VIEW_TYPE_F64, 1}, {VBSS_VIEW_TYPE_U32, 3},
+                  {VBSS_VIEW_TYPE_F64, 7}, {VBSS_VIEW_TYPE_U32, 4}, {VBSS_VIEW_TYPE_F64, 8},
+                  {VBSS_VIEW_TYPE_U32, 5}, {VBSS_VIEW_TYPE_F64, 3}, {VBSS_VIEW_TYPE_F64, 3},
+                  {VBSS_VIEW_TYPE_F64, 3}, {VBSS_VIEW_TYPE_F64, 1}};
     fixture f;
     vbss_view view;
     begin(&f);
@@ -221,7 +222,8 @@ static void view_dimensions_match_documentation(void **state)
         assert_non_null(view.data);
         assert_int_equal(view.type, wanted[field].type);
         assert_int_equal(view.components, wanted[field].components);
-        assert_int_equal(view.stride_bytes, view.components * (view.type == VBSS_TYPE_U32 ? 4 : 8));
+        assert_int_equal(view.stride_bytes,
+                         view.components * (view.type == VBSS_VIEW_TYPE_U32 ? 4 : 8));
     }
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_replica_get_view(f.replica, 14, &view, sizeof view));

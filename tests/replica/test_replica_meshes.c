@@ -58,7 +58,7 @@ static void meshes_of_tools_and_pieces_are_equal(void **state)
     static shown s;
     tool_run run;
     begin(&s);
-    expect_ok(tool_run_create(s.contexts[0], VBSS_METHOD_OURS, &run));
+    expect_ok(tool_run_create(s.contexts[0], VBSS_METHOD_IMPLICIT, &run));
     show(&s, run.scene);
     for (int i = 0; i < TOOL_RUN_STEPS; i++) {
         expect_ok(tool_run_step(&run));
@@ -106,11 +106,11 @@ static void meshes_of_free_bodies_are_equal(void **state)
     (void)state;
     static shown s;
     vbss_scene *scene;
-    vbss_rigid_config config;
+    vbss_scene_rigid_config config;
     begin(&s);
     expect_ok(vbss_scene_create(s.contexts[0], NULL, &scene));
-    expect_ok(vbss_rigid_config_init(&config, sizeof config));
-    config.kind = VBSS_RIGID_FREE;
+    expect_ok(vbss_scene_rigid_config_init(&config, sizeof config));
+    config.kind = VBSS_SCENE_RIGID_FREE;
     config.velocity[0] = 0.1;
     config.angular_velocity[1] = 20.0;
     expect_ok(scene_build_capsule(
@@ -132,7 +132,7 @@ static void replica_without_state_draws_nothing(void **state)
     tool_run run;
     vbss_visual_statistics statistics;
     begin(&s);
-    expect_ok(tool_run_create(s.contexts[0], VBSS_METHOD_OURS, &run));
+    expect_ok(tool_run_create(s.contexts[0], VBSS_METHOD_IMPLICIT, &run));
     show(&s, run.scene);
     for (int i = 0; i < 3; i++) {
         expect_ok(vbss_visual_update(s.visuals[1]));

@@ -16,7 +16,7 @@ static void state_equals_scene_with_tools_and_cuts(void **state)
     vbss_replica *replica;
     vbss_context_statistics before, after;
     vbss_context *context = harness_context(&memory);
-    expect_ok(tool_run_create(context, VBSS_METHOD_OURS, &run));
+    expect_ok(tool_run_create(context, VBSS_METHOD_IMPLICIT, &run));
     expect_ok(vbss_replica_create(run.scene, NULL, &replica));
     for (int i = 0; i < TOOL_RUN_STEPS; i++) {
         expect_ok(tool_run_step(&run));
@@ -76,7 +76,7 @@ static void removed_and_added_bodies_are_right_at_once(void **state)
     vbss_context *context = harness_context(&memory);
     expect_ok(vbss_scene_config_init(&config, sizeof config));
     config.drain_capacity = 2;
-    config.overlap = VBSS_OVERLAP_ALLOW;
+    config.overlap = VBSS_SCENE_OVERLAP_ALLOW;
     expect_ok(vbss_scene_create(context, &config, &scene));
     expect_ok(vbss_replica_config_init(&room, sizeof room));
     room.drain_node_capacity = 16384;

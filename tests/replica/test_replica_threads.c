@@ -90,7 +90,7 @@ static void relay_states(relay *e, long pause)
     pthread_t reader;
     vbss_context *context = harness_context(&memory);
     *e = (relay){.pause = pause};
-    expect_ok(tool_run_create(context, VBSS_METHOD_OURS, &e->run));
+    expect_ok(tool_run_create(context, VBSS_METHOD_IMPLICIT, &e->run));
     expect_ok(vbss_replica_create(e->run.scene, NULL, &e->replica));
     assert_int_equal(pthread_create(&reader, NULL, read, e), 0);
     publish(e);

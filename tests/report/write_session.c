@@ -76,8 +76,8 @@ static vbss_result run(vbss_record *record, uint32_t thread, const uint32_t tool
     for (int i = 1; i <= STEPS; i++) {
         const double left[3] = {-0.05, 0.05 * reach(1e-3 * i - 0.25), 0.05};
         const double right[3] = {0.05, 0.0, 0.05};
-        TRY(vbss_record_move_grasper(record, tools[0], left, NULL));
-        TRY(vbss_record_move_grasper(record, tools[1], right, NULL));
+        TRY(vbss_record_set_grasper_target(record, tools[0], left, NULL));
+        TRY(vbss_record_set_grasper_target(record, tools[1], right, NULL));
         if (!is_lossy && (i == FIRST_CUT || i == SECOND_CUT)) {
             TRY(vbss_record_cut_thread(record, thread, i == FIRST_CUT ? 0.02 : 0.01, &piece));
         }
@@ -96,8 +96,8 @@ static vbss_result write(vbss_context *context, const char *note, int is_lossy)
     vbss_record *record;
     uint32_t tools[2], thread;
     TRY(vbss_scene_config_init(&config, sizeof config));
-    config.work_limit = is_lossy ? LOSSY_WORK : config.work_limit;
-    config.slot_limit = is_lossy ? LOSSY_SLOT : config.slot_limit;
+    config.step_budget = is_lossy ? LOSSY_WORK : config.step_budget;
+    config.call_budget = is_lossy ? LOSSY_SLOT : config.call_budget;
     TRY(vbss_scene_create(context, &config, &scene));
     TRY(add_tool(context, scene, 0.05,
                  &tools[1])); /* which is left is for the report to find out */

@@ -134,9 +134,10 @@ static void draw_config(harness_source *source, vbss_scene_config *c)
 {
     static const uint32_t slots[] = {0, 1, 1, 300, 1000, 3000, 210000};
     static const uint32_t works[] = {0, 2000, 20000, 250000};
-    c->mode = harness_draw_below(source, 6) == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
-    c->slot_limit = slots[harness_draw_below(source, 7)];
-    c->work_limit = works[harness_draw_below(source, 4)];
+    c->mode =
+        harness_draw_below(source, 6) == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
+    c->call_budget = slots[harness_draw_below(source, 7)];
+    c->step_budget = works[harness_draw_below(source, 4)];
     c->halving_limit = harness_draw_below(source, 6);
     c->attempt_limit = 1 + harness_draw_below(source, 5);
     c->contact_capacity = 12 + harness_draw_below(source, 80);
@@ -160,10 +161,11 @@ static void draw_thread(harness_source *source, vbss_thread_config *c)
     c->start[1] = harness_draw_real(source, 1e-3, 4e-3);
     c->cut_capacity = harness_draw_below(source, 3);
     c->attachment_capacity = 1 + harness_draw_below(source, 3);
-    c->mesh = harness_draw_below(source, 3) == 0 ? VBSS_MESH_ADAPTIVE : VBSS_MESH_FIXED;
+    c->mesh =
+        harness_draw_below(source, 3) == 0 ? VBSS_THREAD_MESH_ADAPTIVE : VBSS_THREAD_MESH_FIXED;
 }
 
-static void add_stick(world *w, vbss_rigid_kind kind, vec3 middle, vec3 half)
+static void add_stick(world *w, vbss_scene_rigid_kind kind, vec3 middle, vec3 half)
 {
     (void)small_stick(&w->s, kind, middle, half, 1e-3);
 }
@@ -192,9 +194,9 @@ static void create_world(harness_source *source, world *w)
     }
     const vec3 across = vec3_make(0.0, 0.0, 5e-3);
     const double x = harness_draw_real(source, -5e-3, 5e-3);
-    add_stick(w, VBSS_RIGID_DRIVEN, vec3_make(x, 0.0, 0.0), across);
-    add_stick(w, VBSS_RIGID_FREE, vec3_make(x + 4e-3, 5e-3, 0.0), across);
-    add_stick(w, VBSS_RIGID_COUPLED, vec3_make(x - 6e-3, -1e-3, 0.0), across);
+    add_stick(w, VBSS_SCENE_RIGID_DRIVEN, vec3_make(x, 0.0, 0.0), across);
+    add_stick(w, VBSS_SCENE_RIGID_FREE, vec3_make(x + 4e-3, 5e-3, 0.0), across);
+    add_stick(w, VBSS_SCENE_RIGID_COUPLED, vec3_make(x - 6e-3, -1e-3, 0.0), across);
     add_grasper(w, vec3_make(0.01, w->s.thread.start[1], 0.0));
     if (harness_draw_below(source, 8) == 0) {
         w->s.drain.position[1] = -0.011;
@@ -225,7 +227,7 @@ static void make_object(world *w, const call *c)
         if (c->has_point && w->grasper_count < MAX_GRASPERS) {
             const double away[3] = {0.0, 0.01, 0.01 * w->grasper_count};
             expect_ok(vbss_grasper_create(w->s.context, NULL, (vbss_grasper **)&w->made));
-            expect_ok(vbss_grasper_move(w->made, away, NULL));
+            expect_ok(vbss_grasper_set_target(w->made, away, NULL));
             w->graspers[w->grasper_count++] = w->made;
         } else {
             w->made = w->graspers[0];
@@ -242,11 +244,11 @@ static void make_object(world *w, const call *c)
 static vbss_result add(world *w, const call *c, uint32_t *id)
 {
     vbss_scene *scene = w->s.scene;
-    vbss_rigid_config rigid = w->s.rigid;
-    const vbss_capsule capsule = {{0.0, 0.0, -3e-3}, {0.0, 0.0, 3e-3}, 1e-3};
+    vbss_scene_rigid_config rigid = w->s.rigid;
+    const vbss_scene_capsule capsule = {{0.0, 0.0, -3e-3}, {0.0, 0.0, 3e-3}, 1e-3};
     switch (c->kind) {
     case CALL_ADD_RIGID:
-        rigid.kind = (vbss_rigid_kind)(c->small % 3);
+        rigid.kind = (vbss_scene_rigid_kind)(c->small % 3);
         rigid.capsules = &capsule;
         rigid.capsule_count = 1;
         rigid.mass = c->length;
@@ -273,13 +275,14 @@ static vbss_result edit_thread(world *w, const call *c, uint32_t *id)
     switch (c->kind) {
     case CALL_ATTACH:
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-        a.kind = (vbss_attachment_kind)(c->other % 4);
+        a.kind = (vbss_thread_attachment_kind)(c->other % 4);
         a.node = c->small;
         a.stiffness = 10.0;
         memcpy(a.position, c->point, sizeof a.position);
         return vbss_thread_attach(thread, &a, id);
     case CALL_MOVE_ATTACHMENT:
-        return vbss_thread_move(thread, c->other, c->point, c->has_point ? c->weights : NULL);
+        return vbss_thread_set_attachment_target(thread, c->other, c->point,
+                                                 c->has_point ? c->weights : NULL);
     case CALL_DETACH:
         return vbss_thread_detach(thread, c->other);
     default:
@@ -299,9 +302,9 @@ static vbss_result apply(world *w, const call *c, uint32_t *id)
         small_object(&w->s)->cursor.unsliced_steps_left = 0;
         return VBSS_OK;
     case CALL_MOVE_RIGID:
-        return vbss_scene_move_rigid(scene, c->body, c->point, NULL);
+        return vbss_scene_set_rigid_target(scene, c->body, c->point, NULL);
     case CALL_MOVE_GRASPER:
-        return vbss_grasper_move(grasper, c->point, NULL);
+        return vbss_grasper_set_target(grasper, c->point, NULL);
     case CALL_OPEN:
         return vbss_grasper_set_opening(grasper, c->length);
     case CALL_EXCHANGE:

@@ -20,8 +20,8 @@ typedef struct remembered_list {
 
 static inline bool cut_is_node(const contact_key *key, int side)
 {
-    return side == 0 &&
-           (key->kind == VBSS_CONTACT_NODE_CAPSULE || key->kind == VBSS_CONTACT_NODE_FLOOR);
+    return side == 0 && (key->kind == VBSS_SCENE_CONTACT_NODE_CAPSULE ||
+                         key->kind == VBSS_SCENE_CONTACT_NODE_FLOOR);
 }
 
 static inline void cut_axis(const scene_object *s, const contact_key *key, int side, vec3 axis[2])

@@ -23,7 +23,7 @@ static inline uint32_t cut_at(const small *s, uint32_t thread, double arc_length
 static inline uint32_t cut_nodes(vbss_thread *thread)
 {
     vbss_view view;
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view));
     return (uint32_t)view.count;
 }
 

@@ -32,8 +32,8 @@ static uint32_t cuts_of_step(const contact_scene *c)
     for (uint64_t i = 0; i < view.count; i++) {
         uint32_t words[4];
         memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
-        cuts += words[0] == VBSS_EVENT_CUT;
-        assert_true(words[0] != VBSS_EVENT_CUT || words[2] != 0);
+        cuts += words[0] == VBSS_SCENE_EVENT_CUT;
+        assert_true(words[0] != VBSS_SCENE_EVENT_CUT || words[2] != 0);
     }
     return cuts;
 }
@@ -69,11 +69,11 @@ cut_outcome cut_throw(const cut_case *t, double share)
     o.pull.force = t->limited ? 2.0 : 2.0 * share;
     o.scene.thread_capacity = 16;
     o.scene.grasp_capacity = 32;
-    o.scene.slot_limit = 0; /* what the limit of a step costs; that of a call: docs/contact.md */
+    o.scene.call_budget = 0; /* what the limit of a step costs; that of a call: docs/contact.md */
     if (t->limited) {
-        o.scene.work_limit = (uint32_t)(share * o.scene.work_limit);
+        o.scene.step_budget = (uint32_t)(share * o.scene.step_budget);
     } else {
-        o.scene.work_limit = 0;
+        o.scene.step_budget = 0;
         o.scene.attempt_limit = 16;
     }
     expect_ok(contact_scene_create(context, &o, &c));
@@ -85,16 +85,16 @@ cut_outcome cut_throw(const cut_case *t, double share)
     }
     assert_int_equal(steady, 200);
     expect_ok(vbss_grasper_config_init(&config, sizeof config));
-    config.kind = VBSS_GRASPER_SHEARS;
+    config.kind = VBSS_GRASPER_KIND_SHEARS;
     expect_ok(vbss_grasper_create(context, &config, &tool));
     const double turned[4] = {vbss_cos(0.785398163397448), 0.0, 0.0, vbss_sin(0.785398163397448)};
     vec3 knot = middle_of_contacts(&c);
     double tip[3] = {knot.x, knot.y, knot.z + 0.025};
-    expect_ok(vbss_grasper_move(tool, tip, turned));
+    expect_ok(vbss_grasper_set_target(tool, tip, turned));
     expect_ok(vbss_scene_add_grasper(c.scene, tool, &body));
     for (int i = 1; i <= 300; i++) {
         tip[2] = knot.z + 0.025 - 0.03 * i / 300.0;
-        expect_ok(vbss_grasper_move(tool, tip, NULL));
+        expect_ok(vbss_grasper_set_target(tool, tip, NULL));
         expect_ok(contact_scene_step(&c, 1e-3));
     }
     expect_ok(vbss_grasper_set_opening(tool, 0.0));

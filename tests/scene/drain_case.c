@@ -35,7 +35,8 @@ void drain_case_end(drain_case *c)
 
 /* ---- what is there */
 
-uint32_t drain_case_tool(drain_case *c, vbss_rigid_kind kind, vec3 middle, vec3 half, double radius)
+uint32_t drain_case_tool(drain_case *c, vbss_scene_rigid_kind kind, vec3 middle, vec3 half,
+                         double radius)
 {
     assert_true(c->tool_count < DRAIN_CASE_TOOLS);
     drain_case_hand *hand = &c->tools[c->tool_count];
@@ -99,7 +100,7 @@ static vec3 vector_of(const drain_case *c, vbss_drain_field field, uint64_t i)
 
 vec3 drain_case_node(const drain_case *c, uint32_t node)
 {
-    return vector_of(c, VBSS_DRAIN_POSITIONS, node);
+    return vector_of(c, VBSS_DRAIN_VIEW_POSITIONS, node);
 }
 
 vec3 drain_case_at(const drain_case *c, uint32_t tool)
@@ -109,7 +110,7 @@ vec3 drain_case_at(const drain_case *c, uint32_t tool)
 
 vec3 drain_case_contact_force(const drain_case *c, uint32_t tool)
 {
-    vbss_rigid_state state = small_rigid(&c->s, c->tools[tool].id);
+    vbss_scene_rigid_state state = small_rigid(&c->s, c->tools[tool].id);
     return vec3_load(state.contact_force);
 }
 
@@ -117,7 +118,7 @@ vec3 drain_case_anchor_sum(const drain_case *c)
 {
     vbss_view view;
     vec3 sum = vec3_zero();
-    expect_ok(vbss_drain_get_view(c->drain, VBSS_DRAIN_ANCHOR_FORCES, &view, sizeof view));
+    expect_ok(vbss_drain_get_view(c->drain, VBSS_DRAIN_VIEW_ANCHOR_FORCES, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         sum = vec3_add(sum, ((const vec3 *)view.data)[i]);
     }
@@ -142,7 +143,7 @@ double drain_case_distance(const drain_case *c)
 {
     double farthest = 0.0;
     for (uint32_t i = 0; i < c->places.node_count; i++) {
-        vec3 rest = vector_of(c, VBSS_DRAIN_REST_POSITIONS, i);
+        vec3 rest = vector_of(c, VBSS_DRAIN_VIEW_REST_POSITIONS, i);
         farthest = fmax(farthest, vec3_distance(drain_case_node(c, i), rest));
     }
     return farthest;
@@ -152,7 +153,7 @@ double drain_case_fastest(const drain_case *c)
 {
     double fastest = 0.0;
     for (uint32_t i = 0; i < c->places.node_count; i++) {
-        fastest = vbss_max_or_nan(vec3_norm(vector_of(c, VBSS_DRAIN_VELOCITIES, i)), fastest);
+        fastest = vbss_max_or_nan(vec3_norm(vector_of(c, VBSS_DRAIN_VIEW_VELOCITIES, i)), fastest);
     }
     return fastest;
 }
@@ -172,7 +173,7 @@ static double energy_of_contacts(const drain_case *c)
 static double energy_of_tool(const drain_case *c, const drain_case_hand *hand)
 {
     const scene_rigid *r = &vbss_scene_body(small_object(&c->s), hand->id)->rigid;
-    if (r->kind == VBSS_RIGID_DRIVEN) {
+    if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
         return 0.0;
     }
     const vbss_rigid *b = &r->body;
@@ -216,8 +217,8 @@ static double work_of(drain_case_hand *hand, vec3 force)
 static void book(drain_case *c)
 {
     for (uint32_t i = 0; i < c->tool_count; i++) {
-        vbss_rigid_state state = small_rigid(&c->s, c->tools[i].id);
-        double sign = state.kind == VBSS_RIGID_FREE ? 0.0 : -1.0;
+        vbss_scene_rigid_state state = small_rigid(&c->s, c->tools[i].id);
+        double sign = state.kind == VBSS_SCENE_RIGID_FREE ? 0.0 : -1.0;
         c->work += work_of(&c->tools[i], vec3_scale(vec3_load(state.hand_force), sign));
     }
     for (uint32_t i = 0; i < c->pin_count; i++) {
@@ -246,7 +247,7 @@ void drain_case_target_pin(drain_case *c, uint32_t pin, vec3 to)
     double p[3];
     c->pins[pin].to = to;
     vec3_store(p, to);
-    expect_ok(vbss_drain_move(c->drain, c->pins[pin].id, p));
+    expect_ok(vbss_drain_set_attachment_target(c->drain, c->pins[pin].id, p));
 }
 
 void drain_case_step(drain_case *c)

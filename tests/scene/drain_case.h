@@ -37,7 +37,7 @@ void drain_case_make(drain_case *c);
 void drain_case_end(drain_case *c); /* asserts that all memory came back */
 
 /* A stick about its middle; returns its place among the tools. */
-uint32_t drain_case_tool(drain_case *c, vbss_rigid_kind kind, vec3 middle, vec3 half,
+uint32_t drain_case_tool(drain_case *c, vbss_scene_rigid_kind kind, vec3 middle, vec3 half,
                          double radius);
 /* A node of the drain, where it is; its place among the pins. */
 uint32_t drain_case_pin(drain_case *c, uint32_t node);

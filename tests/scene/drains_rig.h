@@ -85,13 +85,13 @@ enum { LEAP_AT = 5 };
 /* From the scene's configuration. */
 static inline vbss_result leap_create(vbss_context *context, void *user, void **handle)
 {
-    const vbss_capsule rod = {{0.0, 0.0, -8e-3}, {0.0, 0.0, 8e-3}, 1e-3};
+    const vbss_scene_capsule rod = {{0.0, 0.0, -8e-3}, {0.0, 0.0, 8e-3}, 1e-3};
     vbss_scene *scene = NULL;
     vbss_drain *drain;
     vbss_drain_config drain_config;
     vbss_drain_places places;
     vbss_drain_attachment a;
-    vbss_rigid_config config;
+    vbss_scene_rigid_config config;
     uint32_t number;
     VBSS_TRY(vbss_scene_create(context, user, &scene));
     *handle = scene;
@@ -103,7 +103,7 @@ static inline vbss_result leap_create(vbss_context *context, void *user, void **
     a.node = places.marks[0];
     vec3_store(a.position, drains_rig_object(drain)->x[a.node]);
     VBSS_TRY(vbss_drain_attach(drain, &a, &number));
-    VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
+    VBSS_TRY(vbss_scene_rigid_config_init(&config, sizeof config));
     config.capsules = &rod;
     config.capsule_count = 1;
     config.position[0] = 10e-3;
@@ -120,11 +120,11 @@ static inline vbss_result leap_step(void *scene)
     const vec3 rest = pose_apply(d->frame, d->mesh.rest[d->attachments[0].node]);
     double to[3] = {rest.x, rest.y, rest.z - 1e-6 * (double)((step + 1) * (step + 1))};
     if (d->attachments[0].id != 0) { /* the hand may have let go */
-        VBSS_TRY(vbss_drain_move(drains_rig_of(scene), 1, to));
+        VBSS_TRY(vbss_drain_set_attachment_target(drains_rig_of(scene), 1, to));
     }
     if (s.steps == LEAP_AT) {
         const double through[3] = {10e-3, -13e-3, 0.0};
-        VBSS_TRY(vbss_scene_move_rigid(scene, 2, through, NULL));
+        VBSS_TRY(vbss_scene_set_rigid_target(scene, 2, through, NULL));
     }
     return vbss_scene_step(scene, 1e-3);
 }

@@ -45,8 +45,8 @@ static inline surface surface_view(uint32_t body, vbss_drain *drain, double wall
 {
     vbss_view x, triangles;
     surface f = {.body = body, .radius = 0.5 * wall};
-    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_POSITIONS, &x, sizeof x));
-    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_TRIANGLES, &triangles, sizeof triangles));
+    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x));
+    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_TRIANGLES, &triangles, sizeof triangles));
     f.x = x.data;
     f.triangles = triangles.data;
     f.node_count = (uint32_t)x.count;
@@ -91,7 +91,7 @@ static inline feature feature_of_drain(const surface *f, uint32_t kind, bool is_
 {
     feature g = {.radius = f->radius, .corners = 1};
     const uint32_t *nodes = &number;
-    if (kind == VBSS_CONTACT_SIDES) {
+    if (kind == VBSS_SCENE_CONTACT_SIDES) {
         assert_true(number < f->side_count);
         nodes = f->sides[number];
         g.corners = 2;

@@ -117,7 +117,7 @@ static void read_hand(hand_run *r, vbss_replay *replay, int which, uint64_t step
     memcpy(rows[0] + 3, state.target_orientation, sizeof state.target_orientation);
     rows[0][7] = state.opening;
     for (uint64_t i = 1; i <= steps; i++) {
-        vbss_log_step step;
+        vbss_replay_logged_step step;
         expect_ok(vbss_replay_read(replay, i, &step, sizeof step));
         played_hand_follow(&step, r->config.tools[which], rows[i - 1], rows[i]);
     }
@@ -194,7 +194,7 @@ static void count_grasps(hand_run *r)
     for (uint64_t i = 0; i < view.count; i++) {
         uint32_t kind;
         memcpy(&kind, (const char *)view.data + i * view.stride_bytes, sizeof kind);
-        r->grasps += kind == (uint32_t)VBSS_EVENT_GRASP;
+        r->grasps += kind == (uint32_t)VBSS_SCENE_EVENT_GRASP;
     }
 }
 

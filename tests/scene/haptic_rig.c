@@ -17,7 +17,7 @@ static quat quarter_turn(vec3 axis)
 }
 
 /* A rod below a tool whose shaft points up along z. */
-static void place_wall(haptic_rig *r, vbss_rigid_kind kind)
+static void place_wall(haptic_rig *r, vbss_scene_rigid_kind kind)
 {
     tools_rig *t = &r->needles.tools;
     t->s.rigid.mass = 1e-3;
@@ -87,7 +87,7 @@ void haptic_begin(haptic_rig *r, haptic_obstacle obstacle, const haptic_loop *lo
         place_needle(r);
         add_arm(r, loop, 1);
     } else {
-        place_wall(r, obstacle == HAPTIC_WALL ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED);
+        place_wall(r, obstacle == HAPTIC_WALL ? VBSS_SCENE_RIGID_DRIVEN : VBSS_SCENE_RIGID_COUPLED);
     }
     add_arm(r, loop, 0);
 }

@@ -25,7 +25,7 @@ static const void *values_of(vbss_thread *thread, vbss_thread_field field)
 
 const vec3 *hard_nodes(const hard_case *c, uint32_t thread)
 {
-    return values_of(c->scene.threads[thread], VBSS_THREAD_POSITIONS);
+    return values_of(c->scene.threads[thread], VBSS_THREAD_VIEW_POSITIONS);
 }
 
 knot_type hard_knot(const hard_case *c, uint32_t thread)
@@ -39,7 +39,7 @@ double hard_fastest(const hard_case *c)
 {
     double fastest = 0.0;
     for (uint32_t t = 0; t < c->scene.thread_count; t++) {
-        const vec3 *v = values_of(c->scene.threads[t], VBSS_THREAD_VELOCITIES);
+        const vec3 *v = values_of(c->scene.threads[t], VBSS_THREAD_VIEW_VELOCITIES);
         for (uint32_t i = 0; i < c->scene.nodes[t]; i++) {
             fastest = vbss_max_or_nan(vec3_norm(v[i]), fastest);
         }
@@ -68,7 +68,7 @@ double hard_energy(const hard_case *c)
     for (uint32_t i = 0; i < c->scene.hand_count; i++) {
         const contact_hand *hand = &c->scene.hands[i];
         if (hand->id != 0 && hand->pull.stiffness > 0.0) {
-            const vec3 *x = values_of(hand->thread, VBSS_THREAD_POSITIONS);
+            const vec3 *x = values_of(hand->thread, VBSS_THREAD_VIEW_POSITIONS);
             vec3 stretch = vec3_sub(hand->at, x[hand->node]);
             energy += 0.5 * hand->pull.stiffness * vec3_norm_squared(stretch);
         }
@@ -147,8 +147,8 @@ static double deepest(const hard_case *c)
     double largest = 0.0;
     for (uint32_t t = 0; t < c->scene.thread_count; t++) {
         vbss_thread *thread = c->scene.threads[t];
-        strands[t] = (strand){.x = values_of(thread, VBSS_THREAD_POSITIONS),
-                              .rest = values_of(thread, VBSS_THREAD_REST_LENGTHS),
+        strands[t] = (strand){.x = values_of(thread, VBSS_THREAD_VIEW_POSITIONS),
+                              .rest = values_of(thread, VBSS_THREAD_VIEW_REST_LENGTHS),
                               .radius = c->scene.options.thread.radius,
                               .segments = c->scene.nodes[t] - 1};
         largest = vbss_max(overlap_with_itself(&strands[t]), largest);

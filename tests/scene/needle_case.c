@@ -60,7 +60,7 @@ void needle_case_put(needle_case *c, vec3 tip, vec3 direction, vec3 aside)
     }
     expect_ok(vbss_scene_add_needle(c->d.s.scene, c->needle, &c->body));
     scene_rigid *r = rigid_of(c);
-    r->kind = VBSS_RIGID_COUPLED;
+    r->kind = VBSS_SCENE_RIGID_COUPLED;
     r->body.coupling = needle_case_coupling;
 }
 
@@ -73,7 +73,7 @@ void needle_case_take_out(needle_case *c)
 void needle_case_let_go(needle_case *c)
 {
     scene_rigid *r = rigid_of(c);
-    r->kind = VBSS_RIGID_FREE;
+    r->kind = VBSS_SCENE_RIGID_FREE;
     r->body.coupling = (vbss_rigid_coupling){0};
 }
 
@@ -132,7 +132,7 @@ vec3 needle_case_hand_force(const needle_case *c)
     return rigid_of(c)->coupling_wrench.force;
 }
 
-uint32_t needle_case_holes(const needle_case *c, vbss_hole holes[NEEDLE_CASE_HOLES])
+uint32_t needle_case_holes(const needle_case *c, vbss_scene_hole holes[NEEDLE_CASE_HOLES])
 {
     uint32_t count = 0;
     while (count < NEEDLE_CASE_HOLES &&
@@ -172,7 +172,7 @@ bool needle_case_crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there)
 /* Where the wall is stretched, what is near at rest is far. */
 static bool is_at_hole(needle_case *c, vec3 there, vec3 at_rest)
 {
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     double touching = c->at_hole * (c->config.wire_radius + 0.5 * c->d.config.thickness);
     double nearest = HUGE_VAL;
     bool at = false;
@@ -204,9 +204,10 @@ static vec3 carried(const vec3 corner[3], const vec3 other[3], vec3 there)
 static void count_crossings(needle_case *c)
 {
     vbss_view x, rest, triangles, axis;
-    expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_POSITIONS, &x, sizeof x));
-    expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_REST_POSITIONS, &rest, sizeof rest));
-    expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_TRIANGLES, &triangles, sizeof triangles));
+    expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x));
+    expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_VIEW_REST_POSITIONS, &rest, sizeof rest));
+    expect_ok(
+        vbss_drain_get_view(c->d.drain, VBSS_DRAIN_VIEW_TRIANGLES, &triangles, sizeof triangles));
     expect_ok(vbss_needle_get_view(c->needle, VBSS_NEEDLE_VIEW_POINTS, &axis, sizeof axis));
     const vec3 *nodes = x.data, *at_rest = rest.data, *points = axis.data;
     const uint32_t *node = triangles.data;
@@ -242,8 +243,8 @@ void needle_case_shift(needle_case *c, vec3 displacement)
 void needle_case_step(needle_case *c)
 {
     scene_rigid *r = rigid_of(c);
-    if (r->kind == VBSS_RIGID_COUPLED) {
-        vbss_scene_set_rigid_target(small_object(&c->d.s), r, pose_mul(c->hand, r->frame));
+    if (r->kind == VBSS_SCENE_RIGID_COUPLED) {
+        vbss_scene_set_tool_target(small_object(&c->d.s), r, pose_mul(c->hand, r->frame));
     }
     drain_case_step(&c->d);
     vbss_view events = small_view(&c->d.s, VBSS_SCENE_VIEW_EVENTS);
@@ -270,7 +271,7 @@ void needle_case_wait(needle_case *c, uint32_t steps)
     }
 }
 
-bool needle_case_drive(needle_case *c, double distance, double speed, vbss_event_kind until)
+bool needle_case_drive(needle_case *c, double distance, double speed, vbss_scene_event_kind until)
 {
     uint32_t steps = (uint32_t)ceil(fabs(distance) / (speed * c->d.h));
     for (uint32_t i = 0; i < steps; i++) {
@@ -293,9 +294,9 @@ void needle_case_expect_kept(const needle_case *c, const char *name, uint32_t ma
                   name, (unsigned long long)s.steps, (unsigned long long)s.parts,
                   (unsigned long long)s.rejected_states, (unsigned long long)s.rejected_depth,
                   (unsigned long long)s.rejected_guard, (unsigned long long)s.clamped,
-                  (unsigned long long)s.paused, c->counts[VBSS_EVENT_PUNCTURE],
-                  c->counts[VBSS_EVENT_WITHDRAWN], c->counts[VBSS_EVENT_PASSED],
-                  c->counts[VBSS_EVENT_HOLE_LOST], d.inverted, 1e6 * s.penetration, c->away);
+                  (unsigned long long)s.paused, c->counts[VBSS_SCENE_EVENT_PUNCTURE],
+                  c->counts[VBSS_SCENE_EVENT_WITHDRAWN], c->counts[VBSS_SCENE_EVENT_PASSED],
+                  c->counts[VBSS_SCENE_EVENT_HOLE_LOST], d.inverted, 1e6 * s.penetration, c->away);
     assert_int_equal(c->away, 0);
     assert_true(s.clamped <= max_clamped);
 }

@@ -5,7 +5,7 @@
 
 #include "scene/drain_case.h"
 
-enum { NEEDLE_CASE_HOLES = 16, NEEDLE_CASE_EVENTS = VBSS_EVENT_UNBLOCKED + 1 };
+enum { NEEDLE_CASE_HOLES = 16, NEEDLE_CASE_EVENTS = VBSS_SCENE_EVENT_UNBLOCKED + 1 };
 
 typedef struct needle_case {
     drain_case d; /* change it and the needle's configuration before what they make */
@@ -50,13 +50,13 @@ void needle_case_step(needle_case *c);
 void needle_case_wait(needle_case *c, uint32_t steps);
 /* Turns the tip on (below 0: back) by that distance at that speed, up to the first event of that kind; 0: none is waited for.
  * Whether it came. */
-bool needle_case_drive(needle_case *c, double distance, double speed, vbss_event_kind until);
+bool needle_case_drive(needle_case *c, double distance, double speed, vbss_scene_event_kind until);
 
 /* Whether an axis crosses a triangle, and where. */
 bool needle_case_crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there);
 vbss_needle_state needle_case_state(const needle_case *c);
 vec3 needle_case_hand_force(const needle_case *c); /* on the needle */
-uint32_t needle_case_holes(const needle_case *c, vbss_hole holes[NEEDLE_CASE_HOLES]);
+uint32_t needle_case_holes(const needle_case *c, vbss_scene_hole holes[NEEDLE_CASE_HOLES]);
 /* Kinetic, of the needle; and of all the drain. */
 double needle_case_energy(const needle_case *c);
 /* No crossing away from holes, all finite; at most so many clamped steps. Prints counters. */

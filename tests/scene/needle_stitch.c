@@ -31,8 +31,8 @@ void needle_stitch_wait(needle_stitch *n, uint32_t count)
     }
 }
 
-void needle_stitch_turn(needle_stitch *n, double distance, double speed, vbss_event_kind until,
-                        uint32_t count)
+void needle_stitch_turn(needle_stitch *n, double distance, double speed,
+                        vbss_scene_event_kind until, uint32_t count)
 {
     uint32_t largest = (uint32_t)ceil(fabs(distance) / (speed * n->c.d.h));
     for (uint32_t i = 0; i < largest && (until == 0 || n->c.counts[until] < count); i++) {
@@ -51,7 +51,7 @@ void needle_stitch_draw(needle_stitch *n, double force)
 
 void needle_stitch_expect_in(const needle_stitch *n, uint32_t holes, uint32_t threads)
 {
-    vbss_hole in[NEEDLE_CASE_HOLES];
+    vbss_scene_hole in[NEEDLE_CASE_HOLES];
     uint32_t found = 0;
     assert_int_equal(needle_case_holes(&n->c, in), holes);
     for (uint32_t i = 0; i < holes; i++) {
@@ -63,8 +63,8 @@ void needle_stitch_expect_in(const needle_stitch *n, uint32_t holes, uint32_t th
 
 void needle_stitch_into_second(needle_stitch *n, double speed)
 {
-    needle_stitch_turn(n, 60e-3, speed, VBSS_EVENT_PASSED, 1);
-    assert_int_equal(n->c.counts[VBSS_EVENT_PUNCTURE], 2);
+    needle_stitch_turn(n, 60e-3, speed, VBSS_SCENE_EVENT_PASSED, 1);
+    assert_int_equal(n->c.counts[VBSS_SCENE_EVENT_PUNCTURE], 2);
     needle_stitch_expect_in(n, 2, 1);
     needle_stitch_turn(n, 2e-3, speed, 0, 0);
     needle_stitch_expect_in(n, 2, 1);
@@ -74,12 +74,12 @@ void needle_stitch_into_second(needle_stitch *n, double speed)
 void needle_stitch_expect_undone(needle_stitch *n, double force, double speed)
 {
     needle_stitch_draw(n, force);
-    needle_stitch_turn(n, -80e-3, speed, VBSS_EVENT_WITHDRAWN, 2);
-    assert_int_equal(n->c.counts[VBSS_EVENT_RETURNED], 1);
-    assert_int_equal(n->c.counts[VBSS_EVENT_WITHDRAWN], 2);
-    assert_int_equal(n->c.counts[VBSS_EVENT_UNTHREADED], 0);
-    assert_true(n->first[VBSS_EVENT_PASSED] < n->first[VBSS_EVENT_RETURNED]);
-    assert_true(n->first[VBSS_EVENT_RETURNED] < n->last[VBSS_EVENT_WITHDRAWN]);
+    needle_stitch_turn(n, -80e-3, speed, VBSS_SCENE_EVENT_WITHDRAWN, 2);
+    assert_int_equal(n->c.counts[VBSS_SCENE_EVENT_RETURNED], 1);
+    assert_int_equal(n->c.counts[VBSS_SCENE_EVENT_WITHDRAWN], 2);
+    assert_int_equal(n->c.counts[VBSS_SCENE_EVENT_UNTHREADED], 0);
+    assert_true(n->first[VBSS_SCENE_EVENT_PASSED] < n->first[VBSS_SCENE_EVENT_RETURNED]);
+    assert_true(n->first[VBSS_SCENE_EVENT_RETURNED] < n->last[VBSS_SCENE_EVENT_WITHDRAWN]);
     needle_stitch_turn(n, -2e-3, speed, 0, 0);
     needle_stitch_expect_in(n, 0, 0);
     assert_int_equal(n->watch.crossings, 0);

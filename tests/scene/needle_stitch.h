@@ -18,8 +18,8 @@ void needle_stitch_begin(needle_stitch *n);
 void needle_stitch_wait(needle_stitch *n, uint32_t count);
 /* Turns the tip on (below 0: back) by that distance at that speed, up to so many events of that kind in all; 0: none is waited
  * for. */
-void needle_stitch_turn(needle_stitch *n, double distance, double speed, vbss_event_kind until,
-                        uint32_t count);
+void needle_stitch_turn(needle_stitch *n, double distance, double speed,
+                        vbss_scene_event_kind until, uint32_t count);
 /* Into both walls, and on until the thread is in the first hole. */
 void needle_stitch_into_second(needle_stitch *n, double speed);
 /* Draws the thread's tail away from the first mark, with that force, N. */

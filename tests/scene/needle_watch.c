@@ -64,7 +64,7 @@ static double force_across(const scene_object *s, uint32_t hole)
     double largest = vec3_norm(s->holes[hole].transverse_force);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *row = &s->contacts->constraints[i];
-        bool own = row->key.kind == VBSS_CONTACT_HOLE && row->key.feature_a == hole;
+        bool own = row->key.kind == VBSS_SCENE_CONTACT_HOLE && row->key.feature_a == hole;
         largest = own ? fmax(largest, vec3_norm(row->solution.tangential_force)) : largest;
     }
     return largest;

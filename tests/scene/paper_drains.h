@@ -1,4 +1,4 @@
-/* What the tests of drains in scenes of method PAPER share: one drain along x, its slit on top (+y), and tools that go
+/* What the tests of drains in scenes of method VBLAST share: one drain along x, its slit on top (+y), and tools that go
  * where they are told. */
 #ifndef VBSS_TESTS_SCENE_PAPER_DRAINS_H
 #define VBSS_TESTS_SCENE_PAPER_DRAINS_H
@@ -22,7 +22,7 @@ static inline vbss_drain_config paper_drain(void)
 {
     vbss_drain_config c;
     expect_ok(vbss_drain_config_init(&c, sizeof c));
-    c.method = VBSS_METHOD_PAPER;
+    c.method = VBSS_METHOD_VBLAST;
     return c;
 }
 
@@ -46,8 +46,8 @@ static inline stage_drain begin_with_drain(stage *s)
 static inline uint32_t add_tool(stage *s, vec3 tip, vec3 axis, double radius)
 {
     uint32_t body = 0;
-    vbss_rigid_config c;
-    expect_ok(vbss_rigid_config_init(&c, sizeof c));
+    vbss_scene_rigid_config c;
+    expect_ok(vbss_scene_rigid_config_init(&c, sizeof c));
     vec3_store(c.position, tip);
     expect_ok(scene_build_capsule(s->scene, &c, scene_build_rod(vec3_zero(), axis, radius), &body));
     return body;
@@ -63,7 +63,7 @@ static inline void go(stage *s, uint32_t tool, vec3 to)
 {
     double place[3];
     vec3_store(place, to);
-    expect_ok(vbss_scene_move_rigid(s->scene, tool, place, NULL));
+    expect_ok(vbss_scene_set_rigid_target(s->scene, tool, place, NULL));
     expect_ok(vbss_scene_step(s->scene, 1e-3));
 }
 

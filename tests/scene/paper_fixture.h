@@ -1,4 +1,4 @@
-/* What the tests of method PAPER share: a scene in a watched context, threads and tools made in one line, looks at
+/* What the tests of method VBLAST share: a scene in a watched context, threads and tools made in one line, looks at
  * them. */
 #ifndef VBSS_TESTS_SCENE_PAPER_FIXTURE_H
 #define VBSS_TESTS_SCENE_PAPER_FIXTURE_H
@@ -32,7 +32,7 @@ static inline void begin(stage *s)
     *s = (stage){0};
     s->context = harness_context(&s->memory);
     expect_ok(vbss_scene_config_init(&s->config, sizeof s->config));
-    s->config.method = VBSS_METHOD_PAPER;
+    s->config.method = VBSS_METHOD_VBLAST;
 }
 
 static inline void make(stage *s)
@@ -49,7 +49,7 @@ static inline vbss_thread_config paper_thread(uint32_t segments)
 {
     vbss_thread_config c;
     expect_ok(vbss_thread_config_init(&c, sizeof c));
-    c.method = VBSS_METHOD_PAPER;
+    c.method = VBSS_METHOD_VBLAST;
     c.segment_count = segments;
     c.drag = 20.0;
     return c;
@@ -60,12 +60,12 @@ static inline void add(stage *s, int which, const vbss_thread_config *c)
     expect_ok(scene_build_thread(s->context, s->scene, c, &s->threads[which], &s->bodies[which]));
 }
 
-static inline uint32_t add_capsule(vbss_scene *scene, vbss_rigid_kind kind, vec3 begin, vec3 end,
-                                   double r)
+static inline uint32_t add_capsule(vbss_scene *scene, vbss_scene_rigid_kind kind, vec3 begin,
+                                   vec3 end, double r)
 {
     uint32_t body = 0;
-    vbss_rigid_config c;
-    expect_ok(vbss_rigid_config_init(&c, sizeof c));
+    vbss_scene_rigid_config c;
+    expect_ok(vbss_scene_rigid_config_init(&c, sizeof c));
     c.kind = kind;
     expect_ok(scene_build_capsule(scene, &c, scene_build_rod(begin, end, r), &body));
     return body;
@@ -85,7 +85,7 @@ static inline void place_over(stage *s, double y)
 static inline const vec3 *places(vbss_thread *thread, uint32_t *count)
 {
     vbss_view v;
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &v, sizeof v));
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &v, sizeof v));
     *count = (uint32_t)v.count;
     return v.data;
 }
@@ -104,9 +104,9 @@ static inline vbss_scene_statistics statistics_of(stage *s)
     return t;
 }
 
-static inline vbss_rigid_state rigid_of(stage *s, uint32_t body)
+static inline vbss_scene_rigid_state rigid_of(stage *s, uint32_t body)
 {
-    vbss_rigid_state r;
+    vbss_scene_rigid_state r;
     expect_ok(vbss_scene_get_rigid(s->scene, body, &r, sizeof r));
     return r;
 }

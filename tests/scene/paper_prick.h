@@ -1,4 +1,4 @@
-/* What the tests of needles of method PAPER in walls share: a nearly straight needle that a tool leads along its own way into
+/* What the tests of needles of method VBLAST in walls share: a nearly straight needle that a tool leads along its own way into
  * the side of a drain. */
 #ifndef VBSS_TESTS_SCENE_PAPER_PRICK_H
 #define VBSS_TESTS_SCENE_PAPER_PRICK_H
@@ -29,7 +29,7 @@ static inline void begin_with(prick *p, const double weights[3], uint32_t hole_c
     memset(p, 0, sizeof *p);
     needles_begin(&p->r);
     small *s = &p->r.tools.s;
-    s->config.method = p->r.config.method = s->drain.method = VBSS_METHOD_PAPER;
+    s->config.method = p->r.config.method = s->drain.method = VBSS_METHOD_VBLAST;
     s->config.capsule_capacity = 64;
     s->config.hole_capacity = hole_capacity;
     small_create(s);
@@ -83,11 +83,11 @@ static inline void go(prick *p, double depth)
     needle.position = vec3_add_scaled(needle.position, depth - START, p->into);
     needle.position = vec3_add(needle.position, p->aside);
     pose_store(pose_mul(needle, p->hold), tip, turn);
-    expect_ok(vbss_grasper_move(p->r.tools.tools[0], tip, turn));
+    expect_ok(vbss_grasper_set_target(p->r.tools.tools[0], tip, turn));
     tools_steps(&p->r.tools, 1);
-    p->in += tools_happened(&p->r.tools, VBSS_EVENT_PUNCTURE, event);
-    p->out += tools_happened(&p->r.tools, VBSS_EVENT_WITHDRAWN, event);
-    p->lost += tools_happened(&p->r.tools, VBSS_EVENT_HOLE_LOST, event);
+    p->in += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_PUNCTURE, event);
+    p->out += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_WITHDRAWN, event);
+    p->lost += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_HOLE_LOST, event);
     p->depth = depth;
 }
 
@@ -128,9 +128,9 @@ static inline uint32_t toggles(const prick *p)
     return count;
 }
 
-static inline vbss_hole hole_of(const prick *p, uint32_t index)
+static inline vbss_scene_hole hole_of(const prick *p, uint32_t index)
 {
-    vbss_hole hole;
+    vbss_scene_hole hole;
     expect_ok(vbss_scene_get_hole(p->r.tools.s.scene, index, &hole, sizeof hole));
     return hole;
 }

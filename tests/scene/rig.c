@@ -7,7 +7,7 @@ vbss_scene_config scene_rig_config(void)
 {
     vbss_scene_config config;
     expect_ok(vbss_scene_config_init(&config, sizeof config));
-    config.mode = VBSS_MODE_OFFLINE; /* physics, with all the work it takes */
+    config.mode = VBSS_SCENE_MODE_OFFLINE; /* physics, with all the work it takes */
     return config;
 }
 
@@ -48,11 +48,11 @@ void scene_rig_end(scene_rig *r)
 
 /* ---- rigid bodies */
 
-vbss_rigid_config scene_rig_capsule(vbss_rigid_kind kind, vbss_capsule *capsule, vec3 begin,
-                                    vec3 end, double radius)
+vbss_scene_rigid_config scene_rig_capsule(vbss_scene_rigid_kind kind, vbss_scene_capsule *capsule,
+                                          vec3 begin, vec3 end, double radius)
 {
-    vbss_rigid_config config;
-    expect_ok(vbss_rigid_config_init(&config, sizeof config));
+    vbss_scene_rigid_config config;
+    expect_ok(vbss_scene_rigid_config_init(&config, sizeof config));
     vec3 middle = vec3_lerp(begin, end, 0.5);
     vec3_store(capsule->begin, vec3_sub(begin, middle));
     vec3_store(capsule->end, vec3_sub(end, middle));
@@ -65,7 +65,7 @@ vbss_rigid_config scene_rig_capsule(vbss_rigid_kind kind, vbss_capsule *capsule,
     return config;
 }
 
-uint32_t scene_rig_add(scene_rig *r, const vbss_rigid_config *config)
+uint32_t scene_rig_add(scene_rig *r, const vbss_scene_rigid_config *config)
 {
     uint32_t body = 0;
     expect_ok(vbss_scene_add_rigid(r->scene, config, &body));
@@ -100,22 +100,22 @@ void scene_rig_run(scene_rig *r, double h, uint32_t steps)
     }
 }
 
-vbss_rigid_state scene_rig_state(scene_rig *r, uint32_t body)
+vbss_scene_rigid_state scene_rig_state(scene_rig *r, uint32_t body)
 {
-    vbss_rigid_state state;
+    vbss_scene_rigid_state state;
     expect_ok(vbss_scene_get_rigid(r->scene, body, &state, sizeof state));
     return state;
 }
 
 vec3 scene_rig_position(scene_rig *r, uint32_t body)
 {
-    vbss_rigid_state state = scene_rig_state(r, body);
+    vbss_scene_rigid_state state = scene_rig_state(r, body);
     return vec3_load(state.position);
 }
 
 vec3 scene_rig_velocity(scene_rig *r, uint32_t body)
 {
-    vbss_rigid_state state = scene_rig_state(r, body);
+    vbss_scene_rigid_state state = scene_rig_state(r, body);
     return vec3_load(state.velocity);
 }
 
@@ -143,7 +143,7 @@ vec3 scene_rig_floor_force(scene_rig *r)
     vec3 sum = vec3_zero();
     for (uint64_t i = 0; i < forces.count; i++) {
         uint32_t kind = *(const uint32_t *)(const void *)item_of(&features, i);
-        if (kind == VBSS_CONTACT_NODE_FLOOR || kind == VBSS_CONTACT_CAPSULE_FLOOR) {
+        if (kind == VBSS_SCENE_CONTACT_NODE_FLOOR || kind == VBSS_SCENE_CONTACT_CAPSULE_FLOOR) {
             sum = vec3_add(sum, vector_of(&forces, i));
         }
     }
@@ -221,7 +221,7 @@ static vbss_view thread_view(scene_rig *r, vbss_thread_field field)
 
 static double largest_curvature(scene_rig *r)
 {
-    vbss_view curvatures = thread_view(r, VBSS_THREAD_CURVATURES);
+    vbss_view curvatures = thread_view(r, VBSS_THREAD_VIEW_CURVATURES);
     double largest = 0.0;
     for (uint64_t i = 0; i < curvatures.count; i++) {
         largest = fmax(largest, vec3_norm(vector_of(&curvatures, i)));
@@ -231,7 +231,7 @@ static double largest_curvature(scene_rig *r)
 
 static double rest_length(scene_rig *r)
 {
-    vbss_view lengths = thread_view(r, VBSS_THREAD_REST_LENGTHS);
+    vbss_view lengths = thread_view(r, VBSS_THREAD_VIEW_REST_LENGTHS);
     double sum = 0.0;
     for (uint64_t i = 0; i < lengths.count; i++) {
         sum += *(const double *)(const void *)item_of(&lengths, i);

@@ -24,16 +24,16 @@ void scene_rig_begin(scene_rig *r, const vbss_scene_config *config,
 void scene_rig_end(scene_rig *r);
 
 /* A body of one capsule whose frame is the world's: about its middle, with gravity down -y. */
-vbss_rigid_config scene_rig_capsule(vbss_rigid_kind kind, vbss_capsule *capsule, vec3 begin,
-                                    vec3 end, double radius);
-uint32_t scene_rig_add(scene_rig *r, const vbss_rigid_config *config);
+vbss_scene_rigid_config scene_rig_capsule(vbss_scene_rigid_kind kind, vbss_scene_capsule *capsule,
+                                          vec3 begin, vec3 end, double radius);
+uint32_t scene_rig_add(scene_rig *r, const vbss_scene_rigid_config *config);
 /* Of a solid capsule: length of the axis, about the axis, and across it. */
 double scene_rig_inertia_along(double mass, double length, double radius);
 double scene_rig_inertia_across(double mass, double length, double radius);
 
 void scene_rig_run(scene_rig *r, double h, uint32_t steps);
 
-vbss_rigid_state scene_rig_state(scene_rig *r, uint32_t body);
+vbss_scene_rigid_state scene_rig_state(scene_rig *r, uint32_t body);
 vec3 scene_rig_position(scene_rig *r, uint32_t body);
 vec3 scene_rig_velocity(scene_rig *r, uint32_t body);
 /* Sums over contacts: of what the floor does to all, and of the sizes of all forces along their normals. */

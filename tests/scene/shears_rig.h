@@ -27,11 +27,11 @@ static inline void shears_begin(shears_rig *r, vbss_method method)
     r->tools.s.thread.cut_capacity = 3;
 }
 
-/* Method PAPER with a soft thread: it takes a third of the explicit steps that the default takes. */
+/* Method VBLAST with a soft thread: it takes a third of the explicit steps that the default takes. */
 static inline void shears_begin_scene(shears_rig *r, vbss_method method)
 {
     shears_begin(r, method);
-    if (method == VBSS_METHOD_PAPER) {
+    if (method == VBSS_METHOD_VBLAST) {
         r->tools.s.thread.bending_stiffness *= 0.1;
     }
     small_create(&r->tools.s);
@@ -63,7 +63,7 @@ static inline void shears_laid(shears_rig *r, const vec3 *nodes, uint32_t count)
         rest[i] = vec3_distance(nodes[i], nodes[i + 1]);
     }
     r->tools.s.thread.segment_count = count - 1;
-    r->tools.s.thread.bending = VBSS_BENDING_LOCAL; /* whose segments are chords */
+    r->tools.s.thread.bending = VBSS_THREAD_BENDING_LOCAL; /* whose segments are chords */
     r->tools.s.thread.bending_stiffness = 0.0;
     r->tools.s.thread.rest_lengths = rest;
     r->tools.s.thread.positions = &nodes->x;
@@ -89,7 +89,7 @@ static inline void shears_note(shears_rig *r)
     for (uint64_t i = 0; i < view.count; i++) {
         uint32_t words[4];
         memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
-        if (words[0] == VBSS_EVENT_CUT) {
+        if (words[0] == VBSS_SCENE_EVENT_CUT) {
             if (r->cuts + r->failed_cuts == 0) {
                 memcpy(r->first, words, sizeof words);
             }
@@ -141,7 +141,7 @@ static inline void shears_expect_shut(const shears_rig *r, uint32_t tool)
     vbss_scene_statistics statistics = small_statistics(&r->tools.s);
     expect_near(0.0, tools_state(&r->tools, tool).jaw_angle, 0.0);
     assert_int_equal(statistics.clamped, 0);
-    if (r->tools.config.method == VBSS_METHOD_OURS) {
+    if (r->tools.config.method == VBSS_METHOD_IMPLICIT) {
         assert_int_equal(statistics.loose_stretch, 0);
     }
     cut_expect_sound(small_object(&r->tools.s));

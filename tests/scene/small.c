@@ -9,7 +9,7 @@ void small_begin(small *s)
     s->context = harness_context(&s->memory);
     expect_ok(vbss_scene_config_init(&s->config, sizeof s->config));
     expect_ok(vbss_thread_config_init(&s->thread, sizeof s->thread));
-    expect_ok(vbss_rigid_config_init(&s->rigid, sizeof s->rigid));
+    expect_ok(vbss_scene_rigid_config_init(&s->rigid, sizeof s->rigid));
     expect_ok(vbss_drain_config_init(&s->drain, sizeof s->drain));
     s->config.thread_capacity = s->config.rigid_capacity = 8;
     s->config.node_capacity = 200;
@@ -54,7 +54,7 @@ uint32_t small_drain(small *s, vbss_drain **drain)
     return body;
 }
 
-uint32_t small_capsule(small *s, vbss_rigid_kind kind, vec3 begin, vec3 end, double radius)
+uint32_t small_capsule(small *s, vbss_scene_rigid_kind kind, vec3 begin, vec3 end, double radius)
 {
     uint32_t body = 0;
     s->rigid.kind = kind;
@@ -62,7 +62,7 @@ uint32_t small_capsule(small *s, vbss_rigid_kind kind, vec3 begin, vec3 end, dou
     return body;
 }
 
-uint32_t small_stick(small *s, vbss_rigid_kind kind, vec3 middle, vec3 half, double radius)
+uint32_t small_stick(small *s, vbss_scene_rigid_kind kind, vec3 middle, vec3 half, double radius)
 {
     vec3_store(s->rigid.position, middle);
     uint32_t body = small_capsule(s, kind, vec3_neg(half), half, radius);
@@ -74,7 +74,7 @@ void small_move(small *s, uint32_t body, vec3 position)
 {
     double p[3];
     vec3_store(p, position);
-    expect_ok(vbss_scene_move_rigid(s->scene, body, p, NULL));
+    expect_ok(vbss_scene_set_rigid_target(s->scene, body, p, NULL));
 }
 
 uint32_t small_pin(small *s, uint32_t thread, uint32_t node, uint32_t body)
@@ -113,16 +113,16 @@ vbss_scene_statistics small_statistics(const small *s)
     return statistics;
 }
 
-vbss_rigid_state small_rigid(const small *s, uint32_t body)
+vbss_scene_rigid_state small_rigid(const small *s, uint32_t body)
 {
-    vbss_rigid_state state;
+    vbss_scene_rigid_state state;
     expect_ok(vbss_scene_get_rigid(s->scene, body, &state, sizeof state));
     return state;
 }
 
 vec3 small_position(const small *s, uint32_t body)
 {
-    vbss_rigid_state state = small_rigid(s, body);
+    vbss_scene_rigid_state state = small_rigid(s, body);
     return vec3_load(state.position);
 }
 
@@ -151,11 +151,11 @@ void small_draw(vbss_thread *thread, uint32_t node, vec3 force)
     uint32_t id;
     vbss_thread_attachment a;
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_FORCE;
+    a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
     a.node = node;
     vec3_store(a.force, force);
     expect_ok(vbss_thread_attach(thread, &a, &id));
-    a.kind = VBSS_ATTACHMENT_MASS;
+    a.kind = VBSS_THREAD_ATTACHMENT_MASS;
     a.mass = 1e-3;
     memset(a.force, 0, sizeof a.force);
     expect_ok(vbss_thread_attach(thread, &a, &id));
@@ -164,7 +164,7 @@ void small_draw(vbss_thread *thread, uint32_t node, vec3 force)
 vec3 small_node(vbss_thread *thread, uint32_t node)
 {
     vbss_view view;
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view));
     return vector_of(view, node);
 }
 
@@ -172,7 +172,7 @@ double small_tension(vbss_thread *thread, uint32_t segment)
 {
     vbss_view view;
     double tension;
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_TENSIONS, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_TENSIONS, &view, sizeof view));
     assert_true(segment < view.count);
     memcpy(&tension, (const char *)view.data + (size_t)segment * view.stride_bytes, sizeof tension);
     return tension;
@@ -185,7 +185,7 @@ double small_thread_energy(vbss_thread *thread, double axial_stiffness)
     thread_object *t;
     expect_ok(vbss_thread_open(thread, &t));
     expect_ok(vbss_thread_get_energies(thread, &e, sizeof e));
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_REST_LENGTHS, &rest, sizeof rest));
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_REST_LENGTHS, &rest, sizeof rest));
     double energy = e.kinetic + e.bending + e.gravity;
     for (uint64_t i = 0; i < rest.count; i++) {
         double tension = t->now.tension[i]; /* the part that stretches the segment */
@@ -213,7 +213,7 @@ scene_object *small_object(const small *s)
     return object;
 }
 
-uint32_t small_events(const small *s, vbss_event_kind kind, uint32_t event[4])
+uint32_t small_events(const small *s, vbss_scene_event_kind kind, uint32_t event[4])
 {
     vbss_view view = small_view(s, VBSS_SCENE_VIEW_EVENTS);
     uint32_t count = 0;

@@ -13,9 +13,9 @@ typedef struct small {
     harness_memory memory;
     vbss_context *context;
     vbss_scene *scene;
-    vbss_scene_config config;  /* change these four before what they make */
-    vbss_thread_config thread; /* no weight */
-    vbss_rigid_config rigid;   /* 20 g */
+    vbss_scene_config config;      /* change these four before what they make */
+    vbss_thread_config thread;     /* no weight */
+    vbss_scene_rigid_config rigid; /* 20 g */
     vbss_drain_config drain;
 } small;
 
@@ -32,9 +32,9 @@ uint32_t small_thread(small *s, vec3 begin, vec3 end, uint32_t segments, vbss_th
 /* A drain; its handle is left out if NULL. */
 uint32_t small_drain(small *s, vbss_drain **drain);
 /* A body of one capsule, whose frame is the world's at first. */
-uint32_t small_capsule(small *s, vbss_rigid_kind kind, vec3 begin, vec3 end, double radius);
+uint32_t small_capsule(small *s, vbss_scene_rigid_kind kind, vec3 begin, vec3 end, double radius);
 /* The same about the middle of its axis, which is where its frame's origin is. */
-uint32_t small_stick(small *s, vbss_rigid_kind kind, vec3 middle, vec3 half, double radius);
+uint32_t small_stick(small *s, vbss_scene_rigid_kind kind, vec3 middle, vec3 half, double radius);
 void small_move(small *s, uint32_t body, vec3 position);
 uint32_t small_pin(small *s, uint32_t thread, uint32_t node, uint32_t body);
 /* Both ends where they are, on the world. */
@@ -43,7 +43,7 @@ void small_steps(small *s, uint32_t count, double h);
 
 uint64_t small_hash(const small *s);
 vbss_scene_statistics small_statistics(const small *s);
-vbss_rigid_state small_rigid(const small *s, uint32_t body);
+vbss_scene_rigid_state small_rigid(const small *s, uint32_t body);
 vec3 small_position(const small *s, uint32_t body);
 vbss_view small_view(const small *s, vbss_scene_field field);
 vec3 small_vector(const small *s, vbss_scene_field field, uint64_t i);
@@ -63,6 +63,6 @@ double small_thread_energy(vbss_thread *thread, double axial_stiffness);
 /* The inside. */
 scene_object *small_object(const small *s);
 /* How many events of that kind the last step had, and the last of them. */
-uint32_t small_events(const small *s, vbss_event_kind kind, uint32_t event[4]);
+uint32_t small_events(const small *s, vbss_scene_event_kind kind, uint32_t event[4]);
 
 #endif

@@ -11,7 +11,7 @@ static inline void tiny_scene(small *s)
     s->config.contact_capacity = s->config.candidate_capacity = 16;
 }
 
-static const vbss_capsule subject_ball = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
+static const vbss_scene_capsule subject_ball = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
 
 typedef struct subject {
     small s;
@@ -32,8 +32,8 @@ static inline void begin_subject(subject *t)
     t->line =
         small_thread(s, vec3_make(0.0, 0.01, 0.0), vec3_make(0.024, 0.01, 0.0), 12, &t->thread);
     vec3 half = vec3_make(0.0, 0.0, 2e-3);
-    t->driven = small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.01, 0.0), half, 1e-3);
-    t->free = small_stick(s, VBSS_RIGID_FREE, vec3_make(0.024, 0.01, 0.0), half, 1e-3);
+    t->driven = small_stick(s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 0.01, 0.0), half, 1e-3);
+    t->free = small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(0.024, 0.01, 0.0), half, 1e-3);
     t->pin = small_pin(s, t->line, 0, t->driven);
     t->weld = small_pin(s, t->line, 12, t->free);
     small_steps(s, 3, 1e-3);

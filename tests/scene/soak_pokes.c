@@ -70,7 +70,7 @@ static void add_tools(soak *s, life *l)
         double radius = draw(s, 0.4e-3, 2.5e-3);
         l->s.rigid.friction = draw(s, 0.0, 0.6);
         l->s.rigid.stiffness = draw(s, 200.0, 2000.0);
-        uint32_t body = small_stick(&l->s, VBSS_RIGID_COUPLED, at, half, radius);
+        uint32_t body = small_stick(&l->s, VBSS_SCENE_RIGID_COUPLED, at, half, radius);
         l->tools[i] = (poker){body, at, draw_place(s), draw(s, 0.02, 0.3)};
     }
 }
@@ -102,7 +102,7 @@ static void begin(soak *s, life *l)
     l->h = chance(s, 0.2) ? 0.5e-3 : 1e-3;
     l->s.config.contact_capacity = 4096;
     l->s.config.candidate_capacity = 65536;
-    l->s.config.mode = chance(s, 0.25) ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    l->s.config.mode = chance(s, 0.25) ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     l->s.config.floor = chance(s, 0.5);
     l->s.config.floor_height = -9e-3;
     l->s.thread.gravity[1] = -9.81;
@@ -153,7 +153,7 @@ static bool fine(soak *s, const life *l, vbss_result result)
                           (unsigned long long)w->passed_drain, (unsigned long long)w->below);
         return false;
     }
-    expect_ok(vbss_drain_get_view(l->drain, VBSS_DRAIN_VELOCITIES, &v, sizeof v));
+    expect_ok(vbss_drain_get_view(l->drain, VBSS_DRAIN_VIEW_VELOCITIES, &v, sizeof v));
     double fastest = 0.0;
     for (uint64_t i = 0; i < v.count; i++) {
         fastest = vbss_max_or_nan(vec3_norm(((const vec3 *)v.data)[i]), fastest);

@@ -49,7 +49,8 @@ static void begin(soak *s)
 {
     needle_case_begin(&c);
     c.at_hole = ASLANT;
-    c.d.s.config.mode = draw(s, 0.0, 1.0) < 0.2 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    c.d.s.config.mode =
+        draw(s, 0.0, 1.0) < 0.2 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     c.d.s.config.hole_capacity = draw(s, 0.0, 1.0) < 0.2 ? 1 : 16;
     c.d.config.puncture_force = draw(s, 0.1, 1.5);
     c.config.friction = draw(s, 0.0, 0.5);
@@ -103,9 +104,9 @@ static void act(const doing *d)
 
 static bool fine(soak *s)
 {
-    vbss_hole holes[NEEDLE_CASE_HOLES];
-    uint32_t in = c.counts[VBSS_EVENT_PUNCTURE];
-    uint32_t out = c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_PASSED];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
+    uint32_t in = c.counts[VBSS_SCENE_EVENT_PUNCTURE];
+    uint32_t out = c.counts[VBSS_SCENE_EVENT_WITHDRAWN] + c.counts[VBSS_SCENE_EVENT_PASSED];
     uint32_t count = needle_case_holes(&c, holes);
     double fastest = drain_case_fastest(&c.d);
     s->fastest = fmax(s->fastest, fastest);
@@ -124,10 +125,10 @@ static void add_up(soak *s)
     s->parts += t.parts;
     s->clamped += t.clamped;
     s->paused += t.paused;
-    s->entries += c.counts[VBSS_EVENT_PUNCTURE];
-    s->exits += c.counts[VBSS_EVENT_WITHDRAWN];
-    s->passed += c.counts[VBSS_EVENT_PASSED];
-    s->lost += c.counts[VBSS_EVENT_HOLE_LOST];
+    s->entries += c.counts[VBSS_SCENE_EVENT_PUNCTURE];
+    s->exits += c.counts[VBSS_SCENE_EVENT_WITHDRAWN];
+    s->passed += c.counts[VBSS_SCENE_EVENT_PASSED];
+    s->lost += c.counts[VBSS_SCENE_EVENT_HOLE_LOST];
     s->deepest = fmax(s->deepest, t.penetration);
 }
 

@@ -74,7 +74,7 @@ static void draw_config(soak *s)
     c.at_hole = ASLANT;
     c.give = 1.0 / d->hole_stiffness;
     c.d.h = chance(s, 0.2) ? 0.5e-3 : 1e-3;
-    c.d.s.config.mode = chance(s, 0.15) ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    c.d.s.config.mode = chance(s, 0.15) ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     c.d.s.config.hole_capacity = chance(s, 0.2) ? 1 : NEEDLE_CASE_HOLES;
     d->mesh = chance(s, 0.1) ? VBSS_DRAIN_MESH_225 : VBSS_DRAIN_MESH_137;
     d->thickness = chance(s, 0.2) ? 0.5e-3 : d->thickness;
@@ -213,8 +213,8 @@ static void act(const poke *p, double step)
 
 static bool fine(soak *s, const poke *p, uint32_t holes)
 {
-    uint32_t in = c.counts[VBSS_EVENT_PUNCTURE];
-    uint32_t out = c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_PASSED];
+    uint32_t in = c.counts[VBSS_SCENE_EVENT_PUNCTURE];
+    uint32_t out = c.counts[VBSS_SCENE_EVENT_WITHDRAWN] + c.counts[VBSS_SCENE_EVENT_PASSED];
     vbss_needle_state state = needle_case_state(&c);
     double fastest = drain_case_fastest(&c.d), far = vec3_norm(vec3_load(state.tip));
     bool kept = fastest < 1e3 && far < FAR && drain_case_distance(&c.d) < FAR;
@@ -236,9 +236,9 @@ static bool fine(soak *s, const poke *p, uint32_t holes)
 
 static bool step(soak *s, const poke *p, bool *touched, uint32_t *max_holes)
 {
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     needle_case_step(&c);
-    vbss_rigid_state state = small_rigid(&c.d.s, c.body);
+    vbss_scene_rigid_state state = small_rigid(&c.d.s, c.body);
     uint32_t count = needle_case_holes(&c, holes);
     *touched = *touched || vec3_norm(vec3_load(state.contact_force)) > 0.0;
     *max_holes = count > *max_holes ? count : *max_holes;
@@ -249,13 +249,13 @@ static bool step(soak *s, const poke *p, bool *touched, uint32_t *max_holes)
 static void add_up(soak *s, const vbss_scene_statistics *before, bool touched, uint32_t max_holes)
 {
     vbss_scene_statistics t = small_statistics(&c.d.s);
-    uint32_t in = c.counts[VBSS_EVENT_PUNCTURE];
+    uint32_t in = c.counts[VBSS_SCENE_EVENT_PUNCTURE];
     s->clamped += t.clamped - before->clamped;
     s->paused += t.paused - before->paused;
     s->entries += in;
-    s->exits += c.counts[VBSS_EVENT_WITHDRAWN];
-    s->passed += c.counts[VBSS_EVENT_PASSED];
-    s->lost += c.counts[VBSS_EVENT_HOLE_LOST];
+    s->exits += c.counts[VBSS_SCENE_EVENT_WITHDRAWN];
+    s->passed += c.counts[VBSS_SCENE_EVENT_PASSED];
+    s->lost += c.counts[VBSS_SCENE_EVENT_HOLE_LOST];
     s->pierced += in > 0;
     s->through += max_holes > 1;
     s->glanced += in == 0 && touched;

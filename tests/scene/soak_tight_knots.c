@@ -65,12 +65,12 @@ static void draw_options(soak *s, contact_scene_options *o)
     o->thread.bending_stiffness = chance(s, 0.05) ? 0.0 : stiffness;
     draw_knot(s, o, o->thread.bending_stiffness);
     o->thread.axial_stiffness = draw_power_of_ten(s, 1.0, 4.0);
-    o->thread.bending = (vbss_bending)vbss_random_below(&s->random, 2);
+    o->thread.bending = (vbss_thread_bending)vbss_random_below(&s->random, 2);
     o->thread.gravity[1] = chance(s, 0.5) ? -9.81 : 0.0;
     /* Without it nothing holds: bounded, but slow. */
     o->scene.thread_friction = chance(s, 0.01) ? draw(s, 0.0, 0.1) : draw(s, 0.1, 1.0);
     o->tool_friction = draw(s, 0.0, 0.5);
-    o->scene.mode = chance(s, 0.25) ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    o->scene.mode = chance(s, 0.25) ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     o->pull.force = draw_power_of_ten(s, -0.5, 0.4);
     o->pull.speed = draw_power_of_ten(s, -1.7, -0.6);
     o->pull.stiffness = chance(s, 0.5) ? spring : 0.0;
@@ -96,7 +96,7 @@ static bool fine(soak *s, const contact_scene *scene, const watch *w, vbss_resul
                           (unsigned long long)w->below, (unsigned long long)w->jumps);
         return false;
     }
-    (void)vbss_thread_get_view(scene->threads[0], VBSS_THREAD_VELOCITIES, &v, sizeof v);
+    (void)vbss_thread_get_view(scene->threads[0], VBSS_THREAD_VIEW_VELOCITIES, &v, sizeof v);
     double fastest = 0.0;
     for (uint64_t i = 0; i < v.count; i++) {
         fastest = vbss_max_or_nan(vec3_norm(((const vec3 *)v.data)[i]), fastest);
@@ -124,7 +124,7 @@ static knot_type type_of(const contact_scene *scene)
 {
     vbss_view v;
     knot_type type = {0, 0, 0};
-    (void)vbss_thread_get_view(scene->threads[0], VBSS_THREAD_POSITIONS, &v, sizeof v);
+    (void)vbss_thread_get_view(scene->threads[0], VBSS_THREAD_VIEW_POSITIONS, &v, sizeof v);
     (void)knot_type_of(v.data, scene->nodes[0], &type);
     return type;
 }

@@ -50,7 +50,8 @@ static void begin(soak *s)
 {
     static const uint32_t crossings[] = {0, 1, 1, 3, 5};
     stitch_case_begin(&c);
-    c.options.scene.mode = draw(s, 0.0, 1.0) < 0.2 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    c.options.scene.mode =
+        draw(s, 0.0, 1.0) < 0.2 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     c.options.crossings = crossings[vbss_random_below(&s->random, 5)];
     c.options.segment = draw(s, 0.0, 1.0) < 0.3 ? 0.5e-3 : 1e-3;
     c.options.limb = draw(s, 10e-3, 30e-3);
@@ -124,7 +125,7 @@ static void act(soak *s, int hand)
 
 static bool fine(soak *s)
 {
-    uint32_t left = 2 - c.counts[VBSS_EVENT_UNTHREADED];
+    uint32_t left = 2 - c.counts[VBSS_SCENE_EVENT_UNTHREADED];
     double fastest = stitch_case_fastest(&c);
     s->fastest = fmax(s->fastest, fastest);
     if (c.watch.away > 0 || c.watch.missed > 0 || c.watch.holes != left || !(fastest < 1e3) ||
@@ -149,7 +150,7 @@ static void add_up(soak *s)
     s->clamped += t.clamped;
     s->paused += t.paused;
     s->loose_stretch += t.loose_stretch;
-    s->unthreaded += c.counts[VBSS_EVENT_UNTHREADED];
+    s->unthreaded += c.counts[VBSS_SCENE_EVENT_UNTHREADED];
     s->deepest = fmax(s->deepest, t.penetration);
     s->stretch = fmax(s->stretch, t.stretch_error);
     s->jump = fmax(s->jump, c.jump);

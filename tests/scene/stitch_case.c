@@ -37,7 +37,7 @@ static void see_holes(void *watcher, const scene_object *s)
         if (row->is_sleeve) {
             vec3 found = vec3_add_scaled(row->solution.tangential_force, row->solution.normal_force,
                                          row->normal);
-            bool followed = s->config.mode == VBSS_MODE_REAL_TIME;
+            bool followed = s->config.mode == VBSS_SCENE_MODE_REAL_TIME;
             c->giving += given_by(s, row, followed ? s->contacts->current[i].force : found);
         }
     }
@@ -52,7 +52,7 @@ void stitch_case_begin(stitch_case *c)
     expect_ok(stitch_scene_init(&c->options));
     c->options.scene.contact_capacity = 4096;
     c->options.scene.candidate_capacity = 65536;
-    c->options.scene.slot_limit = 0; /* work of hands and energy are reckoned step by step */
+    c->options.scene.call_budget = 0; /* work of hands and energy are reckoned step by step */
     c->options.thread.cut_capacity = 2;
     c->h = 1e-3;
 }
@@ -91,7 +91,8 @@ void stitch_case_target(stitch_case *c, int hand, vec3 to)
     double target[3];
     vec3_store(target, to);
     c->hands[hand].to = to;
-    expect_ok(vbss_thread_move(c->hands[hand].thread, c->hands[hand].id, target, NULL));
+    expect_ok(
+        vbss_thread_set_attachment_target(c->hands[hand].thread, c->hands[hand].id, target, NULL));
 }
 
 void stitch_case_shift(stitch_case *c, int hand, vec3 displacement)
@@ -176,7 +177,7 @@ double stitch_case_fastest(const stitch_case *c)
     return fastest;
 }
 
-bool stitch_case_hole(const stitch_case *c, int side, vbss_hole *hole)
+bool stitch_case_hole(const stitch_case *c, int side, vbss_scene_hole *hole)
 {
     return stitch_scene_hole(&c->stitch, side, hole);
 }
@@ -187,13 +188,14 @@ bool stitch_case_hole(const stitch_case *c, int side, vbss_hole *hole)
 static double energy_of_contacts(const stitch_case *c)
 {
     double energy = 0.0;
-    vbss_hole holes[STITCH_WATCH_HOLES];
+    vbss_scene_hole holes[STITCH_WATCH_HOLES];
     vbss_view forces = small_view(&c->s, VBSS_SCENE_VIEW_CONTACT_FORCES);
     vbss_view names = small_view(&c->s, VBSS_SCENE_VIEW_CONTACTS);
     for (uint64_t i = 0; i < forces.count; i++) {
         const uint32_t kind = ((const uint32_t *)names.data)[5 * i];
         double square = vec3_norm_squared(((const vec3 *)forces.data)[i]);
-        energy += kind == VBSS_CONTACT_HOLE ? 0.0 : square / c->options.scene.contact_stiffness;
+        energy +=
+            kind == VBSS_SCENE_CONTACT_HOLE ? 0.0 : square / c->options.scene.contact_stiffness;
     }
     uint32_t count = stitch_watch_holes(c->s.scene, holes);
     for (uint32_t i = 0; i < count; i++) {
@@ -236,7 +238,7 @@ static double work_at(const stitch_case *c, uint32_t body, uint32_t node, vec3 d
         double along = vec3_dot(((const vec3 *)forces.data)[i], displacement);
         bool at_a = name[1] == body && name[2] + 2 > node && name[2] < node + 2;
         bool at_b = name[3] == body && name[4] + 2 > node && name[4] < node + 2;
-        bool hole = name[0] == VBSS_CONTACT_HOLE;
+        bool hole = name[0] == VBSS_SCENE_CONTACT_HOLE;
         work += hole ? 0.0 : at_a ? fmax(-along, 0.0) : at_b ? fmax(along, 0.0) : 0.0;
     }
     return work;

@@ -6,7 +6,7 @@
 #include "scene/stitch_watch.h"
 #include "fixtures/stitch_scenes.h"
 
-enum { STITCH_CASE_EVENTS = VBSS_EVENT_UNBLOCKED + 1 };
+enum { STITCH_CASE_EVENTS = VBSS_SCENE_EVENT_UNBLOCKED + 1 };
 
 typedef struct stitch_case_hand {
     vbss_thread *thread; /* NULL: it holds nothing */
@@ -63,7 +63,7 @@ void stitch_case_wait(stitch_case *c, uint32_t steps);
 void stitch_case_pull(stitch_case *c, int hand, vec3 displacement, double speed);
 double stitch_case_energy(const stitch_case *c);
 void stitch_case_reckon(stitch_case *c); /* the ledger begins anew */
-bool stitch_case_hole(const stitch_case *c, int side, vbss_hole *hole);
+bool stitch_case_hole(const stitch_case *c, int side, vbss_scene_hole *hole);
 double stitch_case_fastest(const stitch_case *c); /* node of all threads, m/s */
 
 /* Nothing crosses but in holes, none is lost; no more energy than was put in but for that share; then ends. */

@@ -67,7 +67,7 @@ void stitch_rig_hold_marks(stitch_rig *r)
     vbss_drain_places places;
     vbss_view x;
     expect_ok(vbss_drain_get_places(r->s.drain, &places, sizeof places));
-    expect_ok(vbss_drain_get_view(r->s.drain, VBSS_DRAIN_POSITIONS, &x, sizeof x));
+    expect_ok(vbss_drain_get_view(r->s.drain, VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x));
     for (int k = 0; k < 2; k++) {
         uint32_t id;
         vbss_drain_attachment a;
@@ -81,7 +81,7 @@ void stitch_rig_hold_marks(stitch_rig *r)
 vec3 stitch_rig_node(const stitch_rig *r, uint32_t i)
 {
     vbss_view view;
-    expect_ok(vbss_thread_get_view(r->s.thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(r->s.thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view));
     return vec3_load((const double *)view.data + 3 * (size_t)i);
 }
 

@@ -13,7 +13,7 @@ typedef struct stitch_rig {
     vbss_context *context;
     stitch_scene_options o; /* change them between begin and make */
     stitch_scene s;
-    vbss_hole holes[2]; /* left, right, after the last step */
+    vbss_scene_hole holes[2]; /* left, right, after the last step */
     double h;
 } stitch_rig;
 

@@ -11,12 +11,12 @@ enum { BODIES = 24 };
 typedef struct seen {
     stitch_watch *watch;
     const drain_object *drain;
-    vbss_hole holes[STITCH_WATCH_HOLES];
+    vbss_scene_hole holes[STITCH_WATCH_HOLES];
     uint32_t body;   /* of the thread that is looked at */
     double touching; /* of it */
 } seen;
 
-uint32_t stitch_watch_holes(vbss_scene *scene, vbss_hole holes[STITCH_WATCH_HOLES])
+uint32_t stitch_watch_holes(vbss_scene *scene, vbss_scene_hole holes[STITCH_WATCH_HOLES])
 {
     uint32_t count = 0;
     while (count < STITCH_WATCH_HOLES &&
@@ -71,7 +71,7 @@ static void judge(seen *s, const uint32_t node[3], const double weights[3])
     vec3 rest = weighed(s->drain->mesh.rest, node, weights);
     double nearest = HUGE_VAL;
     for (uint32_t i = 0; i < s->watch->holes; i++) {
-        const vbss_hole *hole = &s->holes[i];
+        const vbss_scene_hole *hole = &s->holes[i];
         if (hole->thread == s->body || hole->needle != 0) {
             double far = fmin(vec3_distance(now, vec3_load(hole->position)),
                               vec3_distance(rest, vec3_load(hole->rest_position)));

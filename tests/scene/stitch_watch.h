@@ -16,7 +16,7 @@ typedef struct stitch_watch {
 
 void stitch_watch_observe(stitch_watch *w, vbss_scene *scene, vbss_drain *drain);
 /* All holes of the scene; how many. */
-uint32_t stitch_watch_holes(vbss_scene *scene, vbss_hole holes[STITCH_WATCH_HOLES]);
+uint32_t stitch_watch_holes(vbss_scene *scene, vbss_scene_hole holes[STITCH_WATCH_HOLES]);
 /* The thread with that number, or NULL. */
 vbss_thread *stitch_watch_thread(vbss_scene *scene, uint32_t body);
 

@@ -14,17 +14,17 @@ typedef struct tied {
 } tied;
 
 typedef struct mesh {
-    vbss_mesh kind;
+    vbss_thread_mesh kind;
     double finest, coarsest; /* at first */
     uint32_t nodes;
 } mesh;
 
-static void tie(tied *k, const mesh *m, vbss_bending bending)
+static void tie(tied *k, const mesh *m, vbss_thread_bending bending)
 {
     contact_scene_options o;
     expect_ok(vbss_context_create(NULL, &k->context));
     expect_ok(contact_scene_init(&o, CONTACT_SCENE_PULLED));
-    o.scene.mode = VBSS_MODE_OFFLINE;
+    o.scene.mode = VBSS_SCENE_MODE_OFFLINE;
     o.knot.kind = KNOT_DOUBLE_OVERHAND;
     o.knot.size = 2e-3;
     o.knot.length = 0.15;
@@ -58,9 +58,9 @@ static double taken_up(tied *k)
 static void coarse_knot_takes_up_as_much_as_fine(void **state)
 {
     (void)state;
-    static const mesh fine = {VBSS_MESH_FIXED, 0.3e-3, 2e-3, 0};
-    static const mesh coarse = {VBSS_MESH_FIXED, 1.2e-3, 1.2e-3, 0};
-    static const mesh adaptive = {VBSS_MESH_ADAPTIVE, 1.2e-3, 1.2e-3, 500};
+    static const mesh fine = {VBSS_THREAD_MESH_FIXED, 0.3e-3, 2e-3, 0};
+    static const mesh coarse = {VBSS_THREAD_MESH_FIXED, 1.2e-3, 1.2e-3, 0};
+    static const mesh adaptive = {VBSS_THREAD_MESH_ADAPTIVE, 1.2e-3, 1.2e-3, 500};
     for (int bending = 0; bending < 2; bending++) {
         tied k[3];
         tie(&k[0], &fine, bending);
@@ -82,9 +82,9 @@ static void coarse_knot_takes_up_as_much_as_fine(void **state)
 static void rejected_refinements_are_counted(void **state)
 {
     (void)state;
-    static const mesh full = {VBSS_MESH_ADAPTIVE, 1.2e-3, 1.2e-3, 140};
+    static const mesh full = {VBSS_THREAD_MESH_ADAPTIVE, 1.2e-3, 1.2e-3, 140};
     tied k;
-    tie(&k, &full, VBSS_BENDING_SPLINE);
+    tie(&k, &full, VBSS_THREAD_BENDING_SPLINE);
     for (int i = 0; i < 300; i++) {
         expect_ok(contact_scene_step(&k.scene, 1e-3));
         assert_true(k.thread->node_count <= 140);
@@ -98,7 +98,7 @@ static void rejected_refinements_are_counted(void **state)
     small_begin(&one);
     one.config.node_capacity = 60;
     small_create(&one);
-    one.thread.mesh = VBSS_MESH_ADAPTIVE;
+    one.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     one.thread.node_capacity = 61;
     one.thread.segment_count = 20;
     vbss_thread *thread;
@@ -123,7 +123,7 @@ static void contact_refines_and_separation_coarsens(void **state)
     small_begin(&s);
     s.config.node_capacity = 500;
     small_create(&s);
-    s.thread.mesh = VBSS_MESH_ADAPTIVE;
+    s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     s.thread.node_capacity = 200;
     uint32_t a = small_thread(&s, vec3_zero(), vec3_make(0.04, 0.0, 0.0), 20, &low);
     uint32_t b =
@@ -143,7 +143,7 @@ static void contact_refines_and_separation_coarsens(void **state)
             double y = variant == 0 ? 5e-3 - 4e-3 * i / 150.0 : 1e-3 + 9e-3 * i / 150.0;
             for (int k = 0; k < 2; k++) {
                 double to[3] = {0.02, y, k == 0 ? -0.02 : 0.02};
-                expect_ok(vbss_thread_move(high, ids[k], to, NULL));
+                expect_ok(vbss_thread_set_attachment_target(high, ids[k], to, NULL));
             }
             small_steps(&s, 1, 1e-3);
         }
@@ -179,11 +179,11 @@ static void refinement_follows_tool_radius_and_ignores_floor(void **state)
     s.config.floor = 1;
     s.config.floor_height = -1e-3;
     small_create(&s);
-    s.thread.mesh = VBSS_MESH_ADAPTIVE;
+    s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     s.thread.node_capacity = 150;
     (void)small_thread(&s, vec3_zero(), vec3_make(0.04, 0.0, 0.0), 20, &thread);
-    (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.021, 3e-3, 0.0), vec3_make(0.0, 0.0, 0.01),
-                      2.2e-3);
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.021, 3e-3, 0.0),
+                      vec3_make(0.0, 0.0, 0.01), 2.2e-3);
     small_steps(&s, 60, 1e-3);
     const thread_object *t = mesh_thread(thread);
     double finest = 1.0;

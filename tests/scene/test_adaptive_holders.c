@@ -18,10 +18,10 @@ static void tight(vbss_context *context, contact_scene *scene)
     expect_ok(contact_scene_init(&o, CONTACT_SCENE_PULLED));
     o.knot.kind = KNOT_DOUBLE_OVERHAND;
     o.knot.length = 0.08;
-    o.thread.mesh = VBSS_MESH_ADAPTIVE;
+    o.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     o.thread.mesh_operations = 0;
     o.thread.node_capacity = 700;
-    o.scene.slot_limit = 0; /* tight after 250 calls */
+    o.scene.call_budget = 0; /* tight after 250 calls */
     expect_ok(contact_scene_create(context, &o, scene));
     for (int i = 0; i < 250; i++) {
         expect_ok(contact_scene_step(scene, 1e-3));
@@ -116,28 +116,28 @@ static void coarse_tool_contact_becomes_node_contact(void **state)
     vbss_thread *thread;
     small_begin(&s);
     small_create(&s);
-    s.thread.mesh = VBSS_MESH_ADAPTIVE;
+    s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     s.thread.mesh_operations = 0;
     s.thread.node_capacity = 40;
     s.thread.gravity[1] = -9.81;
     uint32_t body = small_thread(&s, vec3_make(-9e-3, 1.625e-3, 0.0),
                                  vec3_make(9e-3, 1.625e-3, 0.0), 9, &thread);
-    (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 0.01), 1.5e-3);
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 0.01), 1.5e-3);
     small_steps(&s, 5, 1e-3);
     scene_object *o = small_object(&s);
     assert_int_equal(o->contacts->warm_start_count, 1);
     const contact_warm_start_entry was = o->contacts->warm_start[0];
-    assert_int_equal(was.key.kind, VBSS_CONTACT_SEGMENT_CAPSULE);
+    assert_int_equal(was.key.kind, VBSS_SCENE_CONTACT_SEGMENT_CAPSULE);
     assert_int_equal(was.key.feature_a, 4);
     scene_body *b = vbss_scene_body(o, body);
     const mesh_change change = {4, false, 0.0};
     assert_true(vbss_scene_apply_mesh_change(o, b, &change));
     finish(o, b);
-    assert_int_equal(o->contacts->warm_start[0].key.kind, VBSS_CONTACT_NODE_CAPSULE);
+    assert_int_equal(o->contacts->warm_start[0].key.kind, VBSS_SCENE_CONTACT_NODE_CAPSULE);
     assert_int_equal(o->contacts->warm_start[0].key.feature_a, 5);
     expect_same_bits(was.normal_force, o->contacts->warm_start[0].normal_force);
     small_steps(&s, 2, 1e-3);
-    assert_int_equal(o->contacts->warm_start[0].key.kind, VBSS_CONTACT_NODE_CAPSULE);
+    assert_int_equal(o->contacts->warm_start[0].key.kind, VBSS_SCENE_CONTACT_NODE_CAPSULE);
     small_end(&s);
 }
 
@@ -151,15 +151,15 @@ static void pins_and_welds_keep_their_places(void **state)
     small_begin(&s);
     s.config.node_capacity = 500;
     small_create(&s);
-    s.thread.mesh = VBSS_MESH_ADAPTIVE;
+    s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     s.thread.node_capacity = 300;
     s.thread.refine_angle = 0.02;
     s.thread.coarsen_angle = 0.0;
     s.thread.gravity[1] = -9.81;
     uint32_t body = small_thread(&s, vec3_zero(), vec3_make(0.08, 0.0, 0.0), 40, &thread);
-    uint32_t ball = small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.04, -3e-3, 0.0),
+    uint32_t ball = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.04, -3e-3, 0.0),
                                 vec3_make(1e-3, 0.0, 0.0), 1e-3);
-    uint32_t hand = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.08, 5e-3, 0.0),
+    uint32_t hand = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.08, 5e-3, 0.0),
                                 vec3_make(0.0, 1e-3, 0.0), 1e-3);
     (void)small_pin(&s, body, 0, 0);
     (void)small_pin(&s, body, 40, hand);
@@ -189,12 +189,12 @@ static void no_coarsening_beside_held_nodes(void **state)
     tools_rig r;
     tools_begin(&r);
     r.s.config.node_capacity = 300;
-    r.s.thread.mesh = VBSS_MESH_ADAPTIVE;
+    r.s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     r.s.thread.clear_distance = r.s.thread.near_distance = 0.0;
     small_create(&r.s);
     tools_thread(&r, TOOLS_BOTH, 0.0);
     const thread_object *t = mesh_thread(r.thread);
-    uint32_t ball = small_stick(&r.s, VBSS_RIGID_FREE, vec3_make(0.0, 8e-3, -4e-3),
+    uint32_t ball = small_stick(&r.s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 8e-3, -4e-3),
                                 vec3_make(1e-4, 0.0, 0.0), 1e-3);
     (void)small_pin(&r.s, r.body, 45, ball);
     tools_steps(&r, 100);
@@ -221,14 +221,14 @@ static void grasped_thread_stays_at_its_arc(void **state)
     tools_rig r;
     tools_begin(&r);
     r.s.config.node_capacity = 300;
-    r.s.thread.mesh = VBSS_MESH_ADAPTIVE;
+    r.s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     r.s.thread.node_capacity = 200;
     r.s.thread.coarsest_length = 4e-3;
     small_create(&r.s);
     tools_thread(&r, TOOLS_BOTH, 0.0);
     tools_add(&r, vec3_make(0.0, 0.0, -2e-3));
     tools_close(&r, 0);
-    vbss_grasp before = tools_grasp(&r, 0, 0);
+    vbss_scene_grasp before = tools_grasp(&r, 0, 0);
     scene_object *o = small_object(&r.s);
     const thread_object *t = mesh_thread(r.thread);
     uint64_t made = t->statistics.refined + t->statistics.coarsened;
@@ -236,7 +236,7 @@ static void grasped_thread_stays_at_its_arc(void **state)
     tools_move_along(&r, 0, vec3_make(2e-3, 0.0, -1e-3), vec3_make(0.0, 0.0, -2e-3), 200);
     cut_expect_sound(o);
     assert_true(made > 20);
-    vbss_grasp after = tools_grasp(&r, 0, 0);
+    vbss_scene_grasp after = tools_grasp(&r, 0, 0);
     expect_near(before.arc_length, after.arc_length, after.slid + 1e-15);
     assert_true(after.slid < 1e-4);
     /* Changes before and behind it rename it: the place is the same to rounding. */
@@ -275,7 +275,7 @@ static void both_cut_ends_adapt_after_separating(void **state)
     small_begin(&s);
     s.config.node_capacity = 400;
     small_create(&s);
-    s.thread.mesh = VBSS_MESH_ADAPTIVE;
+    s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     s.thread.node_capacity = 300;
     s.thread.cut_capacity = 2;
     uint32_t body = small_thread(&s, vec3_zero(), vec3_make(0.06, 0.0, 0.0), 200, &thread);

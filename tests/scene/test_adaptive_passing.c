@@ -97,7 +97,7 @@ static uint32_t change_at_random(scene_object *s, scene_body *b, vbss_random *ra
 typedef struct pulled {
     knot_kind kind;
     bool at_random;
-    vbss_bending bending;
+    vbss_thread_bending bending;
 } pulled;
 
 static void pull(const pulled *p)
@@ -114,10 +114,10 @@ static void pull(const pulled *p)
     o.knot.finest = o.knot.coarsest = 0.6e-3;
     o.pull = (contact_pull){0.1, 1.0, 0.0};
     o.thread.bending = p->bending;
-    o.thread.mesh = VBSS_MESH_ADAPTIVE;
+    o.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     o.thread.mesh_operations = p->at_random ? 0 : 8;
     o.thread.node_capacity = 900;
-    o.scene.slot_limit = 0; /* no mesh changes between two steps of a call */
+    o.scene.call_budget = 0; /* no mesh changes between two steps of a call */
     expect_ok(contact_scene_create(context, &o, &scene));
     vbss_random_seed(&random, 3, (uint64_t)p->kind);
     scene_object *s = mesh_scene(scene.scene);
@@ -167,9 +167,9 @@ static void pull(const pulled *p)
 static void adaptive_knot_has_no_passage(void **state)
 {
     (void)state;
-    static const pulled cases[] = {{KNOT_OVERHAND, false, VBSS_BENDING_SPLINE},
-                                   {KNOT_DOUBLE_OVERHAND, false, VBSS_BENDING_LOCAL},
-                                   {KNOT_SQUARE, false, VBSS_BENDING_SPLINE}};
+    static const pulled cases[] = {{KNOT_OVERHAND, false, VBSS_THREAD_BENDING_SPLINE},
+                                   {KNOT_DOUBLE_OVERHAND, false, VBSS_THREAD_BENDING_LOCAL},
+                                   {KNOT_SQUARE, false, VBSS_THREAD_BENDING_SPLINE}};
     for (int k = 0; k < 3; k++) {
         pull(&cases[k]);
     }
@@ -178,8 +178,8 @@ static void adaptive_knot_has_no_passage(void **state)
 static void random_mesh_changes_have_no_passage(void **state)
 {
     (void)state;
-    static const pulled cases[] = {{KNOT_OVERHAND, true, VBSS_BENDING_SPLINE},
-                                   {KNOT_SURGEON, true, VBSS_BENDING_LOCAL}};
+    static const pulled cases[] = {{KNOT_OVERHAND, true, VBSS_THREAD_BENDING_SPLINE},
+                                   {KNOT_SURGEON, true, VBSS_THREAD_BENDING_LOCAL}};
     for (int k = 0; k < 2; k++) {
         pull(&cases[k]);
     }

@@ -8,7 +8,7 @@ static uint64_t hash_after(bool wide, uint32_t steps)
     vbss_scene *scene = NULL;
     uint64_t hash;
     expect_ok(vbss_context_create(NULL, &context));
-    expect_ok(adaptive_scene_create(context, VBSS_BENDING_SPLINE, &scene));
+    expect_ok(adaptive_scene_create(context, VBSS_THREAD_BENDING_SPLINE, &scene));
     scene_object *s = mesh_scene(scene);
     s->collision->wide = s->collision->wide && wide;
     for (uint32_t i = 0; i < steps; i++) {

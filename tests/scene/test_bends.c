@@ -6,8 +6,10 @@
 static void bends_slip_below_critical_friction(void **state)
 {
     (void)state;
-    const bend_outcome grief = bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE);
-    const bend_outcome granny = bend_case_run(BEND_GRANNY, 0.2, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE);
+    const bend_outcome grief =
+        bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE);
+    const bend_outcome granny =
+        bend_case_run(BEND_GRANNY, 0.2, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE);
     assert_int_equal(BEND_SLIPS, grief.verdict);
     assert_int_equal(BEND_SLIPS, granny.verdict);
     expect_near(1.0, grief.force / 0.17, 0.2);
@@ -19,7 +21,7 @@ static void bends_hold_above_critical_friction(void **state)
     (void)state;
     for (bend_kind kind = BEND_REEF; kind <= BEND_GRIEF; kind++) {
         if (kind != BEND_THIEF) {
-            const bend_outcome at = bend_case_run(kind, 0.4, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE);
+            const bend_outcome at = bend_case_run(kind, 0.4, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE);
             assert_int_equal(BEND_HOLDS, at.verdict);
         }
     }
@@ -30,16 +32,18 @@ static void thief_slips(void **state)
 {
     (void)state;
     assert_int_equal(BEND_SLIPS,
-                     bend_case_run(BEND_THIEF, 0.5, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE).verdict);
+                     bend_case_run(BEND_THIEF, 0.5, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE).verdict);
 }
 
 static void real_time_bends_have_same_verdicts(void **state)
 {
     (void)state;
-    assert_int_equal(BEND_SLIPS,
-                     bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_MODE_REAL_TIME).verdict);
-    assert_int_equal(BEND_HOLDS,
-                     bend_case_run(BEND_GRIEF, 0.4, 1e-3, 0.3e-3, VBSS_MODE_REAL_TIME).verdict);
+    assert_int_equal(
+        BEND_SLIPS,
+        bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_SCENE_MODE_REAL_TIME).verdict);
+    assert_int_equal(
+        BEND_HOLDS,
+        bend_case_run(BEND_GRIEF, 0.4, 1e-3, 0.3e-3, VBSS_SCENE_MODE_REAL_TIME).verdict);
 }
 
 int test_bends(void)

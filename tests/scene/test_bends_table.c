@@ -20,7 +20,7 @@ static void verdicts_and_forces_do_not_depend_on_step(void **state)
         bend_verdict verdict = BEND_PULLED;
         for (int k = 0; k < SETTINGS; k++) {
             const bend_outcome outcome = bend_case_run(kind, friction, steps[k / MESHES],
-                                                       meshes[k % MESHES], VBSS_MODE_OFFLINE);
+                                                       meshes[k % MESHES], VBSS_SCENE_MODE_OFFLINE);
             verdict = k == 0 ? outcome.verdict : verdict;
             assert_int_equal(verdict, outcome.verdict);
             smallest = fmin(outcome.force, smallest);
@@ -43,9 +43,9 @@ static void real_time_verdicts_are_those_of_offline(void **state)
         const bend_kind kind = (bend_kind)(at / FRICTIONS);
         const double friction = frictions[kind][at % FRICTIONS];
         const bend_verdict wanted =
-            bend_case_run(kind, friction, 1e-3, 0.3e-3, VBSS_MODE_OFFLINE).verdict;
-        assert_int_equal(wanted,
-                         bend_case_run(kind, friction, 1e-3, 0.3e-3, VBSS_MODE_REAL_TIME).verdict);
+            bend_case_run(kind, friction, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE).verdict;
+        assert_int_equal(
+            wanted, bend_case_run(kind, friction, 1e-3, 0.3e-3, VBSS_SCENE_MODE_REAL_TIME).verdict);
     }
 }
 

@@ -27,8 +27,8 @@ static limited *begin(int which, vbss_scene_mode mode, uint32_t limit)
     *l = (limited){0};
     pulled_surgeons_init(&o);
     o.scene.mode = mode;
-    o.scene.work_limit = limit;
-    o.scene.slot_limit = 0; /* a call is a step */
+    o.scene.step_budget = limit;
+    o.scene.call_budget = 0; /* a call is a step */
     o.scene.attempt_limit = ATTEMPTS;
     expect_ok(vbss_context_create(NULL, &l->context));
     expect_ok(contact_scene_create(l->context, &o, &l->scene));
@@ -66,7 +66,7 @@ static knot_type type_of(limited *l)
 {
     vbss_view v;
     knot_type type;
-    expect_ok(vbss_thread_get_view(l->scene.threads[0], VBSS_THREAD_POSITIONS, &v, sizeof v));
+    expect_ok(vbss_thread_get_view(l->scene.threads[0], VBSS_THREAD_VIEW_POSITIONS, &v, sizeof v));
     assert_true(knot_type_of(v.data, l->scene.nodes[0], &type));
     return type;
 }
@@ -78,7 +78,7 @@ static knot_type type_of(limited *l)
 static void step_stays_near_budget(void **state)
 {
     (void)state;
-    limited *l = begin(0, VBSS_MODE_REAL_TIME, LIMIT);
+    limited *l = begin(0, VBSS_SCENE_MODE_REAL_TIME, LIMIT);
     uint32_t beyond = 0, tried = 0;
     uint64_t largest = 0;
     step(l); /* the first is finished */
@@ -107,12 +107,13 @@ static void first_step_is_limited(void **state)
     small s;
     small_begin(&s);
     s.config.halving_limit = 10;
-    s.config.work_limit = SMALL_LIMIT;
+    s.config.step_budget = SMALL_LIMIT;
     small_create(&s);
     uint32_t line =
         small_thread(&s, vec3_make(-0.02, 0.0, 0.0), vec3_make(0.02, 0.0, 0.0), 40, NULL);
-    uint32_t upper = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 3e-3, 0.0), half, 2.5e-3);
-    (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -3e-3, 0.0), half, 2.5e-3);
+    uint32_t upper =
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 3e-3, 0.0), half, 2.5e-3);
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, -3e-3, 0.0), half, 2.5e-3);
     small_pin_ends(&s, line, 41);
     small_move(&s, upper, vec3_make(0.0, -2e-3, 0.0));
     small_steps(&s, 1, STEP);
@@ -126,7 +127,7 @@ static void first_step_is_limited(void **state)
 static void no_passage_at_low_budget(void **state)
 {
     (void)state;
-    limited *l = begin(0, VBSS_MODE_REAL_TIME, LIMIT);
+    limited *l = begin(0, VBSS_SCENE_MODE_REAL_TIME, LIMIT);
     knot_type first = type_of(l);
     watch_begin(&l->watch, l->scene.scene);
     for (int i = 0; i < STEPS; i++) {
@@ -145,17 +146,19 @@ static void no_passage_at_low_budget(void **state)
 static void paused_bodies_are_static(void **state)
 {
     (void)state;
-    limited *l = begin(0, VBSS_MODE_REAL_TIME, LIMIT / 4);
+    limited *l = begin(0, VBSS_SCENE_MODE_REAL_TIME, LIMIT / 4);
     bool waited = false;
     step(l);
     for (int i = 0; i < STEPS && !waited; i++) {
         static vec3 was[KNOT_NODES];
         vbss_view v;
-        expect_ok(vbss_thread_get_view(l->scene.threads[0], VBSS_THREAD_POSITIONS, &v, sizeof v));
+        expect_ok(
+            vbss_thread_get_view(l->scene.threads[0], VBSS_THREAD_VIEW_POSITIONS, &v, sizeof v));
         memcpy(was, v.data, v.count * sizeof was[0]);
         vbss_scene_statistics now = step(l);
         waited = now.paused > l->before.paused && now.parts == l->before.parts;
-        expect_ok(vbss_thread_get_view(l->scene.threads[0], VBSS_THREAD_POSITIONS, &v, sizeof v));
+        expect_ok(
+            vbss_thread_get_view(l->scene.threads[0], VBSS_THREAD_VIEW_POSITIONS, &v, sizeof v));
         if (waited) {
             assert_memory_equal(was, v.data, v.count * sizeof was[0]);
             assert_true(now.time_paused - l->before.time_paused == STEP);
@@ -169,7 +172,8 @@ static void paused_bodies_are_static(void **state)
 static void offline_mode_has_no_budget(void **state)
 {
     (void)state;
-    limited *l = begin(0, VBSS_MODE_OFFLINE, LIMIT), *free = begin(1, VBSS_MODE_OFFLINE, 0);
+    limited *l = begin(0, VBSS_SCENE_MODE_OFFLINE, LIMIT),
+            *free = begin(1, VBSS_SCENE_MODE_OFFLINE, 0);
     for (int i = 0; i < STEPS / 5; i++) {
         vbss_scene_statistics a = step(l), b = step(free);
         assert_int_equal(a.paused, 0);
@@ -189,7 +193,7 @@ static void suspended_scene_is_restored(void **state)
     static uint64_t hashes[AFTER];
     uint64_t count;
     (void)state;
-    limited *l = begin(0, VBSS_MODE_REAL_TIME, LIMIT);
+    limited *l = begin(0, VBSS_SCENE_MODE_REAL_TIME, LIMIT);
     vbss_scene_statistics now = step(l);
     for (int i = 0; i < STEPS && now.paused == l->before.paused; i++) {
         now = step(l);

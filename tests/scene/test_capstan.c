@@ -18,7 +18,7 @@ static const double load = 0.1, load_length = 15e-3,
 typedef struct capstan {
     double turns, fineness; /* length of segments over the cylinder's radius */
     double friction, axial_stiffness, speed;
-    vbss_bending bending;
+    vbss_thread_bending bending;
     /* what follows */
     double angle; /* that counts */
     double cosine, contact_length;
@@ -46,7 +46,7 @@ static void wind(const capstan *c, uint32_t segments, double slope, vec3 *x, dou
     for (uint32_t i = 0; i < segments; i++) {
         double s = (i + 0.5) * c->segment - load_length;
         rest[i] = vec3_distance(x[i], x[i + 1]);
-        if (c->bending == VBSS_BENDING_SPLINE && s > 0.0 && s < c->contact_length) {
+        if (c->bending == VBSS_THREAD_BENDING_SPLINE && s > 0.0 && s < c->contact_length) {
             rest[i] *= 1.0 + turn * turn * c->cosine * c->cosine / 24.0; /* of the arc */
         }
     }
@@ -78,9 +78,10 @@ static void begin(capstan *c)
     thread.gravity[1] = 0.0;
     thread.drag = 100.0; /* of the straight part: 2e-6 N */
     scene_rig_begin(&c->rig, &scene, &thread);
-    vbss_capsule capsule;
-    vbss_rigid_config body = scene_rig_capsule(
-        VBSS_RIGID_DRIVEN, &capsule, vec3_make(0.0, 0.0, -0.02), vec3_make(0.0, 0.0, 0.02), radius);
+    vbss_scene_capsule capsule;
+    vbss_scene_rigid_config body =
+        scene_rig_capsule(VBSS_SCENE_RIGID_DRIVEN, &capsule, vec3_make(0.0, 0.0, -0.02),
+                          vec3_make(0.0, 0.0, 0.02), radius);
     body.friction = c->friction;
     scene_rig_add(&c->rig, &body);
     c->weight = rig_force(&c->rig.thread, 0, vec3_zero());
@@ -131,7 +132,7 @@ static capstan half_turn(double friction)
                  .friction = friction,
                  .axial_stiffness = 4000.0,
                  .speed = 0.01,
-                 .bending = VBSS_BENDING_SPLINE};
+                 .bending = VBSS_THREAD_BENDING_SPLINE};
     return c;
 }
 
@@ -150,7 +151,7 @@ static double pulled_over(capstan *c)
     return r.mean;
 }
 
-static void check_law(vbss_bending bending, double tolerance)
+static void check_law(vbss_thread_bending bending, double tolerance)
 {
     const double turns[] = {0.5, 1.0, 2.0}, stiffness[] = {427.0, 4000.0};
     for (int i = 0; i < 18; i++) {
@@ -166,13 +167,13 @@ static void check_law(vbss_bending bending, double tolerance)
 static void tension_follows_capstan_equation(void **state)
 {
     (void)state;
-    check_law(VBSS_BENDING_SPLINE, 0.01);
+    check_law(VBSS_THREAD_BENDING_SPLINE, 0.01);
 }
 
 static void tension_follows_capstan_equation_with_local_bending(void **state)
 {
     (void)state;
-    check_law(VBSS_BENDING_LOCAL, 0.005);
+    check_law(VBSS_THREAD_BENDING_LOCAL, 0.005);
 }
 
 static void capstan_error_is_second_order_in_segment_length(void **state)
@@ -184,7 +185,7 @@ static void capstan_error_is_second_order_in_segment_length(void **state)
             capstan c = half_turn(0.3);
             c.turns = 1.5;
             c.fineness = fineness[i];
-            c.bending = b == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+            c.bending = b == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
             double got = pulled_over(&c);
             expect_near(1.0, got / (c.friction * c.angle), tolerance[i]);
         }

@@ -10,9 +10,9 @@ enum { LIMITED, UNLIMITED, OFFLINE, VARIANTS };
 
 static void set_variant(small *s, int variant)
 {
-    s->config.mode = variant == OFFLINE ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+    s->config.mode = variant == OFFLINE ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     if (variant == UNLIMITED) {
-        s->config.work_limit = 0;
+        s->config.step_budget = 0;
         s->config.attempt_limit = 16;
     }
 }
@@ -25,10 +25,10 @@ static void guarded_steps(small *s, uint32_t count, double h)
         small_steps(s, 1, h);
         uint64_t attempts = small_statistics(s).attempts - before.attempts;
         uint32_t smallest = s->config.attempt_limit;
-        if (s->config.mode == VBSS_MODE_OFFLINE) {
+        if (s->config.mode == VBSS_SCENE_MODE_OFFLINE) {
             continue;
         }
-        if (s->config.work_limit == 0) { /* and one each for the parts that are left */
+        if (s->config.step_budget == 0) { /* and one each for the parts that are left */
             assert_true(attempts <= smallest + (1u << s->config.halving_limit));
         } else if (before.steps > 0) { /* and what finishes the smallest part */
             assert_true(attempts <= smallest + 2);
@@ -60,7 +60,8 @@ static void thread_stops_driven_tool_and_recovers(void **state)
         small_create(&s);
         s.thread.axial_stiffness = 4000.0; /* a soft one would give way */
         add_taut_line(&s, &thread);
-        uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(1e-4, 5e-3, 0.0), half, 1e-3);
+        uint32_t tool =
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(1e-4, 5e-3, 0.0), half, 1e-3);
         small_watch_begin(&s, &w);
         small_steps(&s, 1, 1e-3);
         small_move(&s, tool, vec3_make(1e-4, -5e-3, 0.0)); /* 10 mm in one step */
@@ -93,14 +94,15 @@ static void coupled_tool_presses_without_passage(void **state)
     vbss_thread *thread;
     small_begin_scene(&s);
     add_taut_line(&s, &thread);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(1e-4, 5e-3, 0.0), half, 1e-3);
+    uint32_t tool =
+        small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(1e-4, 5e-3, 0.0), half, 1e-3);
     small_watch_begin(&s, &w);
     for (int i = 1; i <= 100; i++) { /* 0.2 m/s, to 15 mm below */
         small_move(&s, tool, vec3_make(1e-4, 5e-3 - 2e-4 * i, 0.0));
         guarded_steps(&s, 1, 1e-3);
     }
     guarded_steps(&s, 200, 1e-3);
-    vbss_rigid_state r = small_rigid(&s, tool);
+    vbss_scene_rigid_state r = small_rigid(&s, tool);
     assert_true(small_node(thread, 12).y < r.position[1]);
     assert_true(r.hand_force[1] > 5.0); /* the hand feels it */
     expect_near(2000.0 * (r.position[1] - r.target_position[1]), r.hand_force[1], 0.5);
@@ -118,8 +120,9 @@ static void driven_tools_never_pass_each_other(void **state)
         small_begin(&s);
         set_variant(&s, m);
         small_create(&s);
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-        uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 5e-3, 0.0), along, 1e-3);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+        uint32_t tool =
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 5e-3, 0.0), along, 1e-3);
         small_watch_begin(&s, &w);
         for (int i = 0; i < 1000; i++) {
             small_move(&s, tool, vec3_make(0.0, -5e-3, 0.0));
@@ -140,8 +143,8 @@ static void crossing_coupled_tools_keep_their_sides(void **state)
     small s;
     small_watch w;
     small_begin_scene(&s);
-    uint32_t a = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 3e-3, 0.0), along, 1e-3);
-    uint32_t b = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, -3e-3, 0.0), half, 1e-3);
+    uint32_t a = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 3e-3, 0.0), along, 1e-3);
+    uint32_t b = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, -3e-3, 0.0), half, 1e-3);
     small_watch_begin(&s, &w);
     for (int i = 1; i <= 300; i++) { /* past each other by 6 mm */
         double y = 3e-3 - 6e-5 * vbss_min(i, 100.0);
@@ -165,14 +168,14 @@ static void swung_stick_takes_thread_along(void **state)
         const double zero[3] = {0.0, 0.0, 0.0};
         const double q[4] = {vbss_cos(0.5 * turn), 0.0, 0.0, vbss_sin(0.5 * turn)};
         small_begin_scene(&s);
-        uint32_t stick =
-            small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 5e-4);
+        uint32_t stick = small_capsule(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(),
+                                       vec3_make(0.02, 0.0, 0.0), 5e-4);
         vbss_thread *thread; /* across the path of the stick, near its middle */
         uint32_t line = small_thread(&s, vec3_make(9.2e-3, 2e-3, -6e-3),
                                      vec3_make(9.2e-3, 2e-3, 6e-3), 12, &thread);
         small_pin_ends(&s, line, 13);
         small_watch_begin(&s, &w);
-        expect_ok(vbss_scene_move_rigid(s.scene, stick, zero, q));
+        expect_ok(vbss_scene_set_rigid_target(s.scene, stick, zero, q));
         guarded_steps(&s, 20, 1e-3);
         small_watch_expect_nothing(&w);
         assert_true(small_statistics(&s).guard_pairs > 0);
@@ -195,7 +198,8 @@ static void throw(vbss_thread * thread, uint32_t nodes, vec3 v)
 static void thread_thrown_at_tool_does_not_pass(void **state)
 {
     (void)state;
-    const vbss_rigid_kind kinds[] = {VBSS_RIGID_DRIVEN, VBSS_RIGID_COUPLED, VBSS_RIGID_FREE};
+    const vbss_scene_rigid_kind kinds[] = {VBSS_SCENE_RIGID_DRIVEN, VBSS_SCENE_RIGID_COUPLED,
+                                           VBSS_SCENE_RIGID_FREE};
     for (int k = 0; k < 3 * VARIANTS; k++) {
         small s;
         small_watch w;
@@ -269,7 +273,7 @@ static void capsule_thrown_at_floor_does_not_pass(void **state)
         s.rigid.velocity[1] = -50.0;
         s.rigid.angular_velocity[2] = 100.0;
         s.rigid.mass = k < VARIANTS ? 1e-4 : 0.02;
-        small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 8e-3, 0.0), along, 1e-3);
+        small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 8e-3, 0.0), along, 1e-3);
         small_watch_begin(&s, &w);
         guarded_steps(&s, 50, 1e-3);
         small_watch_expect_nothing(&w);

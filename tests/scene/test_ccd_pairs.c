@@ -53,7 +53,7 @@ static void compare_listed_and_searched(vbss_random *r, tally *t)
         vec3 at = random_vector(r, 8e-3), half = random_vector(r, 5e-3);
         at.y = between(r, 1.3e-3, 3e-3);
         half.y = 0.0;
-        small_stick(&g, VBSS_RIGID_DRIVEN, at, half, 1e-3);
+        small_stick(&g, VBSS_SCENE_RIGID_DRIVEN, at, half, 1e-3);
     }
     small_steps(&g, 1, 1e-3);
     scene_object *s = small_object(&g);
@@ -97,7 +97,7 @@ static void resting_bodies_are_searched_once_a_step(void **state)
     uint32_t line = small_thread(&g, vec3_make(-12e-3, 1.2e-3, 0.0), vec3_make(12e-3, 1.2e-3, 0.0),
                                  NODES - 1, NULL);
     small_pin_ends(&g, line, NODES);
-    small_stick(&g, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 5e-3), 1e-3);
+    small_stick(&g, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 5e-3), 1e-3);
     small_steps(&g, 10, 1e-3);
     uint64_t searches = small_object(&g)->collision->searches;
     small_steps(&g, 10, 1e-3);

@@ -54,9 +54,9 @@ static void check_rest(heap *d, uint32_t falling)
     begin(d);
     (void)fastest_in(d, falling);
     double energy = rig_energies(&d->rig.thread).kinetic;
-    rig_read(&d->rig.thread, VBSS_THREAD_POSITIONS, before);
+    rig_read(&d->rig.thread, VBSS_THREAD_VIEW_POSITIONS, before);
     double fastest = fastest_in(d, 500), crept = 0.0, top = 0.0;
-    rig_read(&d->rig.thread, VBSS_THREAD_POSITIONS, after);
+    rig_read(&d->rig.thread, VBSS_THREAD_VIEW_POSITIONS, after);
     for (uint32_t i = 0; i <= d->segments; i++) {
         crept = fmax(crept, vec3_distance(before[i], after[i]));
         top = fmax(top, after[i].y);

@@ -37,9 +37,9 @@ static double read_made(void *user)
     return c->tick > 0.0 ? c->tick * floor(c->now / c->tick) : c->now;
 }
 
-static vbss_core_speed measure(vbss_context *context, made_clock clock)
+static vbss_budget_speed measure(vbss_context *context, made_clock clock)
 {
-    vbss_core_speed speed;
+    vbss_budget_speed speed;
     expect_ok(vbss_budget_measure_speed(context, read_made, &clock, &speed, sizeof speed));
     assert_int_equal(speed.steps, TIMED_STEPS);
     assert_int_equal(clock.readings, TIMED_STEPS + 1);
@@ -53,8 +53,8 @@ static vbss_scene_config fit(vbss_context *context, double operations_per_micros
     vbss_scene_config config;
     expect_ok(vbss_budget_config_init(&budget, sizeof budget));
     expect_ok(vbss_scene_config_init(&config, sizeof config));
-    assert_int_equal(config.work_limit, DEFAULT_WORK);
-    assert_int_equal(config.slot_limit, DEFAULT_SLOT);
+    assert_int_equal(config.step_budget, DEFAULT_WORK);
+    assert_int_equal(config.call_budget, DEFAULT_SLOT);
     budget.operations_per_microsecond = operations_per_microsecond;
     budget.allows_more = allows_more;
     expect_ok(vbss_budget_fit_scene(context, &budget, &config));
@@ -68,8 +68,8 @@ static void slow_clock_is_a_slow_core(void **state)
     (void)state;
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
-    const vbss_core_speed usual = measure(context, (made_clock){.step = STEP});
-    const vbss_core_speed slow = measure(context, (made_clock){.step = 4.0 * STEP});
+    const vbss_budget_speed usual = measure(context, (made_clock){.step = STEP});
+    const vbss_budget_speed slow = measure(context, (made_clock){.step = 4.0 * STEP});
     assert_true(usual.operations_per_microsecond > 0.0);
     expect_same_bits(usual.operations_per_microsecond, 4.0 * slow.operations_per_microsecond);
     expect_same_bits(TIMED_STEPS * STEP, usual.duration);
@@ -83,8 +83,8 @@ static void interruptions_do_not_count(void **state)
     (void)state;
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
-    const vbss_core_speed usual = measure(context, (made_clock){.step = STEP});
-    const vbss_core_speed busy =
+    const vbss_budget_speed usual = measure(context, (made_clock){.step = STEP});
+    const vbss_budget_speed busy =
         measure(context, (made_clock){.step = STEP, .late_every = 3, .late_by = 0.08});
     assert_true(busy.duration > 1.0);
     expect_near(usual.operations_per_microsecond, busy.operations_per_microsecond,
@@ -94,7 +94,7 @@ static void interruptions_do_not_count(void **state)
 
 static void expect_refused(vbss_context *context, vbss_result wanted, made_clock clock)
 {
-    vbss_core_speed speed, before;
+    vbss_budget_speed speed, before;
     memset(&speed, 0x5a, sizeof speed);
     before = speed;
     expect_result(wanted,
@@ -138,7 +138,7 @@ static double read_meddling(void *user)
 {
     meddling_clock *c = user;
     vbss_scene *scene;
-    vbss_core_speed speed;
+    vbss_budget_speed speed;
     made_clock inner = {.step = STEP};
     c->edit = vbss_scene_create(c->context, NULL, &scene);
     c->measure = vbss_budget_measure_speed(c->context, read_made, &inner, &speed, sizeof speed);
@@ -150,7 +150,7 @@ static void bad_calls_are_refused(void **state)
     (void)state;
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
-    vbss_core_speed speed;
+    vbss_budget_speed speed;
     made_clock clock = {.step = STEP};
     meddling_clock meddling = {.context = context};
     expect_result(VBSS_ERROR_INVALID_HANDLE,
@@ -190,7 +190,7 @@ static uint64_t run_scene(bool measures)
     s.thread.gravity[1] = -9.81;
     vbss_thread *thread;
     (void)small_thread(&s, vec3_zero(), vec3_make(0.05, 0.0, 0.0), 50, &thread);
-    (void)small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.02, -2e-3, 0.0),
+    (void)small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.02, -2e-3, 0.0),
                       vec3_make(0.0, 0.0, 5e-3), 5e-4);
     for (int i = 0; i < 4; i++) {
         small_steps(&s, 10, 1e-3);
@@ -218,24 +218,24 @@ static void limits_are_proportional_to_speed(void **state)
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     const vbss_scene_config c = fit(context, 336.0, 0), half = fit(context, 168.0, 0);
-    assert_int_equal(c.slot_limit, 168000);
-    assert_int_equal(c.work_limit, 200000);
-    assert_int_equal(half.slot_limit, 84000);
-    assert_int_equal(half.work_limit, 100000);
+    assert_int_equal(c.call_budget, 168000);
+    assert_int_equal(c.step_budget, 200000);
+    assert_int_equal(half.call_budget, 84000);
+    assert_int_equal(half.step_budget, 100000);
     const vbss_scene_config fast = fit(context, 5000.0, 0), more = fit(context, 840.0, 1);
-    assert_int_equal(fast.slot_limit, DEFAULT_SLOT);
-    assert_int_equal(fast.work_limit, DEFAULT_WORK);
-    assert_int_equal(more.slot_limit, 2 * DEFAULT_SLOT);
-    assert_int_equal(more.work_limit, 2 * DEFAULT_WORK);
+    assert_int_equal(fast.call_budget, DEFAULT_SLOT);
+    assert_int_equal(fast.step_budget, DEFAULT_WORK);
+    assert_int_equal(more.call_budget, 2 * DEFAULT_SLOT);
+    assert_int_equal(more.step_budget, 2 * DEFAULT_WORK);
     const vbss_scene_config bounded = fit(context, 1e6, 1);
-    assert_int_equal(bounded.slot_limit, 10 * DEFAULT_SLOT);
-    assert_int_equal(bounded.work_limit, 10 * DEFAULT_WORK);
+    assert_int_equal(bounded.call_budget, 10 * DEFAULT_SLOT);
+    assert_int_equal(bounded.step_budget, 10 * DEFAULT_WORK);
     harness_context_end(context, &memory);
 }
 
 static void count_warnings(void *user, vbss_log_level level, const char *message)
 {
-    if (level == VBSS_LOG_WARNING && strstr(message, "slot_limit is 42000") != NULL) {
+    if (level == VBSS_LOG_WARNING && strstr(message, "call_budget is 42000") != NULL) {
         ++*(int *)user;
     }
 }
@@ -251,11 +251,11 @@ static void slow_core_keeps_the_floor(void **state)
     c.log = count_warnings;
     c.log_user = &warnings;
     expect_ok(vbss_context_create(&c, &context));
-    assert_int_equal(fit(context, 84.0, 0).slot_limit, 42000);
+    assert_int_equal(fit(context, 84.0, 0).call_budget, 42000);
     assert_int_equal(warnings, 0);
     const vbss_scene_config slow = fit(context, 83.9, 0);
-    assert_int_equal(slow.slot_limit, 42000);
-    assert_int_equal(slow.work_limit, 50000);
+    assert_int_equal(slow.call_budget, 42000);
+    assert_int_equal(slow.step_budget, 50000);
     assert_int_equal(warnings, 1);
     harness_context_end(context, &memory);
 }
@@ -295,7 +295,7 @@ static void bad_budgets_are_refused(void **state)
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_budget_fit_scene(context, NULL, &config));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_budget_fit_scene(context, &unset, NULL));
     assert_memory_equal(&config, &before, sizeof config);
-    /* A program of version 160 of the struct has room for neither limit, of 168 only for work_limit. */
+    /* A program of version 160 of the struct has room for neither limit, of 168 only for step_budget. */
     for (uint32_t size = 160; size <= 168; size += 8) {
         config.struct_size = before.struct_size = size;
         expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_budget_fit_scene(context, &unset, &config));
@@ -303,7 +303,7 @@ static void bad_budgets_are_refused(void **state)
     }
     config.struct_size = 176;
     expect_ok(vbss_budget_fit_scene(context, &unset, &config));
-    assert_int_equal(config.slot_limit, 100000);
+    assert_int_equal(config.call_budget, 100000);
     harness_context_end(context, &memory);
 }
 
@@ -333,8 +333,8 @@ static simulated_run pull_knot(double operations_per_microsecond, bool is_fitted
     expect_ok(vbss_context_create(NULL, &context));
     if (is_fitted) {
         const vbss_scene_config fitted = fit(context, operations_per_microsecond, 0);
-        o.scene.work_limit = fitted.work_limit;
-        o.scene.slot_limit = fitted.slot_limit;
+        o.scene.step_budget = fitted.step_budget;
+        o.scene.call_budget = fitted.call_budget;
     }
     expect_ok(contact_scene_create(context, &o, &scene));
     expect_ok(contact_scene_step(&scene, 1e-3)); /* the first step is not limited */
@@ -363,9 +363,9 @@ static void fitted_limits_fit_a_slow_machine(void **state)
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     const double right = DEFAULT_SLOT / 500.0; /* operations a microsecond */
-    const vbss_core_speed probe = measure(context, (made_clock){.step = STEP});
+    const vbss_budget_speed probe = measure(context, (made_clock){.step = STEP});
     const double step = 4.0 * STEP * probe.operations_per_microsecond / right;
-    const vbss_core_speed slow = measure(context, (made_clock){.step = step});
+    const vbss_budget_speed slow = measure(context, (made_clock){.step = step});
     harness_context_end(context, &memory);
     expect_near(0.25 * right, slow.operations_per_microsecond, 1e-9 * right);
     const simulated_run fast = pull_knot(right, true);
@@ -391,7 +391,7 @@ static void real_clock_gives_a_speed(void **state)
     (void)state;
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
-    vbss_core_speed speed;
+    vbss_budget_speed speed;
     const vbss_result result =
         vbss_budget_measure_speed(context, read_processor_time, NULL, &speed, sizeof speed);
     if (result == VBSS_OK) {

@@ -126,9 +126,12 @@ static void distant_cut_does_not_disturb_resting_thread(void **state)
     s.thread.drag = 1e-3;
     uint32_t body =
         small_thread(&s, vec3_make(0.0, 1.13e-3, 0.0), vec3_make(0.06, 1.13e-3, 0.0), 60, &thread);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.01, 0.0, 0.0), vec3_make(0.0, 0.0, 5e-3), 1e-3);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.02, 0.0, 0.0), vec3_make(0.0, 0.0, 5e-3), 1e-3);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.05, 0.0, 0.0), vec3_make(0.0, 0.0, 5e-3), 1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.01, 0.0, 0.0), vec3_make(0.0, 0.0, 5e-3),
+                1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.02, 0.0, 0.0), vec3_make(0.0, 0.0, 5e-3),
+                1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.05, 0.0, 0.0), vec3_make(0.0, 0.0, 5e-3),
+                1e-3);
     (void)small_pin(&s, body, 0, 0);
     (void)small_pin(&s, body, 60, 0);
     small_steps(&s, 400, 1e-3);
@@ -136,8 +139,9 @@ static void distant_cut_does_not_disturb_resting_thread(void **state)
     (void)cut_at(&s, body, 0.035, NULL);
     small_steps(&s, 1, 1e-3);
     uint32_t event[4];
-    assert_int_equal(small_events(&s, VBSS_EVENT_TOUCH, event), 1); /* the piece and its tool */
-    assert_int_equal(small_events(&s, VBSS_EVENT_PART, event), 1);
+    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_TOUCH, event),
+                     1); /* the piece and its tool */
+    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_PART, event), 1);
     small_steps(&s, 100, 1e-3);
     assert_true(vec3_distance(rested, small_node(thread, 5)) < 2e-5);
     small_end(&s);

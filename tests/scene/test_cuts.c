@@ -40,7 +40,7 @@ static void part_beyond_cut_is_a_new_body(void **state)
             expect_near(cases[k].arc, cut_length(t), 0.011e-3);
             assert_true(vec3_distance(t->now.x[t->node_count - 1], u->now.x[0]) == 0.0);
             expect_near(0.02, small_node(piece, u->node_count - 1).x, 1e-12);
-            assert_int_equal(small_events(&s, VBSS_EVENT_CUT, event), 1);
+            assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_CUT, event), 1);
             assert_int_equal(event[1], body);
             assert_int_equal(event[2], number);
             assert_int_equal(event[3], (uint32_t)(1e6 * cases[k].arc + 0.5));
@@ -112,17 +112,17 @@ static void pins_and_attachments_move_with_nodes(void **state)
         small_begin_scene(&s);
         uint32_t body = line(&s, 1, &thread);
         uint32_t ball =
-            small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.012, 2e-3, 0.0), vec3_zero(), 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.012, 2e-3, 0.0), vec3_zero(), 1e-3);
         uint32_t pins[3] = {small_pin(&s, body, 2, 0), small_pin(&s, body, 12, ball),
                             small_pin(&s, body, 19, 0)};
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-        a.kind = VBSS_ATTACHMENT_SPRING;
+        a.kind = VBSS_THREAD_ATTACHMENT_SPRING;
         a.node = 16;
         a.stiffness = 5.0;
         a.position[0] = 0.016;
         a.position[1] = 1e-3;
         expect_ok(vbss_thread_attach(thread, &a, &spring));
-        a.kind = VBSS_ATTACHMENT_MASS;
+        a.kind = VBSS_THREAD_ATTACHMENT_MASS;
         a.node = 5;
         a.mass = 1e-5;
         expect_ok(vbss_thread_attach(thread, &a, &mass));
@@ -142,8 +142,9 @@ static void pins_and_attachments_move_with_nodes(void **state)
         cut_expect_sound(o);
         assert_true(vec3_distance(held, small_node(piece, 19 - shift)) < 1e-12);
         const double there[3] = {0.016, -1e-3, 0.0};
-        expect_ok(vbss_thread_move(piece, spring, there, NULL));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(thread, spring, there, NULL));
+        expect_ok(vbss_thread_set_attachment_target(piece, spring, there, NULL));
+        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_thread_set_attachment_target(thread, spring, there, NULL));
         expect_ok(vbss_thread_detach(thread, mass));
         for (int i = 0; i < 3; i++) {
             expect_ok(vbss_scene_unpin_thread(s.scene, pins[i]));
@@ -179,7 +180,7 @@ static void cut_ends_do_not_repel_until_separated(void **state)
 
         /* The piece goes up, and comes down again: now it stops. */
         uint32_t tool =
-            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.03, 0.0, 0.0), vec3_zero(), 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.03, 0.0, 0.0), vec3_zero(), 1e-3);
         (void)small_pin(&s, number, u->node_count - 1, tool);
         (void)small_pin(&s, number, u->node_count - 2, tool);
         (void)small_pin(&s, body, 0, 0);
@@ -257,7 +258,7 @@ static void cut_ends_do_not_repel_in_paper_scene(void **state)
     for (int k = 0; k < 2; k++) {
         small s;
         small_begin(&s);
-        s.config.method = s.thread.method = VBSS_METHOD_PAPER;
+        s.config.method = s.thread.method = VBSS_METHOD_VBLAST;
         small_create(&s);
         uint32_t body = line(&s, 1, NULL);
         small_steps(&s, 1, 1e-3);
@@ -280,14 +281,14 @@ static void taut_ends_recoil_and_come_to_rest(void **state)
         small s;
         vbss_thread *thread, *piece;
         small_begin(&s);
-        s.config.mode = k < 4 ? VBSS_MODE_REAL_TIME : VBSS_MODE_OFFLINE;
+        s.config.mode = k < 4 ? VBSS_SCENE_MODE_REAL_TIME : VBSS_SCENE_MODE_OFFLINE;
         small_create(&s);
         uint32_t body = line(&s, 1, &thread);
         /* beside it, so that something may be hit */
-        small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.006, 1.2e-3, 0.0),
+        small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.006, 1.2e-3, 0.0),
                     vec3_make(0.0, 0.0, 3e-3), 1e-3);
         uint32_t hand =
-            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.03, 0.0, 0.0), vec3_zero(), 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.03, 0.0, 0.0), vec3_zero(), 1e-3);
         (void)small_pin(&s, body, 0, 0);
         (void)small_pin(&s, body, 20, hand);
         double stretch = 0.02 * 5.0 / s.thread.axial_stiffness;

@@ -130,7 +130,7 @@ static void impossible_pieces_are_rejected(void **state)
     assert_true(small_hash(&s) == hash);
     free(kept.bytes);
     b->thread.cut_from = /* a tool */
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.1, 0.0), vec3_zero(), 1e-3);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 0.1, 0.0), vec3_zero(), 1e-3);
     kept = small_save(&s);
     b->thread.cut_from = 0;
     hash = small_hash(&s);

@@ -35,7 +35,7 @@ static void defaults_of_headers_are_those_of_library(void **state)
     EXPECT_DEFAULTS(vbss_grasper_config, vbss_grasper_config);
     EXPECT_DEFAULTS(vbss_openhaptics_config, vbss_openhaptics_config);
     EXPECT_DEFAULTS(vbss_nidaqmx_config, vbss_nidaqmx_config);
-    EXPECT_DEFAULTS(vbss_knot_config, vbss_knot_config);
+    EXPECT_DEFAULTS(vbss_knot_detector_config, vbss_knot_detector_config);
     EXPECT_DEFAULTS(vbss_knot_input, vbss_knot_input);
     EXPECT_DEFAULTS(vbss_mapping_config, vbss_mapping_config);
     EXPECT_DEFAULTS(vbss_metrics_config, vbss_metrics_config);
@@ -48,7 +48,7 @@ static void defaults_of_headers_are_those_of_library(void **state)
     EXPECT_DEFAULTS(vbss_output_command, vbss_output_command);
     EXPECT_DEFAULTS(vbss_record_config, vbss_record_config);
     EXPECT_DEFAULTS(vbss_scene_config, vbss_scene_config);
-    EXPECT_DEFAULTS(vbss_rigid_config, vbss_rigid_config);
+    EXPECT_DEFAULTS(vbss_scene_rigid_config, vbss_scene_rigid_config);
     EXPECT_DEFAULTS(vbss_session_config, vbss_session_config);
     EXPECT_DEFAULTS(vbss_thread_config, vbss_thread_config);
     EXPECT_DEFAULTS(vbss_thread_attachment, vbss_thread_attachment);

@@ -5,7 +5,7 @@ static vec3 sum_of_anchors(vbss_drain *drain)
 {
     vbss_view anchors;
     vec3 sum = vec3_zero();
-    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_ANCHOR_FORCES, &anchors, sizeof anchors));
+    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_ANCHOR_FORCES, &anchors, sizeof anchors));
     for (uint64_t i = 0; i < anchors.count; i++) {
         sum = vec3_add(sum, ((const vec3 *)anchors.data)[i]);
     }
@@ -30,8 +30,8 @@ static void anchors_carry_tool_pressure(void **state)
     vbss_drain *drain;
     small_begin_scene(&s);
     small_drain(&s, &drain);
-    uint32_t tool =
-        small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.3e-3, 8.4e-3, 4e-3), vec3_zero(), 1.25e-3);
+    uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.3e-3, 8.4e-3, 4e-3),
+                                vec3_zero(), 1.25e-3);
     for (int i = 0; i < 400; i++) {
         small_move(&s, tool, vec3_make(0.3e-3, 8.4e-3 - vbss_min(4e-5 * i, 3e-3), 4e-3));
         small_steps(&s, 1, 1e-3);

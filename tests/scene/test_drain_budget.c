@@ -8,12 +8,12 @@ typedef struct limited {
     vbss_scene_statistics before;
 } limited;
 
-static drain_object *begin(limited *l, vbss_scene_mode mode, uint32_t work_limit)
+static drain_object *begin(limited *l, vbss_scene_mode mode, uint32_t step_budget)
 {
     small_begin(&l->s);
     l->s.config.mode = mode;
-    l->s.config.work_limit = work_limit;
-    l->s.config.slot_limit = 0; /* a call makes its step: what of it waits is seen by the step */
+    l->s.config.step_budget = step_budget;
+    l->s.config.call_budget = 0; /* a call makes its step: what of it waits is seen by the step */
     leap_begin(&l->s);
     return drains_rig_object(drains_rig_of(l->s.scene));
 }
@@ -32,7 +32,7 @@ static void steps_over_budget_pause(void **state)
     for (int k = 0; k < 3; k++) {
         limited l;
         uint32_t event[4], paused = 0;
-        const drain_object *d = begin(&l, VBSS_MODE_REAL_TIME, limits[k]);
+        const drain_object *d = begin(&l, VBSS_SCENE_MODE_REAL_TIME, limits[k]);
         for (int i = 0; i < STEPS; i++) {
             vbss_scene_statistics now = step(&l);
             bool waits = now.paused > l.before.paused;
@@ -40,7 +40,7 @@ static void steps_over_budget_pause(void **state)
             assert_true(waits ? now.time_paused > l.before.time_paused
                               : now.time_paused == l.before.time_paused);
             assert_true(now.operations > l.before.operations);
-            assert_int_equal(small_events(&l.s, VBSS_EVENT_CLAMPED, event),
+            assert_int_equal(small_events(&l.s, VBSS_SCENE_EVENT_CLAMPED, event),
                              waits + now.clamped - l.before.clamped);
             assert_int_equal(now.steps, l.before.steps + 1);
         }
@@ -63,7 +63,7 @@ static void substep_stays_near_budget(void **state)
     for (int k = 0; k < 4; k++) {
         limited l;
         uint64_t largest = 0;
-        (void)begin(&l, VBSS_MODE_REAL_TIME, limits[k]);
+        (void)begin(&l, VBSS_SCENE_MODE_REAL_TIME, limits[k]);
         step(&l); /* the first is finished */
         for (int i = 1; i < 5 * STEPS; i++) {
             vbss_scene_statistics now = step(&l);
@@ -88,7 +88,7 @@ static void default_budget_never_pauses(void **state)
     vbss_scene_statistics c = small_statistics(&s);
     assert_int_equal(c.paused, 0);
     assert_int_equal(c.clamped, 0);
-    assert_true(c.most_operations < hands.config.work_limit);
+    assert_true(c.most_operations < hands.config.step_budget);
     assert_true(c.operations / 300 > 1000);
     small_end(&s);
 }
@@ -99,7 +99,7 @@ static void paused_drain_is_static(void **state)
     (void)state;
     limited l;
     uint32_t rested = 0;
-    const drain_object *d = begin(&l, VBSS_MODE_REAL_TIME, 50000);
+    const drain_object *d = begin(&l, VBSS_SCENE_MODE_REAL_TIME, 50000);
     const size_t bytes = d->mesh.node_count * sizeof *d->x;
     for (int i = 0; i < STEPS; i++) {
         static vec3 x[256], v[256];
@@ -123,7 +123,7 @@ static void held_node_follows_evenly_after_pause(void **state)
     (void)state;
     limited l;
     uint32_t late = 0;
-    const drain_object *d = begin(&l, VBSS_MODE_REAL_TIME, 50000);
+    const drain_object *d = begin(&l, VBSS_SCENE_MODE_REAL_TIME, 50000);
     const drain_attachment *hand = &d->attachments[0];
     for (int i = 0; i < STEPS; i++) {
         vec3 here = d->x[hand->node];
@@ -159,7 +159,7 @@ static void rejected_attempts_tear_nothing(void **state)
 {
     (void)state;
     limited l;
-    drain_object *d = begin(&l, VBSS_MODE_OFFLINE, 0);
+    drain_object *d = begin(&l, VBSS_SCENE_MODE_OFFLINE, 0);
     expect_ok(vbss_drain_detach(drains_rig_of(l.s.scene), 1));
     for (int i = 0; i < LEAP_AT + 3; i++) {
         step(&l);

@@ -43,7 +43,7 @@ static void step_without_capacity_changes_nothing(void **state)
     const uint32_t contacts[ROOMS] = {0, 2, 8, 11, 12, 64, 64, 64, 64};
     const uint32_t candidates[ROOMS] = {2048, 2048, 2048, 2048, 2048, 0, 300, 350, 380};
     uint32_t in_contact = 0;
-    for (int mode = VBSS_MODE_REAL_TIME; mode <= VBSS_MODE_OFFLINE; mode++) {
+    for (int mode = VBSS_SCENE_MODE_REAL_TIME; mode <= VBSS_SCENE_MODE_OFFLINE; mode++) {
         for (int k = 0; k < ROOMS; k++) {
             crowd c;
             begin_crowd(&c, contacts[k], candidates[k], mode);
@@ -60,7 +60,7 @@ static void step_without_capacity_changes_nothing(void **state)
     }
     assert_true(in_contact > 2);
     crowd enough;
-    begin_crowd(&enough, 13, 2048, VBSS_MODE_REAL_TIME); /* its contacts, exactly */
+    begin_crowd(&enough, 13, 2048, VBSS_SCENE_MODE_REAL_TIME); /* its contacts, exactly */
     assert_int_equal(crowd_steps(&enough, STEPS), STEPS);
     small_end(&enough.s);
 }

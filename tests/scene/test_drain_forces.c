@@ -32,12 +32,13 @@ static void anchors_and_hand_balance_contact(void **state)
     (void)state;
     begin();
     drain_case_make(&c);
-    uint32_t tip = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.3e-3, TOP + 10e-3, 4e-3),
-                                   vec3_make(0.0, 7e-3, 0.0), 1.5e-3);
+    uint32_t tip =
+        drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.3e-3, TOP + 10e-3, 4e-3),
+                        vec3_make(0.0, 7e-3, 0.0), 1.5e-3);
     drain_case_move_to(&c, tip, vec3_make(0.3e-3, TOP + 5e-3, 4e-3), 200);
     drain_case_wait(&c, 1500);
     vec3 force = drain_case_contact_force(&c, tip);
-    vbss_rigid_state hand = small_rigid(&c.s, c.tools[tip].id);
+    vbss_scene_rigid_state hand = small_rigid(&c.s, c.tools[tip].id);
     assert_true(vec3_norm(force) > 0.05);
     expect_vec3(force, drain_case_anchor_sum(&c), 1e-6);
     expect_vec3(force, vec3_load(hand.hand_force), 1e-6);
@@ -65,8 +66,8 @@ static dent press(double depth)
     uint32_t mark = c.places.marks[0];
     vec3 at = drain_case_node(&c, mark), out = normal_at(mark);
     vec3 touching = vec3_add_scaled(at, 0.5e-3 + radius, out);
-    uint32_t ball = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_add_scaled(touching, 1e-3, out),
-                                    vec3_zero(), radius);
+    uint32_t ball = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED,
+                                    vec3_add_scaled(touching, 1e-3, out), vec3_zero(), radius);
     drain_case_move_to(&c, ball, vec3_add_scaled(touching, -depth, out), 300);
     drain_case_wait(&c, 1000);
     vec3 went = vec3_sub(at, drain_case_node(&c, mark));
@@ -166,7 +167,7 @@ static void sliding_tool_drags_wall(void **state)
     c.config.friction = 0.4;
     c.s.rigid.friction = 0.1; /* the geometric mean is 0.2 */
     drain_case_make(&c);
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(-4e-3, 0.0, 9.5e-3),
+    uint32_t rod = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(-4e-3, 0.0, 9.5e-3),
                                    vec3_make(0.0, 4e-3, 0.0), 1.5e-3);
     drain_case_move_to(&c, rod, vec3_make(-4e-3, 0.0, 7.0e-3), 200);
     double largest = 0.0, smallest = HUGE_VAL;

@@ -49,7 +49,7 @@ static void tool_passing_through_wall_is_detected(void **state)
 {
     (void)state;
     begin();
-    (void)drain_case_tool(&c, VBSS_RIGID_DRIVEN, vec3_make(1e-3, 14e-3, 4e-3),
+    (void)drain_case_tool(&c, VBSS_SCENE_RIGID_DRIVEN, vec3_make(1e-3, 14e-3, 4e-3),
                           vec3_make(0.0, 4e-3, 0.0), 0.5e-3);
     drain_case_wait(&c, 1);
     rest();
@@ -71,7 +71,7 @@ static void tool_sweeping_through_sides_is_detected(void **state)
 {
     (void)state;
     begin();
-    (void)drain_case_tool(&c, VBSS_RIGID_DRIVEN, vec3_make(0.0, 9e-3, 0.0),
+    (void)drain_case_tool(&c, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 9e-3, 0.0),
                           vec3_make(0.0, 0.0, 20e-3), 0.5e-3);
     drain_case_wait(&c, 1);
     rest();

@@ -18,7 +18,7 @@ static void transverse_rod_pinches_drain_flat_and_leaves(void **state)
 {
     (void)state;
     begin();
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, TOP + 3e-3, 0.0),
+    uint32_t rod = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, TOP + 3e-3, 0.0),
                                    vec3_make(0.0, 0.0, 20e-3), 1.5e-3);
     drain_case_move_to(&c, rod, vec3_make(0.0, -5e-3, 0.0), 400);
     drain_case_wait(&c, 300);
@@ -35,7 +35,7 @@ static void axial_rod_leaves_fold(void **state)
 {
     (void)state;
     begin();
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, TOP + 4e-3, 0.0),
+    uint32_t rod = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, TOP + 4e-3, 0.0),
                                    vec3_make(20e-3, 0.0, 0.0), 2.5e-3);
     drain_case_move_to(&c, rod, vec3_make(0.0, -3e-3, 0.0), 400);
     drain_case_wait(&c, 300);
@@ -55,8 +55,9 @@ static void tip_pokes_wall_inside_out(void **state)
 {
     (void)state;
     begin();
-    uint32_t tip = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.3e-3, TOP + 10e-3, 4e-3),
-                                   vec3_make(0.0, 8e-3, 0.0), 1.0e-3);
+    uint32_t tip =
+        drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.3e-3, TOP + 10e-3, 4e-3),
+                        vec3_make(0.0, 8e-3, 0.0), 1.0e-3);
     drain_case_move_to(&c, tip, vec3_make(0.3e-3, TOP - 3e-3, 4e-3), 400);
     drain_case_wait(&c, 300);
     drain_case_report(&c, "in");

@@ -13,7 +13,7 @@ static void rod_in_lumen_tears_drain_off(void **state)
     drain_case_begin(&c);
     c.config.tear_stress = 2e3;
     drain_case_make(&c);
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.0, 0.0),
+    uint32_t rod = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 0.0, 0.0),
                                    vec3_make(25e-3, 0.0, 0.0), 1.5e-3);
     drain_case_move_to(&c, rod, vec3_make(0.0, 40e-3, 0.0), 800);
     drain_case_wait(&c, 300);
@@ -44,7 +44,7 @@ static void fall(double thickness)
     for (uint64_t i = 0; i < kinds.count; i++) {
         const uint32_t *words =
             (const uint32_t *)(const void *)((const char *)kinds.data + i * kinds.stride_bytes);
-        if (words[0] == VBSS_CONTACT_DRAIN_FLOOR) {
+        if (words[0] == VBSS_SCENE_CONTACT_DRAIN_FLOOR) {
             weight = vec3_add(weight, small_vector(&c.s, VBSS_SCENE_VIEW_CONTACT_FORCES, i));
         }
     }
@@ -78,9 +78,9 @@ static void two_rods_open_slit(void **state)
     drain_case_begin(&c);
     drain_case_make(&c);
     for (int k = 0; k < 2; k++) {
-        hooks[k] =
-            drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(1.2e-3 * k - 0.6e-3, 20e-3, 0.0),
-                            vec3_make(0.0, 8e-3, 0.0), radius);
+        hooks[k] = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED,
+                                   vec3_make(1.2e-3 * k - 0.6e-3, 20e-3, 0.0),
+                                   vec3_make(0.0, 8e-3, 0.0), radius);
     }
     for (int i = 1; i <= 1400; i++) {
         double down = i <= 300 ? i / 300.0 : i > 1100 ? (1400 - i) / 300.0 : 1.0;
@@ -154,7 +154,7 @@ static void pull_thread(uint32_t segments, vec3 direction, double force, uint32_
     vbss_thread_attachment a;
     uint32_t ids[2];
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_FORCE;
+    a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
     for (uint32_t k = 0; k < 2; k++) {
         a.node = k * segments;
         expect_ok(vbss_thread_attach(c.threads[0], &a, &ids[k]));
@@ -163,7 +163,7 @@ static void pull_thread(uint32_t segments, vec3 direction, double force, uint32_
         for (uint32_t k = 0; k < 2; k++) {
             double f[3];
             vec3_store(f, vec3_scale(direction, force * vbss_min(i / 300.0, 1.0)));
-            expect_ok(vbss_thread_move(c.threads[0], ids[k], f, NULL));
+            expect_ok(vbss_thread_set_attachment_target(c.threads[0], ids[k], f, NULL));
         }
         drain_case_step(&c);
     }

@@ -42,7 +42,7 @@ static uint64_t hash_of(const drain_scene *d)
 static vec3 node_of(const drain_scene *d, uint32_t node)
 {
     vbss_view v;
-    expect_ok(vbss_drain_get_view(d->drain, VBSS_DRAIN_POSITIONS, &v, sizeof v));
+    expect_ok(vbss_drain_get_view(d->drain, VBSS_DRAIN_VIEW_POSITIONS, &v, sizeof v));
     assert_true(node < v.count);
     return ((const vec3 *)v.data)[node];
 }
@@ -64,7 +64,7 @@ static void motion_equals_standalone_drain(void **state)
 {
     (void)state;
     const uint32_t first_near[DRAIN_SCENE_KINDS] = {50, STEPS, 100}; /* at least */
-    for (int mode = VBSS_MODE_REAL_TIME; mode <= VBSS_MODE_OFFLINE; mode++) {
+    for (int mode = VBSS_SCENE_MODE_REAL_TIME; mode <= VBSS_SCENE_MODE_OFFLINE; mode++) {
         for (int kind = 0; kind < DRAIN_SCENE_KINDS; kind++) {
             twins t;
             uint32_t i = 0;
@@ -90,7 +90,7 @@ static void distant_body_changes_nothing(void **state)
 {
     (void)state;
     twins t;
-    begin(&t, DRAIN_SCENE_POKED, VBSS_MODE_REAL_TIME);
+    begin(&t, DRAIN_SCENE_POKED, VBSS_SCENE_MODE_REAL_TIME);
     expect_ok(vbss_scene_destroy(t.s.scene));
     t.s.config.floor = 1;
     t.s.config.floor_height = -0.1;
@@ -98,7 +98,7 @@ static void distant_body_changes_nothing(void **state)
     small_thread(&t.s, vec3_make(0.0, 0.1, 0.0), vec3_make(0.05, 0.1, 0.0), 20, NULL);
     uint32_t body;
     expect_ok(vbss_scene_add_drain(t.s.scene, t.member.drain, &body));
-    small_stick(&t.s, VBSS_RIGID_FREE, vec3_make(0.0, 0.2, 0.0), vec3_zero(), 1e-3);
+    small_stick(&t.s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.2, 0.0), vec3_zero(), 1e-3);
     for (int i = 0; i < 100; i++) {
         step(&t);
         expect_near(0.0, farthest(&t), 1e-12);
@@ -111,7 +111,7 @@ static void drain_can_leave_and_return(void **state)
 {
     (void)state;
     twins t;
-    begin(&t, DRAIN_SCENE_POKED, VBSS_MODE_REAL_TIME);
+    begin(&t, DRAIN_SCENE_POKED, VBSS_SCENE_MODE_REAL_TIME);
     uint32_t body = 1;
     for (int i = 0; i < 200; i++) {
         if (i % 40 == 20) {

@@ -20,7 +20,7 @@ static void begin(double thickness)
 static void stir(const char *name, double thickness)
 {
     begin(thickness);
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(35e-3, 0.0, 0.0),
+    uint32_t rod = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(35e-3, 0.0, 0.0),
                                    vec3_make(15e-3, 0.0, 0.0), 1.25e-3);
     drain_case_move_to(&c, rod, vec3_make(0.0, 0.0, 0.0), 350);
     for (int i = 0; i < 1500; i++) {
@@ -51,7 +51,7 @@ static void rod_stirs_in_thin_lumen(void **state)
 static void strike(const char *name, double speed, vec3 from, vec3 displacement, vec3 half)
 {
     begin(1e-3);
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, from, half, 1.5e-3);
+    uint32_t rod = drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, from, half, 1.5e-3);
     vec3 to = vec3_add(from, displacement);
     uint32_t steps = (uint32_t)(vec3_norm(displacement) / (speed * c.h));
     drain_case_move_to(&c, rod, to, steps);
@@ -84,7 +84,7 @@ static void driven_rod_stops_at_bottom(void **state)
 {
     (void)state;
     begin(1e-3);
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_DRIVEN, vec3_make(0.0, TOP + 5e-3, 0.0),
+    uint32_t rod = drain_case_tool(&c, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, TOP + 5e-3, 0.0),
                                    vec3_make(0.0, 0.0, 20e-3), 1.5e-3);
     drain_case_move_to(&c, rod, vec3_make(0.0, -25e-3, 0.0),
                        740); /* 50 mm/s, through top and bottom */
@@ -106,9 +106,10 @@ static void two_rods_squeeze_wall(void **state)
     (void)state;
     begin(1e-3);
     const vec3 half = {10e-3, 0.0, 0.0};
-    uint32_t in = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.0, 3e-3), half, 1.25e-3);
+    uint32_t in =
+        drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 0.0, 3e-3), half, 1.25e-3);
     uint32_t out =
-        drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.0, 10e-3), half, 1.25e-3);
+        drain_case_tool(&c, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 0.0, 10e-3), half, 1.25e-3);
     for (int i = 0; i < 500; i++) {
         double travel = 5e-3 * vbss_min(i / 300.0, 1.0); /* 3.25 mm would be touching: 1 N each */
         drain_case_target(&c, in, vec3_make(0.0, 0.0, 3e-3 + 0.5 * travel));

@@ -18,8 +18,8 @@ static void listen(const small *s, uint32_t a, uint32_t b, story *y)
         if (e[1] != a || e[2] != b) {
             continue;
         }
-        assert_true(e[0] == VBSS_EVENT_TOUCH || e[0] == VBSS_EVENT_PART);
-        assert_int_equal(e[0] == VBSS_EVENT_PART, y->touches);
+        assert_true(e[0] == VBSS_SCENE_EVENT_TOUCH || e[0] == VBSS_SCENE_EVENT_PART);
+        assert_int_equal(e[0] == VBSS_SCENE_EVENT_PART, y->touches);
         assert_int_equal(e[3], 0);
         y->touches = !y->touches;
         y->touched += y->touches;
@@ -91,7 +91,7 @@ static void shut_slit_touches_itself(void **state)
         double travel = vbss_min(4e-5 * (i + 1), 2.6e-3);
         for (int k = 0; k < 2 && i < 80; k++) {
             double to[3] = {ends[k].x, ends[k].y, ends[k].z + (k == 0 ? travel : -travel)};
-            expect_ok(vbss_drain_move(drain, ids[k], to));
+            expect_ok(vbss_drain_set_attachment_target(drain, ids[k], to));
         }
         if (i == 80) {
             assert_true(y.touches);

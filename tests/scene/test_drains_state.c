@@ -18,7 +18,7 @@ static void expect_views_alike(const small *x, const small *y)
 
 static void expect_drains_alike(vbss_drain *x, vbss_drain *y)
 {
-    for (vbss_drain_field field = 0; field <= VBSS_DRAIN_CURVATURES; field++) {
+    for (vbss_drain_field field = 0; field <= VBSS_DRAIN_VIEW_CURVATURES; field++) {
         vbss_view a, b;
         expect_ok(vbss_drain_get_view(x, field, &a, sizeof a));
         expect_ok(vbss_drain_get_view(y, field, &b, sizeof b));

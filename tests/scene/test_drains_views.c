@@ -8,7 +8,7 @@
 
 static feature feature_of_thread(const small *s, uint32_t body, uint32_t kind, uint32_t number)
 {
-    feature g = {.corners = kind == VBSS_CONTACT_SIDES ? 2 : 1};
+    feature g = {.corners = kind == VBSS_SCENE_CONTACT_SIDES ? 2 : 1};
     const scene_body *b = vbss_scene_body(small_object(s), body);
     g.radius = b->thread.thread->config.radius;
     assert_true(number + g.corners <= DRAIN_HANDS_NODES);
@@ -20,7 +20,7 @@ static feature feature_of_thread(const small *s, uint32_t body, uint32_t kind, u
 
 static feature feature_of_tool(const small *s, uint32_t body, uint32_t kind, uint32_t number)
 {
-    feature g = {.corners = kind == VBSS_CONTACT_SIDES ? 2 : 1};
+    feature g = {.corners = kind == VBSS_SCENE_CONTACT_SIDES ? 2 : 1};
     const scene_object *o = small_object(s);
     const scene_rigid *r = &vbss_scene_body(o, body)->rigid;
     const scene_capsule *c = &o->capsules[r->first_capsule];
@@ -40,14 +40,14 @@ typedef struct seen {
 
 static void note_kind(const small *s, const uint32_t f[5], const surface *drain, seen *was)
 {
-    uint32_t side = f[0] == VBSS_CONTACT_SIDES;
-    if (f[0] == VBSS_CONTACT_DRAIN_FLOOR) {
+    uint32_t side = f[0] == VBSS_SCENE_CONTACT_SIDES;
+    if (f[0] == VBSS_SCENE_CONTACT_DRAIN_FLOOR) {
         assert_int_equal(f[1], drain->body);
         assert_true(f[3] == 0 && f[4] == 0);
         was->floor++;
         return;
     }
-    assert_true(side || f[0] == VBSS_CONTACT_POINT_FACE);
+    assert_true(side || f[0] == VBSS_SCENE_CONTACT_POINT_FACE);
     assert_int_equal(f[3], drain->body);
     scene_body_kind kind = vbss_scene_body(small_object(s), f[1])->kind;
     uint32_t *of = kind == SCENE_BODY_RIGID    ? was->tool
@@ -66,7 +66,7 @@ static feature first_feature(const small *s, const uint32_t f[5], const surface 
 
 static bool are_lips(const surface *drain, const uint32_t f[5])
 {
-    return f[0] == VBSS_CONTACT_SIDES && f[1] == drain->body && drain->faces[f[2]] == 1 &&
+    return f[0] == VBSS_SCENE_CONTACT_SIDES && f[1] == drain->body && drain->faces[f[2]] == 1 &&
            drain->faces[f[4]] == 1;
 }
 
@@ -119,7 +119,7 @@ static void check_contacts(const small *s, const surface *drain, seen *was)
 static void expect_felt(const small *s, uint32_t tool)
 {
     vbss_view v = small_view(s, VBSS_SCENE_VIEW_CONTACTS);
-    vbss_rigid_state r = small_rigid(s, tool);
+    vbss_scene_rigid_state r = small_rigid(s, tool);
     vec3 sum = vec3_zero(), moment = vec3_zero();
     for (uint64_t k = 0; k < v.count; k++) {
         uint32_t f[5];

@@ -13,17 +13,17 @@ typedef struct resting {
     uint32_t sticks[2], capacity;
 } resting;
 
-static void begin(resting *r, uint32_t slot_limit)
+static void begin(resting *r, uint32_t call_budget)
 {
     const vec3 half = vec3_make(0.0, 0.0, 5e-3);
     small_begin(&r->s);
-    r->s.config.slot_limit = slot_limit;
+    r->s.config.call_budget = call_budget;
     small_create(&r->s);
     r->s.thread.gravity[1] = -9.81;
     uint32_t line = small_thread(&r->s, vec3_make(-0.01, 1.1e-3, 0.0), vec3_make(0.01, 1.1e-3, 0.0),
                                  20, &r->thread);
     for (int k = 0; k < 2; k++) {
-        r->sticks[k] = small_stick(&r->s, VBSS_RIGID_DRIVEN,
+        r->sticks[k] = small_stick(&r->s, VBSS_SCENE_RIGID_DRIVEN,
                                    vec3_make(k == 0 ? -5e-3 : 5e-3, 0.0, 0.0), half, 1e-3);
     }
     (void)small_pin(&r->s, line, 0, r->sticks[0]);
@@ -68,7 +68,7 @@ static void failure_after_end_of_suspended_step_comes_with_next_call(void **stat
         small_steps(&r.s, 1, STEP);
     }
     expect_ok(vbss_thread_attachment_init(&mass, sizeof mass));
-    mass.kind = VBSS_ATTACHMENT_MASS;
+    mass.kind = VBSS_THREAD_ATTACHMENT_MASS;
     mass.node = 9;
     mass.mass = 1e-6;
     expect_ok(vbss_thread_attach(r.thread, &mass, &id));
@@ -109,8 +109,8 @@ static void failed_step_leaves_overlaps(void **state)
     resting r;
     begin(&r, 0);
     const vec3 away = vec3_make(0.0, 0.05, 0.0), half = vec3_make(0.0, 0.0, 5e-3);
-    (void)small_stick(&r.s, VBSS_RIGID_DRIVEN, away, half, 1e-3);
-    uint32_t other = small_stick(&r.s, VBSS_RIGID_DRIVEN, away, half, 1e-3);
+    (void)small_stick(&r.s, VBSS_SCENE_RIGID_DRIVEN, away, half, 1e-3);
+    uint32_t other = small_stick(&r.s, VBSS_SCENE_RIGID_DRIVEN, away, half, 1e-3);
     assert_int_equal(small_object(&r.s)->overlap_count, 1);
     small_move(&r.s, other, vec3_make(0.0, 0.055, 0.0));
     small_steps(&r.s, 1, STEP);

@@ -26,7 +26,7 @@ static const contact_constraint *warm_start_wall(scene_object *s, uint32_t of, d
 {
     contact_set *set = s->contacts;
     const uint32_t drain = body_of_kind(s, SCENE_BODY_DRAIN);
-    const contact_key key = {VBSS_CONTACT_SIDES, of, 0, drain, 40};
+    const contact_key key = {VBSS_SCENE_CONTACT_SIDES, of, 0, drain, 40};
     set->count = set->warm_start_count = 0;
     contact_constraint *row = vbss_contact_add(set, &key);
     assert_non_null(row);
@@ -55,7 +55,7 @@ static void fold_offset_is_released_slowly(void **state)
 {
     (void)state;
     stitch_case_begin(&c);
-    c.options.scene.mode = VBSS_MODE_OFFLINE;
+    c.options.scene.mode = VBSS_SCENE_MODE_OFFLINE;
     stitch_case_make(&c);
     scene_object *s = small_object(&c.s);
     const uint32_t drain = body_of_kind(s, SCENE_BODY_DRAIN),

@@ -8,11 +8,11 @@ enum { CALLS = 300, MAX_MISSED = 3 };
 
 static uint32_t add_falling_ball(vbss_scene *scene)
 {
-    const vbss_capsule ball = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}, 1e-3};
-    vbss_rigid_config config;
+    const vbss_scene_capsule ball = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}, 1e-3};
+    vbss_scene_rigid_config config;
     uint32_t number = 0;
-    expect_ok(vbss_rigid_config_init(&config, sizeof config));
-    config.kind = VBSS_RIGID_FREE;
+    expect_ok(vbss_scene_rigid_config_init(&config, sizeof config));
+    config.kind = VBSS_SCENE_RIGID_FREE;
     config.capsules = &ball;
     config.capsule_count = 1;
     config.position[1] = 5.0;
@@ -23,20 +23,20 @@ static uint32_t add_falling_ball(vbss_scene *scene)
 
 static double height_of(vbss_scene *scene, uint32_t ball)
 {
-    vbss_rigid_state state;
+    vbss_scene_rigid_state state;
     expect_ok(vbss_scene_get_rigid(scene, ball, &state, sizeof state));
     return state.position[1];
 }
 
 /* The largest number of calls in a row in which the ball stands still while a knot is pulled tight beside it. */
-static uint32_t missed_calls(uint32_t slot_limit, uint32_t *overdue)
+static uint32_t missed_calls(uint32_t call_budget, uint32_t *overdue)
 {
     vbss_context *context;
     contact_scene_options options;
     contact_scene s;
     vbss_scene_statistics statistics;
     pulled_surgeons_init(&options);
-    options.scene.slot_limit = slot_limit;
+    options.scene.call_budget = call_budget;
     expect_ok(vbss_context_create(NULL, &context));
     expect_ok(contact_scene_create(context, &options, &s));
     const uint32_t ball = add_falling_ball(s.scene);

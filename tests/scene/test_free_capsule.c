@@ -16,10 +16,10 @@ static double turning_share(void)
 
 static uint32_t put(scene_rig *r, vec3 middle, vec3 axis, double mass, double friction)
 {
-    vbss_capsule capsule;
-    vbss_rigid_config body =
-        scene_rig_capsule(VBSS_RIGID_FREE, &capsule, vec3_add_scaled(middle, -0.5 * length, axis),
-                          vec3_add_scaled(middle, 0.5 * length, axis), radius);
+    vbss_scene_capsule capsule;
+    vbss_scene_rigid_config body = scene_rig_capsule(
+        VBSS_SCENE_RIGID_FREE, &capsule, vec3_add_scaled(middle, -0.5 * length, axis),
+        vec3_add_scaled(middle, 0.5 * length, axis), radius);
     body.mass = mass;
     body.friction = friction;
     return scene_rig_add(r, &body);
@@ -44,7 +44,7 @@ static void floor_carries_weight_without_jitter(void **state)
             expect_near(0.0, hypot(force.x, force.z) / (masses[i] * gravity), 1e-9);
             expect_near(0.0, vec3_norm(v), 1e-12);
         }
-        vbss_rigid_state s = scene_rig_state(&r, body);
+        vbss_scene_rigid_state s = scene_rig_state(&r, body);
         expect_near(1.0, s.contact_force[1] / (masses[i] * gravity), 1e-9);
         expect_near(0.0, vec3_distance(before, scene_rig_position(&r, body)), 1e-12);
         scene_rig_end(&r);
@@ -61,9 +61,9 @@ static void two_rails_share_weight_by_distance(void **state)
     scene_rig_begin(&r, &scene, NULL);
     uint32_t rails[2];
     for (int k = 0; k < 2; k++) {
-        vbss_capsule capsule;
-        vbss_rigid_config rail =
-            scene_rig_capsule(VBSS_RIGID_DRIVEN, &capsule, vec3_make(places[k], 0.0, -0.02),
+        vbss_scene_capsule capsule;
+        vbss_scene_rigid_config rail =
+            scene_rig_capsule(VBSS_SCENE_RIGID_DRIVEN, &capsule, vec3_make(places[k], 0.0, -0.02),
                               vec3_make(places[k], 0.0, 0.02), 1e-3);
         rails[k] = scene_rig_add(&r, &rail);
     }
@@ -71,10 +71,10 @@ static void two_rails_share_weight_by_distance(void **state)
         put(&r, vec3_make(0.0, radius + 1e-3, 0.0), vec3_make(1.0, 0.0, 0.0), mass, 0.3);
     scene_rig_run(&r, 1e-3, 1000);
     for (int k = 0; k < 2; k++) {
-        vbss_rigid_state rail = scene_rig_state(&r, rails[k]);
+        vbss_scene_rigid_state rail = scene_rig_state(&r, rails[k]);
         expect_near(-shares[k], rail.hand_force[1] / (mass * gravity), 1e-3);
     }
-    vbss_rigid_state s = scene_rig_state(&r, body);
+    vbss_scene_rigid_state s = scene_rig_state(&r, body);
     expect_near(1.0, s.contact_force[1] / (mass * gravity), 1e-6);
     expect_near(0.0, vec3_norm(vec3_load(s.velocity)), 1e-9);
     scene_rig_end(&r);
@@ -96,7 +96,7 @@ static void dropped_capsule_comes_to_rest_at_any_tilt(void **state)
         vec3 axis = vec3_make(0.6 * cos(tilt), sin(tilt), 0.8 * cos(tilt));
         uint32_t body = put(&r, middle, axis, mass, 0.3);
         scene_rig_run(&r, 1e-3, 600);
-        vbss_rigid_state s = scene_rig_state(&r, body);
+        vbss_scene_rigid_state s = scene_rig_state(&r, body);
         vbss_scene_statistics n = scene_rig_statistics(&r);
         expect_near(0.0, vec3_norm(vec3_load(s.velocity)), 1e-9);
         expect_near(0.0, vec3_norm(vec3_load(s.angular_velocity)), 1e-6);
@@ -115,12 +115,12 @@ static void thrown_spinning_capsule_rolls_evenly(void **state)
         vbss_scene_config scene = scene_rig_incline(0.0, 0.3);
         scene_rig r;
         scene_rig_begin(&r, &scene, NULL);
-        vbss_capsule capsule;
+        vbss_scene_capsule capsule;
         double angle = 0.5 * i;
         vec3 half = vec3_make(0.01 * cos(angle), 0.004, 0.01 * sin(angle));
         vec3 at = vec3_make(0.0, 0.02, 0.0);
-        vbss_rigid_config body = scene_rig_capsule(VBSS_RIGID_FREE, &capsule, vec3_sub(at, half),
-                                                   vec3_add(at, half), radius);
+        vbss_scene_rigid_config body = scene_rig_capsule(
+            VBSS_SCENE_RIGID_FREE, &capsule, vec3_sub(at, half), vec3_add(at, half), radius);
         body.friction = 0.3;
         body.velocity[0] = 0.2;
         body.velocity[2] = -0.1;
@@ -132,7 +132,7 @@ static void thrown_spinning_capsule_rolls_evenly(void **state)
         vec3 before = scene_rig_velocity(&r, number);
         scene_rig_run(&r, 1e-3, 200);
         vec3 after = scene_rig_velocity(&r, number);
-        vbss_rigid_state s = scene_rig_state(&r, number);
+        vbss_scene_rigid_state s = scene_rig_state(&r, number);
         double turning = vec3_norm(vec3_load(s.angular_velocity));
         expect_near(0.0, vec3_distance(before, after), 1e-6);
         expect_near(vec3_norm(after), turning * radius, 1e-5);
@@ -153,16 +153,16 @@ static rolling roll(double angle, double friction, double speed, double h, doubl
     vec3 down = vec3_make(cos(angle), -sin(angle), 0.0);
     scene_rig r;
     scene_rig_begin(&r, &scene, NULL);
-    vbss_capsule capsule;
+    vbss_scene_capsule capsule;
     vec3 at = vec3_make(radius * sin(angle), radius * cos(angle), 0.0);
     vec3 half = vec3_make(0.0, 0.0, 0.5 * length);
-    vbss_rigid_config body = scene_rig_capsule(VBSS_RIGID_FREE, &capsule, vec3_sub(at, half),
-                                               vec3_add(at, half), radius);
+    vbss_scene_rigid_config body = scene_rig_capsule(
+        VBSS_SCENE_RIGID_FREE, &capsule, vec3_sub(at, half), vec3_add(at, half), radius);
     body.friction = friction;
     vec3_store(body.velocity, vec3_scale(down, speed));
     uint32_t number = scene_rig_add(&r, &body);
     scene_rig_run(&r, h, (uint32_t)(time / h + 0.5));
-    vbss_rigid_state s = scene_rig_state(&r, number);
+    vbss_scene_rigid_state s = scene_rig_state(&r, number);
     rolling result = {vec3_dot(vec3_load(s.velocity), down), -radius * s.angular_velocity[2]};
     expect_near(0.0, hypot(s.angular_velocity[0], s.angular_velocity[1]), 1e-6);
     scene_rig_end(&r);

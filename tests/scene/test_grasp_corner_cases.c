@@ -20,7 +20,7 @@ static void closing_on_nothing_holds_nothing(void **state)
     tools_open(&r, 0, 0.0);
     for (int i = 0; i < 200; i++) {
         tools_steps(&r, 1);
-        assert_int_equal(tools_happened(&r, VBSS_EVENT_GRASP, event), 0);
+        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event), 0);
     }
     vbss_grasper_state tool = tools_state(&r, 0);
     expect_near(0.0, tool.jaw_angle, 0.0);
@@ -69,8 +69,8 @@ static void two_strands_share_pressure(void **state)
         tools_close(&r, 0);
         assert_int_equal(tools_state(&r, 0).grasp_count, 2);
         for (uint32_t i = 0; i < 2; i++) {
-            vbss_grasp grasp = tools_grasp(&r, 0, i);
-            assert_int_equal(grasp.thread, i == 0 ? r.body : other);
+            vbss_scene_grasp grasp = tools_grasp(&r, 0, i);
+            assert_int_equal(grasp.body, i == 0 ? r.body : other);
             expect_near(r.config.grip_friction * r.config.closing_force, grasp.limit, 1e-12);
         }
         assert_true(vec3_distance(tools_node(&r, 30), small_node(thread, 30)) > 2.4e-4);
@@ -104,7 +104,7 @@ static void two_tools_hold_one_segment(void **state)
         for (int i = 0; i <= 100; i++) {
             double begin = -6e-3 * sign, t = 0.01 * i;
             double tip[3] = {0.0, begin + t * (y[k] - begin), -1e-3};
-            expect_ok(vbss_grasper_move(r.tools[k], tip, q));
+            expect_ok(vbss_grasper_set_target(r.tools[k], tip, q));
             tools_steps(&r, 1);
         }
     }
@@ -119,7 +119,7 @@ static void two_tools_hold_one_segment(void **state)
         for (uint32_t k = 0; k < 2; k++) {
             double sign = k == 0 ? 1.0 : -1.0;
             double tip[3] = {0.0, y[k] - 2e-6 * i * sign, -1e-3};
-            expect_ok(vbss_grasper_move(r.tools[k], tip, NULL));
+            expect_ok(vbss_grasper_set_target(r.tools[k], tip, NULL));
         }
         tools_steps(&r, 1);
     }
@@ -186,8 +186,8 @@ static void instant_close_and_open_grasps_and_releases(void **state)
         tools_open(&r, 0, i % 7 < 3 ? 0.4 : 0.0);
         tools_move(&r, 0, vec3_make(5e-4 * (i % 7) / 7.0, 0.0, -2e-3));
         tools_steps(&r, 1);
-        taken += tools_happened(&r, VBSS_EVENT_GRASP, event);
-        released += tools_happened(&r, VBSS_EVENT_RELEASE, event);
+        taken += tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event);
+        released += tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event);
     }
     assert_true(taken > 200);
     assert_true(released == taken || released == taken + 1);
@@ -226,7 +226,7 @@ static void grasp_above_capacity_is_reported(void **state)
     tools_thread(&r, TOOLS_BOTH, 0.0);
     tools_add(&r, home);
     tools_close(&r, 0);
-    assert_true(tools_happened(&r, VBSS_EVENT_GRASP_LOST, event) == 1);
+    assert_true(tools_happened(&r, VBSS_SCENE_EVENT_GRASP_LOST, event) == 1);
     assert_int_equal(event[1], r.body);
     assert_int_equal(event[2], r.bodies[0]);
     assert_int_equal(tools_state(&r, 0).grasp_count, 0);

@@ -27,7 +27,7 @@ static pull pulled_through(double pressure, double friction, double speed)
     for (uint32_t i = 1; i <= steps; i++) {
         tools_move(&r, 0, vec3_make(0.0, -5e-3 + 1e-3 * speed * i, -2e-3));
         tools_steps(&r, 1);
-        vbss_grasp grasp = tools_grasp(&r, 0, 0);
+        vbss_scene_grasp grasp = tools_grasp(&r, 0, 0);
         if (2 * i > steps) {
             double tension = vec3_norm(vec3_load(grasp.force));
             expect_near(tension, small_tension(r.thread, 5), 0.01 * tension);
@@ -116,7 +116,7 @@ static void weaker_of_two_tools_slips(void **state)
         for (uint32_t i = 1; i <= 2000; i++) {
             tools_move(&r, 1, vec3_make(0.0, 5e-3 + 2e-6 * i, -2e-3));
             tools_steps(&r, 1);
-            if (tools_happened(&r, VBSS_EVENT_SLIP, event) > 0) {
+            if (tools_happened(&r, VBSS_SCENE_EVENT_SLIP, event) > 0) {
                 slips[event[2] == r.bodies[1]]++;
             }
             /* At every moment one bears what the other does. */
@@ -124,8 +124,8 @@ static void weaker_of_two_tools_slips(void **state)
         }
         assert_int_equal(slips[weak], 1);
         assert_int_equal(slips[1 - weak], 0);
-        vbss_grasp weaker = tools_grasp(&r, (uint32_t)weak, 0);
-        vbss_grasp stronger = tools_grasp(&r, (uint32_t)(1 - weak), 0);
+        vbss_scene_grasp weaker = tools_grasp(&r, (uint32_t)weak, 0);
+        vbss_scene_grasp stronger = tools_grasp(&r, (uint32_t)(1 - weak), 0);
         assert_true(weaker.slid > 1e-3);
         expect_near(0.0, stronger.slid, 0.0);
         expect_near(0.8, weaker.limit, 1e-12);
@@ -155,7 +155,7 @@ static void grasped_thread_turns_at_torque_limit(void **state)
         double half = 0.5 * 1e-3 * i,
                tip[3] = {0.0, 2e-3 * vbss_sin(2.0 * half), -2e-3 * vbss_cos(2.0 * half)};
         const double turned[4] = {vbss_cos(half), vbss_sin(half), 0.0, 0.0};
-        expect_ok(vbss_grasper_move(r.tools[0], tip, turned)); /* about where it holds */
+        expect_ok(vbss_grasper_set_target(r.tools[0], tip, turned)); /* about where it holds */
         tools_steps(&r, 1);
         vbss_grasper_state tool = tools_state(&r, 0);
         vec3 arm = vec3_neg(vec3_load(tool.position));
@@ -188,7 +188,7 @@ static void jaws_are_pried_open_above_closing_force(void **state)
     for (uint32_t i = 1; i <= 4000 && torn == 0; i++) {
         tools_move(&r, 0, vec3_make(2e-6 * i, 0.0, -2e-3));
         tools_steps(&r, 1);
-        torn = tools_happened(&r, VBSS_EVENT_TORN, event);
+        torn = tools_happened(&r, VBSS_SCENE_EVENT_TORN, event);
         if (torn == 0) {
             assert_true(fabs(tools_grasp(&r, 0, 0).force[0]) <= 0.5 + 64.0 * 3000.0 * 2.5e-6);
         }
@@ -204,7 +204,7 @@ static void thread_is_torn_out_over_its_end(void **state)
     (void)state;
     for (int up = 0; up < 2; up++) {
         tools_rig r;
-        uint32_t event[4], count[VBSS_EVENT_NOT_EXCHANGED + 1] = {0};
+        uint32_t event[4], count[VBSS_SCENE_EVENT_NOT_EXCHANGED + 1] = {0};
         tools_begin(&r);
         r.config.closing_force = 0.5;
         small_create(&r.s);
@@ -217,14 +217,14 @@ static void thread_is_torn_out_over_its_end(void **state)
         for (uint32_t i = 1; i <= 2500; i++) {
             tools_move(&r, 0, vec3_make(0.0, sign * 1e-5 * i, -2e-3));
             tools_steps(&r, 1);
-            for (uint32_t k = VBSS_EVENT_GRASP; k <= VBSS_EVENT_SLIP; k++) {
-                count[k] += tools_happened(&r, (vbss_event_kind)k, event);
+            for (uint32_t k = VBSS_SCENE_EVENT_GRASP; k <= VBSS_SCENE_EVENT_SLIP; k++) {
+                count[k] += tools_happened(&r, (vbss_scene_event_kind)k, event);
             }
         }
-        assert_int_equal(count[VBSS_EVENT_GRASP], 0); /* not again */
-        assert_int_equal(count[VBSS_EVENT_SLIP], 1);
-        assert_int_equal(count[VBSS_EVENT_TORN], 1);
-        assert_int_equal(count[VBSS_EVENT_RELEASE], 0);
+        assert_int_equal(count[VBSS_SCENE_EVENT_GRASP], 0); /* not again */
+        assert_int_equal(count[VBSS_SCENE_EVENT_SLIP], 1);
+        assert_int_equal(count[VBSS_SCENE_EVENT_TORN], 1);
+        assert_int_equal(count[VBSS_SCENE_EVENT_RELEASE], 0);
         assert_int_equal(tools_state(&r, 0).grasp_count, 0);
         expect_near(0.0, tools_state(&r, 0).jaw_angle, 0.0);
         expect_near(0.0, vec3_norm(tools_hand_force(&r, 0)), 1e-3);

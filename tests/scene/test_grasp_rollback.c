@@ -9,7 +9,7 @@ typedef struct observation {
     uint64_t hash;
     vbss_grasper_state tool;
     double shown[28];
-    vbss_grasp grasp;
+    vbss_scene_grasp grasp;
     bool has_grasp;
 } observation;
 
@@ -28,11 +28,11 @@ static observation observe(const tools_rig *r)
 }
 
 /* Another thread lands on a floor far below and needs more contacts than there are, `fall` ms after the begin. */
-static void begin_fall(tools_rig *r, double fall, uint32_t work_limit)
+static void begin_fall(tools_rig *r, double fall, uint32_t step_budget)
 {
     tools_begin(r);
-    r->s.config.work_limit = work_limit;
-    r->s.config.attempt_limit = work_limit > 0 ? 3 : r->s.config.attempt_limit;
+    r->s.config.step_budget = step_budget;
+    r->s.config.attempt_limit = step_budget > 0 ? 3 : r->s.config.attempt_limit;
     r->s.config.floor = 1;
     r->s.config.floor_normal[1] = 0.0;
     r->s.config.floor_normal[2] = 1.0;
@@ -47,17 +47,17 @@ static void begin_fall(tools_rig *r, double fall, uint32_t work_limit)
     small_thread(&r->s, vec3_make(-0.02, 0.0, z), vec3_make(0.02, 0.0, z), 40, NULL);
 }
 
-static void expect_nothing_changed(uint32_t work_limit)
+static void expect_nothing_changed(uint32_t step_budget)
 {
     uint32_t closing = 0, holding = 0, letting_go = 0;
     for (uint32_t fall = 20; fall <= 108; fall += fall == 20 ? 40 : fall < 95 ? 35 : 1) {
         tools_rig r;
         bool failed = false;
-        begin_fall(&r, fall, work_limit);
+        begin_fall(&r, fall, step_budget);
         for (uint32_t i = 0; i < 200 && !failed; i++) {
             tools_open(&r, 0, i < 100 ? 0.0 : 1.0);
             tools_move(&r, 0, vec3_make(1e-6 * i, -8e-3, -2e-3));
-            expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
+            expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS));
             observation before = observe(&r);
             vbss_result result = vbss_scene_step(r.s.scene, 1e-3);
             failed = result != VBSS_OK;
@@ -78,7 +78,7 @@ static void expect_nothing_changed(uint32_t work_limit)
         assert_true(failed);
         tools_end(&r);
     }
-    if (work_limit == 0) {
+    if (step_budget == 0) {
         assert_int_equal(closing, 1);
         assert_true(holding > 1);
         assert_int_equal(letting_go, 1);

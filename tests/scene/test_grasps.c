@@ -26,7 +26,7 @@ static void jaws_grasp_on_contact_from_both_sides(void **state)
         tools_steps(&r, 1);
         vec3 now = tools_node(&r, 30);
         bool touched = small_statistics(&r.s).contacts > 0;
-        if (tools_happened(&r, VBSS_EVENT_GRASP, event) > 0) {
+        if (tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event) > 0) {
             assert_int_equal(begun, 0);
             begun = i;
             assert_int_equal(event[1], r.body);
@@ -43,8 +43,8 @@ static void jaws_grasp_on_contact_from_both_sides(void **state)
     assert_int_equal(tool.grasp_count, 1);
     expect_near(touching_angle(&r), tool.jaw_angle, 1e-4);
     expect_near(r.config.closing_force, tool.pressure, 1e-12);
-    vbss_grasp grasp = tools_grasp(&r, 0, 0);
-    assert_int_equal(grasp.thread, r.body);
+    vbss_scene_grasp grasp = tools_grasp(&r, 0, 0);
+    assert_int_equal(grasp.body, r.body);
     expect_near(2.0 * r.config.grip_friction * r.config.closing_force, grasp.limit, 1e-12);
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_scene_get_grasp(r.s.scene, r.bodies[0], 1, &grasp, sizeof grasp));
@@ -66,7 +66,7 @@ static void jaws_ignore_near_thread(void **state)
         tools_open(&r, 0, 0.0);
         for (uint32_t i = 0; i < 100; i++) {
             tools_steps(&r, 1);
-            assert_int_equal(tools_happened(&r, VBSS_EVENT_GRASP, event), 0);
+            assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event), 0);
         }
         assert_int_equal(tools_state(&r, 0).grasp_count, 0);
         expect_near(0.0, tools_state(&r, 0).jaw_angle, 0.0);
@@ -102,7 +102,7 @@ static void grasp_keeps_thread_direction(void **state)
         vbss_thread_attachment a;
         uint32_t id;
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-        a.kind = VBSS_ATTACHMENT_FORCE;
+        a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
         a.node = TOOLS_NODES - 1;
         a.force[axis] = force;
         vec3 before = tools_node(&r, TOOLS_NODES - 1);
@@ -135,8 +135,8 @@ static void hand_feels_grasped_thread(void **state)
     tools_steps(&r, 1500);
     vec3 hand = tools_hand_force(&r, 0);
     vec3 pins = vec3_add(tools_pin_force(&r, 0), tools_pin_force(&r, 1));
-    vbss_grasp grasp = tools_grasp(&r, 0, 0);
-    vbss_rigid_state body = small_rigid(&r.s, r.bodies[0]);
+    vbss_scene_grasp grasp = tools_grasp(&r, 0, 0);
+    vbss_scene_rigid_state body = small_rigid(&r.s, r.bodies[0]);
     assert_true(vec3_norm(hand) > 0.5);
     expect_near(0.0, vec3_norm(vec3_add(pins, vec3_load(grasp.force))), 1e-6);
     expect_near(0.0, vec3_distance(hand, vec3_load(body.contact_force)), 1e-6);
@@ -167,10 +167,10 @@ static void grasp_does_not_creep(void **state)
         tools_steps(&r, 1);
     }
     tools_steps(&r, 2000);
-    vbss_grasp before = tools_grasp(&r, 0, 0);
+    vbss_scene_grasp before = tools_grasp(&r, 0, 0);
     vec3 hand = tools_hand_force(&r, 0);
     tools_steps(&r, 10000);
-    vbss_grasp after = tools_grasp(&r, 0, 0);
+    vbss_scene_grasp after = tools_grasp(&r, 0, 0);
     expect_same_bits(before.arc_length, after.arc_length);
     expect_near(0.0, vec3_distance(vec3_load(before.position), vec3_load(after.position)), 1e-9);
     expect_near(0.0, vec3_distance(hand, tools_hand_force(&r, 0)), 1e-9);
@@ -194,7 +194,7 @@ static void released_thread_is_unchanged(void **state)
     for (int i = 0; i < 60; i++) {
         uint32_t event[4];
         tools_steps(&r, 1);
-        if (tools_happened(&r, VBSS_EVENT_GRASP, event) > 0) {
+        if (tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event) > 0) {
             memcpy(taken, event, sizeof taken);
         }
     }
@@ -215,7 +215,7 @@ static void released_thread_is_unchanged(void **state)
     vec3 force = vec3_load(tools_grasp(&r, 0, 0).force);
     const double h = 1e-6; /* so short that only what is not force shows */
     expect_ok(vbss_scene_step(r.s.scene, h));
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_RELEASE, released), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, released), 1);
     assert_int_equal(taken[3], released[3]);
     expect_near(1e6 * held, released[3], 1.0);
     double node = 5e-4 * r.s.thread.linear_density;

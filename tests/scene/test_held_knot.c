@@ -83,7 +83,7 @@ static void rods_feel_loop_load(void **state)
         expect_ok(held_knot_grow(&t.knot, &goes_on));
         assert_true(t.knot.holds >= t.knot.tension);
         for (int k = 0; k < 2 && t.knot.tension > 1.0 && t.knot.tension < 5.0; k++, compared++) {
-            vbss_rigid_state rod;
+            vbss_scene_rigid_state rod;
             expect_ok(vbss_scene_get_rigid(t.knot.tied.scene, t.knot.rods[k], &rod, sizeof rod));
             double felt = fabs(vec3_dot(vec3_load(rod.contact_force), t.knot.rod_direction));
             assert_true(felt > 0.95 * 2.0 * t.knot.tension);
@@ -100,7 +100,7 @@ static void rods_separate_like_growing_cylinder(void **state)
     enum { BEFORE = 100, STEPS = 100 };
     held t;
     bool goes_on = true;
-    vbss_rigid_state rods[2];
+    vbss_scene_rigid_state rods[2];
     (void)state;
     held_begin(&t, KNOT_SURGEON, 1.0, 0.3, 0);
     expect_ok(held_knot_tie(&t.knot));
@@ -177,9 +177,10 @@ static void disturbance_is_fraction_of_diameter(void **state)
     (void)state;
     held_begin(&a, KNOT_SQUARE, 1.0, 0.3, 0);
     held_begin(&b, KNOT_SQUARE, 1.0, 0.3, 5);
-    expect_ok(vbss_thread_get_view(a.knot.tied.thread, VBSS_THREAD_POSITIONS, &left, sizeof left));
     expect_ok(
-        vbss_thread_get_view(b.knot.tied.thread, VBSS_THREAD_POSITIONS, &right, sizeof right));
+        vbss_thread_get_view(a.knot.tied.thread, VBSS_THREAD_VIEW_POSITIONS, &left, sizeof left));
+    expect_ok(
+        vbss_thread_get_view(b.knot.tied.thread, VBSS_THREAD_VIEW_POSITIONS, &right, sizeof right));
     for (uint64_t i = 0; i < left.count; i++) {
         off[i] = vec3_distance(((const vec3 *)left.data)[i], ((const vec3 *)right.data)[i]);
     }

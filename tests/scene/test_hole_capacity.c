@@ -30,7 +30,7 @@ static vbss_result step(void *handle)
     return puncture_scene_step_of(handle, SPEED, STEP_S);
 }
 
-static uint32_t count_of(vbss_scene *scene, vbss_event_kind kind)
+static uint32_t count_of(vbss_scene *scene, vbss_scene_event_kind kind)
 {
     vbss_view view;
     uint32_t count = 0;
@@ -47,14 +47,14 @@ static void wall_holds_without_hole_capacity(void **state)
     harness_memory memory;
     pricked p = {0};
     void *scene = NULL;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     uint32_t lost = 0;
     vbss_context *context = harness_context(&memory);
     expect_ok(create(context, &p, &scene));
     for (int i = 0; i < 100; i++) {
         expect_ok(step(scene));
-        lost += count_of(scene, VBSS_EVENT_HOLE_LOST);
-        assert_int_equal(count_of(scene, VBSS_EVENT_PUNCTURE), 0);
+        lost += count_of(scene, VBSS_SCENE_EVENT_HOLE_LOST);
+        assert_int_equal(count_of(scene, VBSS_SCENE_EVENT_PUNCTURE), 0);
     }
     assert_true(lost > 0);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_hole(scene, 0, &hole, sizeof hole));
@@ -68,7 +68,7 @@ static void removed_bodies_remove_holes(void **state)
         harness_memory memory;
         pricked p = {16};
         void *scene = NULL;
-        vbss_hole hole;
+        vbss_scene_hole hole;
         vbss_context *context = harness_context(&memory);
         expect_ok(create(context, &p, &scene));
         for (int i = 0; i < 120; i++) {

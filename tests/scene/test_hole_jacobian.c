@@ -166,7 +166,7 @@ static void begin_part(swaged *w)
     w->needle->body.now.pose.position.x += 1e-4; /* it moves in the part */
     memcpy(w->thread->now.x, w->at.x, sizeof w->at.x);
     shift_wall(w, w->drain->x, w->at.wall);
-    w->row = (contact_constraint){.key = {.kind = VBSS_CONTACT_HOLE}};
+    w->row = (contact_constraint){.key = {.kind = VBSS_SCENE_CONTACT_HOLE}};
     update_geometry(w, &w->at, &w->row);
 }
 

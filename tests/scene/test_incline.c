@@ -41,10 +41,10 @@ static void begin(slope *s, double speed)
         return;
     }
     scene_rig_begin(&s->rig, &scene, NULL);
-    vbss_capsule capsule;
+    vbss_scene_capsule capsule;
     vec3 half = vec3_scale(s->down, 0.5 * capsule_length), at = vec3_scale(s->up, capsule_radius);
-    vbss_rigid_config body = scene_rig_capsule(VBSS_RIGID_FREE, &capsule, vec3_sub(at, half),
-                                               vec3_add(at, half), capsule_radius);
+    vbss_scene_rigid_config body = scene_rig_capsule(
+        VBSS_SCENE_RIGID_FREE, &capsule, vec3_sub(at, half), vec3_add(at, half), capsule_radius);
     body.friction = s->body_friction;
     vec3_store(body.velocity, vec3_scale(s->down, speed));
     s->body = scene_rig_add(&s->rig, &body);

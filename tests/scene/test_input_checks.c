@@ -40,9 +40,9 @@ static void expect_warning(listener *l, const char *wanted)
     *l = (listener){0};
 }
 
-static vbss_overlap overlap_of(const small *s, uint32_t body)
+static vbss_scene_overlap overlap_of(const small *s, uint32_t body)
 {
-    vbss_overlap o;
+    vbss_scene_overlap o;
     expect_ok(vbss_scene_get_overlap(s->scene, body, &o, sizeof o));
     return o;
 }
@@ -69,17 +69,17 @@ static void thread_through_a_tool_is_reported(void **state)
     listener l;
     begin_listening(&s, &l);
     small_create(&s);
-    uint32_t stick = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), along, 2e-3);
+    uint32_t stick = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), along, 2e-3);
     assert_true(overlap_of(&s, stick).depth == 0.0);
     uint32_t body = small_thread(&s, left, right, 20, NULL);
     char wanted[64];
     snprintf(wanted, sizeof wanted, "the thread overlaps body %u by 2.", stick);
     expect_warning(&l, wanted);
-    const vbss_overlap o = overlap_of(&s, body);
+    const vbss_scene_overlap o = overlap_of(&s, body);
     assert_int_equal(o.body, stick);
     expect_near(2e-3 + s.thread.radius, o.depth, 1e-9);
     assert_int_equal(overlap_of(&s, stick).body, body);
-    vbss_overlap none;
+    vbss_scene_overlap none;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_overlap(s.scene, 99, &none, sizeof none));
     small_end(&s);
 }
@@ -87,20 +87,21 @@ static void thread_through_a_tool_is_reported(void **state)
 static void overlap_is_refused_or_allowed_as_configured(void **state)
 {
     (void)state;
-    for (vbss_overlap_policy policy = 0; policy < 3; policy++) {
+    for (vbss_scene_overlap_policy policy = 0; policy < 3; policy++) {
         small s;
         listener l;
         uint32_t body = 77;
         begin_listening(&s, &l);
         s.config.overlap = policy;
         small_create(&s);
-        (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), along, 2e-3);
+        (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), along, 2e-3);
         vbss_thread *thread = free_thread(&s, left, right, 20);
         const uint64_t hash = small_hash(&s);
         vbss_result result = vbss_scene_add_thread(s.scene, thread, &body);
-        expect_result(policy == VBSS_OVERLAP_REFUSE ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK, result);
-        assert_int_equal(l.warnings, policy == VBSS_OVERLAP_WARN);
-        if (policy == VBSS_OVERLAP_REFUSE) {
+        expect_result(policy == VBSS_SCENE_OVERLAP_REFUSE ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK,
+                      result);
+        assert_int_equal(l.warnings, policy == VBSS_SCENE_OVERLAP_WARN);
+        if (policy == VBSS_SCENE_OVERLAP_REFUSE) {
             assert_true(small_hash(&s) == hash);
             assert_int_equal(body, 77);
             expect_ok(vbss_thread_destroy(thread)); /* it belongs to no scene */
@@ -124,7 +125,7 @@ static void body_in_a_drain_or_a_floor_is_reported(void **state)
         small_thread(&s, vec3_make(0.0, -0.02, 0.0), vec3_make(0.0, 0.02, 0.0), 20, NULL);
     expect_warning(&l, "the thread overlaps body");
     assert_int_equal(overlap_of(&s, thread).body, drain);
-    uint32_t low = small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.1, -0.05, 0.0), along, 1e-3);
+    uint32_t low = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.1, -0.05, 0.0), along, 1e-3);
     expect_warning(&l, "the rigid body is 1 mm inside the floor");
     assert_int_equal(overlap_of(&s, low).body, 0);
     expect_near(1e-3, overlap_of(&s, low).depth, 1e-12);
@@ -153,9 +154,9 @@ static void usual_places_are_not_reported(void **state)
     (void)small_thread(&s, start, vec3_add_scaled(start, -0.05, forward), 100,
                        NULL); /* at the swage */
     const vec3 far = vec3_make(0.5, 0.0, 0.0);
-    (void)small_stick(&s, VBSS_RIGID_DRIVEN, far, along, 2e-3); /* two driven ones */
-    (void)small_stick(&s, VBSS_RIGID_DRIVEN, far, vec3_make(0.01, 0.0, 0.0), 2e-3);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.5, 0.0), along, 1e-3);
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, far, along, 2e-3); /* two driven ones */
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, far, vec3_make(0.01, 0.0, 0.0), 2e-3);
+    uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 0.5, 0.0), along, 1e-3);
     assert_int_equal(l.warnings, 0);
     uint32_t tied = small_thread(&s, vec3_make(0.0, 0.5, 0.0), vec3_make(0.03, 0.5, 0.0), 6, NULL);
     expect_warning(&l, "the thread overlaps");
@@ -186,7 +187,7 @@ static void values_in_a_wrong_unit_are_named(void **state)
     s.thread.gravity[1] = -9810.0;
     expect_ok(vbss_thread_create(s.context, &s.thread, &thread));
     expect_warning(&l, "if it is in mm/s^2, the right value is 9.81 m/s^2");
-    (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 50.0), 2e-3);
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 50.0), 2e-3);
     expect_warning(&l, "a coordinate of a capsule is 50 m");
     small_end(&s);
 }
@@ -224,7 +225,7 @@ static void tool_in_millimetres_is_named_and_slowed(void **state)
     const double position[3] = {29.5, 2.0, 1.0};
     small_steps(&s, 3, 1e-3);
     for (int i = 0; i < 20; i++) {
-        expect_ok(vbss_grasper_move(grasper, position, NULL));
+        expect_ok(vbss_grasper_set_target(grasper, position, NULL));
         small_steps(&s, 1, 1e-3);
         const vbss_grasper_state now = state_of(grasper);
         assert_true(vec3_norm(vec3_load(now.hand_force)) < 2e3);
@@ -243,7 +244,7 @@ static void host_sets_the_speed_of_targets(void **state)
     s.config.speed_limit = 2.0;
     small_create(&s);
     uint32_t stick =
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 1e-4), 1e-4);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 1e-4), 1e-4);
     const vec3 far = {0.011, 0.0, 0.0};
     small_move(&s, stick, far);
     for (int i = 1; i <= 5; i++) {
@@ -265,11 +266,11 @@ static void turn_is_limited_too(void **state)
     s.config.speed_limit = 1.0;
     small_create(&s);
     uint32_t stick =
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 0.1), 1e-3);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 0.1), 1e-3);
     const double zero[3] = {0.0, 0.0, 0.0}, quarter[4] = {sqrt(0.5), sqrt(0.5), 0.0, 0.0};
-    expect_ok(vbss_scene_move_rigid(s.scene, stick, zero, quarter));
+    expect_ok(vbss_scene_set_rigid_target(s.scene, stick, zero, quarter));
     small_steps(&s, 1, 1e-3);
-    const vbss_rigid_state now = small_rigid(&s, stick);
+    const vbss_scene_rigid_state now = small_rigid(&s, stick);
     const double angle = 2.0 * asin(now.orientation[1]);
     expect_near(1e-3 / 0.101, angle, 1e-6);
     small_end(&s);
@@ -282,7 +283,7 @@ static void no_limit_is_a_jump_as_before(void **state)
     small_begin(&s);
     s.config.speed_limit = 0.0;
     small_create(&s);
-    uint32_t stick = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), along, 1e-3);
+    uint32_t stick = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), along, 1e-3);
     small_move(&s, stick, vec3_make(0.5, 0.0, 0.0));
     small_steps(&s, 1, 1e-3);
     expect_same_bits(0.5, small_position(&s, stick).x);
@@ -297,7 +298,7 @@ static void slowed_motion_goes_on_after_a_restore(void **state)
     small_begin(&s);
     s.config.speed_limit = 2.0;
     small_create(&s);
-    uint32_t stick = small_stick(&s, VBSS_RIGID_COUPLED, vec3_zero(), along, 1e-3);
+    uint32_t stick = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_zero(), along, 1e-3);
     small_move(&s, stick, vec3_make(0.02, 0.01, 0.0));
     small_steps(&s, 3, 1e-3);
     small_state saved = small_save(&s);

@@ -40,8 +40,8 @@ static press add_press(small *s)
 {
     press p;
     small_thread(s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 24, &p.squeezed);
-    p.below = small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
-    p.above = small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 1.5e-3, 0.0), half_z, 1e-3);
+    p.below = small_stick(s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
+    p.above = small_stick(s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 1.5e-3, 0.0), half_z, 1e-3);
     p.falls = add_falling_thread(s);
     return p;
 }
@@ -60,12 +60,12 @@ static void touching_driven_bodies_stop_nothing(void **state)
     for (int mode = 0; mode < 2; mode++) {
         small s;
         small_begin(&s);
-        s.config.mode = mode == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+        s.config.mode = mode == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
         small_create(&s);
         vec3 corner = vec3_zero();
-        small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_make(-5e-3, 0.0, 0.0), corner, 1e-3);
+        small_capsule(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(-5e-3, 0.0, 0.0), corner, 1e-3);
         uint32_t other =
-            small_capsule(&s, VBSS_RIGID_DRIVEN, corner, vec3_make(0.0, 0.0, 5e-3), 1e-3);
+            small_capsule(&s, VBSS_SCENE_RIGID_DRIVEN, corner, vec3_make(0.0, 0.0, 5e-3), 1e-3);
         vbss_thread *falls = add_falling_thread(&s);
         for (uint32_t i = 1; i <= 100; i++) {
             if (i > 50) {
@@ -87,7 +87,7 @@ static void squeezed_thread_holds_back_nothing_else(void **state)
     for (int mode = 0; mode < 2; mode++) {
         small s;
         small_begin(&s);
-        s.config.mode = mode == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+        s.config.mode = mode == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
         small_create(&s);
         press p = add_press(&s);
         for (uint32_t i = 1; i <= 150; i++) {
@@ -113,7 +113,7 @@ static void offline_step_that_gains_nothing_ends_early(void **state)
     enum { HALVINGS = 10, STEPS = 60, MAX_ATTEMPTS = 200 };
     small s;
     small_begin(&s);
-    s.config.mode = VBSS_MODE_OFFLINE;
+    s.config.mode = VBSS_SCENE_MODE_OFFLINE;
     s.config.halving_limit = HALVINGS;
     small_create(&s);
     press p = add_press(&s);
@@ -147,11 +147,11 @@ static void node_pinned_beyond_a_stick_holds_back_nothing_else(void **state)
     uint32_t pin;
     const double beyond[3] = {0.0, -8e-3, 0.0};
     small_begin(&s);
-    s.config.mode = VBSS_MODE_OFFLINE;
+    s.config.mode = VBSS_SCENE_MODE_OFFLINE;
     small_create(&s);
     uint32_t line =
         small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 24, NULL);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
     vbss_thread *falls = add_falling_thread(&s);
     expect_ok(vbss_scene_pin_thread(s.scene, line, 12, 0, beyond, &pin));
     small_steps(&s, STEPS, STEP);
@@ -187,7 +187,7 @@ static void pair_that_exhausts_its_attempts_is_known_in_the_next_step(void **sta
     s.config.floor_height = -0.05;
     small_create(&s);
     uint32_t stick =
-        small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, -0.04899, 0.0), half_z, 1e-3);
+        small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, -0.04899, 0.0), half_z, 1e-3);
     vbss_thread *falls = add_falling_thread(&s);
     small_move(&s, stick, vec3_make(0.0, -0.052, 0.0));
     assert_true(count_longest_stationary(&s, falls, STEPS) <= 1);
@@ -210,7 +210,7 @@ static void thread_without_room_for_its_pairs_waits_alone(void **state)
     small_create(&s);
     uint32_t line =
         small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 24, NULL);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, -1.5e-3, 0.0), half_z, 1e-3);
     vbss_thread *falls = add_falling_thread(&s);
     small_steps(&s, 1, STEP);
     expect_ok(vbss_scene_pin_thread(s.scene, line, 12, 0, beyond, &pin));
@@ -229,7 +229,7 @@ static void state_saved_while_an_island_waits_continues_equally(void **state)
         small s;
         small_begin(&s);
         s.config.drain_capacity = 0;
-        s.config.slot_limit = limit;
+        s.config.call_budget = limit;
         small_create(&s);
         press p = add_press(&s);
         for (uint32_t i = 1; i <= 60; i++) {
@@ -270,7 +270,7 @@ static void restore_before_each_call_changes_no_state(void **state)
         press p[2];
         for (int k = 0; k < 2; k++) {
             small_begin(&s[k]);
-            s[k].config.slot_limit = limit;
+            s[k].config.call_budget = limit;
             small_create(&s[k]);
             p[k] = add_press(&s[k]);
         }
@@ -299,7 +299,7 @@ static void edit_while_islands_wait_counts_the_lost_step(void **state)
     for (uint32_t limit = 200; limit < 20000; limit = limit * 5 / 4) {
         small s;
         small_begin(&s);
-        s.config.slot_limit = limit;
+        s.config.call_budget = limit;
         small_create(&s);
         press p = add_press(&s);
         for (uint32_t i = 1; i <= 60; i++) {
@@ -311,7 +311,7 @@ static void edit_while_islands_wait_counts_the_lost_step(void **state)
             }
             const uint64_t paused = small_statistics(&s).paused;
             checked++;
-            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(-0.1, 0.0, 0.0), half_z, 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(-0.1, 0.0, 0.0), half_z, 1e-3);
             assert_int_equal(small_statistics(&s).paused, paused + 1);
             break;
         }
@@ -328,8 +328,9 @@ static void contacts_of_all_islands_are_published(void **state)
     small_begin_scene(&s);
     press p = add_press(&s);
     s.rigid.gravity[1] = -GRAVITY;
-    uint32_t table = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(-0.1, 0.0, 0.0), half_z, 1e-3);
-    uint32_t rests = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(-0.1, 2.1e-3, 0.0),
+    uint32_t table =
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(-0.1, 0.0, 0.0), half_z, 1e-3);
+    uint32_t rests = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(-0.1, 2.1e-3, 0.0),
                                  vec3_make(3e-3, 0.0, 0.0), 1e-3);
     small_move(&s, rests, vec3_make(-0.1, 1e-3, 0.0));
     uint32_t checked = 0;
@@ -360,7 +361,7 @@ static void contacts_of_all_islands_are_published(void **state)
 static uint32_t count_blockers(small *s)
 {
     uint32_t count = 0;
-    vbss_blocker found;
+    vbss_scene_blocker found;
     while (vbss_scene_get_blocker(s->scene, count, &found, sizeof found) == VBSS_OK) {
         count++;
     }
@@ -377,7 +378,7 @@ static void blocked_pair_is_reported_once_until_it_is_free(void **state)
     enum { SHUT = 60, FREE_AFTER = 100 };
     small s;
     small_begin(&s);
-    s.config.mode = VBSS_MODE_OFFLINE;
+    s.config.mode = VBSS_SCENE_MODE_OFFLINE;
     small_create(&s);
     press p = add_press(&s);
     uint32_t begun = 0, ended = 0, event[4];
@@ -386,22 +387,22 @@ static void blocked_pair_is_reported_once_until_it_is_free(void **state)
     for (uint32_t i = 1; i <= SHUT + 2 * FREE_AFTER; i++) {
         close_press(&s, &p, i <= SHUT ? i : 0);
         small_steps(&s, 1, STEP);
-        begun += small_events(&s, VBSS_EVENT_BLOCKED, event);
-        ended += small_events(&s, VBSS_EVENT_UNBLOCKED, event);
+        begun += small_events(&s, VBSS_SCENE_EVENT_BLOCKED, event);
+        ended += small_events(&s, VBSS_SCENE_EVENT_UNBLOCKED, event);
         if (i != SHUT) {
             continue;
         }
         assert_true(count_blockers(&s) > 0 && begun == count_blockers(&s));
         for (uint32_t k = 0; k < begun; k++) {
-            vbss_blocker found;
+            vbss_scene_blocker found;
             expect_ok(vbss_scene_get_blocker(s.scene, k, &found, sizeof found));
             bool is_of_press =
                 (found.body_a == 1 && found.body_b >= p.below && found.body_b <= p.above) ||
                 (found.body_a == p.below && found.body_b == p.above);
             assert_true(is_of_press);
-            assert_true(found.cause == VBSS_BLOCKER_COLLISION ||
-                        found.cause == VBSS_BLOCKER_PENETRATION ||
-                        found.cause == VBSS_BLOCKER_CONTACT);
+            assert_true(found.cause == VBSS_SCENE_BLOCKER_COLLISION ||
+                        found.cause == VBSS_SCENE_BLOCKER_PENETRATION ||
+                        found.cause == VBSS_SCENE_BLOCKER_CONTACT);
             assert_true(found.since >= 3e-3 && found.since <= STEP * SHUT);
             assert_true(found.depth >= 0.0 && found.depth < 1.125e-3);
             lost += found.lost_time;

@@ -10,7 +10,8 @@
 
 static const double h = 1e-3;
 
-static void begin(scene_rig *r, const knot_shape *shape, double friction, vbss_bending bending)
+static void begin(scene_rig *r, const knot_shape *shape, double friction,
+                  vbss_thread_bending bending)
 {
     vec3 x[KNOT_NODES];
     double rest[KNOT_NODES];
@@ -30,22 +31,22 @@ static void begin(scene_rig *r, const knot_shape *shape, double friction, vbss_b
 }
 
 /* A loop of about 8 mm radius. */
-static knot_shape loose(knot_kind kind, vbss_bending bending)
+static knot_shape loose(knot_kind kind, vbss_thread_bending bending)
 {
     knot_shape shape;
     knot_shape_init(&shape, kind);
     shape.size = 2.5e-3;
     shape.finest = 0.3e-3;
-    shape.rest = bending == VBSS_BENDING_SPLINE ? KNOT_REST_ARCS : KNOT_REST_CHORDS;
+    shape.rest = bending == VBSS_THREAD_BENDING_SPLINE ? KNOT_REST_ARCS : KNOT_REST_CHORDS;
     return shape;
 }
 
 static const struct {
     knot_kind kind;
-    vbss_bending bending;
-} knots[] = {{KNOT_OVERHAND, VBSS_BENDING_SPLINE},
-             {KNOT_OVERHAND, VBSS_BENDING_LOCAL},
-             {KNOT_DOUBLE_OVERHAND, VBSS_BENDING_SPLINE}};
+    vbss_thread_bending bending;
+} knots[] = {{KNOT_OVERHAND, VBSS_THREAD_BENDING_SPLINE},
+             {KNOT_OVERHAND, VBSS_THREAD_BENDING_LOCAL},
+             {KNOT_DOUBLE_OVERHAND, VBSS_THREAD_BENDING_SPLINE}};
 enum { KNOTS = 3 };
 
 static void frictionless_pull_is_energy_gradient(void **state)

@@ -89,7 +89,7 @@ static void teleported_hand(void **state)
         contact_hand *hand = &c.scene.hands[1];
         double target[3];
         vec3_store(target, vec3_add(hard_nodes(&c, 0)[hand->node], displacements[k]));
-        expect_ok(vbss_thread_move(hand->thread, hand->id, target, NULL));
+        expect_ok(vbss_thread_set_attachment_target(hand->thread, hand->id, target, NULL));
         expect_ok(vbss_scene_step(c.scene.scene, c.h));
         hard_run(&c, 300); /* the hands pull again */
         hard_expect_at_rest(&c, 100);
@@ -112,17 +112,18 @@ static void dead_load_on_knot(void **state)
         uint32_t id, last = c.scene.nodes[0] - 1;
         expect_ok(vbss_thread_attachment_init(&load, sizeof load));
         load.node = last;
-        load.kind = VBSS_ATTACHMENT_FORCE;
+        load.kind = VBSS_THREAD_ATTACHMENT_FORCE;
         load.force[0] = 0.5;
         expect_ok(contact_hand_release(&c.scene.hands[1]));
         expect_ok(vbss_thread_attach(c.scene.threads[0], &load, &id));
-        load.kind = VBSS_ATTACHMENT_MASS;
+        load.kind = VBSS_THREAD_ATTACHMENT_MASS;
         load.mass = heavy ? 0.05 : 0.0;
         expect_ok(vbss_thread_attach(c.scene.threads[0], &load, &id));
         hard_run(&c, 100);
         double target[3];
         vec3_store(target, vec3_add(hard_nodes(&c, 0)[0], vec3_make(1e-3, 0.0, 0.0)));
-        expect_ok(vbss_thread_move(c.scene.threads[0], c.scene.hands[0].id, target, NULL));
+        expect_ok(vbss_thread_set_attachment_target(c.scene.threads[0], c.scene.hands[0].id, target,
+                                                    NULL));
         for (int i = 0; i < 200; i++) {
             expect_ok(vbss_scene_step(c.scene.scene, c.h));
             assert_true(hard_fastest(&c) < 10.0);
@@ -214,7 +215,7 @@ static void fine_coarse_and_graded_meshes(void **state)
         expect_holds(name, &o, 1e-3);
     }
     contact_scene_options o = knot_of(KNOT_DOUBLE_OVERHAND, 2.0);
-    o.thread.bending = VBSS_BENDING_LOCAL;
+    o.thread.bending = VBSS_THREAD_BENDING_LOCAL;
     expect_holds("bending between neighbours", &o, 1e-3);
 }
 

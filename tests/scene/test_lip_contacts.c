@@ -48,7 +48,7 @@ static double min_gap(const scene_object *s, const scene_body *b, uint32_t node)
         const contact_constraint *row = &s->contacts->constraints[i];
         const double gap = scene_geometry_of(s, row)->start_gap;
         if (row->key.body_a == b->number && row->key.body_b == b->number &&
-            row->key.kind != VBSS_CONTACT_DRAIN_FLOOR && gap < smallest &&
+            row->key.kind != VBSS_SCENE_CONTACT_DRAIN_FLOOR && gap < smallest &&
             (has_node(s, b, row, false, node) || has_node(s, b, row, true, node))) {
             smallest = gap;
         }

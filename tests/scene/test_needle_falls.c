@@ -38,7 +38,7 @@ static vec3 floor_force(const needles_rig *r)
     for (uint64_t i = 0; i < keys.count; i++) {
         uint32_t key[5];
         memcpy(key, (const char *)keys.data + i * keys.stride_bytes, sizeof key);
-        assert_int_equal(key[0], VBSS_CONTACT_CAPSULE_FLOOR);
+        assert_int_equal(key[0], VBSS_SCENE_CONTACT_CAPSULE_FLOOR);
         assert_int_equal(key[1], r->body);
         sum = vec3_add(sum, small_vector(&r->tools.s, VBSS_SCENE_VIEW_CONTACT_FORCES, i));
     }

@@ -17,7 +17,7 @@ static void jaws_grasp_needle_in_place(void **state)
         tools_open(&r.tools, 0, 0.0);
         for (uint32_t i = 0; i < 300; i++) {
             tools_steps(&r.tools, 1);
-            begun += tools_happened(&r.tools, VBSS_EVENT_GRASP, event);
+            begun += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event);
         }
         assert_int_equal(begun, 1);
         assert_int_equal(event[1], r.body);
@@ -29,8 +29,8 @@ static void jaws_grasp_needle_in_place(void **state)
         vbss_grasper_state tool = tools_state(&r.tools, 0);
         assert_int_equal(tool.grasp_count, 1);
         expect_near(r.tools.config.closing_force, tool.pressure, 1e-12);
-        vbss_grasp grasp = tools_grasp(&r.tools, 0, 0);
-        assert_int_equal(grasp.thread, r.body);
+        vbss_scene_grasp grasp = tools_grasp(&r.tools, 0, 0);
+        assert_int_equal(grasp.body, r.body);
         vec3 held = pose_apply_inverse(needles_jaws(&r, 0), vec3_load(grasp.position));
         expect_near(0.0, held.x, 1e-7); /* it has come to the middle */
         expect_near(-r.tools.config.driver_length + 2e-3, held.z, 1e-4);
@@ -52,7 +52,7 @@ static void jaws_ignore_near_needle(void **state)
         tools_open(&r.tools, 0, 0.0);
         for (uint32_t i = 0; i < 100; i++) {
             tools_steps(&r.tools, 1);
-            assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_GRASP, event), 0);
+            assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
         }
         expect_near(0.0, tools_state(&r.tools, 0).jaw_angle, 0.0);
         needles_end(&r);
@@ -78,7 +78,7 @@ static void grasp_carries_weight(void **state)
     r.config.drag = 5.0;
     needles_hold(&r);
     tools_steps(&r.tools, 1000);
-    vbss_grasp grasp = tools_grasp(&r.tools, 0, 0);
+    vbss_scene_grasp grasp = tools_grasp(&r.tools, 0, 0);
     double weight = 9.81 * needles_mass(&r).mass;
     expect_near(weight, grasp.force[1], 1e-6 * weight);
     expect_near(0.0, grasp.force[0], 1e-6 * weight);
@@ -115,8 +115,8 @@ static void needle_slides_above_friction_of_both_faces(void **state)
         for (uint32_t i = 0; i < 200; i++) {
             b->rigid.body.gravity = vec3_make(0.0, 0.0, -gravity * vbss_min(1.0, (i + 1) / 20.0));
             tools_steps(&r.tools, 1);
-            slips += tools_happened(&r.tools, VBSS_EVENT_SLIP, event);
-            torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+            slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, event);
+            torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
         }
         double fallen = before.z - needles_place(&r, middle, NULL).z;
         if (k == 0) {
@@ -154,7 +154,7 @@ static void needle_turns_above_torque_limit(void **state)
             double share = vbss_min(1.0, (i + 1) / 20.0);
             b->rigid.body.gravity = vec3_make(0.0, -share * weight / b->rigid.body.mass, 0.0);
             tools_steps(&r.tools, 1);
-            slips += tools_happened(&r.tools, VBSS_EVENT_SLIP, event);
+            slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, event);
         }
         double cosine = fabs(quat_dot(before, needles_pose(&r).orientation));
         if (k == 0) {
@@ -179,7 +179,7 @@ static void needle_follows_tool_rigidly(void **state)
     for (uint32_t i = 1; i <= 500; i++) {
         double turn = 0.5 * i / 500.0, to[3] = {20e-3 * i / 500.0, 0.0, -2e-3 + 10e-3 * i / 500.0};
         const double orientation[4] = {cos(turn), 0.0, 0.0, sin(turn)};
-        expect_ok(vbss_grasper_move(r.tools.tools[0], to, orientation));
+        expect_ok(vbss_grasper_set_target(r.tools.tools[0], to, orientation));
         tools_steps(&r.tools, 1);
     }
     tools_steps(&r.tools, 500);
@@ -218,7 +218,7 @@ static void two_tools_share_load(void **state)
     scene_body *b = vbss_scene_body(small_object(&r.tools.s), r.body);
     b->rigid.body.gravity = vec3_make(0.0, -1000.0, 0.0); /* 0.1 N */
     tools_steps(&r.tools, 1000);
-    vbss_grasp one = tools_grasp(&r.tools, 0, 0), other = tools_grasp(&r.tools, 1, 0);
+    vbss_scene_grasp one = tools_grasp(&r.tools, 0, 0), other = tools_grasp(&r.tools, 1, 0);
     double weight = 1000.0 * needles_mass(&r).mass;
     expect_near(weight, one.force[1] + other.force[1], 1e-4 * weight);
     assert_true(fabs(other.force[1]) > 0.0);
@@ -238,7 +238,7 @@ static void needle_is_handed_over(void **state)
     tools_open(&r.tools, 0, 1.0);
     for (uint32_t i = 0; i < 300; i++) {
         tools_steps(&r.tools, 1);
-        let_go += tools_happened(&r.tools, VBSS_EVENT_RELEASE, event);
+        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event);
     }
     assert_int_equal(let_go, 1);
     assert_int_equal(event[1], r.body);

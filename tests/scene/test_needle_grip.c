@@ -130,7 +130,7 @@ static void thread_follows_swage(void **state)
         double share = i / 400.0, turn = 0.25 * share;
         const double to[3] = {30e-3 * share, 0.0, -2e-3 + 10e-3 * share};
         const double orientation[4] = {cos(turn), 0.0, sin(turn), 0.0};
-        expect_ok(vbss_grasper_move(r->tools.tools[0], to, orientation));
+        expect_ok(vbss_grasper_set_target(r->tools.tools[0], to, orientation));
         tools_steps(&r->tools, 1);
         apart = vbss_max(apart, vec3_distance(swage_of(r), tools_node(&r->tools, 0)));
         loosest = vbss_max(loosest, vec3_distance(swage_of(r), tools_node(&r->tools, 40)));
@@ -190,7 +190,7 @@ static void torn_out_needle_collides_with_jaws(void **state)
         for (uint32_t i = 1; i <= 400; i++) {
             tools_move(&r.tools, 0, vec3_lerp(waypoints[k], waypoints[k + 1], i / 400.0));
             tools_steps(&r.tools, 1);
-            torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+            torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
         }
     }
     assert_int_equal(torn, 1);
@@ -229,7 +229,7 @@ static void needle_slides_through_jaws_to_its_end(void **state)
             travel += speeds[k] * 1e-3;
             tools_move(&r.tools, 0, vec3_make(0.0, travel, -2e-3));
             tools_steps(&r.tools, 1);
-            torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+            torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
         }
         assert_int_equal(torn, 1);
         assert_int_equal(event[3], 0); /* over its tip */

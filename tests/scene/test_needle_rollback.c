@@ -37,7 +37,7 @@ typedef struct shown {
     uint64_t hash;
     vbss_needle_state needle;
     vbss_grasper_state tool;
-    vbss_grasp grasp;
+    vbss_scene_grasp grasp;
     vec3 points[9];
     scene_needle_grasp hold;
     bool has_grasp;
@@ -65,7 +65,7 @@ enum { BALLS = 24 };
 /* Balls along the arc, below the needle. */
 static uint32_t add_brush(needles_rig *r)
 {
-    vbss_capsule balls[BALLS];
+    vbss_scene_capsule balls[BALLS];
     uint32_t body_of_balls = 0;
     double length = r->config.arc * r->config.radius;
     for (int i = 0; i < BALLS; i++) {
@@ -74,7 +74,7 @@ static uint32_t add_brush(needles_rig *r)
         vec3_store(balls[i].begin, at);
         vec3_store(balls[i].end, at);
     }
-    r->tools.s.rigid.kind = VBSS_RIGID_DRIVEN;
+    r->tools.s.rigid.kind = VBSS_SCENE_RIGID_DRIVEN;
     r->tools.s.rigid.capsules = balls;
     r->tools.s.rigid.capsule_count = BALLS;
     vec3_store(r->tools.s.rigid.position, vec3_make(0.0, 0.0, -5e-3));
@@ -92,7 +92,7 @@ static void expect_nothing_changed(uint32_t contacts, uint32_t candidates)
     r.tools.s.config.contact_capacity = contacts;
     r.tools.s.config.candidate_capacity = candidates;
     r.tools.s.config.capsule_capacity = 64;
-    r.tools.s.config.work_limit = 0;
+    r.tools.s.config.step_budget = 0;
     small_create(&r.tools.s);
     needles_add_across(&r, 0.5 * r.config.arc * r.config.radius, vec3_zero());
     tools_add(&r.tools, vec3_make(0.0, 0.0, -2e-3));
@@ -108,8 +108,8 @@ static void expect_nothing_changed(uint32_t contacts, uint32_t candidates)
         assert_memory_equal(&before, &after, sizeof before);
         small_move(&r.tools.s, brush, vec3_make(0.0, 0.0, -5e-3));
         tools_steps(&r.tools, 1);
-        taken += tools_happened(&r.tools, VBSS_EVENT_GRASP, event);
-        let_go += tools_happened(&r.tools, VBSS_EVENT_RELEASE, event);
+        taken += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event);
+        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event);
         holding += before.has_grasp;
     }
     assert_int_equal(taken, 1);

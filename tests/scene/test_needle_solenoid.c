@@ -136,7 +136,7 @@ static void stale_input_stop_and_timeout_switch_solenoid_off(void **state)
         steps(&h, 200, 0.0);
         assert_int_equal(h.on, 1);
         if (k == 1) {
-            expect_ok(vbss_output_stop(h.output));
+            expect_ok(vbss_output_latch_emergency_stop(h.output));
         }
         steps(&h, k == 2 ? 400 : 1, k == 0 ? 0.1 : 0.0);
         assert_int_equal(h.on, 0);

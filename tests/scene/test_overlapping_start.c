@@ -21,7 +21,7 @@ static void overlapping_start_may_leave_but_not_pass(void **state)
         s.thread.gravity[1] = pressed ? -1e4 : 0.0;
         small_thread(&s, vec3_make(-6e-3, y, 0.0), vec3_make(6e-3, y, 0.0), 24, &thread);
         if (!floor) {
-            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
         }
         small_watch_begin(&s, &w);
         small_steps(&s, 200, 1e-3);
@@ -51,9 +51,9 @@ static void overlapping_prescribed_bodies_follow_their_targets(void **state)
         small_create(&s);
         s.thread.gravity[1] = -9.81;
         small_thread(&s, vec3_make(0.1, 0.0, 0.0), vec3_make(0.11, 0.0, 0.0), 8, &thread);
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
         uint32_t tool =
-            small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, distance, 0.0), along, 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, distance, 0.0), along, 1e-3);
         for (int n = 1; n <= 40; n++) {
             double y = distance - 0.08e-3 * (n % 20);
             small_move(&s, tool, vec3_make(0.0, y, 0.0));
@@ -76,12 +76,13 @@ static void driven_tool_stays_out_of_floor(void **state)
         small_watch w;
         small_begin(&s);
         if (!limited) {
-            s.config.work_limit = 0;
+            s.config.step_budget = 0;
             s.config.attempt_limit = 16;
         }
         s.config.floor = 1;
         small_create(&s);
-        uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 4e-3, 0.0), half, 1e-3);
+        uint32_t tool =
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 4e-3, 0.0), half, 1e-3);
         small_watch_begin(&s, &w);
         for (int i = 0; i < 3; i++) {
             small_move(&s, tool, vec3_make(0.0, -5e-3, 0.0));
@@ -149,13 +150,13 @@ static void overlapping_sticks_part_slowly(void **state)
         const int quarter = k / 4;
         double distance = 0.1 * (double)quarter * 2e-3, speed = 0.0;
         small_begin(&s);
-        s.config.mode = k / 2 % 2 == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+        s.config.mode = k / 2 % 2 == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
         small_create(&s);
-        uint32_t one = small_stick(&s, driven ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED, vec3_zero(),
-                                   half, 1e-3);
+        uint32_t one = small_stick(&s, driven ? VBSS_SCENE_RIGID_DRIVEN : VBSS_SCENE_RIGID_COUPLED,
+                                   vec3_zero(), half, 1e-3);
         s.rigid.stiffness = s.rigid.damping = 0.0;
         uint32_t other =
-            small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, distance, 0.0), along, 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, distance, 0.0), along, 1e-3);
         vbss_thread *falls = add_falling_thread(&s);
         for (int i = 0; i < 150; i++) {
             small_steps(&s, 1, 1e-3);
@@ -176,12 +177,12 @@ static void tools_driven_into_each_other_stop_slowly(void **state)
     for (int k = 0; k < 4; k++) {
         small s;
         small_begin(&s);
-        s.config.mode = k % 2 == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
+        s.config.mode = k % 2 == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
         small_create(&s);
-        uint32_t one = small_stick(&s, k < 2 ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED,
+        uint32_t one = small_stick(&s, k < 2 ? VBSS_SCENE_RIGID_DRIVEN : VBSS_SCENE_RIGID_COUPLED,
                                    vec3_make(0.0, -2e-3, 0.0), half, 1e-3);
         uint32_t other =
-            small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 2e-3, 0.0), along, 1e-3);
+            small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 2e-3, 0.0), along, 1e-3);
         vbss_thread *falls = add_falling_thread(&s);
         double speed = 0.0;
         for (int i = 1; i <= 150; i++) {

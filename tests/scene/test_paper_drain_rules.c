@@ -1,4 +1,4 @@
-/* Drains in scenes of method PAPER: equal to a drain alone without contact, owned by the scene, unchanged by a step that fails. */
+/* Drains in scenes of method VBLAST: equal to a drain alone without contact, owned by the scene, unchanged by a step that fails. */
 #include "scene/paper_drains.h"
 
 static uint64_t drain_hash(vbss_drain *drain)
@@ -32,7 +32,8 @@ static void contact_free_drain_equals_standalone(void **state)
         begin(&s);
         make(&s);
         place_over(&s, 0.05);
-        add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(0.1, 0, 0), vec3_make(0.1, 0.1, 0), 2e-3);
+        add_capsule(s.scene, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.1, 0, 0), vec3_make(0.1, 0.1, 0),
+                    2e-3);
         d = add_drain(&s, &c);
         expect_ok(vbss_drain_create(s.context, &c, &alone.drain));
         expect_ok(vbss_drain_open(alone.drain, &alone.object));
@@ -62,7 +63,7 @@ static void drain_belongs_to_scene_until_removed(void **state)
     wait_for(&s, 3);
     expect_ok(vbss_scene_remove(s.scene, d.body));
     expect_ok(vbss_drain_step(d.drain, 1e-3));
-    c.method = VBSS_METHOD_OURS;
+    c.method = VBSS_METHOD_IMPLICIT;
     expect_ok(vbss_drain_create(s.context, &c, &ours));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_drain(s.scene, ours, &body));
     expect_ok(vbss_scene_add_drain(s.scene, d.drain, &body));
@@ -113,7 +114,7 @@ static void failed_step_changes_nothing(void **state)
         attach_all_kinds(&d);
         uint32_t tool = add_tool(&s, vec3_make(-5e-3, 0, 0.02), vec3_make(10e-3, 0, 0), 1e-3);
         double into[3] = {-5e-3, 0.0, k < 2 ? 5e-3 : 0.02};
-        expect_ok(vbss_scene_move_rigid(s.scene, tool, into, NULL));
+        expect_ok(vbss_scene_set_rigid_target(s.scene, tool, into, NULL));
         if (k == 2) { /* no call gives it that */
             d.object->v[8] = vec3_make(1e60, 0, 0);
         }
@@ -121,7 +122,7 @@ static void failed_step_changes_nothing(void **state)
         expect_undone(&s, &d, k < 2 ? VBSS_ERROR_CAPACITY : VBSS_ERROR_NOT_FINITE);
         into[2] = 0.02;
         d.object->v[8] = vec3_zero();
-        expect_ok(vbss_scene_move_rigid(s.scene, tool, into, NULL));
+        expect_ok(vbss_scene_set_rigid_target(s.scene, tool, into, NULL));
         expect_ok(vbss_scene_step(s.scene, 1e-3));
         end(&s);
     }

@@ -1,4 +1,4 @@
-/* Method PAPER of scenes: threads, the floor and a drain. Both sides of such a pair are deformable: they share a response
+/* Method VBLAST of scenes: threads, the floor and a drain. Both sides of such a pair are deformable: they share a response
  * as two threads do, by how far each came. */
 #include "scene/paper_drains.h"
 
@@ -30,7 +30,7 @@ static void overlying_thread_is_carried_without_motion(void **state)
         for (int k = 0; k < 2; k++) {
             double to[3], progress = i < 1500 ? i / 1500.0 : 1.0;
             vec3_store(to, vec3_sub(h.at[k], vec3_make(0, 3e-3 * progress, 0)));
-            expect_ok(vbss_thread_move(s.threads[0], h.ids[k], to, NULL));
+            expect_ok(vbss_thread_set_attachment_target(s.threads[0], h.ids[k], to, NULL));
         }
         expect_ok(vbss_scene_step(s.scene, 2e-4)); /* longer ones stretch it until it bursts */
         largest = i % 10 == 0 ? vbss_max(TOUCHING - clearance(&s, &d), largest) : largest;
@@ -41,7 +41,7 @@ static void overlying_thread_is_carried_without_motion(void **state)
     vbss_view v = view_of(&s, VBSS_SCENE_VIEW_CONTACTS);
     const uint32_t *features = v.data;
     assert_true(v.count > 0);
-    assert_int_equal(VBSS_CONTACT_SIDES, features[0]);
+    assert_int_equal(VBSS_SCENE_CONTACT_SIDES, features[0]);
     assert_int_equal(s.bodies[0], features[1]);
     assert_int_equal(d.body, features[3]);
     assert_true(statistics_of(&s).last_stretch_error > 3e-3);
@@ -85,7 +85,7 @@ static void held_segment_moves_drain(void **state)
             double to[3];
             vec3_store(to,
                        vec3_sub(h.at[k], vec3_make(0, 1.5e-3 * (i < 100 ? i / 100.0 : 1.0), 0)));
-            expect_ok(vbss_thread_move(s.threads[0], h.ids[k], to, NULL));
+            expect_ok(vbss_thread_set_attachment_target(s.threads[0], h.ids[k], to, NULL));
         }
         expect_ok(vbss_scene_step(s.scene, 1e-3));
     }
@@ -144,7 +144,7 @@ static void floor_carries_drain(void **state)
     assert_int_equal(7, lifted); /* the line at the bottom */
     const uint32_t *features = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_int_equal(7, statistics_of(&s).contacts);
-    assert_int_equal(VBSS_CONTACT_DRAIN_FLOOR, features[0]);
+    assert_int_equal(VBSS_SCENE_CONTACT_DRAIN_FLOOR, features[0]);
     assert_int_equal(d.body, features[1]);
     assert_int_equal(0, features[3]);
     end(&s);
@@ -171,7 +171,7 @@ static void two_drains_touch(void **state)
     expect_ok(vbss_scene_step(s.scene, 1e-4));
     const uint32_t *features = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
     assert_true(statistics_of(&s).contacts > 0);
-    assert_int_equal(VBSS_CONTACT_SIDES, features[0]);
+    assert_int_equal(VBSS_SCENE_CONTACT_SIDES, features[0]);
     assert_int_equal(d.body, features[1]);
     assert_int_equal(e.body, features[3]);
     expect_near(0.0, farthest(&d, DRAIN_NODES), 0.0);

@@ -1,4 +1,4 @@
-/* Method PAPER of scenes: tools and a drain, which yields where its edges are touched, and lets through what they miss. */
+/* Method VBLAST of scenes: tools and a drain, which yields where its edges are touched, and lets through what they miss. */
 #include "scene/paper_drains.h"
 
 /* ---- what collides */
@@ -38,7 +38,7 @@ static void expect_poked(stage *s, const stage_drain *d, uint32_t tool)
     scene_object *scene;
     expect_ok(vbss_scene_open(s->scene, &scene));
     for (uint32_t i = 0; i < scene->collision->candidate_count; i++) { /* triangles are not asked */
-        assert_int_equal(VBSS_PAIR_EDGE_EDGE, scene->collision->candidates[i].kind);
+        assert_int_equal(VBSS_COLLISION_PAIR_EDGE_EDGE, scene->collision->candidates[i].kind);
     }
     vbss_view v = view_of(s, VBSS_SCENE_VIEW_CONTACTS);
     const uint32_t *features = v.data;
@@ -46,7 +46,7 @@ static void expect_poked(stage *s, const stage_drain *d, uint32_t tool)
     const vec3 *forces = view_of(s, VBSS_SCENE_VIEW_CONTACT_FORCES).data;
     assert_true(v.count > 0);
     for (uint64_t i = 0; i < v.count; i++) {
-        assert_int_equal(VBSS_CONTACT_SIDES, features[5 * i]);
+        assert_int_equal(VBSS_SCENE_CONTACT_SIDES, features[5 * i]);
         assert_int_equal(tool, features[5 * i + 1]);
         assert_int_equal(d->body, features[5 * i + 3]);
         sum = vec3_add(sum, forces[i]);
@@ -78,8 +78,8 @@ static void poked_drain_yields_and_springs_back(void **state)
     for (int i = 1; i <= 300; i++) {
         double progress = i <= 100 ? 0.01 * i : i <= 200 ? 1.0 : 0.01 * (300 - i);
         go(&s, tool, vec3_lerp(away, in, progress));
-        touched += count_events(&s, VBSS_EVENT_TOUCH, tool, d.body);
-        parted += count_events(&s, VBSS_EVENT_PART, tool, d.body);
+        touched += count_events(&s, VBSS_SCENE_EVENT_TOUCH, tool, d.body);
+        parted += count_events(&s, VBSS_SCENE_EVENT_PART, tool, d.body);
         expect_near(gap, gap_of(&d).gap, 1e-6); /* it is far from there */
         if (i == 200) {
             expect_poked(&s, &d, tool);

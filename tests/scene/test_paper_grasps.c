@@ -1,4 +1,4 @@
-/* Grasping by method PAPER: jaws that close near a node carry it exactly, and the first tool that has it leads. */
+/* Grasping by method VBLAST: jaws that close near a node carry it exactly, and the first tool that has it leads. */
 #include <stdlib.h>
 
 #include "scene/tools_rig.h"
@@ -6,7 +6,7 @@
 static void begin(tools_rig *r, tools_ends ends)
 {
     tools_begin(r);
-    r->s.config.method = VBSS_METHOD_PAPER;
+    r->s.config.method = VBSS_METHOD_VBLAST;
     r->s.thread.bending_stiffness *= 0.1; /* a soft thread takes a third of the explicit steps */
     r->s.config.candidate_capacity = 16384;
     small_create(&r->s);
@@ -22,7 +22,7 @@ static bool close_jaws(tools_rig *r, uint32_t tool, uint32_t event[4])
     for (int i = 0; i < 60; i++) {
         uint32_t last[4];
         tools_steps(r, 1);
-        if (tools_happened(r, VBSS_EVENT_GRASP, last) > 0) {
+        if (tools_happened(r, VBSS_SCENE_EVENT_GRASP, last) > 0) {
             taken++;
             memcpy(event, last, sizeof last);
         }
@@ -42,7 +42,7 @@ static void closed_jaws_carry_nearest_node(void **state)
     assert_int_equal(event[2], r.bodies[0]);
     assert_int_equal(tools_state(&r, 0).grasp_count, 1);
     uint32_t node = (uint32_t)(event[3] / 500.0 + 0.5);
-    vbss_grasp grasp = tools_grasp(&r, 0, 0);
+    vbss_scene_grasp grasp = tools_grasp(&r, 0, 0);
     expect_near(5e-4 * node, grasp.arc_length, 1e-12);
     vec3 tip = vec3_make(0.0, 5.1e-3, -0.5e-3);
     vec3 arm = vec3_sub(tools_node(&r, node), tip);
@@ -57,7 +57,7 @@ static void closed_jaws_carry_nearest_node(void **state)
     vec3 before = tools_node(&r, node);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_RELEASE, released), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, released), 1);
     assert_int_equal(released[3], event[3]);
     expect_near(0.0, vec3_distance(before, tools_node(&r, node)), 1e-12); /* it goes from here */
     assert_int_equal(tools_state(&r, 0).grasp_count, 0);
@@ -100,8 +100,8 @@ static void first_tool_leads_and_second_takes_over(void **state)
     expect_near(0.0, vec3_distance(first, tools_node(&r, 30)), 1e-12);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_RELEASE, event), 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_GRASP, taken), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, taken), 1);
     assert_int_equal(taken[2], r.bodies[1]);
     assert_int_equal(taken[3], event[3]);
     expect_near(0.0, vec3_distance(first, tools_node(&r, 30)), 1e-12);
@@ -116,7 +116,7 @@ static void waiting_tool_holds_nothing(void **state)
     (void)state;
     tools_rig r;
     uint32_t event[4] = {0};
-    vbss_grasp grasp;
+    vbss_scene_grasp grasp;
     begin(&r, TOOLS_BOTH);
     r.config.paper_distance = 0.1;
     tools_add(&r, vec3_make(0.0, 0.0, -3e-3));
@@ -125,16 +125,16 @@ static void waiting_tool_holds_nothing(void **state)
     assert_false(close_jaws(&r, 1, event));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_scene_get_grasp(r.s.scene, r.bodies[1], 0, &grasp, sizeof grasp));
-    expect_ok(vbss_grasper_exchange(r.tools[1], VBSS_GRASPER_SHEARS));
+    expect_ok(vbss_grasper_exchange(r.tools[1], VBSS_GRASPER_KIND_SHEARS));
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_EXCHANGED, event), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), 1);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_RELEASE, event), 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event), 0);
     tools_open(&r, 1, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_RELEASE, event), 0);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event), 0);
     tools_end(&r);
 }
 

@@ -1,4 +1,4 @@
-/* What follows a needle of method PAPER that has gone through a wall, and what does not touch it there. */
+/* What follows a needle of method VBLAST that has gone through a wall, and what does not touch it there. */
 #include "scene/paper_prick.h"
 
 /* No force enters: a tip within a triangle touches nothing and moves nothing. */
@@ -23,7 +23,7 @@ static void particles_follow_needle_by_weight(void **state)
     for (int i = 1; i <= 100; i++) {
         p.aside = vec3_make(2e-5 * i, 1e-5 * i, 0.0);
         go(&p, 6e-3);
-        vbss_hole hole = hole_of(&p, 0);
+        vbss_scene_hole hole = hole_of(&p, 0);
         vec3 there = needles_place(&p.r, hole.arc_length, NULL);
         expect_near(0.0, vec3_distance(there, vec3_load(hole.position)), 1e-9);
     }
@@ -31,7 +31,7 @@ static void particles_follow_needle_by_weight(void **state)
         go(&p, 6e-3);
     }
     /* Springs alike, each particle is as far from its rest as the others by weight over mass. */
-    vbss_hole hole = hole_of(&p, 0);
+    vbss_scene_hole hole = hole_of(&p, 0);
     const uint32_t *node = p.drain->mesh.triangles[hole.triangle];
     vec3 moved = vec3_sub(vec3_load(hole.position), vec3_load(hole.rest_position));
     double share[3], sum = 0.0;
@@ -57,7 +57,7 @@ static uint32_t sides(const prick *p)
     for (uint64_t i = 0; i < keys.count; i++) {
         uint32_t key[5];
         memcpy(key, (const char *)keys.data + i * keys.stride_bytes, sizeof key);
-        count += key[0] == VBSS_CONTACT_SIDES && key[1] == p->r.body;
+        count += key[0] == VBSS_SCENE_CONTACT_SIDES && key[1] == p->r.body;
     }
     return count;
 }

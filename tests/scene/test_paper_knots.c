@@ -1,4 +1,4 @@
-/* Method PAPER of scenes: knots, which it holds by pins and not by contact. What becomes of a
+/* Method VBLAST of scenes: knots, which it holds by pins and not by contact. What becomes of a
  * knot is pinned down here as docs/paper-scene.md tells it, where it is bad as well. */
 #include "base/check.h"
 #include "collision/closest.h"
@@ -37,7 +37,7 @@ static void begin(throw *t, const knot_shape *shape)
     t->context = harness_context(&t->memory);
     expect_ok(knot_make(shape, KNOT_NODES, x, t->rest, &line));
     expect_ok(vbss_thread_config_init(&c, sizeof c));
-    c.method = VBSS_METHOD_PAPER;
+    c.method = VBSS_METHOD_VBLAST;
     c.segment_count = line.node_count - 1;
     c.rest_lengths = t->rest;
     c.positions = &x[0].x;
@@ -45,7 +45,7 @@ static void begin(throw *t, const knot_shape *shape)
     c.paper_damping = 0.01;
     expect_ok(vbss_thread_create(t->context, &c, &t->thread));
     expect_ok(vbss_scene_config_init(&s, sizeof s));
-    s.method = VBSS_METHOD_PAPER;
+    s.method = VBSS_METHOD_VBLAST;
     expect_ok(vbss_scene_create(t->context, &s, &t->scene));
     expect_ok(vbss_scene_add_thread(t->scene, t->thread, &t->body));
     t->nodes = line.node_count;
@@ -78,7 +78,7 @@ static void end(throw *t)
 static const vec3 *places(const throw *t)
 {
     vbss_view v;
-    expect_ok(vbss_thread_get_view(t->thread, VBSS_THREAD_POSITIONS, &v, sizeof v));
+    expect_ok(vbss_thread_get_view(t->thread, VBSS_THREAD_VIEW_POSITIONS, &v, sizeof v));
     return v.data;
 }
 
@@ -141,7 +141,7 @@ static void move_hand(throw *t, int k, double distance)
     double to[3];
     t->hands[k].x += k == 0 ? -distance : distance;
     vec3_store(to, t->hands[k]);
-    expect_ok(vbss_thread_move(t->thread, t->ids[k], to, NULL));
+    expect_ok(vbss_thread_set_attachment_target(t->thread, t->ids[k], to, NULL));
 }
 
 /* What the stretch of the thread between a hand and the knot would be at its EA, N. */
@@ -186,7 +186,7 @@ static void wait(throw *t, int frames)
 static double largest_tension(const throw *t)
 {
     vbss_view v;
-    expect_ok(vbss_thread_get_view(t->thread, VBSS_THREAD_TENSIONS, &v, sizeof v));
+    expect_ok(vbss_thread_get_view(t->thread, VBSS_THREAD_VIEW_TENSIONS, &v, sizeof v));
     return vbss_max_abs(v.data, v.count);
 }
 
@@ -216,7 +216,8 @@ static void pins_on_both_strands_hold_throw(void **state)
     }
     assert_true(largest_tension(&t) < 0.01);
     vbss_view sections;
-    expect_ok(vbss_thread_get_view(t.thread, VBSS_THREAD_SECTIONS, &sections, sizeof sections));
+    expect_ok(
+        vbss_thread_get_view(t.thread, VBSS_THREAD_VIEW_SECTIONS, &sections, sizeof sections));
     assert_int_equal(3, sections.count);
     assert_int_equal(t.pinned[0], ((const uint32_t *)sections.data)[1]);
     end(&t);

@@ -1,4 +1,4 @@
-/* Free needles of method PAPER: they fly as they do alone, come down on the floor without a bounce, and stay there. */
+/* Free needles of method VBLAST: they fly as they do alone, come down on the floor without a bounce, and stay there. */
 #include "base/rotation.h"
 #include "scene/needles_rig.h"
 
@@ -7,7 +7,7 @@
 static void begin(needles_rig *r, int32_t floor)
 {
     needles_begin(r);
-    r->tools.s.config.method = r->config.method = VBSS_METHOD_PAPER;
+    r->tools.s.config.method = r->config.method = VBSS_METHOD_VBLAST;
     r->tools.s.config.capsule_capacity = 64;
     r->tools.s.config.floor = floor;
     vec3_store(r->tools.s.config.floor_normal, vec3_make(0.0, 0.0, 1.0));
@@ -146,7 +146,7 @@ static void floor_keeps_distance(void **state)
     (void)state;
     needles_rig r;
     needles_begin(&r);
-    r.tools.s.config.method = r.config.method = VBSS_METHOD_PAPER;
+    r.tools.s.config.method = r.config.method = VBSS_METHOD_VBLAST;
     r.tools.s.config.floor = 1;
     r.tools.s.config.paper_thickness = 1e-3;
     small_create(&r.tools.s);

@@ -1,4 +1,4 @@
-/* Needles of method PAPER: a step that fails changes nothing, and a leader that is removed releases its needle. */
+/* Needles of method VBLAST: a step that fails changes nothing, and a leader that is removed releases its needle. */
 #include <stdlib.h>
 
 #include "baseline/scene.h"
@@ -58,7 +58,7 @@ static void removed_leader_releases_needle(void **state)
     assert_int_equal(needle->leader, PAPER_NEEDLE_SCENE_SECOND); /* who has waited */
     expect_ok(vbss_scene_remove(s.scene, PAPER_NEEDLE_SCENE_NEEDLE));
     expect_ok(vbss_scene_step(s.scene, 1e-3));
-    vbss_hole hole;
+    vbss_scene_hole hole;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_hole(s.scene, 0, &hole, sizeof hole));
     small_end(&s);
 }

@@ -1,4 +1,4 @@
-/* Needles of method PAPER in jaws: one follows the first tool that has closed on it, exactly; another changes nothing until
+/* Needles of method VBLAST in jaws: one follows the first tool that has closed on it, exactly; another changes nothing until
  * that lets go. And when a solenoid is wanted. */
 #include <vblast_ss/device.h>
 
@@ -9,10 +9,10 @@
 static void begin(needles_rig *r)
 {
     needles_begin(r);
-    r->tools.s.config.method = r->config.method = VBSS_METHOD_PAPER;
+    r->tools.s.config.method = r->config.method = VBSS_METHOD_VBLAST;
     r->tools.s.config.capsule_capacity = 64;
     r->tools.config.jaw_speed = 1e3; /* closed in one step */
-    r->tools.s.thread.method = VBSS_METHOD_PAPER;
+    r->tools.s.thread.method = VBSS_METHOD_VBLAST;
     r->tools.s.thread.paper_damping = 0.01;
     small_create(&r->tools.s);
 }
@@ -62,7 +62,7 @@ static void wander(needles_rig *r, uint32_t tool, vec3 home, uint32_t steps, uin
         }
         turn[3] = 1.0;
         vec3_store(tip, vec3_add(home, vec3_load(tip)));
-        expect_ok(vbss_grasper_move(r->tools.tools[tool], tip, turn));
+        expect_ok(vbss_grasper_set_target(r->tools.tools[tool], tip, turn));
         tools_steps(&r->tools, 1);
     }
 }
@@ -76,7 +76,7 @@ static void needle_follows_tool_exactly(void **state)
     begin_across(&r);
     tools_add(&r.tools, home);
     close_jaws(&r, 0);
-    assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_GRASP, event), 1);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 1);
     assert_int_equal(event[1], r.body);
     assert_int_equal(event[2], r.tools.bodies[0]);
     expect_near(1e6 * MIDDLE, event[3], 1.0);
@@ -87,8 +87,8 @@ static void needle_follows_tool_exactly(void **state)
         wander(&r, 0, home, 1, i);
         expect_same_pose(held, offset(&r, 0));
     }
-    vbss_grasp grasp = tools_grasp(&r.tools, 0, 0);
-    assert_int_equal(grasp.thread, r.body);
+    vbss_scene_grasp grasp = tools_grasp(&r.tools, 0, 0);
+    assert_int_equal(grasp.body, r.body);
     expect_near(MIDDLE, grasp.arc_length, 1e-9);
     vec3 there = needles_place(&r, grasp.arc_length, NULL);
     expect_near(0.0, vec3_distance(there, vec3_load(grasp.position)), 1e-15);
@@ -110,9 +110,9 @@ static void second_tool_waits_and_takes_over(void **state)
     const pose held = offset(&r, 2);
     close_jaws(&r, 1); /* in this order, against that of their numbers */
     close_jaws(&r, 0);
-    assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
     for (uint32_t waiting = 0; waiting < 2; waiting++) {
-        vbss_grasp grasp;
+        vbss_scene_grasp grasp;
         assert_int_equal(tools_state(&r.tools, waiting).needle, 0);
         assert_int_equal(tools_state(&r.tools, waiting).grasp_count, 0);
         expect_result(VBSS_ERROR_OUT_OF_RANGE,
@@ -127,9 +127,9 @@ static void second_tool_waits_and_takes_over(void **state)
         const pose before = needles_pose(&r);
         tools_open(&r.tools, next + 1, 1.0);
         tools_steps(&r.tools, 1);
-        assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_RELEASE, event), 1);
+        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 1);
         assert_int_equal(event[2], r.tools.bodies[next + 1]);
-        assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_GRASP, event), 1);
+        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 1);
         assert_int_equal(event[2], r.tools.bodies[next]);
         assert_int_equal(tools_state(&r.tools, next).needle, r.body);
         expect_same_pose(before, needles_pose(&r));
@@ -152,11 +152,11 @@ static void leaving_waiter_does_not_take_over(void **state)
     close_jaws(&r, 1);
     tools_open(&r.tools, 1, 1.0);
     tools_steps(&r.tools, 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_RELEASE, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 0);
     tools_open(&r.tools, 0, 1.0);
     tools_steps(&r.tools, 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_RELEASE, event), 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 1);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
     needles_end(&r);
 }
 
@@ -183,7 +183,8 @@ static void jaws_grasp_near_transverse_needle(void **state)
         needles_add_across(&r, 0.1 * r.config.radius, places[k].there);
         tools_add(&r.tools, vec3_zero());
         const double turn[4] = {cos(0.5 * places[k].turn), 0.0, 0.0, sin(0.5 * places[k].turn)};
-        expect_ok(vbss_grasper_move(r.tools.tools[0], (const double[3]){0.0, 0.0, 0.0}, turn));
+        expect_ok(
+            vbss_grasper_set_target(r.tools.tools[0], (const double[3]){0.0, 0.0, 0.0}, turn));
         tools_steps(&r.tools, 1);
         close_jaws(&r, 0);
         assert_int_equal(tools_state(&r.tools, 0).needle != 0, places[k].taken);
@@ -201,8 +202,8 @@ static void jaws_ignore_parallel_or_late_needle(void **state)
         needles_add_across(&r, 0.1 * r.config.radius, vec3_make(0.0, 0.0, k == 0 ? 5e-3 : 40e-3));
         tools_add(&r.tools, vec3_zero());
         const double turn[4] = {cos(0.5), 0.0, 0.0, sin(0.5)}; /* a radian aside */
-        expect_ok(vbss_grasper_move(r.tools.tools[0], (const double[3]){0.0, 0.0, 0.0},
-                                    k == 0 ? turn : NULL));
+        expect_ok(vbss_grasper_set_target(r.tools.tools[0], (const double[3]){0.0, 0.0, 0.0},
+                                          k == 0 ? turn : NULL));
         tools_steps(&r.tools, 1);
         close_jaws(&r, 0);
         tools_move_along(&r.tools, 0, vec3_zero(), vec3_make(0.0, 0.0, k == 0 ? 0.0 : 36e-3), 20);

@@ -1,9 +1,9 @@
-/* Method PAPER of scenes: pins on tools, and what cannot be pinned. */
+/* Method VBLAST of scenes: pins on tools, and what cannot be pinned. */
 #include "base/elementary.h"
 #include "scene/paper_fixture.h"
 
 /* A ball of 2 mm, and a thread of 50 mm that hangs from its middle. Returns the ball. */
-static uint32_t hang_from_tool(stage *s, vbss_rigid_kind kind)
+static uint32_t hang_from_tool(stage *s, vbss_scene_rigid_kind kind)
 {
     vbss_thread_config t = paper_thread(10);
     const double down[3] = {0.0, -1.0, 0.0};
@@ -26,7 +26,7 @@ static vec3 place_of(const stage *s, uint32_t node)
 
 static vec3 point_of(stage *s, uint32_t tool, const double point[3])
 {
-    vbss_rigid_state r = rigid_of(s, tool);
+    vbss_scene_rigid_state r = rigid_of(s, tool);
     const double *q = r.orientation;
     pose at = pose_make(vec3_load(r.position), quat_make(q[0], q[1], q[2], q[3]));
     return pose_apply(at, vec3_load(point));
@@ -37,7 +37,8 @@ static vec3 point_of(stage *s, uint32_t tool, const double point[3])
 static void pinned_node_moves_with_tool(void **state)
 {
     (void)state;
-    const vbss_rigid_kind kinds[] = {VBSS_RIGID_DRIVEN, VBSS_RIGID_COUPLED, VBSS_RIGID_FREE};
+    const vbss_scene_rigid_kind kinds[] = {VBSS_SCENE_RIGID_DRIVEN, VBSS_SCENE_RIGID_COUPLED,
+                                           VBSS_SCENE_RIGID_FREE};
     for (int k = 0; k < 3; k++) {
         stage s;
         uint32_t pin, tool = hang_from_tool(&s, kinds[k]);
@@ -47,8 +48,8 @@ static void pinned_node_moves_with_tool(void **state)
             int ramp = i < 500 ? i : 500;
             const double to[3] = {1e-5 * ramp, 0.0, 0.0};
             const double turn[4] = {vbss_cos(5e-4 * ramp), 0.0, 0.0, vbss_sin(5e-4 * ramp)};
-            if (kinds[k] != VBSS_RIGID_FREE) {
-                expect_ok(vbss_scene_move_rigid(s.scene, tool, to, turn));
+            if (kinds[k] != VBSS_SCENE_RIGID_FREE) {
+                expect_ok(vbss_scene_set_rigid_target(s.scene, tool, to, turn));
             }
             expect_ok(vbss_scene_step(s.scene, 1e-3));
             expect_near(0.0, vec3_distance(point_of(&s, tool, point), place_of(&s, 0)), 1e-17);
@@ -56,7 +57,7 @@ static void pinned_node_moves_with_tool(void **state)
         assert_int_equal(0, statistics_of(&s).contacts);
         expect_near(0.0, statistics_of(&s).penetration, 0.0);
         double weight = 9.81 * 6.4e-5 * 0.05;
-        bool handed = kinds[k] != VBSS_RIGID_FREE;
+        bool handed = kinds[k] != VBSS_SCENE_RIGID_FREE;
         expect_near(-weight, rigid_of(&s, tool).contact_force[1], 1e-3 * weight);
         expect_near(handed ? -weight : 0.0, rigid_of(&s, tool).hand_force[1], 1e-3 * weight);
         expect_ok(vbss_scene_unpin_thread(s.scene, pin));
@@ -72,7 +73,7 @@ static void impossible_pins_are_rejected(void **state)
 {
     (void)state;
     stage s;
-    uint32_t pin, other, tool = hang_from_tool(&s, VBSS_RIGID_DRIVEN), body = s.bodies[0];
+    uint32_t pin, other, tool = hang_from_tool(&s, VBSS_SCENE_RIGID_DRIVEN), body = s.bodies[0];
     const double bad[3] = {0.0, harness_bad_numbers[0], 0.0}, far[3] = {0.0, 0.0, 1001.0};
     const struct {
         vbss_result result;
@@ -112,12 +113,12 @@ static void failed_step_keeps_pins(void **state)
     (void)state;
     stage s;
     thread_object *t;
-    uint32_t pin, tool = hang_from_tool(&s, VBSS_RIGID_DRIVEN);
+    uint32_t pin, tool = hang_from_tool(&s, VBSS_SCENE_RIGID_DRIVEN);
     expect_ok(vbss_scene_pin_thread(s.scene, s.bodies[0], 0, tool, NULL, &pin));
     expect_ok(vbss_scene_step(s.scene, 1e-3));
     expect_ok(vbss_thread_open(s.threads[0], &t));
     t->now.v[8] = vec3_make(1e40, 0, 0); /* no call gives it that */
-    expect_ok(vbss_scene_move_rigid(s.scene, tool, (const double[3]){1e-3, 0.0, 0.0}, NULL));
+    expect_ok(vbss_scene_set_rigid_target(s.scene, tool, (const double[3]){1e-3, 0.0, 0.0}, NULL));
     uint64_t before = hash_of(s.scene);
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_scene_step(s.scene, 1e-3));
     assert_int_equal(before, hash_of(s.scene));

@@ -28,7 +28,7 @@ static void hole_is_counted_one_wall_behind_tip(void **state)
     }
     expect_near(1e-3, p.depth, 2.1e-5); /* the first segment leans by 6 thousandths */
     assert_int_equal(toggles(&p), 0);
-    vbss_hole hole = hole_of(&p, 0);
+    vbss_scene_hole hole = hole_of(&p, 0);
     assert_int_equal(hole.needle, p.r.body);
     assert_int_equal(hole.drain, p.wall);
     assert_int_equal(hole.triangle, p.triangle);
@@ -61,7 +61,7 @@ static void withdrawn_needle_leaves_and_reenters(void **state)
 {
     (void)state;
     prick p;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     begin(&p);
     for (uint32_t round = 1; round <= 3; round++) {
         drive(&p, 5e-3);
@@ -88,7 +88,7 @@ static void two_walls_are_counted_twice(void **state)
     begin(&p);
     drive(&p, 17e-3);
     assert_int_equal(p.in, 2);
-    vbss_hole near = hole_of(&p, 0), far = hole_of(&p, 1);
+    vbss_scene_hole near = hole_of(&p, 0), far = hole_of(&p, 1);
     assert_int_equal(near.outward, 0);
     assert_int_equal(far.outward, 1);
     assert_true(far.position[2] < -4e-3);
@@ -119,7 +119,7 @@ static void hole_above_capacity_is_reported(void **state)
 {
     (void)state;
     prick p;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     begin_with(&p, middle, 1);
     go(&p, START);
     tools_open(&p.r.tools, 0, 0.0);

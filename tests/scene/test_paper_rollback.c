@@ -1,4 +1,4 @@
-/* Method PAPER of scenes: a step that fails is undone, and options of the other method are rejected. */
+/* Method VBLAST of scenes: a step that fails is undone, and options of the other method are rejected. */
 #include "scene/paper_fixture.h"
 
 static void expect_undone(stage *s, vbss_result wanted)
@@ -19,7 +19,7 @@ static void failed_step_is_undone(void **state)
         s.config.candidate_capacity = k == 1 ? 1 : 16384;
         make(&s);
         if (k < 2) { /* that many segments lie along it */
-            add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(-0.02, 0.004, 0),
+            add_capsule(s.scene, VBSS_SCENE_RIGID_DRIVEN, vec3_make(-0.02, 0.004, 0),
                         vec3_make(0.02, 0.004, 0), 1e-3);
         }
         place_over(&s, 0.01);
@@ -60,7 +60,7 @@ static void diverged_thread_fails_step_and_changes_nothing(void **state)
         double target[3];
         uint32_t n;
         vec3_store(target, vec3_add(h.at[1], vec3_make(vbss_min(1e-4 * i, 0.01), 0.0, 0.0)));
-        expect_ok(vbss_thread_move(s.threads[0], h.ids[1], target, NULL));
+        expect_ok(vbss_thread_set_attachment_target(s.threads[0], h.ids[1], target, NULL));
         before = hash_of(s.scene);
         result = vbss_scene_step(s.scene, 1e-3);
         const vec3 *x = places(s.threads[0], &n);
@@ -95,7 +95,7 @@ static void options_of_other_method_are_rejected(void **state)
     }
     make(&s);
     vbss_thread_config ours = paper_thread(4);
-    ours.method = VBSS_METHOD_OURS;
+    ours.method = VBSS_METHOD_IMPLICIT;
     expect_ok(vbss_thread_create(s.context, &ours, &s.threads[0]));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(s.scene, s.threads[0], &body));
     place_over(&s, 0.0);

@@ -1,4 +1,4 @@
-/* Method PAPER of scenes: rules where the paper is silent, and what is told of contacts. */
+/* Method VBLAST of scenes: rules where the paper is silent, and what is told of contacts. */
 #include "scene/paper_fixture.h"
 
 /* ---- rules where the paper is silent */
@@ -75,9 +75,10 @@ static void neighbour_of_held_node_is_not_thrown(void **state)
     add(&s, 0, &c);
     hold_ends(&s, 0);
     expect_ok(vbss_thread_detach(s.threads[0], 2));
-    uint32_t tool = add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(1e-4, -1e-3, -1e-3),
+    uint32_t tool = add_capsule(s.scene, VBSS_SCENE_RIGID_DRIVEN, vec3_make(1e-4, -1e-3, -1e-3),
                                 vec3_make(1e-4, -1e-3, 1e-3), 2e-4);
-    expect_ok(vbss_scene_move_rigid(s.scene, tool, (const double[3]){0.0, 7.5e-4, 0.0}, NULL));
+    expect_ok(
+        vbss_scene_set_rigid_target(s.scene, tool, (const double[3]){0.0, 7.5e-4, 0.0}, NULL));
     expect_ok(vbss_scene_step(s.scene, 1e-3));
     expect_near(0.0, vec3_norm(places(s.threads[0], &n)[0]), 0.0);
     double up = places(s.threads[0], &n)[1].y;
@@ -93,7 +94,7 @@ static void thickness_keeps_features_beyond_radii(void **state)
     s.config.paper_thickness = 2e-4;
     make(&s);
     vec3 axis[2] = {vec3_make(0, 0, -0.02), vec3_make(0, 0, 0.02)};
-    add_capsule(s.scene, VBSS_RIGID_DRIVEN, axis[0], axis[1], 2.5e-3);
+    add_capsule(s.scene, VBSS_SCENE_RIGID_DRIVEN, axis[0], axis[1], 2.5e-3);
     place_over(&s, 0.003);
     for (int i = 0; i < 300; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
@@ -117,9 +118,9 @@ static void place_segment(stage *s)
 static void add_jaw(stage *s, double radius, double from, double to)
 {
     const double displacement[3] = {0.0, to - from, 0.0};
-    uint32_t jaw = add_capsule(s->scene, VBSS_RIGID_DRIVEN, vec3_make(0, from, -0.01),
+    uint32_t jaw = add_capsule(s->scene, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0, from, -0.01),
                                vec3_make(0, from, 0.01), radius);
-    expect_ok(vbss_scene_move_rigid(s->scene, jaw, displacement, NULL));
+    expect_ok(vbss_scene_set_rigid_target(s->scene, jaw, displacement, NULL));
 }
 
 /* A segment between two jaws that close on it: the second drives it through the first, and one pass sees no
@@ -141,8 +142,8 @@ static void segment_driven_through_tool_reports_depth(void **state)
     const double *gaps = view_of(&s, VBSS_SCENE_VIEW_CONTACT_GAPS).data;
     const vec3 *normals = view_of(&s, VBSS_SCENE_VIEW_CONTACT_NORMALS).data;
     const vec3 *points = view_of(&s, VBSS_SCENE_VIEW_CONTACT_POINTS).data;
-    const uint32_t wanted[10] = {VBSS_CONTACT_SEGMENT_CAPSULE, 1, 0, 2, 0,
-                                 VBSS_CONTACT_SEGMENT_CAPSULE, 1, 0, 3, 0};
+    const uint32_t wanted[10] = {VBSS_SCENE_CONTACT_SEGMENT_CAPSULE, 1, 0, 2, 0,
+                                 VBSS_SCENE_CONTACT_SEGMENT_CAPSULE, 1, 0, 3, 0};
     assert_memory_equal(wanted, features, sizeof wanted);
     expect_near(gap, gaps[0], 1e-12);
     expect_near(0.0, gaps[1], 1e-12);
@@ -184,7 +185,7 @@ static void contacts_are_in_feature_order(void **state)
     make(&s);
     for (int k = 0; k < 2; k++) {
         double x = k == 0 ? 0.02 : -0.02;
-        add_capsule(s.scene, VBSS_RIGID_DRIVEN, vec3_make(x, 0, -0.01), vec3_make(x, 0, 0.01),
+        add_capsule(s.scene, VBSS_SCENE_RIGID_DRIVEN, vec3_make(x, 0, -0.01), vec3_make(x, 0, 0.01),
                     5e-3);
     }
     place_over(&s, 5.2e-3);

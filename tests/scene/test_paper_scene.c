@@ -1,4 +1,4 @@
-/* Method PAPER of scenes: what is stopped and carried. Knots: test_paper_knots.c. */
+/* Method VBLAST of scenes: what is stopped and carried. Knots: test_paper_knots.c. */
 #include "base/elementary.h"
 #include "scene/paper_fixture.h"
 
@@ -26,7 +26,7 @@ static void move_hands(stage *s, int which, hands *h, vec3 displacement)
         double to[3];
         h->at[k] = vec3_add(h->at[k], displacement);
         vec3_store(to, h->at[k]);
-        expect_ok(vbss_thread_move(s->threads[which], h->ids[k], to, NULL));
+        expect_ok(vbss_thread_set_attachment_target(s->threads[which], h->ids[k], to, NULL));
     }
 }
 
@@ -122,7 +122,7 @@ static void long_steps_stop_thread_but_stretch_it(void **state)
 static void tool_carries_and_lifts_thread(void **state)
 {
     (void)state;
-    const vbss_rigid_kind kinds[] = {VBSS_RIGID_DRIVEN, VBSS_RIGID_COUPLED};
+    const vbss_scene_rigid_kind kinds[] = {VBSS_SCENE_RIGID_DRIVEN, VBSS_SCENE_RIGID_COUPLED};
     for (int k = 0; k < 2; k++) {
         stage s;
         begin(&s);
@@ -142,7 +142,7 @@ static void tool_carries_and_lifts_thread(void **state)
             axis[0] = vec3_add(axis[0], displacement);
             axis[1] = vec3_add(axis[1], displacement);
             double to[3] = {0.0, axis[0].y, 0.0};
-            expect_ok(vbss_scene_move_rigid(s.scene, tool, to, NULL));
+            expect_ok(vbss_scene_set_rigid_target(s.scene, tool, to, NULL));
             expect_ok(vbss_scene_step(s.scene, 1e-3));
             assert_true(distance_to_axis(&s, axis[0], axis[1]) > 0.99 * touching);
             expect_same_bits(axis[0].y, rigid_of(&s, tool).position[1]);
@@ -172,8 +172,8 @@ static void thread_falls_and_rests_on_floor(void **state)
         for (uint64_t k = 0; k < events.count; k++) {
             const uint32_t *e = (const uint32_t *)events.data + 4 * k;
             assert_true(e[1] == s.bodies[0] && e[2] == 0);
-            touches += e[0] == VBSS_EVENT_TOUCH;
-            parts += e[0] == VBSS_EVENT_PART;
+            touches += e[0] == VBSS_SCENE_EVENT_TOUCH;
+            parts += e[0] == VBSS_SCENE_EVENT_PART;
         }
     }
     const vec3 *x = places(s.threads[0], &n);
@@ -183,7 +183,7 @@ static void thread_falls_and_rests_on_floor(void **state)
     assert_true(touches == parts + 1);
     assert_int_equal(n, statistics_of(&s).contacts);
     const uint32_t *first = view_of(&s, VBSS_SCENE_VIEW_CONTACTS).data;
-    assert_int_equal(VBSS_CONTACT_NODE_FLOOR, first[0]);
+    assert_int_equal(VBSS_SCENE_CONTACT_NODE_FLOOR, first[0]);
     assert_int_equal(1, first[7]); /* the second row's node */
     end(&s);
 }

@@ -12,7 +12,7 @@ static needle_case c;
 /* Friction of the only hole, with what the needle is pressed across it. */
 static double bound_of(const needle_case *n)
 {
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     if (needle_case_holes(n, holes) == 0) {
         return n->d.config.hole_force;
     }
@@ -26,13 +26,13 @@ static double bound_of(const needle_case *n)
 static void withdrawn_tip_leaves_and_reenters(void **state)
 {
     (void)state;
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
-    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
-    assert_false(needle_case_drive(&c, 3e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, 3e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
     /* Back, friction turns over first. */
     double pull = 0.0, bound = 0.0, over = 0.0;
-    while (c.counts[VBSS_EVENT_WITHDRAWN] == 0 && c.d.steps < 3000) {
+    while (c.counts[VBSS_SCENE_EVENT_WITHDRAWN] == 0 && c.d.steps < 3000) {
         needle_case_turn(&c, -SPEED * c.d.h);
         needle_case_step(&c);
         if (needle_case_holes(&c, holes) > 0) {
@@ -46,16 +46,16 @@ static void withdrawn_tip_leaves_and_reenters(void **state)
     assert_int_equal(needle_case_holes(&c, holes), 0);
     assert_int_equal(c.crossings, 0);
     needle_case_shift(&c, vec3_make(0.8e-3, 0.0, 0.0));
-    assert_false(needle_case_drive(&c, -5e-3, SPEED, VBSS_EVENT_PUNCTURE));
-    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN], 1);
+    assert_false(needle_case_drive(&c, -5e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_WITHDRAWN], 1);
     /* What it has left is whole again. */
     c.at_tip = 0.0;
-    assert_true(needle_case_drive(&c, 14e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 14e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
     expect_near(c.d.config.puncture_force, c.at_tip, 0.02);
     assert_int_equal(needle_case_holes(&c, holes), 1);
     assert_int_equal(holes[0].id, 2);
     assert_true(fabs(holes[0].rest_position[0]) > 0.4e-3);
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 2);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 2);
     needle_case_expect_kept(&c, "out and in", 0);
     needle_case_end(&c);
 }
@@ -64,18 +64,18 @@ static void withdrawn_tip_leaves_and_reenters(void **state)
 static void needle_end_passes_through(void **state)
 {
     (void)state;
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     needle_case_begin(&c);
     c.config.arc = 0.7;
     needle_case_make(&c);
     needle_case_at_mark(&c, BEFORE);
-    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
-    assert_true(needle_case_drive(&c, 14e-3, SPEED, VBSS_EVENT_PASSED));
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 14e-3, SPEED, VBSS_SCENE_EVENT_PASSED));
     needle_case_wait(&c, 300);
-    assert_int_equal(c.counts[VBSS_EVENT_PASSED], 1);
-    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PASSED], 1);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_WITHDRAWN], 0);
     uint32_t left = needle_case_holes(&c, holes);
-    assert_int_equal(left + 1, c.counts[VBSS_EVENT_PUNCTURE]);
+    assert_int_equal(left + 1, c.counts[VBSS_SCENE_EVENT_PUNCTURE]);
     assert_int_equal(c.crossings, left);
     needle_case_expect_kept(&c, "through", 0);
     needle_case_end(&c);
@@ -86,19 +86,21 @@ static void tremor_makes_one_hole(void **state)
 {
     (void)state;
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
-    assert_false(needle_case_drive(&c, BEFORE + 3.5e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, BEFORE + 3.5e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
     double before = 0.0;
     for (uint32_t i = 1; i <= 2000; i++) {
         double at = 1e-3 * sin(2.0 * VBSS_PI * 10.0 * i * c.d.h) + 2e-3 * i * c.d.h;
         needle_case_turn(&c, at - before);
         before = at;
         needle_case_step(&c);
-        uint32_t in = c.counts[VBSS_EVENT_PUNCTURE], out = c.counts[VBSS_EVENT_WITHDRAWN];
+        uint32_t in = c.counts[VBSS_SCENE_EVENT_PUNCTURE],
+                 out = c.counts[VBSS_SCENE_EVENT_WITHDRAWN];
         assert_true(in <= out + 1);
-        assert_true(c.happened[VBSS_EVENT_PUNCTURE] + c.happened[VBSS_EVENT_WITHDRAWN] <= 1);
+        assert_true(
+            c.happened[VBSS_SCENE_EVENT_PUNCTURE] + c.happened[VBSS_SCENE_EVENT_WITHDRAWN] <= 1);
     }
-    assert_true(c.counts[VBSS_EVENT_PUNCTURE] >= 1);
-    assert_true(c.counts[VBSS_EVENT_PUNCTURE] <= 2);
+    assert_true(c.counts[VBSS_SCENE_EVENT_PUNCTURE] >= 1);
+    assert_true(c.counts[VBSS_SCENE_EVENT_PUNCTURE] <= 2);
     needle_case_expect_kept(&c, "tremor", 0);
     needle_case_end(&c);
 }
@@ -108,7 +110,7 @@ static void tremor_at_entry_keeps_hole(void **state)
 {
     (void)state;
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
-    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
     double before = 0.0;
     for (uint32_t i = 1; i <= 500; i++) {
         double at = 0.1e-3 * sin(2.0 * VBSS_PI * 10.0 * i * c.d.h);
@@ -116,8 +118,8 @@ static void tremor_at_entry_keeps_hole(void **state)
         before = at;
         needle_case_step(&c);
     }
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 1);
-    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 1);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_WITHDRAWN], 0);
     needle_case_expect_kept(&c, "trembles", 0);
     needle_case_end(&c);
 }
@@ -138,7 +140,7 @@ static void tip_drawn_along_wall_slides(void **state)
         needle_case_shift(&c, vec3_make(40e-6, -2e-6 * out.y, -2e-6 * out.z));
         needle_case_step(&c);
     }
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 0);
     assert_true(vec3_norm(needle_case_hand_force(&c)) > 0.0);
     needle_case_expect_kept(&c, "slides", 0);
     needle_case_end(&c);
@@ -148,7 +150,7 @@ static void tip_drawn_along_wall_slides(void **state)
 static void oblique_entry_makes_one_hole(void **state)
 {
     (void)state;
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     needle_case_begin(&c);
     c.at_hole = 4.0;
     c.d.config.puncture_force = 0.15; /* before it slides off */
@@ -159,7 +161,7 @@ static void oblique_entry_makes_one_hole(void **state)
     vec3 along = vec3_make(1.0, 0.0, 0.0);
     vec3 direction = vec3_add_scaled(vec3_scale(out, -0.4), sqrt(0.84), along);
     needle_case_put(&c, vec3_add_scaled(mark, -2e-3, direction), direction, vec3_neg(out));
-    for (uint32_t i = 0; i < 1000 && c.counts[VBSS_EVENT_PUNCTURE] == 0; i++) {
+    for (uint32_t i = 0; i < 1000 && c.counts[VBSS_SCENE_EVENT_PUNCTURE] == 0; i++) {
         needle_case_shift(&c, vec3_scale(direction, 20e-6));
         needle_case_step(&c);
     }
@@ -169,7 +171,7 @@ static void oblique_entry_makes_one_hole(void **state)
         needle_case_shift(&c, vec3_scale(direction, 20e-6));
         needle_case_step(&c);
     }
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 1);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 1);
     needle_case_expect_kept(&c, "aslant", 0);
     needle_case_end(&c);
 }
@@ -179,7 +181,7 @@ static void hole_is_in_one_wall(void **state)
 {
     (void)state;
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
-    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
     const scene_object *s = small_object(&c.d.s);
     const scene_body *drain = vbss_scene_body(s, c.d.body);
     const suture_hole *hole = &s->holes[0];
@@ -230,7 +232,7 @@ static void needle_collides_before_and_behind_hole(void **state)
 {
     (void)state;
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
-    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
     scene_object *s = small_object(&c.d.s);
     const scene_body *needle = vbss_scene_body(s, c.body);
     const needle_object *n = needle->rigid.needle;
@@ -261,7 +263,7 @@ static void arc_near_another_hole_is_in_it(void **state)
 {
     (void)state;
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
-    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_SCENE_EVENT_PUNCTURE));
     scene_object *s = small_object(&c.d.s);
     s->holes[1] = s->holes[0];
     s->holes[1].arc = s->holes[0].arc + 6e-3;
@@ -286,7 +288,7 @@ static void stopped_search_pierces_nothing(void **state)
         needle_case_turn(&c, 10e-6);
         needle_case_step(&c);
     }
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 0);
     d->config.puncture_force = 0.25;
     s->contacts->is_stopped_early = true;
     vbss_scene_update_holes(s);

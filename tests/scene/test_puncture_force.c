@@ -15,9 +15,9 @@ static needle_case c;
 static double entry_force(vbss_drain_mesh mesh, double speed, double h)
 {
     needle_case_begin_at_mark(&c, mesh, BEFORE);
-    assert_false(needle_case_drive(&c, BEFORE + NEAR_ENTRY, 0.02, VBSS_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, BEFORE + NEAR_ENTRY, 0.02, VBSS_SCENE_EVENT_PUNCTURE));
     c.d.h = h;
-    assert_true(needle_case_drive(&c, FAR - NEAR_ENTRY, speed, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, FAR - NEAR_ENTRY, speed, VBSS_SCENE_EVENT_PUNCTURE));
     double peak = c.at_tip;
     print_message("mesh %d, %g mm/s, %g ms: %.4f N\n", (int)mesh, 1e3 * speed, 1e3 * h, peak);
     assert_int_equal(c.away, 0);
@@ -45,7 +45,7 @@ static void stronger_wall_has_higher_peak(void **state)
         c.d.config.puncture_force = 0.25 * k;
         needle_case_make(&c);
         needle_case_at_mark(&c, BEFORE);
-        assert_true(needle_case_drive(&c, FAR, 10e-3, VBSS_EVENT_PUNCTURE));
+        assert_true(needle_case_drive(&c, FAR, 10e-3, VBSS_SCENE_EVENT_PUNCTURE));
         expect_near(0.25 * k, c.at_tip, 0.01);
         needle_case_end(&c);
     }
@@ -62,7 +62,7 @@ static void wall_deflects_as_shell_before_entry(void **state)
         needle_case_turn(&c, 5e-6);
         needle_case_step(&c);
     }
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 0);
     needle_case_wait(&c, 200);
     vec3 force = needle_case_hand_force(&c);
     vec3 pushed = vec3_sub(drain_case_node(&c.d, mark), rest);
@@ -76,7 +76,7 @@ static void wall_deflects_as_shell_before_entry(void **state)
     for (int i = 1; i <= 100; i++) {
         double share[3];
         vec3_store(share, vec3_scale(force, 0.01 * i));
-        expect_ok(vbss_drain_move(c.d.drain, c.d.pins[0].id + 1, share));
+        expect_ok(vbss_drain_set_attachment_target(c.d.drain, c.d.pins[0].id + 1, share));
         drain_case_step(&c.d);
     }
     drain_case_wait(&c.d, 100);
@@ -94,12 +94,12 @@ static void wall_deflects_as_shell_before_entry(void **state)
 static void force_falls_to_hole_friction(void **state)
 {
     (void)state;
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
-    assert_true(needle_case_drive(&c, FAR, 10e-3, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, FAR, 10e-3, VBSS_SCENE_EVENT_PUNCTURE));
     assert_int_equal(needle_case_holes(&c, holes), 1);
     expect_near(-c.at_tip, holes[0].friction, 0.01); /* it bears on what the wall bore */
-    assert_false(needle_case_drive(&c, 4e-3, 10e-3, VBSS_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, 4e-3, 10e-3, VBSS_SCENE_EVENT_PUNCTURE));
     assert_int_equal(needle_case_holes(&c, holes), 1);
     vec3 direction = vec3_load(holes[0].direction), force = vec3_load(holes[0].force);
     double along = vec3_dot(force, direction);
@@ -116,28 +116,28 @@ static void force_falls_to_hole_friction(void **state)
 static void each_wall_has_its_peak(void **state)
 {
     (void)state;
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
     vec3 mark = drain_case_node(&c.d, c.d.places.marks[DRAIN_RIGHT]);
-    assert_true(needle_case_drive(&c, FAR, 20e-3, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, FAR, 20e-3, VBSS_SCENE_EVENT_PUNCTURE));
     double first = c.peak, between;
     assert_int_equal(needle_case_holes(&c, holes), 1);
     assert_int_equal(holes[0].outward, 0);
     assert_int_equal(holes[0].id, 1);
     assert_true(vec3_distance(mark, vec3_load(holes[0].rest_position)) < 0.3e-3);
-    assert_false(needle_case_drive(&c, 5e-3, 20e-3, VBSS_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, 5e-3, 20e-3, VBSS_SCENE_EVENT_PUNCTURE));
     between = c.push;
     c.peak = 0.0;
-    assert_true(needle_case_drive(&c, 12e-3, 20e-3, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 12e-3, 20e-3, VBSS_SCENE_EVENT_PUNCTURE));
     double second = c.peak;
     assert_int_equal(needle_case_holes(&c, holes), 2);
     assert_int_equal(holes[1].outward, 1);
     assert_true(holes[1].rest_position[2] < 0.0); /* of the left wall */
-    assert_false(needle_case_drive(&c, 5e-3, 20e-3, VBSS_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, 5e-3, 20e-3, VBSS_SCENE_EVENT_PUNCTURE));
     print_message("peaks %.3f, %.3f N, between %.3f, after %.3f\n", first, second, between, c.push);
     assert_true(between < 0.5 * first && between < 0.5 * second);
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 2);
-    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_PASSED], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 2);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_WITHDRAWN] + c.counts[VBSS_SCENE_EVENT_PASSED], 0);
     assert_int_equal(c.crossings, 2);
     /* PMID 29920136: 0.852 to 2.915 N over both walls of a Penrose drain. */
     double largest = fmax(first, second);
@@ -152,9 +152,9 @@ static void unsupported_wall_is_not_pierced(void **state)
     (void)state;
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
     drain_case_unpin(&c.d, 0);
-    assert_false(needle_case_drive(&c, BEFORE + 8e-3, 20e-3, VBSS_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, BEFORE + 8e-3, 20e-3, VBSS_SCENE_EVENT_PUNCTURE));
     print_message("unsupported: %.3f N at most\n", c.peak);
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 0);
     assert_true(c.peak < 0.9);
     needle_case_expect_kept(&c, "unsupported", 0);
     needle_case_end(&c);

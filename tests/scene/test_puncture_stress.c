@@ -14,9 +14,9 @@ static void watch(uint32_t steps)
     for (uint32_t i = 0; i < steps; i++) {
         needle_case_step(&c);
         assert_true(needle_case_energy(&c) < MAX_ENERGY);
-        uint32_t in = c.counts[VBSS_EVENT_PUNCTURE];
-        uint32_t out = c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_PASSED];
-        vbss_hole holes[NEEDLE_CASE_HOLES];
+        uint32_t in = c.counts[VBSS_SCENE_EVENT_PUNCTURE];
+        uint32_t out = c.counts[VBSS_SCENE_EVENT_WITHDRAWN] + c.counts[VBSS_SCENE_EVENT_PASSED];
+        vbss_scene_hole holes[NEEDLE_CASE_HOLES];
         assert_int_equal(needle_case_holes(&c, holes), in - out);
     }
 }
@@ -43,13 +43,13 @@ static void stab_pierces_both_walls(void **state)
         needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, 1e-3);
         turn(22e-3, speeds[i]);
         watch(200);
-        assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 2);
+        assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 2);
         assert_int_equal(c.crossings, 2);
         assert_true(drain_case_fastest(&c.d) < 0.05);
         turn(-30e-3, speeds[i]);
         watch(600);
-        assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 2);
-        assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN], 2);
+        assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 2);
+        assert_int_equal(c.counts[VBSS_SCENE_EVENT_WITHDRAWN], 2);
         assert_int_equal(c.crossings, 0);
         assert_true(drain_case_fastest(&c.d) < 0.05);
         needle_case_expect_kept(&c, name, speeds[i] < 1.0 ? 0 : 100);
@@ -79,7 +79,7 @@ static double to_free_edge(vec3 rest)
 /* Pushed straight at a place of the wall, in and out. */
 static void target_at(const char *name, vec3 place, bool held)
 {
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     vec3 out = vec3_unit_or(vec3_make(0.0, place.y, place.z), vec3_zero());
     if (held) {
         needle_case_hold_edge(&c);
@@ -141,7 +141,7 @@ static void any_target_holds_or_is_pierced_once(void **state)
 static void needle_in_two_holes_can_be_twisted(void **state)
 {
     (void)state;
-    vbss_hole holes[NEEDLE_CASE_HOLES];
+    vbss_scene_hole holes[NEEDLE_CASE_HOLES];
     needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, 1e-3);
     turn(20e-3, 0.05);
     assert_int_equal(needle_case_holes(&c, holes), 2);
@@ -182,8 +182,8 @@ static void released_needle_hangs_in_holes(void **state)
     turn(20e-3, 0.05);
     needle_case_let_go(&c);
     watch(1000);
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 2);
-    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_PASSED], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 2);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_WITHDRAWN] + c.counts[VBSS_SCENE_EVENT_PASSED], 0);
     assert_true(vec3_norm(vec3_load(needle_case_state(&c).velocity)) < 0.02);
     needle_case_expect_kept(&c, "hangs", 0);
     needle_case_end(&c);
@@ -205,7 +205,7 @@ static void falling_needle_does_not_pierce(void **state)
         needle_case_put(&c, tip, direction, aside);
         needle_case_let_go(&c);
         watch(1500);
-        assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
+        assert_int_equal(c.counts[VBSS_SCENE_EVENT_PUNCTURE], 0);
         assert_int_equal(c.crossings, 0);
         needle_case_expect_kept(&c, k == 0 ? "falls flat" : "falls on its tip", 0);
         needle_case_end(&c);
@@ -239,7 +239,7 @@ static void light_needle_rotating_in_hole_gains_no_energy(void **state)
             watch(1);
             assert_true(needle_case_energy(&c) < first);
         }
-        entered += c.counts[VBSS_EVENT_PUNCTURE];
+        entered += c.counts[VBSS_SCENE_EVENT_PUNCTURE];
         needle_case_end(&c);
     }
     assert_true(entered >= 8);

@@ -9,9 +9,9 @@
 static const vec3 half = {0.0, 0.0, 5e-3};
 
 /* A ray that may miss. */
-static vbss_ray_hit cast(const small *s, vec3 from, vec3 translation, uint32_t mask)
+static vbss_scene_ray_hit cast(const small *s, vec3 from, vec3 translation, uint32_t mask)
 {
-    vbss_ray_hit hit;
+    vbss_scene_ray_hit hit;
     double origin[3], along[3];
     vec3_store(origin, from);
     vec3_store(along, translation);
@@ -19,9 +19,9 @@ static vbss_ray_hit cast(const small *s, vec3 from, vec3 translation, uint32_t m
     return hit;
 }
 
-static vbss_nearest nearest(const small *s, vec3 to, double radius)
+static vbss_scene_nearest nearest(const small *s, vec3 to, double radius)
 {
-    vbss_nearest found;
+    vbss_scene_nearest found;
     double point[3];
     vec3_store(point, to);
     expect_ok(vbss_scene_find_nearest(s->scene, point, radius, ALL, &found, sizeof found));
@@ -37,14 +37,15 @@ static void bodies_are_listed_with_kinds_and_handles(void **state)
     vbss_thread *thread;
     vbss_drain *drain, *found;
     uint32_t numbers[4], count;
-    vbss_body_info info;
+    vbss_scene_body_info info;
     small_begin_scene(&s);
     const uint32_t removed =
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(1.0, 0.0, 0.0), half, 1e-3);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(1.0, 0.0, 0.0), half, 1e-3);
     const uint32_t a =
         small_thread(&s, vec3_make(0.0, 0.2, 0.0), vec3_make(0.02, 0.2, 0.0), 10, &thread);
     const uint32_t b = small_drain(&s, &drain);
-    const uint32_t c = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.5, 0.0, 0.0), half, 1e-3);
+    const uint32_t c =
+        small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.5, 0.0, 0.0), half, 1e-3);
     expect_ok(vbss_scene_remove(s.scene, removed));
     expect_ok(vbss_scene_get_bodies(s.scene, NULL, 0, &count));
     assert_int_equal(count, 3);
@@ -52,13 +53,14 @@ static void bodies_are_listed_with_kinds_and_handles(void **state)
     assert_int_equal(count, 3);
     expect_ok(vbss_scene_get_bodies(s.scene, numbers, 4, &count));
     assert_true(numbers[0] == a && numbers[1] == b && numbers[2] == c);
-    const vbss_body_kind kinds[] = {VBSS_BODY_THREAD, VBSS_BODY_DRAIN, VBSS_BODY_RIGID};
+    const vbss_scene_body_kind kinds[] = {VBSS_SCENE_BODY_THREAD, VBSS_SCENE_BODY_DRAIN,
+                                          VBSS_SCENE_BODY_RIGID};
     for (int i = 0; i < 3; i++) {
         expect_ok(vbss_scene_get_body(s.scene, numbers[i], &info, sizeof info));
         assert_int_equal(info.kind, kinds[i]);
         assert_true(info.category == 1u && info.mask == ALL);
     }
-    assert_int_equal(info.motion, VBSS_RIGID_COUPLED);
+    assert_int_equal(info.motion, VBSS_SCENE_RIGID_COUPLED);
     expect_near(0.15, info.friction, 0.0);
     expect_ok(vbss_scene_get_drain(s.scene, b, &found));
     assert_ptr_equal(found, drain);
@@ -76,7 +78,7 @@ static void user_data_stays_with_body_and_is_no_state(void **state)
     int mark = 0;
     void *data = &mark;
     small_begin_scene(&s);
-    const uint32_t a = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    const uint32_t a = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
     const uint64_t before = small_hash(&s);
     expect_ok(vbss_scene_get_user_data(s.scene, a, &data));
     assert_null(data);
@@ -87,7 +89,7 @@ static void user_data_stays_with_body_and_is_no_state(void **state)
     assert_ptr_equal(data, &mark);
     expect_ok(vbss_scene_remove(s.scene, a));
     assert_int_equal(vbss_scene_get_user_data(s.scene, a, &data), VBSS_ERROR_OUT_OF_RANGE);
-    const uint32_t b = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    const uint32_t b = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
     expect_ok(vbss_scene_get_user_data(s.scene, b, &data));
     assert_null(data);
     small_end(&s);
@@ -100,9 +102,11 @@ static void ray_meets_capsule_where_geometry_says(void **state)
     (void)state;
     small s;
     small_begin_scene(&s);
-    const uint32_t far = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.2, 0.0, 0.0), half, 2e-3);
-    const uint32_t near = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.1, 0.0, 0.0), half, 2e-3);
-    vbss_ray_hit hit = cast(&s, vec3_zero(), vec3_make(0.4, 0.0, 0.0), ALL);
+    const uint32_t far =
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.2, 0.0, 0.0), half, 2e-3);
+    const uint32_t near =
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.1, 0.0, 0.0), half, 2e-3);
+    vbss_scene_ray_hit hit = cast(&s, vec3_zero(), vec3_make(0.4, 0.0, 0.0), ALL);
     assert_int_equal(hit.is_hit, 1);
     assert_int_equal(hit.body, near);
     expect_near(0.098 / 0.4, hit.fraction, 1e-15);
@@ -140,16 +144,16 @@ static void ray_meets_floor_wall_and_thread(void **state)
     const uint32_t thread =
         small_thread(&s, vec3_make(0.3, 0.0, 0.0), vec3_make(0.34, 0.0, 0.0), 10, NULL);
     const uint32_t wall = small_drain(&s, &drain);
-    vbss_ray_hit hit = cast(&s, vec3_make(0.5, 0.1, 0.0), vec3_make(0.0, -1.0, 0.0), ALL);
+    vbss_scene_ray_hit hit = cast(&s, vec3_make(0.5, 0.1, 0.0), vec3_make(0.0, -1.0, 0.0), ALL);
     assert_true(hit.is_hit == 1 && hit.body == 0);
     expect_near(0.4, hit.fraction, 1e-14);
     hit = cast(&s, vec3_make(0.315, 0.1, 0.0), vec3_make(0.0, -1.0, 0.0), ALL);
     assert_true(hit.body == thread && hit.feature == 3);
     expect_near(s.thread.radius, hit.point[1], 1e-14);
     /* from outside to the centre of a triangle: the wall is half its thickness nearer */
-    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_POSITIONS, &view, sizeof view));
     const double *x = view.data;
-    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_TRIANGLES, &view, sizeof view));
+    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_TRIANGLES, &view, sizeof view));
     const uint32_t *n = view.data;
     const vec3 p = vec3_load(x + 3 * n[0]), q = vec3_load(x + 3 * n[1]),
                r = vec3_load(x + 3 * n[2]);
@@ -173,10 +177,10 @@ static void nearest_body_has_distance_of_surface(void **state)
     s.config.floor = 1;
     s.config.floor_height = -0.05;
     small_create(&s);
-    const uint32_t a = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 2e-3);
+    const uint32_t a = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 2e-3);
     const uint32_t thread =
         small_thread(&s, vec3_make(0.05, 0.0, 0.0), vec3_make(0.09, 0.0, 0.0), 10, NULL);
-    vbss_nearest found = nearest(&s, vec3_make(0.01, 0.0, 0.0), 0.02);
+    vbss_scene_nearest found = nearest(&s, vec3_make(0.01, 0.0, 0.0), 0.02);
     assert_true(found.is_found == 1 && found.body == a);
     expect_near(0.008, found.distance, 1e-15);
     expect_near(0.002, found.point[0], 1e-15);
@@ -198,7 +202,7 @@ static void queries_change_no_state(void **state)
     (void)state;
     small s;
     small_begin_scene(&s);
-    small_stick(&s, VBSS_RIGID_FREE, vec3_zero(), half, 2e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_zero(), half, 2e-3);
     small_thread(&s, vec3_make(0.0, 2.1e-3, 0.0), vec3_make(0.04, 2.1e-3, 0.0), 10, NULL);
     small_steps(&s, 5, 1e-3);
     const uint64_t before = small_hash(&s);
@@ -206,7 +210,7 @@ static void queries_change_no_state(void **state)
     (void)nearest(&s, vec3_zero(), 1.0);
     assert_true(small_hash(&s) == before);
     const double origin[3] = {0.0, 0.0, 0.0}, big[3] = {1e5, 0.0, 0.0};
-    vbss_ray_hit hit;
+    vbss_scene_ray_hit hit;
     assert_int_equal(vbss_scene_cast_ray(s.scene, origin, origin, ALL, &hit, sizeof hit),
                      VBSS_ERROR_OUT_OF_RANGE);
     assert_int_equal(vbss_scene_cast_ray(s.scene, origin, big, ALL, &hit, sizeof hit),

@@ -7,7 +7,7 @@
 static void small_life(small *s, vbss_method method)
 {
     small_begin(s);
-    bool ours = method == VBSS_METHOD_OURS;
+    bool ours = method == VBSS_METHOD_IMPLICIT;
     s->config.method = s->thread.method = method;
     s->thread.paper_substeps = 20; /* else as many as absurd tensions ask for */
     s->config.floor = ours;
@@ -17,9 +17,9 @@ static void small_life(small *s, vbss_method method)
     uint32_t line = small_thread(s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
     vec3 half = vec3_make(0.0, 0.0, 2e-3);
     s->rigid.gravity[1] = -9.81;
-    vbss_rigid_kind kind = ours ? VBSS_RIGID_FREE : VBSS_RIGID_DRIVEN;
+    vbss_scene_rigid_kind kind = ours ? VBSS_SCENE_RIGID_FREE : VBSS_SCENE_RIGID_DRIVEN;
     small_stick(s, kind, vec3_make(8e-3, 1e-3, 0.0), half, 1e-3);
-    small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(4e-3, 2e-3, 0.0), half, 5e-4);
+    small_stick(s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(4e-3, 2e-3, 0.0), half, 5e-4);
     small_pin(s, line, 0, 0);
     small_pin(s, line, 8, 2);
     small_pin(s, line, 4, 3);
@@ -70,15 +70,15 @@ static void step_all_damaged(vbss_method method)
 static void accepted_damaged_states_can_be_stepped(void **state)
 {
     (void)state;
-    step_all_damaged(VBSS_METHOD_OURS);
-    step_all_damaged(VBSS_METHOD_PAPER);
+    step_all_damaged(VBSS_METHOD_IMPLICIT);
+    step_all_damaged(VBSS_METHOD_VBLAST);
 }
 
 static void snapshot_of_newer_version_is_rejected(void **state)
 {
     (void)state;
     small s;
-    small_life(&s, VBSS_METHOD_OURS);
+    small_life(&s, VBSS_METHOD_IMPLICIT);
     small_state good = small_save(&s);
     uint64_t hash = small_hash(&s);
     uint32_t reported = 0;
@@ -106,7 +106,7 @@ static void absurd_states_end_finite_or_are_reported(void **state)
     const double absurd[] = {1e10, 1e30, 1e100, 1e160, 1e300, -DBL_MAX};
     for (int k = 0; k < 6 * 7; k++) {
         small s;
-        small_life(&s, VBSS_METHOD_OURS);
+        small_life(&s, VBSS_METHOD_IMPLICIT);
         scene_object *o = small_object(&s);
         thread_object *t = o->bodies[0].thread.thread;
         vbss_rigid *loose = &o->bodies[1].rigid.body, *driven = &o->bodies[2].rigid.body;

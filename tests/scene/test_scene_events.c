@@ -4,7 +4,7 @@
 
 static const vec3 half = {0.0, 0.0, 3e-3};
 
-static void expect_event(const small *s, vbss_event_kind kind, uint32_t count, uint32_t a,
+static void expect_event(const small *s, vbss_scene_event_kind kind, uint32_t count, uint32_t a,
                          uint32_t b)
 {
     uint32_t event[4] = {0};
@@ -23,8 +23,8 @@ static void touch_and_separate_events_pair(void **state)
     small s;
     uint32_t touched = 0, parted = 0;
     small_begin_scene(&s);
-    uint32_t below = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 2.3e-3, 0.0),
+    uint32_t below = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 2.3e-3, 0.0),
                                 vec3_make(3e-3, 0.0, 0.0), 1e-3);
     for (int i = 0; i < 200; i++) {
         double down = i < 60 ? 1e-5 * i : i < 100 ? 6e-4 : 6e-4 - 1e-5 * (i - 100);
@@ -32,10 +32,10 @@ static void touch_and_separate_events_pair(void **state)
         small_move(&s, tool, vec3_make(0.0, 2.3e-3 - down, 0.0));
         small_steps(&s, 1, 1e-3);
         bool now = small_statistics(&s).contacts > 0, before = contacts > 0;
-        expect_event(&s, VBSS_EVENT_TOUCH, now && !before, below, tool);
-        expect_event(&s, VBSS_EVENT_PART, before && !now, below, tool);
-        touched += small_events(&s, VBSS_EVENT_TOUCH, event);
-        parted += small_events(&s, VBSS_EVENT_PART, event);
+        expect_event(&s, VBSS_SCENE_EVENT_TOUCH, now && !before, below, tool);
+        expect_event(&s, VBSS_SCENE_EVENT_PART, before && !now, below, tool);
+        touched += small_events(&s, VBSS_SCENE_EVENT_TOUCH, event);
+        parted += small_events(&s, VBSS_SCENE_EVENT_PART, event);
     }
     assert_int_equal(touched, 1);
     assert_int_equal(parted, 1);
@@ -60,7 +60,7 @@ static uint32_t drop_eight(small *s)
     }
     s->thread.gravity[1] = -9.81;
     s->thread.segment_count = SEGMENTS;
-    s->thread.bending = VBSS_BENDING_LOCAL;
+    s->thread.bending = VBSS_THREAD_BENDING_LOCAL;
     s->thread.bending_stiffness = 1e-13; /* else it springs open */
     s->thread.positions = positions;
     s->thread.rest_lengths = rest;
@@ -85,7 +85,7 @@ static void contact_event_is_per_body_pair(void **state)
         for (uint64_t k = 0; k < v.count; k++) {
             uint32_t words[4];
             memcpy(words, (const char *)v.data + k * v.stride_bytes, sizeof words);
-            if (words[0] == VBSS_EVENT_TOUCH) {
+            if (words[0] == VBSS_SCENE_EVENT_TOUCH) {
                 assert_int_equal(words[1], body);
                 floor = floor || words[2] == 0;
                 itself = itself || words[2] == body;
@@ -105,14 +105,14 @@ static void removed_body_emits_separate(void **state)
     small s;
     small_begin_scene(&s);
     s.rigid.gravity[1] = -9.81;
-    uint32_t below = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-    uint32_t top = small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 2e-3, 0.0),
+    uint32_t below = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t top = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 2e-3, 0.0),
                                vec3_make(3e-3, 0.0, 0.0), 1e-3);
     small_steps(&s, 10, 1e-3);
     assert_true(small_statistics(&s).contacts > 0);
     expect_ok(vbss_scene_remove(s.scene, top));
     small_steps(&s, 1, 1e-3);
-    expect_event(&s, VBSS_EVENT_PART, 1, below, top);
+    expect_event(&s, VBSS_SCENE_EVENT_PART, 1, below, top);
     small_steps(&s, 1, 1e-3);
     assert_int_equal(small_view(&s, VBSS_SCENE_VIEW_EVENTS).count, 0);
     small_end(&s);
@@ -124,13 +124,13 @@ static void truncated_step_reports_fraction(void **state)
     small s;
     uint32_t event[4];
     small_begin_scene(&s);
-    uint32_t wall = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 5e-3, 0.0),
+    uint32_t wall = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 5e-3, 0.0),
                                 vec3_make(3e-3, 0.0, 0.0), 1e-3);
     (void)wall;
     small_move(&s, tool, vec3_make(0.0, -5e-3, 0.0)); /* through the other in one step */
     small_steps(&s, 1, 1e-3);
-    uint32_t cuts = small_events(&s, VBSS_EVENT_CLAMPED, event);
+    uint32_t cuts = small_events(&s, VBSS_SCENE_EVENT_CLAMPED, event);
     assert_true(cuts > 0);
     vbss_scene_statistics found = small_statistics(&s);
     assert_int_equal(found.clamped + found.paused, cuts); /* a rest that is left out has one, too */
@@ -139,7 +139,7 @@ static void truncated_step_reports_fraction(void **state)
     for (uint64_t k = 0; k < v.count; k++) {
         uint32_t words[4];
         memcpy(words, (const char *)v.data + k * v.stride_bytes, sizeof words);
-        lost += words[0] == VBSS_EVENT_CLAMPED ? words[3] / 65536.0 : 0.0;
+        lost += words[0] == VBSS_SCENE_EVENT_CLAMPED ? words[3] / 65536.0 : 0.0;
     }
     assert_true(lost > 0.1 && lost < 1.0);
     assert_true(small_position(&s, tool).y > 0.0);
@@ -157,7 +157,7 @@ static uint32_t drop(small *s, uint32_t capacity)
     s->rigid.gravity[1] = -9.81;
     for (uint32_t i = 0; i < 6; i++) { /* six balls that meet the floor in one step */
         vec3 at = vec3_make(0.01 * i, 1e-3 + 1e-6, 0.0);
-        small_stick(s, VBSS_RIGID_FREE, at, vec3_zero(), 1e-3);
+        small_stick(s, VBSS_SCENE_RIGID_FREE, at, vec3_zero(), 1e-3);
     }
     small_steps(s, 1, 1e-3);
     return (uint32_t)small_view(s, VBSS_SCENE_VIEW_EVENTS).count;
@@ -170,11 +170,11 @@ static void events_above_capacity_are_counted(void **state)
         small s;
         uint32_t event[4] = {0};
         assert_int_equal(drop(&s, capacity), capacity < 6 ? capacity : 6);
-        uint32_t lost = small_events(&s, VBSS_EVENT_LOST, event);
+        uint32_t lost = small_events(&s, VBSS_SCENE_EVENT_LOST, event);
         assert_int_equal(lost, capacity > 0 && capacity < 6);
         if (lost > 0) {
             assert_int_equal(event[3], 6 - capacity + 1);
-            assert_int_equal(small_events(&s, VBSS_EVENT_TOUCH, event), capacity - 1);
+            assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_TOUCH, event), capacity - 1);
         }
         small_steps(&s, 1, 1e-3); /* and they are gone */
         assert_int_equal(small_view(&s, VBSS_SCENE_VIEW_EVENTS).count, 0);

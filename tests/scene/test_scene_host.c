@@ -15,7 +15,7 @@ static void begin_busy_scene(small *s)
     (void)small_drain(s, NULL);
     uint32_t thread =
         small_thread(s, vec3_make(0.0, -0.01, 0.02), vec3_make(0.0, 0.01, 0.02), 10, NULL);
-    uint32_t stick = small_stick(s, VBSS_RIGID_FREE, vec3_make(0.0, 0.01, 0.02),
+    uint32_t stick = small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.01, 0.02),
                                  vec3_make(0.0, 2e-3, 0.0), 1e-3);
     small_pin(s, thread, 10, stick);
 }

@@ -4,7 +4,7 @@
 #include "scene/small.h"
 #include "fixtures/scene_build.h"
 
-static const vbss_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
+static const vbss_scene_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
 
 /* What fails leaves the scene as it was, and what comes afterwards finds all its room. */
 static void body_without_memory_is_not_added(void **state)
@@ -62,7 +62,7 @@ static void begin_crowd(crowd *c, uint32_t contacts, uint32_t candidates)
     small_create(s);
     s->thread.gravity[1] = -9.81;
     small_thread(s, vec3_make(0.0, 5e-3, 0.0), vec3_make(0.02, 5e-3, 0.0), 20, NULL);
-    uint32_t tool = small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(0.01, 8e-3, 0.0),
+    uint32_t tool = small_stick(s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.01, 8e-3, 0.0),
                                 vec3_make(0.0, 0.0, 3e-3), 1e-3);
     uint32_t line =
         small_thread(s, vec3_make(0.01, 8e-3, 3e-3), vec3_make(0.01, 8e-3, 0.01), 8, NULL);
@@ -119,7 +119,7 @@ static void step_failing_midway_changes_nothing(void **state)
         double v[63] = {0.0};
         small_begin(&s);
         s.config.floor = 1;
-        s.config.mode = VBSS_MODE_OFFLINE;
+        s.config.mode = VBSS_SCENE_MODE_OFFLINE;
         s.config.contact_capacity = contacts;
         small_create(&s);
         small_thread(&s, vec3_make(0.0, 0.012, 0.0), vec3_make(0.02, 0.002, 0.0), 20, &thread);
@@ -155,7 +155,7 @@ static void scene_churn_does_not_grow_memory(void **state)
         uint32_t body;
         small_create(&s);
         expect_ok(vbss_scene_add_thread(s.scene, thread, &body));
-        small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_zero(), 1e-3);
+        small_capsule(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), vec3_zero(), 1e-3);
         expect_ok(vbss_scene_destroy(s.scene));
         blocks = i == 0 ? s.memory.blocks : blocks;
         assert_int_equal(s.memory.blocks, blocks);
@@ -179,9 +179,9 @@ static void removed_bodies_free_capacity(void **state)
         vbss_thread *thread;
         uint32_t refused;
         vec3 high = vec3_make(0.0, 0.01, 0.0);
-        uint32_t a = small_capsule(&s, VBSS_RIGID_FREE, high, high, 1e-3);
+        uint32_t a = small_capsule(&s, VBSS_SCENE_RIGID_FREE, high, high, 1e-3);
         uint32_t t = small_thread(&s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), 5, &thread);
-        uint32_t b = small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_scale(high, 2.0), high, 1e-3);
+        uint32_t b = small_capsule(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_scale(high, 2.0), high, 1e-3);
         assert_true(last < a && a < t && t < b);
         last = b;
         expect_result(VBSS_ERROR_CAPACITY, scene_build_capsule(s.scene, &s.rigid, ball, &refused));

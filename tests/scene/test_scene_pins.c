@@ -11,7 +11,7 @@ typedef struct line {
     uint32_t number, stick, pin;
 } line;
 
-static void begin_line(line *l, vbss_rigid_kind kind)
+static void begin_line(line *l, vbss_scene_rigid_kind kind)
 {
     small_begin_scene(&l->s);
     l->number = small_thread(&l->s, vec3_zero(), vec3_make(0.024, 0.0, 0.0), 12, &l->thread);
@@ -28,7 +28,7 @@ static void expect_at(vec3 wanted, vec3 got, double tolerance)
 /* Where the pinned point of the stick is now. */
 static vec3 pinned_point(const line *l)
 {
-    vbss_rigid_state r = small_rigid(&l->s, l->stick);
+    vbss_scene_rigid_state r = small_rigid(&l->s, l->stick);
     quat q = quat_make(r.orientation[0], r.orientation[1], r.orientation[2], r.orientation[3]);
     return pose_apply(pose_make(vec3_load(r.position), q), vec3_make(2e-3, -1e-3, 0.0));
 }
@@ -59,11 +59,11 @@ static void pin_on_driven_body_follows(void **state)
 {
     (void)state;
     line l;
-    begin_line(&l, VBSS_RIGID_DRIVEN);
+    begin_line(&l, VBSS_SCENE_RIGID_DRIVEN);
     for (int i = 1; i <= 60; i++) {
         double turn = 0.01 * i, p[3] = {-2e-3 + 5e-5 * i, 1e-3, 1e-5 * i};
         const double q[4] = {vbss_cos(0.5 * turn), vbss_sin(0.5 * turn), 0.0, 0.0};
-        expect_ok(vbss_scene_move_rigid(l.s.scene, l.stick, p, q));
+        expect_ok(vbss_scene_set_rigid_target(l.s.scene, l.stick, p, q));
         small_steps(&l.s, 1, 1e-3);
         expect_at(vec3_load(p), small_position(&l.s, l.stick), 1e-16);
         expect_at(pinned_point(&l), small_node(l.thread, 0), 1e-15);
@@ -75,7 +75,7 @@ static void pin_on_driven_body_follows(void **state)
 static void pin_on_dynamic_body_follows(void **state)
 {
     (void)state;
-    for (int k = VBSS_RIGID_COUPLED; k <= VBSS_RIGID_FREE; k++) {
+    for (int k = VBSS_SCENE_RIGID_COUPLED; k <= VBSS_SCENE_RIGID_FREE; k++) {
         line l;
         begin_line(&l, k);
         double v[39] = {0.0};
@@ -84,7 +84,7 @@ static void pin_on_dynamic_body_follows(void **state)
         }
         expect_ok(vbss_thread_set_state(l.thread, NULL, v, 13));
         for (int i = 0; i < 60; i++) {
-            if (k == VBSS_RIGID_COUPLED) {
+            if (k == VBSS_SCENE_RIGID_COUPLED) {
                 small_move(&l.s, l.stick, vec3_make(-2e-3, 1e-3 + 2e-5 * i, 0.0));
             }
             small_steps(&l.s, 1, 1e-3);
@@ -100,7 +100,7 @@ static void pin_on_dynamic_body_follows(void **state)
 static void node_is_moved_to_pin_target(void **state)
 {
     (void)state;
-    for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
+    for (int k = VBSS_SCENE_RIGID_DRIVEN; k <= VBSS_SCENE_RIGID_FREE; k++) {
         small s;
         vbss_thread *thread;
         uint32_t pin;
@@ -123,7 +123,7 @@ static void node_is_moved_to_pin_target(void **state)
 static void body_feels_pin_force(void **state)
 {
     (void)state;
-    for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_COUPLED; k++) {
+    for (int k = VBSS_SCENE_RIGID_DRIVEN; k <= VBSS_SCENE_RIGID_COUPLED; k++) {
         line l;
         begin_line(&l, k);
         small_pin(&l.s, l.number, 12, 0);
@@ -133,7 +133,7 @@ static void body_feels_pin_force(void **state)
             small_steps(&l.s, 1, 1e-3);
         }
         double tension = small_tension(l.thread, 0);
-        vbss_rigid_state r = small_rigid(&l.s, l.stick);
+        vbss_scene_rigid_state r = small_rigid(&l.s, l.stick);
         assert_true(tension > 0.1);
         expect_near(tension, r.contact_force[0], 1e-3 * tension);
         expect_near(0.0, r.contact_force[1], 1e-2 * tension);
@@ -149,7 +149,7 @@ static void body_feels_pin_force(void **state)
 static void unpinned_node_is_free(void **state)
 {
     (void)state;
-    for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
+    for (int k = VBSS_SCENE_RIGID_DRIVEN; k <= VBSS_SCENE_RIGID_FREE; k++) {
         line l;
         uint32_t again;
         begin_line(&l, k);
@@ -184,7 +184,7 @@ static uint32_t holders(vbss_thread *thread)
 static void removed_body_removes_pins(void **state)
 {
     (void)state;
-    for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
+    for (int k = VBSS_SCENE_RIGID_DRIVEN; k <= VBSS_SCENE_RIGID_FREE; k++) {
         line l;
         begin_line(&l, k);
         uint32_t other = small_stick(&l.s, k, vec3_make(0.012, 5e-3, 0.0), half, 1e-3);
@@ -193,7 +193,7 @@ static void removed_body_removes_pins(void **state)
         small_steps(&l.s, 2, 1e-3);
         expect_ok(vbss_scene_remove(l.s.scene, l.stick));
         expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(l.s.scene, l.pin));
-        assert_int_equal(holders(l.thread), k == VBSS_RIGID_DRIVEN ? 2 : 1);
+        assert_int_equal(holders(l.thread), k == VBSS_SCENE_RIGID_DRIVEN ? 2 : 1);
         small_steps(&l.s, 2, 1e-3);
         small_pin(&l.s, l.number, 0, other); /* its node is free again */
         small_steps(&l.s, 2, 1e-3);
@@ -212,17 +212,17 @@ static void removed_body_removes_pins(void **state)
 static void body_pin_excludes_other_holders(void **state)
 {
     (void)state;
-    for (int k = VBSS_RIGID_DRIVEN; k <= VBSS_RIGID_FREE; k++) {
+    for (int k = VBSS_SCENE_RIGID_DRIVEN; k <= VBSS_SCENE_RIGID_FREE; k++) {
         line l;
         vbss_thread_attachment a;
         uint32_t id;
         begin_line(&l, k);
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
         expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(l.thread, &a, &id));
-        a.kind = VBSS_ATTACHMENT_CLAMP;
+        a.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
         expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(l.thread, &a, &id));
         small_steps(&l.s, 2, 1e-3);
-        a.kind = VBSS_ATTACHMENT_MASS; /* which is carried along */
+        a.kind = VBSS_THREAD_ATTACHMENT_MASS; /* which is carried along */
         a.mass = 1e-3;
         expect_ok(vbss_thread_attach(l.thread, &a, &id));
         small_steps(&l.s, 2, 1e-3);
@@ -234,7 +234,7 @@ static void detached_pin_is_harmless(void **state)
 {
     (void)state;
     line l;
-    begin_line(&l, VBSS_RIGID_DRIVEN);
+    begin_line(&l, VBSS_SCENE_RIGID_DRIVEN);
     small_steps(&l.s, 1, 1e-3);
     expect_ok(vbss_thread_detach(l.thread, 1));
     small_steps(&l.s, 2, 1e-3);
@@ -256,7 +256,7 @@ static void adjacent_welded_nodes_move_with_body(void **state)
         s.rigid.gravity[1] = s.thread.gravity[1] = -9.81;
         uint32_t number = small_thread(&s, vec3_zero(), vec3_make(0.024, 0.0, 0.0), 12, &thread);
         s.rigid.mass = 1e-3;
-        uint32_t needle = small_stick(&s, VBSS_RIGID_FREE, vec3_make(-2e-3, 0.0, 0.0),
+        uint32_t needle = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(-2e-3, 0.0, 0.0),
                                       vec3_make(1e-3, 0.0, 0.0), 2e-4);
         for (uint32_t node = 0; node < count; node++) {
             small_pin(&s, number, node, needle);

@@ -13,9 +13,9 @@ typedef struct number {
     {                                                     \
         offsetof(vbss_scene_config, field), (low), (high) \
     }
-#define RIGID(field, low, high)                           \
-    {                                                     \
-        offsetof(vbss_rigid_config, field), (low), (high) \
+#define RIGID(field, low, high)                                 \
+    {                                                           \
+        offsetof(vbss_scene_rigid_config, field), (low), (high) \
     }
 
 static const number scene_numbers[] = {
@@ -54,10 +54,10 @@ static const choice scene_choices[] = {
     {offsetof(vbss_scene_config, candidate_capacity), 0, 10000001},
     {offsetof(vbss_scene_config, event_capacity), 65536, 65537},
     {offsetof(vbss_scene_config, floor), 1, 2},
-    {offsetof(vbss_scene_config, linearisation_limit), 100, 101},
-    {offsetof(vbss_scene_config, linearisation_limit), 1, 0},
-    {offsetof(vbss_scene_config, state_limit), 1000, 1001},
-    {offsetof(vbss_scene_config, state_limit), 1, 0},
+    {offsetof(vbss_scene_config, iteration_limit), 100, 101},
+    {offsetof(vbss_scene_config, iteration_limit), 1, 0},
+    {offsetof(vbss_scene_config, active_set_limit), 1000, 1001},
+    {offsetof(vbss_scene_config, active_set_limit), 1, 0},
     {offsetof(vbss_scene_config, halving_limit), 10, 11},
     {offsetof(vbss_scene_config, attempt_limit), 1000, 1001},
     {offsetof(vbss_scene_config, attempt_limit), 1, 0},
@@ -194,17 +194,17 @@ static void bad_rigid_bodies_are_rejected(void **state)
     (void)state;
     subject t;
     begin_subject(&t);
-    vbss_rigid_config *c = &t.s.rigid, kept = *c;
+    vbss_scene_rigid_config *c = &t.s.rigid, kept = *c;
     for (size_t i = 0; i < sizeof rigid_numbers / sizeof rigid_numbers[0]; i++) {
         try_number(&t.s, c, &rigid_numbers[i], expect_rigid);
     }
     for (size_t k = 0; k < 4; k++) {
-        size_t offset = offsetof(vbss_rigid_config, orientation) + k * sizeof(double);
+        size_t offset = offsetof(vbss_scene_rigid_config, orientation) + k * sizeof(double);
         with_number(&t.s, c, offset, (double)NAN, expect_rigid, VBSS_ERROR_NOT_FINITE);
         with_number(&t.s, c, offset, 1e101, expect_rigid, VBSS_ERROR_OUT_OF_RANGE);
         with_number(&t.s, c, offset, 1e99, expect_rigid, VBSS_OK);
     }
-    with_number(&t.s, c, offsetof(vbss_rigid_config, orientation), 0.0, expect_rigid,
+    with_number(&t.s, c, offsetof(vbss_scene_rigid_config, orientation), 0.0, expect_rigid,
                 VBSS_ERROR_OUT_OF_RANGE);
     const int32_t kinds[] = {-1, 3, INT32_MAX, INT32_MIN};
     const uint32_t counts[] = {0, 2, 257, UINT32_MAX}; /* 2: more than the scene has room for */
@@ -212,7 +212,7 @@ static void bad_rigid_bodies_are_rejected(void **state)
         c->kind = kinds[k];
         expect_rigid(&t.s, VBSS_ERROR_OUT_OF_RANGE);
         *c = kept;
-        vbss_capsule two[2] = {subject_ball, subject_ball};
+        vbss_scene_capsule two[2] = {subject_ball, subject_ball};
         c->capsules = two;
         c->capsule_count = counts[k];
         expect_rigid(&t.s, k == 1 ? VBSS_ERROR_CAPACITY : VBSS_ERROR_OUT_OF_RANGE);
@@ -224,7 +224,7 @@ static void bad_rigid_bodies_are_rejected(void **state)
     c->capsules = NULL;
     expect_rigid(&t.s, VBSS_ERROR_NULL_ARGUMENT);
     for (size_t k = 0; k < 7; k++) {
-        vbss_capsule bad = subject_ball;
+        vbss_scene_capsule bad = subject_ball;
         double *field = &bad.begin[0] + k, good = *field;
         c->capsules = &bad;
         for (int n = 0; n < 3; n++) {
@@ -245,7 +245,7 @@ static void bad_rigid_bodies_are_rejected(void **state)
     small_end(&t.s);
 }
 
-static const vbss_capsule point = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
+static const vbss_scene_capsule point = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
 
 static void default_scene(void **state)
 {

@@ -12,9 +12,9 @@ static void bad_threads_are_rejected(void **state)
     begin_subject(&t);
     t.s.thread.segment_count = 2;
     expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &good));
-    t.s.thread.method = VBSS_METHOD_PAPER;
+    t.s.thread.method = VBSS_METHOD_VBLAST;
     expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &paper));
-    t.s.thread.method = VBSS_METHOD_OURS;
+    t.s.thread.method = VBSS_METHOD_IMPLICIT;
     t.s.thread.segment_count = 7; /* of 20 nodes 13 are taken */
     expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &large));
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(t.s.scene, paper, &body));
@@ -45,33 +45,37 @@ static void bad_names_and_moves_are_rejected(void **state)
     begin_subject(&t);
     const uint32_t no_body[] = {0, t.free + 1, UINT32_MAX};
     for (int k = 0; k < 3; k++) {
-        vbss_rigid_state state_of;
+        vbss_scene_rigid_state state_of;
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(t.s.scene, no_body[k]));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_move_rigid(t.s.scene, no_body[k], zero, NULL));
+                  vbss_scene_set_rigid_target(t.s.scene, no_body[k], zero, NULL));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
                   vbss_scene_get_rigid(t.s.scene, no_body[k], &state_of, sizeof state_of));
         unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
                   vbss_scene_unpin_thread(t.s.scene, k == 1 ? t.weld + 1 : no_body[k]));
     }
-    vbss_rigid_state state_of;
+    vbss_scene_rigid_state state_of;
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
               vbss_scene_get_rigid(t.s.scene, t.line, &state_of, sizeof state_of));
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(t.s.scene, t.line, zero, NULL));
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(t.s.scene, t.free, zero, NULL));
-    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_move_rigid(t.s.scene, t.driven, NULL, NULL));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_scene_set_rigid_target(t.s.scene, t.line, zero, NULL));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_scene_set_rigid_target(t.s.scene, t.free, zero, NULL));
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT,
+              vbss_scene_set_rigid_target(t.s.scene, t.driven, NULL, NULL));
     for (int c = 0; c < 4; c++) {
         for (int k = 0; k < 4; k++) {
             double p[3] = {0.0, 0.0, 0.0}, q[4] = {1.0, 0.0, 0.0, 0.0};
             vbss_result wanted = k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE;
             q[c] = k < 3 ? harness_bad_numbers[k] : 1e101;
-            unchanged(&t, wanted, vbss_scene_move_rigid(t.s.scene, t.driven, p, q));
+            unchanged(&t, wanted, vbss_scene_set_rigid_target(t.s.scene, t.driven, p, q));
             p[c % 3] = k < 3 ? harness_bad_numbers[k] : 1.001e3;
-            unchanged(&t, wanted, vbss_scene_move_rigid(t.s.scene, t.driven, p, NULL));
+            unchanged(&t, wanted, vbss_scene_set_rigid_target(t.s.scene, t.driven, p, NULL));
         }
     }
     const double none[4] = {0.0, 0.0, 0.0, 0.0};
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(t.s.scene, t.driven, zero, none));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_scene_set_rigid_target(t.s.scene, t.driven, zero, none));
     small_end(&t.s);
 }
 
@@ -166,9 +170,9 @@ static void calls_about_other_bodies_are_rejected(void **state)
 {
     (void)state;
     small s;
-    vbss_rigid_state rigid;
+    vbss_scene_rigid_state rigid;
     vbss_thread *thread = NULL;
-    vbss_grasp grasp;
+    vbss_scene_grasp grasp;
     uint32_t pin = 77;
     const double zero[3] = {0.0, 0.0, 0.0};
     small_begin_scene(&s);
@@ -177,7 +181,7 @@ static void calls_about_other_bodies_are_rejected(void **state)
     uint64_t hash = small_hash(&s);
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_scene_get_rigid(s.scene, drain, &rigid, sizeof rigid));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(s.scene, drain, zero, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_set_rigid_target(s.scene, drain, zero, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_thread(s.scene, drain, &thread));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(s.scene, drain, 5e-3, &pin));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(s.scene, drain, 0, 0, NULL, &pin));

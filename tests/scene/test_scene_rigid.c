@@ -4,7 +4,7 @@
 
 static const vec3 half = {0.0, 0.0, 3e-3};
 
-static quat orientation_of(const vbss_rigid_state *r)
+static quat orientation_of(const vbss_scene_rigid_state *r)
 {
     const double *q = r->orientation;
     return quat_make(q[0], q[1], q[2], q[3]);
@@ -17,27 +17,27 @@ static void driven_body_is_at_target(void **state)
     (void)state;
     small s;
     small_begin_scene(&s);
-    const vbss_capsule two[2] = {{{0.0, 0.0, 0.0}, {5e-3, 0.0, 0.0}, 1e-3},
-                                 {{5e-3, 0.0, 0.0}, {5e-3, 4e-3, 0.0}, 5e-4}};
+    const vbss_scene_capsule two[2] = {{{0.0, 0.0, 0.0}, {5e-3, 0.0, 0.0}, 1e-3},
+                                       {{5e-3, 0.0, 0.0}, {5e-3, 4e-3, 0.0}, 5e-4}};
     uint32_t body;
     s.rigid.capsules = two;
     s.rigid.capsule_count = 2;
     s.rigid.position[1] = 0.02;
     expect_ok(vbss_scene_add_rigid(s.scene, &s.rigid, &body));
-    vbss_rigid_state before = small_rigid(&s, body);
+    vbss_scene_rigid_state before = small_rigid(&s, body);
     for (int i = 1; i <= 100; i++) {
         double turn = 0.01 * i;
         const double p[3] = {1e-4 * i, 0.02 + 1e-5 * i * i, -5e-5 * i};
         /* Of any length: it is made unit. */
         const double q[4] = {7.0 * vbss_cos(turn), 0.0, 7.0 * vbss_sin(turn), 0.0};
         const double h = i % 2 == 0 ? 1e-3 : 2e-3;
-        expect_ok(vbss_scene_move_rigid(s.scene, body, p, q));
-        vbss_rigid_state reported = small_rigid(&s, body);
+        expect_ok(vbss_scene_set_rigid_target(s.scene, body, p, q));
+        vbss_scene_rigid_state reported = small_rigid(&s, body);
         expect_near(0.0, vec3_distance(vec3_load(p), vec3_load(reported.target_position)), 1e-16);
         assert_memory_equal(reported.position, before.position,
                             sizeof reported.position); /* not yet */
         small_steps(&s, 1, h);
-        vbss_rigid_state now = small_rigid(&s, body);
+        vbss_scene_rigid_state now = small_rigid(&s, body);
         expect_near(0.0, vec3_distance(vec3_load(p), vec3_load(now.position)), 1e-16);
         expect_near(vbss_cos(turn), now.orientation[0], 1e-14);
         expect_near(vbss_sin(turn), now.orientation[2], 1e-14);
@@ -49,10 +49,10 @@ static void driven_body_is_at_target(void **state)
         before = now;
     }
     small_steps(&s, 1, 1e-3); /* then it stays */
-    vbss_rigid_state now = small_rigid(&s, body);
+    vbss_scene_rigid_state now = small_rigid(&s, body);
     assert_memory_equal(now.position, before.position, sizeof now.position);
     expect_near(0.0, vec3_norm(vec3_load(now.velocity)), 1e-12);
-    assert_int_equal(now.kind, VBSS_RIGID_DRIVEN);
+    assert_int_equal(now.kind, VBSS_SCENE_RIGID_DRIVEN);
     small_end(&s);
 }
 
@@ -65,8 +65,8 @@ static void driven_bodies_ignore_each_other_and_floor(void **state)
     small_begin(&s);
     s.config.floor = 1;
     small_create(&s);
-    uint32_t a = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.7e-3, 0.0), half, 1e-3);
-    uint32_t b = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(1.5e-3, 1e-3, 0.0), half, 1e-3);
+    uint32_t a = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 0.7e-3, 0.0), half, 1e-3);
+    uint32_t b = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(1.5e-3, 1e-3, 0.0), half, 1e-3);
     s.thread.gravity[1] = -9.81;
     small_thread(&s, vec3_make(0.0, 0.1, 0.0), vec3_make(0.02, 0.1, 0.0), 10, &thread);
     small_pin(&s, 3, 0, a);
@@ -88,7 +88,7 @@ static void coupled_body_lags_and_pulls_hand(void **state)
     small s;
     const double h = 1e-3, m = 0.02, k = 2000.0, c = 5.0, speed = 0.1;
     small_begin_scene(&s);
-    uint32_t body = small_stick(&s, VBSS_RIGID_COUPLED, vec3_zero(), half, 1e-3);
+    uint32_t body = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_zero(), half, 1e-3);
     double x = 0.0, v = 0.0;
     for (int i = 1; i <= 300; i++) {
         double given = speed * h * i;
@@ -97,7 +97,7 @@ static void coupled_body_lags_and_pulls_hand(void **state)
         /* m (v' - v) / h = k (g - x') + c (speed - v'), x' = x + h v' */
         v = (m / h * v + k * (given - x) + c * speed) / (m / h + k * h + c);
         x += h * v;
-        vbss_rigid_state r = small_rigid(&s, body);
+        vbss_scene_rigid_state r = small_rigid(&s, body);
         expect_near(x, r.position[0], 1e-13);
         expect_near(v, r.velocity[0], 1e-10);
         expect_near(-(k * (given - x) + c * (speed - v)), r.hand_force[0], 1e-9);
@@ -114,10 +114,10 @@ static void coupled_body_rotates_after_target(void **state)
     small s;
     const double zero[3] = {0.0, 0.0, 0.0}, q[4] = {vbss_cos(0.15), 0.0, vbss_sin(0.15), 0.0};
     small_begin_scene(&s);
-    uint32_t body = small_stick(&s, VBSS_RIGID_COUPLED, vec3_zero(), half, 1e-3);
-    expect_ok(vbss_scene_move_rigid(s.scene, body, zero, q));
+    uint32_t body = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_zero(), half, 1e-3);
+    expect_ok(vbss_scene_set_rigid_target(s.scene, body, zero, q));
     small_steps(&s, 1, 1e-3);
-    vbss_rigid_state r = small_rigid(&s, body);
+    vbss_scene_rigid_state r = small_rigid(&s, body);
     assert_true(r.orientation[2] < vbss_sin(0.15));
     assert_true(r.hand_torque[1] < 0.0);
     small_steps(&s, 300, 1e-3);
@@ -136,10 +136,10 @@ static void free_body_falls_and_spins(void **state)
     s.rigid.gravity[1] = -9.81;
     s.rigid.velocity[0] = 0.3;
     s.rigid.angular_velocity[2] = 5.0;
-    uint32_t body = small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 1.0, 0.0), half, 1e-3);
+    uint32_t body = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 1.0, 0.0), half, 1e-3);
     for (int i = 1; i <= 100; i++) {
         small_steps(&s, 1, 1e-3);
-        vbss_rigid_state r = small_rigid(&s, body);
+        vbss_scene_rigid_state r = small_rigid(&s, body);
         expect_near(3e-4 * i, r.position[0], 1e-12);
         expect_near(1.0 - 9.81e-6 * 0.5 * i * (i + 1), r.position[1], 1e-12);
         expect_near(5.0, r.angular_velocity[2], 1e-9);
@@ -158,9 +158,9 @@ static void velocity_is_of_frame_origin(void **state)
     small_begin_scene(&s);
     s.rigid.velocity[0] = 0.1;
     s.rigid.angular_velocity[2] = 20.0;
-    uint32_t body = small_capsule(&s, VBSS_RIGID_FREE, vec3_make(0.1, 0.0, -1e-3),
+    uint32_t body = small_capsule(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.1, 0.0, -1e-3),
                                   vec3_make(0.1, 0.0, 1e-3), 1e-3);
-    vbss_rigid_state r = small_rigid(&s, body);
+    vbss_scene_rigid_state r = small_rigid(&s, body);
     expect_near(0.1, r.velocity[0], 1e-15);
     expect_near(0.0, r.velocity[1], 1e-15);
     small_steps(&s, 50, 1e-3); /* the mass flies straight at w x r = 2 m/s along y */
@@ -179,14 +179,14 @@ static void mass_is_independent_of_capsule_count(void **state)
     (void)state;
     for (uint32_t count = 1; count <= 3; count++) {
         small s;
-        vbss_capsule capsules[3];
+        vbss_scene_capsule capsules[3];
         uint32_t body;
         small_begin_scene(&s);
         for (uint32_t i = 0; i < 3; i++) {
-            const vbss_capsule c = {{1e-3 * i, 0.0, 0.0}, {1e-3 * i, 5e-3, 0.0}, 1e-3};
+            const vbss_scene_capsule c = {{1e-3 * i, 0.0, 0.0}, {1e-3 * i, 5e-3, 0.0}, 1e-3};
             capsules[i] = c;
         }
-        s.rigid.kind = VBSS_RIGID_COUPLED;
+        s.rigid.kind = VBSS_SCENE_RIGID_COUPLED;
         s.rigid.capsules = capsules;
         s.rigid.capsule_count = count;
         s.rigid.mass = 0.5;
@@ -220,7 +220,7 @@ static void ball_rests_below_friction_angle(void **state)
         vec3 up = vec3_unit_or(normals[k], vec3_zero());
         /* Three balls in a triangle stand where one would roll. */
         vec3 a = vec3_any_normal(up), b = vec3_cross(up, a);
-        vbss_capsule feet[3];
+        vbss_scene_capsule feet[3];
         for (int i = 0; i < 3; i++) {
             vec3 at = vec3_scale(i == 0 ? a : i == 1 ? b : vec3_neg(vec3_add(a, b)), 4e-3);
             vec3_store(feet[i].begin, at);
@@ -228,7 +228,7 @@ static void ball_rests_below_friction_angle(void **state)
             feet[i].radius = 1e-3;
         }
         uint32_t body;
-        s.rigid.kind = VBSS_RIGID_FREE;
+        s.rigid.kind = VBSS_SCENE_RIGID_FREE;
         s.rigid.capsules = feet;
         s.rigid.capsule_count = 3;
         vec3_store(s.rigid.position, vec3_scale(up, 4e-3));
@@ -236,7 +236,7 @@ static void ball_rests_below_friction_angle(void **state)
         small_steps(&s, 200, 1e-3);
         vec3 before = small_position(&s, body);
         small_steps(&s, 300, 1e-3);
-        vbss_rigid_state r = small_rigid(&s, body);
+        vbss_scene_rigid_state r = small_rigid(&s, body);
         expect_near(0.0, vec3_distance(before, vec3_load(r.position)), 1e-9);
         expect_near(4e-3, vec3_dot(up, before), 2e-6);
         expect_near(0.02 * 9.81, r.contact_force[1], 1e-5);
@@ -254,12 +254,13 @@ static void floor_pushes_back_on_tool(void **state)
     small_begin(&s);
     s.config.floor = 1;
     small_create(&s);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 1e-3, 0.0), half, 1e-3);
+    uint32_t tool =
+        small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 1e-3, 0.0), half, 1e-3);
     for (int i = 1; i <= 200; i++) {
         small_move(&s, tool, vec3_make(0.0, 1e-3 - vbss_min(1e-5 * i, 1e-3), 0.0));
         small_steps(&s, 1, 1e-3);
     }
-    vbss_rigid_state r = small_rigid(&s, tool);
+    vbss_scene_rigid_state r = small_rigid(&s, tool);
     expect_near(2.0, r.contact_force[1], 0.02); /* 2000 N/m times 1 mm, less what gives way */
     expect_near(r.contact_force[1], r.hand_force[1], 1e-4);
     expect_near(1e-3, r.position[1], 1e-5);
@@ -274,10 +275,10 @@ static void pair_that_is_apart_needs_no_room(void **state)
     small_begin(&s);
     s.config.contact_capacity = 1;
     small_create(&s);
-    small_stick(&s, VBSS_RIGID_COUPLED, vec3_zero(), vec3_make(5e-3, 0.0, 0.0), 1e-3);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -2e-3, 0.0), half, 1e-3);
-    small_capsule(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 1.5e-3, 0.01), vec3_make(0.0, 0.018, 0.0),
-                  1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_zero(), vec3_make(5e-3, 0.0, 0.0), 1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, -2e-3, 0.0), half, 1e-3);
+    small_capsule(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 1.5e-3, 0.01),
+                  vec3_make(0.0, 0.018, 0.0), 1e-3);
     small_steps(&s, 3, 1e-3);
     assert_int_equal(small_statistics(&s).rows, 1);
     assert_int_equal(small_statistics(&s).rejected_full, 0);

@@ -12,8 +12,8 @@ static void expect_alike(const small *x, const small *y)
     const scene_object *a = small_object(x), *b = small_object(y);
     for (uint32_t i = 0; i < a->body_count; i++) {
         if (a->bodies[i].kind == SCENE_BODY_RIGID) {
-            vbss_rigid_state p = small_rigid(x, a->bodies[i].number);
-            vbss_rigid_state q = small_rigid(y, b->bodies[i].number);
+            vbss_scene_rigid_state p = small_rigid(x, a->bodies[i].number);
+            vbss_scene_rigid_state q = small_rigid(y, b->bodies[i].number);
             assert_memory_equal(&p, &q, sizeof p);
         }
     }
@@ -63,8 +63,8 @@ static void views_are_restored(void **state)
 static void make_pair(small *s, uint32_t segments, double radius)
 {
     small_thread(s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), segments, NULL);
-    small_capsule(s, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.01, 0.0), vec3_make(0.01, 0.01, 0.0),
-                  radius);
+    small_capsule(s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 0.01, 0.0),
+                  vec3_make(0.01, 0.01, 0.0), radius);
 }
 
 /* Of other bodies; of another configuration: contract.scene. */
@@ -80,7 +80,7 @@ static void snapshot_of_other_scene_is_rejected(void **state)
         small_create(&s);
         make_pair(&s, k == 1 ? 6 : 5, k == 2 ? 1.1e-3 : 1e-3);
         if (k == 3) { /* one more, one less */
-            small_capsule(&s, VBSS_RIGID_FREE, vec3_zero(), vec3_zero(), 1e-3);
+            small_capsule(&s, VBSS_SCENE_RIGID_FREE, vec3_zero(), vec3_zero(), 1e-3);
         } else if (k == 4) {
             expect_ok(vbss_scene_remove(s.scene, 2));
         }
@@ -122,14 +122,16 @@ static void hash_covers_all_state(void **state)
     uint32_t line = small_thread(&s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), 5, &thread);
     count = note(seen, count, &s);
     vec3 here = vec3_make(0.0, 0.01, 0.0);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, here, vec3_make(1e-3, 0.0, 0.0), 1e-3);
+    uint32_t tool =
+        small_stick(&s, VBSS_SCENE_RIGID_COUPLED, here, vec3_make(1e-3, 0.0, 0.0), 1e-3);
     count = note(seen, count, &s);
     s.rigid.friction *= 1.001;
-    small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 0.05, 0.0), vec3_make(1e-3, 0.0, 0.0), 1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.05, 0.0), vec3_make(1e-3, 0.0, 0.0),
+                1e-3);
     count = note(seen, count, &s);
     small_move(&s, tool, vec3_make(1e-9, 0.01, 0.0));
     count = note(seen, count, &s);
-    expect_ok(vbss_scene_move_rigid(s.scene, tool, place, turned));
+    expect_ok(vbss_scene_set_rigid_target(s.scene, tool, place, turned));
     count = note(seen, count, &s);
     pins[0] = small_pin(&s, line, 0, tool);
     count = note(seen, count, &s);

@@ -3,11 +3,11 @@
 
 /* ---- sizes */
 
-static void expect_shape(const small *s, vbss_scene_field field, vbss_type type,
+static void expect_shape(const small *s, vbss_scene_field field, vbss_view_type type,
                          uint32_t components)
 {
     vbss_view v = small_view(s, field);
-    size_t item = components * (type == VBSS_TYPE_F64 ? sizeof(double) : sizeof(uint32_t));
+    size_t item = components * (type == VBSS_VIEW_TYPE_F64 ? sizeof(double) : sizeof(uint32_t));
     assert_int_equal(v.struct_size, sizeof v);
     assert_int_equal(v.type, type);
     assert_int_equal(v.components, components);
@@ -20,12 +20,12 @@ static void expect_shape(const small *s, vbss_scene_field field, vbss_type type,
 
 static void expect_shapes(const small *s)
 {
-    expect_shape(s, VBSS_SCENE_VIEW_CONTACTS, VBSS_TYPE_U32, 5);
-    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_POINTS, VBSS_TYPE_F64, 3);
-    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_NORMALS, VBSS_TYPE_F64, 3);
-    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_FORCES, VBSS_TYPE_F64, 3);
-    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_GAPS, VBSS_TYPE_F64, 1);
-    expect_shape(s, VBSS_SCENE_VIEW_EVENTS, VBSS_TYPE_U32, 4);
+    expect_shape(s, VBSS_SCENE_VIEW_CONTACTS, VBSS_VIEW_TYPE_U32, 5);
+    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_POINTS, VBSS_VIEW_TYPE_F64, 3);
+    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_NORMALS, VBSS_VIEW_TYPE_F64, 3);
+    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_FORCES, VBSS_VIEW_TYPE_F64, 3);
+    expect_shape(s, VBSS_SCENE_VIEW_CONTACT_GAPS, VBSS_VIEW_TYPE_F64, 1);
+    expect_shape(s, VBSS_SCENE_VIEW_EVENTS, VBSS_VIEW_TYPE_U32, 4);
 }
 
 /* ---- one scene with a contact of each kind */
@@ -45,11 +45,12 @@ static void begin_all_kinds(small *s)
     const double r = 0.125e-3, y = 1e-3;
     small_thread(s, vec3_make(-9e-3, 2.0 * y + 1.02 * r, 0.0),
                  vec3_make(9e-3, 2.0 * y + 1.02 * r, 0.0), 60, NULL);
-    small_stick(s, VBSS_RIGID_FREE, vec3_make(0.0, y, 0.0), vec3_make(0.0, 0.0, 6e-3), y);
+    small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, y, 0.0), vec3_make(0.0, 0.0, 6e-3), y);
     small_thread(s, vec3_make(4e-3, 2.0 * y + 3.3 * r, -6e-3),
                  vec3_make(4e-3, 2.0 * y + 3.3 * r, 6e-3), 4, NULL);
-    small_stick(s, VBSS_RIGID_FREE, vec3_make(1e-4, 2.0 * y + y, 4e-3), vec3_zero(), y);
-    small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(4e-3, y, -5e-3), vec3_make(2e-3, 0.0, 0.0), 5e-4);
+    small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(1e-4, 2.0 * y + y, 4e-3), vec3_zero(), y);
+    small_stick(s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(4e-3, y, -5e-3), vec3_make(2e-3, 0.0, 0.0),
+                5e-4);
 }
 
 static void every_contact_kind_is_shown(void **state)
@@ -67,7 +68,7 @@ static void every_contact_kind_is_shown(void **state)
         for (uint64_t k = 0; k < v.count; k++) {
             uint32_t f[5];
             memcpy(f, (const char *)v.data + k * v.stride_bytes, sizeof f);
-            assert_true(f[0] <= VBSS_CONTACT_CAPSULE_FLOOR);
+            assert_true(f[0] <= VBSS_SCENE_CONTACT_CAPSULE_FLOOR);
             seen[f[0]]++;
         }
     }
@@ -90,12 +91,12 @@ static bool is_thread(uint32_t body)
 static void check_features(const uint32_t f[5], const scene_object *object)
 {
     const uint32_t segments[6] = {0, 60, 0, 4, 0, 0};
-    bool floor = f[0] == VBSS_CONTACT_NODE_FLOOR || f[0] == VBSS_CONTACT_CAPSULE_FLOOR;
-    assert_int_equal(is_thread(f[1]),
-                     f[0] != VBSS_CONTACT_CAPSULES && f[0] != VBSS_CONTACT_CAPSULE_FLOOR);
+    bool floor = f[0] == VBSS_SCENE_CONTACT_NODE_FLOOR || f[0] == VBSS_SCENE_CONTACT_CAPSULE_FLOOR;
+    assert_int_equal(is_thread(f[1]), f[0] != VBSS_SCENE_CONTACT_CAPSULES &&
+                                          f[0] != VBSS_SCENE_CONTACT_CAPSULE_FLOOR);
     assert_int_equal(f[3] == 0, floor);
     assert_true(!floor || f[4] == 0);
-    if (f[0] == VBSS_CONTACT_SEGMENTS) {
+    if (f[0] == VBSS_SCENE_CONTACT_SEGMENTS) {
         assert_true(f[2] < segments[f[1]] && f[4] < segments[f[3]]);
     } else if (is_thread(f[1])) {
         assert_true(f[2] <= segments[f[1]]);
@@ -135,7 +136,7 @@ static void contacts_are_consistent(void **state)
             expect_near(-pressure / 2e5, *gap, 2e-7);
             assert_true(k == 0 || memcmp(before, f, sizeof f) != 0);
             memcpy(before, f, sizeof f);
-            if (f[0] == VBSS_CONTACT_CAPSULE_FLOOR || f[0] == VBSS_CONTACT_NODE_FLOOR) {
+            if (f[0] == VBSS_SCENE_CONTACT_CAPSULE_FLOOR || f[0] == VBSS_SCENE_CONTACT_NODE_FLOOR) {
                 vec3 point = small_vector(&s, VBSS_SCENE_VIEW_CONTACT_POINTS, k);
                 expect_near(0.5 * *gap, point.y, 1e-9); /* between the surfaces */
                 expect_near(1.0, normal.y, 0.0);
@@ -158,7 +159,7 @@ static void contact_forces_sum_to_body_forces(void **state)
             if (is_thread(body)) {
                 continue;
             }
-            vbss_rigid_state r = small_rigid(&s, body);
+            vbss_scene_rigid_state r = small_rigid(&s, body);
             for (uint64_t k = 0; k < v.count; k++) {
                 uint32_t f[5];
                 memcpy(f, (const char *)v.data + k * v.stride_bytes, sizeof f);
@@ -190,7 +191,8 @@ static void floor_carries_weight(void **state)
     s.thread.gravity[1] = s.rigid.gravity[1] = -9.81;
     s.thread.drag = 50.0;
     small_thread(&s, vec3_make(-9e-3, 2e-4, 0.0), vec3_make(9e-3, 2e-4, 0.0), 20, NULL);
-    small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 2e-3, 8e-3), vec3_make(4e-3, 0.0, 0.0), 1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 2e-3, 8e-3), vec3_make(4e-3, 0.0, 0.0),
+                1e-3);
     small_steps(&s, 400, 1e-3);
     double weight = (0.02 + 6.4e-5 * 0.018) * 9.81, borne = 0.0;
     vbss_view v = small_view(&s, VBSS_SCENE_VIEW_CONTACT_FORCES);
@@ -230,10 +232,10 @@ static void near_thread_is_damped(void **state)
     uint32_t line =
         small_thread(&s, vec3_make(-9e-3, 1.3e-4, 0.0), vec3_make(9e-3, 1.3e-4, 0.0), 20, &thread);
     uint32_t stick =
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(-9e-3, 1.3e-4, 0.0), vec3_zero(), 1e-4);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(-9e-3, 1.3e-4, 0.0), vec3_zero(), 1e-4);
     small_pin(&s, line, 0, stick);
     uint32_t other =
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(9e-3, 1.3e-4, 0.0), vec3_zero(), 1e-4);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(9e-3, 1.3e-4, 0.0), vec3_zero(), 1e-4);
     small_pin(&s, line, 20, other);
     uint64_t damped = 0;
     for (int i = 0; i < 60; i++) {
@@ -278,8 +280,8 @@ static void generation_changes_with_every_step_and_edit(void **state)
             line = small_thread(&s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), 5, NULL);
             break;
         case 1:
-            tool =
-                small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.01, 0.0), vec3_zero(), 1e-3);
+            tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 0.01, 0.0), vec3_zero(),
+                               1e-3);
             break;
         case 2:
             small_move(&s, tool, vec3_make(0.0, 0.011, 0.0));

@@ -16,9 +16,9 @@ static vec3 velocity_of(const small *s, uint32_t body)
     return vec3_load(small_rigid(s, body).velocity);
 }
 
-static vbss_body_info info_of(const small *s, uint32_t body)
+static vbss_scene_body_info info_of(const small *s, uint32_t body)
 {
-    vbss_body_info info;
+    vbss_scene_body_info info;
     expect_ok(vbss_scene_get_body(s->scene, body, &info, sizeof info));
     return info;
 }
@@ -31,7 +31,7 @@ static uint32_t begin_on_floor(small *s)
     small_create(s);
     s->rigid.gravity[1] = -9.81;
     const uint32_t body =
-        small_stick(s, VBSS_RIGID_FREE, vec3_make(0.0, RADIUS, 0.0), half, RADIUS);
+        small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, RADIUS, 0.0), half, RADIUS);
     small_steps(s, 20, STEP);
     return body;
 }
@@ -62,7 +62,7 @@ static void gravity_of_all_moves_threads_and_leaves_tools(void **state)
     small_begin_scene(&s);
     const uint32_t number =
         small_thread(&s, vec3_make(0.0, 0.1, 0.0), vec3_make(0.02, 0.1, 0.0), 10, &thread);
-    const uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_zero(), half, RADIUS);
+    const uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_zero(), half, RADIUS);
     expect_ok(vbss_scene_set_gravity(s.scene, 0, g));
     small_steps(&s, 100, STEP);
     expect_near(0.1 - 0.5 * 4.0 * 0.01, small_node(thread, 5).y, 1e-3);
@@ -101,7 +101,7 @@ static void coupling_changed_is_stiffness_of_tool(void **state)
     small s;
     const double g[3] = {0.0, -10.0, 0.0};
     small_begin_scene(&s);
-    const uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_zero(), half, RADIUS);
+    const uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_zero(), half, RADIUS);
     expect_ok(vbss_scene_set_gravity(s.scene, tool, g));
     expect_ok(vbss_scene_set_coupling(s.scene, tool, 500.0, 10.0, 1.0, 0.01));
     small_steps(&s, 500, STEP);
@@ -114,7 +114,7 @@ static void speed_limit_changed_bounds_driven_body(void **state)
     (void)state;
     small s;
     small_begin_scene(&s);
-    const uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, RADIUS);
+    const uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, RADIUS);
     expect_ok(vbss_scene_set_speed_limit(s.scene, 0.5));
     small_move(&s, tool, vec3_make(0.0, 0.0, 0.01));
     small_steps(&s, 10, STEP);
@@ -130,7 +130,7 @@ static void force_acts_for_one_step_and_calls_add_up(void **state)
     small s;
     const double f[3] = {0.2, 0.0, 0.0};
     small_begin_scene(&s);
-    const uint32_t body = small_stick(&s, VBSS_RIGID_FREE, vec3_zero(), half, RADIUS);
+    const uint32_t body = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_zero(), half, RADIUS);
     expect_ok(vbss_scene_apply_force(s.scene, body, f, NULL, NULL));
     expect_ok(vbss_scene_apply_force(s.scene, body, f, NULL, NULL));
     small_steps(&s, 1, STEP);
@@ -147,8 +147,9 @@ static void force_beside_centre_turns_body_as_torque_does(void **state)
     const double f[3] = {0.0, 0.1, 0.0}, point[3] = {3e-3, 0.0, 0.0}, none[3] = {0.0, 0.0, 0.0},
                  torque[3] = {0.0, 0.0, 3e-4};
     small_begin_scene(&s);
-    const uint32_t a = small_stick(&s, VBSS_RIGID_FREE, vec3_zero(), half, RADIUS);
-    const uint32_t b = small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 0.1, 0.0), half, RADIUS);
+    const uint32_t a = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_zero(), half, RADIUS);
+    const uint32_t b =
+        small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.1, 0.0), half, RADIUS);
     expect_ok(vbss_scene_apply_force(s.scene, a, f, point, NULL));
     expect_ok(vbss_scene_apply_force(s.scene, b, none, NULL, torque));
     small_steps(&s, 1, STEP);
@@ -166,10 +167,10 @@ static void pose_and_velocity_are_those_that_were_set(void **state)
                  w[3] = {3.0, 1.0, -2.0};
     small_begin_scene(&s);
     const uint32_t body =
-        small_capsule(&s, VBSS_RIGID_FREE, vec3_zero(), vec3_make(6e-3, 0.0, 0.0), RADIUS);
+        small_capsule(&s, VBSS_SCENE_RIGID_FREE, vec3_zero(), vec3_make(6e-3, 0.0, 0.0), RADIUS);
     expect_ok(vbss_scene_set_rigid_pose(s.scene, body, p, q));
     expect_ok(vbss_scene_set_rigid_velocity(s.scene, body, v, w));
-    const vbss_rigid_state now = small_rigid(&s, body);
+    const vbss_scene_rigid_state now = small_rigid(&s, body);
     for (int k = 0; k < 3; k++) {
         expect_near(p[k], now.position[k], 1e-15);
         expect_near(v[k], now.velocity[k], 1e-14);
@@ -196,11 +197,11 @@ static void filtered_bodies_pass_through_each_other_and_nothing_else(void **stat
     s.config.floor = 1;
     s.config.floor_height = -0.05;
     small_create(&s);
-    const uint32_t upper = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -0.01, 0.0),
+    const uint32_t upper = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, -0.01, 0.0),
                                        vec3_make(0.02, 0.0, 0.0), RADIUS);
     const uint32_t lower =
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, -0.03, 0.0), along_z, RADIUS);
-    const uint32_t ball = small_stick(&s, VBSS_RIGID_FREE, vec3_zero(), half, RADIUS);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, -0.03, 0.0), along_z, RADIUS);
+    const uint32_t ball = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_zero(), half, RADIUS);
     expect_ok(vbss_scene_set_gravity(s.scene, 0, g));
     expect_ok(vbss_scene_set_filter(s.scene, upper, 2u, UINT32_MAX));
     expect_ok(vbss_scene_set_filter(s.scene, ball, 1u, ~2u));
@@ -246,8 +247,8 @@ static changed begin_changed(small *s)
     s->config.floor = 1;
     small_create(s);
     s->thread.gravity[1] = -9.81;
-    c.body = small_stick(s, VBSS_RIGID_FREE, vec3_make(0.0, 0.02, 0.0), half, RADIUS);
-    c.tool = small_stick(s, VBSS_RIGID_COUPLED, vec3_make(0.1, 0.02, 0.0), half, RADIUS);
+    c.body = small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.02, 0.0), half, RADIUS);
+    c.tool = small_stick(s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.1, 0.02, 0.0), half, RADIUS);
     c.thread = small_thread(s, vec3_make(-0.02, 0.03, 0.0), vec3_make(0.02, 0.03, 0.0), 20, NULL);
     return c;
 }
@@ -328,7 +329,7 @@ static void snapshot_from_before_takes_changes_back(void **state)
     }
     expect_ok(vbss_scene_restore(s.scene, saved.bytes, saved.count));
     assert_true(small_hash(&s) == before);
-    const vbss_body_info info = info_of(&s, c.thread);
+    const vbss_scene_body_info info = info_of(&s, c.thread);
     assert_true(info.category == 1u && info.mask == UINT32_MAX);
     free(saved.bytes);
     small_end(&s);
@@ -360,11 +361,11 @@ static changed begin_suspended(small *s)
     changed c;
     small_begin(s);
     s->config.floor = 1;
-    s->config.slot_limit = 3000;
+    s->config.call_budget = 3000;
     small_create(s);
     s->thread.gravity[1] = -9.81;
-    c.body = small_stick(s, VBSS_RIGID_FREE, vec3_make(0.0, 0.02, 0.1), half, RADIUS);
-    c.tool = small_stick(s, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.02, 0.0), half, RADIUS);
+    c.body = small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.02, 0.1), half, RADIUS);
+    c.tool = small_stick(s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 0.02, 0.0), half, RADIUS);
     c.thread = small_thread(s, vec3_make(-0.02, 3e-4, 0.0), vec3_make(0.02, 3e-4, 0.0), 40, NULL);
     for (int i = 0; i < 300 && !small_object(s)->cursor.is_suspended; i++) {
         small_steps(s, 1, STEP);
@@ -412,13 +413,13 @@ static void refused_changes_change_nothing_and_say_why(void **state)
                  inside[3] = {0.1, 0.02, 0.0};
     changed c;
     small_begin(&s);
-    s.config.overlap = VBSS_OVERLAP_REFUSE;
+    s.config.overlap = VBSS_SCENE_OVERLAP_REFUSE;
     small_create(&s);
-    c.body = small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 0.02, 0.0), half, RADIUS);
-    c.tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.1, 0.02, 0.0), half, RADIUS);
+    c.body = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.02, 0.0), half, RADIUS);
+    c.tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.1, 0.02, 0.0), half, RADIUS);
     c.thread = small_thread(&s, vec3_make(-0.02, 0.03, 0.0), vec3_make(0.02, 0.03, 0.0), 20, NULL);
     const uint32_t driven =
-        small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.2, 0.02, 0.0), half, RADIUS);
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.2, 0.02, 0.0), half, RADIUS);
     const uint64_t before = small_hash(&s);
     const vbss_result results[] = {
         vbss_scene_set_gravity(s.scene, 77, g),

@@ -32,14 +32,14 @@ static void thread_is_cut_in_place(void **state)
     const double places[] = {-14.2e-3, -7.31e-3, -0.13e-3, 0.0, 5.26e-3, 14.4e-3};
     for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
         for (int method = 0; method < 2; method++) {
-            /* By method PAPER turned blades shake the short end beside a pin. */
-            bool short_end = method == VBSS_METHOD_PAPER && fabs(places[k]) > 0.01;
+            /* By method VBLAST turned blades shake the short end beside a pin. */
+            bool short_end = method == VBSS_METHOD_VBLAST && fabs(places[k]) > 0.01;
             for (int turned = 0; turned < (short_end ? 1 : 3); turned++) {
                 shears_rig r;
                 shears_begin(&r, method); /* turned blades shake a soft thread too much */
                 small_create(&r.tools.s);
                 shears_line(&r, true);
-                shears_tool(&r, VBSS_GRASPER_SHEARS, places[k], 0.5 * turned);
+                shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, places[k], 0.5 * turned);
                 assert_true(shears_cut(&r, 0));
                 /* Turned blades push it along a little: it is cut where it is by then, in their plane. */
                 expect_cut_at(&r, 0.015 + places[k], turned > 0 ? 0.09e-3 : 0.0);
@@ -69,7 +69,7 @@ static void slanting_thread_is_cut_in_blade_plane(void **state)
             shears_begin_scene(&r, method);
             shears_laid(&r, nodes, 41);
             small_pin_ends(&r.tools.s, r.tools.body, 41);
-            shears_tool(&r, VBSS_GRASPER_SHEARS, plane, 0.0);
+            shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, plane, 0.0);
             assert_true(shears_cut(&r, 0));
             expect_cut_at(&r, (plane + 5e-3) * sqrt(1.0 + 0.25 * rise * rise), 0.02e-3);
             shears_end(&r);
@@ -84,9 +84,9 @@ static void off_centre_thread_is_dragged_and_cut(void **state)
     for (int side = -1; side <= 1; side += 2) {
         shears_rig r;
         double tip[3] = {side * 1.5e-3, 3.21e-3, -SHEARS_BELOW};
-        shears_begin_scene(&r, VBSS_METHOD_OURS);
+        shears_begin_scene(&r, VBSS_METHOD_IMPLICIT);
         shears_line(&r, true);
-        shears_tool(&r, VBSS_GRASPER_SHEARS, 3.21e-3, 0.0);
+        shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 3.21e-3, 0.0);
         tools_move(&r.tools, 0, vec3_load(tip));
         shears_steps(&r, 100);
         assert_true(shears_cut(&r, 0));
@@ -109,7 +109,7 @@ static void cut_at_node_splits_node(void **state)
             vbss_thread *piece;
             shears_begin_scene(&r, method);
             shears_line(&r, true);
-            shears_tool(&r, VBSS_GRASPER_SHEARS, 4.0 * SHEARS_SEGMENT + beside[k], 0.0);
+            shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 4.0 * SHEARS_SEGMENT + beside[k], 0.0);
             assert_true(shears_cut(&r, 0));
             expect_ok(vbss_scene_get_thread(r.tools.s.scene, r.first[2], &piece));
             assert_int_equal(cut_nodes(r.tools.thread), k < 3 ? 35 : 36);
@@ -131,7 +131,7 @@ static void blades_close_on_nothing(void **state)
         shears_rig r;
         shears_begin_scene(&r, method);
         shears_line(&r, true);
-        shears_tool(&r, VBSS_GRASPER_SHEARS, 17e-3, 0.0); /* beyond the thread's end */
+        shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 17e-3, 0.0); /* beyond the thread's end */
         double angle = r.tools.config.shears_opening, largest = 1e-3 * r.tools.config.jaw_speed;
         uint64_t nodes = cut_nodes(r.tools.thread);
         tools_open(&r.tools, 0, 0.0);
@@ -161,7 +161,7 @@ static void cut_at_end_does_nothing_and_blades_close(void **state)
                 shears_begin_scene(&r, method);
                 shears_line(&r, false);
                 double thick = 2.0 * r.tools.s.thread.radius;
-                shears_tool(&r, VBSS_GRASPER_SHEARS, side * (0.015 + off), 0.0);
+                shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, side * (0.015 + off), 0.0);
                 assert_int_equal(shears_cut(&r, 0), off < -thick);
                 shears_steps(&r, 100);
                 assert_int_equal(r.cuts, off < -thick);
@@ -178,9 +178,9 @@ static void only_closing_cuts(void **state)
 {
     (void)state;
     shears_rig r;
-    shears_begin_scene(&r, VBSS_METHOD_OURS);
+    shears_begin_scene(&r, VBSS_METHOD_IMPLICIT);
     shears_line(&r, true);
-    shears_tool(&r, VBSS_GRASPER_SHEARS, 0.3e-3, 0.0);
+    shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 0.3e-3, 0.0);
     tools_open(&r.tools, 0, 0.4);
     shears_steps(&r, 100);
     for (int i = 1; i <= 100; i++) {
@@ -226,15 +226,15 @@ static void two_strands_are_cut_in_one_step(void **state)
             shears_laid(&r, nodes, 81);
             const scene_object *o = small_object(&r.tools.s);
             double length = cut_length(cut_thread(o, r.tools.body));
-            shears_tool(&r, VBSS_GRASPER_SHEARS, -2.23e-3, 0.0);
+            shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, -2.23e-3, 0.0);
             assert_true(shears_cut(&r, 0));
             assert_int_equal(r.cuts, 2);
             uint32_t far = r.tools.bodies[0] + 1, middle = r.tools.bodies[0] + 2;
             const uint32_t wanted[2][3] = {{r.tools.body, far}, {r.tools.body, middle}};
             for (int i = 0; i < 3; i++) {
-                assert_int_equal((i < 2 ? wanted[0][i] : VBSS_EVENT_CUT),
+                assert_int_equal((i < 2 ? wanted[0][i] : VBSS_SCENE_EVENT_CUT),
                                  r.first[i < 2 ? i + 1 : 0]);
-                assert_int_equal((i < 2 ? wanted[1][i] : VBSS_EVENT_CUT),
+                assert_int_equal((i < 2 ? wanted[1][i] : VBSS_SCENE_EVENT_CUT),
                                  r.last[i < 2 ? i + 1 : 0]);
             }
             double first = -2.23e-3 + 0.01;
@@ -257,7 +257,7 @@ static void two_strands_are_cut_in_one_step(void **state)
 
 /* ---- exchange */
 
-static uint32_t exchanges(const shears_rig *r, vbss_event_kind kind, uint32_t event[4])
+static uint32_t exchanges(const shears_rig *r, vbss_scene_event_kind kind, uint32_t event[4])
 {
     return small_events(&r->tools.s, kind, event);
 }
@@ -275,36 +275,36 @@ static void driver_exchanged_for_shears_cuts(void **state)
         r.tools.s.config.contact_capacity = 1024;
         small_create(&r.tools.s);
         shears_line(&r, true);
-        shears_tool(&r, VBSS_GRASPER_NEEDLE_DRIVER, 3.3e-3, 0.0);
-        if (method == VBSS_METHOD_PAPER) { /* which takes what is near the tip */
+        shears_tool(&r, VBSS_GRASPER_KIND_NEEDLE_DRIVER, 3.3e-3, 0.0);
+        if (method == VBSS_METHOD_VBLAST) { /* which takes what is near the tip */
             tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, 0.8e-3));
         }
         shears_steps(&r, 50);
         tools_open(&r.tools, 0, 0.0);
         shears_steps(&r, 100);
         assert_int_equal(tools_state(&r.tools, 0).grasp_count, 1);
-        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_SHEARS));
+        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_KIND_SHEARS));
         shears_steps(&r, 1); /* it holds something, and is within */
-        assert_int_equal(exchanges(&r, VBSS_EVENT_NOT_EXCHANGED, event), 1);
-        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_SHEARS);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 1);
+        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_KIND_SHEARS);
         shears_steps(&r, 10); /* what was refused is forgotten */
-        assert_int_equal(exchanges(&r, VBSS_EVENT_NOT_EXCHANGED, event), 0);
-        assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_NEEDLE_DRIVER);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 0);
+        assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
         tools_open(&r.tools, 0, 1.0);
         shears_steps(&r, 100);
-        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_SHEARS));
+        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_KIND_SHEARS));
         shears_steps(&r, 1); /* with empty jaws, but still within */
-        assert_int_equal(exchanges(&r, VBSS_EVENT_NOT_EXCHANGED, event), 1);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 1);
         for (int i = 1; i <= 200; i++) {
             tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));
             shears_steps(&r, 1);
         }
         shears_steps(&r, 50);
-        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_SHEARS));
+        expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_KIND_SHEARS));
         shears_steps(&r, 1);
-        assert_int_equal(exchanges(&r, VBSS_EVENT_EXCHANGED, event), 1);
-        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_SHEARS);
-        assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_SHEARS);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_EXCHANGED, event), 1);
+        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_KIND_SHEARS);
+        assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_KIND_SHEARS);
         for (int i = 200; i >= 0; i--) {
             tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));
             shears_steps(&r, 1);

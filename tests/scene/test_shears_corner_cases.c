@@ -7,9 +7,9 @@
 
 static void expect_grasp(const shears_rig *r, uint32_t tool, uint32_t thread, double arc, vec3 at)
 {
-    vbss_grasp grasp = tools_grasp(&r->tools, tool, 0);
+    vbss_scene_grasp grasp = tools_grasp(&r->tools, tool, 0);
     assert_int_equal(tools_state(&r->tools, tool).grasp_count, 1);
-    assert_int_equal(grasp.thread, thread);
+    assert_int_equal(grasp.body, thread);
     expect_near(arc, grasp.arc_length, 1e-5);
     expect_near(0.0, vec3_distance(at, vec3_load(grasp.position)), 2e-5);
 }
@@ -17,7 +17,7 @@ static void expect_grasp(const shears_rig *r, uint32_t tool, uint32_t thread, do
 /* Shafts on the other side, so that blades come near to the jaws of others. */
 static uint32_t shears_from_below(shears_rig *r, double y)
 {
-    r->tools.config.kind = VBSS_GRASPER_SHEARS;
+    r->tools.config.kind = VBSS_GRASPER_KIND_SHEARS;
     return tools_add_turned(&r->tools, vec3_make(0.0, y, SHEARS_BELOW),
                             quat_make(0.0, 0.0, 1.0, 0.0));
 }
@@ -29,10 +29,10 @@ static void grasped_part_moves_with_its_piece(void **state)
     const double planes[] = {1.23e-3, -7.4e-3, 6.8e-3, 3.0e-3}; /* jaws and blades are 1 mm wide */
     for (int k = 0; k < 4; k++) {
         shears_rig r;
-        shears_begin_scene(&r, VBSS_METHOD_OURS);
+        shears_begin_scene(&r, VBSS_METHOD_IMPLICIT);
         shears_line(&r, false);
-        shears_tool(&r, VBSS_GRASPER_NEEDLE_DRIVER, -8.5e-3, 0.0);
-        shears_tool(&r, VBSS_GRASPER_NEEDLE_DRIVER, 7.9e-3, 0.0);
+        shears_tool(&r, VBSS_GRASPER_KIND_NEEDLE_DRIVER, -8.5e-3, 0.0);
+        shears_tool(&r, VBSS_GRASPER_KIND_NEEDLE_DRIVER, 7.9e-3, 0.0);
         shears_from_below(&r, planes[k]);
         tools_open(&r.tools, 0, 0.0);
         tools_open(&r.tools, 1, 0.0);
@@ -80,13 +80,13 @@ static void thread_is_cut_under_five_newtons(void **state)
 {
     (void)state;
     shears_rig r;
-    shears_begin(&r, VBSS_METHOD_OURS);
+    shears_begin(&r, VBSS_METHOD_IMPLICIT);
     r.tools.config.closing_force = 20.0;
     small_create(&r.tools.s);
     shears_line(&r, false);
-    shears_tool(&r, VBSS_GRASPER_NEEDLE_DRIVER, -10e-3, 0.0);
-    shears_tool(&r, VBSS_GRASPER_NEEDLE_DRIVER, 10e-3, 0.0);
-    shears_tool(&r, VBSS_GRASPER_SHEARS, 1.3e-3, 0.0);
+    shears_tool(&r, VBSS_GRASPER_KIND_NEEDLE_DRIVER, -10e-3, 0.0);
+    shears_tool(&r, VBSS_GRASPER_KIND_NEEDLE_DRIVER, 10e-3, 0.0);
+    shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 1.3e-3, 0.0);
     tools_open(&r.tools, 0, 0.0);
     tools_open(&r.tools, 1, 0.0);
     shears_steps(&r, 200);
@@ -132,8 +132,8 @@ static void thread_is_cut_under_five_newtons(void **state)
         }
     }
     assert_int_equal(r.cuts, 1);
-    assert_true(tools_grasp(&r.tools, 0, 0).thread == r.tools.body &&
-                tools_grasp(&r.tools, 1, 0).thread != r.tools.body);
+    assert_true(tools_grasp(&r.tools, 0, 0).body == r.tools.body &&
+                tools_grasp(&r.tools, 1, 0).body != r.tools.body);
     assert_true(shears_kinetic(&r.tools.s) < 1e-9);
     shears_expect_shut(&r, 2);
     shears_end(&r);
@@ -180,7 +180,7 @@ static void blades_close_without_cut_capacity(void **state)
         r.tools.s.thread.cut_capacity = 0;
         small_create(&r.tools.s);
         shears_line(&r, true);
-        shears_tool(&r, VBSS_GRASPER_SHEARS, 1.23e-3, 0.0);
+        shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 1.23e-3, 0.0);
         uint32_t nodes = cut_nodes(r.tools.thread);
         for (uint32_t closed = 1; closed <= 3; closed++) {
             tools_open(&r.tools, 0, 0.0);
@@ -221,8 +221,8 @@ static void last_cut_is_made_where_two_are_due(void **state)
         r.tools.s.config.thread_capacity = 8;
         small_create(&r.tools.s);
         shears_line(&r, true);
-        shears_tool(&r, VBSS_GRASPER_SHEARS, -4.23e-3, 0.0);
-        shears_tool(&r, VBSS_GRASPER_SHEARS, 4.23e-3, 0.0);
+        shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, -4.23e-3, 0.0);
+        shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 4.23e-3, 0.0);
         tools_open(&r.tools, 0, 0.0);
         tools_open(&r.tools, 1, 0.0);
         shears_steps(&r, 200);
@@ -247,7 +247,7 @@ static void slack_thread_is_cut_once_per_closing(void **state)
             shears_begin_scene(&r, method);
             r.tools.config.shears_radius = radii[k];
             shears_line(&r, false);
-            shears_tool(&r, VBSS_GRASPER_SHEARS, 0.13e-3, 0.0);
+            shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 0.13e-3, 0.0);
             for (uint32_t closed = 1; closed <= 3; closed++) {
                 assert_true(shears_cut(&r, 0));
                 shears_steps(&r, 200);

@@ -52,13 +52,13 @@ static void exchange_and_cuts_replay_bit_equal(void **state)
         static const int order[] = {1, 1, 0};
         for (int k = 0; k < 3; k++) {
             vbss_replay *replay;
-            vbss_replay_report report = {.outcome = VBSS_REPLAY_STEPPED};
+            vbss_replay_report report = {.outcome = VBSS_REPLAY_OUTCOME_STEPPED};
             expect_ok(vbss_replay_create(context, log.all, log.count, &replay));
             expect_ok(vbss_replay_begin(replay, scenes[order[k]]));
-            while (report.outcome == VBSS_REPLAY_STEPPED) {
+            while (report.outcome == VBSS_REPLAY_OUTCOME_STEPPED) {
                 expect_ok(vbss_replay_step(replay, &report, sizeof report));
             }
-            assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+            assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
             assert_int_equal(report.agreed_step, CUTTING_SCENE_STEPS);
             expect_ok(vbss_scene_get_hash(scenes[order[k]], &hashes[1]));
             assert_true(hashes[0] == hashes[1]);

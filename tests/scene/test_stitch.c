@@ -7,7 +7,7 @@ static stitch_rig c;
 /* ---- pulled through */
 
 /* By how much it turns from well before the hole to well behind it, rad. */
-static double turn_at(const vbss_hole *hole)
+static double turn_at(const vbss_scene_hole *hole)
 {
     enum { BESIDE = 3 };
     uint32_t n = 0;
@@ -31,7 +31,7 @@ static pulled pull_through(double friction, double degrees, double tail)
     const double speed = 0.02;
     pulled p = {0.0, 0.0, 0.0, 0.0, 0.0};
     stitch_rig_begin(&c);
-    c.o.scene.mode = VBSS_MODE_OFFLINE;
+    c.o.scene.mode = VBSS_SCENE_MODE_OFFLINE;
     c.o.limb = 40e-3;
     c.o.rise = 0.017453292519943295 * degrees;
     c.o.thread.drag = 20.0;
@@ -133,7 +133,7 @@ static vec3 anchor_sum(void)
 {
     vbss_view view;
     vec3 sum = vec3_zero();
-    expect_ok(vbss_drain_get_view(c.s.drain, VBSS_DRAIN_ANCHOR_FORCES, &view, sizeof view));
+    expect_ok(vbss_drain_get_view(c.s.drain, VBSS_DRAIN_VIEW_ANCHOR_FORCES, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         sum = vec3_add(sum, vec3_load((const double *)view.data + 3 * i));
     }

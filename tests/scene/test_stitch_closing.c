@@ -12,7 +12,7 @@ static stitch_rig c;
 static void tie(double limit, uint32_t work)
 {
     stitch_rig_begin(&c);
-    c.o.scene.work_limit = work > 0 ? work : c.o.scene.work_limit;
+    c.o.scene.step_budget = work > 0 ? work : c.o.scene.step_budget;
     c.o.crossings = 5;
     stitch_rig_make(&c);
     stitch_rig_wait(&c, 100);
@@ -75,7 +75,7 @@ static void without_thread_slit_reopens(void **state)
     stitch_rig_end(&c);
     tie(2.0, 0);
     expect_ok(vbss_scene_remove(c.s.scene, c.s.thread_body));
-    vbss_hole hole;
+    vbss_scene_hole hole;
     assert_int_equal(vbss_scene_get_hole(c.s.scene, 0, &hole, sizeof hole),
                      VBSS_ERROR_OUT_OF_RANGE);
     for (int i = 0; i < 2000; i++) {
@@ -101,7 +101,7 @@ static void soften(int hand)
     vbss_thread_attachment a;
     expect_ok(stitch_scene_let_go(&c.s, hand));
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_SPRING;
+    a.kind = VBSS_THREAD_ATTACHMENT_SPRING;
     a.node = c.s.ends[hand];
     a.stiffness = SOFT;
     a.damping = 0.05;
@@ -129,7 +129,7 @@ static void note(loading *l, int i)
 static void load_and_unload(double friction, uint32_t work, loading *on, loading *back)
 {
     stitch_rig_begin(&c);
-    c.o.scene.work_limit = work > 0 ? work : c.o.scene.work_limit;
+    c.o.scene.step_budget = work > 0 ? work : c.o.scene.step_budget;
     c.o.rise = 1.5707963267948966;
     c.o.limb = 20e-3;
     c.o.thread.drag = 20.0;

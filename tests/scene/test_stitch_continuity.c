@@ -85,7 +85,7 @@ static const double slackens[] = {5e-3, 8e-3};
 
 /* A change of the mesh is made at the end of a step and shows in the next. */
 typedef struct hole_sample {
-    vbss_hole hole;
+    vbss_scene_hole hole;
     bool still;   /* it has slid so little in the last step */
     bool changed; /* the mesh has changed at its end, while it was still */
 } hole_sample;
@@ -98,7 +98,7 @@ typedef struct jumps {
 /* Where the scene has waited nothing is still, and what comes next is what hands have done meanwhile. */
 static void sample_hole(hole_sample *l, int side, bool changed, jumps *found)
 {
-    vbss_hole now;
+    vbss_scene_hole now;
     assert_true(stitch_case_hole(&c, side, &now));
     const double change = fabs(now.arc_length - l->hole.arc_length);
     if (c.booked > 0 && l->changed) {
@@ -129,7 +129,7 @@ static uint32_t change_meshes(double slow)
     stitch_case_begin(&c);
     c.options.crossings = 1;
     c.options.scene.node_capacity = 2048;
-    c.options.thread.mesh = VBSS_MESH_ADAPTIVE;
+    c.options.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     c.options.segment = 1.2e-3;
     stitch_case_make(&c);
     for (int k = 0; k < 2; k++) {

@@ -14,14 +14,14 @@ static void fast_withdrawal_gains_no_energy(void **state)
     stitch_case_drop(&c, 0);
     stitch_case_pull(&c, 1, vec3_make(0.0, 0.0, 80e-3), 0.5);
     stitch_case_wait(&c, 50);
-    assert_int_equal(c.counts[VBSS_EVENT_UNTHREADED], 2);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_UNTHREADED], 2);
     stitch_case_finish(&c, "drawn out, 0.5 m/s", SHARE);
 }
 
 static void cut_between_holes_gains_no_energy(void **state)
 {
     (void)state;
-    vbss_hole holes[2];
+    vbss_scene_hole holes[2];
     stitch_case_open(&c, 0);
     assert_true(stitch_case_hole(&c, 0, &holes[0]) && stitch_case_hole(&c, 1, &holes[1]));
     double middle = 0.5 * (holes[0].arc_length + holes[1].arc_length);

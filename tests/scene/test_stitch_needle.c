@@ -22,11 +22,12 @@ static void drawn_through_needle_leaves_stitch(void **state)
     (void)state;
     needle_stitch_begin(&n);
     needle_stitch_into_second(&n, SPEED);
-    needle_stitch_turn(&n, 60e-3, SPEED, VBSS_EVENT_PASSED, 2);
+    needle_stitch_turn(&n, 60e-3, SPEED, VBSS_SCENE_EVENT_PASSED, 2);
     needle_stitch_turn(&n, 3e-3, SPEED, 0, 0);
     needle_stitch_expect_in(&n, 2, 2);
     assert_int_equal(n.watch.crossings, 2);
-    assert_int_equal(n.c.counts[VBSS_EVENT_WITHDRAWN] + n.c.counts[VBSS_EVENT_UNTHREADED], 0);
+    assert_int_equal(
+        n.c.counts[VBSS_SCENE_EVENT_WITHDRAWN] + n.c.counts[VBSS_SCENE_EVENT_UNTHREADED], 0);
     needle_stitch_finish(&n, "a stitch");
 }
 

@@ -12,7 +12,7 @@ static needle_stitch n;
 /* Of the needle, in the second hole, m. */
 static double arc_in_hole(void)
 {
-    vbss_hole in[NEEDLE_CASE_HOLES];
+    vbss_scene_hole in[NEEDLE_CASE_HOLES];
     uint32_t count = needle_case_holes(&n.c, in), i = 0;
     while (i < count && in[i].needle == 0) {
         i++;
@@ -28,9 +28,9 @@ static void push_back(double distance, double speed)
     const double before = arc_in_hole();
     needle_stitch_turn(&n, -distance, speed, 0, 0);
     assert_true(before - arc_in_hole() < 0.25 * distance); /* the rest it is held back */
-    assert_int_equal(n.c.counts[VBSS_EVENT_RETURNED], 0);
-    assert_int_equal(n.c.counts[VBSS_EVENT_WITHDRAWN], 0);
-    assert_int_equal(n.c.counts[VBSS_EVENT_UNTHREADED], 0);
+    assert_int_equal(n.c.counts[VBSS_SCENE_EVENT_RETURNED], 0);
+    assert_int_equal(n.c.counts[VBSS_SCENE_EVENT_WITHDRAWN], 0);
+    assert_int_equal(n.c.counts[VBSS_SCENE_EVENT_UNTHREADED], 0);
     needle_stitch_expect_in(&n, 2, 1);
 }
 

@@ -34,12 +34,12 @@ static void impossible_hole_is_rejected_and_changes_nothing(void **state)
     (void)state;
     static const double below[3] = {-0.1, 1.0, 0.1}, more[3] = {0.5, 0.5, 0.5};
     static const double none[3] = {(double)NAN, 0.5, 0.5}, over[3] = {1.1, 0.0, -0.1};
-    vbss_hole hole;
+    vbss_scene_hole hole;
     stitch_case_open(&c, 0);
     assert_true(stitch_case_hole(&c, 0, &hole));
     const asked good = {c.stitch.thread_body, hole.arc_length, c.stitch.drain_body, hole.triangle,
                         hole.weights};
-    uint32_t stick = small_stick(&c.s, VBSS_RIGID_FREE, vec3_make(0.0, 0.1, 0.0),
+    uint32_t stick = small_stick(&c.s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.1, 0.0),
                                  vec3_make(0.0, 0.0, 1e-3), 1e-3);
     vbss_thread_config pair = c.options.thread;
     vbss_thread *two;
@@ -99,7 +99,7 @@ static void hole_at_the_place_of_a_hole_is_refused(void **state)
     c.options.scene.hole_capacity = 8;
     stitch_case_make(&c);
     uint32_t count = 0;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     while (vbss_scene_get_hole(c.s.scene, count, &hole, sizeof hole) == VBSS_OK) {
         count++;
     }
@@ -119,7 +119,7 @@ static void hole_at_the_place_of_a_hole_is_refused(void **state)
 static void hole_count_is_limited_by_capacity(void **state)
 {
     (void)state;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     stitch_case_begin(&c);
     c.options.scene.hole_capacity = 2;
     stitch_case_make(&c);
@@ -149,7 +149,7 @@ static void removed_thread_removes_holes(void **state)
 static void removed_drain_removes_holes(void **state)
 {
     (void)state;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     stitch_case_open(&c, 0);
     stitch_case_wait(&c, 10);
     expect_ok(vbss_scene_remove(c.s.scene, c.stitch.drain_body));
@@ -244,7 +244,7 @@ static void several_threads_share_one_drain(void **state)
 static void single_segment_piece_leaves_hole(void **state)
 {
     (void)state;
-    vbss_hole hole;
+    vbss_scene_hole hole;
     vbss_view nodes;
     stitch_case_begin(&c);
     c.options.segment = 1.8e-3; /* no node within 0.2 mm of the hole, where cuts are made */
@@ -256,7 +256,8 @@ static void single_segment_piece_leaves_hole(void **state)
     assert_true(stitch_case_hole(&c, 0, &hole));
     assert_int_equal(hole.thread, thread);
     assert_int_not_equal(stitch_case_cut(&c, thread, hole.arc_length - beside), 0);
-    expect_ok(vbss_thread_get_view(c.stitch.thread, VBSS_THREAD_POSITIONS, &nodes, sizeof nodes));
+    expect_ok(
+        vbss_thread_get_view(c.stitch.thread, VBSS_THREAD_VIEW_POSITIONS, &nodes, sizeof nodes));
     assert_true(nodes.count > 2);
     assert_false(stitch_case_hole(&c, 0, &hole));
     assert_true(stitch_case_hole(&c, 1, &hole));

@@ -31,7 +31,7 @@ static void expect_two_holes(void)
 {
     assert_int_equal(c.watch.holes, 2);
     assert_int_equal(c.watch.crossings, 2);
-    assert_int_equal(c.counts[VBSS_EVENT_UNTHREADED], 0);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_UNTHREADED], 0);
 }
 
 /* ---- drawn out */
@@ -45,14 +45,14 @@ static void thread_is_drawn_out_slowly_and_fast(void **state)
         char name[32];
         snprintf(name, sizeof name, "drawn out, %g m/s", speeds[i]);
         stitch_case_begin(&c);
-        c.options.scene.mode = VBSS_MODE_OFFLINE;
+        c.options.scene.mode = VBSS_SCENE_MODE_OFFLINE;
         stitch_case_make(&c);
         stitch_case_wait(&c, 20);
         expect_two_holes();
         stitch_case_drop(&c, 0);
         stitch_case_pull(&c, 1, vec3_scale(right, 80e-3), speeds[i]);
         stitch_case_wait(&c, 50);
-        assert_int_equal(c.counts[VBSS_EVENT_UNTHREADED], 2);
+        assert_int_equal(c.counts[VBSS_SCENE_EVENT_UNTHREADED], 2);
         assert_int_equal(c.watch.holes + c.watch.crossings, 0);
         stitch_case_finish(&c, name, SHARE);
     }
@@ -65,7 +65,7 @@ static void draw_both_out(const char *name)
 {
     stitch_case_wait(&c, 50);
     pull_both(outward(0), outward(1), 25e-3, 0.1);
-    assert_int_equal(c.counts[VBSS_EVENT_UNTHREADED], 2);
+    assert_int_equal(c.counts[VBSS_SCENE_EVENT_UNTHREADED], 2);
     assert_int_equal(c.watch.holes + c.watch.crossings, 0);
     stitch_case_finish(&c, name, SHARE);
 }
@@ -73,9 +73,9 @@ static void draw_both_out(const char *name)
 static void thread_cut_between_holes_comes_out_on_both_sides(void **state)
 {
     (void)state;
-    vbss_hole holes[2];
+    vbss_scene_hole holes[2];
     stitch_case_begin(&c);
-    c.options.scene.mode = VBSS_MODE_OFFLINE;
+    c.options.scene.mode = VBSS_SCENE_MODE_OFFLINE;
     stitch_case_make(&c);
     assert_true(stitch_case_hole(&c, 0, &holes[0]) && stitch_case_hole(&c, 1, &holes[1]));
     double middle = 0.5 * (holes[0].arc_length + holes[1].arc_length);
@@ -96,7 +96,7 @@ static void thread_cut_at_hole_stays_in_one_piece(void **state)
     static const double beside[] = {0.0, 7e-6, -7e-6, 0.1e-3, -0.1e-3};
     for (int i = 0; i < 5; i++) {
         char name[32];
-        vbss_hole hole;
+        vbss_scene_hole hole;
         snprintf(name, sizeof name, "cut at a hole, %+.3f mm", 1e3 * beside[i]);
         stitch_case_open(&c, 0);
         stitch_case_wait(&c, 10);

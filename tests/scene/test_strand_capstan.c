@@ -81,7 +81,7 @@ static void begin(strand_capstan *c)
     vbss_thread_config thread = rig_config(1.0, count - 1);
     thread.rest_lengths = rest;
     thread.positions = &x[0].x;
-    thread.bending = VBSS_BENDING_LOCAL;
+    thread.bending = VBSS_THREAD_BENDING_LOCAL;
     thread.radius = thread_radius;
     thread.bending_stiffness = bending_stiffness;
     thread.axial_stiffness = 4000.0;

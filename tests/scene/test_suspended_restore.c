@@ -41,7 +41,7 @@ static void add_needle_over_drain(small *s, uint64_t seed)
 static void begin(small *s, uint64_t seed)
 {
     small_begin(s);
-    s->config.slot_limit = 50000;
+    s->config.call_budget = 50000;
     s->config.contact_capacity = 4096;
     s->config.candidate_capacity = 65536;
     small_create(s);
@@ -123,7 +123,7 @@ static void replay_continues_after_seek_to_suspended_step(void **state)
             expect_ok(vbss_replay_seek(replay, step, &report, sizeof report));
             for (int i = 0; i < 6; i++) {
                 expect_ok(vbss_replay_step(replay, &report, sizeof report));
-                assert_int_equal(report.outcome, VBSS_REPLAY_STEPPED);
+                assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_STEPPED);
             }
         }
         small_end(&s);

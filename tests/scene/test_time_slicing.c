@@ -45,7 +45,7 @@ static void begin_with_margin(pulled *p, uint32_t slot, double margin_ratio)
     contact_scene_options o;
     *p = (pulled){0};
     pulled_surgeons_init(&o);
-    o.scene.slot_limit = slot;
+    o.scene.call_budget = slot;
     o.scene.contact_margin *= margin_ratio;
     expect_ok(vbss_context_create(NULL, &p->context));
     expect_ok(contact_scene_create(p->context, &o, &p->scene));
@@ -95,7 +95,7 @@ static void report(pulled *p, uint64_t step)
         double target[3];
         const double travel = step % 80 < 40 ? 2e-5 : -2e-5;
         vec3_store(target, vec3_add(a->target, vec3_make(i == 0 ? -travel : travel, 0.0, 0.0)));
-        expect_ok(vbss_thread_move(hand->thread, hand->id, target, NULL));
+        expect_ok(vbss_thread_set_attachment_target(hand->thread, hand->id, target, NULL));
     }
 }
 
@@ -114,7 +114,7 @@ static void divided_steps_are_bit_equal(void **state)
             expect_ok(contact_scene_step(&divided.scene, STEP));
         }
         scene_object *s = object_of(divided.scene.scene);
-        s->config.slot_limit = slots[k];
+        s->config.call_budget = slots[k];
         uint64_t reported = 0, calls = 0;
         while (finished(&divided) < PULLED + COMPARED) {
             const uint64_t before = finished(&divided),
@@ -212,7 +212,7 @@ static uint32_t inside_slot;
 static vbss_result create_divided(vbss_context *context, void *user, void **handle)
 {
     VBSS_TRY(inside->create(context, user, handle));
-    object_of(*handle)->config.slot_limit = inside_slot;
+    object_of(*handle)->config.call_budget = inside_slot;
     return VBSS_OK;
 }
 
@@ -345,7 +345,7 @@ static void read_all_views(const pulled *p)
 {
     vbss_view v;
     vbss_thread_statistics t;
-    for (vbss_thread_field field = 0; field <= VBSS_THREAD_CURVATURES; field++) {
+    for (vbss_thread_field field = 0; field <= VBSS_THREAD_VIEW_CURVATURES; field++) {
         expect_ok(vbss_thread_get_view(p->scene.threads[0], field, &v, sizeof v));
     }
     for (vbss_scene_field field = 0; field <= VBSS_SCENE_VIEW_EVENTS; field++) {
@@ -385,25 +385,26 @@ static uint64_t hash_of_turned_clamp(bool is_viewed)
     uint32_t id, suspended = 0;
     vbss_thread_attachment a;
     small_begin(&s);
-    s.config.slot_limit = 500;
+    s.config.call_budget = 500;
     small_create(&s);
     small_thread(&s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 10, &thread);
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_CLAMP;
+    a.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
     a.node = 4;
     vec3_store(a.position, vec3_make(8e-3, 0.0, 0.0));
     expect_ok(vbss_thread_attach(thread, &a, &id));
     for (uint32_t i = 0; i < 62; i++) {
         const double direction[3] = {1.0, 0.02 * i, 0.0};
-        expect_ok(vbss_thread_move(thread, id, a.position, direction));
+        expect_ok(vbss_thread_set_attachment_target(thread, id, a.position, direction));
         small_steps(&s, 1, STEP);
         suspended += small_statistics(&s).behind > 0;
         if (is_viewed) {
-            expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_CURVATURES, &v, sizeof v));
+            expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VIEW_CURVATURES, &v, sizeof v));
         }
     }
     assert_true(suspended > 10 && small_object(&s)->cursor.is_attempt_in_memory);
-    small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.1, 0.0, 0.0), vec3_make(1e-3, 0.0, 0.0), 1e-3);
+    small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.1, 0.0, 0.0), vec3_make(1e-3, 0.0, 0.0),
+                1e-3);
     const uint64_t hash = small_hash(&s);
     small_end(&s);
     return hash;
@@ -431,7 +432,7 @@ static void drain_queries_during_suspension_change_nothing(void **state)
         expect_ok(puncture_step(seen));
         expect_ok(puncture_step(unseen));
         waited += object_of(seen)->cursor.is_attempt_suspended;
-        for (vbss_drain_field field = 0; field <= VBSS_DRAIN_CURVATURES; field++) {
+        for (vbss_drain_field field = 0; field <= VBSS_DRAIN_VIEW_CURVATURES; field++) {
             vbss_view v;
             expect_ok(vbss_drain_get_view(drains_rig_of(seen), field, &v, sizeof v));
         }
@@ -452,9 +453,9 @@ static void step_until_it_waits(pulled *p)
 /* A ball far from everything. */
 static vbss_result add_ball(vbss_scene *scene, uint32_t *body)
 {
-    vbss_rigid_config ball;
-    const vbss_capsule capsule = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
-    expect_ok(vbss_rigid_config_init(&ball, sizeof ball));
+    vbss_scene_rigid_config ball;
+    const vbss_scene_capsule capsule = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
+    expect_ok(vbss_scene_rigid_config_init(&ball, sizeof ball));
     ball.capsules = &capsule;
     ball.capsule_count = 1;
     ball.position[1] = 0.5;
@@ -477,7 +478,7 @@ static void edits_end_suspended_step(void **state)
         uint32_t id;
         if (how == 0) { /* by the thread's own handle: seen by the next call */
             expect_ok(vbss_thread_attachment_init(&mass, sizeof mass));
-            mass.kind = VBSS_ATTACHMENT_MASS;
+            mass.kind = VBSS_THREAD_ATTACHMENT_MASS;
             mass.node = 5;
             mass.mass = 1e-6;
             expect_ok(vbss_thread_attach(p.scene.threads[0], &mass, &id));
@@ -549,20 +550,20 @@ static void commands_during_suspension_apply_to_next_step(void **state)
     (void)state;
     small s;
     small_begin(&s);
-    s.config.slot_limit = 1;
+    s.config.call_budget = 1;
     s.config.drain_capacity = 0;
     small_create(&s);
     (void)small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
-    uint32_t rod = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(4e-3, 2e-3, 0.0),
+    uint32_t rod = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(4e-3, 2e-3, 0.0),
                                vec3_make(0.0, 0.0, 2e-3), 5e-4);
     small_steps(&s, 3, STEP);
     scene_object *o = small_object(&s);
     assert_true(o->cursor.is_suspended);
     const pose goes = o->bodies[1].rigid.body.target_end;
     const double reported[3] = {4e-3, 2.1e-3, 1e-4};
-    expect_ok(vbss_scene_move_rigid(s.scene, rod, reported, NULL));
+    expect_ok(vbss_scene_set_rigid_target(s.scene, rod, reported, NULL));
     assert_memory_equal(&goes, &o->bodies[1].rigid.body.target_end, sizeof goes);
-    vbss_rigid_state seen = small_rigid(&s, rod);
+    vbss_scene_rigid_state seen = small_rigid(&s, rod);
     for (int k = 0; k < 3; k++) {
         expect_near(reported[k], seen.target_position[k], 1e-12);
     }
@@ -571,7 +572,7 @@ static void commands_during_suspension_apply_to_next_step(void **state)
         for (int i = 0; i < 60; i++) {
             small_steps(&s, 1, STEP);
         }
-        vbss_rigid_state there = small_rigid(&s, rod);
+        vbss_scene_rigid_state there = small_rigid(&s, rod);
         for (int k = 0; k < 3; k++) {
             expect_near(reported[k], there.position[k], 1e-12);
         }
@@ -589,13 +590,13 @@ static void damaged_suspended_states_are_rejected_or_continue(void **state)
     enum { LAST = 700 }; /* bytes: the step that waits is at the end */
     small s;
     small_begin(&s);
-    s.config.slot_limit = 1;
+    s.config.call_budget = 1;
     s.config.drain_capacity = 0;
     small_create(&s);
     uint32_t line =
         small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
-    (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(4e-3, 2e-3, 0.0), vec3_make(0.0, 0.0, 2e-3),
-                      5e-4);
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(4e-3, 2e-3, 0.0),
+                      vec3_make(0.0, 0.0, 2e-3), 5e-4);
     small_pin(&s, line, 0, 0);
     small_steps(&s, 3, STEP);
     assert_true(small_object(&s)->cursor.is_attempt_suspended);
@@ -628,13 +629,13 @@ static void damaged_suspended_states_are_rejected_or_continue(void **state)
     small_end(&s);
 }
 
-/* Method PAPER has no attempts that could wait: a state that says so is refused. */
+/* Method VBLAST has no attempts that could wait: a state that says so is refused. */
 static void paper_steps_are_never_suspended(void **state)
 {
     (void)state;
     small s;
     small_begin(&s);
-    s.config.method = s.thread.method = VBSS_METHOD_PAPER;
+    s.config.method = s.thread.method = VBSS_METHOD_VBLAST;
     s.thread.paper_substeps = 20;
     small_create(&s);
     (void)small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
@@ -660,8 +661,8 @@ static void unlimited_calls_complete_their_step(void **state)
         pulled p;
         begin(&p, how == 2 ? 0 : 1);
         scene_object *s = object_of(p.scene.scene);
-        s->config.mode = how == 0 ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
-        s->config.work_limit = how == 1 ? 0 : s->config.work_limit;
+        s->config.mode = how == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
+        s->config.step_budget = how == 1 ? 0 : s->config.step_budget;
         for (int i = 0; i < 60; i++) {
             expect_ok(contact_scene_step(&p.scene, STEP));
             assert_false(s->cursor.is_suspended);

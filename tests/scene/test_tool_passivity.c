@@ -22,11 +22,12 @@ static vec3 begin(tools_rig *r, meeting what, double stiffness, double damping)
     small_create(&r->s);
     if (what == WALL_BELOW) {
         in.z = -5e-4;
-        small_stick(&r->s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.0, -ball - r->config.driver_radius),
-                    vec3_make(0.0, 0.03, 0.0), ball);
+        small_stick(&r->s, VBSS_SCENE_RIGID_DRIVEN,
+                    vec3_make(0.0, 0.0, -ball - r->config.driver_radius), vec3_make(0.0, 0.03, 0.0),
+                    ball);
     } else if (what == WALL_BESIDE) {
         in.x = -5e-4;
-        small_stick(&r->s, VBSS_RIGID_DRIVEN,
+        small_stick(&r->s, VBSS_SCENE_RIGID_DRIVEN,
                     vec3_make(-ball - 2.0 * r->config.driver_radius, 0.0, 1e-3),
                     vec3_make(0.0, 0.03, 0.0), ball);
     } else if (what != NOTHING) {

@@ -60,7 +60,8 @@ static void opening_jaws_push_neighbours(void **state)
     tools_add(&r, vec3_make(-5e-3, 0.0, -2e-3));
     tools_open(&r, 0, 0.0);
     tools_steps(&r, 60);
-    small_stick(&r.s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.0, 0.0), vec3_make(0.0, 0.01, 0.0), 1e-3);
+    small_stick(&r.s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 0.0, 0.0), vec3_make(0.0, 0.01, 0.0),
+                1e-3);
     tools_move_along(&r, 0, vec3_make(-5e-3, 0.0, -2e-3), vec3_make(-2.6e-3, 0.0, -2e-3), 200);
     expect_near(0.0, vec3_norm(tools_hand_force(&r, 0)), 1e-2);
     tools_open(&r, 0, 1.0);
@@ -87,13 +88,13 @@ static void tools_push_each_other(void **state)
     tools_add(&r, vec3_make(0.2, 0.0, 0.06)); /* turned out of the way first */
     for (int i = 0; i <= 100; i++) {
         const double tip[3] = {0.2 - 0.194 * 0.01 * i, 0.06, 0.06};
-        expect_ok(vbss_grasper_move(r.tools[1], tip, flat));
+        expect_ok(vbss_grasper_set_target(r.tools[1], tip, flat));
         tools_steps(&r, 1);
     }
     assert_int_equal(small_statistics(&r.s).contacts, 0);
     for (int i = 1; i <= 300; i++) {
         const double tip[3] = {6e-3 - 1e-5 * vbss_min(i, 200.0), 0.06, 0.06};
-        expect_ok(vbss_grasper_move(r.tools[1], tip, NULL));
+        expect_ok(vbss_grasper_set_target(r.tools[1], tip, NULL));
         tools_steps(&r, 1);
     }
     tools_steps(&r, 500);
@@ -104,7 +105,7 @@ static void tools_push_each_other(void **state)
     /* And through it does not go. */
     for (int i = 1; i <= 200; i++) {
         const double tip[3] = {4e-3 - 1e-4 * i, 0.06, 0.06};
-        expect_ok(vbss_grasper_move(r.tools[1], tip, NULL));
+        expect_ok(vbss_grasper_set_target(r.tools[1], tip, NULL));
         tools_steps(&r, 1);
         capsules a = capsules_of(&r, 0), b = capsules_of(&r, 1);
         double up = (0.06 - a.at[0][2]) / (a.at[0][5] - a.at[0][2]);
@@ -173,7 +174,7 @@ static void shaft_passes_through_trocar(void **state)
             const double turned[4] = {q.w, q.x, q.y, q.z};
             double position[3];
             vec3_store(position, tip);
-            expect_ok(vbss_grasper_move(r.tools[0], position, turned));
+            expect_ok(vbss_grasper_set_target(r.tools[0], position, turned));
             tools_steps(&r, 1);
             expect_near(0.0, vec3_distance(tip, vec3_load(tools_state(&r, 0).target_position)),
                         0.0);
@@ -188,7 +189,7 @@ static void shaft_passes_through_trocar(void **state)
         expect_near(1.0, fabs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3]), 1e-12);
         if (bends[k] > 0.0) { /* nearer than the bent jaws reach aside */
             const double near[3] = {0.01, 0.0, 0.1185};
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_move(r.tools[0], near, NULL));
+            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_set_target(r.tools[0], near, NULL));
         }
         tools_end(&r);
     }
@@ -209,38 +210,39 @@ static void tools_are_exchanged_only_empty_and_outside(void **state)
     vec3 in = vec3_make(0.0, 0.0, -2e-3), out = vec3_make(0.0, 0.0, 60e-3);
     tools_add(&r, in);
     for (int held = 0; held < 2; held++) { /* inside, empty or not */
-        expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
-        assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_NEEDLE_DRIVER);
+        expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS));
+        assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
         tools_steps(&r, 1);
-        assert_int_equal(tools_happened(&r, VBSS_EVENT_NOT_EXCHANGED, event), 1);
+        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 1);
         assert_int_equal(event[1], r.bodies[0]);
-        assert_int_equal(event[3], VBSS_GRASPER_SHEARS);
-        assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_NEEDLE_DRIVER);
+        assert_int_equal(event[3], VBSS_GRASPER_KIND_SHEARS);
+        assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
         tools_steps(&r, 1);
-        assert_int_equal(tools_happened(&r, VBSS_EVENT_NOT_EXCHANGED, event), 0); /* forgotten */
+        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event),
+                         0); /* forgotten */
         tools_close(&r, 0);
         assert_int_equal(tools_state(&r, 0).grasp_count, 1);
     }
     tools_move_along(&r, 0, in, out,
                      600); /* outside, with the thread's rest in the jaws or without */
     bool holds = tools_state(&r, 0).grasp_count > 0;
-    expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
+    expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS));
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_EXCHANGED, event), holds ? 0 : 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), holds ? 0 : 1);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 100);
-    expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
+    expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS));
     tools_steps(&r, 1);
-    assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_SHEARS);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_EXCHANGED, event), holds ? 1 : 0);
+    assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_KIND_SHEARS);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), holds ? 1 : 0);
     capsules c = capsules_of(&r, 0);
     vec3 begin = vec3_load(c.at[1]), end = vec3_load(c.at[1] + 3);
     tools_steps(&r, 100);
     expect_near(20e-3, vec3_distance(begin, end), 1e-9);
     expect_near(r.config.shears_opening, tools_state(&r, 0).jaw_angle, 1e-15);
-    expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS)); /* what it is */
+    expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS)); /* what it is */
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_EVENT_EXCHANGED, event), 0);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), 0);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_exchange(r.tools[0], 3));
     tools_end(&r);
 }

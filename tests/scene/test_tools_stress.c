@@ -15,9 +15,9 @@ static contact_scene_options options_of(contact_scene_kind kind)
     return o;
 }
 
-static vbss_rigid_state tool_of(uint32_t tool)
+static vbss_scene_rigid_state tool_of(uint32_t tool)
 {
-    vbss_rigid_state s;
+    vbss_scene_rigid_state s;
     expect_ok(vbss_scene_get_rigid(c.scene.scene, c.scene.tools[tool], &s, sizeof s));
     return s;
 }
@@ -25,7 +25,7 @@ static vbss_rigid_state tool_of(uint32_t tool)
 static void expect_finite_tools(void)
 {
     for (uint32_t k = 0; k < c.scene.tool_count; k++) {
-        vbss_rigid_state s = tool_of(k);
+        vbss_scene_rigid_state s = tool_of(k);
         assert_true(vec3_is_finite(vec3_load(s.position)));
         assert_true(vec3_is_finite(vec3_load(s.velocity)));
         assert_true(vec3_is_finite(vec3_load(s.angular_velocity)));
@@ -40,7 +40,8 @@ static void tight_knot_survives_strike_at_1_m_per_second(void **state)
     static const char *const names[] = {"struck by a driven rod", "struck by a coupled rod",
                                         "struck by a free rod"};
     for (int kind = 0; kind < 2; kind++) {
-        for (vbss_rigid_kind tool = VBSS_RIGID_DRIVEN; tool <= VBSS_RIGID_FREE; tool++) {
+        for (vbss_scene_rigid_kind tool = VBSS_SCENE_RIGID_DRIVEN; tool <= VBSS_SCENE_RIGID_FREE;
+             tool++) {
             contact_scene_options o = options_of(CONTACT_SCENE_STRUCK);
             o.knot.kind = kind == 0 ? KNOT_OVERHAND : KNOT_DOUBLE_OVERHAND;
             o.pull.force = 2.0;
@@ -95,7 +96,7 @@ static void turns_slide_off_withdrawn_tool(void **state)
         hard_expect_kept(&c);
         /* The tool has gone out of all turns, which are no knot. */
         double nearest = 1.0;
-        vbss_rigid_state tool = tool_of(0);
+        vbss_scene_rigid_state tool = tool_of(0);
         for (uint32_t i = 0; i < c.scene.nodes[0]; i++) {
             nearest = fmin(nearest, hard_nodes(&c, 0)[i].z - tool.position[2]);
         }
@@ -143,7 +144,7 @@ static void fast_rotating_tool_stops_at_thread(void **state)
             quat q = vbss_quat_from_rotation_vector(vec3_make(turns[k] * i, 0.0, 0.0));
             turn[0] = q.w, turn[1] = q.x, turn[2] = q.y, turn[3] = q.z;
             vec3_store(home, c.scene.tool_homes[0]);
-            expect_ok(vbss_scene_move_rigid(c.scene.scene, c.scene.tools[0], home, turn));
+            expect_ok(vbss_scene_set_rigid_target(c.scene.scene, c.scene.tools[0], home, turn));
             hard_run(&c, 1);
         }
         hard_report(&c);
@@ -163,11 +164,11 @@ static void heavy_needle_falls_with_thread(void **state)
     hard_begin(&c, "a needle of 1000 segments' mass", &o, 1e-3);
     uint32_t last = c.scene.nodes[0] - 1, body, pin;
     vec3 end = hard_nodes(&c, 0)[last], gap = vec3_make(0.53e-3, 0.0, 0.0);
-    vbss_rigid_config needle;
-    vbss_capsule capsule = {{0.0, 0.0, 0.0}, {0.02, 0.0, 0.0}, 0.4e-3};
+    vbss_scene_rigid_config needle;
+    vbss_scene_capsule capsule = {{0.0, 0.0, 0.0}, {0.02, 0.0, 0.0}, 0.4e-3};
     double point[3];
-    expect_ok(vbss_rigid_config_init(&needle, sizeof needle));
-    needle.kind = VBSS_RIGID_FREE;
+    expect_ok(vbss_scene_rigid_config_init(&needle, sizeof needle));
+    needle.kind = VBSS_SCENE_RIGID_FREE;
     needle.capsules = &capsule;
     needle.capsule_count = 1;
     needle.mass = 1000.0 * 6.4e-5 * 0.6e-3;
@@ -181,7 +182,7 @@ static void heavy_needle_falls_with_thread(void **state)
     hard_run(&c, 1000);
     hard_report(&c);
     hard_expect_kept(&c);
-    vbss_rigid_state s;
+    vbss_scene_rigid_state s;
     expect_ok(vbss_scene_get_rigid(c.scene.scene, body, &s, sizeof s));
     assert_true(vec3_norm(vec3_load(s.velocity)) < 2.0);
     hard_end(&c);
@@ -220,7 +221,7 @@ static void driven_tool_stops_at_floor(void **state)
     double at[3] = {0.1, 0.02, 0.0}; /* beside all others */
     for (int i = 0; i < 300; i++) {
         at[1] = 0.02 - (i < 150 ? 0.5e-3 * i : 0.5e-3 * (300 - i));
-        expect_ok(vbss_scene_move_rigid(c.scene.scene, c.scene.tools[0], at, NULL));
+        expect_ok(vbss_scene_set_rigid_target(c.scene.scene, c.scene.tools[0], at, NULL));
         expect_ok(vbss_scene_step(c.scene.scene, c.h)); /* nobody else tells it to go anywhere */
         assert_true(tool_of(0).position[1] > 0.0);
     }

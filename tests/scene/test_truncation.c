@@ -23,7 +23,7 @@ static double share_lost(const small *s)
     for (uint64_t k = 0; k < v.count; k++) {
         uint32_t words[4];
         memcpy(words, (const char *)v.data + k * v.stride_bytes, sizeof words);
-        lost += words[0] == VBSS_EVENT_CLAMPED ? words[3] / 65536.0 : 0.0;
+        lost += words[0] == VBSS_SCENE_EVENT_CLAMPED ? words[3] / 65536.0 : 0.0;
     }
     return lost;
 }
@@ -35,12 +35,12 @@ static void only_the_island_that_collides_is_truncated(void **state)
     small s;
     vbss_thread *thread;
     begin_hasty(&s);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-    uint32_t meets = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 6e-3, 0.0),
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t meets = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 6e-3, 0.0),
                                  vec3_make(5e-3, 0.0, 0.0), 1e-3);
-    uint32_t other = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.1, 0.0, 0.0), half, 1e-3);
+    uint32_t other = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.1, 0.0, 0.0), half, 1e-3);
     s.rigid.velocity[2] = 1.0;
-    uint32_t free = small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.2, 0.0, 0.0), half, 1e-3);
+    uint32_t free = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.2, 0.0, 0.0), half, 1e-3);
     small_thread(&s, vec3_make(0.3, 0.0, 0.0), vec3_make(0.31, 0.0, 0.0), 10, &thread);
     double v[33] = {0.0};
     for (int i = 0; i < 11; i++) {
@@ -59,7 +59,8 @@ static void only_the_island_that_collides_is_truncated(void **state)
     expect_near(1.0, small_rigid(&s, free).velocity[2], 1e-6);
     expect_near(2e-3, small_node(thread, 5).y, 1e-7);
     vbss_view velocities;
-    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_VELOCITIES, &velocities, sizeof velocities));
+    expect_ok(
+        vbss_thread_get_view(thread, VBSS_THREAD_VIEW_VELOCITIES, &velocities, sizeof velocities));
     expect_near(2.0, ((const double *)velocities.data)[16], 1e-4);
     /* The next step is a whole one. */
     expect_near(1e-3, small_statistics(&s).time, 0.0);
@@ -77,8 +78,8 @@ static void an_island_is_truncated_as_a_whole(void **state)
     small s;
     vbss_thread *thread;
     begin_hasty(&s);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-    uint32_t meets = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 6e-3, 0.0),
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t meets = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 6e-3, 0.0),
                                  vec3_make(5e-3, 0.0, 0.0), 1e-3);
     vec3 end = vec3_make(5e-3, 6e-3, 0.0);
     uint32_t line = small_thread(&s, end, vec3_add(end, vec3_make(0.01, 0.0, 0.0)), 10, &thread);
@@ -104,8 +105,8 @@ static void pins_lag_with_their_bodies(void **state)
     small s;
     vbss_thread *thread;
     small_begin_scene(&s);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 4e-3, 0.0),
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 4e-3, 0.0),
                                 vec3_make(5e-3, 0.0, 0.0), 1e-3);
     vec3 held = vec3_make(5e-3, 5e-3, 0.0);
     uint32_t line = small_thread(&s, held, vec3_add(held, vec3_make(0.01, 0.0, 0.0)), 10, &thread);
@@ -130,14 +131,15 @@ static void offline_mode_retries_before_truncation(void **state)
     for (int m = 0; m < 2; m++) {
         small s;
         small_begin(&s);
-        s.config.mode = m == 0 ? VBSS_MODE_REAL_TIME : VBSS_MODE_OFFLINE;
+        s.config.mode = m == 0 ? VBSS_SCENE_MODE_REAL_TIME : VBSS_SCENE_MODE_OFFLINE;
         s.config.attempt_limit = 3;
-        s.config.work_limit = 0;
+        s.config.step_budget = 0;
         small_create(&s);
         uint32_t line =
             small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 12, NULL);
         small_pin_ends(&s, line, 13);
-        uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(1e-4, 2e-3, 0.0), half, 1e-3);
+        uint32_t tool =
+            small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(1e-4, 2e-3, 0.0), half, 1e-3);
         small_move(&s, tool, vec3_make(1e-4, -1e-3, 0.0)); /* within what the thread can give */
         small_steps(&s, 1, 1e-3);
         attempts[m] = small_statistics(&s).attempts;
@@ -187,7 +189,7 @@ static void shake(small *s, harness_source *source, vbss_thread *thread, uint32_
         quat q = vbss_quat_from_rotation_vector(harness_draw_vec3(source, -0.3, 0.3));
         const double turned[4] = {q.w, q.x, q.y, q.z};
         vec3_store(p, draw_near(source));
-        expect_ok(vbss_scene_move_rigid(s->scene, tool, p, turned));
+        expect_ok(vbss_scene_set_rigid_target(s->scene, tool, p, turned));
     }
     }
 }
@@ -209,10 +211,10 @@ static void wild_scenes_end_in_numbers(harness_source *source, void *user)
     s.thread.gravity[1] = s.rigid.gravity[1] = -9.81;
     uint32_t line =
         small_thread(&s, vec3_make(-4e-3, 3e-3, 0.0), vec3_make(4e-3, 3e-3, 1e-3), 16, &thread);
-    vbss_rigid_kind kind = (vbss_rigid_kind)harness_draw_below(source, 2);
+    vbss_scene_rigid_kind kind = (vbss_scene_rigid_kind)harness_draw_below(source, 2);
     uint32_t tool = small_stick(&s, kind, vec3_zero(), half, 1e-3);
     s.rigid.mass = vbss_exp(harness_draw_real(source, -18.0, 2.0));
-    uint32_t needle = small_stick(&s, VBSS_RIGID_FREE, vec3_make(6e-3, 3e-3, 1e-3),
+    uint32_t needle = small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(6e-3, 3e-3, 1e-3),
                                   vec3_make(0.0, 1e-3, 0.0), 3e-4);
     if (harness_draw_below(source, 2) == 0) {
         small_pin(&s, line, 16, needle);
@@ -253,7 +255,8 @@ static void forces_after_truncation_are_contact_forces(void **state)
     uint32_t line =
         small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 12, &thread);
     small_pin_ends(&s, line, 13);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(1e-4, 2e-3, 0.0), half, 1e-3);
+    uint32_t tool =
+        small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(1e-4, 2e-3, 0.0), half, 1e-3);
     for (int i = 0; i < 10; i++) {
         small_move(&s, tool, vec3_make(1e-4, 2e-3 - 1e-3 * i, 0.0));
         small_steps(&s, 1, 1e-3);
@@ -273,26 +276,26 @@ static void forces_after_truncation_are_contact_forces(void **state)
 
 /* Two tools that cannot get past each other, one of them driven on: the other's hand feels it at once, also where
  * the rest of a step waits. */
-static void expect_felt(uint32_t work_limit)
+static void expect_felt(uint32_t step_budget)
 {
     small s;
     small_begin(&s);
     s.config.penetration_tolerance = 1e-3; /* so that pressing is cut short early */
-    s.config.work_limit = work_limit;
-    s.config.attempt_limit = work_limit > 0 ? 3 : s.config.attempt_limit;
+    s.config.step_budget = step_budget;
+    s.config.attempt_limit = step_budget > 0 ? 3 : s.config.attempt_limit;
     small_create(&s);
-    small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
-    uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 2.1e-3, 0.0),
+    small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+    uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 2.1e-3, 0.0),
                                 vec3_make(5e-3, 0.0, 0.0), 1e-3);
     for (int i = 1; i <= 60; i++) {
         small_move(&s, tool, vec3_make(0.0, 2.1e-3 - 5e-5 * i, 0.0));
         small_steps(&s, 1, 1e-3);
-        vbss_rigid_state r = small_rigid(&s, tool);
+        vbss_scene_rigid_state r = small_rigid(&s, tool);
         double behind = r.position[1] - r.target_position[1], rate = 0.05 + r.velocity[1];
         expect_near(2000.0 * behind + 5.0 * rate, r.hand_force[1], 1e-6);
     }
     vbss_scene_statistics statistics = small_statistics(&s);
-    assert_true(work_limit > 0 ? statistics.paused > 0 : statistics.clamped > 0);
+    assert_true(step_budget > 0 ? statistics.paused > 0 : statistics.clamped > 0);
     small_end(&s);
 }
 

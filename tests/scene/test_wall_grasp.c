@@ -19,7 +19,7 @@ typedef struct wall_rig {
 static vec3 node_at(const wall_rig *r, uint32_t node)
 {
     vbss_view view;
-    expect_ok(vbss_drain_get_view(r->drain, VBSS_DRAIN_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_drain_get_view(r->drain, VBSS_DRAIN_VIEW_POSITIONS, &view, sizeof view));
     return ((const vec3 *)view.data)[node];
 }
 
@@ -86,7 +86,7 @@ static void jaws_grasp_wall(void **state)
     tools_open(&r.tools, 0, 0.0);
     for (uint32_t i = 0; i < 300; i++) {
         tools_steps(&r.tools, 1);
-        begun += tools_happened(&r.tools, VBSS_EVENT_GRASP, event);
+        begun += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event);
     }
     assert_int_equal(begun, 1);
     assert_int_equal(event[1], r.body);
@@ -94,8 +94,8 @@ static void jaws_grasp_wall(void **state)
     vbss_grasper_state tool = tools_state(&r.tools, 0);
     assert_int_equal(tool.grasp_count, 1);
     expect_near(r.tools.config.closing_force, tool.pressure, 1e-12);
-    vbss_grasp grasp = tools_grasp(&r.tools, 0, 0);
-    assert_int_equal(grasp.thread, r.body);
+    vbss_scene_grasp grasp = tools_grasp(&r.tools, 0, 0);
+    assert_int_equal(grasp.body, r.body);
     expect_near(2.0 * r.tools.config.grip_friction * tool.pressure, grasp.limit, 1e-12);
     /* They leave as much room as the wall takes, and draw it to their middle by little. */
     double depth = r.tools.config.driver_length - 3e-3;
@@ -116,7 +116,7 @@ static void wall_follows_tool(void **state)
     vec3 rise = vec3_sub(node_at(&r, r.lip), before);
     assert_true(rise.y > 2e-3 && rise.y < 4e-3);
     vec3 hand = tools_hand_force(&r.tools, 0);
-    vbss_grasp grasp = tools_grasp(&r.tools, 0, 0);
+    vbss_scene_grasp grasp = tools_grasp(&r.tools, 0, 0);
     assert_true(grasp.force[1] > 0.05 && grasp.force[1] < 2.0);
     expect_near(-grasp.force[1], hand.y,
                 0.02 * grasp.force[1]); /* what the jaws pull, the hand feels */
@@ -138,7 +138,7 @@ static void released_wall_springs_back(void **state)
     tools_open(&r.tools, 0, OPENING);
     for (uint32_t i = 0; i < 200; i++) {
         tools_steps(&r.tools, 1);
-        let_go += tools_happened(&r.tools, VBSS_EVENT_RELEASE, event);
+        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event);
     }
     assert_int_equal(let_go, 1);
     vec3 back = vec3_add_scaled(vec3_add(r.tip, vec3_make(0.0, 2e-3, 0.0)), -15e-3, r.ahead);
@@ -163,10 +163,10 @@ static void wall_slides_out_of_overloaded_jaws(void **state)
     for (uint32_t i = 1; i <= 600; i++) {
         tools_move(&r.tools, 0, vec3_lerp(r.tip, back, i / 600.0));
         tools_steps(&r.tools, 1);
-        slips += tools_happened(&r.tools, VBSS_EVENT_SLIP, event);
-        torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+        slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, event);
+        torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
         if (tools_state(&r.tools, 0).grasp_count > 0) {
-            vbss_grasp grasp = tools_grasp(&r.tools, 0, 0);
+            vbss_scene_grasp grasp = tools_grasp(&r.tools, 0, 0);
             /* And what the clamp gains in a step. */
             double lag = r.tools.config.needle_stiffness * 12e-3 / 600.0;
             assert_true(vec3_norm(vec3_load(grasp.force)) < 1.1 * (grasp.limit + lag));
@@ -192,7 +192,7 @@ static void torn_out_wall_collides_with_jaws(void **state)
     for (uint32_t i = 1; i <= 600; i++) {
         tools_move(&r.tools, 0, vec3_lerp(r.tip, back, i / 600.0));
         tools_steps(&r.tools, 1);
-        torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+        torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
     }
     assert_int_equal(torn, 1);
     vec3 lip = node_at(&r, r.lip);

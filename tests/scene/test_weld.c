@@ -74,9 +74,9 @@ static void begin(welded *w)
     vec3 middle = vec3_scale(w->direction, thread_length + w->arm);
     vec3 half = vec3_scale(w->direction, 0.5 * length);
     begin_thread(w, middle);
-    vbss_capsule capsule;
-    vbss_rigid_config body = scene_rig_capsule(VBSS_RIGID_FREE, &capsule, vec3_sub(middle, half),
-                                               vec3_add(middle, half), radius);
+    vbss_scene_capsule capsule;
+    vbss_scene_rigid_config body = scene_rig_capsule(
+        VBSS_SCENE_RIGID_FREE, &capsule, vec3_sub(middle, half), vec3_add(middle, half), radius);
     body.mass = w->mass;
     body.gravity[1] = -w->gravity;
     vec3_store(body.velocity, w->flight);
@@ -88,14 +88,14 @@ static void begin(welded *w)
     expect_ok(vbss_scene_pin_thread(w->rig.scene, w->rig.body, SEGMENTS, w->body, point, &pin));
 }
 
-static quat orientation_of(const vbss_rigid_state *s)
+static quat orientation_of(const vbss_scene_rigid_state *s)
 {
     return quat_make(s->orientation[0], s->orientation[1], s->orientation[2], s->orientation[3]);
 }
 
 static double distance_of_weld(welded *w)
 {
-    vbss_rigid_state s = scene_rig_state(&w->rig, w->body);
+    vbss_scene_rigid_state s = scene_rig_state(&w->rig, w->body);
     vec3 point = quat_rotate(orientation_of(&s), vec3_scale(w->direction, -w->arm));
     return vec3_distance(vec3_add(vec3_load(s.position), point),
                          rig_position(&w->rig.thread, SEGMENTS));
@@ -109,7 +109,7 @@ typedef struct momenta {
 
 static momenta momenta_of(welded *w)
 {
-    vbss_rigid_state s = scene_rig_state(&w->rig, w->body);
+    vbss_scene_rigid_state s = scene_rig_state(&w->rig, w->body);
     vbss_thread_momentum thread = rig_momentum(&w->rig.thread);
     vec3 v = vec3_load(s.velocity), spin = vec3_load(s.angular_velocity);
     vec3 axis = quat_rotate(orientation_of(&s), vec3_make(1.0, 0.0, 0.0));
@@ -185,7 +185,7 @@ static void thread_carries_weight(void **state)
         begin(&w);
         scene_rig_run(&w.rig, 1e-3, heavier[i] > 1e4 ? 4000 : 1000);
         double weight = w.mass * gravity, whole = weight + w.node_mass * SEGMENTS * gravity;
-        vbss_rigid_state s = scene_rig_state(&w.rig, w.body);
+        vbss_scene_rigid_state s = scene_rig_state(&w.rig, w.body);
         vec3 top = rig_reaction_force(&w.rig.thread, w.top);
         expect_near(1.0, s.contact_force[1] / weight, 1e-6);
         expect_near(1.0, top.y / whole, 1e-6);
@@ -206,7 +206,7 @@ static void welded_node_has_no_contact_with_its_capsule(void **state)
         w.gap = gaps[i];
         begin(&w);
         scene_rig_run(&w.rig, 1e-3, 500);
-        vbss_rigid_state s = scene_rig_state(&w.rig, w.body);
+        vbss_scene_rigid_state s = scene_rig_state(&w.rig, w.body);
         vbss_scene_statistics n = scene_rig_statistics(&w.rig);
         expect_near(1.0, s.contact_force[1] / (w.mass * gravity), 1e-6);
         expect_near(0.0, vec3_norm(vec3_load(s.velocity)), 1e-9);

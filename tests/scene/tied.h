@@ -43,7 +43,7 @@ static inline void tied_end(tied *t)
 static inline const vec3 *tied_nodes(const tied *t)
 {
     vbss_view view;
-    expect_ok(vbss_thread_get_view(t->knot.thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(t->knot.thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view));
     return view.data;
 }
 
@@ -94,14 +94,14 @@ static inline double tied_extent(const tied *t)
     const uint32_t *kinds = features.data;
     const vec3 *at = points.data;
     for (uint64_t i = 0; i < features.count; i++) {
-        bool strands = kinds[5 * i] == VBSS_CONTACT_SEGMENTS;
+        bool strands = kinds[5 * i] == VBSS_SCENE_CONTACT_SEGMENTS;
         middle = strands ? vec3_add(middle, at[i]) : middle;
         count += strands;
     }
     assert_true(count > 0.0);
     for (uint64_t i = 0; i < features.count; i++) {
         double far = vec3_distance(vec3_scale(middle, 1.0 / count), at[i]);
-        furthest = kinds[5 * i] == VBSS_CONTACT_SEGMENTS ? vbss_max(far, furthest) : furthest;
+        furthest = kinds[5 * i] == VBSS_SCENE_CONTACT_SEGMENTS ? vbss_max(far, furthest) : furthest;
     }
     return furthest;
 }

@@ -58,7 +58,7 @@ void tools_move(tools_rig *r, uint32_t tool, vec3 tip)
 {
     double position[3];
     vec3_store(position, tip);
-    expect_ok(vbss_grasper_move(r->tools[tool], position, NULL));
+    expect_ok(vbss_grasper_set_target(r->tools[tool], position, NULL));
 }
 
 void tools_open(tools_rig *r, uint32_t tool, double opening)
@@ -100,14 +100,14 @@ vec3 tools_hand_force(const tools_rig *r, uint32_t tool)
     return vec3_load(state.hand_force);
 }
 
-vbss_grasp tools_grasp(const tools_rig *r, uint32_t tool, uint32_t index)
+vbss_scene_grasp tools_grasp(const tools_rig *r, uint32_t tool, uint32_t index)
 {
-    vbss_grasp grasp;
+    vbss_scene_grasp grasp;
     expect_ok(vbss_scene_get_grasp(r->s.scene, r->bodies[tool], index, &grasp, sizeof grasp));
     return grasp;
 }
 
-uint32_t tools_happened(const tools_rig *r, vbss_event_kind kind, uint32_t event[4])
+uint32_t tools_happened(const tools_rig *r, vbss_scene_event_kind kind, uint32_t event[4])
 {
     return small_events(&r->s, kind, event);
 }
@@ -124,19 +124,19 @@ static vec3 field_of(const tools_rig *r, vbss_thread_field field, uint32_t node)
 
 vec3 tools_node(const tools_rig *r, uint32_t node)
 {
-    return field_of(r, VBSS_THREAD_POSITIONS, node);
+    return field_of(r, VBSS_THREAD_VIEW_POSITIONS, node);
 }
 
 vec3 tools_node_velocity(const tools_rig *r, uint32_t node)
 {
-    return field_of(r, VBSS_THREAD_VELOCITIES, node);
+    return field_of(r, VBSS_THREAD_VIEW_VELOCITIES, node);
 }
 
 double tools_length(const tools_rig *r)
 {
     vbss_view view;
     double sum = 0.0;
-    expect_ok(vbss_thread_get_view(r->thread, VBSS_THREAD_REST_LENGTHS, &view, sizeof view));
+    expect_ok(vbss_thread_get_view(r->thread, VBSS_THREAD_VIEW_REST_LENGTHS, &view, sizeof view));
     for (uint64_t i = 0; i < view.count; i++) {
         double length;
         memcpy(&length, (const char *)view.data + i * view.stride_bytes, sizeof length);

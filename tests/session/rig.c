@@ -156,7 +156,7 @@ void rig_to_approach(rig *r)
 {
     rig_take(r, RIG_RIGHT);
     rig_run(r, 0.1);
-    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_RIGHT);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_TOOL_RIGHT);
     rig_expect_phase(r, VBSS_SESSION_PHASE_APPROACH, 0);
     rig_expect_quiet(r);
 }

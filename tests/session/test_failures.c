@@ -15,7 +15,7 @@ static uint32_t flags_of(const rig *r)
 {
     vbss_metrics_report report;
     expect_ok(vbss_metrics_get_report(r->metrics, &report, sizeof report));
-    assert_true((report.flags & (uint32_t)VBSS_METRICS_FINISHED) != 0);
+    assert_true((report.flags & (uint32_t)VBSS_METRICS_FLAG_FINISHED) != 0);
     expect_same_bits(0.0, report.score);
     return report.flags;
 }
@@ -47,7 +47,7 @@ static void drain_torn_off(void **state)
     r.observation.torn_fraction = 0.5;
     rig_run(&r, RIG_STEP);
     expect_failed(&r, VBSS_SESSION_FAILURE_AVULSED);
-    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_AVULSED) != 0);
+    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_FLAG_AVULSED) != 0);
     rig_end(&r);
 }
 
@@ -60,7 +60,7 @@ static void thread_cut_early(void **state)
     r.observation.thread_length -= 0.005;
     rig_run(&r, RIG_STEP);
     expect_failed(&r, VBSS_SESSION_FAILURE_CUT_EARLY);
-    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_BROKEN) != 0);
+    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_FLAG_BROKEN) != 0);
     rig_end(&r);
 }
 
@@ -163,7 +163,7 @@ static void thread_breaks_if_breakable(void **state)
     r.observation.max_tension = 21.0;
     rig_run(&r, 0.1);
     expect_failed(&r, VBSS_SESSION_FAILURE_BROKEN);
-    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_BROKEN) != 0);
+    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_FLAG_BROKEN) != 0);
     rig_end(&r);
 }
 

@@ -58,11 +58,11 @@ static void expect_events(rig *r)
 {
     rig_expect(r, VBSS_SESSION_EVENT_APPEARED, 0, 0);
     rig_expect_phase(r, VBSS_SESSION_PHASE_LOADING, 0);
-    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_LEFT);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_TOOL_LEFT);
     rig_expect_phase(r, VBSS_SESSION_PHASE_APPROACH, 0);
-    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_RIGHT);
-    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 1)->tool, VBSS_METRICS_LEFT);
-    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 1)->tool, VBSS_METRICS_RIGHT);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_TOOL_RIGHT);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 1)->tool, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 1)->tool, VBSS_METRICS_TOOL_RIGHT);
     rig_expect(r, VBSS_SESSION_EVENT_DROPPED, 0, 0);
     rig_expect_phase(r, VBSS_SESSION_PHASE_LOADING, 1);
     rig_expect_quiet(r);

@@ -144,7 +144,7 @@ static void parts_must_be_alive_and_of_this_context(void **state)
 {
     (void)state;
     rig r, other;
-    vbss_knot_config small;
+    vbss_knot_detector_config small;
     rig_begin(&r);
     rig_begin(&other);
     vbss_session_config c = r.scene.config;
@@ -160,7 +160,7 @@ static void parts_must_be_alive_and_of_this_context(void **state)
     expect_refused(&r, VBSS_ERROR_INVALID_HANDLE, &c);
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_session_set_record(r.session, c.record));
     c.record = NULL;
-    expect_ok(vbss_knot_config_init(&small, sizeof small));
+    expect_ok(vbss_knot_detector_config_init(&small, sizeof small));
     small.point_capacity = 60;
     expect_ok(vbss_knot_detector_create(r.context, &small, &c.knots));
     expect_refused(&r, VBSS_ERROR_CAPACITY, &c);

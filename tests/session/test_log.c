@@ -154,11 +154,11 @@ static void log_with_hashes_is_a_valid_log(void **state)
     static trial t;
     log_bytes log = {NULL, 0};
     size_t position = 0;
-    vbss_log_report report;
+    vbss_record_log_report report;
     vbss_replay_report found;
     (void)record(&log, &position);
     begin_replay(&t, &log, log.count);
-    expect_ok(vbss_log_check(t.context, log.bytes, log.count, &report, sizeof report));
+    expect_ok(vbss_record_check_log(t.context, log.bytes, log.count, &report, sizeof report));
     expect_ok(report.result);
     assert_int_equal(report.steps, STEPS);
     expect_ok(vbss_replay_seek(t.scene.config.replay, 130, &found, sizeof found));

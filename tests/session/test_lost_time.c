@@ -31,7 +31,7 @@ static double clamped_share(const slow *t)
     expect_ok(vbss_scene_get_view(t->scene.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
     const uint32_t *event = view.data;
     for (uint64_t i = 0; i < view.count; i++, event += 4) {
-        share += event[0] == VBSS_EVENT_CLAMPED ? event[3] / 65536.0 : 0.0;
+        share += event[0] == VBSS_SCENE_EVENT_CLAMPED ? event[3] / 65536.0 : 0.0;
     }
     return share;
 }
@@ -65,8 +65,8 @@ static uint64_t tie(slow *t, const stitch_scene_options *options)
 static uint64_t tie_with_limits(slow *t, uint32_t factor, uint32_t divisor)
 {
     stitch_scene_options options = double_throw();
-    options.scene.work_limit = options.scene.work_limit * factor / divisor;
-    options.scene.slot_limit = options.scene.slot_limit * factor / divisor;
+    options.scene.step_budget = options.scene.step_budget * factor / divisor;
+    options.scene.call_budget = options.scene.call_budget * factor / divisor;
     return tie(t, &options);
 }
 
@@ -109,7 +109,7 @@ static void quarter_of_limits_loses_reported_time(void **state)
     expect_near(status.time, report.time, 1e-12);
     expect_near(status.time_lost, report.time_lost, 1e-12);
     expect_near(status.time_simulated, report.time_simulated, 1e-12);
-    assert_int_not_equal(report.flags & VBSS_METRICS_TIME_LOST, 0);
+    assert_int_not_equal(report.flags & VBSS_METRICS_FLAG_TIME_LOST, 0);
     vbss_metrics_penalty p;
     uint32_t found = 0;
     for (uint32_t i = 0; i < report.penalty_count; i++) {
@@ -127,9 +127,9 @@ static void truncated_substeps_lose_time(void **state)
     (void)state;
     static slow t;
     stitch_scene_options options = double_throw();
-    options.scene.mode = VBSS_MODE_OFFLINE;
+    options.scene.mode = VBSS_SCENE_MODE_OFFLINE;
     options.scene.halving_limit = 0;
-    options.scene.linearisation_limit = 1;
+    options.scene.iteration_limit = 1;
     assert_true(tie(&t, &options) > 0);
     expect_same_bits(0.0, t.paused);
     assert_true(t.clamped > 0.02);
@@ -148,7 +148,7 @@ static void twice_the_limits_lose_little_time(void **state)
     assert_true(status.time_lost < 0.02);
     assert_int_equal(status.is_lossy, 0);
     assert_int_equal(count_events(&t, &e), 0);
-    assert_int_equal(report_of(&t).flags & VBSS_METRICS_TIME_LOST, 0);
+    assert_int_equal(report_of(&t).flags & VBSS_METRICS_FLAG_TIME_LOST, 0);
     harness_context_end(t.context, &t.memory);
 }
 

@@ -42,9 +42,10 @@ static void task_completes_phase_by_phase(void **state)
     rig_expect_phase(&r, VBSS_SESSION_PHASE_DONE, 0);
     rig_expect_quiet(&r);
     expect_ok(vbss_metrics_get_report(r.metrics, &report, sizeof report));
-    const uint32_t known = VBSS_METRICS_STARTED | VBSS_METRICS_STOPPED | VBSS_METRICS_PUNCTURE_0 |
-                           VBSS_METRICS_PUNCTURE_1 | VBSS_METRICS_GAP | VBSS_METRICS_TAIL_0 |
-                           VBSS_METRICS_TAIL_1 | VBSS_METRICS_FINISHED;
+    const uint32_t known = VBSS_METRICS_FLAG_STARTED | VBSS_METRICS_FLAG_STOPPED |
+                           VBSS_METRICS_FLAG_PUNCTURE_0 | VBSS_METRICS_FLAG_PUNCTURE_1 |
+                           VBSS_METRICS_FLAG_GAP | VBSS_METRICS_FLAG_TAIL_0 |
+                           VBSS_METRICS_FLAG_TAIL_1 | VBSS_METRICS_FLAG_FINISHED;
     assert_int_equal(report.flags & known, known);
     assert_int_equal(report.throw_count, 3);
     assert_int_equal(report.square_count, 2);

@@ -70,7 +70,7 @@ static void expect_tension(const tied *t, int hand, double reported)
 {
     const stitch_scene *stitch = &t->scene.stitch;
     scene_object *scene;
-    vbss_hole first = {0}, second = {0};
+    vbss_scene_hole first = {0}, second = {0};
     expect_ok(vbss_scene_open(t->scene.scene, &scene));
     const thread_object *thread = vbss_scene_body(scene, stitch->thread_body)->thread.thread;
     assert_true(stitch_scene_hole(stitch, 0, &first) && stitch_scene_hole(stitch, 1, &second));

@@ -39,7 +39,7 @@ static vbss_context *fenced_context(uint64_t *broken)
     *broken = 0;
     expect_ok(vbss_context_config_init(&config, sizeof config));
     config.allocate = fenced_allocate;
-    config.release = fenced_release;
+    config.deallocate = fenced_release;
     config.allocator_user = broken;
     expect_ok(vbss_context_create(&config, &context));
     return context;

@@ -21,7 +21,7 @@ static saved save(vbss_rigid *body)
     vbss_stream_begin_write(&stream, s.bytes, sizeof s.bytes);
     vbss_rigid_serialise(&stream, TAG, body);
     expect_ok(stream.result);
-    assert_int_equal(stream.tag, TAG + VBSS_RIGID_TAGS - 1);
+    assert_int_equal(stream.tag, TAG + VBSS_SCENE_RIGID_TAGS - 1);
     s.count = stream.position;
     assert_int_equal(measured, s.count);
     return s;

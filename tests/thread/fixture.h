@@ -33,7 +33,7 @@ static inline vbss_thread *make(fixture *f)
     return thread;
 }
 
-static inline vbss_thread_attachment plain(vbss_attachment_kind kind, uint32_t node)
+static inline vbss_thread_attachment plain(vbss_thread_attachment_kind kind, uint32_t node)
 {
     vbss_thread_attachment a;
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
@@ -49,7 +49,7 @@ static inline uint32_t attach(vbss_thread *thread, const vbss_thread_attachment 
     return id;
 }
 
-static inline uint32_t hold(vbss_thread *thread, vbss_attachment_kind kind, uint32_t node,
+static inline uint32_t hold(vbss_thread *thread, vbss_thread_attachment_kind kind, uint32_t node,
                             vec3 position)
 {
     vbss_thread_attachment a = plain(kind, node);
@@ -61,7 +61,7 @@ static inline void move(vbss_thread *thread, uint32_t id, vec3 target)
 {
     double t[3];
     vec3_store(t, target);
-    expect_ok(vbss_thread_move(thread, id, t, NULL));
+    expect_ok(vbss_thread_set_attachment_target(thread, id, t, NULL));
 }
 
 static inline void steps(vbss_thread *thread, uint32_t count, double h)
@@ -87,7 +87,7 @@ static inline vbss_view view_of(vbss_thread *thread, vbss_thread_field field)
 
 static inline uint32_t nodes_of(vbss_thread *thread)
 {
-    return (uint32_t)view_of(thread, VBSS_THREAD_POSITIONS).count;
+    return (uint32_t)view_of(thread, VBSS_THREAD_VIEW_POSITIONS).count;
 }
 
 static inline vec3 vector_at(vbss_thread *thread, vbss_thread_field field, uint32_t i)
@@ -101,7 +101,7 @@ static inline vec3 vector_at(vbss_thread *thread, vbss_thread_field field, uint3
 
 static inline vec3 place_of(vbss_thread *thread, uint32_t node)
 {
-    return vector_at(thread, VBSS_THREAD_POSITIONS, node);
+    return vector_at(thread, VBSS_THREAD_VIEW_POSITIONS, node);
 }
 
 static inline double number_at(vbss_thread *thread, vbss_thread_field field, uint32_t i)
@@ -117,7 +117,7 @@ static inline double rest_length_of(vbss_thread *thread)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i + 1 < nodes_of(thread); i++) {
-        sum += number_at(thread, VBSS_THREAD_REST_LENGTHS, i);
+        sum += number_at(thread, VBSS_THREAD_VIEW_REST_LENGTHS, i);
     }
     return sum;
 }
@@ -153,9 +153,9 @@ static inline vbss_thread_reaction reaction_of(vbss_thread *thread, uint32_t id)
 /* Whether all that a thread shows is finite; through its views, as a host sees it. */
 static inline bool all_finite(vbss_thread *thread)
 {
-    const vbss_thread_field fields[] = {VBSS_THREAD_POSITIONS, VBSS_THREAD_VELOCITIES,
-                                        VBSS_THREAD_LENGTHS, VBSS_THREAD_TENSIONS,
-                                        VBSS_THREAD_CURVATURES};
+    const vbss_thread_field fields[] = {VBSS_THREAD_VIEW_POSITIONS, VBSS_THREAD_VIEW_VELOCITIES,
+                                        VBSS_THREAD_VIEW_LENGTHS, VBSS_THREAD_VIEW_TENSIONS,
+                                        VBSS_THREAD_VIEW_CURVATURES};
     for (size_t f = 0; f < sizeof fields / sizeof fields[0]; f++) {
         vbss_view view = view_of(thread, fields[f]);
         const double *numbers = view.data; /* all of these are dense */

@@ -1,4 +1,4 @@
-/* What the tests of method PAPER share. */
+/* What the tests of method VBLAST share. */
 #ifndef VBSS_TESTS_THREAD_PAPER_RIG_H
 #define VBSS_TESTS_THREAD_PAPER_RIG_H
 
@@ -10,7 +10,7 @@ static const vec3 along = {1.0, 0.0, 0.0};
 static inline vbss_thread_config paper(uint32_t segments)
 {
     vbss_thread_config config = rig_config(0.15, segments);
-    config.method = VBSS_METHOD_PAPER;
+    config.method = VBSS_METHOD_VBLAST;
     config.paper_damping = 0.0;
     return config;
 }

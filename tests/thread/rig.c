@@ -28,7 +28,7 @@ void rig_end(rig *r)
 
 /* ---- attachments */
 
-static vbss_thread_attachment at_node(vbss_attachment_kind kind, uint32_t node)
+static vbss_thread_attachment at_node(vbss_thread_attachment_kind kind, uint32_t node)
 {
     vbss_thread_attachment a;
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
@@ -46,14 +46,14 @@ static uint32_t attach(rig *r, const vbss_thread_attachment *a)
 
 uint32_t rig_pin(rig *r, uint32_t node, vec3 position)
 {
-    vbss_thread_attachment a = at_node(VBSS_ATTACHMENT_PIN, node);
+    vbss_thread_attachment a = at_node(VBSS_THREAD_ATTACHMENT_PIN, node);
     vec3_store(a.position, position);
     return attach(r, &a);
 }
 
 uint32_t rig_clamp(rig *r, uint32_t node, vec3 position, vec3 direction)
 {
-    vbss_thread_attachment a = at_node(VBSS_ATTACHMENT_CLAMP, node);
+    vbss_thread_attachment a = at_node(VBSS_THREAD_ATTACHMENT_CLAMP, node);
     vec3_store(a.position, position);
     vec3_store(a.direction, direction);
     return attach(r, &a);
@@ -61,14 +61,14 @@ uint32_t rig_clamp(rig *r, uint32_t node, vec3 position, vec3 direction)
 
 uint32_t rig_force(rig *r, uint32_t node, vec3 force)
 {
-    vbss_thread_attachment a = at_node(VBSS_ATTACHMENT_FORCE, node);
+    vbss_thread_attachment a = at_node(VBSS_THREAD_ATTACHMENT_FORCE, node);
     vec3_store(a.force, force);
     return attach(r, &a);
 }
 
 uint32_t rig_spring(rig *r, uint32_t node, vec3 position, double stiffness, double damping)
 {
-    vbss_thread_attachment a = at_node(VBSS_ATTACHMENT_SPRING, node);
+    vbss_thread_attachment a = at_node(VBSS_THREAD_ATTACHMENT_SPRING, node);
     vec3_store(a.position, position);
     a.stiffness = stiffness;
     a.damping = damping;
@@ -77,7 +77,7 @@ uint32_t rig_spring(rig *r, uint32_t node, vec3 position, double stiffness, doub
 
 uint32_t rig_mass(rig *r, uint32_t node, double mass)
 {
-    vbss_thread_attachment a = at_node(VBSS_ATTACHMENT_MASS, node);
+    vbss_thread_attachment a = at_node(VBSS_THREAD_ATTACHMENT_MASS, node);
     a.mass = mass;
     return attach(r, &a);
 }
@@ -96,7 +96,7 @@ void rig_move(rig *r, uint32_t id, vec3 target)
 {
     double to[3];
     vec3_store(to, target);
-    expect_ok(vbss_thread_move(r->thread, id, to, NULL));
+    expect_ok(vbss_thread_set_attachment_target(r->thread, id, to, NULL));
 }
 
 /* ---- time */
@@ -146,17 +146,17 @@ static vec3 vector_at(rig *r, vbss_thread_field field, uint32_t node)
 
 vec3 rig_position(rig *r, uint32_t node)
 {
-    return vector_at(r, VBSS_THREAD_POSITIONS, node);
+    return vector_at(r, VBSS_THREAD_VIEW_POSITIONS, node);
 }
 
 vec3 rig_velocity(rig *r, uint32_t node)
 {
-    return vector_at(r, VBSS_THREAD_VELOCITIES, node);
+    return vector_at(r, VBSS_THREAD_VIEW_VELOCITIES, node);
 }
 
 vec3 rig_curvature(rig *r, uint32_t node)
 {
-    return vector_at(r, VBSS_THREAD_CURVATURES, node);
+    return vector_at(r, VBSS_THREAD_VIEW_CURVATURES, node);
 }
 
 vec3 rig_tip(rig *r)
@@ -166,13 +166,13 @@ vec3 rig_tip(rig *r)
 
 double rig_tension(rig *r, uint32_t segment)
 {
-    vbss_view view = view_of(r, VBSS_THREAD_TENSIONS);
+    vbss_view view = view_of(r, VBSS_THREAD_VIEW_TENSIONS);
     return *item(&view, segment);
 }
 
 double rig_fastest(rig *r)
 {
-    vbss_view view = view_of(r, VBSS_THREAD_VELOCITIES);
+    vbss_view view = view_of(r, VBSS_THREAD_VIEW_VELOCITIES);
     double fastest = 0.0;
     for (uint64_t i = 0; i < view.count; i++) {
         fastest = fmax(fastest, vec3_norm(vec3_load(item(&view, i))));
@@ -211,8 +211,8 @@ rig_shape rig_shape_of(rig *r)
 {
     rig_shape s = {.nodes = r->nodes};
     assert_true(r->nodes <= RIG_SHAPE_NODES);
-    rig_read(r, VBSS_THREAD_POSITIONS, s.x);
-    rig_read(r, VBSS_THREAD_VELOCITIES, s.v);
+    rig_read(r, VBSS_THREAD_VIEW_POSITIONS, s.x);
+    rig_read(r, VBSS_THREAD_VIEW_VELOCITIES, s.v);
     for (uint32_t i = 0; i + 1 < r->nodes; i++) {
         s.tension[i] = rig_tension(r, i);
     }

@@ -1,7 +1,7 @@
 /* Hands that do anything to a thread for a long time: pins, clamps, springs, masses and forces come,
  * move and go, it is cut, and steps are of any size. Every seed makes 1e5 steps, every hundredth seed
  * 1e6; one life in four has many segments. Nothing fails, nothing is lost, and when the hands rest the
- * thread comes to rest. Method OURS: PAPER does not stand such hands. */
+ * thread comes to rest. Method IMPLICIT: PAPER does not stand such hands. */
 #include <math.h>
 
 #include "harness/harness.h"
@@ -44,7 +44,8 @@ static void must(tug *t, vbss_result result, const char *what)
 static vec3 node_at(tug *t, uint32_t node)
 {
     vbss_view view;
-    must(t, vbss_thread_get_view(t->thread, VBSS_THREAD_POSITIONS, &view, sizeof view), "view");
+    must(t, vbss_thread_get_view(t->thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view),
+         "view");
     return node < view.count ? ((const vec3 *)view.data)[node] : vec3_zero();
 }
 
@@ -55,7 +56,7 @@ static void begin_life(tug *t)
     uint32_t kind = vbss_random_below(&t->random, 4);
     t->segments = config.segment_count =
         2 + vbss_random_below(&t->random, kind == 1 ? MAX_SEGMENTS - 1 : 11);
-    config.bending = (vbss_bending)vbss_random_below(&t->random, 2);
+    config.bending = (vbss_thread_bending)vbss_random_below(&t->random, 2);
     config.length = draw(t, 0.02, 0.15);
     config.attachment_capacity = PLACES;
     config.cut_capacity = CUTS;
@@ -89,7 +90,7 @@ static void attach_one(tug *t)
     vbss_thread_attachment a;
     uint32_t id;
     must(t, vbss_thread_attachment_init(&a, sizeof a), "init");
-    a.kind = (vbss_attachment_kind)vbss_random_below(&t->random, 5);
+    a.kind = (vbss_thread_attachment_kind)vbss_random_below(&t->random, 5);
     a.node = vbss_random_below(&t->random, t->segments + 1);
     t->at[t->count] = node_at(t, a.node);
     vec3_store(a.position, t->at[t->count]);
@@ -100,8 +101,10 @@ static void attach_one(tug *t)
     a.mass = draw(t, 0.0, 1e-5);
     vbss_result result = vbss_thread_attach(t->thread, &a, &id);
     if (result == VBSS_OK) {
-        t->moves[t->count] = a.kind != VBSS_ATTACHMENT_MASS && a.kind != VBSS_ATTACHMENT_FORCE;
-        t->stores[t->count] = a.kind == VBSS_ATTACHMENT_FORCE || a.kind == VBSS_ATTACHMENT_SPRING;
+        t->moves[t->count] =
+            a.kind != VBSS_THREAD_ATTACHMENT_MASS && a.kind != VBSS_THREAD_ATTACHMENT_FORCE;
+        t->stores[t->count] =
+            a.kind == VBSS_THREAD_ATTACHMENT_FORCE || a.kind == VBSS_THREAD_ATTACHMENT_SPRING;
         t->ids[t->count++] = id;
     } else if (result != VBSS_ERROR_OUT_OF_RANGE) { /* held already, or cut off */
         must(t, result, "attach");
@@ -127,7 +130,8 @@ static void cut_one(tug *t)
 {
     vbss_view rest;
     double length = 0.0, share = draw(t, 0.2, 0.9);
-    must(t, vbss_thread_get_view(t->thread, VBSS_THREAD_REST_LENGTHS, &rest, sizeof rest), "view");
+    must(t, vbss_thread_get_view(t->thread, VBSS_THREAD_VIEW_REST_LENGTHS, &rest, sizeof rest),
+         "view");
     for (uint64_t i = 0; i < rest.count; i++) {
         length += ((const double *)rest.data)[i];
     }
@@ -155,7 +159,7 @@ static void move_all(tug *t, double h)
             t->at[i] = vec3_add_scaled(t->at[i], -1e-4 / pull, vec3_load(r.force));
         }
         vec3_store(target, t->at[i]);
-        must(t, vbss_thread_move(t->thread, t->ids[i], target, NULL), "move");
+        must(t, vbss_thread_set_attachment_target(t->thread, t->ids[i], target, NULL), "move");
     }
 }
 
@@ -165,7 +169,7 @@ static void watch(tug *t)
 {
     vbss_view v;
     vbss_thread_energies e = {0};
-    must(t, vbss_thread_get_view(t->thread, VBSS_THREAD_VELOCITIES, &v, sizeof v), "view");
+    must(t, vbss_thread_get_view(t->thread, VBSS_THREAD_VIEW_VELOCITIES, &v, sizeof v), "view");
     for (uint64_t i = 0; i < v.count; i++) {
         double speed = vec3_norm(((const vec3 *)v.data)[i]);
         t->fastest = fmax(t->fastest, speed);

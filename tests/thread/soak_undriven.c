@@ -56,8 +56,8 @@ static void draw_scene(vbss_random *random, scene *s)
 {
     vbss_thread_config *c = &s->config;
     (void)vbss_thread_config_init(c, sizeof *c);
-    (void)vbss_thread_config_preset(c, VBSS_PRESET_SILK_2_0);
-    c->bending = (vbss_bending)vbss_random_below(random, 2);
+    (void)vbss_thread_config_preset(c, VBSS_THREAD_PRESET_SILK_2_0);
+    c->bending = (vbss_thread_bending)vbss_random_below(random, 2);
     c->segment_count = 10 + vbss_random_below(random, 100);
     c->length = between(random, 0.1, 0.3);
     c->linear_density *= about(random, 0.1, 10.0);
@@ -77,7 +77,7 @@ static bool hold(vbss_thread *thread, const scene *s, uint32_t which)
     vbss_thread_attachment a;
     uint32_t id, node = s->held[which];
     (void)vbss_thread_attachment_init(&a, sizeof a);
-    a.kind = which == 0 && s->clamped ? VBSS_ATTACHMENT_CLAMP : VBSS_ATTACHMENT_PIN;
+    a.kind = which == 0 && s->clamped ? VBSS_THREAD_ATTACHMENT_CLAMP : VBSS_THREAD_ATTACHMENT_PIN;
     a.node = node;
     for (size_t c = 0; c < 3; c++) {
         a.position[c] = s->x[3 * (size_t)node + c];

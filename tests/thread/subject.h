@@ -16,10 +16,10 @@ static inline void begin_subject(subject *s)
     begin(&s->f);
     s->f.config.cut_capacity = 1;
     s->thread = make(&s->f);
-    s->pin = hold(s->thread, VBSS_ATTACHMENT_PIN, 3, vec3_make(0.03, 0.0, 0.0));
-    s->clamp = hold(s->thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
-    s->mass = hold(s->thread, VBSS_ATTACHMENT_MASS, 5, vec3_zero());
-    s->force = hold(s->thread, VBSS_ATTACHMENT_FORCE, 5, vec3_zero());
+    s->pin = hold(s->thread, VBSS_THREAD_ATTACHMENT_PIN, 3, vec3_make(0.03, 0.0, 0.0));
+    s->clamp = hold(s->thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, vec3_zero());
+    s->mass = hold(s->thread, VBSS_THREAD_ATTACHMENT_MASS, 5, vec3_zero());
+    s->force = hold(s->thread, VBSS_THREAD_ATTACHMENT_FORCE, 5, vec3_zero());
     steps(s->thread, 3, 1e-3);
     s->hash = hash_of(s->thread);
 }

@@ -17,7 +17,7 @@ static thread_object *inside(const rig *r)
 static vbss_thread_config adaptive(double length, uint32_t segments)
 {
     vbss_thread_config c = rig_config(length, segments);
-    c.mesh = VBSS_MESH_ADAPTIVE;
+    c.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     c.mesh_operations = 0; /* only what the test does */
     return c;
 }
@@ -74,7 +74,7 @@ static void changes_keep_sums(harness_source *source, void *user)
     rig r;
     vec3 x[25], v[25];
     vbss_thread_config c = adaptive(0.024, 24);
-    c.bending = (vbss_bending)harness_draw_below(source, 2);
+    c.bending = (vbss_thread_bending)harness_draw_below(source, 2);
     c.node_capacity = 60;
     rig_begin(&r, &c);
     thread_object *t = inside(&r);
@@ -388,7 +388,7 @@ static void segment_sagitta_is_reported(void **state)
     }
     rig_place(&r, x, NULL);
     vbss_view v;
-    expect_ok(vbss_thread_get_view(r.thread, VBSS_THREAD_SAGITTAS, &v, sizeof v));
+    expect_ok(vbss_thread_get_view(r.thread, VBSS_THREAD_VIEW_SAGITTAS, &v, sizeof v));
     assert_int_equal(v.count, 32);
     for (uint32_t i = 1; i < 31; i++) {
         expect_near(0.125 * 1e-6 / 0.02, ((const double *)v.data)[i], 2e-9);

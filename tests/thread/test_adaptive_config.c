@@ -81,15 +81,15 @@ static void bad_mesh_choices_are_rejected(void **state)
     with_word(&f, mesh, 2, VBSS_ERROR_OUT_OF_RANGE);
     with_word(&f, mesh, UINT32_MAX, VBSS_ERROR_OUT_OF_RANGE);
     with_word(&f, offsetof(vbss_thread_config, reserved), 1, VBSS_ERROR_OUT_OF_RANGE);
-    f.config.mesh = VBSS_MESH_ADAPTIVE;
+    f.config.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     with_word(&f, capacity, 12, VBSS_ERROR_OUT_OF_RANGE);
     with_word(&f, capacity, 13, VBSS_OK);
     with_word(&f, capacity, 65538, VBSS_ERROR_OUT_OF_RANGE);
     with_word(&f, operations, 65, VBSS_ERROR_OUT_OF_RANGE);
     with_word(&f, operations, 64, VBSS_OK);
-    f.config.method = VBSS_METHOD_PAPER;
+    f.config.method = VBSS_METHOD_VBLAST;
     expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
-    f.config.mesh = VBSS_MESH_FIXED;
+    f.config.mesh = VBSS_THREAD_MESH_FIXED;
     expect_config(&f, VBSS_OK);
     end(&f);
 }
@@ -101,7 +101,7 @@ static void zero_capacity_is_four_times_segments(void **state)
     static const uint32_t nodes[] = {5, 49, 65533, 65537};
     fixture f;
     begin(&f);
-    f.config.mesh = VBSS_MESH_ADAPTIVE;
+    f.config.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     f.config.length = 10.0;
     for (int k = 0; k < 4; k++) {
         thread_object *t;
@@ -144,12 +144,12 @@ static void each_part_of_cut_thread_adapts(void **state)
     (void)state;
     fixture f;
     begin(&f);
-    f.config.mesh = VBSS_MESH_ADAPTIVE;
+    f.config.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     f.config.segment_count = 200;
     f.config.cut_capacity = 2;
     f.config.node_capacity = 201;
     vbss_thread *thread = make(&f), *piece;
-    hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
     steps(thread, 5, 1e-3);
     expect_ok(vbss_thread_cut(thread, 0.08, &piece));
     double length = 0.0;
@@ -162,7 +162,7 @@ static void each_part_of_cut_thread_adapts(void **state)
         thread_object *t;
         expect_ok(vbss_thread_open(parts[p], &t));
         assert_true(t->statistics.coarsened > 0);
-        assert_int_equal(view_of(parts[p], VBSS_THREAD_REST_LENGTHS).count, t->node_count - 1);
+        assert_int_equal(view_of(parts[p], VBSS_THREAD_VIEW_REST_LENGTHS).count, t->node_count - 1);
         length += vbss_thread_arc_length(t, t->node_count - 1);
     }
     expect_near(0.15, length, 1e-15);

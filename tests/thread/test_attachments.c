@@ -11,7 +11,8 @@ static void ids_increase_and_are_never_reused(void **state)
     f.config.attachment_capacity = 3;
     vbss_thread *thread = make(&f);
     for (uint32_t id = 1; id <= 50; id++) {
-        assert_int_equal(hold(thread, (vbss_attachment_kind)(id % 5), id % 13, vec3_zero()), id);
+        assert_int_equal(hold(thread, (vbss_thread_attachment_kind)(id % 5), id % 13, vec3_zero()),
+                         id);
         if (id >= 2) {
             vbss_thread_reaction r;
             expect_ok(vbss_thread_detach(thread, id - 1));
@@ -33,7 +34,7 @@ static void full_thread_rejects_attachment(void **state)
         begin(&f);
         f.config.attachment_capacity = capacities[k];
         vbss_thread *thread = make(&f);
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_SPRING, 4);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_SPRING, 4);
         for (uint32_t i = 0; i < capacities[k]; i++) {
             attach(thread, &a);
         }
@@ -53,7 +54,8 @@ static void full_thread_rejects_attachment(void **state)
 static void node_takes_one_hold_and_many_loads(void **state)
 {
     (void)state;
-    const vbss_attachment_kind kinds[] = {VBSS_ATTACHMENT_PIN, VBSS_ATTACHMENT_CLAMP};
+    const vbss_thread_attachment_kind kinds[] = {VBSS_THREAD_ATTACHMENT_PIN,
+                                                 VBSS_THREAD_ATTACHMENT_CLAMP};
     for (int first = 0; first < 2; first++) {
         for (int second = 0; second < 2; second++) {
             fixture f;
@@ -65,7 +67,7 @@ static void node_takes_one_hold_and_many_loads(void **state)
             expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(thread, &a, &id));
             assert_int_equal(id, 77);
             for (int i = 0; i < 6; i++) {
-                hold(thread, VBSS_ATTACHMENT_FORCE + i % 3, 6, vec3_zero());
+                hold(thread, VBSS_THREAD_ATTACHMENT_FORCE + i % 3, 6, vec3_zero());
             }
             steps(thread, 2, 1e-3);
             expect_ok(vbss_thread_detach(thread, held));
@@ -85,7 +87,7 @@ static void held_node_reaches_target_after_step(void **state)
     begin(&f);
     vbss_thread *thread = make(&f);
     vec3 to = vec3_make(0.001, 0.002, -0.003);
-    uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, to);
+    uint32_t pin = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, to);
     expect_near_vec3(vec3_zero(), place_of(thread, 0), 0.0); /* nothing moves outside a step */
     for (int i = 1; i <= 20; i++) {
         expect_ok(vbss_thread_step(thread, i % 3 == 0 ? 1e-3 : 3e-4));
@@ -114,12 +116,12 @@ static void held_node_has_holder_velocity(void **state)
     begin(&f);
     f.config.gravity[1] = 0.0;
     vbss_thread *thread = make(&f);
-    uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    uint32_t pin = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
     for (int i = 1; i <= 20; i++) {
         move(thread, pin, vec3_make(0.0, 1e-3 * (i < 10 ? i : 10), 0.0));
         expect_ok(vbss_thread_step(thread, 1e-3));
         double speed = i <= 10 ? 1.0 : 0.0;
-        expect_near(speed, vector_at(thread, VBSS_THREAD_VELOCITIES, 0).y, 1e-9);
+        expect_near(speed, vector_at(thread, VBSS_THREAD_VIEW_VELOCITIES, 0).y, 1e-9);
     }
     end(&f);
 }
@@ -133,7 +135,7 @@ static void node_released_from_resting_hand_stays(void **state)
     f.config.gravity[1] = 0.0;
     f.config.segment_count = 1;
     vbss_thread *thread = make(&f);
-    uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    uint32_t pin = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
     steps(thread, 2, 1e-6);
     move(thread, pin, vec3_make(0.0, 1e-6, 0.0));
     steps(thread, 1, 1e-6);
@@ -177,17 +179,17 @@ static void reactions_balance_weight(void **state)
         f.config.damping = 200.0;
         vbss_thread *thread = make(&f);
         vbss_thread_reaction r;
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, 0);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, 0);
         a.direction[1] = 0.7;
         a.direction[2] = 0.4;
         uint32_t ids[3] = {attach(thread, &a), 0, 0};
-        a = plain(VBSS_ATTACHMENT_SPRING, 8);
+        a = plain(VBSS_THREAD_ATTACHMENT_SPRING, 8);
         a.position[0] = 0.05;
         a.position[1] = 0.01;
         a.stiffness = 0.1;
         a.damping = 1e-3;
         ids[1] = attach(thread, &a);
-        a = plain(VBSS_ATTACHMENT_FORCE, 12);
+        a = plain(VBSS_THREAD_ATTACHMENT_FORCE, 12);
         a.force[2] = 2e-5;
         ids[2] = attach(thread, &a);
         r = reaction_of(thread, ids[0]);
@@ -206,8 +208,8 @@ static void attached_mass_has_weight_and_inertia(void **state)
     f.config.drag = 18.0;
     f.config.damping = 200.0;
     vbss_thread *thread = make(&f);
-    uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
-    vbss_thread_attachment a = plain(VBSS_ATTACHMENT_MASS, 12);
+    uint32_t pin = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
+    vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_MASS, 12);
     a.mass = 5e-3;
     uint32_t mass = attach(thread, &a);
     expect_near(0.15 * 6.4e-5 + 5e-3, momentum_of(thread).mass, 1e-17);
@@ -226,7 +228,7 @@ static void force_changes_momentum_at_its_rate(void **state)
     begin(&f);
     f.config.gravity[1] = 0.0;
     vbss_thread *thread = make(&f);
-    uint32_t pull = hold(thread, VBSS_ATTACHMENT_FORCE, 5, vec3_zero());
+    uint32_t pull = hold(thread, VBSS_THREAD_ATTACHMENT_FORCE, 5, vec3_zero());
     vec3 force = vec3_zero(), sum = vec3_zero();
     for (int i = 0; i < 40; i++) {
         double h = i % 4 == 0 ? 2e-3 : 1e-3;
@@ -262,8 +264,9 @@ static void attach_detach_order_does_not_matter(void **state)
         vbss_thread *thread = make(&f);
         uint32_t ids[12], count = 0;
         for (int i = 0; i < 40; i++) {
-            vbss_thread_attachment a = plain((vbss_attachment_kind)vbss_random_below(&random, 5),
-                                             vbss_random_below(&random, nodes_of(thread)));
+            vbss_thread_attachment a =
+                plain((vbss_thread_attachment_kind)vbss_random_below(&random, 5),
+                      vbss_random_below(&random, nodes_of(thread)));
             vec3 x = place_of(thread, a.node), direction = vbss_random_direction(&random);
             vec3_store(a.position, vec3_add_scaled(x, 1e-3, direction));
             vec3_store(a.direction, vbss_random_direction(&random));

@@ -29,7 +29,7 @@ static double largest_aside(rig *r)
 static void deflect(rig *r, column kind, double shortening)
 {
     vec3 x[MAX_NODES];
-    rig_read(r, VBSS_THREAD_POSITIONS, x);
+    rig_read(r, VBSS_THREAD_VIEW_POSITIONS, x);
     for (uint32_t i = 0; i < r->nodes; i++) {
         double s = (double)i / (r->nodes - 1);
         double aside = 1e-9 * (kind == PINNED ? sin(pi * s) : 1.0 - cos(0.5 * pi * s));
@@ -40,7 +40,7 @@ static void deflect(rig *r, column kind, double shortening)
     rig_place(r, x, NULL);
 }
 
-static bool grows(column kind, double load, uint32_t segments, vbss_bending bending)
+static bool grows(column kind, double load, uint32_t segments, vbss_thread_bending bending)
 {
     vbss_thread_config c = rig_config(kind == UNDER_OWN_WEIGHT ? load : length, segments);
     c.bending = bending;
@@ -69,7 +69,8 @@ static bool grows(column kind, double load, uint32_t segments, vbss_bending bend
     return after > before;
 }
 
-static double threshold(column kind, double expected, uint32_t segments, vbss_bending bending)
+static double threshold(column kind, double expected, uint32_t segments,
+                        vbss_thread_bending bending)
 {
     double low = 0.9 * expected, high = 1.1 * expected;
     assert_false(grows(kind, low, segments, bending));
@@ -83,8 +84,8 @@ static double threshold(column kind, double expected, uint32_t segments, vbss_be
 
 static void check_threshold(column kind, double expected, double spline, double local)
 {
-    double with_spline = threshold(kind, expected, 16, VBSS_BENDING_SPLINE);
-    double with_local = threshold(kind, expected, 16, VBSS_BENDING_LOCAL);
+    double with_spline = threshold(kind, expected, 16, VBSS_THREAD_BENDING_SPLINE);
+    double with_local = threshold(kind, expected, 16, VBSS_THREAD_BENDING_LOCAL);
     expect_near(1.0, with_spline / expected, spline);
     expect_near(1.0, with_local / expected, local);
 }

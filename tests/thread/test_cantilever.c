@@ -48,7 +48,8 @@ typedef struct tip {
 } tip;
 
 /* EI from the parameter. Stiffer along than silk: the elastica does not stretch. */
-static vbss_thread_config heavy_thread(double parameter, uint32_t segments, vbss_bending bending)
+static vbss_thread_config heavy_thread(double parameter, uint32_t segments,
+                                       vbss_thread_bending bending)
 {
     vbss_thread_config c = rig_config(0.15, segments);
     c.bending = bending;
@@ -96,7 +97,7 @@ static void reference_matches_publication(void **state)
 {
     (void)state;
     for (int i = 0; i < HEAVY; i++) {
-        vbss_thread_config c = heavy_thread(heavy[i].parameter, 1, VBSS_BENDING_LOCAL);
+        vbss_thread_config c = heavy_thread(heavy[i].parameter, 1, VBSS_THREAD_BENDING_LOCAL);
         elastica e = elastica_solve(&c, 0.0);
         expect_near(heavy[i].x, e.x / e.length, 6e-9);
         expect_near(heavy[i].drop, e.drop / e.length, 6e-9);
@@ -121,11 +122,12 @@ static void heavy_cantilever_matches_elastica(void **state)
     (void)state;
     for (int i = 0; i < 2 * HEAVY; i++) {
         int row = i / 2;
-        vbss_bending bending = i % 2 == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+        vbss_thread_bending bending =
+            i % 2 == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
         vbss_thread_config c = heavy_thread(heavy[row].parameter, 60, bending);
         elastica e = elastica_solve(&c, 0.0);
         tip t = relaxed(c, 0.0);
-        bool spline = bending == VBSS_BENDING_SPLINE;
+        bool spline = bending == VBSS_THREAD_BENDING_SPLINE;
         expect_near(0.0, tip_error(&e, t), spline ? heavy[row].spline : heavy[row].local);
         expect_near(e.angle, t.angle, heavy[row].angle);
         /* Weight acts on nodes: its moment is off by length^2 / 12 of a segment at the clamp. */
@@ -137,7 +139,7 @@ static void tip_load_matches_elastica(void **state)
 {
     (void)state;
     for (int i = 0; i < LOADED; i++) {
-        vbss_thread_config c = heavy_thread(1.0, 60, VBSS_BENDING_SPLINE);
+        vbss_thread_config c = heavy_thread(1.0, 60, VBSS_THREAD_BENDING_SPLINE);
         c.gravity[1] = 0.0;
         double load = loaded[i].parameter * c.bending_stiffness / pow(c.length, 2);
         elastica e = elastica_solve(&c, load);
@@ -149,7 +151,7 @@ static void tip_load_matches_elastica(void **state)
 }
 
 /* The power of the segment length with which the error falls from 15 to 120 segments. */
-static double order_of(double parameter, vbss_bending bending, bool at_the_tip)
+static double order_of(double parameter, vbss_thread_bending bending, bool at_the_tip)
 {
     double error[2];
     for (int fine = 0; fine < 2; fine++) {
@@ -164,17 +166,17 @@ static double order_of(double parameter, vbss_bending bending, bool at_the_tip)
 static void spline_bending_is_fourth_order(void **state)
 {
     (void)state;
-    assert_true(order_of(0.1, VBSS_BENDING_SPLINE, false) >= 3.5);
-    assert_true(order_of(1.0, VBSS_BENDING_SPLINE, false) >= 3.5);
-    assert_true(order_of(1.0, VBSS_BENDING_SPLINE, true) >= 3.5);
+    assert_true(order_of(0.1, VBSS_THREAD_BENDING_SPLINE, false) >= 3.5);
+    assert_true(order_of(1.0, VBSS_THREAD_BENDING_SPLINE, false) >= 3.5);
+    assert_true(order_of(1.0, VBSS_THREAD_BENDING_SPLINE, true) >= 3.5);
 }
 
 static void local_bending_is_second_order(void **state)
 {
     (void)state;
-    assert_true(order_of(1.0, VBSS_BENDING_LOCAL, false) >= 1.85);
-    assert_true(order_of(2.0, VBSS_BENDING_LOCAL, false) >= 1.85);
-    assert_true(order_of(1.0, VBSS_BENDING_LOCAL, true) >= 1.85);
+    assert_true(order_of(1.0, VBSS_THREAD_BENDING_LOCAL, false) >= 1.85);
+    assert_true(order_of(2.0, VBSS_THREAD_BENDING_LOCAL, false) >= 1.85);
+    assert_true(order_of(1.0, VBSS_THREAD_BENDING_LOCAL, true) >= 1.85);
 }
 
 static void paper_thread_sag(void **state)
@@ -192,7 +194,7 @@ static void clamp_at_either_end_is_equivalent(void **state)
     (void)state;
     for (int i = 0; i < 2; i++) {
         vbss_thread_config c = rig_config(0.15, 20);
-        c.bending = i == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+        c.bending = i == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
         tip forward = relaxed(c, 0.0);
         c.start[0] = 0.15;
         c.direction[0] = -1.0;
@@ -218,8 +220,8 @@ static uint32_t graded(uint32_t refinement, double *rest_lengths)
 {
     uint32_t count = 0;
     double finest = 1e-3 / refinement;
-    expect_ok(vbss_thread_grade(0.15, 0.0, finest, 8.0 * finest, pow(1.2, 1.0 / refinement),
-                                rest_lengths, MAX_COUNT, &count));
+    expect_ok(vbss_thread_grade_lengths(0.15, 0.0, finest, 8.0 * finest, pow(1.2, 1.0 / refinement),
+                                        rest_lengths, MAX_COUNT, &count));
     return count;
 }
 
@@ -246,7 +248,7 @@ static uint32_t alternating(uint32_t refinement, double *rest_lengths)
 }
 
 /* Error with the division four times as fine, and the order from there. */
-static double unequal_error(division divide, vbss_bending bending, double *order)
+static double unequal_error(division divide, vbss_thread_bending bending, double *order)
 {
     double error[2], rest_lengths[MAX_COUNT];
     for (uint32_t fine = 0; fine < 2; fine++) {
@@ -264,15 +266,15 @@ static void uneven_segments_sag_as_even(void **state)
     (void)state;
     const struct {
         division divide;
-        vbss_bending bending;
+        vbss_thread_bending bending;
         double error, order;
     } cases[] = {
-        {graded, VBSS_BENDING_SPLINE, 5e-8, 3.7},
-        {abrupt, VBSS_BENDING_SPLINE, 3e-6, 2.7},
-        {alternating, VBSS_BENDING_SPLINE, 1.2e-4, 1.7},
-        {graded, VBSS_BENDING_LOCAL, 7e-5, 1.9},
-        {abrupt, VBSS_BENDING_LOCAL, 1.5e-4, 1.9},
-        {alternating, VBSS_BENDING_LOCAL, 2.2e-4, 1.6},
+        {graded, VBSS_THREAD_BENDING_SPLINE, 5e-8, 3.7},
+        {abrupt, VBSS_THREAD_BENDING_SPLINE, 3e-6, 2.7},
+        {alternating, VBSS_THREAD_BENDING_SPLINE, 1.2e-4, 1.7},
+        {graded, VBSS_THREAD_BENDING_LOCAL, 7e-5, 1.9},
+        {abrupt, VBSS_THREAD_BENDING_LOCAL, 1.5e-4, 1.9},
+        {alternating, VBSS_THREAD_BENDING_LOCAL, 2.2e-4, 1.6},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         double order;

@@ -21,7 +21,7 @@ static vec3 catenary(double s)
 }
 
 /* Pinned at both ends, let go from a V. */
-static void hang(rig *r, uint32_t segments, vbss_bending bending, uint32_t pins[2])
+static void hang(rig *r, uint32_t segments, vbss_thread_bending bending, uint32_t pins[2])
 {
     vbss_thread_config c = rig_config(length, segments);
     c.bending = bending;
@@ -41,7 +41,7 @@ static void hang(rig *r, uint32_t segments, vbss_bending bending, uint32_t pins[
     rig_relax(r, 0.05, 1e-10, 100);
 }
 
-static errors hang_and_compare(uint32_t segments, vbss_bending bending)
+static errors hang_and_compare(uint32_t segments, vbss_thread_bending bending)
 {
     rig r;
     uint32_t pins[2];
@@ -72,13 +72,13 @@ static void pinned_chain_is_catenary(void **state)
     assert_true(fabs(2.0 * a * sinh(0.5 * span / a) / length - 1.0) < 1e-7);
     const struct {
         uint32_t segments;
-        vbss_bending bending;
+        vbss_thread_bending bending;
         errors bound;
     } cases[] = {
-        {20, VBSS_BENDING_SPLINE, {3e-4, 3e-4, 6e-5, 2e-4, 6e-3}},
-        {80, VBSS_BENDING_SPLINE, {1.5e-6, 1.5e-6, 4e-7, 1.2e-5, 5e-4}},
-        {20, VBSS_BENDING_LOCAL, {2.5e-3, 9e-4, 1.3e-4, 8e-4, 1.3e-2}},
-        {80, VBSS_BENDING_LOCAL, {1.5e-4, 5e-5, 7e-6, 5e-5, 8e-4}},
+        {20, VBSS_THREAD_BENDING_SPLINE, {3e-4, 3e-4, 6e-5, 2e-4, 6e-3}},
+        {80, VBSS_THREAD_BENDING_SPLINE, {1.5e-6, 1.5e-6, 4e-7, 1.2e-5, 5e-4}},
+        {20, VBSS_THREAD_BENDING_LOCAL, {2.5e-3, 9e-4, 1.3e-4, 8e-4, 1.3e-2}},
+        {80, VBSS_THREAD_BENDING_LOCAL, {1.5e-4, 5e-5, 7e-6, 5e-5, 8e-4}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         errors e = hang_and_compare(cases[i].segments, cases[i].bending);
@@ -98,7 +98,7 @@ static void hanging_thread_tension_is_weight_below(void **state)
     vbss_thread_config c = rig_config(length, 12);
     vec3_store(c.gravity, down);
     vec3_store(c.direction, down);
-    c.bending = VBSS_BENDING_SPLINE;
+    c.bending = VBSS_THREAD_BENDING_SPLINE;
     c.drag = 100.0;
     c.spectral_radius = 0.0;
     rig r;

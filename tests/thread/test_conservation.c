@@ -1,4 +1,4 @@
-/* Method OURS: what a motion must keep. Angular momentum and energy are kept to the order of the
+/* Method IMPLICIT: what a motion must keep. Angular momentum and energy are kept to the order of the
  * integration, linear momentum and rest to rounding. */
 #include <math.h>
 #include <string.h>
@@ -123,7 +123,7 @@ static void relax(rig *r, vec3 *x)
     for (int k = 0; k < 60; k++) {
         rig_place(r, x, NULL);
         vbss_view view;
-        expect_ok(vbss_thread_get_view(r->thread, VBSS_THREAD_LENGTHS, &view, sizeof view));
+        expect_ok(vbss_thread_get_view(r->thread, VBSS_THREAD_VIEW_LENGTHS, &view, sizeof view));
         const double *lengths = view.data;
         vec3 from = x[0];
         for (uint32_t i = 0; i < SEGMENTS; i++) {
@@ -163,7 +163,7 @@ typedef struct drift {
     double growth;                  /* of energy: the largest on the way */
 } drift;
 
-static vbss_thread_config free_config(vbss_bending bending, double spectral_radius)
+static vbss_thread_config free_config(vbss_thread_bending bending, double spectral_radius)
 {
     vbss_thread_config config = rig_config(0.15, SEGMENTS);
     config.bending = bending;
@@ -246,9 +246,9 @@ static double wandering(rig *r)
 {
     vec3 before[NODES], after[NODES];
     double worst = 0.0;
-    rig_read(r, VBSS_THREAD_POSITIONS, before);
+    rig_read(r, VBSS_THREAD_VIEW_POSITIONS, before);
     rig_run(r, 1e-3, 10000);
-    rig_read(r, VBSS_THREAD_POSITIONS, after);
+    rig_read(r, VBSS_THREAD_VIEW_POSITIONS, after);
     for (uint32_t i = 0; i < NODES; i++) {
         worst = fmax(worst, vec3_distance(before[i], after[i]));
     }
@@ -281,7 +281,7 @@ static void hanging_resting_thread_stays(void **state)
         rig_begin(&r, &config);
         k == 0 ? rig_pin_here(&r, 0) : rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
         rig_relax(&r, 2e-3, 1e-12, 10000);
-        rig_read(&r, VBSS_THREAD_POSITIONS, x);
+        rig_read(&r, VBSS_THREAD_VIEW_POSITIONS, x);
         rig_end(&r);
         config.drag = 0.0;
         rig_begin(&r, &config);

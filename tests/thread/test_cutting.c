@@ -4,7 +4,7 @@
 #include "fixture.h"
 
 /* Largest relative changes by a cut, by the number of segments; just above what was measured. Method
- * OURS gives the masses near an end other weights (layout.c), so that new ends move some; method PAPER
+ * OURS gives the masses near an end other weights (layout.c), so that new ends move some; method VBLAST
  * halves each segment, which keeps linear momentum and centre in row 0. */
 typedef struct change {
     double linear, centre, angular;
@@ -29,7 +29,7 @@ static void expect_parts(fixture *f, vbss_thread *a, vbss_thread *b, vbss_thread
     expect_near(f->config.length - s, rest_length_of(b), 1e-12);
     expect_near(f->config.linear_density * s, m.mass, 1e-12 * mass);
     const change *largest =
-        &bounds[f->config.method == VBSS_METHOD_PAPER ? 0 : f->config.segment_count];
+        &bounds[f->config.method == VBSS_METHOD_VBLAST ? 0 : f->config.segment_count];
     vec3 centre = vec3_add(vec3_scale(vec3_load(m.centre), m.mass / mass),
                            vec3_scale(vec3_load(n.centre), n.mass / mass));
     expect_changed(vec3_load(before.linear), linear, largest->linear);
@@ -40,8 +40,8 @@ static void expect_parts(fixture *f, vbss_thread *a, vbss_thread *b, vbss_thread
     expect_changed(vec3_load(before.angular), angular, bounds[f->config.segment_count].angular);
     vec3 end = place_of(a, nodes_of(a) - 1), front = place_of(b, 0);
     assert_memory_equal(&end, &front, sizeof end);
-    end = vector_at(a, VBSS_THREAD_VELOCITIES, nodes_of(a) - 1);
-    front = vector_at(b, VBSS_THREAD_VELOCITIES, 0);
+    end = vector_at(a, VBSS_THREAD_VIEW_VELOCITIES, nodes_of(a) - 1);
+    front = vector_at(b, VBSS_THREAD_VIEW_VELOCITIES, 0);
     assert_memory_equal(&end, &front, sizeof end);
 }
 
@@ -58,7 +58,7 @@ static void cut_everywhere(vbss_method method)
                 f.config.segment_count = segments;
                 f.config.cut_capacity = 1;
                 vbss_thread *thread = make(&f), *piece = NULL;
-                hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+                hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
                 steps(thread, 20, 1e-3);
                 double l = f.config.length / segments, share = shares[k];
                 bool low = share<0.01, high = share> 0.99;
@@ -85,8 +85,8 @@ static void cut_everywhere(vbss_method method)
 static void every_place_can_be_cut(void **state)
 {
     (void)state;
-    cut_everywhere(VBSS_METHOD_OURS);
-    cut_everywhere(VBSS_METHOD_PAPER);
+    cut_everywhere(VBSS_METHOD_IMPLICIT);
+    cut_everywhere(VBSS_METHOD_VBLAST);
 }
 
 static void attachments_move_with_nodes(void **state)
@@ -99,7 +99,7 @@ static void attachments_move_with_nodes(void **state)
         f.config.cut_capacity = 1;
         vbss_thread *thread = make(&f), *piece;
         for (uint32_t i = 0; i <= 12; i++) {
-            assert_int_equal(hold(thread, VBSS_ATTACHMENT_FORCE, i, vec3_zero()), i + 1);
+            assert_int_equal(hold(thread, VBSS_THREAD_ATTACHMENT_FORCE, i, vec3_zero()), i + 1);
         }
         double l = 0.15 / 12;
         expect_ok(vbss_thread_cut(thread, (doubled ? 6.0 : 5.5) * l, &piece));
@@ -113,8 +113,8 @@ static void attachments_move_with_nodes(void **state)
                           vbss_thread_get_reaction(other, id, &r, sizeof r));
         }
         /* Ids of the past are used by neither part. */
-        assert_int_equal(hold(piece, VBSS_ATTACHMENT_MASS, 1, vec3_zero()), 14);
-        assert_int_equal(hold(thread, VBSS_ATTACHMENT_MASS, 1, vec3_zero()), 14);
+        assert_int_equal(hold(piece, VBSS_THREAD_ATTACHMENT_MASS, 1, vec3_zero()), 14);
+        assert_int_equal(hold(thread, VBSS_THREAD_ATTACHMENT_MASS, 1, vec3_zero()), 14);
         end(&f);
     }
 }
@@ -163,7 +163,7 @@ static void repeated_end_cuts_stay_finite(void **state)
         f.config.cut_capacity = 64;
         vbss_thread *thread = make(&f), *piece = NULL;
         for (int i = 0; i < 64; i++) {
-            double l = number_at(thread, VBSS_THREAD_REST_LENGTHS, 0);
+            double l = number_at(thread, VBSS_THREAD_VIEW_REST_LENGTHS, 0);
             vbss_result result = vbss_thread_cut(thread, 0.02 * l, &piece);
             assert_true(result == VBSS_OK || result == VBSS_ERROR_OUT_OF_RANGE);
             if (result == VBSS_OK) {
@@ -187,7 +187,7 @@ static void both_parts_have_correct_forces(void **state)
         f.config.segment_count = 40;
         f.config.cut_capacity = 1;
         vbss_thread *thread = make(&f), *piece;
-        uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+        uint32_t pin = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
         steps(thread, 120, 1e-3);
         double whole = energies_of(thread).total, moving = energies_of(thread).kinetic;
         vec3 linear = vec3_load(momentum_of(thread).linear);
@@ -226,8 +226,8 @@ static void snapshot_before_cut_is_restored(void **state)
     begin(&f);
     f.config.cut_capacity = 3;
     vbss_thread *thread = make(&f), *piece, *second;
-    uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
-    uint32_t far_pin = hold(thread, VBSS_ATTACHMENT_CLAMP, 12, vec3_make(0.14, 0.0, 0.0));
+    uint32_t pin = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
+    uint32_t far_pin = hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 12, vec3_make(0.14, 0.0, 0.0));
     steps(thread, 10, 1e-3);
     uint64_t whole = hash_of(thread), need, part;
     expect_result(VBSS_ERROR_CAPACITY, vbss_thread_save(thread, NULL, 0, &need));
@@ -265,7 +265,7 @@ static void snapshot_before_cut_is_restored(void **state)
 
 static double bending_across(vbss_thread *thread, uint32_t node)
 {
-    vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
+    vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, node);
     vec3_store(a.position, place_of(thread, node));
     vec3_store(a.direction, vec3_make(0.0, 1.0, 0.0));
     attach(thread, &a);

@@ -13,7 +13,7 @@ static void whirl(double spectral_radius, const double *sizes, uint32_t count)
     f.config.gravity[1] = 0.0;
     f.config.spectral_radius = spectral_radius;
     vbss_thread *thread = make(&f);
-    hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
     expect_ok(vbss_thread_set_state(thread, NULL, v, 2));
     double first = energies_of(thread).total;
     for (uint32_t i = 0; i < 1000; i++) {
@@ -53,16 +53,16 @@ static void axially_pulled_thread_comes_to_rest(void **state)
     begin(&f);
     f.config.gravity[1] = 0.0;
     f.config.length = 0.01;
-    f.config.bending = VBSS_BENDING_LOCAL;
+    f.config.bending = VBSS_THREAD_BENDING_LOCAL;
     f.config.drag = 10.0;
     vbss_thread *thread = make(&f);
-    hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
-    vbss_thread_attachment a = plain(VBSS_ATTACHMENT_FORCE, 12);
+    hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
+    vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_FORCE, 12);
     a.force[0] = 10.0;
     attach(thread, &a);
     steps(thread, 1000, 1e-3);
-    expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_VELOCITIES, 12), 1e-3);
-    expect_near(10.0, number_at(thread, VBSS_THREAD_TENSIONS, 5), 1e-2);
+    expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_VIEW_VELOCITIES, 12), 1e-3);
+    expect_near(10.0, number_at(thread, VBSS_THREAD_VIEW_TENSIONS, 5), 1e-2);
     end(&f);
 }
 
@@ -83,11 +83,11 @@ static void short_stretch_between_clamps_stays(void **state)
     f.config.segment_count = 3;
     f.config.length = 3e-3;
     f.config.gravity[1] = 0.0;
-    f.config.bending = VBSS_BENDING_LOCAL;
+    f.config.bending = VBSS_THREAD_BENDING_LOCAL;
     f.config.positions = x;
     vbss_thread *thread = make(&f);
     for (uint32_t i = 0; i < 4; i += 3) {
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, i);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, i);
         memcpy(a.position, x + 3 * (size_t)i, sizeof a.position);
         memcpy(a.direction, directions + 3 * (size_t)i, sizeof a.direction);
         attach(thread, &a);
@@ -111,7 +111,7 @@ static void transverse_clamp_adds_no_energy(void **state)
         f.config.gravity[1] = 0.0;
         f.config.bending = bending;
         vbss_thread *thread = make(&f), *twin = make(&f);
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, 6);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, 6);
         vec3_store(a.position, place_of(thread, 6));
         vec3_store(a.direction, vec3_make(0.2, 1.0, 0.0));
         attach(twin, &a);
@@ -141,7 +141,7 @@ static void clamp_direction_waits_for_step_after_velocity_change(void **state)
         f.config.gravity[1] = 0.0;
         f.config.bending = k % 2;
         vbss_thread *thread = make(&f);
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, 6);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, 6);
         vec3_store(a.position, place_of(thread, 6));
         vec3_store(a.direction, vec3_make(0.2, 1.0, 0.0));
         steps(thread, 1, 1e-3);
@@ -159,7 +159,7 @@ static void clamp_direction_waits_for_step_after_velocity_change(void **state)
 
 /* From an arc a thread that weighs nothing springs into its rest curvature, beyond it, and back, in step
  * with the bending it resists. It never comes by way of straight. */
-static void spring_round(vbss_bending bending, double h)
+static void spring_round(vbss_thread_bending bending, double h)
 {
     const double curvature = 16.0, l = 0.15 / 12;
     fixture f;
@@ -169,7 +169,8 @@ static void spring_round(vbss_bending bending, double h)
     f.config.bending = bending;
     f.config.rest_curvature = 20.0;
     f.config.stretch_tolerance = f.config.position_tolerance = 1e-12;
-    double turn = bending == VBSS_BENDING_LOCAL ? 2.0 * asin(0.5 * l * curvature) : l * curvature;
+    double turn =
+        bending == VBSS_THREAD_BENDING_LOCAL ? 2.0 * asin(0.5 * l * curvature) : l * curvature;
     for (int i = 0; i < 13; i++) {
         vec3_store(x + 3 * (size_t)i, on_circle(curvature, turn * i / curvature));
     }
@@ -213,9 +214,9 @@ static void released_thread_gains_no_energy(void **state)
             f.config.gravity[1] = 0.0;
             vbss_thread *thread = make(&f);
             double stretched = 0.15 * (1.0 + pull / f.config.axial_stiffness);
-            hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
-            uint32_t far =
-                hold(thread, VBSS_ATTACHMENT_PIN, (uint32_t)n, vec3_make(stretched, 0.0, 0.0));
+            hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
+            uint32_t far = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, (uint32_t)n,
+                                vec3_make(stretched, 0.0, 0.0));
             steps(thread, 200, 2e-3);
             double first = energies_of(thread).total;
             expect_ok(vbss_thread_detach(thread, far));

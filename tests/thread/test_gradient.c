@@ -83,7 +83,8 @@ static void draw_scene(harness_source *source, scene *s, double rest_curvature)
     draw_shape(source, s, nodes);
     vbss_thread_config c = rig_config(1.0, nodes - 1);
     c.rest_lengths = s->rest_lengths;
-    c.bending = harness_draw_below(source, 3) == 0 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+    c.bending =
+        harness_draw_below(source, 3) == 0 ? VBSS_THREAD_BENDING_LOCAL : VBSS_THREAD_BENDING_SPLINE;
     c.attachment_capacity = MAX_ATTACHMENTS;
     c.axial_stiffness = 5.0;
     c.bending_stiffness = 1e-5;
@@ -153,8 +154,8 @@ static double turn_slope(scene *s, uint32_t node, vec3 axis)
 static void note_what_acts(scene *s)
 {
     rig *r = &s->r;
-    rig_read(r, VBSS_THREAD_POSITIONS, s->x);
-    rig_read(r, VBSS_THREAD_VELOCITIES, s->v);
+    rig_read(r, VBSS_THREAD_VIEW_POSITIONS, s->x);
+    rig_read(r, VBSS_THREAD_VIEW_VELOCITIES, s->v);
     for (uint32_t i = 0; i < r->nodes; i++) {
         /* A mass pulls with what gravity does beyond its acceleration and drag. */
         vec3 pull = vec3_scale(rig_reaction_force(r, s->mass_ids[i]), 1.0 / mass);

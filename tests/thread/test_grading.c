@@ -11,8 +11,8 @@ typedef struct graded {
 
 static vbss_result grade(graded *g, uint32_t capacity)
 {
-    return vbss_thread_grade(g->length, g->centre, g->finest, g->coarsest, g->ratio, g->lengths,
-                             capacity, &g->count);
+    return vbss_thread_grade_lengths(g->length, g->centre, g->finest, g->coarsest, g->ratio,
+                                     g->lengths, capacity, &g->count);
 }
 
 static void draw(harness_source *source, graded *g)
@@ -74,14 +74,14 @@ static void graded_lengths_make_thread(void **state)
     vbss_thread *thread = make(&f);
     double finest = 1.0, at = 0.0, place = 0.0;
     for (uint32_t i = 0; i < g.count; i++) {
-        double l = number_at(thread, VBSS_THREAD_REST_LENGTHS, i);
+        double l = number_at(thread, VBSS_THREAD_VIEW_REST_LENGTHS, i);
         expect_same_bits(g.lengths[i], l);
         place = l < finest ? at : place;
         finest = l < finest ? l : finest;
         at += l;
     }
     expect_near(0.1, place, 1e-3);
-    hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+    hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, vec3_zero());
     steps(thread, 100, 1e-3);
     assert_true(statistics_of(thread).stretch_error <= 5e-6);
     end(&f);
@@ -103,14 +103,14 @@ static void excess_count_is_reported(void **state)
     }
     expect_ok(grade(&g, count));
     expect_result(VBSS_ERROR_CAPACITY,
-                  vbss_thread_grade(1.0, 0.4, 0.01, 0.05, 1.1, NULL, 0, &count));
+                  vbss_thread_grade_lengths(1.0, 0.4, 0.01, 0.05, 1.1, NULL, 0, &count));
     assert_int_equal(count, g.count);
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_thread_grade(1.0, 0.4, 0.01, 0.05, 1.1, NULL, count, &count));
+                  vbss_thread_grade_lengths(1.0, 0.4, 0.01, 0.05, 1.1, NULL, count, &count));
     expect_result(VBSS_ERROR_CAPACITY,
-                  vbss_thread_grade(1.0, 0.5, 1e-6, 1e-6, 1.0, NULL, 0, &count));
+                  vbss_thread_grade_lengths(1.0, 0.5, 1e-6, 1e-6, 1.0, NULL, 0, &count));
     expect_result(VBSS_ERROR_CAPACITY,
-                  vbss_thread_grade(1e3, 0.5, 2e-7, 2e-7, 1.0, NULL, 0, &count));
+                  vbss_thread_grade_lengths(1e3, 0.5, 2e-7, 2e-7, 1.0, NULL, 0, &count));
 }
 
 static void bad_numbers_are_rejected(void **state)
@@ -126,12 +126,13 @@ static void bad_numbers_are_rejected(void **state)
             double a[5];
             memcpy(a, good, sizeof a);
             a[k] = bad < 3 ? harness_bad_numbers[bad] : bad == 3 ? low[k] : high[k];
-            expect_result(bad < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE,
-                          vbss_thread_grade(a[0], a[1], a[2], a[3], a[4], lengths, 256, &count));
+            expect_result(
+                bad < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE,
+                vbss_thread_grade_lengths(a[0], a[1], a[2], a[3], a[4], lengths, 256, &count));
         }
     }
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_thread_grade(1.0, 0.4, 0.01, 0.05, 1.1, lengths, 256, NULL));
+                  vbss_thread_grade_lengths(1.0, 0.4, 0.01, 0.05, 1.1, lengths, 256, NULL));
 }
 
 int test_grading(void)

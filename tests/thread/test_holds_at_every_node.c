@@ -3,7 +3,8 @@
 #include "reference.h"
 
 /* Nodes on a circle, arcs of the rest length apart. */
-static vbss_thread *make_arc(fixture *f, vbss_bending bending, uint32_t segments, double radius)
+static vbss_thread *make_arc(fixture *f, vbss_thread_bending bending, uint32_t segments,
+                             double radius)
 {
     double x[3 * 65];
     assert_true(segments <= 64);
@@ -24,7 +25,7 @@ static vbss_thread *make_arc(fixture *f, vbss_bending bending, uint32_t segments
 
 static uint32_t clamp_on_arc(vbss_thread *thread, double radius, uint32_t node)
 {
-    vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
+    vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, node);
     vec3_store(a.position, on_circle(1.0 / radius, 1e-3 * node));
     vec3_store(a.direction, along_circle(1.0 / radius, 1e-3 * node));
     return attach(thread, &a);
@@ -76,7 +77,7 @@ static void clamps_at_any_spacing_in_moving_thread(void **state)
                     double direction[3] = {1.0, 0.02 * i, 0.01 * i}, target[3];
                     vec3_store(target, vec3_add(on_circle(10.0, 1e-3 * first),
                                                 vec3_make(0.0, 0.0, 5e-5 * i)));
-                    expect_ok(vbss_thread_move(thread, low, target, direction));
+                    expect_ok(vbss_thread_set_attachment_target(thread, low, target, direction));
                     expect_ok(vbss_thread_step(thread, 1e-3));
                 }
                 assert_true(all_finite(thread));
@@ -96,7 +97,7 @@ static void every_node_takes_spring_pin_or_clamp(void **state)
 {
     (void)state;
     for (int bending = 0; bending < 2; bending++) {
-        for (int kind = VBSS_ATTACHMENT_PIN; kind <= VBSS_ATTACHMENT_MASS; kind++) {
+        for (int kind = VBSS_THREAD_ATTACHMENT_PIN; kind <= VBSS_THREAD_ATTACHMENT_MASS; kind++) {
             for (uint32_t segments = 1; segments <= 64; segments = 2 * segments + segments / 8) {
                 fixture f;
                 vbss_thread *thread = make_arc(&f, bending, segments, 0.1);
@@ -111,7 +112,8 @@ static void every_node_takes_spring_pin_or_clamp(void **state)
                 }
                 steps(thread, 10, 1e-3);
                 for (uint32_t i = 0; i <= segments; i++) {
-                    if (kind != VBSS_ATTACHMENT_MASS && kind != VBSS_ATTACHMENT_FORCE) {
+                    if (kind != VBSS_THREAD_ATTACHMENT_MASS &&
+                        kind != VBSS_THREAD_ATTACHMENT_FORCE) {
                         expect_near_vec3(on_circle(10.0, 1e-3 * i), place_of(thread, i), 1e-5);
                     }
                     (void)reaction_of(thread, i + 1);
@@ -141,7 +143,7 @@ static void maximum_spring_count(void **state)
     f.config.attachment_capacity = 256;
     vbss_thread *thread = make(&f);
     for (uint32_t i = 0; i < 256; i++) {
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_SPRING, 7 * i % 301);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_SPRING, 7 * i % 301);
         vec3_store(a.position, place_of(thread, a.node));
         a.stiffness = 1e3;
         attach(thread, &a);
@@ -159,11 +161,11 @@ static void attachment_order_does_not_matter(void **state)
     vec3 found[2][25];
     for (int order = 0; order < 2; order++) {
         fixture f;
-        vbss_thread *thread = make_arc(&f, VBSS_BENDING_SPLINE, 24, 0.1);
+        vbss_thread *thread = make_arc(&f, VBSS_THREAD_BENDING_SPLINE, 24, 0.1);
         for (int k = 0; k < 5; k++) {
             int kind = order == 0 ? k : 4 - k;
             vbss_thread_attachment a = plain(kind, 11);
-            if (kind == VBSS_ATTACHMENT_PIN) {
+            if (kind == VBSS_THREAD_ATTACHMENT_PIN) {
                 continue; /* one hold only */
             }
             a.stiffness = 50.0;
@@ -201,7 +203,7 @@ static double zigzag_energy(uint32_t segments, bool from_far, int clamps)
     vbss_thread *thread = make(&f);
     for (int c = 0; c < clamps; c++) {
         uint32_t near = c == 0 ? 0 : segments, node = from_far ? segments - near : near;
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, node);
         vec3_store(a.position, place_of(thread, node));
         vec3 direction = c == 0 ? vec3_make(1.0, 0.3, 0.1) : vec3_make(1.0, -0.2, 0.4);
         vec3_store(a.direction, from_far ? vec3_neg(direction) : direction);

@@ -1,4 +1,4 @@
-/* Method OURS: the integration in time, as a thread makes it: order, starts, what it does exactly. */
+/* Method IMPLICIT: the integration in time, as a thread makes it: order, starts, what it does exactly. */
 #include <math.h>
 
 #include "thread/reference.h"
@@ -130,7 +130,7 @@ static void curved_rest_shape_keeps_order(void **state)
     for (int k = 0; k < 3; k++) {
         double curvature = 16.0, l = 0.15 / SEGMENTS, x[3 * NODES];
         vbss_thread_config config = soft_config(0.5, stiffness[k]);
-        config.bending = k == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+        config.bending = k == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
         config.gravity[1] = 0.0;
         config.rest_curvature = 20.0;
         config.positions = x;
@@ -176,8 +176,8 @@ static void free_fall_is_exact(void **state)
         for (int step = 1; step <= 400; step++) {
             double t = step * h, fallen = 0.5 * 9.81 * (t * t + first * first);
             rig_run(&r, h, 1);
-            rig_read(&r, VBSS_THREAD_POSITIONS, x);
-            rig_read(&r, VBSS_THREAD_VELOCITIES, v);
+            rig_read(&r, VBSS_THREAD_VIEW_POSITIONS, x);
+            rig_read(&r, VBSS_THREAD_VIEW_VELOCITIES, v);
             for (uint32_t i = 0; i < NODES; i++) {
                 vec3 wanted = vec3_make(0.15 * i / SEGMENTS + 0.5 * t, 2.0 * t - fallen, -t);
                 expect_near_vec3(wanted, x[i], 2e-11);
@@ -272,7 +272,7 @@ static void spun_straight_thread_rotates_rigidly(void **state)
         expect_near_vec3(vec3_make(0.0, -0.8 * rate * inertia, 0.6 * rate * inertia), angular,
                          0.03 * rate * inertia);
         rig_run(&r, 0.5e-3, 2000);
-        rig_read(&r, VBSS_THREAD_POSITIONS, x);
+        rig_read(&r, VBSS_THREAD_VIEW_POSITIONS, x);
         vec3 along = vec3_sub(x[SEGMENTS], x[0]);
         double turned = rate * 1.0; /* rad in 1 s */
         vec3 wanted = vec3_make(cos(turned), 0.6 * sin(turned), 0.8 * sin(turned));

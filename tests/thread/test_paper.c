@@ -1,4 +1,4 @@
-/* Method PAPER: its forces, the elastica, its steps. Its sections: test_paper_sections.c. */
+/* Method VBLAST: its forces, the elastica, its steps. Its sections: test_paper_sections.c. */
 #include <math.h>
 
 #include "baseline/thread.h"

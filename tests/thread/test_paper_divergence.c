@@ -1,4 +1,4 @@
-/* Method PAPER, explicit steps that diverge: the call fails before a segment is longer than a hundred times the thread. */
+/* Method VBLAST, explicit steps that diverge: the call fails before a segment is longer than a hundred times the thread. */
 #include <math.h>
 #include <string.h>
 

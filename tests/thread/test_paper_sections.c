@@ -1,4 +1,4 @@
-/* Method PAPER: projection, damping and fallback of sections, forces at held nodes, promises. */
+/* Method VBLAST: projection, damping and fallback of sections, forces at held nodes, promises. */
 #include <math.h>
 
 #include "thread/paper_rig.h"

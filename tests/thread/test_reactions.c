@@ -5,7 +5,7 @@
 
 static const double length = 0.15, density = 6.4e-5, gravity = 9.81;
 
-static vbss_thread_config damped_config(uint32_t segments, vbss_bending bending)
+static vbss_thread_config damped_config(uint32_t segments, vbss_thread_bending bending)
 {
     vbss_thread_config c = rig_config(length, segments);
     c.bending = bending;
@@ -14,9 +14,9 @@ static vbss_thread_config damped_config(uint32_t segments, vbss_bending bending)
     return c;
 }
 
-static vbss_bending bending_of(int i)
+static vbss_thread_bending bending_of(int i)
 {
-    return i % 2 == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+    return i % 2 == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
 }
 
 /* Of the weight, attached masses included, about a place. */
@@ -89,7 +89,7 @@ static void spring_extension_is_hanging_weight(void **state)
     (void)state;
     const double stiffness = 0.02;
     const vec3 end = {0.01, 0.02, 0.03};
-    vbss_thread_config c = damped_config(15, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(15, VBSS_THREAD_BENDING_SPLINE);
     c.drag = 8.0;
     rig r;
     rig_begin(&r, &c);
@@ -135,7 +135,7 @@ static void forces_and_masses_report_themselves(void **state)
 {
     (void)state;
     const vec3 pull = {1e-4, 2e-4, -1e-4};
-    vbss_thread_config c = damped_config(12, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(12, VBSS_THREAD_BENDING_SPLINE);
     rig r;
     rig_begin(&r, &c);
     uint32_t pin = rig_pin_here(&r, 0);
@@ -168,7 +168,7 @@ static void mass_in_free_fall_is_weightless(void **state)
 static void held_node_carries_applied_load(void **state)
 {
     (void)state;
-    vbss_thread_config c = damped_config(12, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(12, VBSS_THREAD_BENDING_SPLINE);
     rig r;
     rig_begin(&r, &c);
     uint32_t clamp = rig_clamp_here(&r, 0, vec3_make(1.0, 0.0, 0.0));
@@ -197,7 +197,7 @@ static void twenty_newtons_are_held(void **state)
         expect_near_vec3(vec3_make(-20.0, density * length * gravity, 0.0),
                          rig_reaction_force(&r, clamp), 1e-7);
         /* SPLINE takes some of the stretch of 5 % at the clamp for curvature. */
-        bool spline = c.bending == VBSS_BENDING_SPLINE;
+        bool spline = c.bending == VBSS_THREAD_BENDING_SPLINE;
         for (uint32_t k = 0; k < 30; k++) {
             double bound = spline && k < 4 ? 0.2 : 3e-4;
             expect_near(20.0, rig_tension(&r, k), bound);
@@ -212,7 +212,7 @@ static void twenty_newtons_are_held(void **state)
 static void separated_clamps_feel_stretch(void **state)
 {
     (void)state;
-    vbss_thread_config c = damped_config(30, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = damped_config(30, VBSS_THREAD_BENDING_SPLINE);
     c.gravity[1] = 0.0;
     rig r;
     rig_begin(&r, &c);
@@ -232,8 +232,8 @@ static void separated_clamps_feel_stretch(void **state)
 
 static vbss_thread_config with_variant(int variant, vbss_thread_config c)
 {
-    c.method = variant == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
-    c.bending = variant == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+    c.method = variant == 2 ? VBSS_METHOD_VBLAST : VBSS_METHOD_IMPLICIT;
+    c.bending = variant == 1 ? VBSS_THREAD_BENDING_LOCAL : VBSS_THREAD_BENDING_SPLINE;
     return c;
 }
 
@@ -250,7 +250,7 @@ static void reactions_are_of_last_step(void **state)
 {
     (void)state;
     for (int variant = 0; variant < 3; variant++) {
-        vbss_thread_config c = with_variant(variant, damped_config(12, VBSS_BENDING_SPLINE));
+        vbss_thread_config c = with_variant(variant, damped_config(12, VBSS_THREAD_BENDING_SPLINE));
         vec3 x[13], v[13];
         rig r;
         rig_begin(&r, &c);
@@ -285,8 +285,8 @@ static void reactions_are_of_last_step(void **state)
                 expect_ok(vbss_thread_detach(r.thread, rig_pin_here(&r, 3)));
                 break;
             case 5:
-                rig_read(&r, VBSS_THREAD_POSITIONS, x);
-                rig_read(&r, VBSS_THREAD_VELOCITIES, v);
+                rig_read(&r, VBSS_THREAD_VIEW_POSITIONS, x);
+                rig_read(&r, VBSS_THREAD_VIEW_VELOCITIES, v);
                 rig_place(&r, NULL, v);
                 break;
             default:

@@ -1,4 +1,4 @@
-/* Method OURS: the heavy cantilever, clamped level, straight, and let go, against a converged
+/* Method IMPLICIT: the heavy cantilever, clamped level, straight, and let go, against a converged
  * solution by another method (reference.h). */
 #include <math.h>
 
@@ -14,7 +14,7 @@ static void release(rig *r, const vbss_thread_config *config)
 /* ---- against the converged solution */
 
 typedef struct run {
-    vbss_bending bending;
+    vbss_thread_bending bending;
     uint32_t segments;
     double h;
     double bounds[FALLING_TIPS]; /* of the tip's error, m: about twice what was measured */
@@ -47,12 +47,12 @@ static void tip_fall_matches_converged_solution(void **state)
 {
     (void)state;
     const run runs[] = {
-        {VBSS_BENDING_SPLINE, 120, 1e-3, {6e-6, 1e-5, 7e-5, 3e-5}},
-        {VBSS_BENDING_SPLINE, 30, 1e-3, {8e-6, 1e-5, 1.2e-4, 6e-5}},
-        {VBSS_BENDING_LOCAL, 120, 1e-3, {6e-6, 2e-5, 1.2e-4, 6e-5}},
-        {VBSS_BENDING_LOCAL, 30, 1e-3, {3e-5, 2.3e-4, 5e-4, 1.2e-4}},
+        {VBSS_THREAD_BENDING_SPLINE, 120, 1e-3, {6e-6, 1e-5, 7e-5, 3e-5}},
+        {VBSS_THREAD_BENDING_SPLINE, 30, 1e-3, {8e-6, 1e-5, 1.2e-4, 6e-5}},
+        {VBSS_THREAD_BENDING_LOCAL, 120, 1e-3, {6e-6, 2e-5, 1.2e-4, 6e-5}},
+        {VBSS_THREAD_BENDING_LOCAL, 30, 1e-3, {3e-5, 2.3e-4, 5e-4, 1.2e-4}},
         /* Short steps: what is left is the error in space, and of the other solution. */
-        {VBSS_BENDING_SPLINE, 60, 0.125e-3, {1.3e-6, 2e-6, 9e-6, 8e-6}},
+        {VBSS_THREAD_BENDING_SPLINE, 60, 0.125e-3, {1.3e-6, 2e-6, 9e-6, 8e-6}},
     };
     for (size_t i = 0; i < sizeof runs / sizeof runs[0]; i++) {
         compare(&runs[i]);
@@ -65,7 +65,8 @@ enum { SEGMENTS = 12, NODES = SEGMENTS + 1, LADDER = 4 };
 
 /* Bending starts with a jump at the clamp, which excites waves of all frequencies: the order shows
  * only where the steps follow the fastest of them. */
-static void shape_after(vbss_bending bending, double spectral_radius, uint32_t steps, rig_shape *s)
+static void shape_after(vbss_thread_bending bending, double spectral_radius, uint32_t steps,
+                        rig_shape *s)
 {
     rig r;
     vbss_thread_config config = rig_config(0.15, SEGMENTS);
@@ -78,7 +79,7 @@ static void shape_after(vbss_bending bending, double spectral_radius, uint32_t s
     rig_end(&r);
 }
 
-static void order_in_time(vbss_bending bending, double spectral_radius)
+static void order_in_time(vbss_thread_bending bending, double spectral_radius)
 {
     rig_shape shapes[LADDER];
     vec3 d[LADDER - 1];
@@ -97,10 +98,10 @@ static void order_in_time(vbss_bending bending, double spectral_radius)
 static void error_is_second_order_in_step(void **state)
 {
     (void)state;
-    order_in_time(VBSS_BENDING_SPLINE, 0.5);
-    order_in_time(VBSS_BENDING_SPLINE, 0.0);
-    order_in_time(VBSS_BENDING_SPLINE, 0.9);
-    order_in_time(VBSS_BENDING_LOCAL, 0.5);
+    order_in_time(VBSS_THREAD_BENDING_SPLINE, 0.5);
+    order_in_time(VBSS_THREAD_BENDING_SPLINE, 0.0);
+    order_in_time(VBSS_THREAD_BENDING_SPLINE, 0.9);
+    order_in_time(VBSS_THREAD_BENDING_LOCAL, 0.5);
 }
 
 /* ---- a taut thread let go */

@@ -8,7 +8,7 @@
 static const double pi = 0x1.921fb54442d18p1;
 static const double bending_stiffness = 1e-8;
 
-static vbss_thread_config weightless(double length, uint32_t segments, vbss_bending bending)
+static vbss_thread_config weightless(double length, uint32_t segments, vbss_thread_bending bending)
 {
     vbss_thread_config c = rig_config(length, segments);
     c.bending = bending;
@@ -28,7 +28,7 @@ static void wind_up(rig *r, uint32_t clamp, double length, double angle)
         double turned = angle * k / STEPS, to[3];
         double direction[3] = {cos(turned), sin(turned), 0.0};
         vec3_store(to, on_circle(turned / length, length));
-        expect_ok(vbss_thread_move(r->thread, clamp, to, direction));
+        expect_ok(vbss_thread_set_attachment_target(r->thread, clamp, to, direction));
         rig_run(r, 0.01, 1);
     }
     rig_relax(r, 0.02, 1e-9, 200);
@@ -39,15 +39,15 @@ static void opposed_clamps_make_arc(void **state)
 {
     (void)state;
     const struct {
-        vbss_bending bending;
+        vbss_thread_bending bending;
         double shape[4], force[4], torque[4], energy[4]; /* bounds, by quarters of a turn */
     } cases[] = {
-        {VBSS_BENDING_SPLINE,
+        {VBSS_THREAD_BENDING_SPLINE,
          {3e-6, 2.5e-5, 8e-5, 2e-4},
          {1.2e-4, 6e-5, 5e-4, 1.5e-3},
          {2e-5, 1.2e-4, 9e-4, 2.5e-3},
          {2e-6, 3e-5, 1.3e-4, 4e-4}},
-        {VBSS_BENDING_LOCAL,
+        {VBSS_THREAD_BENDING_LOCAL,
          {7e-4, 1.3e-3, 1.6e-3, 3e-3},
          {6e-2, 1.5e-3, 1.5e-2, 2.5e-2},
          {1.3e-2, 6e-3, 2e-3, 6e-3},
@@ -78,7 +78,7 @@ static void opposed_clamps_make_arc(void **state)
 }
 
 /* The position a quarter along, the same after half a turn about the middle. */
-static vec3 damped_s(uint32_t segments, vbss_bending bending)
+static vec3 damped_s(uint32_t segments, vbss_thread_bending bending)
 {
     const double length = 0.06;
     const vec3 end = {0.9 * length, 0.42 * length, 0.0};
@@ -110,9 +110,9 @@ static vec3 damped_s(uint32_t segments, vbss_bending bending)
 static void parallel_clamps_make_symmetric_s(void **state)
 {
     (void)state;
-    vec3 exact = damped_s(96, VBSS_BENDING_SPLINE);
-    expect_near(0.0, vec3_distance(exact, damped_s(24, VBSS_BENDING_SPLINE)), 7e-5);
-    expect_near(0.0, vec3_distance(exact, damped_s(24, VBSS_BENDING_LOCAL)), 1e-3);
+    vec3 exact = damped_s(96, VBSS_THREAD_BENDING_SPLINE);
+    expect_near(0.0, vec3_distance(exact, damped_s(24, VBSS_THREAD_BENDING_SPLINE)), 7e-5);
+    expect_near(0.0, vec3_distance(exact, damped_s(24, VBSS_THREAD_BENDING_LOCAL)), 1e-3);
 }
 
 /* All nodes on a circle, clamped at the ends, 1 to 8 segments: what the shortest stretches know. */
@@ -122,7 +122,8 @@ static void short_arc_energy_is_of_its_curvature(void **state)
     const double curvature = 20.0, segment = 0.002;
     for (uint32_t i = 0; i < 16; i++) {
         uint32_t n = 1 + i / 2;
-        vbss_bending bending = i % 2 == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+        vbss_thread_bending bending =
+            i % 2 == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
         vbss_thread_config c = weightless(segment * n, n, bending);
         c.attachment_capacity = n + 1;
         c.axial_stiffness = 1.0;
@@ -157,7 +158,7 @@ static void curvature_of_uneven_segments_is_of_circle(void **state)
 {
     (void)state;
     const double curvature = 20.0, rest_lengths[6] = {1e-3, 4e-3, 2e-3, 1e-3, 3e-3, 3e-3};
-    vbss_thread_config c = weightless(1.0, 6, VBSS_BENDING_SPLINE);
+    vbss_thread_config c = weightless(1.0, 6, VBSS_THREAD_BENDING_SPLINE);
     c.rest_lengths = rest_lengths;
     rig r;
     rig_begin(&r, &c);
@@ -188,7 +189,8 @@ static void short_stretch_is_as_stiff_as_beam(void **state)
     for (uint32_t i = 0; i < 14; i++) {
         uint32_t apart = 2 + i / 2, low = 6, at = low + apart / 2;
         const double segment = 0.002, force = 1e-7;
-        vbss_bending bending = i % 2 == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+        vbss_thread_bending bending =
+            i % 2 == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
         vbss_thread_config c = weightless(20 * segment, 20, bending);
         c.drag = 3000.0;
         rig r;
@@ -200,7 +202,7 @@ static void short_stretch_is_as_stiff_as_beam(void **state)
         double before = segment * (at - low), behind = segment * (low + apart - at);
         double sag =
             force * pow(before * behind / (before + behind), 3) / (3.0 * bending_stiffness);
-        double bound = bending == VBSS_BENDING_SPLINE ? spline[i / 2] : local[i / 2];
+        double bound = bending == VBSS_THREAD_BENDING_SPLINE ? spline[i / 2] : local[i / 2];
         expect_near(1.0, rig_position(&r, at).y / sag, bound);
         /* Nothing passes a clamp. */
         expect_near_vec3(vec3_make(20 * segment, 0.0, 0.0), rig_tip(&r), 1e-15);
@@ -212,7 +214,8 @@ static void inner_clamp_holds_two_cantilevers(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; i++) {
-        vbss_bending bending = i == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+        vbss_thread_bending bending =
+            i == 0 ? VBSS_THREAD_BENDING_SPLINE : VBSS_THREAD_BENDING_LOCAL;
         double bound = i == 0 ? 1e-5 : 1e-3;
         vbss_thread_config c = rig_config(0.12, 60), right = rig_config(0.08, 40),
                            left = rig_config(0.04, 20);
@@ -242,14 +245,14 @@ static void curved_rest_shape_becomes_circle(void **state)
     (void)state;
     const double length = 0.08, curvature = 60.0;
     const struct {
-        vbss_bending bending;
+        vbss_thread_bending bending;
         bool clamped;
         double radius, energy, tip; /* bounds */
     } cases[] = {
-        {VBSS_BENDING_SPLINE, false, 6e-3, 4e-3, 0.0},
-        {VBSS_BENDING_LOCAL, false, 1e-6, 2e-6, 0.0},
-        {VBSS_BENDING_SPLINE, true, 6e-3, 4e-3, 7e-3},
-        {VBSS_BENDING_LOCAL, true, 3e-5, 1.2e-4, 8e-4},
+        {VBSS_THREAD_BENDING_SPLINE, false, 6e-3, 4e-3, 0.0},
+        {VBSS_THREAD_BENDING_LOCAL, false, 1e-6, 2e-6, 0.0},
+        {VBSS_THREAD_BENDING_SPLINE, true, 6e-3, 4e-3, 7e-3},
+        {VBSS_THREAD_BENDING_LOCAL, true, 3e-5, 1.2e-4, 8e-4},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         vbss_thread_config c = weightless(length, 40, cases[i].bending);

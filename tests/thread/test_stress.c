@@ -54,7 +54,7 @@ static void expect_at_rest(vbss_thread *thread, uint32_t count, double h)
     assert_true(energies_of(thread).total <= e.total + 0.01 * moving + lifted);
 }
 
-static vbss_thread *make_of(fixture *f, vbss_bending bending, uint32_t segments)
+static vbss_thread *make_of(fixture *f, vbss_thread_bending bending, uint32_t segments)
 {
     begin(f);
     worst = 0;
@@ -71,15 +71,15 @@ static void both_ends_clamped_and_pulled(void **state)
             fixture f;
             vbss_thread *thread = make_of(&f, bending, segments);
             double stretched = 0.15 * (1.0 + 20.0 / 427.0);
-            hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+            hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, vec3_zero());
             uint32_t far_end =
-                hold(thread, VBSS_ATTACHMENT_CLAMP, segments, vec3_make(0.15, 0.0, 0.0));
+                hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, segments, vec3_make(0.15, 0.0, 0.0));
             run(thread, 10, 1e-3);
             move(thread, far_end, vec3_make(stretched, 0.0, 0.0));
             run(thread, 1, 1e-3);
             expect_at_rest(thread, 200, 1e-3);
             for (uint32_t i = 0; i < segments; i++) {
-                expect_near(20.0, number_at(thread, VBSS_THREAD_TENSIONS, i), 0.2);
+                expect_near(20.0, number_at(thread, VBSS_THREAD_VIEW_TENSIONS, i), 0.2);
             }
             expect_near(20.0, reaction_of(thread, far_end).force[0], 0.05);
             move(thread, far_end, vec3_make(0.15, 0.0, 0.0)); /* and let go as fast */
@@ -103,7 +103,7 @@ static void teleported_end(void **state)
                 vbss_thread *thread = make_of(&f, bending, 60);
                 uint32_t hand = hold(thread, k % 2, 0, vec3_zero());
                 if (hanging == 0) {
-                    hold(thread, VBSS_ATTACHMENT_PIN, 60, vec3_make(0.14, 0.0, 0.0));
+                    hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 60, vec3_make(0.14, 0.0, 0.0));
                 }
                 run(thread, 200, 1e-3);
                 move(thread, hand, displacements[k]);
@@ -128,7 +128,7 @@ static void stiff_and_fine_thread(void **state)
             f.config.segment_count = LONGEST;
             f.config.axial_stiffness = stiff == 0 ? 427.0 : 4000.0;
             vbss_thread *thread = make(&f);
-            hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+            hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, vec3_zero());
             expect_at_rest(thread, 200, 1e-3);
             expect_kept(stiff == 0 ? "N = 240, EA = 427 N" : "N = 240, EA = 4000 N", thread, 6);
             end(&f);
@@ -142,10 +142,10 @@ static void heavy_end(void **state)
     for (int bending = 0; bending < 2; bending++) {
         fixture f;
         vbss_thread *thread = make_of(&f, bending, 60);
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_MASS, 60);
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_MASS, 60);
         a.mass = 1000.0 * 6.4e-5 * 0.15 / 60;
         attach(thread, &a);
-        hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+        hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, vec3_zero());
         expect_at_rest(thread, 1000, 1e-3);
         expect_kept("a mass of 1000 segments", thread, 10);
         end(&f);
@@ -202,7 +202,7 @@ static void any_start_comes_to_rest(void **state)
             }
             f.config.positions = &x[0].x;
             vbss_thread *thread = make(&f);
-            hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+            hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
             run(thread, 3, 1e-3); /* half a joule to 30 J go off at once */
             expect_at_rest(thread, 300, 1e-3);
             vbss_thread_statistics s = statistics_of(thread);
@@ -222,15 +222,16 @@ static void any_start_comes_to_rest(void **state)
 
 /* ---- hands that do anything, in steps of any size */
 
-static void tug(uint32_t segments, vbss_bending bending, double h, uint32_t count, double speed)
+static void tug(uint32_t segments, vbss_thread_bending bending, double h, uint32_t count,
+                double speed)
 {
     fixture f;
     vbss_random random;
     vbss_random_seed(&random, segments, 31);
     vbss_thread *thread = make_of(&f, bending, segments);
     vec3 at[2] = {vec3_zero(), vec3_make(0.15, 0.0, 0.0)};
-    uint32_t hands[2] = {hold(thread, VBSS_ATTACHMENT_CLAMP, 0, at[0]),
-                         hold(thread, VBSS_ATTACHMENT_PIN, segments, at[1])};
+    uint32_t hands[2] = {hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, at[0]),
+                         hold(thread, VBSS_THREAD_ATTACHMENT_PIN, segments, at[1])};
     for (uint32_t i = 0; i < count; i++) {
         for (int k = 0; k < 2; k++) {
             vec3 direction = vbss_random_direction(&random);

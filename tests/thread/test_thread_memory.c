@@ -69,22 +69,26 @@ static void bad_moves_are_rejected(void **state)
             const double good[3] = {0.1, 0.1, 0.1};
             vbss_result wanted = k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE;
             v[c] = k < 3 ? harness_bad_numbers[k] : 1.1e6;
-            unchanged(&s, wanted, vbss_thread_move(s.thread, s.pin, v, NULL));
-            unchanged(&s, wanted, vbss_thread_move(s.thread, s.force, v, NULL));
+            unchanged(&s, wanted, vbss_thread_set_attachment_target(s.thread, s.pin, v, NULL));
+            unchanged(&s, wanted, vbss_thread_set_attachment_target(s.thread, s.force, v, NULL));
             v[c] = k < 3 ? v[c] : 1e101;
-            unchanged(&s, wanted, vbss_thread_move(s.thread, s.clamp, good, v));
+            unchanged(&s, wanted, vbss_thread_set_attachment_target(s.thread, s.clamp, good, v));
             /* A good direction does not move before a bad target is told. */
-            unchanged(&s, wanted, vbss_thread_move(s.thread, s.clamp, v, good));
+            unchanged(&s, wanted, vbss_thread_set_attachment_target(s.thread, s.clamp, v, good));
         }
     }
     const double zero[3] = {0.0, 0.0, 0.0};
     const uint32_t none[] = {0, 5, UINT32_MAX};
-    unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, s.clamp, zero, zero));
-    unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, s.mass, zero, NULL));
-    unchanged(&s, VBSS_ERROR_NULL_ARGUMENT, vbss_thread_move(s.thread, s.pin, NULL, zero));
+    unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_thread_set_attachment_target(s.thread, s.clamp, zero, zero));
+    unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_thread_set_attachment_target(s.thread, s.mass, zero, NULL));
+    unchanged(&s, VBSS_ERROR_NULL_ARGUMENT,
+              vbss_thread_set_attachment_target(s.thread, s.pin, NULL, zero));
     for (int i = 0; i < 3; i++) {
         vbss_thread_reaction r;
-        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, none[i], zero, NULL));
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_thread_set_attachment_target(s.thread, none[i], zero, NULL));
         unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(s.thread, none[i]));
         unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
                   vbss_thread_get_reaction(s.thread, none[i], &r, sizeof r));

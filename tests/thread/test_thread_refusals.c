@@ -179,7 +179,7 @@ static void bad_array_entries_are_rejected(void **state)
 static vbss_result attach_with(subject *s, size_t offset, double value)
 {
     uint32_t id = 77;
-    vbss_thread_attachment a = plain(VBSS_ATTACHMENT_SPRING, 7);
+    vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_SPRING, 7);
     memcpy((char *)&a + offset, &value, sizeof value);
     vbss_result result = vbss_thread_attach(s->thread, &a, &id);
     assert_true(result == VBSS_OK || id == 77);
@@ -218,7 +218,7 @@ static void bad_attachments_are_rejected(void **state)
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
               attach_with(&s, offsetof(vbss_thread_attachment, direction), 0.0));
     uint32_t id;
-    vbss_thread_attachment a = plain(VBSS_ATTACHMENT_PIN, 13);
+    vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_PIN, 13);
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
     a.node = UINT32_MAX;
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
@@ -226,7 +226,7 @@ static void bad_attachments_are_rejected(void **state)
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
     a = plain(-1, 1);
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
-    a = plain(VBSS_ATTACHMENT_PIN, 1);
+    a = plain(VBSS_THREAD_ATTACHMENT_PIN, 1);
     a.reserved = 1;
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
     a.reserved = 0;
@@ -242,8 +242,8 @@ static void presets_match_documentation(void **state)
         vbss_thread_preset preset;
         double radius, linear_density, axial_stiffness, bending_stiffness;
     } wanted[] = {
-        {VBSS_PRESET_SILK_2_0, 0.16e-3, 1.05e-4, 700.0, 2.7e-8},
-        {VBSS_PRESET_PAPER_THREAD, 0.125e-3, 6.4e-5, 427.0, 1e-8},
+        {VBSS_THREAD_PRESET_SILK_2_0, 0.16e-3, 1.05e-4, 700.0, 2.7e-8},
+        {VBSS_THREAD_PRESET_VBLAST, 0.125e-3, 6.4e-5, 427.0, 1e-8},
     };
     vbss_thread_config config, kept;
     expect_ok(vbss_thread_config_init(&config, sizeof config));
@@ -262,7 +262,8 @@ static void presets_match_documentation(void **state)
         expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_config_preset(&config, none[k]));
         assert_memory_equal(&config, &kept, sizeof config);
     }
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_thread_config_preset(NULL, VBSS_PRESET_SILK_2_0));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT,
+                  vbss_thread_config_preset(NULL, VBSS_THREAD_PRESET_SILK_2_0));
 }
 
 int test_thread_refusals(void)

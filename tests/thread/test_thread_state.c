@@ -58,7 +58,7 @@ static void finite_absurd_state_is_reported_by_step(void **state)
         fixture f;
         begin(&f);
         vbss_thread *thread = make(&f);
-        hold(thread, VBSS_ATTACHMENT_PIN, 6, vec3_make(0.075, 0.0, 0.0));
+        hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 6, vec3_make(0.075, 0.0, 0.0));
         steps(thread, 3, 1e-3);
         thread_object *t;
         expect_ok(vbss_thread_edit(thread, &t));

@@ -29,7 +29,7 @@ static void make_lengths(mesh kind, uint64_t seed, double rest[SEGMENTS])
 }
 
 /* Hangs between two pins at the same height, at rest. */
-static void hang(rig *r, const double rest[SEGMENTS], vbss_bending bending)
+static void hang(rig *r, const double rest[SEGMENTS], vbss_thread_bending bending)
 {
     double x[SEGMENTS + 1][3], arc = 0.0;
     vbss_thread_config c = rig_config(length, SEGMENTS);
@@ -56,7 +56,7 @@ typedef struct shape {
     double heaviest;                            /* weight of the longest segment, N */
 } shape;
 
-static shape measure(mesh kind, uint64_t seed, vbss_bending bending)
+static shape measure(mesh kind, uint64_t seed, vbss_thread_bending bending)
 {
     rig r;
     shape s = {.lowest = 1.0};
@@ -96,7 +96,8 @@ static double tension_at(const shape *even, double arc)
 static void unequal_mesh_has_tension_of_equal_one(void **state)
 {
     (void)state;
-    for (int bending = VBSS_BENDING_SPLINE; bending <= VBSS_BENDING_LOCAL; bending++) {
+    for (int bending = VBSS_THREAD_BENDING_SPLINE; bending <= VBSS_THREAD_BENDING_LOCAL;
+         bending++) {
         shape even = measure(EVEN, 0, bending);
         for (uint64_t seed = 0; seed < 6; seed++) {
             shape s = measure(seed == 0 ? ALTERNATING : RANDOM, seed, bending);

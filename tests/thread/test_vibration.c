@@ -1,4 +1,4 @@
-/* Method OURS: frequencies, of chains, cantilevers, pendulums and masses on springs. */
+/* Method IMPLICIT: frequencies, of chains, cantilevers, pendulums and masses on springs. */
 #include <math.h>
 
 #include "thread/reference.h"
@@ -76,7 +76,7 @@ static void place_mode(rig *r, const mode *m, uint32_t n)
     m->hangs ? rig_pin_here(r, 0) : rig_clamp_here(r, 0, vec3_make(0.0, -1.0, 0.0));
 }
 
-static double frequency_error(const mode *m, vbss_bending bending, uint32_t n)
+static double frequency_error(const mode *m, vbss_thread_bending bending, uint32_t n)
 {
     rig r;
     vec3 x[MAX_NODES];
@@ -91,7 +91,7 @@ static double frequency_error(const mode *m, vbss_bending bending, uint32_t n)
     place_mode(&r, m, n);
     for (int k = 0; k < SAMPLES; k++) {
         rig_run(&r, h, 1);
-        rig_read(&r, VBSS_THREAD_POSITIONS, x);
+        rig_read(&r, VBSS_THREAD_VIEW_POSITIONS, x);
         samples[k] = 0.0;
         for (uint32_t i = 1; i <= n; i++) {
             samples[k] += m->shape(m->number, (double)i / n) * x[i].z * (i == n ? 0.5 : 1.0);
@@ -103,10 +103,10 @@ static double frequency_error(const mode *m, vbss_bending bending, uint32_t n)
 }
 
 /* Relative errors with 16 and 32 segments: bounds 1.3 times what was measured; and the order. */
-static void compare(mode m, vbss_bending bending, const double bounds[2])
+static void compare(mode m, vbss_thread_bending bending, const double bounds[2])
 {
     double coarse = frequency_error(&m, bending, 16), fine = frequency_error(&m, bending, 32);
-    double order = bending == VBSS_BENDING_SPLINE ? 2.7 : 1.8;
+    double order = bending == VBSS_THREAD_BENDING_SPLINE ? 2.7 : 1.8;
     expect_near(0.0, coarse, bounds[0]);
     expect_near(0.0, fine, bounds[1]);
     assert_true(log2(coarse / fine) > order);
@@ -119,8 +119,8 @@ static void hanging_chain_has_bessel_frequencies(void **state)
     const double spline[][2] = {{1.2e-4, 1.5e-5}, {6e-3, 8e-4}, {4.7e-2, 7e-3}};
     const double local[][2] = {{2.7e-4, 5.3e-5}, {1.2e-2, 2.2e-3}, {7.4e-2, 1.4e-2}};
     for (int k = 0; k < 3; k++) {
-        compare(chain_mode(zeros[k]), VBSS_BENDING_SPLINE, spline[k]);
-        compare(chain_mode(zeros[k]), VBSS_BENDING_LOCAL, local[k]);
+        compare(chain_mode(zeros[k]), VBSS_THREAD_BENDING_SPLINE, spline[k]);
+        compare(chain_mode(zeros[k]), VBSS_THREAD_BENDING_LOCAL, local[k]);
     }
 }
 
@@ -134,8 +134,8 @@ static void cantilever_frequencies(void **state)
     const double local[][2] = {
         {1.9e-3, 4.8e-4}, {1.3e-2, 3.3e-3}, {2.9e-2, 7.8e-3}, {5.3e-2, 1.5e-2}};
     for (int k = 0; k < 4; k++) {
-        compare(beam_mode(roots[k]), VBSS_BENDING_SPLINE, spline[k]);
-        compare(beam_mode(roots[k]), VBSS_BENDING_LOCAL, local[k]);
+        compare(beam_mode(roots[k]), VBSS_THREAD_BENDING_SPLINE, spline[k]);
+        compare(beam_mode(roots[k]), VBSS_THREAD_BENDING_LOCAL, local[k]);
     }
 }
 

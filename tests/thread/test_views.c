@@ -6,8 +6,8 @@
 enum { VARIANTS = 3 };
 static void choose_variant(fixture *f, int variant)
 {
-    f->config.method = variant == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
-    f->config.bending = variant == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+    f->config.method = variant == 2 ? VBSS_METHOD_VBLAST : VBSS_METHOD_IMPLICIT;
+    f->config.bending = variant == 1 ? VBSS_THREAD_BENDING_LOCAL : VBSS_THREAD_BENDING_SPLINE;
 }
 
 static void view_dimensions(void **state)
@@ -15,16 +15,16 @@ static void view_dimensions(void **state)
     (void)state;
     const struct {
         vbss_thread_field field;
-        vbss_type type;
+        vbss_view_type type;
         uint32_t components, less; /* less: than nodes */
     } wanted[] = {
-        {VBSS_THREAD_POSITIONS, VBSS_TYPE_F64, 3, 0},
-        {VBSS_THREAD_VELOCITIES, VBSS_TYPE_F64, 3, 0},
-        {VBSS_THREAD_REST_LENGTHS, VBSS_TYPE_F64, 1, 1},
-        {VBSS_THREAD_LENGTHS, VBSS_TYPE_F64, 1, 1},
-        {VBSS_THREAD_TENSIONS, VBSS_TYPE_F64, 1, 1},
-        {VBSS_THREAD_CURVATURES, VBSS_TYPE_F64, 3, 0},
-        {VBSS_THREAD_SAGITTAS, VBSS_TYPE_F64, 1, 1},
+        {VBSS_THREAD_VIEW_POSITIONS, VBSS_VIEW_TYPE_F64, 3, 0},
+        {VBSS_THREAD_VIEW_VELOCITIES, VBSS_VIEW_TYPE_F64, 3, 0},
+        {VBSS_THREAD_VIEW_REST_LENGTHS, VBSS_VIEW_TYPE_F64, 1, 1},
+        {VBSS_THREAD_VIEW_LENGTHS, VBSS_VIEW_TYPE_F64, 1, 1},
+        {VBSS_THREAD_VIEW_TENSIONS, VBSS_VIEW_TYPE_F64, 1, 1},
+        {VBSS_THREAD_VIEW_CURVATURES, VBSS_VIEW_TYPE_F64, 3, 0},
+        {VBSS_THREAD_VIEW_SAGITTAS, VBSS_VIEW_TYPE_F64, 1, 1},
     };
     for (int k = 0; k < 5 * VARIANTS; k++) {
         uint32_t segments = 1 + (uint32_t)k / VARIANTS;
@@ -63,15 +63,15 @@ static void sections_are_divided_by_what_is_held_once(int variant)
     for (int k = 0; k < 4; k++) {
         ids[k] = hold(thread, k % 2, nodes[k], place_of(thread, nodes[k]));
     }
-    hold(thread, VBSS_ATTACHMENT_SPRING, 5, vec3_zero());
+    hold(thread, VBSS_THREAD_ATTACHMENT_SPRING, 5, vec3_zero());
     const uint32_t wanted[] = {0, 3, 7};
-    vbss_view v = view_of(thread, VBSS_THREAD_SECTIONS);
-    assert_int_equal(v.type, VBSS_TYPE_U32);
+    vbss_view v = view_of(thread, VBSS_THREAD_VIEW_SECTIONS);
+    assert_int_equal(v.type, VBSS_VIEW_TYPE_U32);
     assert_int_equal(v.components, 1);
     assert_int_equal(v.count, 3);
     assert_memory_equal(v.data, wanted, sizeof wanted);
     expect_ok(vbss_thread_detach(thread, ids[2]));
-    v = view_of(thread, VBSS_THREAD_SECTIONS);
+    v = view_of(thread, VBSS_THREAD_VIEW_SECTIONS);
     assert_int_equal(v.count, 2);
     assert_int_equal(((const uint32_t *)v.data)[1], 7);
     end(&f);
@@ -89,8 +89,8 @@ static void sections_are_divided_by_holds(void **state)
 
 static uint64_t generation(vbss_thread *thread)
 {
-    uint64_t g = view_of(thread, VBSS_THREAD_POSITIONS).generation;
-    for (vbss_thread_field k = VBSS_THREAD_VELOCITIES; k <= VBSS_THREAD_SAGITTAS; k++) {
+    uint64_t g = view_of(thread, VBSS_THREAD_VIEW_POSITIONS).generation;
+    for (vbss_thread_field k = VBSS_THREAD_VIEW_VELOCITIES; k <= VBSS_THREAD_VIEW_SAGITTAS; k++) {
         assert_true(view_of(thread, k).generation == g);
     }
     return g;
@@ -108,7 +108,7 @@ static void the_generation_changes_with_every_step_and_edit_once(int variant)
     vbss_thread *thread = make(&f), *piece;
     expect_ok(vbss_thread_save(thread, bytes, sizeof bytes, &written));
     uint64_t g = generation(thread);
-    uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    uint32_t pin = hold(thread, VBSS_THREAD_ATTACHMENT_PIN, 0, vec3_zero());
     for (int k = 0; k < 7; k++) {
         uint64_t before = g;
         switch (k) {
@@ -167,17 +167,17 @@ static void tension_is_positive_under_pull(void **state)
         f.config.length = 0.01;
         f.config.drag = 1e3;
         vbss_thread *thread = make(&f);
-        hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
-        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_FORCE, 12);
+        hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, vec3_zero());
+        vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_FORCE, 12);
         a.force[0] = sign < 0       ? -1e-5
                      : variant == 2 ? 1e-4
                                     : 0.1; /* -: a twenty-fifth of what buckles */
         attach(thread, &a);
         steps(thread, 3000, 1e-3);
         for (uint32_t i = 0; i < 12; i++) {
-            double stretched = number_at(thread, VBSS_THREAD_LENGTHS, i) /
-                               number_at(thread, VBSS_THREAD_REST_LENGTHS, i);
-            expect_near(a.force[0], number_at(thread, VBSS_THREAD_TENSIONS, i),
+            double stretched = number_at(thread, VBSS_THREAD_VIEW_LENGTHS, i) /
+                               number_at(thread, VBSS_THREAD_VIEW_REST_LENGTHS, i);
+            expect_near(a.force[0], number_at(thread, VBSS_THREAD_VIEW_TENSIONS, i),
                         sign > 0 ? 4.3e-3 * a.force[0] : 1e-8); /* OURS: 1e-6 of EA */
             expect_near(variant == 2 ? 1.0 : 1.0 + a.force[0] / 427.0, stretched, 1e-6);
         }
@@ -205,27 +205,27 @@ static void circle_curvature(void **state)
         }
         f.config.positions = x;
         vbss_thread *thread = make(&f);
-        expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 0), 0.0);
-        expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 24), 0.0);
+        expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_VIEW_CURVATURES, 0), 0.0);
+        expect_near_vec3(vec3_zero(), vector_at(thread, VBSS_THREAD_VIEW_CURVATURES, 24), 0.0);
         for (uint32_t i = 1; i < 24; i++) {
             vec3 to_centre = vec3_scale(place_of(thread, i), -1.0 / (radius * radius));
-            expect_near_vec3(to_centre, vector_at(thread, VBSS_THREAD_CURVATURES, i),
+            expect_near_vec3(to_centre, vector_at(thread, VBSS_THREAD_VIEW_CURVATURES, i),
                              0.02 / radius);
         }
         for (uint32_t i = 1; i + 2 < 24; i++) { /* chords, or arcs: both known */
             double chord = 2.0 * radius * vbss_sin(0.05), arc = 0.1 * radius;
-            expect_near(variant == 0 ? arc : chord, number_at(thread, VBSS_THREAD_LENGTHS, i),
+            expect_near(variant == 0 ? arc : chord, number_at(thread, VBSS_THREAD_VIEW_LENGTHS, i),
                         1e-5 * arc);
         }
         /* A clamp along the circle changes nothing of that, at an end or inside. */
         for (uint32_t node = 0; node <= 24; node += 8) {
             vec3 normal = vec3_scale(place_of(thread, node), 1.0 / radius);
-            vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
+            vbss_thread_attachment a = plain(VBSS_THREAD_ATTACHMENT_CLAMP, node);
             vec3_store(a.position, place_of(thread, node));
             vec3_store(a.direction, vec3_make(normal.z, 0.0, -normal.x));
             attach(thread, &a);
             expect_near_vec3(vec3_scale(normal, -1.0 / radius),
-                             vector_at(thread, VBSS_THREAD_CURVATURES, node), 0.04 / radius);
+                             vector_at(thread, VBSS_THREAD_VIEW_CURVATURES, node), 0.04 / radius);
         }
         double energy = 0.5 * 1e-8 / (radius * radius) * 0.048;
         expect_near(energy, energies_of(thread).bending, 0.01 * energy);
@@ -240,10 +240,10 @@ static void energies_add_up_once(int variant)
     choose_variant(&f, variant);
     f.config.segment_count = 30;
     vbss_thread *thread = make(&f);
-    hold(thread, VBSS_ATTACHMENT_CLAMP, 4, place_of(thread, 4));
+    hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 4, place_of(thread, 4));
     vbss_thread_energies first = energies_of(thread);
     expect_near(0.0, first.total, 1e-18);
-    expect_near(0.0, vec3_norm(vector_at(thread, VBSS_THREAD_CURVATURES, 4)), 1e-9);
+    expect_near(0.0, vec3_norm(vector_at(thread, VBSS_THREAD_VIEW_CURVATURES, 4)), 1e-9);
     double scale = 0.15 * 6.4e-5 * 9.81 * 0.15;
     for (int i = 0; i < 150; i++) {
         steps(thread, 1, 1e-3);
@@ -290,7 +290,7 @@ static void rigid_motion_has_its_momentum_once(int variant)
     expect_near_vec3(vec3_scale(drift, mass), vec3_load(m.linear), 1e-16);
     vec3 angular = vec3_cross(vec3_load(m.centre), vec3_load(m.linear));
     angular.z += own;
-    /* Method PAPER puts half a segment at either end of it: 2 / 12^2 too much. */
+    /* Method VBLAST puts half a segment at either end of it: 2 / 12^2 too much. */
     angular.z += variant == 2 ? own * 2.0 / 144.0 : 0.0;
     expect_near_vec3(angular, vec3_load(m.angular), (variant == 2 ? 1e-12 : 1e-2) * own);
     for (int i = 0; i < 50; i++) {

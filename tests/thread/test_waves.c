@@ -1,4 +1,4 @@
-/* Method OURS: waves along the thread, and what a moving end sends into it. */
+/* Method IMPLICIT: waves along the thread, and what a moving end sends into it. */
 #include <math.h>
 
 #include "thread/reference.h"
@@ -57,7 +57,7 @@ static void tension_wave_travels_at_sound_speed(void **state)
 
 /* How far from its mirror image, upside down, a plucked bump is after L / c, as a share of it; there
  * and back once more it must be itself. Pulled to 1 N: c = 125 m/s. */
-static void pluck(vbss_bending bending, uint32_t n, double bounds[2])
+static void pluck(vbss_thread_bending bending, uint32_t n, double bounds[2])
 {
     rig r;
     vec3 x[MAX_NODES], later[MAX_NODES];
@@ -78,7 +78,7 @@ static void pluck(vbss_bending bending, uint32_t n, double bounds[2])
     uint32_t steps = 4 * n;
     for (int turn = 0; turn < 2; turn++) {
         rig_run(&r, 0.15 / c / steps, steps);
-        rig_read(&r, VBSS_THREAD_POSITIONS, later);
+        rig_read(&r, VBSS_THREAD_VIEW_POSITIONS, later);
         bounds[turn] = 0.0;
         for (uint32_t i = 0; i <= n; i++) {
             double wanted = turn == 0 ? -x[n - i].z : x[i].z;

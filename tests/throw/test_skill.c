@@ -76,12 +76,12 @@ static double recorded_tremor(const rest *r, const hand *h)
     double sum = 0.0;
     expect_ok(vbss_replay_create(r->hands.site.rig.context, r->log, r->size, &replay));
     for (uint64_t i = 0; i < SECOND; i++) {
-        vbss_log_step step;
+        vbss_replay_logged_step step;
         uint32_t found = 0;
         expect_ok(vbss_replay_read(replay, i + 1, &step, sizeof step));
         for (uint32_t k = 0; k < step.input_count; k++) {
-            const vbss_log_input *in = &step.inputs[k];
-            if (in->kind == VBSS_INPUT_MOVE_GRASPER && in->words[0] == h->body) {
+            const vbss_record_input *in = &step.inputs[k];
+            if (in->kind == VBSS_RECORD_INPUT_GRASPER_TARGET && in->words[0] == h->body) {
                 at[i] = v_load(in->numbers);
                 found++;
             }

@@ -66,7 +66,7 @@ static uint32_t count_shears(const stage *s)
     for (int side = 0; side < HANDS; side++) {
         vbss_grasper_state tool;
         count += vbss_grasper_get_state(s->tools[side], &tool, sizeof tool) == VBSS_OK &&
-                 tool.kind == VBSS_GRASPER_SHEARS;
+                 tool.kind == VBSS_GRASPER_KIND_SHEARS;
     }
     return count;
 }

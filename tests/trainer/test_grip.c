@@ -61,7 +61,8 @@ static void button_exchanges_where_handle_closes(void **state)
 {
     (void)state;
     grip_rig r;
-    const vbss_grasper_kind driver = VBSS_GRASPER_NEEDLE_DRIVER, shears = VBSS_GRASPER_SHEARS;
+    const vbss_grasper_kind driver = VBSS_GRASPER_KIND_NEEDLE_DRIVER,
+                            shears = VBSS_GRASPER_KIND_SHEARS;
     begin(&r, VBSS_DEVICE_HAS_JAW);
     r.sample.jaw = 0.7;
     assert_false(slot(&r, 1, driver));
@@ -86,7 +87,7 @@ static void button_closes_jaws_without_handle(void **state)
     grip_rig r;
     begin(&r, 0);
     for (int i = 0; i < 300; i++) {
-        assert_false(slot(&r, i > 0 ? 1 : 0, VBSS_GRASPER_NEEDLE_DRIVER));
+        assert_false(slot(&r, i > 0 ? 1 : 0, VBSS_GRASPER_KIND_NEEDLE_DRIVER));
     }
     assert_true(r.grip.jaw == 0.0);
     harness_context_end(r.context, &r.memory);
@@ -98,11 +99,11 @@ static void device_may_report_tool(void **state)
     grip_rig r;
     begin(&r, VBSS_DEVICE_HAS_JAW | VBSS_DEVICE_HAS_TOOL);
     r.sample.tool = VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
-    assert_false(slot(&r, 0, VBSS_GRASPER_NEEDLE_DRIVER));
+    assert_false(slot(&r, 0, VBSS_GRASPER_KIND_NEEDLE_DRIVER));
     r.sample.tool = VBSS_DEVICE_TOOL_SHEARS;
-    assert_true(slot(&r, 0, VBSS_GRASPER_NEEDLE_DRIVER));
-    assert_int_equal(r.grip.wants, VBSS_GRASPER_SHEARS);
-    assert_false(slot(&r, 0, VBSS_GRASPER_SHEARS));
+    assert_true(slot(&r, 0, VBSS_GRASPER_KIND_NEEDLE_DRIVER));
+    assert_int_equal(r.grip.wants, VBSS_GRASPER_KIND_SHEARS);
+    assert_false(slot(&r, 0, VBSS_GRASPER_KIND_SHEARS));
     harness_context_end(r.context, &r.memory);
 }
 
@@ -115,9 +116,9 @@ static void late_tool_force_uses_current_pose(void **state)
         grip_rig r;
         begin(&r, VBSS_DEVICE_HAS_JAW);
         while (!r.grip.joined) {
-            (void)slot(&r, 0, VBSS_GRASPER_NEEDLE_DRIVER);
+            (void)slot(&r, 0, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
         }
-        vbss_grasper_state tool = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
+        vbss_grasper_state tool = {.kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER};
         memcpy(tool.position, r.grip.in.position, sizeof tool.position);
         tool.position[1] += k == 0 ? 1e-3 : 0.8e-3;
         tool.velocity[1] = 0.1;

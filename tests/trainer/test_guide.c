@@ -29,7 +29,7 @@ static void see(bench *b, const double world[3], double raw)
 {
     vbss_device_input in;
     memset(&in, 0, sizeof in);
-    in.status = VBSS_DEVICE_READY;
+    in.status = VBSS_DEVICE_STATUS_READY;
     to_arm(b, world, in.position);
     in.orientation[0] = 0.8;
     in.orientation[3] = 0.6;

@@ -220,7 +220,7 @@ def devices_of(line):
     return found
 
 
-LOST = 3  # VBSS_DEVICE_LOST
+LOST = 3  # VBSS_DEVICE_STATUS_LOST
 GONE, BACK = 4.0, 4.5  # s: the hand has the needle then
 
 

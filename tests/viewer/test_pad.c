@@ -98,7 +98,7 @@ static void set_up(rig *r)
     memset(r, 0, sizeof *r);
     assert_int_equal(vbss_context_create(NULL, &r->context), VBSS_OK);
     assert_int_equal(vbss_grasper_create(r->context, NULL, &r->tool), VBSS_OK);
-    assert_int_equal(vbss_grasper_move(r->tool, at, NULL), VBSS_OK);
+    assert_int_equal(vbss_grasper_set_target(r->tool, at, NULL), VBSS_OK);
     assert_int_equal(mouse_hand_create(&r->hand, r->context, r->tool), VBSS_OK);
     assert_int_equal(mouse_hand_read(&r->hand, 0.0), VBSS_OK);
 }

@@ -108,7 +108,8 @@ uint32_t open_sides(const drawn *d, const visual_part *part)
 {
     const size_t count = 3 * (size_t)part->triangle_count;
     /* Both jaws of a grasper may touch. */
-    const bool once = part->kind != VBSS_VISUAL_DRIVER && part->kind != VBSS_VISUAL_SHEARS;
+    const bool once =
+        part->kind != VBSS_VISUAL_KIND_DRIVER && part->kind != VBSS_VISUAL_KIND_SHEARS;
     uint64_t *sides = list_sides(d, part), *back = sides + count;
     uint32_t open = 0;
     for (size_t i = 0; i < count; i++) {

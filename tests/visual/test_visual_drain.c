@@ -47,7 +47,7 @@ static void wall_mesh_is_closed_at_any_subdivision(void **state)
         const drawn d = draw(&f);
         expect_sound(&d, &d.parts[0]);
         assert_int_equal(d.part_count, 1);
-        assert_int_equal(d.parts[0].kind, VBSS_VISUAL_DRAIN);
+        assert_int_equal(d.parts[0].kind, VBSS_VISUAL_KIND_DRAIN);
         uint32_t rims = 0;
         for (uint32_t i = 0; i < m->edge_count; i++) {
             rims += m->edges[i].triangles[1] == DRAIN_NONE;
@@ -207,7 +207,7 @@ static void material_coordinates_are_of_rest_nodes(void **state)
     for (int side = 0; side < 2; side++) {
         const visual_decal *s = &d.decals[side];
         vec3 at = vec3_make((double)s->material[0], (double)s->material[1], (double)s->material[2]);
-        assert_true((double)s->kind == VBSS_SPOT_MARK && (double)s->part == 0.0);
+        assert_true((double)s->kind == VBSS_VISUAL_SPOT_MARK && (double)s->part == 0.0);
         assert_true(vec3_distance(at, m->rest[m->marks[side]]) < 1e-9);
         expect_near(f.config.mark_radius, (double)s->radius, 1e-9);
     }

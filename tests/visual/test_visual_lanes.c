@@ -50,7 +50,7 @@ static void make_all(const fixture *f)
         vbss_grasper_config c;
         vbss_grasper *grasper;
         expect_ok(vbss_grasper_config_init(&c, sizeof c));
-        c.kind = i == 0 ? VBSS_GRASPER_NEEDLE_DRIVER : VBSS_GRASPER_SHEARS;
+        c.kind = i == 0 ? VBSS_GRASPER_KIND_NEEDLE_DRIVER : VBSS_GRASPER_KIND_SHEARS;
         expect_ok(vbss_grasper_create(f->context, &c, &grasper));
         expect_ok(vbss_visual_add_grasper(f->visual, grasper, NULL));
     }

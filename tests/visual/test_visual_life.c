@@ -186,12 +186,12 @@ static void view_dimensions_match_documentation(void **state)
 {
     (void)state;
     const struct {
-        vbss_type type;
+        vbss_view_type type;
         uint32_t components, bytes;
-    } wanted[4] = {{VBSS_TYPE_F32, 12, 48},
-                   {VBSS_TYPE_U32, 3, 12},
-                   {VBSS_TYPE_U32, 8, 32},
-                   {VBSS_TYPE_F32, 6, 24}};
+    } wanted[4] = {{VBSS_VIEW_TYPE_F32, 12, 48},
+                   {VBSS_VIEW_TYPE_U32, 3, 12},
+                   {VBSS_VIEW_TYPE_U32, 8, 32},
+                   {VBSS_VIEW_TYPE_F32, 6, 24}};
     fixture f;
     vbss_view view;
     begin(&f);
@@ -230,9 +230,9 @@ static void sources_can_be_added_and_removed(void **state)
     }
     drawn d = draw(&f);
     assert_int_equal(d.part_count, 3);
-    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_THREAD);
-    assert_int_equal(d.parts[1].kind, VBSS_VISUAL_NEEDLE);
-    assert_int_equal(d.parts[2].kind, VBSS_VISUAL_DRAIN);
+    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_KIND_THREAD);
+    assert_int_equal(d.parts[1].kind, VBSS_VISUAL_KIND_NEEDLE);
+    assert_int_equal(d.parts[2].kind, VBSS_VISUAL_KIND_DRAIN);
     assert_int_equal(d.parts[2].source, 3);
     expect_ok(vbss_visual_remove(f.visual, 2));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_visual_remove(f.visual, 2));
@@ -242,8 +242,8 @@ static void sources_can_be_added_and_removed(void **state)
     expect_ok(vbss_thread_destroy(thread));
     d = draw(&f);
     assert_int_equal(d.part_count, 2); /* what is gone is not shown, and no error */
-    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_DRIVER);
-    assert_int_equal(d.parts[1].kind, VBSS_VISUAL_DRAIN);
+    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_KIND_DRIVER);
+    assert_int_equal(d.parts[1].kind, VBSS_VISUAL_KIND_DRAIN);
     expect_ok(vbss_visual_get_statistics(f.visual, &s, sizeof s));
     assert_int_equal(s.sources, 3);
     assert_int_equal(s.parts, 2);

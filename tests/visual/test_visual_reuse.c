@@ -41,7 +41,7 @@ static void move_drain(vbss_drain *drain, double share)
 {
     vbss_view view;
     double x[3 * 512];
-    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_POSITIONS, &view, sizeof view));
+    expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_POSITIONS, &view, sizeof view));
     assert_in_range(view.count, 1, 512);
     memcpy(x, view.data, (size_t)view.count * 3 * sizeof *x);
     for (uint64_t i = 0; i < view.count; i++) {

@@ -29,11 +29,11 @@ static void pieces_and_exchanged_tools_are_drawn(void **state)
     vbss_context_statistics before, after;
     begin(&f);
     make(&f);
-    expect_ok(tool_run_create(f.context, VBSS_METHOD_OURS, &run));
+    expect_ok(tool_run_create(f.context, VBSS_METHOD_IMPLICIT, &run));
     expect_ok(vbss_visual_add_scene(f.visual, run.scene, NULL));
     drawn d = draw(&f);
-    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_THREAD), 1);
-    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_DRIVER), 2);
+    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_KIND_THREAD), 1);
+    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_KIND_DRIVER), 2);
     for (int i = 0; i < TOOL_RUN_STEPS; i++) {
         expect_ok(tool_run_step(&run));
         uint64_t hash = hash_of(run.scene);
@@ -43,14 +43,14 @@ static void pieces_and_exchanged_tools_are_drawn(void **state)
         assert_true(after.allocation_count == before.allocation_count);
         assert_true(hash_of(run.scene) == hash); /* a picture changes nothing */
         for (uint32_t k = 0; k < d.part_count && i % 10 == 0; k++) {
-            if (d.parts[k].kind != VBSS_VISUAL_FLOOR) {
+            if (d.parts[k].kind != VBSS_VISUAL_KIND_FLOOR) {
                 expect_sound(&d, &d.parts[k]);
             }
         }
     }
-    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_THREAD), 2);
-    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_DRIVER), 1);
-    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_SHEARS), 1);
+    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_KIND_THREAD), 2);
+    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_KIND_DRIVER), 1);
+    assert_int_equal(parts_of_kind(&d, VBSS_VISUAL_KIND_SHEARS), 1);
     expect_ok(vbss_scene_destroy(run.scene));
     d = draw(&f);
     assert_int_equal(d.part_count, 0);
@@ -75,11 +75,11 @@ static void holes_are_decals_of_their_drain(void **state)
     for (uint32_t i = 0; i < d.decal_count; i++) {
         const visual_decal *s = &d.decals[i];
         const visual_part *part = &d.parts[(uint32_t)s->part];
-        assert_int_equal(part->kind, VBSS_VISUAL_DRAIN);
-        if ((double)s->kind < VBSS_SPOT_HOLE - 0.5) {
+        assert_int_equal(part->kind, VBSS_VISUAL_KIND_DRAIN);
+        if ((double)s->kind < VBSS_VISUAL_SPOT_HOLE - 0.5) {
             continue;
         }
-        vbss_hole hole;
+        vbss_scene_hole hole;
         expect_ok(vbss_scene_get_hole(stitch.scene, holes++, &hole, sizeof hole));
         vec3 at = vec3_make((double)s->material[0], (double)s->material[1], (double)s->material[2]);
         assert_true(vec3_distance(at, vec3_load(hole.rest_position)) < 1e-9);
@@ -112,7 +112,7 @@ static void pictures_are_bit_equal(void **state)
         vbss_hash hash;
         begin(&f);
         make(&f);
-        expect_ok(tool_run_create(f.context, VBSS_METHOD_OURS, &run));
+        expect_ok(tool_run_create(f.context, VBSS_METHOD_IMPLICIT, &run));
         expect_ok(vbss_visual_add_scene(f.visual, run.scene, NULL));
         vbss_hash_begin(&hash);
         for (int i = 0; i < 60; i++) {

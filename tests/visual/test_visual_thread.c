@@ -44,7 +44,7 @@ static void tube_is_closed_and_faces_outward(void **state)
     const drawn d = draw(&f);
     assert_int_equal(d.part_count, 3);
     for (uint32_t i = 0; i < d.part_count; i++) {
-        assert_int_equal(d.parts[i].kind, VBSS_VISUAL_THREAD);
+        assert_int_equal(d.parts[i].kind, VBSS_VISUAL_KIND_THREAD);
         assert_int_equal(d.parts[i].source, i + 1);
         expect_sound(&d, &d.parts[i]);
     }

@@ -32,7 +32,7 @@ static void needle_is_wire_with_tip(void **state)
     expect_ok(vbss_needle_open(needle, &n));
     const drawn d = draw(&f);
     expect_sound(&d, &d.parts[0]);
-    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_NEEDLE);
+    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_KIND_NEEDLE);
     const pose at = vbss_needle_pose(n);
     const double length = vbss_needle_length(n), wire = n->config.wire_radius;
     double thickest = 0.0, foremost = 1.0;
@@ -77,7 +77,7 @@ static vbss_grasper *make_grasper(const fixture *f, vbss_grasper_preset preset)
     expect_ok(vbss_grasper_config_init(&c, sizeof c));
     expect_ok(vbss_grasper_config_preset(&c, preset));
     expect_ok(vbss_grasper_create(f->context, &c, &grasper));
-    expect_ok(vbss_grasper_move(grasper, place, turned));
+    expect_ok(vbss_grasper_set_target(grasper, place, turned));
     expect_ok(vbss_visual_add_grasper(f->visual, grasper, NULL));
     return grasper;
 }
@@ -116,7 +116,7 @@ static void grasper_is_drawn_at_its_capsules(void **state)
         make(&f);
         vbss_grasper *grasper = make_grasper(&f, presets[i]);
         const drawn d = draw(&f);
-        assert_int_equal(d.parts[0].kind, VBSS_VISUAL_DRIVER);
+        assert_int_equal(d.parts[0].kind, VBSS_VISUAL_KIND_DRIVER);
         expect_sound(&d, &d.parts[0]);
         expect_within_capsules(&d, grasper);
         end(&f);
@@ -172,9 +172,9 @@ static void shears_have_tapered_blades(void **state)
     make(&f);
     grasper_object *g;
     expect_ok(vbss_grasper_open(make_grasper(&f, VBSS_GRASPER_PRESET_STRAIGHT), &g));
-    g->kind = VBSS_GRASPER_SHEARS;
+    g->kind = VBSS_GRASPER_KIND_SHEARS;
     const drawn d = draw(&f);
-    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_SHEARS);
+    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_KIND_SHEARS);
     expect_sound(&d, &d.parts[0]);
     end(&f);
 }
@@ -187,17 +187,17 @@ static void capsules_balls_and_floor_are_drawn(void **state)
     fixture f;
     vbss_scene_config c;
     vbss_scene *scene;
-    vbss_rigid_config rigid;
+    vbss_scene_rigid_config rigid;
     uint32_t body;
-    const vbss_capsule capsules[2] = {{{0.0, 0.0, 0.0}, {0.0, 0.01, 0.0}, 1e-3},
-                                      {{0.02, 0.0, 0.0}, {0.02, 0.0, 0.0}, 2e-3}};
+    const vbss_scene_capsule capsules[2] = {{{0.0, 0.0, 0.0}, {0.0, 0.01, 0.0}, 1e-3},
+                                            {{0.02, 0.0, 0.0}, {0.02, 0.0, 0.0}, 2e-3}};
     begin(&f);
     make(&f);
     expect_ok(vbss_scene_config_init(&c, sizeof c));
     c.floor = 1;
     c.floor_height = -0.05;
     expect_ok(vbss_scene_create(f.context, &c, &scene));
-    expect_ok(vbss_rigid_config_init(&rigid, sizeof rigid));
+    expect_ok(vbss_scene_rigid_config_init(&rigid, sizeof rigid));
     rigid.capsule_count = 2;
     rigid.capsules = capsules;
     memcpy(rigid.position, place, sizeof place);
@@ -206,7 +206,7 @@ static void capsules_balls_and_floor_are_drawn(void **state)
     expect_ok(vbss_visual_add_scene(f.visual, scene, NULL));
     const drawn d = draw(&f);
     assert_int_equal(d.part_count, 2);
-    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_RIGID);
+    assert_int_equal(d.parts[0].kind, VBSS_VISUAL_KIND_RIGID);
     assert_int_equal(d.parts[0].body, body);
     expect_sound(&d, &d.parts[0]);
     const double wanted = VBSS_PI * (1e-6 * 0.01 + 4.0 / 3.0 * (1e-9 + 8e-9));
@@ -217,7 +217,7 @@ static void capsules_balls_and_floor_are_drawn(void **state)
         reach = vbss_max(reach, pose_apply_inverse(at, position_of(&d, i)).x);
     }
     expect_near(0.022, reach, 1e-5);
-    assert_int_equal(d.parts[1].kind, VBSS_VISUAL_FLOOR);
+    assert_int_equal(d.parts[1].kind, VBSS_VISUAL_KIND_FLOOR);
     assert_int_equal(d.parts[1].triangle_count, 2);
     assert_int_equal(inverted_triangles(&d, &d.parts[1]), 0);
     for (uint32_t i = 0; i < 4; i++) {

@@ -77,7 +77,7 @@ def pull(friction, steps, rows=24):
         for step in range(steps):
             moved = speed * 1e-3 * max(0, step - 300)  # after it has come to rest
             for pin, (x, y, z), side in ends:
-                thread.move(pin, (x + side * moved, y, z))
+                thread.set_attachment_target(pin, (x + side * moved, y, z))
             scene.step(1e-3)
             forces.append(0.5 * sum(math.hypot(*thread.reaction(pin).force) for pin, _, _ in ends))
             curvatures.append(max(math.hypot(*row) for row in thread.curvatures.tolist()) if step > 900 else 0.0)

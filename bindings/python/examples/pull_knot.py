@@ -41,7 +41,7 @@ def main():
         ends = [thread.attach("pin", node) for node in (0, len(points) - 1)]
         for step in range(1, steps + 1):
             for end, place, side in zip(ends, (points[0], points[-1]), (-1.0, 1.0)):
-                thread.move(end, (place[0], place[1], place[2] + side * SPEED * 1e-3 * step))
+                thread.set_attachment_target(end, (place[0], place[1], place[2] + side * SPEED * 1e-3 * step))
             scene.step(1e-3)
             if step % 20 == 0:
                 knot = detector.judge(thread.positions)

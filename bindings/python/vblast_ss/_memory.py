@@ -9,7 +9,7 @@ import bisect
 import ctypes
 from typing import Any
 
-from ._api.base import vbss_allocate_fn, vbss_release_fn
+from ._api.base import vbss_allocate_fn, vbss_deallocate_fn
 
 
 class Memory:
@@ -19,7 +19,7 @@ class Memory:
         self.addresses: list[int] = []
         self.blocks: dict[int, Any] = {}  # address -> read-only memoryview from there to the block's end
         self.allocate_fn = vbss_allocate_fn(self.allocate)
-        self.release_fn = vbss_release_fn(self.release)
+        self.deallocate_fn = vbss_deallocate_fn(self.release)
 
     def allocate(self, user: Any, size: int, alignment: int) -> int | None:
         try:

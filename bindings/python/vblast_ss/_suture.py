@@ -62,7 +62,7 @@ class Tool:
         self.told = Pose(np.array(at), np.array((1.0, 0.0, 0.0, 0.0)))
         self.opening, self.tool = opening, DeviceTool.NEEDLE_DRIVER
         self.grasper = Grasper(context, stiffness=STIFFNESS, damping=DAMPING, driver_neck=NECK, **shape)
-        self.grasper.move(self.told.at, self.told.q)
+        self.grasper.set_target(self.told.at, self.told.q)
         self.grasper.set_opening(opening)
         self.body = scene.add(self.grasper)
         self._phases = phases
@@ -127,7 +127,7 @@ class SutureScene:
         self.needle_body = self.scene.add(self.needle)
         lies = self.needle.state
         along = np.arange(self.task.segments + 1)[:, None] * THREAD / self.task.segments
-        self.thread = Thread(context, preset="paper_thread", segment_count=self.task.segments, length=THREAD,
+        self.thread = Thread(context, preset="vblast", segment_count=self.task.segments, length=THREAD,
                              positions=np.array(lies.swage) + along * np.array(lies.swage_direction),
                              gravity=(0.0, 0.0, -9.81), damping=2.0, drag=1.0, cut_capacity=CUTS)
         self.thread_body = self.scene.add(self.thread)

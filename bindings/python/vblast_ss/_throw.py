@@ -16,7 +16,7 @@ from .context import Context
 from .elementary import cos, sin
 from .knots import Knot, KnotDetector
 from .records import Record
-from .scene import Capsule, RigidState, Scene
+from .scene import Capsule, SceneRigidState, Scene
 from .thread import Thread
 
 STEP = 1e-3  # s
@@ -220,7 +220,7 @@ class ThrowScene:
         limb = mine[(mine > self.left_mark) & (mine < self.held_node)]
         return len(limb), int(limb.max()) if len(limb) else 0
 
-    def tool(self, hand: Hand) -> RigidState:
+    def tool(self, hand: Hand) -> SceneRigidState:
         return self.scene.rigid(hand.body)
 
     def judge(self) -> Knot:

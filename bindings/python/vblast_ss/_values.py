@@ -43,7 +43,7 @@ def index(value: Any, name: str = "number") -> int:
 
 
 def constant(value: Any, kind: Any, name: str, number: Any = ctypes.c_int32) -> int:
-    """A number of an enumeration, which may be given by name: "paper" for Method.PAPER."""
+    """A number of an enumeration, which may be given by name: "vblast" for Method.VBLAST."""
     if isinstance(value, str):
         key = value.strip().upper().replace(" ", "_").replace("-", "_")
         if key not in kind.__members__:

@@ -18,14 +18,14 @@ from typing import Any, Callable, NamedTuple, Optional
 
 import numpy as np
 
-from ._api.record import InputKind, ReplayOutcome
+from ._api.record import RecordInputKind, ReplayOutcome
 from .context import Context
 from .errors import Error
 from .grasper import Grasper
 from .knots import KnotDetector, KnotEvent
 from .metrics import Metrics
 from .records import Replay
-from .scene import EventKind, Scene
+from .scene import SceneEventKind, Scene
 from .thread import Thread
 
 __all__ = ["KnotMoment", "SceneMoment", "ToolTrace", "Trace", "plot", "plot_forces", "plot_knots", "plot_motion",
@@ -136,7 +136,7 @@ def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bo
         contacts: list[int] = []
         events: list[SceneMoment] = []
         found: list[KnotMoment] = []
-        moves = (InputKind.MOVE_RIGID, InputKind.MOVE_GRASPER)
+        moves = (RecordInputKind.RIGID_TARGET, RecordInputKind.GRASPER_TARGET)
         steps, problem = 0, ""
         while True:
             try:
@@ -153,7 +153,7 @@ def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bo
                 if put.kind in moves:
                     rows.setdefault(put.words[0], [(np.nan,) * 13] * len(time))
             events += [SceneMoment(told.time, getattr(one.kind, "name", str(one.kind)).lower(), *one[1:])
-                       for one in told.events if one.kind not in (EventKind.TOUCH, EventKind.PART)]
+                       for one in told.events if one.kind not in (SceneEventKind.TOUCH, SceneEventKind.PART)]
             if steps % every == 0:
                 time.append(told.time)
                 contacts.append(scene.statistics.contacts)

@@ -4,9 +4,9 @@ from __future__ import annotations
 import ctypes
 from typing import Any, NamedTuple, Optional, Sequence
 
-from ._api.collision import (Closest, CollisionField, CollisionMethod, CollisionStatistics, Decision, Impact, PairKind,
-                             Response, ResponseVariant, vbss_closest, vbss_collision, vbss_collision_batch,
-                             vbss_collision_config, vbss_collision_statistics, vbss_impact, vbss_response)
+from ._api.collision import (CollisionClosest, CollisionField, CollisionMethod, CollisionStatistics, CollisionDecision, CollisionImpact, CollisionPairKind,
+                             CollisionResponse, CollisionResponseVariant, vbss_collision_closest, vbss_collision, vbss_collision_batch,
+                             vbss_collision_config, vbss_collision_statistics, vbss_collision_impact, vbss_collision_response)
 from ._library import lib
 from ._objects import Configured, Saved, Viewed, context_or_new, created
 from ._values import constant, doubles, index, initialised, numbers, numpy, optional, value_of
@@ -14,36 +14,36 @@ from .context import Context
 from .errors import check
 from .views import Array
 
-__all__ = ["Answers", "Closest", "Collision", "CollisionField", "CollisionMethod", "CollisionStatistics", "Decision",
-           "Impact", "PairKind", "Response", "ResponseVariant", "closest_capsules", "closest_point_triangle",
-           "closest_segment_triangle", "closest_segments", "paper_response", "test_edges", "test_point_triangle"]
+__all__ = ["Answers", "CollisionClosest", "Collision", "CollisionField", "CollisionMethod", "CollisionStatistics", "CollisionDecision",
+           "CollisionImpact", "CollisionPairKind", "CollisionResponse", "CollisionResponseVariant", "closest_capsules", "closest_point_triangle",
+           "closest_segment_triangle", "closest_segments", "vblast_response", "test_edges", "test_point_triangle"]
 
 
-def _closest(function: Any, *arguments: Any) -> Closest:
-    found = vbss_closest()
+def _closest(function: Any, *arguments: Any) -> CollisionClosest:
+    found = vbss_collision_closest()
     check(function(*arguments, ctypes.byref(found), ctypes.sizeof(found)))
-    return value_of(Closest, found)
+    return value_of(CollisionClosest, found)
 
 
-def closest_segments(a: Any, b: Any) -> Closest:
+def closest_segments(a: Any, b: Any) -> CollisionClosest:
     """Closest points of two segments, each two points, m."""
-    return _closest(lib.vbss_closest_segments, doubles(a, "a", 6), doubles(b, "b", 6))
+    return _closest(lib.vbss_collision_closest_segments, doubles(a, "a", 6), doubles(b, "b", 6))
 
 
-def closest_point_triangle(point: Any, triangle: Any) -> Closest:
+def closest_point_triangle(point: Any, triangle: Any) -> CollisionClosest:
     """Closest points of a point (a) and a triangle (b)."""
-    return _closest(lib.vbss_closest_point_triangle, doubles(point, "point", 3), doubles(triangle, "triangle", 9))
+    return _closest(lib.vbss_collision_closest_point_triangle, doubles(point, "point", 3), doubles(triangle, "triangle", 9))
 
 
-def closest_segment_triangle(segment: Any, triangle: Any) -> Closest:
+def closest_segment_triangle(segment: Any, triangle: Any) -> CollisionClosest:
     """Closest points of a segment (a) and a triangle (b); distance 0 where it goes through."""
-    return _closest(lib.vbss_closest_segment_triangle, doubles(segment, "segment", 6),
+    return _closest(lib.vbss_collision_closest_segment_triangle, doubles(segment, "segment", 6),
                     doubles(triangle, "triangle", 9))
 
 
-def closest_capsules(a: Any, radius_a: float, b: Any, radius_b: float) -> Closest:
+def closest_capsules(a: Any, radius_a: float, b: Any, radius_b: float) -> CollisionClosest:
     """Closest points of the surfaces of two capsules; the distance is negative when they overlap."""
-    return _closest(lib.vbss_closest_capsules, doubles(a, "a", 6), float(radius_a), doubles(b, "b", 6),
+    return _closest(lib.vbss_collision_closest_capsules, doubles(a, "a", 6), float(radius_a), doubles(b, "b", 6),
                     float(radius_b))
 
 
@@ -53,47 +53,47 @@ def _config(settings: dict[str, Any]) -> vbss_collision_config:
     return config
 
 
-def _test(function: Any, start: Any, end: Any, settings: dict[str, Any]) -> Impact:
-    found, config = vbss_impact(), _config(settings)
+def _test(function: Any, start: Any, end: Any, settings: dict[str, Any]) -> CollisionImpact:
+    found, config = vbss_collision_impact(), _config(settings)
     check(function(ctypes.byref(config), doubles(start, "start", 12), doubles(end, "end", 12), ctypes.byref(found),
                    ctypes.sizeof(found)))
-    return value_of(Impact, found)
+    return value_of(CollisionImpact, found)
 
 
-def test_edges(start: Any, end: Any, **settings: Any) -> Impact:
+def test_edges(start: Any, end: Any, **settings: Any) -> CollisionImpact:
     """Whether two moving edges come within `thickness` of each other: a0, a1, b0, b1 at time 0 and at time 1, m.
     Keywords as in vbss_collision_config."""
-    return _test(lib.vbss_edges_test, start, end, settings)
+    return _test(lib.vbss_collision_test_edges, start, end, settings)
 
 
-def test_point_triangle(start: Any, end: Any, **settings: Any) -> Impact:
+def test_point_triangle(start: Any, end: Any, **settings: Any) -> CollisionImpact:
     """The same of a moving point and a moving triangle: the point, then its corners."""
-    return _test(lib.vbss_point_triangle_test, start, end, settings)
+    return _test(lib.vbss_collision_test_point_triangle, start, end, settings)
 
 
 # Not tests of their own, whatever a test runner thinks of their names.
 test_edges.__test__ = test_point_triangle.__test__ = False  # type: ignore[attr-defined]
 
 
-def paper_response(kind: Any, variant: Any, impact: Optional[Impact], start: Any, end: Any, thickness: float,
-                   inverse_masses: Sequence[float] = (1.0, 1.0, 1.0, 1.0)) -> Response:
+def vblast_response(kind: Any, variant: Any, impact: Optional[CollisionImpact], start: Any, end: Any, thickness: float,
+                   inverse_masses: Sequence[float] = (1.0, 1.0, 1.0, 1.0)) -> CollisionResponse:
     """The paper's response to a hit: how far to move the four vertices. `kind` is "edge_edge" or
     "point_triangle", `variant` "end_of_step" or "time_of_impact"."""
     given = None
     if impact is not None:
-        struct = vbss_impact(struct_size=ctypes.sizeof(vbss_impact))
+        struct = vbss_collision_impact(struct_size=ctypes.sizeof(vbss_collision_impact))
         for name, value in impact._asdict().items():
             if isinstance(value, tuple):
                 getattr(struct, name)[:] = value
             else:
                 setattr(struct, name, value)
         given = ctypes.byref(struct)
-    found = vbss_response()
-    check(lib.vbss_paper_response(constant(kind, PairKind, "kind"), constant(variant, ResponseVariant, "variant"),
+    found = vbss_collision_response()
+    check(lib.vbss_collision_get_vblast_response(constant(kind, CollisionPairKind, "kind"), constant(variant, CollisionResponseVariant, "variant"),
                                   given, doubles(start, "start", 12), doubles(end, "end", 12), float(thickness),
                                   doubles(inverse_masses, "inverse_masses", 4), ctypes.byref(found),
                                   ctypes.sizeof(found)))
-    return value_of(Response, found)
+    return value_of(CollisionResponse, found)
 
 
 class Answers(NamedTuple):
@@ -117,9 +117,9 @@ class Collision(Configured, Viewed, Saved):
         super().__init__(context, created(context, vbss_collision, lib.vbss_collision_create, context._handle,
                                           ctypes.byref(config)))
 
-    def test(self, kind: Any, start: Any, end: Any) -> Impact:
+    def test(self, kind: Any, start: Any, end: Any) -> CollisionImpact:
         """One continuous test: "edge_edge" or "point_triangle"."""
-        return self._read("test", Impact, vbss_impact, constant(kind, PairKind, "kind"),
+        return self._read("test", CollisionImpact, vbss_collision_impact, constant(kind, CollisionPairKind, "kind"),
                           doubles(start, "start", 12), doubles(end, "end", 12))
 
     def test_batch(self, kind: Any, start: Any, end: Any, thickness: Optional[Any] = None) -> Answers:
@@ -130,7 +130,7 @@ class Collision(Configured, Viewed, Saved):
         count = len(first) // 12
         rows = [self._rows(array, count) for array in (first, last)]
         batch = initialised(vbss_collision_batch, lib.vbss_collision_batch_init, {}, "a batch")
-        batch.kind, batch.count, batch.stride = constant(kind, PairKind, "kind"), count, count
+        batch.kind, batch.count, batch.stride = constant(kind, CollisionPairKind, "kind"), count, count
         room = max(1, count)
         hit, decision = (ctypes.c_int32 * room)(), (ctypes.c_int32 * room)()
         time, normal, weights = ((ctypes.c_double * (n * room))() for n in (1, 3, 4))
@@ -187,10 +187,10 @@ class Collision(Configured, Viewed, Saved):
         """Says which shapes a shape is searched with."""
         self._call(lib.vbss_collision_set_filter, index(shape), index(category), index(mask))
 
-    def move(self, shape: int, end: Any, start: Any = None) -> None:
+    def set_motion(self, shape: int, end: Any, start: Any = None) -> None:
         """Says how a shape moves, n x 3, m; without a start, from where the last move ended."""
         last = doubles(end, "end", row=3)
-        self._call(lib.vbss_collision_move, index(shape), optional(start, "start", len(last)), last, len(last) // 3)
+        self._call(lib.vbss_collision_set_motion, index(shape), optional(start, "start", len(last)), last, len(last) // 3)
 
     def find_candidates(self) -> Array:
         """Pairs of features that may come near each other: `candidates`."""

@@ -62,7 +62,7 @@ class Context:
         config = vbss_context_config()
         check(lib.vbss_context_config_init(ctypes.byref(config), ctypes.sizeof(config)))
         fill(config, settings, "a context")
-        config.allocate, config.release = self._memory.allocate_fn, self._memory.release_fn
+        config.allocate, config.deallocate = self._memory.allocate_fn, self._memory.deallocate_fn
         if log is not None:
             # Not a bound method: the context would keep itself alive by what it hands out.
             itself = weakref.ref(self)

@@ -11,7 +11,7 @@ from ._api.device import (DeviceClock, DeviceEventBits, DeviceInput, DeviceStati
 from ._api.mapping import MappingMouseBits, vbss_mapping_config
 from ._api.mock import (MockFault, MockField, MockStatistics, vbss_mock, vbss_mock_config, vbss_mock_measure_fn,
                         vbss_mock_statistics)
-from ._api.output import (OutputBits, OutputResult, OutputStatistics, vbss_output, vbss_output_command,
+from ._api.output import (OutputFlagBits, OutputResult, OutputStatistics, vbss_output, vbss_output_command,
                           vbss_output_config, vbss_output_result, vbss_output_statistics)
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
@@ -24,7 +24,7 @@ from .views import Array
 
 __all__ = ["Adapter", "Device", "DeviceCapabilities", "DeviceClock", "DeviceEventBits", "DeviceFlagBits",
            "DeviceHasBits", "DeviceInput", "DeviceOutBits", "DeviceSample", "DeviceStatistics", "DeviceStatus",
-           "DeviceTool", "MappingMouseBits", "Mock", "MockFault", "MockStatistics", "Output", "OutputBits",
+           "DeviceTool", "MappingMouseBits", "Mock", "MockFault", "MockStatistics", "Output", "OutputFlagBits",
            "OutputResult", "OutputStatistics", "map_gamepad", "map_keyboard", "map_mouse"]
 
 Fields = Union[Mapping[str, Any], DeviceSample]
@@ -173,17 +173,17 @@ class Device(Configured, Saved):
                    ctypes.byref(result), ctypes.sizeof(result))
         return value_of(OutputResult, result)
 
-    def stop(self) -> None:
+    def latch_emergency_stop(self) -> None:
         """Emergency stop, at once, until release()."""
-        self._call(lib.vbss_device_stop)
+        self._call(lib.vbss_device_latch_emergency_stop)
 
-    def release(self) -> None:
+    def clear_emergency_stop(self) -> None:
         """Lets the emergency stop go."""
-        self._call(lib.vbss_device_release)
+        self._call(lib.vbss_device_clear_emergency_stop)
 
-    def clutch(self, held: bool) -> None:
+    def set_clutch(self, held: bool) -> None:
         """Holds or lets go the clutch."""
-        self._call(lib.vbss_device_clutch, int(held))
+        self._call(lib.vbss_device_set_clutch, int(held))
 
     def hold_jaw(self, opening: float) -> None:
         """Holds the opening that reads report until the handle has passed it."""
@@ -246,13 +246,13 @@ class Output(Configured, Object):
         self._call(lib.vbss_output_step, h, given, ctypes.byref(result), ctypes.sizeof(result))
         return value_of(OutputResult, result)
 
-    def stop(self) -> None:
+    def latch_emergency_stop(self) -> None:
         """Latches the emergency stop."""
-        self._call(lib.vbss_output_stop)
+        self._call(lib.vbss_output_latch_emergency_stop)
 
-    def release(self) -> None:
+    def clear_emergency_stop(self) -> None:
         """Lets it go."""
-        self._call(lib.vbss_output_release)
+        self._call(lib.vbss_output_clear_emergency_stop)
 
     @property
     def statistics(self) -> OutputStatistics:

@@ -52,9 +52,9 @@ class Drain(Configured, Viewed, Saved):
         self._call(lib.vbss_drain_attach, ctypes.byref(attachment), ctypes.byref(name))
         return name.value
 
-    def move(self, attachment: int, target: Sequence[float]) -> None:
+    def set_attachment_target(self, attachment: int, target: Sequence[float]) -> None:
         """Says where an attachment shall be at the end of the next step; of a force, the force, N."""
-        self._call(lib.vbss_drain_move, index(attachment), doubles(target, "target", 3))
+        self._call(lib.vbss_drain_set_attachment_target, index(attachment), doubles(target, "target", 3))
 
     def detach(self, attachment: int) -> None:
         self._call(lib.vbss_drain_detach, index(attachment))

@@ -34,9 +34,9 @@ class Grasper(Configured, Viewed):
         super().__init__(context, created(context, vbss_grasper, lib.vbss_grasper_create, context._handle,
                                           ctypes.byref(config)))
 
-    def move(self, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
+    def set_target(self, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
         """Says where the tip shall be at the end of the next step, m, and how the tool shall be turned."""
-        self._call(lib.vbss_grasper_move, doubles(position, "position", 3), optional(orientation, "orientation", 4))
+        self._call(lib.vbss_grasper_set_target, doubles(position, "position", 3), optional(orientation, "orientation", 4))
 
     def set_opening(self, opening: float) -> None:
         """Says how far the handle is open, 0 closed to 1 open."""

@@ -5,7 +5,7 @@ import ctypes
 from typing import Any, Mapping, Optional
 
 from ._api.adapter import vbss_device_adapter
-from ._api.haptics import (HardwareState, NidaqmxStatus, NidaqmxTerminal, OpenhapticsStatus, vbss_nidaqmx,
+from ._api.haptics import (HapticsState, NidaqmxStatus, NidaqmxTerminal, OpenhapticsStatus, vbss_nidaqmx,
                            vbss_nidaqmx_config, vbss_nidaqmx_status, vbss_openhaptics, vbss_openhaptics_config,
                            vbss_openhaptics_status)
 from ._library import lib
@@ -13,7 +13,7 @@ from ._objects import Configured, Object, context_or_new, created
 from ._values import fill, index, initialised
 from .context import Context
 
-__all__ = ["HardwareState", "Nidaqmx", "NidaqmxStatus", "NidaqmxTerminal", "Openhaptics", "OpenhapticsStatus",
+__all__ = ["HapticsState", "Nidaqmx", "NidaqmxStatus", "NidaqmxTerminal", "Openhaptics", "OpenhapticsStatus",
            "nidaqmx_devices"]
 
 
@@ -91,9 +91,9 @@ class Nidaqmx(Configured, Object):
         """A handle as the adapter of a device."""
         return Part(self, which, "handle")
 
-    def pump(self, now: float) -> None:
+    def poll(self, now: float) -> None:
         """One round in place of the library's thread (own_thread=0)."""
-        self._call(lib.vbss_nidaqmx_pump, now)
+        self._call(lib.vbss_nidaqmx_poll, now)
 
     @property
     def status(self) -> NidaqmxStatus:
@@ -108,7 +108,7 @@ def nidaqmx_devices(library: Optional[str] = None, context: Optional[Context] = 
     """Name and product of each device that the vendor's driver knows."""
     owner = context_or_new(context)
     text = ctypes.create_string_buffer(4096)
-    owner._call(lib.vbss_nidaqmx_list, owner._handle, library.encode() if library else None, text,
+    owner._call(lib.vbss_nidaqmx_list_devices, owner._handle, library.encode() if library else None, text,
                 ctypes.sizeof(text))
     lines = text.value.decode(errors="replace").splitlines()
     return [(line.partition("  ")[0], line.partition("  ")[2]) for line in lines]

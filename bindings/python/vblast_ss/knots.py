@@ -5,8 +5,8 @@ import ctypes
 from typing import Any, NamedTuple, Optional, Sequence
 
 from ._api.knot import (KnotEvent, KnotFaultBits, KnotField, KnotHeld, KnotMethod, KnotName, KnotReason, KnotState,
-                        KnotStatistics, KnotThrow, KnotThrowBits, KnotVerdict, KnotWinding, vbss_knot_config,
-                        vbss_knot_detector, vbss_knot_input, vbss_knot_state, vbss_knot_statistics, vbss_knot_throw,
+                        KnotDetectorStatistics, KnotThrow, KnotThrowBits, KnotVerdict, KnotWinding, vbss_knot_detector_config,
+                        vbss_knot_detector, vbss_knot_input, vbss_knot_state, vbss_knot_detector_statistics, vbss_knot_throw,
                         vbss_knot_tool, vbss_knot_winding)
 from ._library import lib
 from ._objects import Configured, Saved, Viewed, context_or_new, created
@@ -15,7 +15,7 @@ from .context import Context
 from .views import Array
 
 __all__ = ["Knot", "KnotDetector", "KnotEvent", "KnotFaultBits", "KnotHeld", "KnotHappening", "KnotMethod",
-           "KnotName", "KnotReason", "KnotState", "KnotStatistics", "KnotThrow", "KnotThrowBits", "KnotTool",
+           "KnotName", "KnotReason", "KnotState", "KnotDetectorStatistics", "KnotThrow", "KnotThrowBits", "KnotTool",
            "KnotVerdict", "KnotWinding", "classify"]
 
 
@@ -58,13 +58,13 @@ class Knot(NamedTuple):
 
 class KnotDetector(Configured, Viewed, Saved):
     """Shown the thread as a polyline in every step, from the end of the tail limb to that of the long one.
-    Keywords are the settings of vbss_knot_config (KnotDetector.settings_help(), KnotDetector.defaults())."""
+    Keywords are the settings of vbss_knot_detector_config (KnotDetector.settings_help(), KnotDetector.defaults())."""
     _prefix, _noun = "vbss_knot_detector", "knot detector"
-    _config, _init, _fields = vbss_knot_config, "vbss_knot_config_init", KnotField
+    _config, _init, _fields = vbss_knot_detector_config, "vbss_knot_detector_config_init", KnotField
 
     def __init__(self, context: Optional[Context] = None, **settings: Any) -> None:
         context = context_or_new(context)
-        config = initialised(vbss_knot_config, lib.vbss_knot_config_init, settings, "a knot detector")
+        config = initialised(vbss_knot_detector_config, lib.vbss_knot_detector_config_init, settings, "a knot detector")
         super().__init__(context, created(context, vbss_knot_detector, lib.vbss_knot_detector_create,
                                           context._handle, ctypes.byref(config)))
 
@@ -145,8 +145,8 @@ class KnotDetector(Configured, Viewed, Saved):
         return self._array(KnotField.LOOPS)
 
     @property
-    def statistics(self) -> KnotStatistics:
-        return self._read("get_statistics", KnotStatistics, vbss_knot_statistics)
+    def statistics(self) -> KnotDetectorStatistics:
+        return self._read("get_statistics", KnotDetectorStatistics, vbss_knot_detector_statistics)
 
     def _describe(self) -> str:
         state = self.state

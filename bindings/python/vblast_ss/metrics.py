@@ -4,7 +4,7 @@ from __future__ import annotations
 import ctypes
 from typing import Any, NamedTuple, Optional, Sequence
 
-from ._api.metrics import (MetricsBimanual, MetricsBits, MetricsEventKind, MetricsField, MetricsHasBits, MetricsMotion,
+from ._api.metrics import (MetricsBimanual, MetricsFlagBits, MetricsEventKind, MetricsField, MetricsHasBits, MetricsMotion,
                            MetricsMotionBits, MetricsPenalty, MetricsPenaltyKind, MetricsPhase, MetricsRelation,
                            MetricsReport, MetricsTask, MetricsThrow, MetricsTightness, MetricsTool, vbss_metrics,
                            vbss_metrics_bimanual, vbss_metrics_config, vbss_metrics_event, vbss_metrics_motion,
@@ -17,7 +17,7 @@ from .context import Context
 from .errors import OutOfRangeError, check
 from .views import Array
 
-__all__ = ["Metrics", "MetricsBimanual", "MetricsBits", "MetricsEventKind", "MetricsField", "MetricsHasBits",
+__all__ = ["Metrics", "MetricsBimanual", "MetricsFlagBits", "MetricsEventKind", "MetricsField", "MetricsHasBits",
            "MetricsMotion", "MetricsMotionBits", "MetricsOffset", "MetricsPenalty", "MetricsPenaltyKind",
            "MetricsPhase", "MetricsRelation", "MetricsReport", "MetricsTask", "MetricsThrow", "MetricsTightness",
            "MetricsTool", "metrics_offset"]
@@ -33,7 +33,7 @@ def metrics_offset(axis: Sequence[float], centre: Sequence[float], mark: Sequenc
                    place: Sequence[float]) -> MetricsOffset:
     """The angle and axial of a puncture at a place, for the event: the axis goes through centre."""
     angle, axial = ctypes.c_double(), ctypes.c_double()
-    check(lib.vbss_metrics_offset(doubles(axis, "axis", 3), doubles(centre, "centre", 3), doubles(mark, "mark", 3),
+    check(lib.vbss_metrics_get_offset(doubles(axis, "axis", 3), doubles(centre, "centre", 3), doubles(mark, "mark", 3),
                                   doubles(place, "place", 3), ctypes.byref(angle), ctypes.byref(axial)))
     return MetricsOffset(angle.value, axial.value)
 
@@ -109,12 +109,12 @@ class Metrics(Configured, Viewed, Saved):
         return [self._read("get_penalty", MetricsPenalty, vbss_metrics_penalty, number)
                 for number in range(self.report.penalty_count)]
 
-    def motion(self, tool: Any, phase: int = MetricsTask.WHOLE) -> MetricsMotion:
+    def motion(self, tool: Any, phase: int = MetricsTask.ALL) -> MetricsMotion:
         """How the "left" or "right" tool moved, in all of the task or a visit of a phase. Takes time."""
         return self._read("get_motion", MetricsMotion, vbss_metrics_motion, constant(tool, MetricsTool, "tool"),
                           integer(phase, ctypes.c_int32, "phase"))
 
-    def bimanual(self, phase: int = MetricsTask.WHOLE) -> MetricsBimanual:
+    def bimanual(self, phase: int = MetricsTask.ALL) -> MetricsBimanual:
         """How both tools moved together."""
         return self._read("get_bimanual", MetricsBimanual, vbss_metrics_bimanual,
                           integer(phase, ctypes.c_int32, "phase"))
@@ -139,6 +139,6 @@ class Metrics(Configured, Viewed, Saved):
 
     def _describe(self) -> str:
         report = self.report
-        final = "final" if report.flags & MetricsBits.FINAL else "so far"
-        lost = f", {report.time_lost:.3g} s of it lost" if report.flags & MetricsBits.TIME_LOST else ""
+        final = "final" if report.flags & MetricsFlagBits.FINAL else "so far"
+        lost = f", {report.time_lost:.3g} s of it lost" if report.flags & MetricsFlagBits.TIME_LOST else ""
         return f"score {report.score:.6g} {final}, {report.throw_count} throws, t = {report.time:.6g} s{lost}"

@@ -17,7 +17,7 @@ __all__ = ["Needle", "NeedleEnergies", "NeedleField", "NeedleMass", "NeedlePrese
 
 
 class Needle(Configured, Viewed, Saved):
-    """A rigid arc of round wire, in free flight or as a body of a scene. `preset` is "paper" or "sh"; other
+    """A rigid arc of round wire, in free flight or as a body of a scene. `preset` is "vblast" or "sh"; other
     keywords are the settings of vbss_needle_config (Needle.settings_help(), Needle.defaults())."""
     _prefix, _noun = "vbss_needle", "needle"
     _config, _init, _fields = vbss_needle_config, "vbss_needle_config_init", NeedleField

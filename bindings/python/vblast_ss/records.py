@@ -6,18 +6,18 @@ from typing import Any, NamedTuple, Optional, Sequence, Union
 
 from ._api.base import Result
 from ._api.grasper import GrasperKind
-from ._api.record import (InputKind, ReplayOutcome, ReplayReport, Setting, vbss_log_input, vbss_log_report,
-                          vbss_log_step, vbss_record, vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
+from ._api.record import (RecordInputKind, ReplayOutcome, ReplayReport, SceneSetting, vbss_record_input, vbss_record_log_report,
+                          vbss_replay_logged_step, vbss_record, vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
 from ._api.scene import vbss_scene_config
 from ._library import lib
 from ._objects import Configured, Object, context_or_new, created
 from ._values import constant, constant_of, data_of, doubles, index, initialised, integer, optional, settable
 from .context import Context
-from .scene import Event, EventKind, Scene
+from .scene import Event, SceneEventKind, Scene
 from .thread import attachment_of
 
-__all__ = ["InputKind", "LogFault", "LogInput", "LogReport", "LogStep", "Record", "Replay", "ReplayOutcome",
-           "ReplayReport", "Setting", "check_log"]
+__all__ = ["RecordInputKind", "LogFault", "LogInput", "LogReport", "LogStep", "Record", "Replay", "ReplayOutcome",
+           "ReplayReport", "SceneSetting", "check_log"]
 
 
 class Record(Configured, Object):
@@ -76,13 +76,13 @@ class Record(Configured, Object):
         """Ends the log. Afterwards there is only take()."""
         self._call(lib.vbss_record_end)
 
-    def move_rigid(self, body: int, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
-        self._call(lib.vbss_record_move_rigid, index(body), doubles(position, "position", 3),
+    def set_rigid_target(self, body: int, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
+        self._call(lib.vbss_record_set_rigid_target, index(body), doubles(position, "position", 3),
                    optional(orientation, "orientation", 4))
 
-    def move_grasper(self, body: int, position: Sequence[float],
+    def set_grasper_target(self, body: int, position: Sequence[float],
                      orientation: Optional[Sequence[float]] = None) -> None:
-        self._call(lib.vbss_record_move_grasper, index(body), doubles(position, "position", 3),
+        self._call(lib.vbss_record_set_grasper_target, index(body), doubles(position, "position", 3),
                    optional(orientation, "orientation", 4))
 
     def set_opening(self, body: int, opening: float) -> None:
@@ -94,8 +94,8 @@ class Record(Configured, Object):
     def apply_input(self, kind: Any, words: Sequence[int] = (), numbers: Sequence[float] = ()) -> int:
         """Applies an input of any kind (InputKind says what its words and numbers are; Setting: changes of a running
         scene); returns the number of a new pin, attachment or piece, or 0."""
-        given, name = vbss_log_input(), ctypes.c_uint32()
-        given.kind = constant(kind, InputKind, "kind")
+        given, name = vbss_record_input(), ctypes.c_uint32()
+        given.kind = constant(kind, RecordInputKind, "kind")
         if len(words) > len(given.words) or len(numbers) > len(given.numbers):
             raise ValueError("an input has at most 4 words and 12 numbers")
         given.words[:len(words)] = list(words)
@@ -123,9 +123,9 @@ class Record(Configured, Object):
         self._call(lib.vbss_record_attach, index(thread), ctypes.byref(attachment), ctypes.byref(name))
         return name.value
 
-    def move_attachment(self, thread: int, attachment: int, target: Sequence[float],
+    def set_attachment_target(self, thread: int, attachment: int, target: Sequence[float],
                         direction: Optional[Sequence[float]] = None) -> None:
-        self._call(lib.vbss_record_move_attachment, index(thread), index(attachment), doubles(target, "target", 3),
+        self._call(lib.vbss_record_set_attachment_target, index(thread), index(attachment), doubles(target, "target", 3),
                    optional(direction, "direction", 3))
 
     def detach(self, thread: int, attachment: int) -> None:
@@ -144,13 +144,13 @@ class Info(NamedTuple):
 
 class LogInput(NamedTuple):
     """What a host has told a scene; InputKind says what the words and numbers are."""
-    kind: Union[InputKind, int]
+    kind: Union[RecordInputKind, int]
     words: tuple[int, ...]
     numbers: tuple[float, ...]
 
 
 class LogStep(NamedTuple):
-    """What a log says of a step: fields as in vbss_log_step; no hash: None."""
+    """What a log says of a step: fields as in vbss_replay_logged_step; no hash: None."""
     number: int
     hash: Optional[int]
     position: int
@@ -168,7 +168,7 @@ class LogFault(NamedTuple):
 
 
 class LogReport(NamedTuple):
-    """What is in a log, before its first fault, and the first eight of its faults: fields as in vbss_log_report."""
+    """What is in a log, before its first fault, and the first eight of its faults: fields as in vbss_record_log_report."""
     result: Union[Result, int]
     ended: bool
     log_bytes: int
@@ -185,8 +185,8 @@ class LogReport(NamedTuple):
 def check_log(log: Any, context: Optional[Context] = None) -> LogReport:
     """Walks through all of a log, which may be any bytes, and says what is in it, what is wrong, and where."""
     context = context_or_new(context)
-    data, found = data_of(log, "log"), vbss_log_report()
-    context._call(lib.vbss_log_check, context._handle, data, len(data), ctypes.byref(found), ctypes.sizeof(found))
+    data, found = data_of(log, "log"), vbss_record_log_report()
+    context._call(lib.vbss_record_check_log, context._handle, data, len(data), ctypes.byref(found), ctypes.sizeof(found))
     result = constant_of(Result)
     faults = tuple(LogFault(position, result(status), (problem or b"").decode(errors="replace"))
                    for position, status, problem in zip(found.fault_positions, found.fault_results,
@@ -250,8 +250,8 @@ class Replay(Object):
 
     def read(self, number: int) -> LogStep:
         """What the log says of a step, from 1 on; the replay stays where it is."""
-        step, kind = vbss_log_step(), constant_of(InputKind)
-        happened = constant_of(EventKind)
+        step, kind = vbss_replay_logged_step(), constant_of(RecordInputKind)
+        happened = constant_of(SceneEventKind)
         with self._context._lock:  # the arrays are good until the next call
             self._call(lib.vbss_replay_read, integer(number, ctypes.c_uint64, "number"), ctypes.byref(step),
                        ctypes.sizeof(step))

@@ -5,14 +5,14 @@ import ctypes
 from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union
 
 from ._api.base import Method
-from ._api.scene import (Blocker, BlockerCause, ContactKind, EventKind, Grasp, Hole, Overlap, OverlapPolicy, RigidKind,
-                         RigidState, SceneField, SceneMode, SceneStatistics, vbss_blocker, vbss_capsule, vbss_grasp, vbss_hole,
-                         vbss_overlap, vbss_rigid_config, vbss_rigid_state, vbss_scene, vbss_scene_config,
+from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneEventKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
+                         SceneRigidState, SceneField, SceneMode, SceneStatistics, vbss_scene_blocker, vbss_scene_capsule, vbss_scene_grasp, vbss_scene_hole,
+                         vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config,
                          vbss_scene_statistics)
 from ._api.drain import vbss_drain
 from ._api.grasper import vbss_grasper
 from ._api.needle import vbss_needle
-from ._api.scene_query import BodyInfo, BodyKind, Nearest, RayHit, vbss_body_info, vbss_nearest, vbss_ray_hit
+from ._api.scene_query import SceneBodyInfo, SceneBodyKind, SceneNearest, SceneRayHit, vbss_scene_body_info, vbss_scene_nearest, vbss_scene_ray_hit
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
@@ -25,8 +25,8 @@ from .needle import Needle
 from .thread import Thread
 from .views import Array
 
-__all__ = ["Blocker", "BlockerCause", "BodyInfo", "BodyKind", "Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method",
-           "Nearest", "Overlap", "OverlapPolicy", "RayHit", "RigidKind", "RigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
+__all__ = ["SceneBlocker", "SceneBlockerCause", "SceneBodyInfo", "SceneBodyKind", "Capsule", "Contact", "SceneContactKind", "Event", "SceneEventKind", "SceneGrasp", "SceneHole", "Method",
+           "SceneNearest", "SceneOverlap", "SceneOverlapPolicy", "SceneRayHit", "SceneRigidKind", "SceneRigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
 
 Body = Union[Thread, Drain, Needle, Grasper]
 
@@ -40,7 +40,7 @@ class Capsule(NamedTuple):
 
 class Event(NamedTuple):
     """What happened in the last step; EventKind says what body, other and number are."""
-    kind: EventKind
+    kind: SceneEventKind
     body: int
     other: int
     number: int
@@ -48,7 +48,7 @@ class Event(NamedTuple):
 
 class Contact(NamedTuple):
     """Which features touch. The other arrays of contacts are in the same order."""
-    kind: ContactKind
+    kind: SceneContactKind
     body_a: int
     feature_a: int
     body_b: int
@@ -99,14 +99,14 @@ class Scene(Configured, Viewed, Saved):
 
     def add_rigid(self, capsules: Iterable[Any], **settings: Any) -> int:
         """Adds a rigid body of capsules (begin, end, radius); returns its number. `kind` is "driven" (default),
-        "coupled" or "free"; other keywords as in vbss_rigid_config."""
+        "coupled" or "free"; other keywords as in vbss_scene_rigid_config."""
         listed = [Capsule(*one) for one in capsules]
-        array = (vbss_capsule * max(1, len(listed)))()
+        array = (vbss_scene_capsule * max(1, len(listed)))()
         for struct, one in zip(array, listed):
             struct.begin[:] = doubles(one.begin, "begin of a capsule", 3)
             struct.end[:] = doubles(one.end, "end of a capsule", 3)
             struct.radius = one.radius
-        config = initialised(vbss_rigid_config, lib.vbss_rigid_config_init, settings, "a rigid body")
+        config = initialised(vbss_scene_rigid_config, lib.vbss_scene_rigid_config_init, settings, "a rigid body")
         config.capsule_count, config.capsules = len(listed), array
         number = ctypes.c_uint32()
         self._call(lib.vbss_scene_add_rigid, ctypes.byref(config), ctypes.byref(number))
@@ -134,14 +134,14 @@ class Scene(Configured, Viewed, Saved):
         self._bodies[body] = thread
         return thread
 
-    def move_rigid(self, body: int, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
+    def set_rigid_target(self, body: int, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
         """Says where a driven or coupled body shall be at the end of the next step."""
-        self._call(lib.vbss_scene_move_rigid, index(body), doubles(position, "position", 3),
+        self._call(lib.vbss_scene_set_rigid_target, index(body), doubles(position, "position", 3),
                    optional(orientation, "orientation", 4))
 
-    def rigid(self, body: int) -> RigidState:
+    def rigid(self, body: int) -> SceneRigidState:
         """Where a rigid body is and what acts on it."""
-        return self._read("get_rigid", RigidState, vbss_rigid_state, index(body))
+        return self._read("get_rigid", SceneRigidState, vbss_scene_rigid_state, index(body))
 
     def pin_thread(self, thread: int, node: int, body: int = 0, point: Optional[Sequence[float]] = None) -> int:
         """Pins a node of a thread to a rigid body, or to the world (0); returns the pin's name. Without a point,
@@ -226,9 +226,9 @@ class Scene(Configured, Viewed, Saved):
         self._call(lib.vbss_scene_get_bodies, numbers, count.value, ctypes.byref(count))
         return list(numbers[:count.value])
 
-    def body_info(self, body: int) -> BodyInfo:
+    def body_info(self, body: int) -> SceneBodyInfo:
         """Kind, filter, friction and gravity of a body, or of the floor (0)."""
-        return self._read("get_body", BodyInfo, vbss_body_info, index(body))
+        return self._read("get_body", SceneBodyInfo, vbss_scene_body_info, index(body))
 
     def _handle_of(self, function: Any, struct: Any, body: int) -> int:
         """The address of the handle of a body of one kind."""
@@ -258,14 +258,14 @@ class Scene(Configured, Viewed, Saved):
         self._call(lib.vbss_scene_get_user_data, index(body), ctypes.byref(data))
         return data.value or 0
 
-    def cast_ray(self, origin: Sequence[float], translation: Sequence[float], mask: int = 0xffffffff) -> RayHit:
+    def cast_ray(self, origin: Sequence[float], translation: Sequence[float], mask: int = 0xffffffff) -> SceneRayHit:
         """The first surface on a ray, of bodies with a category of the mask."""
-        return self._read("cast_ray", RayHit, vbss_ray_hit, doubles(origin, "origin", 3),
+        return self._read("cast_ray", SceneRayHit, vbss_scene_ray_hit, doubles(origin, "origin", 3),
                           doubles(translation, "translation", 3), index(mask))
 
-    def find_nearest(self, point: Sequence[float], radius: float, mask: int = 0xffffffff) -> Nearest:
+    def find_nearest(self, point: Sequence[float], radius: float, mask: int = 0xffffffff) -> SceneNearest:
         """The body whose surface is nearest to a point, within a radius."""
-        return self._read("find_nearest", Nearest, vbss_nearest, doubles(point, "point", 3), radius, index(mask))
+        return self._read("find_nearest", SceneNearest, vbss_scene_nearest, doubles(point, "point", 3), radius, index(mask))
 
     def step(self, h: float = 1e-3) -> None:
         """Moves everything forward by h seconds."""
@@ -273,36 +273,36 @@ class Scene(Configured, Viewed, Saved):
 
     # ---- what there is to see
 
-    def grasp(self, tool: int, number: int = 0) -> Grasp:
+    def grasp(self, tool: int, number: int = 0) -> SceneGrasp:
         """One of the places that a grasper holds."""
-        return self._read("get_grasp", Grasp, vbss_grasp, index(tool), index(number))
+        return self._read("get_grasp", SceneGrasp, vbss_scene_grasp, index(tool), index(number))
 
-    def grasps(self, tool: int) -> list[Grasp]:
+    def grasps(self, tool: int) -> list[SceneGrasp]:
         """All of them."""
         grasper = self._bodies.get(tool)
         if not isinstance(grasper, Grasper):
             raise OutOfRangeError(f"body {tool} is no grasper")
         return [self.grasp(tool, number) for number in range(grasper.state.grasp_count)]
 
-    def overlap(self, body: int) -> Overlap:
+    def overlap(self, body: int) -> SceneOverlap:
         """The deepest overlap of a body with another body or the floor, where they are now."""
-        return self._read("get_overlap", Overlap, vbss_overlap, index(body))
+        return self._read("get_overlap", SceneOverlap, vbss_scene_overlap, index(body))
 
-    def hole(self, number: int) -> Hole:
+    def hole(self, number: int) -> SceneHole:
         """One of the holes of needles and threads in drains."""
-        return self._read("get_hole", Hole, vbss_hole, index(number))
+        return self._read("get_hole", SceneHole, vbss_scene_hole, index(number))
 
     @property
-    def holes(self) -> list[Hole]:
+    def holes(self) -> list[SceneHole]:
         """All of them."""
         return self._read_all(self.hole)
 
-    def blocker(self, number: int) -> Blocker:
+    def blocker(self, number: int) -> SceneBlocker:
         """One of the pairs of bodies that hold back others."""
-        return self._read("get_blocker", Blocker, vbss_blocker, index(number))
+        return self._read("get_blocker", SceneBlocker, vbss_scene_blocker, index(number))
 
     @property
-    def blockers(self) -> list[Blocker]:
+    def blockers(self) -> list[SceneBlocker]:
         """All of them."""
         return self._read_all(self.blocker)
 
@@ -322,7 +322,7 @@ class Scene(Configured, Viewed, Saved):
     @property
     def contacts(self) -> list[Contact]:
         """Which features touched at the end of the last step."""
-        return [Contact(ContactKind(kind), *rest) for kind, *rest in _rows(self.contact_features)]
+        return [Contact(SceneContactKind(kind), *rest) for kind, *rest in _rows(self.contact_features)]
 
     @property
     def contact_features(self) -> Array:
@@ -352,7 +352,7 @@ class Scene(Configured, Viewed, Saved):
     @property
     def events(self) -> list[Event]:
         """What happened in the last step."""
-        return [Event(EventKind(kind), *rest) for kind, *rest in _rows(self._array(SceneField.EVENTS))]
+        return [Event(SceneEventKind(kind), *rest) for kind, *rest in _rows(self._array(SceneField.EVENTS))]
 
     @property
     def statistics(self) -> SceneStatistics:

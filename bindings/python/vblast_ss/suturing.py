@@ -32,7 +32,7 @@ from .context import Context
 from .devices import DeviceTool
 from .environment import RandomHands
 from .errors import Error
-from .metrics import Metrics, MetricsBits
+from .metrics import Metrics, MetricsFlagBits
 from .records import Replay
 from .sessions import Session, SessionEvent, SessionEventKind, SessionPhase
 
@@ -124,7 +124,7 @@ class SutureEnvironment(Episodes):
         phase, report = self.scene.session.status.phase, self.metrics.report
         if phase not in (SessionPhase.IDLE, SessionPhase.FAILED):  # which is no further than where it failed
             self._phase = int(phase)
-        score = report.score if report.flags & MetricsBits.STARTED else MAX_TIME  # the clock waits for the first step
+        score = report.score if report.flags & MetricsFlagBits.STARTED else MAX_TIME  # the clock waits for the first step
         return score + self.phase_points * self._phase + math.fsum(self._points[kind] for kind, _ in self._standing)
 
     def _observe(self) -> Any:

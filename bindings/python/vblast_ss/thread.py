@@ -5,7 +5,7 @@ import ctypes
 import operator
 from typing import Any, Iterable, Optional, Sequence
 
-from ._api.thread import (AttachmentKind, Bending, Mesh, ThreadEnergies, ThreadField, ThreadMomentum, ThreadPreset,
+from ._api.thread import (ThreadAttachmentKind, ThreadBending, ThreadMesh, ThreadEnergies, ThreadField, ThreadMomentum, ThreadPreset,
                           ThreadReaction, ThreadStatistics, vbss_thread, vbss_thread_attachment, vbss_thread_config,
                           vbss_thread_energies, vbss_thread_momentum, vbss_thread_reaction, vbss_thread_statistics)
 from ._library import lib
@@ -15,8 +15,8 @@ from .context import Context
 from .errors import check
 from .views import Array
 
-__all__ = ["AttachmentKind", "Bending", "Mesh", "Thread", "ThreadEnergies", "ThreadField", "ThreadMomentum",
-           "ThreadPreset", "ThreadReaction", "ThreadStatistics", "grade"]
+__all__ = ["ThreadAttachmentKind", "ThreadBending", "ThreadMesh", "Thread", "ThreadEnergies", "ThreadField", "ThreadMomentum",
+           "ThreadPreset", "ThreadReaction", "ThreadStatistics", "grade_lengths"]
 
 
 def attachment_of(kind: Any, settings: dict[str, Any]) -> vbss_thread_attachment:
@@ -25,19 +25,19 @@ def attachment_of(kind: Any, settings: dict[str, Any]) -> vbss_thread_attachment
     return struct
 
 
-def grade(length: float, centre: float, finest: float, coarsest: float, ratio: float = 1.2) -> list[float]:
+def grade_lengths(length: float, centre: float, finest: float, coarsest: float, ratio: float = 1.2) -> list[float]:
     """Rest lengths of segments that are fine about one place and grow away from it by a constant ratio, m."""
     count = ctypes.c_uint32()
     arguments = (float(length), float(centre), float(finest), float(coarsest), float(ratio))
     buffer = (ctypes.c_double * 65536)()
-    check(lib.vbss_thread_grade(*arguments, buffer, len(buffer), ctypes.byref(count)))
+    check(lib.vbss_thread_grade_lengths(*arguments, buffer, len(buffer), ctypes.byref(count)))
     return list(buffer[:count.value])
 
 
 class Thread(Configured, Viewed, Saved):
     """An elastic rod without twist: a chain of nodes, numbered from 0.
 
-        preset        a material to start from: "silk_2_0" or "paper_thread"
+        preset        a material to start from: "silk_2_0" or "vblast"
         positions     of the nodes, n x 3, m: sets segment_count to n - 1; default straight
         rest_lengths  of the segments, m: sets segment_count; default equal
 
@@ -100,9 +100,9 @@ class Thread(Configured, Viewed, Saved):
         """Attaches something to a node: "pin", "clamp", "force", "spring" or "mass", with position, direction,
         force, stiffness, damping, mass. A pin, clamp or spring without a position holds the node where it is.
         Returns the name of the attachment."""
-        number = constant(kind, AttachmentKind, "kind")
-        if "position" not in settings and number in (AttachmentKind.PIN, AttachmentKind.CLAMP,
-                                                     AttachmentKind.SPRING):
+        number = constant(kind, ThreadAttachmentKind, "kind")
+        if "position" not in settings and number in (ThreadAttachmentKind.PIN, ThreadAttachmentKind.CLAMP,
+                                                     ThreadAttachmentKind.SPRING):
             places = self.positions
             if 0 <= index(node, "node") < len(places):
                 settings["position"] = places[node]
@@ -111,9 +111,9 @@ class Thread(Configured, Viewed, Saved):
         self._call(lib.vbss_thread_attach, ctypes.byref(attachment), ctypes.byref(name))
         return name.value
 
-    def move(self, attachment: int, target: Sequence[float], direction: Optional[Sequence[float]] = None) -> None:
+    def set_attachment_target(self, attachment: int, target: Sequence[float], direction: Optional[Sequence[float]] = None) -> None:
         """Says where an attachment shall be at the end of the next step; of a force, the force, N."""
-        self._call(lib.vbss_thread_move, index(attachment), doubles(target, "target", 3),
+        self._call(lib.vbss_thread_set_attachment_target, index(attachment), doubles(target, "target", 3),
                    optional(direction, "direction", 3))
 
     def detach(self, attachment: int) -> None:

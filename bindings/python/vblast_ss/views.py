@@ -10,7 +10,7 @@ import ctypes
 import operator
 from typing import Any, Callable, Iterator
 
-from ._api.base import Type, vbss_view
+from ._api.base import ViewType, vbss_view
 from ._memory import Memory
 from ._values import numpy
 from .errors import StaleViewError
@@ -57,8 +57,8 @@ class Rows:
 
 def array_of(memory: Memory, view: vbss_view) -> Array:
     """What a view of the library describes."""
-    size = 8 if view.type == Type.F64 else 4
-    letter = {Type.F64: "d", Type.U32: "I", Type.F32: "f"}[Type(view.type)]
+    size = 8 if view.type == ViewType.F64 else 4
+    letter = {ViewType.F64: "d", ViewType.U32: "I", ViewType.F32: "f"}[ViewType(view.type)]
     count, components, stride = view.count, view.components, view.stride_bytes
     used = (count - 1) * stride + components * size if count else 0
     data = memory.look(view.data, used) if count else memoryview(b"")

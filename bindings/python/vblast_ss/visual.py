@@ -4,7 +4,7 @@ from __future__ import annotations
 import ctypes
 from typing import Any, NamedTuple, Optional, Union
 
-from ._api.visual import (SpotKind, VisualField, VisualKind, VisualStatistics, vbss_visual, vbss_visual_config,
+from ._api.visual import (VisualSpotKind, VisualField, VisualKind, VisualStatistics, vbss_visual, vbss_visual_config,
                           vbss_visual_statistics)
 from ._library import lib
 from ._objects import Configured, Viewed, context_or_new, created
@@ -18,7 +18,7 @@ from .scene import Scene
 from .thread import Thread
 from .views import Array
 
-__all__ = ["Part", "Spot", "SpotKind", "Visual", "VisualField", "VisualKind", "VisualStatistics"]
+__all__ = ["Part", "Spot", "VisualSpotKind", "Visual", "VisualField", "VisualKind", "VisualStatistics"]
 
 Shown = Union[Scene, Replica, Thread, Drain, Needle, Grasper]
 
@@ -35,7 +35,7 @@ class Part(NamedTuple):
 class Spot(NamedTuple):
     """A mark or a hole: `part` is the number of the drain in parts, `material` a place of it at rest, m."""
     part: int
-    kind: SpotKind
+    kind: VisualSpotKind
     material: tuple[float, float, float]
     radius: float
 
@@ -100,7 +100,7 @@ class Visual(Configured, Viewed):
     @property
     def spots(self) -> list[Spot]:
         """Marks and holes of drains."""
-        return [Spot(int(part), SpotKind(int(kind)), (x, y, z), radius)
+        return [Spot(int(part), VisualSpotKind(int(kind)), (x, y, z), radius)
                 for part, kind, x, y, z, radius in self._array(VisualField.SPOTS).tolist()]
 
     @property

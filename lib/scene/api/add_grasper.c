@@ -9,7 +9,7 @@
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
-static void init_rigid(scene_rigid *r, vbss_rigid_kind kind, const grasper_object *g,
+static void init_rigid(scene_rigid *r, vbss_scene_rigid_kind kind, const grasper_object *g,
                        vbss_slot *slot, const vbss_rigid_mass *mass, pose target)
 {
     const vbss_grasper_config *c = &g->config;
@@ -23,7 +23,7 @@ static void init_rigid(scene_rigid *r, vbss_rigid_kind kind, const grasper_objec
     r->body.mass = mass->mass;
     r->body.inertia = mass->inertia;
     r->body.now.pose = r->body.target_start = r->body.target_end = r->trial = at;
-    if (kind == VBSS_RIGID_COUPLED) {
+    if (kind == VBSS_SCENE_RIGID_COUPLED) {
         const vbss_rigid_coupling coupling = {c->stiffness, c->damping, c->turning_stiffness,
                                               c->turning_damping};
         r->body.coupling = coupling;
@@ -78,9 +78,10 @@ static vbss_result add_grasper(scene_object *s, vbss_grasper *grasper, uint32_t 
     vbss_slot *slot = found.slot;
     scene_body *b = found.body;
     const grasper_object *g = slot->object;
-    const vbss_rigid_kind kind = s->method->drives_tools ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED;
+    const vbss_scene_rigid_kind kind =
+        s->method->drives_tools ? VBSS_SCENE_RIGID_DRIVEN : VBSS_SCENE_RIGID_COUPLED;
     const scene_outline outline = {
-        .grasper = g, .at = found.target, .is_prescribed = kind == VBSS_RIGID_DRIVEN};
+        .grasper = g, .at = found.target, .is_prescribed = kind == VBSS_SCENE_RIGID_DRIVEN};
     VBSS_TRY(vbss_scene_check_overlap(s, &outline, "grasper"));
     const vbss_rigid_mass mass = proxy_mass(g);
     VBSS_TRY(vbss_collision_add_capsules(

@@ -58,7 +58,7 @@ static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *bo
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), n->config.segment_count,
                                          n->config.wire_radius, &shape));
     s->collision->shapes[shape]->is_rigid = true;
-    *b = (scene_body){.rigid = {.kind = VBSS_RIGID_FREE,
+    *b = (scene_body){.rigid = {.kind = VBSS_SCENE_RIGID_FREE,
                                 .body = n->body,
                                 .frame = n->body_frame,
                                 .friction = n->config.friction,

@@ -6,12 +6,12 @@
 #include "scene/api/overlap.h"
 #include "scene/world/world.h"
 
-_Static_assert(sizeof(vbss_rigid_config) == 200, "published size");
-_Static_assert(sizeof(vbss_capsule) == 56, "published size");
+_Static_assert(sizeof(vbss_scene_rigid_config) == 200, "published size");
+_Static_assert(sizeof(vbss_scene_capsule) == 56, "published size");
 
-static const vbss_rigid_config rigid_defaults = {
-    .struct_size = sizeof(vbss_rigid_config),
-    .kind = VBSS_RIGID_DRIVEN,
+static const vbss_scene_rigid_config rigid_defaults = {
+    .struct_size = sizeof(vbss_scene_rigid_config),
+    .kind = VBSS_SCENE_RIGID_DRIVEN,
     .orientation = {1.0, 0.0, 0.0, 0.0},
     .mass = 0.02,
     .friction = 0.15,
@@ -21,14 +21,14 @@ static const vbss_rigid_config rigid_defaults = {
     .turning_damping = 0.005,
 };
 static const uint32_t rigid_sizes[] = {200, 0};
-static const vbss_layout rigid_layout = {"vbss_rigid_config", &rigid_defaults, rigid_sizes};
+static const vbss_layout rigid_layout = {"vbss_scene_rigid_config", &rigid_defaults, rigid_sizes};
 
-vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t struct_size)
+vbss_result vbss_scene_rigid_config_init(vbss_scene_rigid_config *config, uint32_t struct_size)
 {
     return vbss_config_init(&rigid_layout, config, struct_size);
 }
 
-static vbss_result check_capsule(vbss_context *context, const vbss_capsule *c)
+static vbss_result check_capsule(vbss_context *context, const vbss_scene_capsule *c)
 {
     VBSS_TRY(vbss_check_finite(context, c->begin, 3, "begin of a capsule"));
     VBSS_TRY(vbss_check_finite(context, c->end, 3, "end of a capsule"));
@@ -37,11 +37,11 @@ static vbss_result check_capsule(vbss_context *context, const vbss_capsule *c)
     return vbss_check_range(context, c->radius, 1e-6, 1.0, "radius of a capsule");
 }
 
-static void warn_of_units(vbss_context *context, const vbss_rigid_config *c)
+static void warn_of_units(vbss_context *context, const vbss_scene_rigid_config *c)
 {
     double farthest = 0.0, thickest = 0.0;
     for (uint32_t i = 0; i < c->capsule_count; i++) {
-        const vbss_capsule *p = &c->capsules[i];
+        const vbss_scene_capsule *p = &c->capsules[i];
         farthest = vbss_max(farthest, vbss_max(vbss_max_abs(p->begin, 3), vbss_max_abs(p->end, 3)));
         thickest = vbss_max(thickest, p->radius);
     }
@@ -52,10 +52,11 @@ static void warn_of_units(vbss_context *context, const vbss_rigid_config *c)
                           "m/s^2", "mm/s^2");
 }
 
-static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c)
+static vbss_result check_rigid(const scene_object *s, const vbss_scene_rigid_config *c)
 {
     vbss_context *context = s->context;
-    VBSS_TRY(vbss_check_range(context, c->kind, VBSS_RIGID_DRIVEN, VBSS_RIGID_FREE, "kind"));
+    VBSS_TRY(
+        vbss_check_range(context, c->kind, VBSS_SCENE_RIGID_DRIVEN, VBSS_SCENE_RIGID_FREE, "kind"));
     VBSS_TRY(vbss_check_range(context, c->capsule_count, 1.0, 256.0, "capsule_count"));
     VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
     VBSS_TRY(vbss_check_pointer(context, c->capsules, "capsules"));
@@ -80,11 +81,11 @@ static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c
 }
 
 /* Computes mass and inertia as if the capsules were solid and of one material. */
-static vbss_result distribute_mass(const scene_object *s, const vbss_rigid_config *c,
+static vbss_result distribute_mass(const scene_object *s, const vbss_scene_rigid_config *c,
                                    vbss_rigid_mass *mass)
 {
     for (uint32_t i = 0; i < c->capsule_count; i++) {
-        const vbss_capsule *from = &c->capsules[i];
+        const vbss_scene_capsule *from = &c->capsules[i];
         s->scratch.mass_capsules[i] = (vbss_rigid_capsule){
             vec3_load(from->begin), vec3_load(from->end), from->radius, 1000.0};
     }
@@ -96,8 +97,8 @@ static vbss_result distribute_mass(const scene_object *s, const vbss_rigid_confi
     return VBSS_OK;
 }
 
-static void init_rigid(scene_rigid *r, const vbss_rigid_config *c, const vbss_rigid_mass *mass,
-                       quat orientation)
+static void init_rigid(scene_rigid *r, const vbss_scene_rigid_config *c,
+                       const vbss_rigid_mass *mass, quat orientation)
 {
     pose at = pose_mul(pose_make(vec3_load(c->position), orientation), mass->frame);
     vec3 w = vec3_load(c->angular_velocity);
@@ -110,18 +111,18 @@ static void init_rigid(scene_rigid *r, const vbss_rigid_config *c, const vbss_ri
     r->body.inertia = mass->inertia;
     r->body.gravity = vec3_load(c->gravity);
     r->body.now.pose = r->body.target_start = r->body.target_end = r->trial = at;
-    if (c->kind == VBSS_RIGID_COUPLED) {
+    if (c->kind == VBSS_SCENE_RIGID_COUPLED) {
         const vbss_rigid_coupling coupling = {c->stiffness, c->damping, c->turning_stiffness,
                                               c->turning_damping};
         r->body.coupling = coupling;
     }
-    if (c->kind != VBSS_RIGID_DRIVEN) {
+    if (c->kind != VBSS_SCENE_RIGID_DRIVEN) {
         r->body.now.v = vec3_add(vec3_load(c->velocity), vec3_cross(w, arm));
         r->body.now.w = w;
     }
 }
 
-static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config *c)
+static void add_capsules(scene_object *s, scene_body *b, const vbss_scene_rigid_config *c)
 {
     scene_rigid *r = &b->rigid;
     r->first_capsule = s->capsule_count;
@@ -138,13 +139,13 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
 
 /* Everything that a new body needs, computed before anything changes. */
 typedef struct new_rigid {
-    vbss_rigid_config config;
+    vbss_scene_rigid_config config;
     vbss_rigid_mass mass;
     quat orientation;
     double radius; /* of its thickest capsule, m */
 } new_rigid;
 
-static vbss_result read_rigid(const scene_object *s, const vbss_rigid_config *config,
+static vbss_result read_rigid(const scene_object *s, const vbss_scene_rigid_config *config,
                               new_rigid *read)
 {
     VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &read->config));
@@ -160,11 +161,11 @@ static vbss_result read_rigid(const scene_object *s, const vbss_rigid_config *co
 
 static vbss_result add_rigid(scene_object *s, const new_rigid *added, uint32_t *body)
 {
-    const vbss_rigid_config *c = &added->config;
+    const vbss_scene_rigid_config *c = &added->config;
     uint32_t shape = 0;
     const scene_outline outline = {.capsules = c,
                                    .at = pose_make(vec3_load(c->position), added->orientation),
-                                   .is_prescribed = c->kind == VBSS_RIGID_DRIVEN};
+                                   .is_prescribed = c->kind == VBSS_SCENE_RIGID_DRIVEN};
     VBSS_TRY(vbss_scene_check_overlap(s, &outline, "rigid body"));
     scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {
@@ -181,7 +182,8 @@ static vbss_result add_rigid(scene_object *s, const new_rigid *added, uint32_t *
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config, uint32_t *body)
+vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_rigid_config *config,
+                                 uint32_t *body)
 {
     VBSS_ENTER(scene);
     scene_object *s;

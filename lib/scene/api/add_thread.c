@@ -27,7 +27,7 @@ static vbss_result check_thread(scene_object *s, vbss_thread *thread, const uint
 /* The shape of an adaptive thread has room for all nodes that its mesh may get. */
 static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *shape)
 {
-    if (t->config.mesh == VBSS_MESH_FIXED) {
+    if (t->config.mesh == VBSS_THREAD_MESH_FIXED) {
         return vbss_collision_add_chain(scene_collision(s), t->node_count, t->rest,
                                         t->config.radius, shape);
     }

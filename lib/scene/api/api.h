@@ -12,8 +12,8 @@ extern const vbss_kind vbss_scene_kind;
 /* Default configuration and published sizes of vbss_scene_config. Defined in create.c. */
 extern const vbss_layout vbss_scene_config_layout;
 
-/* Defaults of work_limit and slot_limit. */
-enum { SCENE_DEFAULT_WORK_LIMIT = 250000, SCENE_DEFAULT_SLOT_LIMIT = 210000 };
+/* Defaults of step_budget and call_budget. */
+enum { SCENE_DEFAULT_STEP_BUDGET = 250000, SCENE_DEFAULT_CALL_BUDGET = 210000 };
 
 /* ---- reference_scene.c */
 

@@ -7,10 +7,10 @@
 
 #include <vblast_ss/scene_query.h>
 
-_Static_assert(sizeof(vbss_body_info) == 56, "published size");
+_Static_assert(sizeof(vbss_scene_body_info) == 56, "published size");
 
 static const uint32_t info_sizes[] = {56, 0};
-static const vbss_layout info_layout = {"vbss_body_info", NULL, info_sizes};
+static const vbss_layout info_layout = {"vbss_scene_body_info", NULL, info_sizes};
 
 static scene_body *find_body(const scene_object *s, uint32_t number)
 {
@@ -49,32 +49,32 @@ vbss_result vbss_scene_get_bodies(vbss_scene *scene, uint32_t *numbers, uint32_t
     return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has %u bodies", found);
 }
 
-static void describe_floor(const scene_object *s, vbss_body_info *info)
+static void describe_floor(const scene_object *s, vbss_scene_body_info *info)
 {
-    info->kind = VBSS_BODY_FLOOR;
+    info->kind = VBSS_SCENE_BODY_FLOOR;
     info->friction = s->settings.floor_friction;
 }
 
-static void describe_rigid(const scene_rigid *r, vbss_body_info *info)
+static void describe_rigid(const scene_rigid *r, vbss_scene_body_info *info)
 {
-    info->kind = r->needle != NULL    ? VBSS_BODY_NEEDLE
-                 : r->grasper != NULL ? VBSS_BODY_GRASPER
-                                      : VBSS_BODY_RIGID;
+    info->kind = r->needle != NULL    ? VBSS_SCENE_BODY_NEEDLE
+                 : r->grasper != NULL ? VBSS_SCENE_BODY_GRASPER
+                                      : VBSS_SCENE_BODY_RIGID;
     info->motion = r->kind;
     info->friction = r->friction;
     vec3_store(info->gravity, r->body.gravity);
 }
 
-static void describe(const scene_object *s, const scene_body *b, vbss_body_info *info)
+static void describe(const scene_object *s, const scene_body *b, vbss_scene_body_info *info)
 {
     if (b == NULL) {
         describe_floor(s, info);
     } else if (b->kind == SCENE_BODY_THREAD) {
-        info->kind = VBSS_BODY_THREAD;
+        info->kind = VBSS_SCENE_BODY_THREAD;
         info->friction = s->settings.thread_friction;
         vec3_store(info->gravity, b->thread.thread->gravity);
     } else if (b->kind == SCENE_BODY_DRAIN) {
-        info->kind = VBSS_BODY_DRAIN;
+        info->kind = VBSS_SCENE_BODY_DRAIN;
         info->friction = b->drain.friction;
         vec3_store(info->gravity, b->drain.drain->gravity);
     } else {
@@ -82,7 +82,7 @@ static void describe(const scene_object *s, const scene_body *b, vbss_body_info 
     }
 }
 
-vbss_result vbss_scene_get_body(vbss_scene *scene, uint32_t body, vbss_body_info *info,
+vbss_result vbss_scene_get_body(vbss_scene *scene, uint32_t body, vbss_scene_body_info *info,
                                 uint32_t struct_size)
 {
     VBSS_ENTER(scene);
@@ -93,10 +93,10 @@ vbss_result vbss_scene_get_body(vbss_scene *scene, uint32_t body, vbss_body_info
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     const scene_filter *filter = vbss_scene_filter_of(s, b);
-    vbss_body_info own = {.struct_size = sizeof own,
-                          .body = body,
-                          .category = filter->category,
-                          .mask = filter->mask};
+    vbss_scene_body_info own = {.struct_size = sizeof own,
+                                .body = body,
+                                .category = filter->category,
+                                .mask = filter->mask};
     describe(s, b, &own);
     return vbss_struct_write(s->context, &info_layout, &own, info, struct_size);
 }

@@ -19,11 +19,11 @@ static const vbss_budget_config defaults = {
 static const uint32_t budget_sizes[] = {32, 0};
 static const vbss_layout budget_layout = {"vbss_budget_config", &defaults, budget_sizes};
 
-/* Bounds of slot_limit, operations. Chosen: a fifth of the default, with which a step of the task still
+/* Bounds of call_budget, operations. Chosen: a fifth of the default, with which a step of the task still
  * begins its first solve, and ten times the default. */
 enum {
-    MIN_SLOT_LIMIT = SCENE_DEFAULT_SLOT_LIMIT / 5,
-    MAX_SLOT_LIMIT = 10 * SCENE_DEFAULT_SLOT_LIMIT
+    MIN_SLOT_LIMIT = SCENE_DEFAULT_CALL_BUDGET / 5,
+    MAX_SLOT_LIMIT = 10 * SCENE_DEFAULT_CALL_BUDGET
 };
 
 vbss_result vbss_budget_config_init(vbss_budget_config *budget, uint32_t struct_size)
@@ -43,11 +43,11 @@ static vbss_result check_budget(vbss_context *context, const vbss_budget_config 
 /* Operations that fit into the share of the slot, within the bounds. */
 static uint32_t fit_slot_limit(vbss_context *context, const vbss_budget_config *b)
 {
-    const double max = b->allows_more ? MAX_SLOT_LIMIT : SCENE_DEFAULT_SLOT_LIMIT;
+    const double max = b->allows_more ? MAX_SLOT_LIMIT : SCENE_DEFAULT_CALL_BUDGET;
     const double fitting = 1e6 * b->slot * b->share * b->operations_per_microsecond;
     if (fitting < MIN_SLOT_LIMIT) {
         vbss_message(context, VBSS_LOG_WARNING,
-                     "the core does %.0f operations in its share of a slot; slot_limit is %d, and "
+                     "the core does %.0f operations in its share of a slot; call_budget is %d, and "
                      "calls take longer",
                      fitting, (int)MIN_SLOT_LIMIT);
         return MIN_SLOT_LIMIT;
@@ -66,13 +66,13 @@ vbss_result vbss_budget_fit_scene(vbss_context *context, const vbss_budget_confi
     VBSS_TRY(vbss_config_read(context, &budget_layout, budget, &own));
     VBSS_TRY(vbss_config_read(context, &vbss_scene_config_layout, config, &scene));
     VBSS_TRY(check_budget(context, &own));
-    if (config->struct_size < offsetof(vbss_scene_config, slot_limit) + sizeof scene.slot_limit) {
+    if (config->struct_size < offsetof(vbss_scene_config, call_budget) + sizeof scene.call_budget) {
         return vbss_fail(context, VBSS_ERROR_STRUCT_SIZE,
-                         "a vbss_scene_config of %u bytes has no slot_limit",
+                         "a vbss_scene_config of %u bytes has no call_budget",
                          (unsigned)config->struct_size);
     }
-    config->slot_limit = fit_slot_limit(context, &own);
-    config->work_limit = (uint32_t)((uint64_t)config->slot_limit * SCENE_DEFAULT_WORK_LIMIT /
-                                    SCENE_DEFAULT_SLOT_LIMIT);
+    config->call_budget = fit_slot_limit(context, &own);
+    config->step_budget = (uint32_t)((uint64_t)config->call_budget * SCENE_DEFAULT_STEP_BUDGET /
+                                     SCENE_DEFAULT_CALL_BUDGET);
     return VBSS_OK;
 }

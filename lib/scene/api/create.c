@@ -16,8 +16,8 @@ _Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
 
 static const vbss_scene_config defaults = {
     .struct_size = sizeof(vbss_scene_config),
-    .method = VBSS_METHOD_OURS,
-    .mode = VBSS_MODE_REAL_TIME,
+    .method = VBSS_METHOD_IMPLICIT,
+    .mode = VBSS_SCENE_MODE_REAL_TIME,
     .thread_capacity = 4,
     .node_capacity = 1024,
     .rigid_capacity = 4,
@@ -34,13 +34,13 @@ static const vbss_scene_config defaults = {
     .contact_margin = 3e-5,
     .stretch_tolerance = 1e-3,
     .penetration_tolerance = 0.1,
-    .linearisation_limit = 12,
-    .state_limit = 36,
+    .iteration_limit = 12,
+    .active_set_limit = 36,
     .halving_limit = 5,
     .attempt_limit = 3,
     .paper_pass_limit = 4,
-    .work_limit = SCENE_DEFAULT_WORK_LIMIT,
-    .slot_limit = SCENE_DEFAULT_SLOT_LIMIT,
+    .step_budget = SCENE_DEFAULT_STEP_BUDGET,
+    .call_budget = SCENE_DEFAULT_CALL_BUDGET,
     .drain_capacity = 1,
     .hole_capacity = 16,
     .speed_limit = SCENE_DEFAULT_SPEED_LIMIT,
@@ -61,8 +61,8 @@ typedef struct range {
 static vbss_result check_config(vbss_context *context, const vbss_scene_config *c)
 {
     const range ranges[] = {
-        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
-        {"mode", c->mode, VBSS_MODE_REAL_TIME, VBSS_MODE_OFFLINE},
+        {"method", c->method, VBSS_METHOD_IMPLICIT, VBSS_METHOD_VBLAST},
+        {"mode", c->mode, VBSS_SCENE_MODE_REAL_TIME, VBSS_SCENE_MODE_OFFLINE},
         {"thread_capacity", c->thread_capacity, 0.0, SCENE_MAX_THREADS},
         {"node_capacity", c->node_capacity, 0.0, 8192.0},
         {"rigid_capacity", c->rigid_capacity, 0.0, 256.0},
@@ -79,8 +79,8 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
         {"contact_margin", c->contact_margin, 0.0, 0.1},
         {"stretch_tolerance", c->stretch_tolerance, 1e-9, 0.1},
         {"penetration_tolerance", c->penetration_tolerance, 1e-3, 0.5},
-        {"linearisation_limit", c->linearisation_limit, 1.0, 100.0},
-        {"state_limit", c->state_limit, 1.0, 1000.0},
+        {"iteration_limit", c->iteration_limit, 1.0, 100.0},
+        {"active_set_limit", c->active_set_limit, 1.0, 1000.0},
         {"halving_limit", c->halving_limit, 0.0, 10.0},
         {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
         {"drain_capacity", c->drain_capacity, 0.0, 16.0},
@@ -89,7 +89,7 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
         {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
         {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
         {"speed_limit", c->speed_limit, 0.0, 1e6},
-        {"overlap", c->overlap, VBSS_OVERLAP_WARN, VBSS_OVERLAP_ALLOW},
+        {"overlap", c->overlap, VBSS_SCENE_OVERLAP_WARN, VBSS_SCENE_OVERLAP_ALLOW},
         {"reserved", c->reserved, 0.0, 0.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
@@ -111,7 +111,7 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
     size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
     size_t contacts = s->config.contact_capacity;
     /* One more for a pair that turns out to be apart (add_contact.c). */
-    size_t constraints = s->config.method == VBSS_METHOD_OURS ? contacts + 1 : 0;
+    size_t constraints = s->config.method == VBSS_METHOD_IMPLICIT ? contacts + 1 : 0;
     const vbss_array all[] = {
         {&s->bodies, s->body_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},
@@ -221,7 +221,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    s->method = own.method == VBSS_METHOD_PAPER ? &vbss_baseline_scene : &vbss_scene_implicit;
+    s->method = own.method == VBSS_METHOD_VBLAST ? &vbss_baseline_scene : &vbss_scene_implicit;
     s->context = context;
     s->config = own;
     s->settings = vbss_scene_created_settings(s);

@@ -7,11 +7,11 @@
 #include "scene/world/world.h"
 
 vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
-                                 vbss_grasp *grasp, uint32_t struct_size)
+                                 vbss_scene_grasp *grasp, uint32_t struct_size)
 {
     VBSS_ENTER(scene);
-    static const uint32_t sizes[] = {sizeof(vbss_grasp), 0};
-    static const vbss_layout layout = {"vbss_grasp", NULL, sizes};
+    static const uint32_t sizes[] = {sizeof(vbss_scene_grasp), 0};
+    static const vbss_layout layout = {"vbss_scene_grasp", NULL, sizes};
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     uint32_t left = index;
@@ -23,24 +23,24 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
             continue;
         }
         const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
-        vbss_grasp own = {.struct_size = sizeof own,
-                          .thread = g->thread,
-                          .arc_length = vbss_scene_grasp_arc(s, g),
-                          .limit = g->limit,
-                          .slid = g->slid};
+        vbss_scene_grasp own = {.struct_size = sizeof own,
+                                .body = g->thread,
+                                .arc_length = vbss_scene_grasp_arc(s, g),
+                                .limit = g->limit,
+                                .slid = g->slid};
         const vec3 position = s->method->grasp_position(t, g);
         vec3_store(own.position, position);
         vec3_store(own.force, g->force);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }
     if (left == 0 && vbss_scene_has_needle_grasp(s, tool)) {
-        vbss_grasp own = {.struct_size = sizeof own};
+        vbss_scene_grasp own = {.struct_size = sizeof own};
         vbss_scene_describe_needle_grasp(s, vbss_scene_body(s, tool), &own);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }
     left -= vbss_scene_has_needle_grasp(s, tool) ? 1 : 0;
     if (left == 0 && vbss_scene_has_wall_grasp(s, tool)) {
-        vbss_grasp own = {.struct_size = sizeof own};
+        vbss_scene_grasp own = {.struct_size = sizeof own};
         vbss_scene_describe_wall_grasp(s, vbss_scene_body(s, tool), &own);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }

@@ -102,7 +102,7 @@ static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_l
     const scene_body *d = vbss_scene_require_body(s, made->drain, SCENE_BODY_DRAIN);
     if (!s->method->accepts_holes) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "holes are made by hosts in scenes of method OURS");
+                         "holes are made by hosts in scenes of method IMPLICIT");
     }
     VBSS_TRY(check_suture(s, suture, body, arc_length));
     if (d == NULL) {
@@ -149,12 +149,12 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
+vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_hole *hole,
                                 uint32_t struct_size)
 {
     VBSS_ENTER(scene);
-    static const uint32_t sizes[] = {168, sizeof(vbss_hole), 0};
-    static const vbss_layout layout = {"vbss_hole", NULL, sizes};
+    static const uint32_t sizes[] = {168, sizeof(vbss_scene_hole), 0};
+    static const vbss_layout layout = {"vbss_scene_hole", NULL, sizes};
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     uint32_t left = index;
@@ -166,15 +166,15 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *ho
         const scene_hole_context p = vbss_scene_get_hole_context(s, h);
         const drain_object *d = p.drain->drain;
         const suture_curve_point curve_point = vbss_scene_hole_curve_point(&p, h);
-        vbss_hole own = {.struct_size = sizeof own,
-                         .id = h->id,
-                         .needle = h->needle,
-                         .drain = h->drain,
-                         .triangle = h->triangle,
-                         .outward = h->is_outward,
-                         .arc_length = h->arc,
-                         .friction = h->friction_force,
-                         .thread = h->thread};
+        vbss_scene_hole own = {.struct_size = sizeof own,
+                               .id = h->id,
+                               .needle = h->needle,
+                               .drain = h->drain,
+                               .triangle = h->triangle,
+                               .outward = h->is_outward,
+                               .arc_length = h->arc,
+                               .friction = h->friction_force,
+                               .thread = h->thread};
         for (int k = 0; k < 3; k++) {
             own.weights[k] = h->barycentric[k];
         }

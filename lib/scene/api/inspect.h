@@ -52,13 +52,13 @@ vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info);
  * callback of the context. */
 vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info);
 
-/* Simulated time that a step of length `h` lost, by its VBSS_EVENT_CLAMPED events, s. The events are
+/* Simulated time that a step of length `h` lost, by its VBSS_SCENE_EVENT_CLAMPED events, s. The events are
  * not const for the reason given above. */
 static inline double vbss_scene_inspect_lost_time(uint32_t (*events)[4], uint32_t count, double h)
 {
     double lost = 0.0;
     for (uint32_t i = 0; i < count; i++) {
-        lost += events[i][0] == VBSS_EVENT_CLAMPED ? h * events[i][3] / 65536.0 : 0.0;
+        lost += events[i][0] == VBSS_SCENE_EVENT_CLAMPED ? h * events[i][3] / 65536.0 : 0.0;
     }
     return lost;
 }

@@ -11,7 +11,7 @@
 
 vbss_result vbss_scene_check_settable(const scene_object *s)
 {
-    return s->config.method == VBSS_METHOD_OURS
+    return s->config.method == VBSS_METHOD_IMPLICIT
                ? VBSS_OK
                : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                            "a scene of this method cannot be changed at run time");
@@ -43,7 +43,7 @@ vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, const doubl
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     scene_rigid *r = &b->rigid;
-    if (r->kind == VBSS_RIGID_DRIVEN) {
+    if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "body %u is driven: no force moves it", body);
     }
@@ -65,7 +65,7 @@ vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, const doubl
 static scene_rigid *find_free(const scene_object *s, uint32_t body)
 {
     scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_RIGID);
-    if (b != NULL && b->rigid.kind != VBSS_RIGID_FREE) {
+    if (b != NULL && b->rigid.kind != VBSS_SCENE_RIGID_FREE) {
         (void)vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is not free", body);
         return NULL;
     }

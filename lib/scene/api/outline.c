@@ -13,7 +13,7 @@ scene_outline vbss_scene_outline_of(const scene_body *b)
         break;
     default:
         o.rigid = &b->rigid;
-        o.is_prescribed = b->rigid.kind == VBSS_RIGID_DRIVEN;
+        o.is_prescribed = b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN;
     }
     return o;
 }
@@ -75,7 +75,7 @@ scene_segment vbss_scene_outline_segment(const scene_object *s, const scene_outl
         return placed_segment(o->at, c->axis[0], c->axis[1], c->radius);
     }
     if (o->capsules != NULL) {
-        const vbss_capsule *c = &o->capsules->capsules[index];
+        const vbss_scene_capsule *c = &o->capsules->capsules[index];
         return placed_segment(o->at, vec3_load(c->begin), vec3_load(c->end), c->radius);
     }
     const scene_capsule *c = &s->capsules[o->rigid->first_capsule + index];

@@ -10,7 +10,7 @@
 
 #include <stdio.h>
 
-_Static_assert(sizeof(vbss_overlap) == 16, "published size");
+_Static_assert(sizeof(vbss_scene_overlap) == 16, "published size");
 
 /* ---- two bodies */
 
@@ -77,14 +77,15 @@ static bool is_at_pin(const scene_object *s, const scene_outline *thread, const 
 static double depth_of_triangle(const scene_object *s, const scene_segment *g,
                                 const drain_object *d, uint32_t triangle)
 {
-    vbss_closest closest;
+    vbss_collision_closest closest;
     double segment[6], corners[9];
     for (int k = 0; k < 3; k++) {
         vec3_store(corners + 3 * k, d->x[d->mesh.triangles[triangle][k]]);
     }
     vec3_store(segment, g->ends[0]);
     vec3_store(segment + 3, g->ends[1]);
-    return vbss_closest_segment_triangle(segment, corners, &closest, sizeof closest) == VBSS_OK
+    return vbss_collision_closest_segment_triangle(segment, corners, &closest, sizeof closest) ==
+                   VBSS_OK
                ? depth_of(s, closest.distance, g->radius, 0.5 * d->config.thickness)
                : 0.0;
 }
@@ -92,13 +93,13 @@ static double depth_of_triangle(const scene_object *s, const scene_segment *g,
 static double depth_of_segments(const scene_object *s, const scene_segment *a,
                                 const scene_segment *b)
 {
-    vbss_closest closest;
+    vbss_collision_closest closest;
     double first[6], second[6];
     for (int k = 0; k < 2; k++) {
         vec3_store(first + 3 * k, a->ends[k]);
         vec3_store(second + 3 * k, b->ends[k]);
     }
-    return vbss_closest_segments(first, second, &closest, sizeof closest) == VBSS_OK
+    return vbss_collision_closest_segments(first, second, &closest, sizeof closest) == VBSS_OK
                ? depth_of(s, closest.distance, a->radius, b->radius)
                : 0.0;
 }
@@ -183,9 +184,9 @@ static double floor_depth(const scene_object *s, const scene_outline *o)
 
 /* ---- one body and all others */
 
-static vbss_overlap find_deepest(const scene_object *s, const scene_outline *o)
+static vbss_scene_overlap find_deepest(const scene_object *s, const scene_outline *o)
 {
-    vbss_overlap found = {.struct_size = sizeof found};
+    vbss_scene_overlap found = {.struct_size = sizeof found};
     const scene_body *own = vbss_scene_body(s, o->number);
     if (s->config.floor != 0 && !o->is_prescribed &&
         (own == NULL || vbss_scene_do_collide(s, own, NULL))) {
@@ -207,7 +208,7 @@ static vbss_overlap find_deepest(const scene_object *s, const scene_outline *o)
     return found;
 }
 
-static void describe(const vbss_overlap *overlap, const char *name, char *text, size_t bytes)
+static void describe(const vbss_scene_overlap *overlap, const char *name, char *text, size_t bytes)
 {
     if (overlap->body == 0) {
         snprintf(text, bytes, "the %s is %g mm inside the floor", name, 1e3 * overlap->depth);
@@ -221,27 +222,27 @@ vbss_result vbss_scene_check_overlap(const scene_object *s, const scene_outline 
                                      const char *name)
 {
     char text[96];
-    if (s->config.overlap == VBSS_OVERLAP_ALLOW) {
+    if (s->config.overlap == VBSS_SCENE_OVERLAP_ALLOW) {
         return VBSS_OK;
     }
-    const vbss_overlap found = find_deepest(s, added);
+    const vbss_scene_overlap found = find_deepest(s, added);
     if (found.depth == 0.0) {
         return VBSS_OK;
     }
     describe(&found, name, text, sizeof text);
-    if (s->config.overlap == VBSS_OVERLAP_REFUSE) {
+    if (s->config.overlap == VBSS_SCENE_OVERLAP_REFUSE) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "%s", text);
     }
     vbss_message(s->context, VBSS_LOG_WARNING, "%s; steps may hold both back", text);
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_overlap *overlap,
+vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_scene_overlap *overlap,
                                    uint32_t struct_size)
 {
     VBSS_ENTER(scene);
     static const uint32_t sizes[] = {16, 0};
-    static const vbss_layout layout = {"vbss_overlap", NULL, sizes};
+    static const vbss_layout layout = {"vbss_scene_overlap", NULL, sizes};
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     const scene_body *b = vbss_scene_body(s, body);
@@ -250,6 +251,6 @@ vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_overla
                          body);
     }
     const scene_outline o = vbss_scene_outline_of(b);
-    const vbss_overlap own = find_deepest(s, &o);
+    const vbss_scene_overlap own = find_deepest(s, &o);
     return vbss_struct_write(s->context, &layout, &own, overlap, struct_size);
 }

@@ -10,12 +10,12 @@
 typedef struct scene_outline {
     const thread_object *thread;
     const drain_object *drain;
-    const needle_object *needle;       /* not yet in the scene */
-    const grasper_object *grasper;     /* the same */
-    const vbss_rigid_config *capsules; /* the same */
-    const scene_rigid *rigid;          /* in the scene: needles and graspers too */
-    pose at;                           /* frame of `grasper` or `capsules` in the world */
-    uint32_t number;                   /* body number; 0 before it is added */
+    const needle_object *needle;             /* not yet in the scene */
+    const grasper_object *grasper;           /* the same */
+    const vbss_scene_rigid_config *capsules; /* the same */
+    const scene_rigid *rigid;                /* in the scene: needles and graspers too */
+    pose at;                                 /* frame of `grasper` or `capsules` in the world */
+    uint32_t number;                         /* body number; 0 before it is added */
     bool is_prescribed; /* moved by the host alone: see world/driven_overlaps.c for two of them */
 } scene_outline;
 

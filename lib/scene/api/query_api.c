@@ -12,12 +12,12 @@
 
 #include <math.h>
 
-_Static_assert(sizeof(vbss_ray_hit) == 72, "published size");
-_Static_assert(sizeof(vbss_nearest) == 72, "published size");
+_Static_assert(sizeof(vbss_scene_ray_hit) == 72, "published size");
+_Static_assert(sizeof(vbss_scene_nearest) == 72, "published size");
 
 static const uint32_t hit_sizes[] = {72, 0}, nearest_sizes[] = {72, 0};
-static const vbss_layout hit_layout = {"vbss_ray_hit", NULL, hit_sizes},
-                         nearest_layout = {"vbss_nearest", NULL, nearest_sizes};
+static const vbss_layout hit_layout = {"vbss_scene_ray_hit", NULL, hit_sizes},
+                         nearest_layout = {"vbss_scene_nearest", NULL, nearest_sizes};
 
 /* ---- distance of a point from a feature */
 
@@ -241,7 +241,7 @@ static entry enter_floor(const scene_object *s, const ray *r)
     return fall > 0.0 ? (entry){height / fall, s->floor_normal} : no_entry;
 }
 
-static entry cast(const scene_object *s, const ray *r, uint32_t mask, vbss_ray_hit *hit)
+static entry cast(const scene_object *s, const ray *r, uint32_t mask, vbss_scene_ray_hit *hit)
 {
     entry first = no_entry;
     if (is_floor_queried(s, mask)) {
@@ -265,12 +265,12 @@ static entry cast(const scene_object *s, const ray *r, uint32_t mask, vbss_ray_h
 }
 
 vbss_result vbss_scene_cast_ray(vbss_scene *scene, const double origin[3],
-                                const double translation[3], uint32_t mask, vbss_ray_hit *hit,
+                                const double translation[3], uint32_t mask, vbss_scene_ray_hit *hit,
                                 uint32_t struct_size)
 {
     VBSS_ENTER(scene);
     scene_object *s;
-    vbss_ray_hit own = {.struct_size = sizeof own};
+    vbss_scene_ray_hit own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, origin, "origin"));
     VBSS_TRY(vbss_check_pointer(s->context, translation, "translation"));
@@ -293,7 +293,8 @@ vbss_result vbss_scene_cast_ray(vbss_scene *scene, const double origin[3],
 
 /* ---- the nearest body */
 
-static place find_nearest(const scene_object *s, vec3 point, uint32_t mask, vbss_nearest *nearest)
+static place find_nearest(const scene_object *s, vec3 point, uint32_t mask,
+                          vbss_scene_nearest *nearest)
 {
     place best = {HUGE_VAL, vec3_zero()};
     if (is_floor_queried(s, mask)) {
@@ -317,11 +318,12 @@ static place find_nearest(const scene_object *s, vec3 point, uint32_t mask, vbss
 }
 
 vbss_result vbss_scene_find_nearest(vbss_scene *scene, const double point[3], double radius,
-                                    uint32_t mask, vbss_nearest *nearest, uint32_t struct_size)
+                                    uint32_t mask, vbss_scene_nearest *nearest,
+                                    uint32_t struct_size)
 {
     VBSS_ENTER(scene);
     scene_object *s;
-    vbss_nearest own = {.struct_size = sizeof own};
+    vbss_scene_nearest own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, point, "point"));
     VBSS_TRY(vbss_check_vector(s->context, point, 1e3, "point"));

@@ -25,7 +25,7 @@ static vbss_result create_scene(vbss_context *context, scene_reference *r)
     VBSS_TRY(vbss_scene_config_init(&c, sizeof c));
     c.thread_capacity = c.rigid_capacity = c.capsule_capacity = 1;
     c.node_capacity = 512;
-    c.slot_limit = 0;
+    c.call_budget = 0;
     c.floor = 1;
     c.floor_height = FLOOR;
     return vbss_scene_create(context, &c, &r->scene);
@@ -58,9 +58,9 @@ static vbss_result add_thread(vbss_context *context, scene_reference *r)
 
 static vbss_result add_rod(scene_reference *r)
 {
-    static const vbss_capsule rod = {{-5e-3, 0.0, 0.0}, {5e-3, 0.0, 0.0}, 1e-3};
-    vbss_rigid_config c;
-    VBSS_TRY(vbss_rigid_config_init(&c, sizeof c));
+    static const vbss_scene_capsule rod = {{-5e-3, 0.0, 0.0}, {5e-3, 0.0, 0.0}, 1e-3};
+    vbss_scene_rigid_config c;
+    VBSS_TRY(vbss_scene_rigid_config_init(&c, sizeof c));
     c.capsule_count = 1;
     c.capsules = &rod;
     c.position[1] = ROD_START;
@@ -76,7 +76,7 @@ vbss_result vbss_scene_step_reference(scene_reference *r)
                           ROD_AMPLITUDE * wave[r->steps % SCENE_REFERENCE_PERIOD];
     const double position[3] = {0.0, height, ROD_SIDE};
     r->steps++;
-    VBSS_TRY(vbss_scene_move_rigid(r->scene, r->rod, position, NULL));
+    VBSS_TRY(vbss_scene_set_rigid_target(r->scene, r->rod, position, NULL));
     return vbss_scene_step(r->scene, STEP);
 }
 

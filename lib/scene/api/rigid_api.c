@@ -5,18 +5,18 @@
 #include "scene/api/api.h"
 #include "scene/world/world.h"
 
-_Static_assert(sizeof(vbss_rigid_state) == 264, "published size");
+_Static_assert(sizeof(vbss_scene_rigid_state) == 264, "published size");
 
 static const uint32_t state_sizes[] = {264, 0};
-static const vbss_layout state_layout = {"vbss_rigid_state", NULL, state_sizes};
+static const vbss_layout state_layout = {"vbss_scene_rigid_state", NULL, state_sizes};
 
 static scene_body *find_rigid(const scene_object *s, uint32_t number)
 {
     return vbss_scene_require_body(s, number, SCENE_BODY_RIGID);
 }
 
-vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double position[3],
-                                  const double *orientation)
+vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body, const double position[3],
+                                        const double *orientation)
 {
     VBSS_ENTER(scene);
     scene_object *s;
@@ -31,9 +31,9 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
          target = pose_mul(previous, pose_inverse(r->frame));
     if (r->grasper != NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "body %u is a grasper: it goes where vbss_grasper_move says", body);
+                         "body %u is a grasper: it goes where vbss_grasper_set_target says", body);
     }
-    if (r->kind == VBSS_RIGID_FREE) {
+    if (r->kind == VBSS_SCENE_RIGID_FREE) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is free", body);
     }
     VBSS_TRY(vbss_check_vector(s->context, position, 1e3, "position"));
@@ -50,12 +50,12 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     if (orientation == NULL) { /* keeps the same bits; rounding would turn the body */
         target.orientation = previous.orientation;
     }
-    vbss_scene_set_rigid_target(s, r, target);
+    vbss_scene_set_tool_target(s, r, target);
     s->report.generation++;
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_state *state,
+vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_scene_rigid_state *state,
                                  uint32_t struct_size)
 {
     VBSS_ENTER(scene);
@@ -66,11 +66,12 @@ vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_st
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     const scene_rigid *r = &b->rigid;
-    vbss_rigid_state own = {.struct_size = sizeof own, .kind = r->kind};
+    vbss_scene_rigid_state own = {.struct_size = sizeof own, .kind = r->kind};
     pose back = pose_inverse(r->frame), at = pose_mul(r->body.now.pose, back);
     vec3 to_centre = vec3_sub(r->body.now.pose.position, at.position);
-    vec3 hand = r->kind == VBSS_RIGID_DRIVEN ? r->force : vec3_neg(r->coupling_wrench.force);
-    vec3 turn = r->kind == VBSS_RIGID_DRIVEN ? r->torque : vec3_neg(r->coupling_wrench.torque);
+    vec3 hand = r->kind == VBSS_SCENE_RIGID_DRIVEN ? r->force : vec3_neg(r->coupling_wrench.force);
+    vec3 turn =
+        r->kind == VBSS_SCENE_RIGID_DRIVEN ? r->torque : vec3_neg(r->coupling_wrench.torque);
     pose_store(at, own.position, own.orientation);
     pose_store(pose_mul(r->has_pending_target ? r->pending_target : r->body.target_end, back),
                own.target_position, own.target_orientation);

@@ -67,7 +67,7 @@ static void set_gravity_of(scene_body *b, vec3 gravity)
 
 static bool is_carried(const scene_body *b)
 {
-    return b->kind == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_FREE;
+    return b->kind == SCENE_BODY_RIGID && b->rigid.kind != VBSS_SCENE_RIGID_FREE;
 }
 
 static void apply_gravity(scene_object *s, const setting *wanted)
@@ -154,9 +154,10 @@ static vbss_result check_coupling(const scene_object *s, const setting *wanted)
     if (b == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
-    return b->rigid.kind == VBSS_RIGID_COUPLED ? VBSS_OK
-                                               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                                                           "body %u has no coupling", wanted->body);
+    return b->rigid.kind == VBSS_SCENE_RIGID_COUPLED
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u has no coupling",
+                           wanted->body);
 }
 
 static void apply_coupling(scene_object *s, const setting *wanted)

@@ -10,12 +10,12 @@ vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     const uint32_t f64 = (uint32_t)sizeof(double), u32 = (uint32_t)sizeof(uint32_t);
-    vbss_view own = {.struct_size = sizeof own, .type = VBSS_TYPE_F64, .components = 3};
+    vbss_view own = {.struct_size = sizeof own, .type = VBSS_VIEW_TYPE_F64, .components = 3};
     own.count = s->report.contact_count;
     own.generation = s->report.generation;
     switch (field) {
     case VBSS_SCENE_VIEW_CONTACTS:
-        own.type = VBSS_TYPE_U32;
+        own.type = VBSS_VIEW_TYPE_U32;
         own.components = 5;
         own.data = s->report.contact_features;
         break;
@@ -33,7 +33,7 @@ vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_
         own.data = s->report.contact_gaps;
         break;
     case VBSS_SCENE_VIEW_EVENTS:
-        own.type = VBSS_TYPE_U32;
+        own.type = VBSS_VIEW_TYPE_U32;
         own.components = 4;
         own.count = s->report.event_count;
         own.data = s->report.events;
@@ -41,7 +41,7 @@ vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_
     default:
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "a scene has no array %d", field);
     }
-    own.stride_bytes = own.components * (own.type == VBSS_TYPE_F64 ? f64 : u32);
+    own.stride_bytes = own.components * (own.type == VBSS_VIEW_TYPE_F64 ? f64 : u32);
     if (own.data == s->report.contact_points || own.data == s->report.contact_normals ||
         own.data == s->report.contact_forces) {
         own.stride_bytes = (uint32_t)sizeof(vec3);

@@ -16,7 +16,7 @@ static scene_wall_point find_nearest_wall_point(const scene_object *s, const ccd
     double coordinates[3];
     scene_wall_point wall_point;
     (void)vbss_scene_distance_at_start(s, query, coordinates);
-    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         *fraction = 0.0;
         wall_point =
             vbss_scene_wall_point_at_time(drain, feature, coordinates, query->start_fraction);
@@ -41,7 +41,7 @@ double vbss_scene_contact_scale_at_wall(const scene_object *s, const ccd_query *
     const collision_candidate *q = query->candidate;
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    bool first = a->kind != SCENE_BODY_DRAIN, point = q->kind == VBSS_PAIR_POINT_TRIANGLE;
+    bool first = a->kind != SCENE_BODY_DRAIN, point = q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE;
     const scene_body *other = first ? a : b, *drain = first ? b : a;
     bool holds_wall =
         other->kind == SCENE_BODY_RIGID && other->rigid.wall_grasp.drain == drain->number;

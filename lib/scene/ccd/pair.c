@@ -8,7 +8,7 @@ static void get_vertices(const scene_object *s, const collision_candidate *q,
 {
     const collision_shape *a = s->collision->shapes[q->shape_a];
     const collision_shape *b = s->collision->shapes[q->shape_b];
-    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
+    bool edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
     for (uint32_t k = 0; k < 4; k++) {
         bool is_a = k < (edges ? 2u : 1u);
         shapes[k] = is_a ? a : b;
@@ -20,7 +20,7 @@ static void get_vertices(const scene_object *s, const collision_candidate *q,
 bool vbss_scene_touches_lip(const scene_object *s, const collision_candidate *q, bool is_b)
 {
     const collision_shape *shapes[4];
-    uint32_t vertices[4], first = q->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    uint32_t vertices[4], first = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE ? 2 : 1;
     const uint32_t shape = is_b ? q->shape_b : q->shape_a;
     const uint32_t *lips = s->bodies[s->body_of_shape[shape]].drain.lip_of_node;
     get_vertices(s, q, shapes, vertices);
@@ -81,7 +81,7 @@ void vbss_scene_set_batch_query(scene_object *s, const ccd_query *query, uint32_
 void vbss_scene_run_ccd_batch(scene_object *s, uint32_t kind, uint32_t count)
 {
     collision_block *batch = s->scratch.ccd_batch;
-    const collision_ccd_batch queries = {.kind = (vbss_pair_kind)kind,
+    const collision_ccd_batch queries = {.kind = (vbss_collision_pair_kind)kind,
                                          .count = count,
                                          .stride = COLLISION_BLOCK_SIZE,
                                          .start = batch->start[0],
@@ -100,7 +100,7 @@ double vbss_scene_distance_at_start(const scene_object *s, const ccd_query *quer
     swept_vertices c;
     set_swept_vertices(s, query, &c);
     const vec3 *x = c.start;
-    if (query->candidate->kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (query->candidate->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         const vec3 triangle[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
         return vec3_norm(closest_on_triangle(triangle, coordinates));
     }

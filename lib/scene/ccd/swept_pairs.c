@@ -97,8 +97,8 @@ scene_substep_outcome vbss_scene_list_ccd_pairs(scene_object *s)
         const vertex_motion m = vertex_motion_of(s, b);
         if (is_expected) {
             vbss_collision_set_end_positions(s->collision->shapes[b->shape], m.end);
-        } else if (vbss_collision_move(scene_collision(s), b->shape, &m.start->x, &m.end->x,
-                                       m.count) != VBSS_OK) {
+        } else if (vbss_collision_set_motion(scene_collision(s), b->shape, &m.start->x, &m.end->x,
+                                             m.count) != VBSS_OK) {
             return SCENE_SUBSTEP_SINGULAR; /* not finite, or out of range */
         }
         vbss_collision_update_displacements(s->collision->shapes[b->shape]);

@@ -123,7 +123,7 @@ static double time_of_impact_beside_holes(scene_object *s, const collision_candi
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
     bool first = a->kind == SCENE_BODY_RIGID;
     const scene_body *needle = first ? a : b, *drain = first ? b : a;
-    if (q->kind != VBSS_PAIR_EDGE_EDGE || drain->kind != SCENE_BODY_DRAIN ||
+    if (q->kind != VBSS_COLLISION_PAIR_EDGE_EDGE || drain->kind != SCENE_BODY_DRAIN ||
         needle->kind != SCENE_BODY_RIGID || needle->rigid.needle == NULL) {
         return 1.0;
     }

@@ -20,8 +20,8 @@ static bool is_feature_prescribed(const scene_object *s, const scene_body *b, ui
         return prescribed;
     }
     const thread_object *t = b->thread.thread;
-    bool is_point = kind == VBSS_CONTACT_NODE_FLOOR || kind == VBSS_CONTACT_POINT_FACE,
-         smooth = kind == VBSS_CONTACT_NODE_CAPSULE;
+    bool is_point = kind == VBSS_SCENE_CONTACT_NODE_FLOOR || kind == VBSS_SCENE_CONTACT_POINT_FACE,
+         smooth = kind == VBSS_SCENE_CONTACT_NODE_CAPSULE;
     uint32_t first = smooth && feature > 0 ? feature - 1 : feature;
     uint32_t end = feature + (is_point ? 1u : 2u);
     for (uint32_t k = first; k < end && k < t->node_count; k++) {
@@ -64,7 +64,7 @@ static double largest_approach(const scene_contact_pair *m, vec3 normal)
 static bool is_lip(const scene_body *b, const contact_key *key, bool is_b)
 {
     const uint32_t feature = is_b ? key->feature_b : key->feature_a;
-    return key->kind == VBSS_CONTACT_SIDES
+    return key->kind == VBSS_SCENE_CONTACT_SIDES
                ? b->drain.lip_of_side[feature] != SCENE_NO_FACE
                : !is_b && b->drain.lip_of_node[feature] != SCENE_NO_FACE;
 }
@@ -82,8 +82,9 @@ static bool compute_geometry(const scene_object *s, contact_constraint *constrai
     uint32_t kind = constraint->key.kind;
     double margin = s->config.contact_margin, reach = largest_relative_motion(m);
     bool near = vbss_scene_run_narrow_phase(s, constraint, m->a, m->b, reach + margin);
-    bool is_directional = kind == VBSS_CONTACT_SEGMENTS || (scene_is_surface_contact(kind) &&
-                                                            !has_swinging_lip(m, &constraint->key));
+    bool is_directional =
+        kind == VBSS_SCENE_CONTACT_SEGMENTS ||
+        (scene_is_surface_contact(kind) && !has_swinging_lip(m, &constraint->key));
     if (near && is_directional) {
         near = scene_geometry_of(s, constraint)->start_gap <
                largest_approach(m, constraint->normal) + SCENE_LATERAL_RATIO * reach + margin;
@@ -118,7 +119,7 @@ static bool compute_geometry_beside_holes(const scene_object *s, contact_constra
 
 static bool is_needle_at_drain(const contact_constraint *constraint, const scene_contact_pair *m)
 {
-    return constraint->key.kind == VBSS_CONTACT_SIDES && m->a->kind == SCENE_BODY_RIGID &&
+    return constraint->key.kind == VBSS_SCENE_CONTACT_SIDES && m->a->kind == SCENE_BODY_RIGID &&
            m->a->rigid.needle != NULL;
 }
 

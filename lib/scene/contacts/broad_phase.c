@@ -32,7 +32,7 @@ static vbss_result sweep_shape(scene_object *s, const scene_body *b)
     for (uint32_t i = 0; i < count; i++) {
         end[i] = vec3_add_scaled(start[i], SCENE_EXTRAPOLATION_RATIO, displacements[i]);
     }
-    VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count));
+    VBSS_TRY(vbss_collision_set_motion(scene_collision(s), b->shape, &start->x, &end->x, count));
     vbss_collision_update_displacements(s->collision->shapes[b->shape]);
     return VBSS_OK;
 }
@@ -43,7 +43,8 @@ vbss_result vbss_scene_run_broad_phase(scene_object *s)
     vbss_scene_filter_candidates(s);
     s->step.edge_pair_count = s->collision->candidate_count;
     while (s->step.edge_pair_count > 0 &&
-           s->collision->candidates[s->step.edge_pair_count - 1].kind != VBSS_PAIR_EDGE_EDGE) {
+           s->collision->candidates[s->step.edge_pair_count - 1].kind !=
+               VBSS_COLLISION_PAIR_EDGE_EDGE) {
         s->step.edge_pair_count--;
     }
     return VBSS_OK;

@@ -57,8 +57,8 @@ typedef struct thread_capsule_pair {
 
 static bool add_node_contact(scene_object *s, const thread_capsule_pair *m, uint32_t node)
 {
-    const contact_key key = {VBSS_CONTACT_NODE_CAPSULE, m->thread->number, node, m->rigid->number,
-                             m->capsule};
+    const contact_key key = {VBSS_SCENE_CONTACT_NODE_CAPSULE, m->thread->number, node,
+                             m->rigid->number, m->capsule};
     uint32_t last = m->thread->thread.thread->node_count - 1;
     uint32_t first = node > 0 ? node - 1 : 0, end = node < last ? node + 1 : last;
     const scene_contact_pair w = {m->thread,
@@ -88,7 +88,7 @@ static bool add_thread_contacts(scene_object *s, const collision_candidate *q,
         return true;
     }
     if (!fine) {
-        const contact_key key = {VBSS_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
+        const contact_key key = {VBSS_SCENE_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
                                  m->rigid->number, m->capsule};
         const scene_contact_pair w = {m->thread,
                                       m->rigid,
@@ -130,7 +130,7 @@ static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
         if (vbss_scene_is_excluded_across_cut(s, a, q->a, b, q->b)) {
             return true;
         }
-        const contact_key key = {VBSS_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
+        const contact_key key = {VBSS_SCENE_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
         const scene_contact_pair w = {
             a, b, node_displacements(s, a, q->a), node_displacements(s, b, q->b), 2, 2, q};
         return vbss_scene_add_contact(s, &key, &w);
@@ -140,7 +140,7 @@ static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
             vbss_scene_is_needle_in_grasp(s, b, q->b, a, q->a)) {
             return true;
         }
-        const contact_key key = {VBSS_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
+        const contact_key key = {VBSS_SCENE_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
         const scene_contact_pair w = {
             a, b, capsule_displacements(s, a, q->a), capsule_displacements(s, b, q->b), 2, 2, q};
         return vbss_scene_add_contact(s, &key, &w);
@@ -161,7 +161,8 @@ static bool add_floor_contacts(scene_object *s, const scene_body *b)
     bool thread = b->kind == SCENE_BODY_THREAD;
     uint32_t count = thread ? b->thread.thread->node_count : 2 * b->rigid.capsule_count;
     for (uint32_t i = 0; i < count; i++) {
-        const contact_key key = {thread ? VBSS_CONTACT_NODE_FLOOR : VBSS_CONTACT_CAPSULE_FLOOR,
+        const contact_key key = {thread ? VBSS_SCENE_CONTACT_NODE_FLOOR
+                                        : VBSS_SCENE_CONTACT_CAPSULE_FLOOR,
                                  b->number, i, 0, 0};
         const vec3 *displacement =
             thread ? node_displacements(s, b, i) : capsule_displacements(s, b, i / 2) + i % 2;

@@ -11,7 +11,7 @@ static bool is_repeated_by_next_segment(const scene_object *s, const contact_con
     const double *barycentric = scene_geometry_of(s, constraint)->barycentric;
     contact_key key = constraint->key;
     double at[2] = {barycentric[0], barycentric[1]};
-    bool a = at[0] == 1.0, b = key.kind == VBSS_CONTACT_SEGMENTS && at[1] == 1.0;
+    bool a = at[0] == 1.0, b = key.kind == VBSS_SCENE_CONTACT_SEGMENTS && at[1] == 1.0;
     key.feature_a += a;
     key.feature_b += b;
     at[0] = a ? 0.0 : at[0];
@@ -97,7 +97,7 @@ void vbss_scene_remove_duplicate_contacts(scene_object *s)
         const contact_constraint *constraint = &set->constraints[i - 1];
         uint32_t kind = constraint->key.kind;
         s->scratch.is_duplicate[i - 1] = false;
-        if (kind == VBSS_CONTACT_SIDES) {
+        if (kind == VBSS_SCENE_CONTACT_SIDES) {
             set_contact_points(s, constraint);
             s->scratch.is_duplicate[i - 1] = is_duplicate(s, last, i - 1);
         } else if (scene_is_segment_contact(kind)) {

@@ -62,7 +62,7 @@ static void update_wall_grasp_constraint(scene_object *s, contact_constraint *co
 
 void vbss_scene_update_bilateral_constraint(scene_object *s, contact_constraint *constraint)
 {
-    if (constraint->key.kind == VBSS_CONTACT_HOLE) {
+    if (constraint->key.kind == VBSS_SCENE_CONTACT_HOLE) {
         vbss_scene_update_hole_constraint(s, constraint);
         return;
     }
@@ -84,8 +84,8 @@ bool vbss_scene_add_thread_grasp_constraints(scene_object *s)
         const scene_thread_grasp *g = &s->thread_grasps[i];
         bool is_active = scene_holds_strand(g) && !vbss_scene_body(s, g->thread)->is_frozen;
         for (uint32_t k = 0; is_active && k < GRASPER_THREAD_POINTS; k++) {
-            const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRASPER_THREAD_POINTS * i + k,
-                                     g->tool, 0};
+            const contact_key key = {VBSS_SCENE_CONTACT_GRASP, g->thread,
+                                     GRASPER_THREAD_POINTS * i + k, g->tool, 0};
             if (vbss_scene_add_bilateral_constraint(s, &key) == NULL) {
                 return false;
             }
@@ -100,8 +100,8 @@ bool vbss_scene_add_needle_grasp_constraints(scene_object *s)
         const scene_body *b = &s->bodies[i];
         bool is_active = !b->is_frozen && vbss_scene_has_needle_grasp(s, b->number);
         for (uint32_t k = 0; is_active && k < GRASPER_NEEDLE_POINTS; k++) {
-            const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.needle_grasp.needle, k, b->number,
-                                     0};
+            const contact_key key = {VBSS_SCENE_CONTACT_GRASP, b->rigid.needle_grasp.needle, k,
+                                     b->number, 0};
             if (vbss_scene_add_bilateral_constraint(s, &key) == NULL) {
                 return false;
             }
@@ -118,8 +118,8 @@ bool vbss_scene_add_wall_grasp_constraints(scene_object *s)
             continue;
         }
         for (uint32_t k = 0; k < b->rigid.wall_grasp.point_count; k++) {
-            const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.wall_grasp.drain, k, b->number,
-                                     0};
+            const contact_key key = {VBSS_SCENE_CONTACT_GRASP, b->rigid.wall_grasp.drain, k,
+                                     b->number, 0};
             if (vbss_scene_add_bilateral_constraint(s, &key) == NULL) {
                 return false;
             }

@@ -10,8 +10,9 @@ bool vbss_scene_add_hole_constraints(scene_object *s)
         if (!vbss_scene_is_hole_active(s, hole)) {
             continue;
         }
-        const contact_key key = {VBSS_CONTACT_HOLE, hole->needle != 0 ? hole->needle : hole->thread,
-                                 i, hole->drain, 0};
+        const contact_key key = {VBSS_SCENE_CONTACT_HOLE,
+                                 hole->needle != 0 ? hole->needle : hole->thread, i, hole->drain,
+                                 0};
         contact_constraint *constraint = vbss_scene_add_bilateral_constraint(s, &key);
         if (constraint == NULL) {
             return false;

@@ -227,7 +227,7 @@ static scene_wall_point wall_point_of(const scene_object *s, const scene_body *d
 {
     const double *at = scene_geometry_of(s, constraint)->barycentric;
     const double weights[3] = {1.0 - at[0] - at[1], at[0], at[1]};
-    if (constraint->key.kind == VBSS_CONTACT_POINT_FACE) {
+    if (constraint->key.kind == VBSS_SCENE_CONTACT_POINT_FACE) {
         return vbss_scene_wall_point(drain, constraint->key.feature_b, weights);
     }
     const uint32_t *edge = s->collision->shapes[drain->shape]->edges[constraint->key.feature_b];
@@ -243,7 +243,7 @@ double vbss_scene_contact_scale_of(const scene_object *s, const contact_constrai
     }
     const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     const scene_wall_point wall_point = wall_point_of(s, b, constraint);
-    return vbss_scene_contact_scale_at(s, a, constraint->key.kind == VBSS_CONTACT_POINT_FACE,
+    return vbss_scene_contact_scale_at(s, a, constraint->key.kind == VBSS_SCENE_CONTACT_POINT_FACE,
                                        constraint->key.feature_a, geometry->barycentric[0], b,
                                        &wall_point,
                                        SCENE_EXCLUSION_ARC_RATIO * geometry->contact_distance);

@@ -27,7 +27,7 @@ static void set_capsule_displacements(scene_object *s, const scene_rigid *r,
     const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
                                   substep->end_fraction};
     vbss_rigid_motion next_motion;
-    if (r->kind == VBSS_RIGID_DRIVEN) {
+    if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
         next_motion = vbss_rigid_target_motion(&r->body, &p);
     } else {
         vbss_rigid_predict(&r->body, &p, &next_motion);

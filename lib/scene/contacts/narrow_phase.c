@@ -48,24 +48,25 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
     d.feature = feature;
     d.lip = SCENE_NO_FACE;
     d.smooth = false;
-    bool point = which == 0 && (scene_is_node_contact(kind) || kind == VBSS_CONTACT_CAPSULE_FLOOR);
+    bool point =
+        which == 0 && (scene_is_node_contact(kind) || kind == VBSS_SCENE_CONTACT_CAPSULE_FLOOR);
     d.vertex_count = point ? 1 : 2;
     if (b->kind == SCENE_BODY_DRAIN) {
         d.vertex_count = vbss_scene_drain_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
         d.radius = 0.5 * b->drain.drain->config.thickness;
-        if (kind == VBSS_CONTACT_SIDES) {
+        if (kind == VBSS_SCENE_CONTACT_SIDES) {
             d.lip = b->drain.lip_of_side[feature];
-        } else if (kind == VBSS_CONTACT_POINT_FACE && which == 0) {
+        } else if (kind == VBSS_SCENE_CONTACT_POINT_FACE && which == 0) {
             d.lip = b->drain.lip_of_node[feature];
         }
         return d;
     }
     if (b->kind == SCENE_BODY_THREAD) {
-        if (kind == VBSS_CONTACT_SEGMENTS) {
+        if (kind == VBSS_SCENE_CONTACT_SEGMENTS) {
             d.feature = scene_geometry_of(s, constraint)->segments[which];
         }
         /* end nodes of a thread are not smoothed */
-        d.smooth = kind == VBSS_CONTACT_NODE_CAPSULE && feature > 0 &&
+        d.smooth = kind == VBSS_SCENE_CONTACT_NODE_CAPSULE && feature > 0 &&
                    feature + 1 < b->thread.thread->node_count;
         d.radius = b->thread.thread->config.radius;
         return d;
@@ -359,7 +360,7 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
         return SCENE_NODE_AUGMENTATION;
     }
     double mass = a->rigid.body.mass;
-    if (b != NULL && b->rigid.kind != VBSS_RIGID_DRIVEN) {
+    if (b != NULL && b->rigid.kind != VBSS_SCENE_RIGID_DRIVEN) {
         mass = vbss_min(mass, b->rigid.body.mass);
     }
     return SCENE_RIGID_AUGMENTATION * mass / (h * h);
@@ -416,10 +417,10 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
  * tight knots tremble. */
 static bool keeps_start_normal(const contact_constraint *constraint)
 {
-    return constraint->key.kind == VBSS_CONTACT_SEGMENTS ||
-           constraint->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE ||
-           constraint->key.kind == VBSS_CONTACT_SIDES ||
-           constraint->key.kind == VBSS_CONTACT_POINT_FACE;
+    return constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENTS ||
+           constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENT_CAPSULE ||
+           constraint->key.kind == VBSS_SCENE_CONTACT_SIDES ||
+           constraint->key.kind == VBSS_SCENE_CONTACT_POINT_FACE;
 }
 
 /* Whether the closest point is inside the triangle, not on one of its edges. */
@@ -552,7 +553,7 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
             constraint->stiffness = s->config.contact_stiffness;
             constraint->augmentation = augmentation_of(a, b, h);
             constraint->elastic_slip_limit =
-                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR
+                constraint->key.kind == VBSS_SCENE_CONTACT_NODE_FLOOR
                     ? SCENE_FLOOR_ELASTIC_SLIP_RATIO * constraint->thickness
                     : 0.0;
         }

@@ -87,7 +87,7 @@ static void slide_contact(const scene_object *s, const contact_constraint *const
 void vbss_scene_slide_contacts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        if (s->contacts->constraints[i].key.kind == VBSS_CONTACT_SEGMENTS) {
+        if (s->contacts->constraints[i].key.kind == VBSS_SCENE_CONTACT_SEGMENTS) {
             slide_contact(s, &s->contacts->constraints[i]);
         }
     }

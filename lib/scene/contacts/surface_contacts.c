@@ -11,7 +11,7 @@ static const vec3 *feature_displacements(const scene_object *s, const scene_body
                                          uint32_t *count)
 {
     uint32_t feature = is_b ? key->feature_b : key->feature_a, nodes[3];
-    bool is_edge = key->kind == VBSS_CONTACT_SIDES;
+    bool is_edge = key->kind == VBSS_SCENE_CONTACT_SIDES;
     if (b->kind == SCENE_BODY_DRAIN) {
         *count = vbss_scene_drain_feature_nodes(s, b, key->kind, is_b, feature, nodes);
         for (uint32_t k = 0; k < *count; k++) {
@@ -43,12 +43,12 @@ bool vbss_scene_add_surface_contact(scene_object *s, const collision_candidate *
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
-        const contact_key key = {VBSS_CONTACT_POINT_FACE, a->number, q->a, b->number, q->b};
+    if (q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
+        const contact_key key = {VBSS_SCENE_CONTACT_POINT_FACE, a->number, q->a, b->number, q->b};
         return add_contact(s, &key, a, b, q);
     }
     bool swapped = b->kind != SCENE_BODY_DRAIN;
-    const contact_key key = {VBSS_CONTACT_SIDES, swapped ? b->number : a->number,
+    const contact_key key = {VBSS_SCENE_CONTACT_SIDES, swapped ? b->number : a->number,
                              swapped ? q->b : q->a, swapped ? a->number : b->number,
                              swapped ? q->a : q->b};
     return add_contact(s, &key, swapped ? b : a, swapped ? a : b, q);
@@ -58,7 +58,7 @@ bool vbss_scene_add_drain_floor_contacts(scene_object *s, const scene_body *b)
 {
     const drain_object *d = b->drain.drain;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        const contact_key key = {VBSS_CONTACT_DRAIN_FLOOR, b->number, i, 0, 0};
+        const contact_key key = {VBSS_SCENE_CONTACT_DRAIN_FLOOR, b->number, i, 0, 0};
         if (!vbss_scene_add_floor_contact(s, &key, b, d->x[i], 0.5 * d->config.thickness,
                                           b->drain.expected_displacements[i])) {
             return false;

@@ -32,8 +32,8 @@ static bool are_adjacent(const scene_object *s, const scene_body *a, const conta
     if (a->kind == SCENE_BODY_THREAD) {
         return x->feature_a + 1 >= y->feature_a && y->feature_a + 1 >= x->feature_a;
     }
-    uint32_t one = x->kind == VBSS_CONTACT_POINT_FACE ? x->feature_a / 2 : x->feature_a;
-    return one == (y->kind == VBSS_CONTACT_POINT_FACE ? y->feature_a / 2 : y->feature_a);
+    uint32_t one = x->kind == VBSS_SCENE_CONTACT_POINT_FACE ? x->feature_a / 2 : x->feature_a;
+    return one == (y->kind == VBSS_SCENE_CONTACT_POINT_FACE ? y->feature_a / 2 : y->feature_a);
 }
 
 /* Index of the nearest adjacent contact that has no warm start yet, or UINT32_MAX. */
@@ -75,8 +75,9 @@ static double min_deferred_overlap(const scene_object *s, const contact_constrai
 {
     const contact_key *key = &constraint->key;
     if (key->body_a == key->body_b) {
-        return s->config.mode == VBSS_MODE_OFFLINE ? 0.0
-                                                   : SCENE_DEEP_FOLD_RATIO * constraint->thickness;
+        return s->config.mode == VBSS_SCENE_MODE_OFFLINE
+                   ? 0.0
+                   : SCENE_DEEP_FOLD_RATIO * constraint->thickness;
     }
     return is_of_wall_in_jaws(s, key) ? 0.0 : (double)INFINITY;
 }
@@ -97,8 +98,8 @@ static double deferred_overlap(const scene_object *s, const contact_constraint *
         double excess = overlap - vbss_max(explained, opening);
         return excess > min_deferred_overlap(s, constraint) ? excess : 0.0;
     }
-    bool is_rigid = constraint->key.kind == VBSS_CONTACT_CAPSULES ||
-                    constraint->key.kind == VBSS_CONTACT_CAPSULE_FLOOR;
+    bool is_rigid = constraint->key.kind == VBSS_SCENE_CONTACT_CAPSULES ||
+                    constraint->key.kind == VBSS_SCENE_CONTACT_CAPSULE_FLOOR;
     double removable = SCENE_RECOVERY_RATE * geometry->contact_distance * h;
     bool is_fault = is_rigid && overlap > s->config.penetration_tolerance * constraint->thickness &&
                     overlap > explained + removable;

@@ -17,9 +17,9 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
                               c->floor_height,          c->floor_friction,  c->thread_friction,
                               c->contact_stiffness,     c->contact_margin,  c->stretch_tolerance,
                               c->penetration_tolerance, c->paper_thickness};
-    const uint32_t choices[] = {(uint32_t)c->method,    (uint32_t)c->mode,   (uint32_t)c->floor,
-                                c->linearisation_limit, c->state_limit,      c->halving_limit,
-                                c->attempt_limit,       c->paper_pass_limit, c->pin_capacity};
+    const uint32_t choices[] = {(uint32_t)c->method, (uint32_t)c->mode,   (uint32_t)c->floor,
+                                c->iteration_limit,  c->active_set_limit, c->halving_limit,
+                                c->attempt_limit,    c->paper_pass_limit, c->pin_capacity};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
@@ -30,13 +30,13 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
         vbss_stream_expect(stream, 4, c->grasp_capacity);
     }
     if (stream->version >= 3) {
-        vbss_stream_expect(stream, 5, c->work_limit);
+        vbss_stream_expect(stream, 5, c->step_budget);
     }
     if (stream->version >= 4) {
         vbss_stream_expect(stream, 6, c->hole_capacity);
     }
     if (stream->version >= 6) {
-        vbss_stream_expect(stream, 7, c->slot_limit);
+        vbss_stream_expect(stream, 7, c->call_budget);
     }
 }
 
@@ -321,7 +321,7 @@ static bool is_weld_or_attached(const scene_object *s, const scene_pin *p, const
             return false;
         }
     }
-    return s->method->welds_pins && body != NULL && body->rigid.kind != VBSS_RIGID_DRIVEN &&
+    return s->method->welds_pins && body != NULL && body->rigid.kind != VBSS_SCENE_RIGID_DRIVEN &&
            vbss_scene_find_weld(s, p->thread, p->node) == p; /* all earlier pins have been read */
 }
 

@@ -282,12 +282,12 @@ static void visit_blockers(vbss_stream *stream, scene_report *r, bool has_blocke
         for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
             vbss_stream_f64(stream, 181, numbers[k], 1);
         }
-        if (words[2] > VBSS_BLOCKER_CONVERGENCE) {
+        if (words[2] > VBSS_SCENE_BLOCKER_CONVERGENCE) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such cause");
-            words[2] = VBSS_BLOCKER_WORK;
+            words[2] = VBSS_SCENE_BLOCKER_WORK;
         }
         b->bodies = (scene_touching_pair){words[0], words[1]};
-        b->cause = (vbss_blocker_cause)words[2];
+        b->cause = (vbss_scene_blocker_cause)words[2];
     }
 }
 

@@ -56,7 +56,7 @@ void vbss_scene_commit(scene_object *s, const scene_substep *substep)
             commit_thread(&b->thread, substep->h);
         } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             scene_rigid *r = &b->rigid;
-            if (r->kind == VBSS_RIGID_DRIVEN) {
+            if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
                 r->body.now = r->predicted;
             } else {
                 vbss_rigid_commit(&r->body, &p, &r->predicted, &r->trial);

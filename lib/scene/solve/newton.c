@@ -45,7 +45,8 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
         if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.substep,
                            system, b->thread.first_block);
-        } else if (scene_active_kind(b) == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID &&
+                   b->rigid.kind != VBSS_SCENE_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
                                 &b->rigid.blocks);
         } else if (scene_active_kind(b) == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
@@ -108,7 +109,7 @@ static scene_substep_outcome solve_active_set(scene_object *s)
         .system = s->system,
         .welds = s->step.welds,
         .weld_count = s->step.weld_count,
-        .max_solves = s->config.state_limit,
+        .max_solves = s->config.active_set_limit,
         .relative_force_tolerance = SCENE_FORCE_TOLERANCE_RATIO,
         .absolute_force_tolerance = SCENE_FORCE_TOLERANCE,
         .overlap_tolerance = SCENE_OVERLAP_TOLERANCE,
@@ -163,7 +164,7 @@ static scene_substep_outcome linearise(scene_object *s, const scene_substep *sub
 
 static void advance_rigid(scene_object *s, scene_rigid *r)
 {
-    if (r->kind != VBSS_RIGID_DRIVEN) {
+    if (r->kind != VBSS_SCENE_RIGID_DRIVEN) {
         vbss_rigid_apply_increment(&r->trial, s->system->solution[r->blocks.first],
                                    s->system->solution[r->blocks.first + 1]);
         for (uint32_t c = 0; c < r->capsule_count; c++) {
@@ -453,7 +454,7 @@ static void reset_newton(scene_newton_state *newton)
 static bool needs_iteration(const scene_object *s)
 {
     const scene_newton_state *newton = &s->step.newton;
-    bool has_time = newton->linearisations < s->config.linearisation_limit &&
+    bool has_time = newton->linearisations < s->config.iteration_limit &&
                     newton->over_budget_linearisations < SCENE_OVER_BUDGET_LINEARISATIONS;
     return newton->phase != SCENE_NEWTON_LINEARISE || (has_time && !newton->is_converged);
 }
@@ -495,8 +496,7 @@ static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
         }
         if (newton->normal_updates ==
                 (substep->has_fixed_normals ? 0u : (uint32_t)SCENE_MAX_NORMAL_UPDATES) ||
-            vbss_scene_is_over_budget(s) ||
-            newton->linearisations >= s->config.linearisation_limit) {
+            vbss_scene_is_over_budget(s) || newton->linearisations >= s->config.iteration_limit) {
             /* The next substep counts as recovering and removes the penetration that slip
              * has left. */
             s->step.has_updated_normals = !substep->has_fixed_normals;

@@ -48,7 +48,7 @@ static void predict_rigid(scene_object *s, scene_rigid *r, const scene_substep *
 {
     const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
                                   substep->end_fraction};
-    if (r->kind == VBSS_RIGID_DRIVEN) {
+    if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
         r->predicted = vbss_rigid_target_motion(&r->body, &p);
         r->trial = r->predicted.pose;
     } else {

@@ -49,14 +49,14 @@ static void add_side_separators(scene_object *s, const contact_constraint *const
         return;
     }
     switch (key->kind) {
-    case VBSS_CONTACT_NODE_CAPSULE:
+    case VBSS_SCENE_CONTACT_NODE_CAPSULE:
         add_separator_range(s, b, feature > 0 ? feature - 1 : 0, feature + 1);
         break;
-    case VBSS_CONTACT_NODE_FLOOR:
-    case VBSS_CONTACT_POINT_FACE:
+    case VBSS_SCENE_CONTACT_NODE_FLOOR:
+    case VBSS_SCENE_CONTACT_POINT_FACE:
         add_separator(s, b, feature);
         break;
-    case VBSS_CONTACT_SEGMENTS:
+    case VBSS_SCENE_CONTACT_SEGMENTS:
         feature = scene_geometry_of(s, constraint)->segments[is_b ? 1 : 0];
         add_separator_range(s, b, feature, feature + 1);
         break;
@@ -171,7 +171,7 @@ static void choose_separators(scene_object *s)
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
-        if (constraint->key.kind == VBSS_CONTACT_HOLE) {
+        if (constraint->key.kind == VBSS_SCENE_CONTACT_HOLE) {
             add_hole_separators(s, constraint);
         } else if (constraint->is_bilateral) {
             add_bilateral_separators(s, constraint);
@@ -278,7 +278,7 @@ static uint64_t mix_constraint(uint64_t hash, const contact_constraint *constrai
     hash = mix_two(hash, constraint->key.body_a, constraint->key.body_b);
     hash = mix_two(hash, constraint->key.feature_b, constraint->jacobian_block_count);
     /* Bilateral constraints and contacts of two threads slide to other blocks. */
-    bool slides = constraint->is_bilateral || constraint->key.kind == VBSS_CONTACT_SEGMENTS;
+    bool slides = constraint->is_bilateral || constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENTS;
     for (uint32_t k = 0; slides && k < constraint->jacobian_block_count; k++) {
         hash = mix(hash, constraint->jacobian[k].block);
     }
@@ -369,8 +369,8 @@ static vbss_result register_bodies(scene_object *s)
                                                s->step.is_separator + b->thread.first_node,
                                                &b->thread.first_block));
         } else if (b->kind == SCENE_BODY_RIGID) {
-            vbss_role role =
-                b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED : VBSS_ROLE_SEPARATOR;
+            vbss_role role = b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED
+                                                                      : VBSS_ROLE_SEPARATOR;
             VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
         } else if (b->kind == SCENE_BODY_DRAIN) {
             VBSS_TRY(vbss_drain_add_to_system(b->drain.drain, s->system, b->drain.is_separator,

@@ -47,7 +47,7 @@ static bool is_pose_equal(const pose *a, const pose *b)
 
 static bool is_at_rest(const scene_object *s, const scene_rigid *r)
 {
-    if (r->kind != VBSS_RIGID_DRIVEN ||
+    if (r->kind != VBSS_SCENE_RIGID_DRIVEN ||
         !is_pose_equal(&r->body.target_start, &r->body.target_end)) {
         return false;
     }

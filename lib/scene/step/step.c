@@ -66,7 +66,7 @@ static void finish_motion(scene_object *s, double h)
             }
         } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             scene_rigid *r = &b->rigid;
-            r->body.target_start = r->kind == VBSS_RIGID_DRIVEN && s->cursor.is_behind_targets
+            r->body.target_start = r->kind == VBSS_SCENE_RIGID_DRIVEN && s->cursor.is_behind_targets
                                        ? r->body.now.pose
                                        : r->body.target_end;
         }

@@ -39,7 +39,7 @@ static void set_step_budget(scene_object *s, const scene_substep *substep, bool 
         substep->has_search_budget ? s->contacts->counters.operations : s->cursor.operations_before;
     bool is_limited =
         vbss_scene_has_step_budget(s) && (substep->has_search_budget || !is_hard_min_size);
-    s->step.budget = is_limited ? operations_before + s->config.work_limit : 0;
+    s->step.budget = is_limited ? operations_before + s->config.step_budget : 0;
 }
 
 /* ---- substeps */
@@ -75,7 +75,8 @@ static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cu
  * budget, with fixed normals, without the island that failed, or at half the size. */
 static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome)
 {
-    bool has_attempt_limit = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
+    bool has_attempt_limit =
+        s->config.mode == VBSS_SCENE_MODE_REAL_TIME && s->config.step_budget == 0;
     bool is_over_limit = has_attempt_limit && outcome != SCENE_SUBSTEP_OUT_OF_CAPACITY &&
                          cursor->attempts >= s->config.attempt_limit;
     bool is_min_size = cursor->size <= cursor->min_size;
@@ -127,20 +128,20 @@ static void update_coupling_wrenches(scene_object *s, const scene_substep *subst
     }
 }
 
-static vbss_blocker_cause cause_of(scene_substep_outcome outcome)
+static vbss_scene_blocker_cause cause_of(scene_substep_outcome outcome)
 {
     switch (outcome) {
     case SCENE_SUBSTEP_CCD_HIT:
-        return VBSS_BLOCKER_COLLISION;
+        return VBSS_SCENE_BLOCKER_COLLISION;
     case SCENE_SUBSTEP_PENETRATION:
-        return VBSS_BLOCKER_PENETRATION;
+        return VBSS_SCENE_BLOCKER_PENETRATION;
     case SCENE_SUBSTEP_NO_ACTIVE_SET:
-        return VBSS_BLOCKER_CONTACT;
+        return VBSS_SCENE_BLOCKER_CONTACT;
     case SCENE_SUBSTEP_NOT_CONVERGED:
     case SCENE_SUBSTEP_SINGULAR:
-        return VBSS_BLOCKER_CONVERGENCE;
+        return VBSS_SCENE_BLOCKER_CONVERGENCE;
     default:
-        return VBSS_BLOCKER_WORK;
+        return VBSS_SCENE_BLOCKER_WORK;
     }
 }
 
@@ -161,7 +162,7 @@ static void pause_step(scene_object *s, scene_step_cursor *cursor, scene_substep
                        scene_touching_pair blamed, double size)
 {
     double fraction_left = 1.0 - cursor->substep.start_fraction;
-    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
+    vbss_scene_add_event(s, VBSS_SCENE_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
     record_pause(s, cursor, fraction_left);
     vbss_scene_record_blocker(s, cause_of(outcome), blamed,
                               fraction_left * cursor->substep.step_length);
@@ -191,7 +192,7 @@ static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
         lost_fraction * (cursor->substep.end_fraction - cursor->substep.start_fraction);
     vbss_scene_record_blocker(s, cause_of(outcome), blamed,
                               lost_of_step * cursor->substep.step_length);
-    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
+    vbss_scene_add_event(s, VBSS_SCENE_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
     vbss_scene_request_damping(s);
     cursor->is_behind_targets = true;
     cursor->truncations++;

@@ -143,10 +143,10 @@ static void drop_overdue_steps(scene_object *s, double h)
     while (cursor->steps_behind > 0 &&
            cursor->steps_behind + cursor->is_suspended > SCENE_MAX_STEPS_BEHIND) {
         cursor->steps_behind--;
-        vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, 65536);
+        vbss_scene_add_event(s, VBSS_SCENE_EVENT_CLAMPED, 0, 0, 65536);
         c->paused++;
         c->time_paused += h;
-        vbss_scene_record_blocker(s, VBSS_BLOCKER_WORK, (scene_touching_pair){0, 0}, h);
+        vbss_scene_record_blocker(s, VBSS_SCENE_BLOCKER_WORK, (scene_touching_pair){0, 0}, h);
     }
     c->behind = cursor->steps_behind + cursor->is_suspended;
 }
@@ -162,10 +162,10 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
     if (ends_suspended) {
         VBSS_TRY(vbss_scene_abandon_suspended_step(s));
     }
-    const bool can_slice = vbss_scene_has_step_budget(s) && s->config.slot_limit > 0;
+    const bool can_slice = vbss_scene_has_step_budget(s) && s->config.call_budget > 0;
     const bool is_sliced = can_slice && cursor->unsliced_steps_left == 0;
     s->contacts->call_budget.has_progress = false;
-    cursor->operations_left = s->config.slot_limit;
+    cursor->operations_left = s->config.call_budget;
     cursor->steps_behind++;
     vbss_result result = run_slice_or_rollback(s, h, is_sliced);
     if (result != VBSS_OK && !ends_suspended) {

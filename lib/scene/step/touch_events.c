@@ -50,9 +50,10 @@ void vbss_scene_update_touching_pairs(scene_object *s)
         bool has_begun =
             !has_ended && (o == count || precedes(s->report.touching_pairs[n], previous[o]));
         if (has_ended) {
-            vbss_scene_add_event(s, VBSS_EVENT_PART, previous[o].body_a, previous[o].body_b, 0);
+            vbss_scene_add_event(s, VBSS_SCENE_EVENT_PART, previous[o].body_a, previous[o].body_b,
+                                 0);
         } else if (has_begun) {
-            vbss_scene_add_event(s, VBSS_EVENT_TOUCH, s->report.touching_pairs[n].body_a,
+            vbss_scene_add_event(s, VBSS_SCENE_EVENT_TOUCH, s->report.touching_pairs[n].body_a,
                                  s->report.touching_pairs[n].body_b, 0);
         }
         o += !has_begun;

@@ -80,7 +80,7 @@ void vbss_scene_commit_holes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
-        if (constraint->key.kind == VBSS_CONTACT_HOLE) {
+        if (constraint->key.kind == VBSS_SCENE_CONTACT_HOLE) {
             vbss_hole_store_forces(&s->holes[constraint->key.feature_a], constraint);
         }
     }

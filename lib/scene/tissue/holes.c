@@ -2,7 +2,7 @@
 #include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
 
-static void emit_hole_event(scene_object *s, vbss_event_kind kind, const suture_hole *hole)
+static void emit_hole_event(scene_object *s, vbss_scene_event_kind kind, const suture_hole *hole)
 {
     uint32_t body = hole->needle != 0 ? hole->needle : hole->thread;
     vbss_scene_add_event(s, kind, body, hole->drain, hole->id);
@@ -19,25 +19,26 @@ static void emit_swage_event(scene_object *s, const scene_previous_hole *before,
                              const suture_hole *hole)
 {
     if (before->id == hole->id && (before->needle == 0) != (hole->needle == 0)) {
-        vbss_event_kind kind = hole->needle == 0 ? VBSS_EVENT_PASSED : VBSS_EVENT_RETURNED;
+        vbss_scene_event_kind kind =
+            hole->needle == 0 ? VBSS_SCENE_EVENT_PASSED : VBSS_SCENE_EVENT_RETURNED;
         uint32_t needle = hole->needle == 0 ? before->needle : hole->needle;
         vbss_scene_add_event(s, kind, needle, hole->drain, hole->id);
     }
 }
 
 /* Returns the event with which the suture has left the hole, or 0 if it is still in it. */
-static vbss_event_kind exit_event(const scene_hole_context *p, const suture_hole *hole)
+static vbss_scene_event_kind exit_event(const scene_hole_context *p, const suture_hole *hole)
 {
     const thread_object *t = p->now.thread;
     if (hole->needle == 0 && t != NULL) {
         double end = vbss_thread_arc_length(t, t->node_count - 1);
         bool out = hole->arc > end + SCENE_HOLE_EXIT_DISTANCE ||
                    (p->needle == NULL && hole->arc < -SCENE_HOLE_EXIT_DISTANCE);
-        return out ? VBSS_EVENT_UNTHREADED : 0;
+        return out ? VBSS_SCENE_EVENT_UNTHREADED : 0;
     }
     double end = vbss_needle_length(p->now.needle) - hole->entry_arc + SCENE_HOLE_EXIT_DISTANCE;
-    return hole->arc < hole->entry_arc - SCENE_HOLE_EXIT_DISTANCE ? VBSS_EVENT_WITHDRAWN
-           : t == NULL && hole->arc > end                         ? VBSS_EVENT_PASSED
+    return hole->arc < hole->entry_arc - SCENE_HOLE_EXIT_DISTANCE ? VBSS_SCENE_EVENT_WITHDRAWN
+           : t == NULL && hole->arc > end                         ? VBSS_SCENE_EVENT_PASSED
                                                                   : 0;
 }
 
@@ -92,9 +93,9 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates)
             continue;
         }
         const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
-        vbss_event_kind out = exit_event(&p, hole);
+        vbss_scene_event_kind out = exit_event(&p, hole);
         emit_swage_event(s, &s->step.previous_holes[i], hole);
-        bool stays = relocates && out == VBSS_EVENT_WITHDRAWN && relocate_hole(s, &p, hole);
+        bool stays = relocates && out == VBSS_SCENE_EVENT_WITHDRAWN && relocate_hole(s, &p, hole);
         if (out != 0 && !stays) {
             emit_hole_event(s, out, hole);
             *hole = (suture_hole){0};
@@ -142,12 +143,12 @@ void vbss_scene_add_hole(scene_object *s, suture_hole *made)
 {
     suture_hole *hole = vbss_scene_find_free_hole(s);
     if (hole == NULL) {
-        emit_hole_event(s, VBSS_EVENT_HOLE_LOST, made);
+        emit_hole_event(s, VBSS_SCENE_EVENT_HOLE_LOST, made);
         return;
     }
     made->id = ++s->last_hole_id;
     *hole = *made;
-    emit_hole_event(s, VBSS_EVENT_PUNCTURE, hole);
+    emit_hole_event(s, VBSS_SCENE_EVENT_PUNCTURE, hole);
 }
 
 void vbss_scene_remove_holes_of(scene_object *s, uint32_t number)
@@ -177,7 +178,7 @@ void vbss_scene_close_holes_of_short_threads(scene_object *s)
         suture_hole *hole = &s->holes[i];
         if (hole->id != 0 && hole->thread != 0 &&
             !suture_is_curve(vbss_scene_body(s, hole->thread)->thread.thread)) {
-            emit_hole_event(s, VBSS_EVENT_UNTHREADED, hole);
+            emit_hole_event(s, VBSS_SCENE_EVENT_UNTHREADED, hole);
             *hole = (suture_hole){0};
         }
     }

@@ -6,7 +6,7 @@
 static double contact_arc(const scene_object *s, const scene_body *needle,
                           const contact_constraint *constraint)
 {
-    bool point = constraint->key.kind == VBSS_CONTACT_POINT_FACE;
+    bool point = constraint->key.kind == VBSS_SCENE_CONTACT_POINT_FACE;
     return point ? vbss_scene_suture_arc_length(needle, constraint->key.feature_a / 2,
                                                 constraint->key.feature_a % 2)
                  : vbss_scene_suture_arc_length(needle, constraint->key.feature_a,
@@ -26,7 +26,7 @@ static bool find_tip_load(const scene_object *s, const scene_body *needle, const
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
         if (constraint->key.body_a == needle->number && constraint->key.body_b == drain->number &&
-            constraint->key.kind != VBSS_CONTACT_HOLE &&
+            constraint->key.kind != VBSS_SCENE_CONTACT_HOLE &&
             constraint->solution.status != CONTACT_OPEN &&
             vbss_scene_is_at_tip(needle, contact_arc(s, needle, constraint))) {
             normal = vec3_add_scaled(normal, constraint->solution.normal_force, constraint->normal);

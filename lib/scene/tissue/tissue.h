@@ -60,7 +60,7 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates);
 bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc);
 
 /* Adds a hole and its event. Sets the id of `made`. If the list is full, adds
- * VBSS_EVENT_HOLE_LOST and no hole. */
+ * VBSS_SCENE_EVENT_HOLE_LOST and no hole. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made);
 
 /* Removes all holes of a needle, thread or drain, given by its number. Adds no event. */

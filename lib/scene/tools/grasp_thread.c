@@ -27,7 +27,8 @@ double vbss_scene_grasp_arc(const scene_object *s, const scene_thread_grasp *g)
     return vbss_thread_arc_length(t, g->segment) + g->segment_offset;
 }
 
-void vbss_scene_emit_grasp_event(scene_object *s, vbss_event_kind kind, const scene_thread_grasp *g)
+void vbss_scene_emit_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                 const scene_thread_grasp *g)
 {
     double arc = 1e6 * vbss_scene_grasp_arc(s, g);
     vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)vbss_max(arc, 0.0));
@@ -41,7 +42,7 @@ static bool is_torn(const scene_object *s, const scene_jaw_query *m, const scene
                     uint32_t segment)
 {
     /* shears exclude a longer stretch of the thread */
-    bool is_shears = m->grasper->kind == VBSS_GRASPER_SHEARS;
+    bool is_shears = m->grasper->kind == VBSS_GRASPER_KIND_SHEARS;
     double radius = vbss_grasper_current_jaws(m->grasper)->radius;
     double reach =
         is_shears ? GRASPER_MAX_OFFSET_RATIO * radius : radius + b->thread.thread->config.radius;
@@ -135,7 +136,8 @@ void vbss_scene_grasp_strand(scene_object *s, const scene_body *tool, const scen
     }
     scene_thread_grasp *g = vbss_scene_find_free_grasp(s);
     if (g == NULL) {
-        vbss_scene_add_event(s, VBSS_EVENT_GRASP_LOST, found->thread->number, tool->number, 0);
+        vbss_scene_add_event(s, VBSS_SCENE_EVENT_GRASP_LOST, found->thread->number, tool->number,
+                             0);
         return;
     }
     *g = (scene_thread_grasp){.id = ++s->last_grasp_id,
@@ -149,7 +151,7 @@ void vbss_scene_grasp_strand(scene_object *s, const scene_body *tool, const scen
     for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
         g->grip.anchor[k] = pose_apply_inverse(m->jaws, vbss_scene_grip_point(g, t, t->now.x, k));
     }
-    vbss_scene_emit_grasp_event(s, VBSS_EVENT_GRASP, g);
+    vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
 }
 
 /* ---- releasing */
@@ -210,7 +212,7 @@ void vbss_scene_release_thread_grasps(scene_object *s, const scene_body *tool)
         }
         g->needs_reopening = false;
         if (scene_holds_strand(g)) {
-            vbss_scene_emit_grasp_event(s, VBSS_EVENT_RELEASE, g);
+            vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
             g->is_released = true;
             g->force = vec3_zero();
             if (is_strand_clear(s, g, SCENE_RELEASE_CLEARANCE_RATIO)) {
@@ -235,7 +237,7 @@ static void slide_grasp(scene_object *s, scene_thread_grasp *g, double slip)
     }
     bool sliding = slip != 0.0;
     if (sliding && !g->is_sliding) {
-        vbss_scene_emit_grasp_event(s, VBSS_EVENT_SLIP, g);
+        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_SLIP, g);
     }
     g->is_sliding = sliding;
 }
@@ -286,7 +288,7 @@ static void update_thread_grasp(scene_object *s, scene_thread_grasp *g, double h
     grasper_thread_slip change = vbss_grasper_yield_thread(r->grasper, &g->grip, &load);
     slide_grasp(s, g, change.slip);
     if (change.has_escaped || is_past_end(s, g)) {
-        vbss_scene_emit_grasp_event(s, VBSS_EVENT_TORN, g);
+        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_TORN, g);
         g->is_released = g->needs_reopening = true;
         g->force = vec3_zero();
     }

@@ -44,7 +44,7 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     }
     scene_jaw_query m;
     vbss_scene_find_strands(s, tool, &m);
-    if (g->kind == VBSS_GRASPER_SHEARS) {
+    if (g->kind == VBSS_GRASPER_KIND_SHEARS) {
         exclude_uncuttable_strands(s, &m, next);
     }
     scene_needle_grasp needle;
@@ -61,18 +61,18 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     /* the present angle, if the jaws squeeze the object already */
     next = vbss_min(stop_angle, g->jaw_angle);
     if (needle.needle != 0 && needle.angle >= stop_angle - SCENE_JAW_COMPLIANCE_ANGLE &&
-        g->kind != VBSS_GRASPER_SHEARS) {
+        g->kind != VBSS_GRASPER_KIND_SHEARS) {
         vbss_scene_grasp_needle(s, tool, &needle);
     }
     if (wall.drain != 0 && wall.angle >= stop_angle - SCENE_JAW_COMPLIANCE_ANGLE &&
-        g->kind != VBSS_GRASPER_SHEARS) {
+        g->kind != VBSS_GRASPER_KIND_SHEARS) {
         vbss_scene_grasp_wall(s, tool, &wall);
     }
     for (uint32_t i = 0; i < m.count; i++) {
         if (m.strands[i].angle < stop_angle - SCENE_JAW_COMPLIANCE_ANGLE) {
             continue;
         }
-        if (g->kind == VBSS_GRASPER_SHEARS) {
+        if (g->kind == VBSS_GRASPER_KIND_SHEARS) {
             const scene_strand at = {m.strands[i].thread, m.strands[i].segment,
                                      m.strands[i].at.fraction};
             vbss_scene_schedule_cut(s, &at);

@@ -8,7 +8,7 @@ void vbss_scene_publish_grasper(scene_object *s, scene_body *b)
     pose tool = pose_mul(r->body.now.pose, pose_inverse(r->frame));
     /* from the centre of mass to the tip */
     vec3 arm = vec3_sub(tool.position, r->body.now.pose.position);
-    bool driven = r->kind == VBSS_RIGID_DRIVEN;
+    bool driven = r->kind == VBSS_SCENE_RIGID_DRIVEN;
     vec3 torque = driven ? vec3_zero() : vec3_neg(r->coupling_wrench.torque);
     g->body_id = b->number;
     g->tool_pose = tool;

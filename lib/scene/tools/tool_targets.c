@@ -27,8 +27,8 @@ static void exchange_instrument(scene_object *s, scene_body *b)
         vbss_scene_remove_needle_grasps_of(s, b->number);
         vbss_scene_remove_wall_grasps_of(s, b->number);
     }
-    vbss_scene_add_event(s, allowed ? VBSS_EVENT_EXCHANGED : VBSS_EVENT_NOT_EXCHANGED, b->number, 0,
-                         (uint32_t)wanted);
+    vbss_scene_add_event(s, allowed ? VBSS_SCENE_EVENT_EXCHANGED : VBSS_SCENE_EVENT_NOT_EXCHANGED,
+                         b->number, 0, (uint32_t)wanted);
 }
 
 void vbss_scene_move_jaws(scene_object *s, scene_body *tool, double h)

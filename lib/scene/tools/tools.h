@@ -82,7 +82,7 @@ void vbss_scene_update_thread_grasps(scene_object *s, double h);
 void vbss_scene_remove_clear_thread_grasps(scene_object *s);
 
 /* Adds an event of this kind with the thread, the tool and the arc length of the grasp in um. */
-void vbss_scene_emit_grasp_event(scene_object *s, vbss_event_kind kind,
+void vbss_scene_emit_grasp_event(scene_object *s, vbss_scene_event_kind kind,
                                  const scene_thread_grasp *g);
 
 /* Removes all grasps of a thread, or of a tool, given by its number. */
@@ -127,7 +127,7 @@ void vbss_scene_remove_needle_grasps_of(scene_object *s, uint32_t number);
 
 /* Describes a needle's grasp for hosts, in all fields but the size. */
 void vbss_scene_describe_needle_grasp(const scene_object *s, const scene_body *tool,
-                                      vbss_grasp *grasp);
+                                      vbss_scene_grasp *grasp);
 
 /* Whether a capsule of a needle lies so near to a tool's grasp, along the arc, that it is
  * excluded from contact with a capsule of the tool, which must be a jaw. `segment` is the
@@ -163,7 +163,7 @@ void vbss_scene_remove_wall_grasps_of(scene_object *s, uint32_t number);
 
 /* Describes a wall's grasp for hosts, in all fields but size and arc length. */
 void vbss_scene_describe_wall_grasp(const scene_object *s, const scene_body *tool,
-                                    vbss_grasp *grasp);
+                                    vbss_scene_grasp *grasp);
 
 /* Whether a point of a wall lies so near to a tool's grasp that it is excluded from contact with a
  * capsule of the tool, which must be a jaw. */

@@ -24,7 +24,7 @@ static bool is_cut_segment(const renumbering *r, uint32_t number, uint32_t featu
  * side b. */
 static uint8_t sides_beyond(const scene_object *s, const renumbering *r, const contact_key *key)
 {
-    bool segments = key->kind == VBSS_CONTACT_SEGMENTS;
+    bool segments = key->kind == VBSS_SCENE_CONTACT_SEGMENTS;
     bool a = scene_is_segment_contact(key->kind) && is_cut_segment(r, key->body_a, key->feature_a);
     bool b = segments && is_cut_segment(r, key->body_b, key->feature_b);
     vec3 x[2], y[2];
@@ -55,7 +55,7 @@ static void renumber_side(const renumbering *r, bool node, bool beyond, uint32_t
 static void order_sides(const scene_object *s, contact_warm_start_entry *m)
 {
     contact_key *k = &m->key;
-    if (k->kind == VBSS_CONTACT_SEGMENTS &&
+    if (k->kind == VBSS_SCENE_CONTACT_SEGMENTS &&
         vbss_scene_body(s, k->body_a)->shape > vbss_scene_body(s, k->body_b)->shape) {
         *k = (contact_key){k->kind, k->body_b, k->feature_b, k->body_a, k->feature_a};
         m->tangential_force = vec3_neg(m->tangential_force);
@@ -103,7 +103,7 @@ static void renumber_warm_start(scene_object *s, const renumbering *r)
         }
         renumber_side(r, node, (s->scratch.sides_beyond_cut[i] & 1u) != 0, &k->body_a,
                       &k->feature_a);
-        if (k->kind == VBSS_CONTACT_SEGMENTS) {
+        if (k->kind == VBSS_SCENE_CONTACT_SEGMENTS) {
             renumber_side(r, false, (s->scratch.sides_beyond_cut[i] & 2u) != 0, &k->body_b,
                           &k->feature_b);
         }

@@ -28,7 +28,7 @@ vbss_result vbss_scene_check_thread_capacity(const scene_object *s, const thread
                          s->config.thread_capacity, pieces);
     }
     uint32_t used = s->node_count + SCENE_NODES_PER_CUT * spares;
-    uint32_t nodes = t->config.mesh == VBSS_MESH_ADAPTIVE ? t->node_capacity : t->node_count;
+    uint32_t nodes = t->config.mesh == VBSS_THREAD_MESH_ADAPTIVE ? t->node_capacity : t->node_count;
     if (used > s->node_capacity || nodes + SCENE_NODES_PER_CUT * pieces > s->node_capacity - used) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
                          "the scene has room for %u nodes, %u of them for each cut",

@@ -365,8 +365,8 @@ static bool update_shape_boxes(scene_object *s)
             continue;
         }
         const thread_object *t = b->thread.thread;
-        if (vbss_collision_move(scene_collision(s), b->shape, &t->now.x->x, &t->now.x->x,
-                                t->node_count) != VBSS_OK) {
+        if (vbss_collision_set_motion(scene_collision(s), b->shape, &t->now.x->x, &t->now.x->x,
+                                      t->node_count) != VBSS_OK) {
             return false;
         }
         vbss_collision_shape_update_boxes(s->collision->shapes[b->shape]);

@@ -49,7 +49,7 @@ static bool is_divided(const renumbering *r, uint32_t number, uint32_t segment)
 static void split_fractions(const scene_object *s, const renumbering *r, const contact_key *k,
                             double fraction[2])
 {
-    bool segments = k->kind == VBSS_CONTACT_SEGMENTS;
+    bool segments = k->kind == VBSS_SCENE_CONTACT_SEGMENTS;
     bool a = scene_is_segment_contact(k->kind) && is_divided(r, k->body_a, k->feature_a);
     bool b = segments && is_divided(r, k->body_b, k->feature_b);
     fraction[0] = fraction[1] = -1.0;
@@ -71,7 +71,7 @@ static void convert_to_node_contact(const scene_object *s, const renumbering *r,
     const scene_body *b = vbss_scene_body(s, k->body_b);
     double radius = s->capsules[b->rigid.first_capsule + k->feature_b].radius;
     if (r->before <= radius) {
-        k->kind = VBSS_CONTACT_NODE_CAPSULE;
+        k->kind = VBSS_SCENE_CONTACT_NODE_CAPSULE;
         k->feature_a = r->change.at + (fraction > 1.0 - SCENE_RENUMBER_END_FRACTION ? 2
                                        : fraction < SCENE_RENUMBER_END_FRACTION     ? 0
                                                                                     : 1);
@@ -93,10 +93,10 @@ static void renumber_contact(const scene_object *s, const renumbering *r,
                             : renumber_segment(&r->change, k->feature_a, fraction[0] > 0.5);
         m->key.kind = k->feature_a == REMOVED ? REMOVED : k->kind;
     }
-    if (k->kind == VBSS_CONTACT_SEGMENTS && k->body_b == r->body->number) {
+    if (k->kind == VBSS_SCENE_CONTACT_SEGMENTS && k->body_b == r->body->number) {
         k->feature_b = renumber_segment(&r->change, k->feature_b, fraction[1] > 0.5);
     }
-    if (k->kind == VBSS_CONTACT_SEGMENT_CAPSULE && fraction[0] >= 0.0) {
+    if (k->kind == VBSS_SCENE_CONTACT_SEGMENT_CAPSULE && fraction[0] >= 0.0) {
         convert_to_node_contact(s, r, k, fraction[0]);
     }
 }
@@ -152,7 +152,7 @@ static void renumber_views(scene_object *s, const renumbering *r)
         if (f[1] == r->body->number) {
             f[2] = renumber_view(r, node, f[2], s->report.contact_points[i]);
         }
-        if (f[0] == VBSS_CONTACT_SEGMENTS && f[3] == r->body->number) {
+        if (f[0] == VBSS_SCENE_CONTACT_SEGMENTS && f[3] == r->body->number) {
             f[4] = renumber_view(r, false, f[4], s->report.contact_points[i]);
         }
     }

@@ -18,7 +18,7 @@ typedef struct mesh_change {
 /* Whether the number of a thread's nodes can change while the thread is in a scene. */
 static inline bool scene_thread_resizes(const thread_object *t)
 {
-    return t->config.cut_capacity > 0 || t->config.mesh == VBSS_MESH_ADAPTIVE;
+    return t->config.cut_capacity > 0 || t->config.mesh == VBSS_THREAD_MESH_ADAPTIVE;
 }
 
 /* ---- cut_exclusion.c */

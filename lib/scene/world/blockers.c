@@ -32,7 +32,7 @@ static double find_depth(const scene_object *s, scene_touching_pair bodies)
     return depth;
 }
 
-static const char *describe_cause(vbss_blocker_cause cause)
+static const char *describe_cause(vbss_scene_blocker_cause cause)
 {
     static const char *const texts[] = {
         "the limit of work is exhausted", "they would pass through each other",
@@ -41,7 +41,7 @@ static const char *describe_cause(vbss_blocker_cause cause)
     return texts[cause];
 }
 
-void vbss_scene_record_blocker(scene_object *s, vbss_blocker_cause cause,
+void vbss_scene_record_blocker(scene_object *s, vbss_scene_blocker_cause cause,
                                scene_touching_pair bodies, double lost_time)
 {
     scene_report *r = &s->report;
@@ -52,7 +52,8 @@ void vbss_scene_record_blocker(scene_object *s, vbss_blocker_cause cause,
         }
         b = &r->blockers[r->blocker_count++];
         *b = (scene_blocker){.bodies = bodies, .since = r->statistics.time};
-        vbss_scene_add_event(s, VBSS_EVENT_BLOCKED, bodies.body_a, bodies.body_b, (uint32_t)cause);
+        vbss_scene_add_event(s, VBSS_SCENE_EVENT_BLOCKED, bodies.body_a, bodies.body_b,
+                             (uint32_t)cause);
         vbss_message(s->context, VBSS_LOG_WARNING, "scene: bodies %u and %u are held back: %s",
                      bodies.body_a, bodies.body_b, describe_cause(cause));
     }
@@ -72,7 +73,7 @@ void vbss_scene_end_blockers(scene_object *s)
             r->blockers[count++] = *b;
             continue;
         }
-        vbss_scene_add_event(s, VBSS_EVENT_UNBLOCKED, b->bodies.body_a, b->bodies.body_b,
+        vbss_scene_add_event(s, VBSS_SCENE_EVENT_UNBLOCKED, b->bodies.body_a, b->bodies.body_b,
                              (uint32_t)b->cause);
     }
     r->blocker_count = count;

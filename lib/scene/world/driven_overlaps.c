@@ -8,7 +8,7 @@
 
 static bool is_driven(const scene_body *b)
 {
-    return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.kind == VBSS_RIGID_DRIVEN;
+    return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN;
 }
 
 static double capsule_gap(const scene_capsule *a, const scene_capsule *b)

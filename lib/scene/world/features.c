@@ -29,12 +29,12 @@ uint32_t vbss_scene_drain_feature_nodes(const scene_object *s, const scene_body 
                                         uint32_t nodes[3])
 {
     const collision_shape *shape = s->collision->shapes[drain->shape];
-    if (kind == VBSS_CONTACT_SIDES) {
+    if (kind == VBSS_SCENE_CONTACT_SIDES) {
         nodes[0] = shape->edges[feature][0];
         nodes[1] = shape->edges[feature][1];
         return 2;
     }
-    if (kind == VBSS_CONTACT_POINT_FACE && is_b) {
+    if (kind == VBSS_SCENE_CONTACT_POINT_FACE && is_b) {
         for (int k = 0; k < 3; k++) {
             nodes[k] = shape->triangles[feature][k];
         }

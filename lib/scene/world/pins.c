@@ -66,7 +66,7 @@ static vbss_result attach(const scene_body *thread, uint32_t node, vec3 position
 {
     vbss_thread_attachment a;
     VBSS_TRY(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_PIN;
+    a.kind = VBSS_THREAD_ATTACHMENT_PIN;
     a.node = node;
     vec3_store(a.position, position);
     return vbss_thread_attach((vbss_thread *)thread->thread.slot, &a, id);
@@ -101,7 +101,7 @@ vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node,
                            : pose_apply_inverse(b->rigid.body.now.pose, current);
     }
     uint32_t attachment = 0;
-    if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || !s->method->welds_pins) {
+    if (b == NULL || b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN || !s->method->welds_pins) {
         VBSS_TRY(attach(t, node, pin_target(b, at), &attachment));
     }
     t->thread.thread->welded[node] = attachment == 0;

@@ -142,7 +142,7 @@ typedef struct scene_wall_grasp {
  * mass as its origin and the principal axes as its axes. */
 typedef struct scene_rigid {
     /* Persistent. */
-    vbss_rigid_kind kind;
+    vbss_scene_rigid_kind kind;
     vbss_rigid body;     /* motion, mass, and the target poses at the start and end of the step */
     pose pending_target; /* target pose for the next step, if has_pending_target; principal frame */
     bool has_pending_target; /* the host set a target that no step has used yet */
@@ -464,7 +464,7 @@ typedef struct scene_scratch {
 enum { SCENE_MAX_BLOCKERS = 16 };
 typedef struct scene_blocker {
     scene_touching_pair bodies; /* 0: unknown, or the floor */
-    vbss_blocker_cause cause;
+    vbss_scene_blocker_cause cause;
     double since, last; /* simulated time at which they were held back first and last, s */
     double lost_time;   /* s */
     double depth;       /* deepest overlap, m */
@@ -491,7 +491,8 @@ typedef struct scene_report {
     /* In ascending order. The next step compares its own pairs with the first list. */
     scene_touching_pair *touching_pairs, *previous_touching_pairs;
     uint32_t touching_pair_count;
-    uint32_t (*events)[4]; /* vbss_event_kind, two bodies, a number that depends on the kind */
+    uint32_t (
+        *events)[4]; /* vbss_scene_event_kind, two bodies, a number that depends on the kind */
     uint32_t event_count, lost_events;          /* in the list; beyond config.event_capacity */
     scene_blocker blockers[SCENE_MAX_BLOCKERS]; /* snapshots save them */
     uint32_t blocker_count;
@@ -500,7 +501,8 @@ typedef struct scene_report {
     uint32_t contact_count;
     /* The first entries are those of the step before, of groups that wait. A restored scene has none. */
     uint32_t old_contact_count;
-    uint32_t (*contact_features)[5]; /* vbss_contact_kind, body a, feature a, body b, feature b */
+    uint32_t (
+        *contact_features)[5]; /* vbss_scene_contact_kind, body a, feature a, body b, feature b */
     /* Points between the surfaces, m; unit, from b to a; on a by b, N. */
     vec3 *contact_points, *contact_normals, *contact_forces;
     double *contact_gaps; /* m; negative where surfaces overlap */

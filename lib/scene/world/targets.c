@@ -65,7 +65,7 @@ void vbss_scene_limit_rigid_targets(scene_object *s, double h)
     bool any = false;
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind != SCENE_BODY_RIGID || r->kind == VBSS_RIGID_FREE ||
+        if (s->bodies[i].kind != SCENE_BODY_RIGID || r->kind == VBSS_SCENE_RIGID_FREE ||
             r->grasper != NULL) {
             continue;
         }
@@ -80,7 +80,7 @@ void vbss_scene_limit_rigid_targets(scene_object *s, double h)
     }
 }
 
-void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target)
+void vbss_scene_set_tool_target(scene_object *s, scene_rigid *r, pose target)
 {
     r->pending_target = target;
     r->has_pending_target = true;

@@ -25,7 +25,7 @@ static bool is_first_step(const scene_object *s)
 
 static bool has_limits(const scene_object *s)
 {
-    return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0;
+    return s->config.mode == VBSS_SCENE_MODE_REAL_TIME && s->config.step_budget > 0;
 }
 
 bool vbss_scene_has_step_budget(const scene_object *s)
@@ -36,6 +36,6 @@ bool vbss_scene_has_step_budget(const scene_object *s)
 bool vbss_scene_is_beyond_step_limits(const scene_object *s, uint64_t operations, uint32_t attempts)
 {
     const uint64_t limits = is_first_step(s) ? SCENE_FIRST_STEP_LIMITS : 1;
-    return has_limits(s) && (operations >= limits * s->config.work_limit ||
+    return has_limits(s) && (operations >= limits * s->config.step_budget ||
                              attempts >= limits * s->config.attempt_limit);
 }

@@ -19,21 +19,21 @@ typedef struct scene_wall_point {
  * of a capsule. */
 static inline bool scene_is_node_contact(uint32_t kind)
 {
-    return kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR ||
-           kind == VBSS_CONTACT_POINT_FACE;
+    return kind == VBSS_SCENE_CONTACT_NODE_CAPSULE || kind == VBSS_SCENE_CONTACT_NODE_FLOOR ||
+           kind == VBSS_SCENE_CONTACT_POINT_FACE;
 }
 
 /* Whether feature b of contacts of this kind is a triangle or a side of a drain. */
 static inline bool scene_is_surface_contact(uint32_t kind)
 {
-    return kind == VBSS_CONTACT_POINT_FACE || kind == VBSS_CONTACT_SIDES;
+    return kind == VBSS_SCENE_CONTACT_POINT_FACE || kind == VBSS_SCENE_CONTACT_SIDES;
 }
 
 /* Whether feature a of contacts of this kind is a line: a segment, a capsule or a side. */
 static inline bool scene_is_segment_contact(uint32_t kind)
 {
-    return kind == VBSS_CONTACT_SEGMENTS || kind == VBSS_CONTACT_SEGMENT_CAPSULE ||
-           kind == VBSS_CONTACT_SIDES;
+    return kind == VBSS_SCENE_CONTACT_SEGMENTS || kind == VBSS_SCENE_CONTACT_SEGMENT_CAPSULE ||
+           kind == VBSS_SCENE_CONTACT_SIDES;
 }
 
 /* The kind of a body that takes part in the present substep; SCENE_BODY_NONE if it is frozen. */
@@ -52,7 +52,7 @@ static inline bool scene_is_active(const scene_body *b)
 static inline bool scene_is_prescribed(const scene_body *b)
 {
     return b == NULL || b->is_frozen ||
-           (b->kind == SCENE_BODY_RIGID && b->rigid.kind == VBSS_RIGID_DRIVEN);
+           (b->kind == SCENE_BODY_RIGID && b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN);
 }
 
 /* Whether an entry of the list of thread grasps holds its strand. Other entries are unused, or
@@ -211,7 +211,7 @@ bool vbss_scene_unpin_node(scene_object *s, uint32_t pin);
 
 /* Sets the target pose of a rigid body, in its principal frame, for the end of the next step.
  * While a step is suspended, the target stays pending until the next step begins. */
-void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target);
+void vbss_scene_set_tool_target(scene_object *s, scene_rigid *r, pose target);
 
 /* Makes all pending targets the targets of the step, together with those of pinned nodes. */
 void vbss_scene_apply_rigid_targets(scene_object *s);
@@ -230,7 +230,7 @@ void vbss_scene_limit_rigid_targets(scene_object *s, double h);
 
 /* ---- events.c */
 
-/* Adds VBSS_EVENT_CUT at an arc length of a thread, m from its first node. `piece` is the body that
+/* Adds VBSS_SCENE_EVENT_CUT at an arc length of a thread, m from its first node. `piece` is the body that
  * was cut off; NULL: the thread was not cut, as no piece was left. */
 void vbss_scene_emit_cut_event(scene_object *s, const scene_body *thread, const scene_body *piece,
                                double arc_length);
@@ -240,10 +240,10 @@ void vbss_scene_clear_events(scene_object *s);
 
 /* Adds an event with two body numbers and a number that depends on the kind. If the list is
  * full, the event is counted as lost. */
-void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uint32_t b,
+void vbss_scene_add_event(scene_object *s, vbss_scene_event_kind kind, uint32_t a, uint32_t b,
                           uint32_t number);
 
-/* If events were lost, replaces the last event by VBSS_EVENT_LOST with their number. */
+/* If events were lost, replaces the last event by VBSS_SCENE_EVENT_LOST with their number. */
 void vbss_scene_write_lost_event(scene_object *s);
 
 /* ---- filters.c */
@@ -281,7 +281,7 @@ bool vbss_scene_is_overlap(const scene_object *s, const scene_body *a, const sce
 
 /* Records that two bodies (numbers; 0: unknown, or the floor) hold back their island for `lost_time`,
  * s. The first record of a pair emits an event and logs a warning. */
-void vbss_scene_record_blocker(scene_object *s, vbss_blocker_cause cause,
+void vbss_scene_record_blocker(scene_object *s, vbss_scene_blocker_cause cause,
                                scene_touching_pair bodies, double lost_time);
 
 /* Ends blockers whose bodies have moved freely for a while; emits an event for each. */

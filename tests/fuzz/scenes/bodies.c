@@ -64,7 +64,7 @@ static void store_turn(double out[4], quat q)
 
 static void make_adaptive(fuzz_scene *f, vbss_thread_config *config)
 {
-    config->mesh = VBSS_MESH_ADAPTIVE;
+    config->mesh = VBSS_THREAD_MESH_ADAPTIVE;
     config->node_capacity = 2 * (config->segment_count + 1);
     config->finest_length = 0.5 * config->length / config->segment_count;
     config->coarsest_length = fuzz_real(f, 2.0, 6.0) * config->finest_length;
@@ -79,8 +79,8 @@ static void lead_through_drain(fuzz_scene *f, vbss_thread_config *config)
     if (drain == 0) {
         return;
     }
-    (void)vbss_drain_get_view(f->sides[0].handles[drain], VBSS_DRAIN_POSITIONS, &x, sizeof x);
-    (void)vbss_drain_get_view(f->sides[0].handles[drain], VBSS_DRAIN_TRIANGLES, &triangles,
+    (void)vbss_drain_get_view(f->sides[0].handles[drain], VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x);
+    (void)vbss_drain_get_view(f->sides[0].handles[drain], VBSS_DRAIN_VIEW_TRIANGLES, &triangles,
                               sizeof triangles);
     const uint32_t *corner =
         (const uint32_t *)triangles.data + 3 * (size_t)fuzz_below(f, (uint32_t)triangles.count);
@@ -115,11 +115,11 @@ static void choose_thread(fuzz_scene *f, vbss_thread_config *config)
     vbss_thread_config_init(config, sizeof *config);
     config->method = f->config.method;
     if (fuzz_chance(f, 0.5)) {
-        (void)vbss_thread_config_preset(config, VBSS_PRESET_SILK_2_0);
+        (void)vbss_thread_config_preset(config, VBSS_THREAD_PRESET_SILK_2_0);
     }
     config->segment_count = 1 + fuzz_below(f, 12);
     config->length = fuzz_real(f, 1e-3, 3e-3) * config->segment_count;
-    config->bending = (vbss_bending)fuzz_below(f, 2);
+    config->bending = (vbss_thread_bending)fuzz_below(f, 2);
     config->attachment_capacity = fuzz_below(f, 5);
     config->cut_capacity = fuzz_chance(f, 0.5) ? fuzz_below(f, 4) : 0;
     config->damping = fuzz_chance(f, 0.5) ? 20.0 : 0.0;
@@ -127,7 +127,7 @@ static void choose_thread(fuzz_scene *f, vbss_thread_config *config)
     config->gravity[1] = fuzz_chance(f, 0.7) ? -9.81 : 0.0;
     vec3_store(config->start, fuzz_point(f));
     vec3_store(config->direction, fuzz_direction(f));
-    if (f->config.method == VBSS_METHOD_OURS && fuzz_chance(f, 0.15)) {
+    if (f->config.method == VBSS_METHOD_IMPLICIT && fuzz_chance(f, 0.15)) {
         make_adaptive(f, config);
     }
 }
@@ -166,11 +166,11 @@ void fuzz_add_drain(fuzz_scene *f)
 
 void fuzz_add_rigid(fuzz_scene *f)
 {
-    vbss_rigid_config config;
-    vbss_capsule capsules[3];
+    vbss_scene_rigid_config config;
+    vbss_scene_capsule capsules[3];
     uint32_t number = 0;
-    vbss_rigid_config_init(&config, sizeof config);
-    config.kind = (vbss_rigid_kind)fuzz_below(f, 3);
+    vbss_scene_rigid_config_init(&config, sizeof config);
+    config.kind = (vbss_scene_rigid_kind)fuzz_below(f, 3);
     config.capsules = capsules;
     config.capsule_count = 1 + fuzz_below(f, 3);
     for (uint32_t i = 0; i < 3; i++) {
@@ -182,17 +182,17 @@ void fuzz_add_rigid(fuzz_scene *f)
     }
     const vec3 at = fuzz_point(f);
     vec3_store(config.position, at);
-    if (config.kind != VBSS_RIGID_DRIVEN) {
+    if (config.kind != VBSS_SCENE_RIGID_DRIVEN) {
         vec3_store(config.velocity, fuzz_vector(f, 2.0));
         vec3_store(config.angular_velocity, fuzz_vector(f, 200.0));
     }
-    config.gravity[1] = config.kind == VBSS_RIGID_FREE ? -9.81 : 0.0;
+    config.gravity[1] = config.kind == VBSS_SCENE_RIGID_FREE ? -9.81 : 0.0;
     config.mass = fuzz_small(f, 1e-3, 0.1);
     config.friction = fuzz_real(f, 0.0, 0.6);
     FUZZ_CALL(f, vbss_scene_add_rigid(side->scene, &config, &number));
     if (f->results[0] == VBSS_OK && number < FUZZ_MAX_BODIES) {
         fuzz_register(f, number, FUZZ_RIGID, (void *[FUZZ_SIDES]){NULL, NULL});
-        f->bodies[number].has_target = config.kind != VBSS_RIGID_FREE;
+        f->bodies[number].has_target = config.kind != VBSS_SCENE_RIGID_FREE;
         f->bodies[number].tip = at;
     }
 }
@@ -224,7 +224,7 @@ static void choose_grasper(fuzz_scene *f, vbss_grasper_config *config)
         (void)vbss_grasper_config_preset(config, VBSS_GRASPER_PRESET_ANGLED);
     }
     config->method = f->config.method;
-    config->kind = fuzz_chance(f, 0.3) ? VBSS_GRASPER_SHEARS : VBSS_GRASPER_NEEDLE_DRIVER;
+    config->kind = fuzz_chance(f, 0.3) ? VBSS_GRASPER_KIND_SHEARS : VBSS_GRASPER_KIND_NEEDLE_DRIVER;
     config->jaw_speed = fuzz_small(f, 8.0, 100.0);
     config->closing_force = fuzz_real(f, 0.1, 12.0);
     config->stiffness = fuzz_chance(f, 0.5) ? 400.0 : 2000.0;
@@ -243,7 +243,7 @@ uint32_t fuzz_add_grasper(fuzz_scene *f, uint32_t body)
     if (body == 0) {
         body = fuzz_choose(f, fuzz_chance(f, 0.5) ? FUZZ_NEEDLE : FUZZ_THREAD);
     } else {
-        config.kind = VBSS_GRASPER_NEEDLE_DRIVER;
+        config.kind = VBSS_GRASPER_KIND_NEEDLE_DRIVER;
     }
     (void)fuzz_set_target(f, body, &at);
     double tip[3], turn[4];
@@ -256,7 +256,7 @@ uint32_t fuzz_add_grasper(fuzz_scene *f, uint32_t body)
             fuzz_fail(f, FUZZ_CHECK_SETUP, "grasper: %s", vbss_result_name(made));
             return 0;
         }
-        (void)vbss_grasper_move(graspers[k], tip, turn);
+        (void)vbss_grasper_set_target(graspers[k], tip, turn);
         (void)vbss_grasper_set_opening(graspers[k], opening);
     }
     fuzz_add_handle(f, FUZZ_GRASPER, (void *[FUZZ_SIDES]){graspers[0], graspers[1]});
@@ -315,10 +315,10 @@ void fuzz_add_exchange(fuzz_scene *f)
 
 static void choose_limits(fuzz_scene *f, vbss_scene_config *config)
 {
-    config->mode = fuzz_chance(f, 0.6) ? VBSS_MODE_REAL_TIME : VBSS_MODE_OFFLINE;
-    config->method = fuzz_chance(f, 0.1) ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
-    config->work_limit = FUZZ_PICK(f, 250000, 250000, 250000, 50000, 10000, 2000, 0);
-    config->slot_limit = FUZZ_PICK(f, 210000, 210000, 50000, 20000, 5000, 1000, 0);
+    config->mode = fuzz_chance(f, 0.6) ? VBSS_SCENE_MODE_REAL_TIME : VBSS_SCENE_MODE_OFFLINE;
+    config->method = fuzz_chance(f, 0.1) ? VBSS_METHOD_VBLAST : VBSS_METHOD_IMPLICIT;
+    config->step_budget = FUZZ_PICK(f, 250000, 250000, 250000, 50000, 10000, 2000, 0);
+    config->call_budget = FUZZ_PICK(f, 210000, 210000, 50000, 20000, 5000, 1000, 0);
     config->attempt_limit = 1 + fuzz_below(f, 5);
     config->halving_limit = fuzz_below(f, 6);
     config->contact_margin = FUZZ_PICK(f, 0, 1, 1, 1, 10) * 3e-5;

@@ -15,7 +15,7 @@ static double rest_length(fuzz_scene *f, uint32_t number)
     vbss_thread *thread = thread_of(&f->sides[0], number);
     vbss_view lengths;
     double sum = 0.0;
-    if (vbss_thread_get_view(thread, VBSS_THREAD_REST_LENGTHS, &lengths, sizeof lengths) !=
+    if (vbss_thread_get_view(thread, VBSS_THREAD_VIEW_REST_LENGTHS, &lengths, sizeof lengths) !=
         VBSS_OK) {
         return 0.01;
     }
@@ -72,7 +72,7 @@ static void attach_to_thread(fuzz_scene *f)
     vbss_thread_attachment a;
     uint32_t id[FUZZ_SIDES];
     vbss_thread_attachment_init(&a, sizeof a);
-    a.kind = (vbss_attachment_kind)fuzz_below(f, 5);
+    a.kind = (vbss_thread_attachment_kind)fuzz_below(f, 5);
     a.node = fuzz_spoil_number(f, fuzz_below(f, 8));
     vec3_store(a.position, fuzz_point(f));
     vec3_store(a.direction, fuzz_direction(f));
@@ -91,7 +91,7 @@ static void move_attachment(fuzz_scene *f)
     double target[3];
     vec3_store(target, fuzz_point(f));
     target[1] = fuzz_spoil(f, target[1]);
-    FUZZ_CALL(f, vbss_thread_move(thread_of(side, thread), id, target, NULL));
+    FUZZ_CALL(f, vbss_thread_set_attachment_target(thread_of(side, thread), id, target, NULL));
 }
 
 static void detach(fuzz_scene *f)
@@ -123,7 +123,7 @@ static void edit_drain(fuzz_scene *f)
         FUZZ_CALL(f, vbss_drain_attach(side->handles[drain], &a, &id[k]));
         break;
     case 1:
-        FUZZ_CALL(f, vbss_drain_move(side->handles[drain], old, a.position));
+        FUZZ_CALL(f, vbss_drain_set_attachment_target(side->handles[drain], old, a.position));
         break;
     default:
         FUZZ_CALL(f, vbss_drain_detach(side->handles[drain], old));

@@ -28,7 +28,7 @@ static void trace_statistics(const fuzz_scene *f, const vbss_scene_statistics *s
 
 static void trace_blockers(const fuzz_scene *f)
 {
-    vbss_blocker b;
+    vbss_scene_blocker b;
     for (uint32_t i = 0; f->findings->is_traced &&
                          vbss_scene_get_blocker(f->sides[0].scene, i, &b, sizeof b) == VBSS_OK;
          i++) {
@@ -40,8 +40,8 @@ static void trace_blockers(const fuzz_scene *f)
 static void count_what_happens(fuzz_scene *f)
 {
     vbss_scene_statistics statistics;
-    vbss_hole hole;
-    vbss_grasp grasp;
+    vbss_scene_hole hole;
+    vbss_scene_grasp grasp;
     bool has_grasp = false;
     vbss_scene *scene = f->sides[0].scene;
     (void)vbss_scene_get_statistics(scene, &statistics, sizeof statistics);
@@ -73,11 +73,11 @@ void fuzz_query_at_random(fuzz_scene *f)
 {
     const uint32_t body = fuzz_below(f, f->last_number + 3), index = fuzz_below(f, 3);
     vbss_scene_statistics statistics;
-    vbss_rigid_state rigid;
+    vbss_scene_rigid_state rigid;
     vbss_view view;
-    vbss_grasp grasp;
-    vbss_hole hole;
-    vbss_blocker blocker;
+    vbss_scene_grasp grasp;
+    vbss_scene_hole hole;
+    vbss_scene_blocker blocker;
     uint64_t hash;
     switch (fuzz_below(f, 7)) {
     case 0:
@@ -160,11 +160,11 @@ static void destroy(fuzz_scene *f, bool scene_first)
 static void print_config(const fuzz_scene *f)
 {
     const vbss_scene_config *c = &f->config;
-    printf("  %s, method %d, work_limit %u, slot_limit %u, attempt_limit %u, halving_limit %u, "
+    printf("  %s, method %d, step_budget %u, call_budget %u, attempt_limit %u, halving_limit %u, "
            "contacts %u, "
            "candidates %u, drains %u, floor %d, h %g s\n",
-           c->mode == VBSS_MODE_OFFLINE ? "offline" : "real time", c->method, c->work_limit,
-           c->slot_limit, c->attempt_limit, c->halving_limit, c->contact_capacity,
+           c->mode == VBSS_SCENE_MODE_OFFLINE ? "offline" : "real time", c->method, c->step_budget,
+           c->call_budget, c->attempt_limit, c->halving_limit, c->contact_capacity,
            c->candidate_capacity, c->drain_capacity, c->floor, f->h);
     for (uint32_t i = 1; i <= f->last_number; i++) {
         static const char *const names[] = {"none",   "thread",  "drain",

@@ -11,7 +11,7 @@ static bool find_place_on_thread(fuzz_scene *f, uint32_t body, vec3 *place, vec3
     vbss_thread *thread;
     vbss_view x;
     if (vbss_scene_get_thread(f->sides[0].scene, body, &thread) != VBSS_OK ||
-        vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &x, sizeof x) != VBSS_OK) {
+        vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &x, sizeof x) != VBSS_OK) {
         return false;
     }
     const uint32_t i = fuzz_below(f, (uint32_t)x.count - 1);
@@ -90,8 +90,8 @@ void fuzz_move_tool(fuzz_scene *f, uint32_t number)
     spoil_one(f, turn, 4);
     tip[1] = tip[1] > CEILING ? -tip[1] : tip[1];
     if (body->kind == FUZZ_GRASPER) {
-        FUZZ_CALL(f, vbss_grasper_move(side->handles[number], tip, turn));
+        FUZZ_CALL(f, vbss_grasper_set_target(side->handles[number], tip, turn));
     } else {
-        FUZZ_CALL(f, vbss_scene_move_rigid(side->scene, number, tip, turn));
+        FUZZ_CALL(f, vbss_scene_set_rigid_target(side->scene, number, tip, turn));
     }
 }

@@ -10,11 +10,11 @@
 
 static void add_capsule(fuzz_scene *f)
 {
-    const vbss_capsule ball = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}, 1e-3};
-    vbss_rigid_config config;
+    const vbss_scene_capsule ball = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}, 1e-3};
+    vbss_scene_rigid_config config;
     uint32_t number = 0;
-    vbss_rigid_config_init(&config, sizeof config);
-    config.kind = VBSS_RIGID_FREE;
+    vbss_scene_rigid_config_init(&config, sizeof config);
+    config.kind = VBSS_SCENE_RIGID_FREE;
     config.capsules = &ball;
     config.capsule_count = 1;
     config.position[1] = HEIGHT;
@@ -65,8 +65,8 @@ static bool find_thread_motion(const fuzz_scene *f, uint32_t number, body_motion
     if (vbss_scene_get_thread(f->sides[0].scene, number, &thread) != VBSS_OK) {
         return false;
     }
-    (void)vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &x, sizeof x);
-    (void)vbss_thread_get_view(thread, VBSS_THREAD_VELOCITIES, &v, sizeof v);
+    (void)vbss_thread_get_view(thread, VBSS_THREAD_VIEW_POSITIONS, &x, sizeof x);
+    (void)vbss_thread_get_view(thread, VBSS_THREAD_VIEW_VELOCITIES, &v, sizeof v);
     for (uint64_t i = 0; i < x.count; i++) {
         const char *position = (const char *)x.data + i * x.stride_bytes;
         const char *velocity = (const char *)v.data + i * v.stride_bytes;
@@ -78,7 +78,7 @@ static bool find_thread_motion(const fuzz_scene *f, uint32_t number, body_motion
 
 static bool find_motion(const fuzz_scene *f, uint32_t number, body_motion *motion)
 {
-    vbss_rigid_state state;
+    vbss_scene_rigid_state state;
     *motion = (body_motion){.top = -1e300, .is_finite = true};
     if (vbss_scene_get_rigid(f->sides[0].scene, number, &state, sizeof state) != VBSS_OK) {
         return find_thread_motion(f, number, motion);
@@ -91,7 +91,7 @@ void fuzz_add_witness(fuzz_scene *f)
 {
     const uint32_t last = f->last_number;
     /* By the baseline method, free rigid bodies stay where they are. */
-    if (fuzz_chance(f, 0.5) && f->config.method == VBSS_METHOD_OURS) {
+    if (fuzz_chance(f, 0.5) && f->config.method == VBSS_METHOD_IMPLICIT) {
         add_capsule(f);
     } else {
         add_thread(f);
@@ -116,7 +116,7 @@ static bool has_had_room(fuzz_scene *f)
 static void check_witness(fuzz_scene *f, bool is_clear)
 {
     body_motion motion;
-    const uint32_t limit = f->config.mode == VBSS_MODE_OFFLINE ? 1 : 3;
+    const uint32_t limit = f->config.mode == VBSS_SCENE_MODE_OFFLINE ? 1 : 3;
     fuzz_witness *w = &f->witness;
     if (w->number == 0 || !find_motion(f, w->number, &motion)) {
         return;
@@ -127,9 +127,9 @@ static void check_witness(fuzz_scene *f, bool is_clear)
     w->position = motion.position;
     w->was_clear = is_clear;
     if (w->stationary_steps > limit) {
-        fuzz_fail(f, FUZZ_CHECK_IS_STALLED, "%s, for %u steps, work_limit %u, slot_limit %u",
-                  f->config.mode == VBSS_MODE_OFFLINE ? "offline" : "real time",
-                  w->stationary_steps, f->config.work_limit, f->config.slot_limit);
+        fuzz_fail(f, FUZZ_CHECK_IS_STALLED, "%s, for %u steps, step_budget %u, call_budget %u",
+                  f->config.mode == VBSS_SCENE_MODE_OFFLINE ? "offline" : "real time",
+                  w->stationary_steps, f->config.step_budget, f->config.call_budget);
     }
 }
 

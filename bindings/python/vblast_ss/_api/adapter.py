@@ -46,7 +46,7 @@ class DeviceFlagBits(IntFlag):
     LOST = 1
     """The hardware is missing: unplugged, or its driver has failed."""
     STOP = 2
-    """Emergency stop; it latches as vbss_device_stop does."""
+    """Emergency stop; it latches as vbss_device_latch_emergency_stop does."""
     FAULT = 4
     """The hardware refuses forces for now; all outputs are off while this bit is set."""
     SLOW = 8

@@ -67,14 +67,14 @@ class LogLevel(IntEnum):
 
 class Method(IntEnum):
     """The constants of vbss_method."""
-    OURS = 0
+    IMPLICIT = 0
     """The library's own method, the default."""
-    PAPER = 1
+    VBLAST = 1
     """The method of VBLaST-SS (Qi et al. 2017), as a baseline."""
 
 
-class Type(IntEnum):
-    """The constants of vbss_type."""
+class ViewType(IntEnum):
+    """The constants of vbss_view_type."""
     F64 = 1
     """double"""
     U32 = 2
@@ -95,7 +95,7 @@ vbss_allocate_fn = CFUNCTYPE(c_void_p, c_void_p, c_uint64, c_uint64)
 
 # Releases a block of a vbss_allocate_fn. The function must return (no longjmp, no exception). Its
 # calls that would change the same context return VBSS_ERROR_BUSY.
-vbss_release_fn = CFUNCTYPE(None, c_void_p, c_void_p, c_uint64, c_uint64)
+vbss_deallocate_fn = CFUNCTYPE(None, c_void_p, c_void_p, c_uint64, c_uint64)
 
 
 # Receives log messages, on the thread that called the library. The function must return (no
@@ -126,7 +126,7 @@ class vbss_view(ctypes.Structure):
     count: int
     data: Any
     generation: int
-    _kinds_: ClassVar[dict[str, Any]] = {"type": Type}
+    _kinds_: ClassVar[dict[str, Any]] = {"type": ViewType}
     _fields_ = [
         ("struct_size", c_uint32),
         ("type", c_int32),
@@ -145,7 +145,7 @@ class vbss_context_config(ctypes.Structure):
 
     allocate: Allocator; NULL (default): the C library; set both functions or neither.
 
-    release: Counterpart of allocate; NULL (default): the C library; set both functions or
+    deallocate: Counterpart of allocate; NULL (default): the C library; set both functions or
     neither.
 
     allocator_user: Pointer that allocate and release receive; may be NULL.
@@ -156,7 +156,7 @@ class vbss_context_config(ctypes.Structure):
     struct_size: int
     log_level: int
     allocate: Any
-    release: Any
+    deallocate: Any
     allocator_user: Any
     log: Any
     log_user: Any
@@ -165,7 +165,7 @@ class vbss_context_config(ctypes.Structure):
         ("struct_size", c_uint32),
         ("log_level", c_int32),
         ("allocate", vbss_allocate_fn),
-        ("release", vbss_release_fn),
+        ("deallocate", vbss_deallocate_fn),
         ("allocator_user", c_void_p),
         ("log", vbss_log_fn),
         ("log_user", c_void_p),

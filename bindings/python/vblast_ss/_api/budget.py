@@ -11,15 +11,15 @@ from .scene import vbss_scene_config
 
 # Reads a clock of the host. The function must return (no longjmp, no exception). Its calls that
 # would change the context return VBSS_ERROR_BUSY.
-vbss_clock_fn = CFUNCTYPE(c_double, c_void_p)
+vbss_budget_clock_fn = CFUNCTYPE(c_double, c_void_p)
 
 
-class vbss_core_speed(ctypes.Structure):
+class vbss_budget_speed(ctypes.Structure):
     """Speed of the processor core on which a measurement ran.
 
     steps: Number of timed steps of the fixed scene.
 
-    operations_per_microsecond: Speed in operations, as vbss_scene_config::work_limit counts
+    operations_per_microsecond: Speed in operations, as vbss_scene_config::step_budget counts
     them, per microsecond; > 0. A few hundred on a core of 2.6 GHz. A quarter of the steps were
     at least as fast. Steps that other programs have interrupted do not affect it, as long as
     they are fewer than three quarters.
@@ -43,8 +43,8 @@ class vbss_core_speed(ctypes.Structure):
     ]
 
 
-class CoreSpeed(NamedTuple):
-    """Speed of the processor core on which a measurement ran. Fields as vbss_core_speed says."""
+class BudgetSpeed(NamedTuple):
+    """Speed of the processor core on which a measurement ran. Fields as vbss_budget_speed says."""
     steps: int
     operations_per_microsecond: float
     spread: float
@@ -82,8 +82,8 @@ class vbss_budget_config(ctypes.Structure):
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
-    "vbss_budget_measure_speed": (c_int32, (POINTER(vbss_context), vbss_clock_fn, c_void_p,
-        POINTER(vbss_core_speed), c_uint32)),
+    "vbss_budget_measure_speed": (c_int32, (POINTER(vbss_context), vbss_budget_clock_fn, c_void_p,
+        POINTER(vbss_budget_speed), c_uint32)),
     "vbss_budget_config_init": (c_int32, (POINTER(vbss_budget_config), c_uint32)),
     "vbss_budget_fit_scene": (c_int32, (POINTER(vbss_context), POINTER(vbss_budget_config),
         POINTER(vbss_scene_config))),

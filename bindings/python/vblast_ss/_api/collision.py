@@ -17,21 +17,21 @@ class CollisionMethod(IntEnum):
     CUBIC = 1
     """The usual method: roots of the coplanarity cubic, an inside test at each root, and the
     distance at the end. May miss."""
-    PAPER = 2
+    VBLAST = 2
     """Algorithm 1 of VBLaST-SS (Qi et al. 2017): distance at the end, then a sign test and a
     linear time of impact. Often misses."""
 
 
-class PairKind(IntEnum):
-    """The constants of vbss_pair_kind, with their four vertices."""
+class CollisionPairKind(IntEnum):
+    """The constants of vbss_collision_pair_kind, with their four vertices."""
     EDGE_EDGE = 0
     """a0, a1 of edge a, then b0, b1 of edge b."""
     POINT_TRIANGLE = 1
     """The point (a), then b0, b1, b2 of the triangle."""
 
 
-class Decision(IntEnum):
-    """The constants of vbss_decision."""
+class CollisionDecision(IntEnum):
+    """The constants of vbss_collision_decision."""
     PROVED = 0
     """Miss: planes that separate the features by more than D at all times. Hit: at `time` the
     distance is at most D plus the tolerance."""
@@ -44,30 +44,30 @@ class Decision(IntEnum):
     object has memory for about 250 places; with an object, all doubles tried so far have
     fitted."""
     CLAIMED = 3
-    """CUBIC and PAPER: not proved."""
+    """CUBIC and VBLAST: not proved."""
 
 
 class CollisionField(IntEnum):
     """The constants of vbss_collision_field."""
     CANDIDATES = 0
-    """x 5 uint32_t: vbss_pair_kind, shape and feature a, shape and feature b. A feature is an
-    edge, a point (node) or a triangle. Sorted by these five numbers."""
+    """x 5 uint32_t: vbss_collision_pair_kind, shape and feature a, shape and feature b. A feature
+    is an edge, a point (node) or a triangle. Sorted by these five numbers."""
     IMPACTS = 1
     """uint32_t: index of the candidate, ascending."""
     TIMES = 2
-    """vbss_impact.time."""
+    """vbss_collision_impact.time."""
     NORMALS = 3
-    """x 3: vbss_impact.normal."""
+    """x 3: vbss_collision_impact.normal."""
     WEIGHTS = 4
-    """x 4: vbss_impact.weights."""
+    """x 4: vbss_collision_impact.weights."""
     DECISIONS = 5
-    """uint32_t: vbss_impact.decision."""
+    """uint32_t: vbss_collision_impact.decision."""
     DISTANCES = 6
-    """vbss_impact.distance, m."""
+    """vbss_collision_impact.distance, m."""
 
 
-class ResponseVariant(IntEnum):
-    """The constants of vbss_response_variant."""
+class CollisionResponseVariant(IntEnum):
+    """The constants of vbss_collision_response_variant."""
     END_OF_STEP = 0
     """Algorithm 2 as printed: along the shortest vector at the end of the step."""
     TIME_OF_IMPACT = 1
@@ -79,7 +79,7 @@ class vbss_collision(ctypes.Structure):
     """Shapes, their candidates and impacts, batches, counters."""
 
 
-class vbss_closest(ctypes.Structure):
+class vbss_collision_closest(ctypes.Structure):
     """Two closest points.
 
     distance: Distance, m; minus the penetration depth for capsules that overlap.
@@ -114,8 +114,8 @@ class vbss_closest(ctypes.Structure):
     ]
 
 
-class Closest(NamedTuple):
-    """Two closest points. Fields as vbss_closest says."""
+class CollisionClosest(NamedTuple):
+    """Two closest points. Fields as vbss_collision_closest says."""
     distance: float
     normal: tuple[float, ...]
     point_a: tuple[float, ...]
@@ -124,7 +124,7 @@ class Closest(NamedTuple):
     weights_b: tuple[float, ...]
 
 
-class vbss_impact(ctypes.Structure):
+class vbss_collision_impact(ctypes.Structure):
     """Result of a continuous test.
 
     hit: 1: they come within D; 0: they do not.
@@ -138,7 +138,7 @@ class vbss_impact(ctypes.Structure):
     the advancement came. `distance` says how near: about 1e-14 of the size, but more where
     features graze. Miss: 1.
 
-    distance: Hit: distance of the features at `time`, m; CUBIC and PAPER: distance of the
+    distance: Hit: distance of the features at `time`, m; CUBIC and VBLAST: distance of the
     assumed points of contact. Miss: 0.
 
     normal: Hit: unit vector from a to b, or zero if none is known. Miss: 0.
@@ -158,7 +158,7 @@ class vbss_impact(ctypes.Structure):
     weights: Any
     point_a: Any
     point_b: Any
-    _kinds_: ClassVar[dict[str, Any]] = {"decision": Decision}
+    _kinds_: ClassVar[dict[str, Any]] = {"decision": CollisionDecision}
     _fields_ = [
         ("struct_size", c_uint32),
         ("hit", c_int32),
@@ -173,10 +173,10 @@ class vbss_impact(ctypes.Structure):
     ]
 
 
-class Impact(NamedTuple):
-    """Result of a continuous test. Fields as vbss_impact says."""
+class CollisionImpact(NamedTuple):
+    """Result of a continuous test. Fields as vbss_collision_impact says."""
     hit: int
-    decision: Decision
+    decision: CollisionDecision
     passes: int
     time: float
     distance: float
@@ -189,7 +189,7 @@ class Impact(NamedTuple):
 class vbss_collision_config(ctypes.Structure):
     """Method of the tests, and capacities. Fill it with vbss_collision_config_init.
 
-    method: Default VBSS_COLLISION_CONSERVATIVE.
+    method: Default VBSS_COLLISION_METHOD_CONSERVATIVE.
 
     thickness: Contact distance D, m: 0, or 1e-30 to 1e30; default 0. Between shapes their radii
     are added.
@@ -216,10 +216,10 @@ class vbss_collision_config(ctypes.Structure):
 
     margin: Added to D in the search for candidates, m, 0 to 1e3; default 0.
 
-    paper_parallel: PAPER: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in
+    paper_parallel: VBLAST: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in
     paper_unit^4; 0 to 1; default 1e-6.
 
-    paper_unit: PAPER: unit of length, m, 1e-9 to 1e3; default 1e-3."""
+    paper_unit: VBLAST: unit of length, m, 1e-9 to 1e3; default 1e-3."""
     struct_size: int
     method: int
     thickness: float
@@ -265,11 +265,11 @@ class vbss_collision_batch(ctypes.Structure):
 
     thickness: D of each question, m; NULL: D of the configuration.
 
-    hit: Receives vbss_impact.hit of each question.
+    hit: Receives vbss_collision_impact.hit of each question.
 
-    decision: Receives vbss_impact.decision; may be NULL.
+    decision: Receives vbss_collision_impact.decision; may be NULL.
 
-    time: Receives vbss_impact.time; may be NULL.
+    time: Receives vbss_collision_impact.time; may be NULL.
 
     normal: Receives 3 rows; may be NULL.
 
@@ -286,7 +286,7 @@ class vbss_collision_batch(ctypes.Structure):
     time: Any
     normal: Any
     weights: Any
-    _kinds_: ClassVar[dict[str, Any]] = {"kind": PairKind}
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": CollisionPairKind}
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -321,7 +321,7 @@ class vbss_collision_statistics(ctypes.Structure):
 
     passes: CONSERVATIVE: evaluations of the closest points.
 
-    sign_tests_ended: PAPER: tests ended by the sign of w.w'.
+    sign_tests_ended: VBLAST: tests ended by the sign of w.w'.
 
     boxes_tested: Pairs of boxes that the searches tested; not part of the state.
 
@@ -370,7 +370,7 @@ class CollisionStatistics(NamedTuple):
     searches: int
 
 
-class vbss_response(ctypes.Structure):
+class vbss_collision_response(ctypes.Structure):
     """Displacements by the paper's response.
 
     completed: 1: the paper leaves this case open, and a rule of docs/paper-collision.md was
@@ -401,8 +401,8 @@ class vbss_response(ctypes.Structure):
     ]
 
 
-class Response(NamedTuple):
-    """Displacements by the paper's response. Fields as vbss_response says."""
+class CollisionResponse(NamedTuple):
+    """Displacements by the paper's response. Fields as vbss_collision_response says."""
     completed: int
     direction: tuple[float, ...]
     depth: float
@@ -411,26 +411,27 @@ class Response(NamedTuple):
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
-    "vbss_closest_segments": (c_int32, (POINTER(c_double), POINTER(c_double), POINTER(vbss_closest),
-        c_uint32)),
-    "vbss_closest_point_triangle": (c_int32, (POINTER(c_double), POINTER(c_double),
-        POINTER(vbss_closest), c_uint32)),
-    "vbss_closest_segment_triangle": (c_int32, (POINTER(c_double), POINTER(c_double),
-        POINTER(vbss_closest), c_uint32)),
-    "vbss_closest_capsules": (c_int32, (POINTER(c_double), c_double, POINTER(c_double), c_double,
-        POINTER(vbss_closest), c_uint32)),
+    "vbss_collision_closest_segments": (c_int32, (POINTER(c_double), POINTER(c_double),
+        POINTER(vbss_collision_closest), c_uint32)),
+    "vbss_collision_closest_point_triangle": (c_int32, (POINTER(c_double), POINTER(c_double),
+        POINTER(vbss_collision_closest), c_uint32)),
+    "vbss_collision_closest_segment_triangle": (c_int32, (POINTER(c_double), POINTER(c_double),
+        POINTER(vbss_collision_closest), c_uint32)),
+    "vbss_collision_closest_capsules": (c_int32, (POINTER(c_double), c_double, POINTER(c_double),
+        c_double, POINTER(vbss_collision_closest), c_uint32)),
     "vbss_collision_config_init": (c_int32, (POINTER(vbss_collision_config), c_uint32)),
-    "vbss_edges_test": (c_int32, (POINTER(vbss_collision_config), POINTER(c_double),
-        POINTER(c_double), POINTER(vbss_impact), c_uint32)),
-    "vbss_point_triangle_test": (c_int32, (POINTER(vbss_collision_config), POINTER(c_double),
-        POINTER(c_double), POINTER(vbss_impact), c_uint32)),
-    "vbss_paper_response": (c_int32, (c_int32, c_int32, POINTER(vbss_impact), POINTER(c_double),
-        POINTER(c_double), c_double, POINTER(c_double), POINTER(vbss_response), c_uint32)),
+    "vbss_collision_test_edges": (c_int32, (POINTER(vbss_collision_config), POINTER(c_double),
+        POINTER(c_double), POINTER(vbss_collision_impact), c_uint32)),
+    "vbss_collision_test_point_triangle": (c_int32, (POINTER(vbss_collision_config),
+        POINTER(c_double), POINTER(c_double), POINTER(vbss_collision_impact), c_uint32)),
+    "vbss_collision_get_vblast_response": (c_int32, (c_int32, c_int32,
+        POINTER(vbss_collision_impact), POINTER(c_double), POINTER(c_double), c_double,
+        POINTER(c_double), POINTER(vbss_collision_response), c_uint32)),
     "vbss_collision_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_collision_config),
         POINTER(POINTER(vbss_collision)))),
     "vbss_collision_destroy": (c_int32, (POINTER(vbss_collision),)),
     "vbss_collision_test": (c_int32, (POINTER(vbss_collision), c_int32, POINTER(c_double),
-        POINTER(c_double), POINTER(vbss_impact), c_uint32)),
+        POINTER(c_double), POINTER(vbss_collision_impact), c_uint32)),
     "vbss_collision_batch_init": (c_int32, (POINTER(vbss_collision_batch), c_uint32)),
     "vbss_collision_test_batch": (c_int32, (POINTER(vbss_collision),
         POINTER(vbss_collision_batch))),
@@ -442,7 +443,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_uint32, c_double, POINTER(c_uint32))),
     "vbss_collision_remove": (c_int32, (POINTER(vbss_collision), c_uint32)),
     "vbss_collision_set_filter": (c_int32, (POINTER(vbss_collision), c_uint32, c_uint32, c_uint32)),
-    "vbss_collision_move": (c_int32, (POINTER(vbss_collision), c_uint32, POINTER(c_double),
+    "vbss_collision_set_motion": (c_int32, (POINTER(vbss_collision), c_uint32, POINTER(c_double),
         POINTER(c_double), c_uint32)),
     "vbss_collision_find_candidates": (c_int32, (POINTER(vbss_collision),)),
     "vbss_collision_find_impacts": (c_int32, (POINTER(vbss_collision),)),

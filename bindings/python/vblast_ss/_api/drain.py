@@ -46,13 +46,13 @@ class DrainField(IntEnum):
     SLIT_RIGHT = 5
     """uint32_t: nodes of the slit's edge on the right (+z), with both tips, along x."""
     ANCHORS = 6
-    """uint32_t: nodes of the bottom strip; method PAPER: none."""
+    """uint32_t: nodes of the bottom strip; method VBLAST: none."""
     ANCHOR_FORCES = 7
-    """3 doubles for each of VBSS_DRAIN_ANCHORS, N: the force of the anchor on the drain; zero once
-    it is torn off."""
+    """3 doubles for each of VBSS_DRAIN_VIEW_ANCHORS, N: the force of the anchor on the drain; zero
+    once it is torn off."""
     STRAINS = 8
     """m x 3 doubles: strains of the middle surface along and across the triangle's first side, and
-    shear (2 e12). Method PAPER reports strains and curvatures too, although it does not resist
+    shear (2 e12). Method VBLAST reports strains and curvatures too, although it does not resist
     them."""
     CURVATURES = 9
     """m x 3 doubles, 1/m: changes of curvature along and across the triangle's first side, and
@@ -66,19 +66,20 @@ class vbss_drain(ctypes.Structure):
 class vbss_drain_config(ctypes.Structure):
     """Configuration of a drain. Fill it with vbss_drain_config_init, then change fields.
 
-    method: Method; default VBSS_METHOD_OURS.
+    method: Method; default VBSS_METHOD_IMPLICIT.
 
-    mesh: Method OURS: mesh; default VBSS_DRAIN_MESH_137.
+    mesh: Method IMPLICIT: mesh; default VBSS_DRAIN_MESH_137.
 
-    mesh_divisions: Method OURS: divisions of each cell in each direction, 1 to 4; default 1.
+    mesh_divisions: Method IMPLICIT: divisions of each cell in each direction, 1 to 4; default
+    1.
 
     attachment_capacity: Largest number of attachments, 0 to 256; default 8.
 
-    linearisation_limit: Method OURS: largest number of linearisations in a step, 1 to 50;
+    iteration_limit: Method IMPLICIT: largest number of linearisations in a step, 1 to 50;
     default 1. A step with a larger limit stops at position_tolerance; this serves reference
     solutions.
 
-    halving_limit: Method OURS: how often a step may be halved, 0 to 10; default 4.
+    halving_limit: Method IMPLICIT: how often a step may be halved, 0 to 10; default 4.
 
     radius: Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3.
 
@@ -95,10 +96,10 @@ class vbss_drain_config(ctypes.Structure):
     was opened, m. It is longer than half the opening and lies between 20 and 90 degrees.
     Default 4.5e-3.
 
-    young_modulus: Method OURS: Young's modulus, Pa, 1e3 to 1e12; default 1.2e6 (not verified
-    for real drains).
+    young_modulus: Method IMPLICIT: Young's modulus, Pa, 1e3 to 1e12; default 1.2e6 (not
+    verified for real drains).
 
-    poisson_ratio: Method OURS: Poisson's ratio, 0 to 0.49; default 0.47.
+    poisson_ratio: Method IMPLICIT: Poisson's ratio, 0 to 0.49; default 0.47.
 
     density: Density, kg/m^3, 1 to 1e5; default 950.
 
@@ -112,25 +113,25 @@ class vbss_drain_config(ctypes.Structure):
     orientation: Quaternion (w, x, y, z) of any length from 1e-100 to 1e100; default (1, 0, 0,
     0).
 
-    tear_stress: Method OURS: strength of the glue of the strip, Pa, 1 to 1e12; default 5e4 (not
-    verified). The anchor of a node tears off permanently above this stress times the node's
-    area of the strip. Each step tears off at most one anchor: the one with the largest
+    tear_stress: Method IMPLICIT: strength of the glue of the strip, Pa, 1 to 1e12; default 5e4
+    (not verified). The anchor of a node tears off permanently above this stress times the
+    node's area of the strip. Each step tears off at most one anchor: the one with the largest
     overload.
 
-    position_tolerance: Method OURS: largest increment of the last linearisation, m, 1e-15 to 1;
-    default 1e-6.
+    position_tolerance: Method IMPLICIT: largest increment of the last linearisation, m, 1e-15
+    to 1; default 1e-6.
 
-    move_limit: Method OURS: a step in which a node would move farther than this gets one more
-    linearisation. A step in which it would move four times as far is halved. m, 1e-9 to 1;
+    move_limit: Method IMPLICIT: a step in which a node would move farther than this gets one
+    more linearisation. A step in which it would move four times as far is halved. m, 1e-9 to 1;
     default 1e-3.
 
-    paper_stiffness: Method PAPER: stiffness of the spring that ties a particle to its rest
+    paper_stiffness: Method VBLAST: stiffness of the spring that ties a particle to its rest
     position, N/m, 0 to 1e9; default 125.
 
-    paper_damping: Method PAPER: share of the velocity relative to the rigid motion of the drain
-    that each explicit step removes, 0 to 1; default 0.7.
+    paper_damping: Method VBLAST: share of the velocity relative to the rigid motion of the
+    drain that each explicit step removes, 0 to 1; default 0.7.
 
-    paper_substeps: Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many
+    paper_substeps: Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many
     as stability needs.
 
     friction: In a scene: coefficient of friction with threads, 0 to 10. Friction with other
@@ -161,7 +162,7 @@ class vbss_drain_config(ctypes.Structure):
     mesh: int
     mesh_divisions: int
     attachment_capacity: int
-    linearisation_limit: int
+    iteration_limit: int
     halving_limit: int
     reserved: int
     radius: float
@@ -199,7 +200,7 @@ class vbss_drain_config(ctypes.Structure):
         ("mesh", c_int32),
         ("mesh_divisions", c_uint32),
         ("attachment_capacity", c_uint32),
-        ("linearisation_limit", c_uint32),
+        ("iteration_limit", c_uint32),
         ("halving_limit", c_uint32),
         ("reserved", c_uint32),
         ("radius", c_double),
@@ -316,7 +317,7 @@ class vbss_drain_gap(ctypes.Structure):
     lines through the wall there. At rest it is about the gap. Where lips meet it is 0 to a
     fifth of the wall's thickness, for any rotation of the lips. Raised lips meet with their
     inner corners or face to face, while `gap` is up to a whole wall. The opening is 0 (shut)
-    where one lip lies on the other. Method PAPER measures it in the same manner.
+    where one lip lies on the other. Method VBLAST measures it in the same manner.
 
     widest_opening: Largest opening between opposite nodes of the edges, m.
 
@@ -358,11 +359,11 @@ class vbss_drain_energies(ctypes.Structure):
 
     kinetic: Kinetic energy of the lumped masses.
 
-    membrane: Elastic energy of stretching; method PAPER: zero.
+    membrane: Elastic energy of stretching; method VBLAST: zero.
 
-    bending: Elastic energy of bending; method PAPER: zero.
+    bending: Elastic energy of bending; method VBLAST: zero.
 
-    springs: Energy of SPRING attachments; method PAPER: also of the springs to the rest
+    springs: Energy of SPRING attachments; method VBLAST: also of the springs to the rest
     positions.
 
     gravity: Potential, zero at the origin.
@@ -408,7 +409,7 @@ class vbss_drain_statistics(ctypes.Structure):
 
     steps: Calls of vbss_drain_step that succeeded, and steps of its scene.
 
-    parts: Accepted parts of steps, equal to `steps` if none was halved; method PAPER: explicit
+    parts: Accepted parts of steps, equal to `steps` if none was halved; method VBLAST: explicit
     steps.
 
     linearisations: Linearisations assembled and solved.
@@ -478,7 +479,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_drain_attachment_init": (c_int32, (POINTER(vbss_drain_attachment), c_uint32)),
     "vbss_drain_attach": (c_int32, (POINTER(vbss_drain), POINTER(vbss_drain_attachment),
         POINTER(c_uint32))),
-    "vbss_drain_move": (c_int32, (POINTER(vbss_drain), c_uint32, POINTER(c_double))),
+    "vbss_drain_set_attachment_target": (c_int32, (POINTER(vbss_drain), c_uint32,
+        POINTER(c_double))),
     "vbss_drain_detach": (c_int32, (POINTER(vbss_drain), c_uint32)),
     "vbss_drain_get_reaction": (c_int32, (POINTER(vbss_drain), c_uint32, POINTER(c_double))),
     "vbss_drain_get_places": (c_int32, (POINTER(vbss_drain), POINTER(vbss_drain_places), c_uint32)),

@@ -39,9 +39,9 @@ class vbss_grasper(ctypes.Structure):
 class vbss_grasper_config(ctypes.Structure):
     """Configuration of a grasper. Fill it with vbss_grasper_config_init, then change fields.
 
-    method: Must be that of the scene; default VBSS_METHOD_OURS.
+    method: Must be that of the scene; default VBSS_METHOD_IMPLICIT.
 
-    kind: Initial kind; default VBSS_GRASPER_NEEDLE_DRIVER.
+    kind: Initial kind; default VBSS_GRASPER_KIND_NEEDLE_DRIVER.
 
     has_trocar: 1: the shaft goes through `trocar`; default 0: free.
 
@@ -114,10 +114,10 @@ class vbss_grasper_config(ctypes.Structure):
 
     exchange_distance: Distance, m, 0 to 1e3; default 0: no limit.
 
-    paper_stiffness: PAPER: factor k_s of the force on the hand, k_s (stretched length -
+    paper_stiffness: VBLAST: factor k_s of the force on the hand, k_s (stretched length -
     length), N/m, 0 to 1e6; default 50.
 
-    paper_distance: PAPER: largest distance from the tip at which closing jaws take a node, and
+    paper_distance: VBLAST: largest distance from the tip at which closing jaws take a node, and
     from the centre line of the jaws at which they take a needle, m, 0 to 0.1; default 2e-3 (the
     paper gives no number).
 
@@ -242,9 +242,9 @@ class vbss_grasper_state(ctypes.Structure):
 
     hand_force: Force on the hand at the tip, which a device shall exert, N: a command for
     vbss_device_write. A device that gets the pose of the tool by vbss_device_write_coupled has
-    this force already. PAPER: the force of stretched threads that it carries.
+    this force already. VBLAST: the force of stretched threads that it carries.
 
-    hand_torque: Torque on the hand about the tip, N m; PAPER: 0.
+    hand_torque: Torque on the hand about the tip, N m; VBLAST: 0.
 
     needle: Number of the held needle in its scene; 0: none.
 
@@ -323,7 +323,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_grasper_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_grasper_config),
         POINTER(POINTER(vbss_grasper)))),
     "vbss_grasper_destroy": (c_int32, (POINTER(vbss_grasper),)),
-    "vbss_grasper_move": (c_int32, (POINTER(vbss_grasper), POINTER(c_double), POINTER(c_double))),
+    "vbss_grasper_set_target": (c_int32, (POINTER(vbss_grasper), POINTER(c_double),
+        POINTER(c_double))),
     "vbss_grasper_set_opening": (c_int32, (POINTER(vbss_grasper), c_double)),
     "vbss_grasper_exchange": (c_int32, (POINTER(vbss_grasper), c_int32)),
     "vbss_grasper_get_state": (c_int32, (POINTER(vbss_grasper), POINTER(vbss_grasper_state),

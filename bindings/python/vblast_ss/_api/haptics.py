@@ -11,8 +11,8 @@ from .base import vbss_context
 from .output import vbss_output_config
 
 
-class HardwareState(IntEnum):
-    """The constants of vbss_hardware_state."""
+class HapticsState(IntEnum):
+    """The constants of vbss_haptics_state."""
     WAITING = 0
     """There is no measurement yet."""
     RUNNING = 1
@@ -142,7 +142,7 @@ class vbss_openhaptics_status(ctypes.Structure):
     force: Any
     is_constant: int
     reserved: int
-    _kinds_: ClassVar[dict[str, Any]] = {"state": HardwareState}
+    _kinds_: ClassVar[dict[str, Any]] = {"state": HapticsState}
     _fields_ = [
         ("struct_size", c_uint32),
         ("state", c_int32),
@@ -164,7 +164,7 @@ class vbss_openhaptics_status(ctypes.Structure):
 
 class OpenhapticsStatus(NamedTuple):
     """Status and counts of an arm. Fields as vbss_openhaptics_status says."""
-    state: HardwareState
+    state: HapticsState
     error: int
     internal_error: int
     ticks: int
@@ -199,13 +199,13 @@ class vbss_nidaqmx_config(ctypes.Structure):
 
     second_line: Digital line of the second solenoid; default `Dev1/port0/line1`.
 
-    terminal: Wiring of the potentiometers; default VBSS_NIDAQMX_SINGLE_ENDED.
+    terminal: Wiring of the potentiometers; default VBSS_NIDAQMX_TERMINAL_SINGLE_ENDED.
 
     active_low: 1 (default): a low line switches the solenoid's current on, so undriven lines,
     which are pulled high, keep it off. 0: a high line switches it on.
 
     own_thread: 1 (default): a thread of the library moves the data; 0: the host calls
-    vbss_nidaqmx_pump.
+    vbss_nidaqmx_poll.
 
     low: Lowest input voltage, V, -10 to 10; default -10.
 
@@ -301,7 +301,7 @@ class vbss_nidaqmx_status(ctypes.Structure):
     timeout: float
     round_time: float
     off_time: float
-    _kinds_: ClassVar[dict[str, Any]] = {"state": HardwareState}
+    _kinds_: ClassVar[dict[str, Any]] = {"state": HapticsState}
     _fields_ = [
         ("struct_size", c_uint32),
         ("state", c_int32),
@@ -323,7 +323,7 @@ class vbss_nidaqmx_status(ctypes.Structure):
 
 class NidaqmxStatus(NamedTuple):
     """Status and counts of the lines. Fields as vbss_nidaqmx_status says."""
-    state: HardwareState
+    state: HapticsState
     error: int
     solenoids: int
     cycles: int
@@ -356,8 +356,9 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_nidaqmx_destroy": (c_int32, (POINTER(vbss_nidaqmx),)),
     "vbss_nidaqmx_get_adapter": (c_int32, (POINTER(vbss_nidaqmx), c_uint32,
         POINTER(vbss_device_adapter))),
-    "vbss_nidaqmx_pump": (c_int32, (POINTER(vbss_nidaqmx), c_double)),
+    "vbss_nidaqmx_poll": (c_int32, (POINTER(vbss_nidaqmx), c_double)),
     "vbss_nidaqmx_get_status": (c_int32, (POINTER(vbss_nidaqmx), POINTER(vbss_nidaqmx_status),
         c_uint32)),
-    "vbss_nidaqmx_list": (c_int32, (POINTER(vbss_context), c_char_p, POINTER(c_char), c_uint32)),
+    "vbss_nidaqmx_list_devices": (c_int32, (POINTER(vbss_context), c_char_p, POINTER(c_char),
+        c_uint32)),
 }

@@ -133,7 +133,7 @@ class KnotEvent(IntEnum):
     """The thread winds round a tool: tool, 1 + (turns > 0), 0."""
     UNWRAPPED = 2
     """The thread no longer winds round a tool: tool, 0, 0."""
-    WRONG_WAY = 3
+    WRONG_DIRECTION = 3
     """The thread winds towards the handle: tool, 0, 0."""
     PASSED = 4
     """A throw is tied as soon as the tools withdraw: tool, wraps, 1 + (right-handed)."""
@@ -166,10 +166,11 @@ class vbss_knot_detector(ctypes.Structure):
     """Finds knots in a thread, step by step."""
 
 
-class vbss_knot_config(ctypes.Structure):
-    """Configuration of a detector. Fill it with vbss_knot_config_init, then change fields.
+class vbss_knot_detector_config(ctypes.Structure):
+    """Configuration of a detector. Fill it with vbss_knot_detector_config_init, then change
+    fields.
 
-    method: Method; default VBSS_KNOT_TOPOLOGY.
+    method: Method; default VBSS_KNOT_METHOD_TOPOLOGY.
 
     point_capacity: Largest number of points of the polyline, 2 to 8192; default 1024.
 
@@ -186,7 +187,7 @@ class vbss_knot_config(ctypes.Structure):
     closure_tolerance: Largest number of these closures that may contradict the outward closure,
     0 to 16; default 2. With more an end lies inside the knot, and the verdict is uncertain.
 
-    work_limit: TOPOLOGY: largest number of operations (about a nanosecond each) in a step,
+    step_budget: TOPOLOGY: largest number of operations (about a nanosecond each) in a step,
     exceeded at most by the last indivisible operation, 100 to 1e9; default 8000.
 
     interval: TOPOLOGY: number of steps from the start of a reading to the start of the next
@@ -218,7 +219,7 @@ class vbss_knot_config(ctypes.Structure):
     direction_limit: int
     closure_count: int
     closure_tolerance: int
-    work_limit: int
+    step_budget: int
     interval: int
     event_capacity: int
     reserved: int
@@ -238,7 +239,7 @@ class vbss_knot_config(ctypes.Structure):
         ("direction_limit", c_uint32),
         ("closure_count", c_uint32),
         ("closure_tolerance", c_uint32),
-        ("work_limit", c_uint32),
+        ("step_budget", c_uint32),
         ("interval", c_uint32),
         ("event_capacity", c_uint32),
         ("reserved", c_uint32),
@@ -594,7 +595,7 @@ class KnotState(NamedTuple):
     reading_step: int
 
 
-class vbss_knot_statistics(ctypes.Structure):
+class vbss_knot_detector_statistics(ctypes.Structure):
     """Counts since creation or reset.
 
     readings: Finished readings of the topology.
@@ -653,8 +654,8 @@ class vbss_knot_statistics(ctypes.Structure):
     ]
 
 
-class KnotStatistics(NamedTuple):
-    """Counts since creation or reset. Fields as vbss_knot_statistics says."""
+class KnotDetectorStatistics(NamedTuple):
+    """Counts since creation or reset. Fields as vbss_knot_detector_statistics says."""
     readings: int
     closures: int
     certified: int
@@ -670,10 +671,10 @@ class KnotStatistics(NamedTuple):
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
-    "vbss_knot_config_init": (c_int32, (POINTER(vbss_knot_config), c_uint32)),
+    "vbss_knot_detector_config_init": (c_int32, (POINTER(vbss_knot_detector_config), c_uint32)),
     "vbss_knot_input_init": (c_int32, (POINTER(vbss_knot_input), c_uint32)),
-    "vbss_knot_detector_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_knot_config),
-        POINTER(POINTER(vbss_knot_detector)))),
+    "vbss_knot_detector_create": (c_int32, (POINTER(vbss_context),
+        POINTER(vbss_knot_detector_config), POINTER(POINTER(vbss_knot_detector)))),
     "vbss_knot_detector_destroy": (c_int32, (POINTER(vbss_knot_detector),)),
     "vbss_knot_detector_step": (c_int32, (POINTER(vbss_knot_detector), POINTER(vbss_knot_input))),
     "vbss_knot_detector_judge": (c_int32, (POINTER(vbss_knot_detector), POINTER(vbss_knot_input))),
@@ -689,7 +690,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_knot_detector_get_view": (c_int32, (POINTER(vbss_knot_detector), c_int32,
         POINTER(vbss_view), c_uint32)),
     "vbss_knot_detector_get_statistics": (c_int32, (POINTER(vbss_knot_detector),
-        POINTER(vbss_knot_statistics), c_uint32)),
+        POINTER(vbss_knot_detector_statistics), c_uint32)),
     "vbss_knot_detector_save": (c_int32, (POINTER(vbss_knot_detector), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),
     "vbss_knot_detector_restore": (c_int32, (POINTER(vbss_knot_detector), POINTER(c_uint8),

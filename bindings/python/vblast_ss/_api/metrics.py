@@ -6,7 +6,7 @@ from ctypes import POINTER, c_char_p, c_double, c_int32, c_uint32, c_uint64, c_u
 from enum import IntEnum, IntFlag
 from typing import Any, ClassVar, NamedTuple
 
-from .base import Method, vbss_context, vbss_view
+from .base import vbss_context, vbss_view
 
 
 class MetricsTool(IntEnum):
@@ -15,8 +15,16 @@ class MetricsTool(IntEnum):
     """The left tool."""
     RIGHT = 1
     """The right tool."""
-    NO_TOOL = 2
+    NONE = 2
     """No tool, or an unknown one; for events only."""
+
+
+class MetricsTightnessTest(IntEnum):
+    """The constants of vbss_metrics_tightness_test."""
+    PULL = 0
+    """The knot bears a force for a time without slipping."""
+    STRAIN = 1
+    """The strain of both sides (Qi et al. 2017)."""
 
 
 class MetricsHasBits(IntFlag):
@@ -89,7 +97,7 @@ class MetricsTightness(IntEnum):
     """The knot comes apart."""
 
 
-class MetricsBits(IntFlag):
+class MetricsFlagBits(IntFlag):
     """Bits of the flags of a report."""
     STARTED = 1
     """The needle has appeared."""
@@ -156,7 +164,7 @@ class MetricsPenaltyKind(IntEnum):
 
 class MetricsTask(IntEnum):
     """The `phase` argument for the whole task."""
-    WHOLE = -1
+    ALL = -1
     """From the needle's appearance until both tails were cut; without a needle, the whole
     recording."""
 
@@ -199,8 +207,8 @@ class vbss_metrics(ctypes.Structure):
 class vbss_metrics_config(ctypes.Structure):
     """Configuration of a measurement. Fill it with vbss_metrics_config_init, then change fields.
 
-    tightness_method: The method whose tightness counts in the score; default VBSS_METHOD_OURS.
-    Both are always reported.
+    tightness_test: The test whose tightness counts in the score; default
+    VBSS_METRICS_TEST_PULL. Both are always reported.
 
     throw_capacity: Largest number of throw records, undone throws included, 1 to 4096; default
     64.
@@ -224,8 +232,8 @@ class vbss_metrics_config(ctypes.Structure):
 
     slip_limit: Length of tail drawn in above which the knot slips, m, 1e-6 to 1; default 1e-3.
 
-    strain_threshold: VBSS_METHOD_PAPER: strain above which a knot is tight, 0 to 1; default 0,
-    which means pull_force / stiffness.
+    strain_threshold: VBSS_METRICS_TEST_STRAIN: strain above which a knot is tight, 0 to 1;
+    default 0, which means pull_force / stiffness.
 
     idle_speed: Speed below which a tool becomes idle, m/s, 0 to 1; default 5e-3.
 
@@ -256,10 +264,10 @@ class vbss_metrics_config(ctypes.Structure):
     13855. A sample that is farther from the last one than this speed allows, plus 1 mm for
     noise, is an outlier: see vbss_metrics_add_sample. With 0 no sample is an outlier.
 
-    lost_share: Share of lost time above which VBSS_METRICS_TIME_LOST is set, 0 to 1; default
-    0.02. A trial shorter than 1 s counts as 1 s."""
+    lost_share: Share of lost time above which VBSS_METRICS_FLAG_TIME_LOST is set, 0 to 1;
+    default 0.02. A trial shorter than 1 s counts as 1 s."""
     struct_size: int
-    tightness_method: int
+    tightness_test: int
     throw_capacity: int
     phase_capacity: int
     incident_capacity: int
@@ -285,10 +293,10 @@ class vbss_metrics_config(ctypes.Structure):
     weight_host: float
     max_speed: float
     lost_share: float
-    _kinds_: ClassVar[dict[str, Any]] = {"tightness_method": Method}
+    _kinds_: ClassVar[dict[str, Any]] = {"tightness_test": MetricsTightnessTest}
     _fields_ = [
         ("struct_size", c_uint32),
-        ("tightness_method", c_int32),
+        ("tightness_test", c_int32),
         ("throw_capacity", c_uint32),
         ("phase_capacity", c_uint32),
         ("incident_capacity", c_uint32),
@@ -358,7 +366,7 @@ class vbss_metrics_event(ctypes.Structure):
 
     kind: Kind of the event; the default 0 is refused.
 
-    tool: The tool that was used; default VBSS_METRICS_NO_TOOL.
+    tool: The tool that was used; default VBSS_METRICS_TOOL_NONE.
 
     number: Meaning depends on the kind; for throws 0 to 63; default 0.
 
@@ -464,11 +472,11 @@ class vbss_metrics_pull(ctypes.Structure):
 class vbss_metrics_report(ctypes.Structure):
     """The results of a trial so far. An unknown value is 0, and its bit is not set.
 
-    flags: VBSS_METRICS_ bits: which values are known, and how the trial ended.
+    flags: VBSS_METRICS_FLAG_ bits: which values are known, and how the trial ended.
 
-    tightness_ours: Tightness by the pull test.
+    tightness_pull: Tightness by the pull test.
 
-    tightness_paper: Tightness by the strain when both tools pull.
+    tightness_strain: Tightness by the strain when both tools pull.
 
     throw_count: Number of throws in the knot.
 
@@ -531,8 +539,8 @@ class vbss_metrics_report(ctypes.Structure):
     time_simulated: Time that was simulated, s: `time` minus `time_lost`."""
     struct_size: int
     flags: int
-    tightness_ours: int
-    tightness_paper: int
+    tightness_pull: int
+    tightness_strain: int
     throw_count: int
     square_count: int
     granny_count: int
@@ -563,12 +571,12 @@ class vbss_metrics_report(ctypes.Structure):
     jumps: Any
     time_lost: float
     time_simulated: float
-    _kinds_: ClassVar[dict[str, Any]] = {"flags": MetricsBits, "tightness_ours": MetricsTightness, "tightness_paper": MetricsTightness}
+    _kinds_: ClassVar[dict[str, Any]] = {"flags": MetricsFlagBits, "tightness_pull": MetricsTightness, "tightness_strain": MetricsTightness}
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),
-        ("tightness_ours", c_int32),
-        ("tightness_paper", c_int32),
+        ("tightness_pull", c_int32),
+        ("tightness_strain", c_int32),
         ("throw_count", c_uint32),
         ("square_count", c_uint32),
         ("granny_count", c_uint32),
@@ -605,9 +613,9 @@ class vbss_metrics_report(ctypes.Structure):
 class MetricsReport(NamedTuple):
     """The results of a trial so far. An unknown value is 0, and its bit is not set. Fields as
     vbss_metrics_report says."""
-    flags: MetricsBits
-    tightness_ours: MetricsTightness
-    tightness_paper: MetricsTightness
+    flags: MetricsFlagBits
+    tightness_pull: MetricsTightness
+    tightness_strain: MetricsTightness
     throw_count: int
     square_count: int
     granny_count: int
@@ -981,7 +989,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(vbss_metrics_bimanual), c_uint32)),
     "vbss_metrics_get_view": (c_int32, (POINTER(vbss_metrics), c_int32, POINTER(vbss_view),
         c_uint32)),
-    "vbss_metrics_offset": (c_int32, (POINTER(c_double), POINTER(c_double), POINTER(c_double),
+    "vbss_metrics_get_offset": (c_int32, (POINTER(c_double), POINTER(c_double), POINTER(c_double),
         POINTER(c_double), POINTER(c_double), POINTER(c_double))),
     "vbss_metrics_save": (c_int32, (POINTER(vbss_metrics), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),

@@ -11,7 +11,7 @@ from .base import Method, vbss_context, vbss_view
 
 class NeedlePreset(IntEnum):
     """The constants of vbss_needle_preset."""
-    PAPER = 0
+    VBLAST = 0
     """Half circle of radius 10.5 mm (Qi et al. 2017): the defaults."""
     SH = 1
     """Half circle of 26 mm, radius 8.28 mm (not verified)."""
@@ -30,7 +30,7 @@ class vbss_needle(ctypes.Structure):
 class vbss_needle_config(ctypes.Structure):
     """Configuration of a needle. Fill it with vbss_needle_config_init, then change fields.
 
-    method: Must be that of the scene; default VBSS_METHOD_OURS.
+    method: Must be that of the scene; default VBSS_METHOD_IMPLICIT.
 
     segment_count: Capsules along the arc, 2 to 64; default 8.
 

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple
 from .base import vbss_context
 
 
-class OutputBits(IntFlag):
+class OutputFlagBits(IntFlag):
     """Bits for the actions of an output stage in a step."""
     NOT_FINITE = 1
     """A number was NaN or infinite: all off."""
@@ -163,29 +163,29 @@ class vbss_output_statistics(ctypes.Structure):
 
     steps: Steps so far.
 
-    not_finite: Steps with VBSS_OUTPUT_NOT_FINITE.
+    not_finite: Steps with VBSS_OUTPUT_FLAG_NOT_FINITE.
 
-    faults: Steps with VBSS_OUTPUT_FAULT.
+    faults: Steps with VBSS_OUTPUT_FLAG_FAULT.
 
-    clamped: Steps with VBSS_OUTPUT_CLAMPED.
+    clamped: Steps with VBSS_OUTPUT_FLAG_CLAMPED.
 
-    continuous: Steps with VBSS_OUTPUT_CONTINUOUS.
+    continuous: Steps with VBSS_OUTPUT_FLAG_CONTINUOUS.
 
-    warm: Steps with VBSS_OUTPUT_WARM.
+    warm: Steps with VBSS_OUTPUT_FLAG_WARM.
 
-    slewed: Steps with VBSS_OUTPUT_SLEWED.
+    slewed: Steps with VBSS_OUTPUT_FLAG_SLEWED.
 
-    input_stale: Steps with VBSS_OUTPUT_INPUT_STALE.
+    input_stale: Steps with VBSS_OUTPUT_FLAG_INPUT_STALE.
 
-    command_stale: Steps with VBSS_OUTPUT_COMMAND_STALE.
+    command_stale: Steps with VBSS_OUTPUT_FLAG_COMMAND_STALE.
 
-    stopped: Steps with VBSS_OUTPUT_STOPPED.
+    stopped: Steps with VBSS_OUTPUT_FLAG_STOPPED.
 
-    late: Steps with VBSS_OUTPUT_LATE.
+    late: Steps with VBSS_OUTPUT_FLAG_LATE.
 
-    solenoid_off: Steps with VBSS_OUTPUT_SOLENOID_OFF.
+    solenoid_off: Steps with VBSS_OUTPUT_FLAG_SOLENOID_OFF.
 
-    solenoid_spent: Steps with VBSS_OUTPUT_SOLENOID_SPENT.
+    solenoid_spent: Steps with VBSS_OUTPUT_FLAG_SOLENOID_SPENT.
 
     watchdogs: Ramps that the watchdog started.
 
@@ -273,7 +273,7 @@ class vbss_output_result(ctypes.Structure):
     """Result of an output stage, for the hardware. In a call of an adapter it is followed by zeros
     up to 4096 bytes.
 
-    flags: VBSS_OUTPUT_ bits: actions of the stage.
+    flags: VBSS_OUTPUT_FLAG_ bits: actions of the stage.
 
     solenoid: 1: on, 0: off.
 
@@ -298,7 +298,7 @@ class vbss_output_result(ctypes.Structure):
     torque_load: float
     solenoid_left: float
     expires: float
-    _kinds_: ClassVar[dict[str, Any]] = {"flags": OutputBits}
+    _kinds_: ClassVar[dict[str, Any]] = {"flags": OutputFlagBits}
     _fields_ = [
         ("struct_size", c_uint32),
         ("flags", c_uint32),
@@ -316,7 +316,7 @@ class vbss_output_result(ctypes.Structure):
 class OutputResult(NamedTuple):
     """Result of an output stage, for the hardware. In a call of an adapter it is followed by zeros
     up to 4096 bytes. Fields as vbss_output_result says."""
-    flags: OutputBits
+    flags: OutputFlagBits
     solenoid: int
     force: tuple[float, ...]
     torque: tuple[float, ...]
@@ -334,8 +334,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_output_destroy": (c_int32, (POINTER(vbss_output),)),
     "vbss_output_step": (c_int32, (POINTER(vbss_output), c_double, POINTER(vbss_output_command),
         POINTER(vbss_output_result), c_uint32)),
-    "vbss_output_stop": (c_int32, (POINTER(vbss_output),)),
-    "vbss_output_release": (c_int32, (POINTER(vbss_output),)),
+    "vbss_output_latch_emergency_stop": (c_int32, (POINTER(vbss_output),)),
+    "vbss_output_clear_emergency_stop": (c_int32, (POINTER(vbss_output),)),
     "vbss_output_get_statistics": (c_int32, (POINTER(vbss_output), POINTER(vbss_output_statistics),
         c_uint32)),
 }

@@ -11,10 +11,10 @@ from .scene import vbss_scene, vbss_scene_config
 from .thread import vbss_thread_attachment
 
 
-class InputKind(IntEnum):
-    """The constants of vbss_input_kind, with their words and their numbers. The log format uses
-    the same constants."""
-    MOVE_RIGID = 1
+class RecordInputKind(IntEnum):
+    """The constants of vbss_record_input_kind, with their words and their numbers. The log format
+    uses the same constants."""
+    RIGID_TARGET = 1
     """Words: body, 1 if turned. Numbers: position (3), orientation (4)."""
     PIN = 2
     """Words: thread, node, body, 1 if at a point. Numbers: point (3)."""
@@ -23,26 +23,26 @@ class InputKind(IntEnum):
     ATTACH = 4
     """Words: thread, kind, node. Numbers: position (3), direction (3), force (3), stiffness,
     damping, mass."""
-    MOVE = 5
+    ATTACHMENT_TARGET = 5
     """Words: thread, attachment, 1 if directed. Numbers: target (3), direction (3)."""
     DETACH = 6
     """Words: thread, attachment."""
     CUT = 7
     """Words: thread. Numbers: arc length."""
-    MOVE_GRASPER = 8
+    GRASPER_TARGET = 8
     """Words: grasper, 1 if turned. Numbers: position (3), orientation (4)."""
     SET_OPENING = 9
     """Words: grasper. Numbers: opening."""
     EXCHANGE = 10
     """Words: grasper, kind."""
     SETTING = 11
-    """A change of scene_settings.h. Words: vbss_setting, body (0 where the setting has none), and
-    two words of the setting. Numbers: those of the setting."""
+    """A change of scene_settings.h. Words: vbss_scene_setting, body (0 where the setting has
+    none), and two words of the setting. Numbers: those of the setting."""
 
 
-class Setting(IntEnum):
-    """The constants of vbss_setting: functions of scene_settings.h, with the third and fourth word
-    of an input, if it has any, and its numbers."""
+class SceneSetting(IntEnum):
+    """The constants of vbss_scene_setting: functions of scene_settings.h, with the third and
+    fourth word of an input, if it has any, and its numbers."""
     GRAVITY = 1
     """vbss_scene_set_gravity. Numbers: gravity (3)."""
     FRICTION = 2
@@ -126,7 +126,7 @@ class vbss_record_config(ctypes.Structure):
     ]
 
 
-class vbss_log_input(ctypes.Structure):
+class vbss_record_input(ctypes.Structure):
     """One input of the host.
 
     kind: Kind of the input.
@@ -135,16 +135,16 @@ class vbss_log_input(ctypes.Structure):
 
     number_count: Number of valid entries in `numbers`.
 
-    words: Words; vbss_input_kind lists their meanings.
+    words: Words; vbss_record_input_kind lists their meanings.
 
-    numbers: Numbers; vbss_input_kind lists their meanings."""
+    numbers: Numbers; vbss_record_input_kind lists their meanings."""
     kind: int
     word_count: int
     number_count: int
     reserved: int
     words: Any
     numbers: Any
-    _kinds_: ClassVar[dict[str, Any]] = {"kind": InputKind}
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": RecordInputKind}
     _fields_ = [
         ("kind", c_int32),
         ("word_count", c_uint32),
@@ -155,7 +155,7 @@ class vbss_log_input(ctypes.Structure):
     ]
 
 
-class vbss_log_step(ctypes.Structure):
+class vbss_replay_logged_step(ctypes.Structure):
     """A step as the log describes it.
 
     hashed: 1: `hash` is valid.
@@ -178,8 +178,9 @@ class vbss_log_step(ctypes.Structure):
 
     event_count: Number of events; each has four words.
 
-    time_lost: Part of `h` that the scene has left out, s, by VBSS_EVENT_CLAMPED. Each such
-    event is up to h / 65536 too small. A step may report the time of an earlier paused step."""
+    time_lost: Part of `h` that the scene has left out, s, by VBSS_SCENE_EVENT_CLAMPED. Each
+    such event is up to h / 65536 too small. A step may report the time of an earlier paused
+    step."""
     struct_size: int
     hashed: int
     number: int
@@ -201,7 +202,7 @@ class vbss_log_step(ctypes.Structure):
         ("position", c_uint64),
         ("h", c_double),
         ("time", c_double),
-        ("inputs", POINTER(vbss_log_input)),
+        ("inputs", POINTER(vbss_record_input)),
         ("events", POINTER(c_uint32)),
         ("input_count", c_uint32),
         ("event_count", c_uint32),
@@ -209,8 +210,8 @@ class vbss_log_step(ctypes.Structure):
     ]
 
 
-class LogStep(NamedTuple):
-    """A step as the log describes it. Fields as vbss_log_step says."""
+class ReplayLoggedStep(NamedTuple):
+    """A step as the log describes it. Fields as vbss_replay_logged_step says."""
     hashed: int
     number: int
     hash: int
@@ -224,7 +225,7 @@ class LogStep(NamedTuple):
     time_lost: float
 
 
-class vbss_log_report(ctypes.Structure):
+class vbss_record_log_report(ctypes.Structure):
     """Contents and faults of a log. The counts cover its good part, before the first fault.
 
     result: VBSS_OK, or the result of the first fault; VBSS_ERROR_TRUNCATED when the log is
@@ -254,7 +255,8 @@ class vbss_log_report(ctypes.Structure):
 
     fault_results: VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION.
 
-    time_lost: Part of `time` that the scene has left out, s; see vbss_log_step.time_lost."""
+    time_lost: Part of `time` that the scene has left out, s; see
+    vbss_replay_logged_step.time_lost."""
     struct_size: int
     result: int
     ended: int
@@ -290,9 +292,9 @@ class vbss_log_report(ctypes.Structure):
     ]
 
 
-class LogReport(NamedTuple):
+class RecordLogReport(NamedTuple):
     """Contents and faults of a log. The counts cover its good part, before the first fault. Fields
-    as vbss_log_report says."""
+    as vbss_record_log_report says."""
     result: Result
     ended: int
     fault_count: int
@@ -411,13 +413,13 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(POINTER(vbss_record)), POINTER(c_uint64))),
     "vbss_record_take": (c_int32, (POINTER(vbss_record), POINTER(POINTER(c_uint8)),
         POINTER(c_uint64))),
-    "vbss_record_move_rigid": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
+    "vbss_record_set_rigid_target": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
         POINTER(c_double))),
-    "vbss_record_move_grasper": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
+    "vbss_record_set_grasper_target": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
         POINTER(c_double))),
     "vbss_record_set_opening": (c_int32, (POINTER(vbss_record), c_uint32, c_double)),
     "vbss_record_exchange": (c_int32, (POINTER(vbss_record), c_uint32, c_int32)),
-    "vbss_record_apply_input": (c_int32, (POINTER(vbss_record), POINTER(vbss_log_input),
+    "vbss_record_apply_input": (c_int32, (POINTER(vbss_record), POINTER(vbss_record_input),
         POINTER(c_uint32))),
     "vbss_record_pin_thread": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32, c_uint32,
         POINTER(c_double), POINTER(c_uint32))),
@@ -426,7 +428,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(c_uint32))),
     "vbss_record_attach": (c_int32, (POINTER(vbss_record), c_uint32,
         POINTER(vbss_thread_attachment), POINTER(c_uint32))),
-    "vbss_record_move_attachment": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32,
+    "vbss_record_set_attachment_target": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32,
         POINTER(c_double), POINTER(c_double))),
     "vbss_record_detach": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32)),
     "vbss_record_step": (c_int32, (POINTER(vbss_record), c_double)),
@@ -441,8 +443,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_replay_step": (c_int32, (POINTER(vbss_replay), POINTER(vbss_replay_report), c_uint32)),
     "vbss_replay_seek": (c_int32, (POINTER(vbss_replay), c_uint64, POINTER(vbss_replay_report),
         c_uint32)),
-    "vbss_replay_read": (c_int32, (POINTER(vbss_replay), c_uint64, POINTER(vbss_log_step),
+    "vbss_replay_read": (c_int32, (POINTER(vbss_replay), c_uint64, POINTER(vbss_replay_logged_step),
         c_uint32)),
-    "vbss_log_check": (c_int32, (POINTER(vbss_context), POINTER(c_uint8), c_uint64,
-        POINTER(vbss_log_report), c_uint32)),
+    "vbss_record_check_log": (c_int32, (POINTER(vbss_context), POINTER(c_uint8), c_uint64,
+        POINTER(vbss_record_log_report), c_uint32)),
 }

@@ -17,7 +17,7 @@ class SceneMode(IntEnum):
     """The constants of vbss_scene_mode."""
     REAL_TIME = 0
     """The work and the attempts of a step are limited, and the work of a call, so that it ends in
-    time: see `work_limit` and `slot_limit`. Work left over is deferred to the next call. Time
+    time: see `step_budget` and `call_budget`. Work left over is deferred to the next call. Time
     that would be deferred too long is left out and counted in `paused`. As a result tight knots
     of many throws slip a little early."""
     OFFLINE = 1
@@ -27,8 +27,8 @@ class SceneMode(IntEnum):
     experiments."""
 
 
-class OverlapPolicy(IntEnum):
-    """The constants of vbss_overlap_policy."""
+class SceneOverlapPolicy(IntEnum):
+    """The constants of vbss_scene_overlap_policy."""
     WARN = 0
     """The body is added; a warning in the log names the other body and the depth."""
     REFUSE = 1
@@ -37,8 +37,8 @@ class OverlapPolicy(IntEnum):
     """The body is added without a check."""
 
 
-class RigidKind(IntEnum):
-    """The constants of vbss_rigid_kind."""
+class SceneRigidKind(IntEnum):
+    """The constants of vbss_scene_rigid_kind."""
     DRIVEN = 0
     """The body follows its target exactly; only the guard can stop it."""
     COUPLED = 1
@@ -49,12 +49,14 @@ class RigidKind(IntEnum):
 
 class SceneField(IntEnum):
     """The constants of vbss_scene_field. Contacts are those that carried a force at the end of the
-    last step, in the order of their features. With method PAPER they are those with a response."""
+    last step, in the order of their features. With method VBLAST they are those with a
+    response."""
     CONTACTS = 0
-    """x 5 uint32_t: vbss_contact_kind, body a, feature a, body b, feature b. Features are segments
-    or nodes of a thread, capsules of a rigid body (2 times the capsule, plus the end if an end
-    touches), and nodes, triangles or sides of a drain; the floor has feature 0. Each side of a
-    drain's triangles is numbered once, in the order of its two nodes, the lower node first."""
+    """x 5 uint32_t: vbss_scene_contact_kind, body a, feature a, body b, feature b. Features are
+    segments or nodes of a thread, capsules of a rigid body (2 times the capsule, plus the end
+    if an end touches), and nodes, triangles or sides of a drain; the floor has feature 0. Each
+    side of a drain's triangles is numbered once, in the order of its two nodes, the lower node
+    first."""
     CONTACT_POINTS = 1
     """x 3: point between the two surfaces, m."""
     CONTACT_NORMALS = 2
@@ -66,11 +68,11 @@ class SceneField(IntEnum):
     CONTACT_GAPS = 4
     """x 1: distance of the surfaces, m; negative when they overlap."""
     EVENTS = 5
-    """x 4 uint32_t: vbss_event_kind, two bodies, a number."""
+    """x 4 uint32_t: vbss_scene_event_kind, two bodies, a number."""
 
 
-class ContactKind(IntEnum):
-    """The constants of vbss_contact_kind."""
+class SceneContactKind(IntEnum):
+    """The constants of vbss_scene_contact_kind."""
     SEGMENTS = 0
     """Two segments of threads."""
     NODE_CAPSULE = 1
@@ -96,12 +98,13 @@ class ContactKind(IntEnum):
     """A node of a drain and the floor."""
     HOLE = 10
     """A needle or a thread in a hole of a drain. The feature of the suture is the index of the
-    hole; the feature of the drain is 0. The normal is along the suture. PAPER: a place where
+    hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
     particles were moved."""
 
 
-class EventKind(IntEnum):
-    """The constants of vbss_event_kind. Each comment lists the three numbers after its colon."""
+class SceneEventKind(IntEnum):
+    """The constants of vbss_scene_event_kind. Each comment lists the three numbers after its
+    colon."""
     TOUCH = 1
     """Two bodies have come into contact, or a body with itself: body, body, 0."""
     PART = 2
@@ -129,7 +132,7 @@ class EventKind(IntEnum):
     NOT_EXCHANGED = 12
     """An instrument was not exchanged: grasper, 0, wanted kind."""
     PUNCTURE = 13
-    """A needle's tip has entered a wall (PAPER: has gone through it): needle, drain, id of the
+    """A needle's tip has entered a wall (VBLAST: has gone through it): needle, drain, id of the
     hole (vbss_scene_get_hole)."""
     WITHDRAWN = 14
     """The tip has left the hole backwards: needle, drain, id of the hole."""
@@ -144,14 +147,14 @@ class EventKind(IntEnum):
     UNTHREADED = 18
     """An end of a thread has left the hole: thread, drain, id of the hole."""
     BLOCKED = 19
-    """Two bodies hold each other back: both bodies of vbss_blocker, its cause. Reported once until
-    they have moved freely again."""
+    """Two bodies hold each other back: both bodies of vbss_scene_blocker, its cause. Reported once
+    until they have moved freely again."""
     UNBLOCKED = 20
     """Two bodies have moved freely for 0.1 s after BLOCKED: both bodies, cause."""
 
 
-class BlockerCause(IntEnum):
-    """The constants of vbss_blocker_cause."""
+class SceneBlockerCause(IntEnum):
+    """The constants of vbss_scene_blocker_cause."""
     WORK = 0
     """The work limit of the step was exhausted."""
     COLLISION = 1
@@ -171,9 +174,9 @@ class vbss_scene(ctypes.Structure):
 class vbss_scene_config(ctypes.Structure):
     """Configuration of a scene. Fill it with vbss_scene_config_init, then change fields.
 
-    method: Method; default VBSS_METHOD_OURS. Bodies of the scene must have the same method.
+    method: Method; default VBSS_METHOD_IMPLICIT. Bodies of the scene must have the same method.
 
-    mode: Mode; default VBSS_MODE_REAL_TIME.
+    mode: Mode; default VBSS_SCENE_MODE_REAL_TIME.
 
     thread_capacity: Largest number of threads at a time, 0 to 64; default 4.
 
@@ -216,48 +219,49 @@ class vbss_scene_config(ctypes.Structure):
     of the thinner body, 1e-3 to 0.5; default 0.1. From a state with more penetration a step is
     accepted if it reduces it.
 
-    linearisation_limit: Largest number of linearisations of an attempt, 1 to 100; default 12.
+    iteration_limit: Largest number of linearisations of an attempt, 1 to 100; default 12.
 
-    state_limit: Largest number of solves for the contact states in a linearisation, 1 to 1000;
-    default 36.
+    active_set_limit: Largest number of solves for the contact states in a linearisation, 1 to
+    1000; default 36.
 
     halving_limit: How often a step may be halved, 0 to 10; default 5.
 
     attempt_limit: REAL_TIME: number of attempts in a step after which the rest of the step is
-    left out, 1 to 1000; default 3. Without a work_limit each remaining part is tried once, and
+    left out, 1 to 1000; default 3. Without a step_budget each remaining part is tried once, and
     truncated if necessary; after eight truncated parts the rest is left out.
 
-    paper_pass_limit: PAPER: number of passes of detection and response in a step, 1 to 1000;
+    paper_pass_limit: VBLAST: number of passes of detection and response in a step, 1 to 1000;
     default 4.
 
     grasp_capacity: Largest number of grasped places of threads at a time, 0 to 256; default 8.
     Places that jaws have released but not cleared count too, and so do the two ends at each cut
     of blades. Without capacity the jaws stay open.
 
-    paper_thickness: PAPER: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2;
+    paper_thickness: VBLAST: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2;
     default 0.
 
-    work_limit: REAL_TIME, method OURS: operations of a step after which the search for contact
-    states stops; 0: no limit; default 250000. An operation costs about as much as a product of
-    two 3x3 blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md). At the limit
-    the step uses the contact forces found so far. They balance, but miss the contact law by up
-    to vbss_scene_statistics::last_residual. Lengths still converge, with a few solves beyond
-    the limit. The rest of the step is left out (vbss_scene_statistics::paused) when lengths do
-    not converge, after attempt_limit attempts, or when these forces add too much energy without
-    work: 20 uJ, or 1 mJ in a scene without drains. The next step then begins with smaller
-    parts, and driven bodies continue from where they stopped. In a scene's first step, whose
-    bodies may overlap as they were placed, an attempt has no limit. Between its attempts 32
-    times work_limit and attempt_limit apply, and it is never suspended. The smallest part that
-    halving_limit allows has no limit. If its contact states are not found, it is tried once
-    more with the full limit for itself. In a scene with drains the smallest part has the limit
-    too, and a part that exceeds it is halved up to three more times, after which it has none.
+    step_budget: REAL_TIME, method IMPLICIT: operations of a step after which the search for
+    contact states stops; 0: no limit; default 250000. An operation costs about as much as a
+    product of two 3x3 blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md).
+    At the limit the step uses the contact forces found so far. They balance, but miss the
+    contact law by up to vbss_scene_statistics::last_residual. Lengths still converge, with a
+    few solves beyond the limit. The rest of the step is left out
+    (vbss_scene_statistics::paused) when lengths do not converge, after attempt_limit attempts,
+    or when these forces add too much energy without work: 20 uJ, or 1 mJ in a scene without
+    drains. The next step then begins with smaller parts, and driven bodies continue from where
+    they stopped. In a scene's first step, whose bodies may overlap as they were placed, an
+    attempt has no limit. Between its attempts 32 times step_budget and attempt_limit apply, and
+    it is never suspended. The smallest part that halving_limit allows has no limit. If its
+    contact states are not found, it is tried once more with the full limit for itself. In a
+    scene with drains the smallest part has the limit too, and a part that exceeds it is halved
+    up to three more times, after which it has none.
 
     drain_capacity: Largest number of drains at a time, 0 to 16; default 1.
 
     hole_capacity: Largest number of holes of needles and threads in drains at a time, 0 to 256;
     default 16.
 
-    slot_limit: REAL_TIME with a work_limit, method OURS: operations of a call of
+    call_budget: REAL_TIME with a step_budget, method IMPLICIT: operations of a call of
     vbss_scene_step; 0: each call completes its step; default 210000. A step that needs more is
     suspended. The next call resumes it, with the bits that it would have had without the
     suspension. With its remaining operations that call begins the next step. After a call
@@ -273,11 +277,11 @@ class vbss_scene_config(ctypes.Structure):
     speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
     way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
     is farther away at this speed, over several steps. A pose in the wrong unit, or a jump of a
-    device, then causes no long step and no extreme force. Method OURS only. Logs and snapshots
-    store the limit, and a scene with another one rejects them. One exception: scenes without a
-    limit and with the default limit accept each other's snapshots.
+    device, then causes no long step and no extreme force. Method IMPLICIT only. Logs and
+    snapshots store the limit, and a scene with another one rejects them. One exception: scenes
+    without a limit and with the default limit accept each other's snapshots.
 
-    overlap: Treatment of overlapping new bodies; default VBSS_OVERLAP_WARN."""
+    overlap: Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN."""
     struct_size: int
     method: int
     mode: int
@@ -298,21 +302,21 @@ class vbss_scene_config(ctypes.Structure):
     contact_margin: float
     stretch_tolerance: float
     penetration_tolerance: float
-    linearisation_limit: int
-    state_limit: int
+    iteration_limit: int
+    active_set_limit: int
     halving_limit: int
     attempt_limit: int
     paper_pass_limit: int
     grasp_capacity: int
     paper_thickness: float
-    work_limit: int
+    step_budget: int
     drain_capacity: int
     hole_capacity: int
-    slot_limit: int
+    call_budget: int
     speed_limit: float
     overlap: int
     reserved: int
-    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode, "overlap": OverlapPolicy}
+    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode, "overlap": SceneOverlapPolicy}
     _fields_ = [
         ("struct_size", c_uint32),
         ("method", c_int32),
@@ -334,24 +338,24 @@ class vbss_scene_config(ctypes.Structure):
         ("contact_margin", c_double),
         ("stretch_tolerance", c_double),
         ("penetration_tolerance", c_double),
-        ("linearisation_limit", c_uint32),
-        ("state_limit", c_uint32),
+        ("iteration_limit", c_uint32),
+        ("active_set_limit", c_uint32),
         ("halving_limit", c_uint32),
         ("attempt_limit", c_uint32),
         ("paper_pass_limit", c_uint32),
         ("grasp_capacity", c_uint32),
         ("paper_thickness", c_double),
-        ("work_limit", c_uint32),
+        ("step_budget", c_uint32),
         ("drain_capacity", c_uint32),
         ("hole_capacity", c_uint32),
-        ("slot_limit", c_uint32),
+        ("call_budget", c_uint32),
         ("speed_limit", c_double),
         ("overlap", c_int32),
         ("reserved", c_uint32),
     ]
 
 
-class vbss_overlap(ctypes.Structure):
+class vbss_scene_overlap(ctypes.Structure):
     """The deepest overlap of a body.
 
     body: Number of the other body; 0: the floor, or none if depth is 0.
@@ -368,13 +372,13 @@ class vbss_overlap(ctypes.Structure):
     ]
 
 
-class Overlap(NamedTuple):
-    """The deepest overlap of a body. Fields as vbss_overlap says."""
+class SceneOverlap(NamedTuple):
+    """The deepest overlap of a body. Fields as vbss_scene_overlap says."""
     body: int
     depth: float
 
 
-class vbss_capsule(ctypes.Structure):
+class vbss_scene_capsule(ctypes.Structure):
     """One capsule of a rigid body, in the frame of the body.
 
     begin: One end of the axis, m.
@@ -393,10 +397,11 @@ class vbss_capsule(ctypes.Structure):
     ]
 
 
-class vbss_rigid_config(ctypes.Structure):
-    """Configuration of a rigid body. Fill it with vbss_rigid_config_init, then change fields.
+class vbss_scene_rigid_config(ctypes.Structure):
+    """Configuration of a rigid body. Fill it with vbss_scene_rigid_config_init, then change
+    fields.
 
-    kind: Kind of motion; default VBSS_RIGID_DRIVEN.
+    kind: Kind of motion; default VBSS_SCENE_RIGID_DRIVEN.
 
     capsule_count: Number of capsules, 1 to 256.
 
@@ -446,13 +451,13 @@ class vbss_rigid_config(ctypes.Structure):
     damping: float
     turning_stiffness: float
     turning_damping: float
-    _kinds_: ClassVar[dict[str, Any]] = {"kind": RigidKind}
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": SceneRigidKind}
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
         ("capsule_count", c_uint32),
         ("reserved", c_uint32),
-        ("capsules", POINTER(vbss_capsule)),
+        ("capsules", POINTER(vbss_scene_capsule)),
         ("position", c_double * 3),
         ("orientation", c_double * 4),
         ("velocity", c_double * 3),
@@ -467,7 +472,7 @@ class vbss_rigid_config(ctypes.Structure):
     ]
 
 
-class vbss_rigid_state(ctypes.Structure):
+class vbss_scene_rigid_state(ctypes.Structure):
     """State of a rigid body.
 
     kind: Kind of motion.
@@ -504,7 +509,7 @@ class vbss_rigid_state(ctypes.Structure):
     hand_torque: Any
     contact_force: Any
     contact_torque: Any
-    _kinds_: ClassVar[dict[str, Any]] = {"kind": RigidKind}
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": SceneRigidKind}
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -521,9 +526,9 @@ class vbss_rigid_state(ctypes.Structure):
     ]
 
 
-class RigidState(NamedTuple):
-    """State of a rigid body. Fields as vbss_rigid_state says."""
-    kind: RigidKind
+class SceneRigidState(NamedTuple):
+    """State of a rigid body. Fields as vbss_scene_rigid_state says."""
+    kind: SceneRigidKind
     position: tuple[float, ...]
     orientation: tuple[float, ...]
     velocity: tuple[float, ...]
@@ -537,7 +542,7 @@ class RigidState(NamedTuple):
 
 
 class vbss_scene_statistics(ctypes.Structure):
-    """Counters since creation, and results of the last step. Method PAPER uses these fields
+    """Counters since creation, and results of the last step. Method VBLAST uses these fields
     differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
     pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still
     moved a body, and the stretch error is max |length / rest length - 1|.
@@ -597,7 +602,7 @@ class vbss_scene_statistics(ctypes.Structure):
 
     time: Sum of the lengths of the steps, `time_paused` included, s.
 
-    operations: Operations of all steps, as work_limit counts them; method OURS.
+    operations: Operations of all steps, as step_budget counts them; method IMPLICIT.
 
     most_operations: Largest number of operations of a step.
 
@@ -605,12 +610,12 @@ class vbss_scene_statistics(ctypes.Structure):
 
     time_paused: Simulated time that these steps have lost, s.
 
-    deferred: Calls after which a step was suspended or had not begun; see slot_limit.
+    deferred: Calls after which a step was suspended or had not begun; see call_budget.
 
     behind: Number of suspended and unbegun steps after the last call, 0 to 2.
 
     overdue: Steps that two calls had suspended while other bodies waited, so that the third
-    completed them without slot_limit."""
+    completed them without call_budget."""
     struct_size: int
     contacts: int
     rows: int
@@ -685,7 +690,7 @@ class vbss_scene_statistics(ctypes.Structure):
 
 
 class SceneStatistics(NamedTuple):
-    """Counters since creation, and results of the last step. Method PAPER uses these fields
+    """Counters since creation, and results of the last step. Method VBLAST uses these fields
     differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
     pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still
     moved a body, and the stretch error is max |length / rest length - 1|. Fields as
@@ -725,7 +730,7 @@ class SceneStatistics(NamedTuple):
     overdue: int
 
 
-class vbss_blocker(ctypes.Structure):
+class vbss_scene_blocker(ctypes.Structure):
     """Two bodies that hold each other back, and all bodies that touch them. A failed step holds
     back only the bodies that contacts, grasps, holes or pins connect with these two. All other
     bodies move on.
@@ -748,7 +753,7 @@ class vbss_blocker(ctypes.Structure):
     since: float
     lost_time: float
     depth: float
-    _kinds_: ClassVar[dict[str, Any]] = {"cause": BlockerCause}
+    _kinds_: ClassVar[dict[str, Any]] = {"cause": SceneBlockerCause}
     _fields_ = [
         ("struct_size", c_uint32),
         ("cause", c_int32),
@@ -760,11 +765,11 @@ class vbss_blocker(ctypes.Structure):
     ]
 
 
-class Blocker(NamedTuple):
+class SceneBlocker(NamedTuple):
     """Two bodies that hold each other back, and all bodies that touch them. A failed step holds
     back only the bodies that contacts, grasps, holes or pins connect with these two. All other
-    bodies move on. Fields as vbss_blocker says."""
-    cause: BlockerCause
+    bodies move on. Fields as vbss_scene_blocker says."""
+    cause: SceneBlockerCause
     body_a: int
     body_b: int
     since: float
@@ -772,7 +777,7 @@ class Blocker(NamedTuple):
     depth: float
 
 
-class vbss_hole(ctypes.Structure):
+class vbss_scene_hole(ctypes.Structure):
     """A hole of a needle or a thread in a drain.
 
     id: Identifier from 1 on, in the order of creation; never reused.
@@ -787,7 +792,7 @@ class vbss_hole(ctypes.Structure):
 
     weights: Weights of the triangle's nodes at the hole.
 
-    rest_position: Position of the hole on the drain at rest, m: VBSS_DRAIN_REST_POSITIONS.
+    rest_position: Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS.
 
     position: Current position of the hole, in the middle of the wall, m.
 
@@ -838,8 +843,8 @@ class vbss_hole(ctypes.Structure):
     ]
 
 
-class Hole(NamedTuple):
-    """A hole of a needle or a thread in a drain. Fields as vbss_hole says."""
+class SceneHole(NamedTuple):
+    """A hole of a needle or a thread in a drain. Fields as vbss_scene_hole says."""
     id: int
     needle: int
     drain: int
@@ -855,10 +860,10 @@ class Hole(NamedTuple):
     thread: int
 
 
-class vbss_grasp(ctypes.Structure):
+class vbss_scene_grasp(ctypes.Structure):
     """A grasped place of a thread, a needle or a drain.
 
-    thread: Number of the held thread, needle or drain in the scene.
+    body: Number of the grasped body in the scene.
 
     arc_length: Arc length of the middle of the held part, m: unstretched along a thread, or
     from a needle's tip.
@@ -868,11 +873,11 @@ class vbss_grasp(ctypes.Structure):
     force: Force of the jaws on the held body in the last step, N. While the body slides, it
     exceeds the limit by the clamp's gain in a step.
 
-    limit: Largest force along the jaws' faces that they bear, N; PAPER: 0.
+    limit: Largest force along the jaws' faces that they bear, N; VBLAST: 0.
 
     slid: Distance that the body has slid through the jaws since it was grasped, m."""
     struct_size: int
-    thread: int
+    body: int
     arc_length: float
     position: Any
     force: Any
@@ -881,7 +886,7 @@ class vbss_grasp(ctypes.Structure):
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
-        ("thread", c_uint32),
+        ("body", c_uint32),
         ("arc_length", c_double),
         ("position", c_double * 3),
         ("force", c_double * 3),
@@ -890,9 +895,9 @@ class vbss_grasp(ctypes.Structure):
     ]
 
 
-class Grasp(NamedTuple):
-    """A grasped place of a thread, a needle or a drain. Fields as vbss_grasp says."""
-    thread: int
+class SceneGrasp(NamedTuple):
+    """A grasped place of a thread, a needle or a drain. Fields as vbss_scene_grasp says."""
+    body: int
     arc_length: float
     position: tuple[float, ...]
     force: tuple[float, ...]
@@ -909,22 +914,23 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(c_uint32))),
     "vbss_scene_add_drain": (c_int32, (POINTER(vbss_scene), POINTER(vbss_drain),
         POINTER(c_uint32))),
-    "vbss_rigid_config_init": (c_int32, (POINTER(vbss_rigid_config), c_uint32)),
-    "vbss_scene_add_rigid": (c_int32, (POINTER(vbss_scene), POINTER(vbss_rigid_config),
+    "vbss_scene_rigid_config_init": (c_int32, (POINTER(vbss_scene_rigid_config), c_uint32)),
+    "vbss_scene_add_rigid": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_rigid_config),
         POINTER(c_uint32))),
     "vbss_scene_add_needle": (c_int32, (POINTER(vbss_scene), POINTER(vbss_needle),
         POINTER(c_uint32))),
     "vbss_scene_add_grasper": (c_int32, (POINTER(vbss_scene), POINTER(vbss_grasper),
         POINTER(c_uint32))),
-    "vbss_scene_get_grasp": (c_int32, (POINTER(vbss_scene), c_uint32, c_uint32, POINTER(vbss_grasp),
+    "vbss_scene_get_grasp": (c_int32, (POINTER(vbss_scene), c_uint32, c_uint32,
+        POINTER(vbss_scene_grasp), c_uint32)),
+    "vbss_scene_get_hole": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_scene_hole),
         c_uint32)),
-    "vbss_scene_get_hole": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_hole), c_uint32)),
-    "vbss_scene_get_blocker": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_blocker),
+    "vbss_scene_get_blocker": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_scene_blocker),
         c_uint32)),
     "vbss_scene_make_hole": (c_int32, (POINTER(vbss_scene), c_uint32, c_double, c_uint32, c_uint32,
         POINTER(c_double), POINTER(c_uint32))),
     "vbss_scene_remove": (c_int32, (POINTER(vbss_scene), c_uint32)),
-    "vbss_scene_move_rigid": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_double),
+    "vbss_scene_set_rigid_target": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_double),
         POINTER(c_double))),
     "vbss_scene_pin_thread": (c_int32, (POINTER(vbss_scene), c_uint32, c_uint32, c_uint32,
         POINTER(c_double), POINTER(c_uint32))),
@@ -934,12 +940,12 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_get_thread": (c_int32, (POINTER(vbss_scene), c_uint32,
         POINTER(POINTER(vbss_thread)))),
     "vbss_scene_step": (c_int32, (POINTER(vbss_scene), c_double)),
-    "vbss_scene_get_rigid": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_rigid_state),
-        c_uint32)),
+    "vbss_scene_get_rigid": (c_int32, (POINTER(vbss_scene), c_uint32,
+        POINTER(vbss_scene_rigid_state), c_uint32)),
     "vbss_scene_get_view": (c_int32, (POINTER(vbss_scene), c_int32, POINTER(vbss_view), c_uint32)),
     "vbss_scene_get_statistics": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_statistics),
         c_uint32)),
-    "vbss_scene_get_overlap": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_overlap),
+    "vbss_scene_get_overlap": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_scene_overlap),
         c_uint32)),
     "vbss_scene_save": (c_int32, (POINTER(vbss_scene), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),

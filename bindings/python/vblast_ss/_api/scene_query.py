@@ -9,11 +9,11 @@ from typing import Any, ClassVar, NamedTuple
 from .drain import vbss_drain
 from .grasper import vbss_grasper
 from .needle import vbss_needle
-from .scene import RigidKind, vbss_scene
+from .scene import SceneRigidKind, vbss_scene
 
 
-class BodyKind(IntEnum):
-    """The constants of vbss_body_kind."""
+class SceneBodyKind(IntEnum):
+    """The constants of vbss_scene_body_kind."""
     THREAD = 1
     """A thread."""
     DRAIN = 2
@@ -28,7 +28,7 @@ class BodyKind(IntEnum):
     """The floor, body 0."""
 
 
-class vbss_body_info(ctypes.Structure):
+class vbss_scene_body_info(ctypes.Structure):
     """Properties of a body in a scene.
 
     body: Number of the body.
@@ -52,7 +52,7 @@ class vbss_body_info(ctypes.Structure):
     mask: int
     friction: float
     gravity: Any
-    _kinds_: ClassVar[dict[str, Any]] = {"kind": BodyKind, "motion": RigidKind}
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": SceneBodyKind, "motion": SceneRigidKind}
     _fields_ = [
         ("struct_size", c_uint32),
         ("body", c_uint32),
@@ -65,18 +65,18 @@ class vbss_body_info(ctypes.Structure):
     ]
 
 
-class BodyInfo(NamedTuple):
-    """Properties of a body in a scene. Fields as vbss_body_info says."""
+class SceneBodyInfo(NamedTuple):
+    """Properties of a body in a scene. Fields as vbss_scene_body_info says."""
     body: int
-    kind: BodyKind
-    motion: RigidKind
+    kind: SceneBodyKind
+    motion: SceneRigidKind
     category: int
     mask: int
     friction: float
     gravity: tuple[float, ...]
 
 
-class vbss_ray_hit(ctypes.Structure):
+class vbss_scene_ray_hit(ctypes.Structure):
     """First surface that a ray hits.
 
     is_hit: 1: the ray hits something; 0: all other fields are 0.
@@ -109,8 +109,8 @@ class vbss_ray_hit(ctypes.Structure):
     ]
 
 
-class RayHit(NamedTuple):
-    """First surface that a ray hits. Fields as vbss_ray_hit says."""
+class SceneRayHit(NamedTuple):
+    """First surface that a ray hits. Fields as vbss_scene_ray_hit says."""
     is_hit: int
     body: int
     feature: int
@@ -119,7 +119,7 @@ class RayHit(NamedTuple):
     normal: tuple[float, ...]
 
 
-class vbss_nearest(ctypes.Structure):
+class vbss_scene_nearest(ctypes.Structure):
     """Body nearest to a point.
 
     is_found: 1: a surface is within the radius; 0: all other fields are 0.
@@ -152,8 +152,8 @@ class vbss_nearest(ctypes.Structure):
     ]
 
 
-class Nearest(NamedTuple):
-    """Body nearest to a point. Fields as vbss_nearest says."""
+class SceneNearest(NamedTuple):
+    """Body nearest to a point. Fields as vbss_scene_nearest says."""
     is_found: int
     body: int
     feature: int
@@ -165,7 +165,7 @@ class Nearest(NamedTuple):
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_get_bodies": (c_int32, (POINTER(vbss_scene), POINTER(c_uint32), c_uint32,
         POINTER(c_uint32))),
-    "vbss_scene_get_body": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_body_info),
+    "vbss_scene_get_body": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_scene_body_info),
         c_uint32)),
     "vbss_scene_get_drain": (c_int32, (POINTER(vbss_scene), c_uint32,
         POINTER(POINTER(vbss_drain)))),
@@ -176,7 +176,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_set_user_data": (c_int32, (POINTER(vbss_scene), c_uint32, c_void_p)),
     "vbss_scene_get_user_data": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_void_p))),
     "vbss_scene_cast_ray": (c_int32, (POINTER(vbss_scene), POINTER(c_double), POINTER(c_double),
-        c_uint32, POINTER(vbss_ray_hit), c_uint32)),
+        c_uint32, POINTER(vbss_scene_ray_hit), c_uint32)),
     "vbss_scene_find_nearest": (c_int32, (POINTER(vbss_scene), POINTER(c_double), c_double,
-        c_uint32, POINTER(vbss_nearest), c_uint32)),
+        c_uint32, POINTER(vbss_scene_nearest), c_uint32)),
 }

@@ -132,7 +132,7 @@ class SessionGap(IntEnum):
     LIPS = 0
     """Gap between the lips, which are as high as the wall: vbss_drain_gap.opening. A wall that
     rises counts as closed when it meets the face of the other wall. A drain of
-    VBSS_METHOD_PAPER uses EDGES instead."""
+    VBSS_METHOD_VBLAST uses EDGES instead."""
     EDGES = 1
     """Gap between the edges in the middle of the wall: vbss_drain_gap.gap, the paper's measure."""
 
@@ -146,7 +146,7 @@ class vbss_session_event(ctypes.Structure):
 
     kind: Kind of the event.
 
-    tool: Tool of the event; VBSS_METRICS_NO_TOOL: none, or not known.
+    tool: Tool of the event; VBSS_METRICS_TOOL_NONE: none, or not known.
 
     number: Meaning depends on the kind.
 
@@ -253,7 +253,7 @@ class vbss_session_config(ctypes.Structure):
     1024.
 
     knot_interval: Number of steps between inputs of the knot detector, 1 to 1000; default 4.
-    The detector's own work_limit bounds the work of an input.
+    The detector's own step_budget bounds the work of an input.
 
     hash_interval: Number of steps between hashes of the task in the log, for replays to
     compare; 1 to 1e9; default 100. Steps with events are hashed too. Used only with a record.
@@ -384,7 +384,7 @@ class vbss_session_status(ctypes.Structure):
 
     failure: Reason of the failure; NONE if the task has not failed.
 
-    holder: The tool that holds the needle, the first of two; VBSS_METRICS_NO_TOOL: none.
+    holder: The tool that holds the needle, the first of two; VBSS_METRICS_TOOL_NONE: none.
 
     punctured: Bits: 1 the hole in exists, 2 the hole out exists.
 
@@ -423,8 +423,8 @@ class vbss_session_status(ctypes.Structure):
     deviation_mm: Deviation of each hole from its mark, mm.
 
     time_lost: Part of `time` that the scene has left out, s. It counts paused steps
-    (vbss_scene_statistics::time_paused) and truncated substeps (VBSS_EVENT_CLAMPED), from the
-    second step on.
+    (vbss_scene_statistics::time_paused) and truncated substeps (VBSS_SCENE_EVENT_CLAMPED), from
+    the second step on.
 
     time_simulated: Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it
     may still be deferred (vbss_scene_statistics::behind).

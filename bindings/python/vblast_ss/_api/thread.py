@@ -9,8 +9,8 @@ from typing import Any, ClassVar, NamedTuple
 from .base import Method, vbss_context, vbss_view
 
 
-class Bending(IntEnum):
-    """The constants of vbss_bending."""
+class ThreadBending(IntEnum):
+    """The constants of vbss_thread_bending."""
     SPLINE = 0
     """Fourth order: the energy of the cubic spline through the nodes, truncated to neighbours
     three apart. The length of a segment is that of its arc."""
@@ -19,12 +19,12 @@ class Bending(IntEnum):
     chord."""
 
 
-class Mesh(IntEnum):
-    """The constants of vbss_mesh."""
+class ThreadMesh(IntEnum):
+    """The constants of vbss_thread_mesh."""
     FIXED = 0
     """Nodes and rest lengths stay as they were created."""
     ADAPTIVE = 1
-    """Method OURS, docs/adaptive.md: between two steps the thread divides segments where it is
+    """Method IMPLICIT, docs/adaptive.md: between two steps the thread divides segments where it is
     bent or near another body, and removes nodes where it is straight and has clearance. This
     renumbers nodes, segments, attachments, pins, grasps and contacts."""
 
@@ -35,12 +35,12 @@ class ThreadPreset(IntEnum):
     """2-0 silk: 0.32 mm, 1.05e-4 kg/m, EA = 700 N (8.7 GPa), EI = 2.7e-8 N m^2. Diameter by USP
     <861> (0.30 to 0.339 mm), density of a solid braid; EI is that of the paper's thread, scaled
     with the fourth power of the radius, and uncertain by a factor of five."""
-    PAPER_THREAD = 1
+    VBLAST = 1
     """The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2."""
 
 
-class AttachmentKind(IntEnum):
-    """The constants of vbss_attachment_kind."""
+class ThreadAttachmentKind(IntEnum):
+    """The constants of vbss_thread_attachment_kind."""
     PIN = 0
     """The node is held at `position`."""
     CLAMP = 1
@@ -82,9 +82,9 @@ class vbss_thread(ctypes.Structure):
 class vbss_thread_config(ctypes.Structure):
     """Configuration of a thread. Fill it with vbss_thread_config_init, then change fields.
 
-    method: Method; default VBSS_METHOD_OURS.
+    method: Method; default VBSS_METHOD_IMPLICIT.
 
-    bending: Method OURS: discretisation of bending; default VBSS_BENDING_SPLINE.
+    bending: Method IMPLICIT: discretisation of bending; default VBSS_THREAD_BENDING_SPLINE.
 
     segment_count: Number of segments, 1 to 65536; default 120.
 
@@ -95,7 +95,7 @@ class vbss_thread_config(ctypes.Structure):
     length: Length, m, 1e-6 to 1e3, at least 1e-7 per segment; default 0.15; ignored with
     rest_lengths.
 
-    radius: Radius, m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. Contact in a scene and
+    radius: Radius, m, 1e-7 to 0.1; default of VBSS_THREAD_PRESET_VBLAST. Contact in a scene and
     display use it; a thread alone does not.
 
     linear_density: Mass per length, kg/m, 1e-9 to 1e3; default of that preset.
@@ -112,8 +112,8 @@ class vbss_thread_config(ctypes.Structure):
 
     drag: Drag coefficient, 1/s, 0 to 1e6; default 0. The force is -drag * mass * velocity.
 
-    damping: Method OURS: decay rate of the motion relative to the rigid motion of each section,
-    1/s, 0 to 1e6; default 0. It conserves linear and angular momentum.
+    damping: Method IMPLICIT: decay rate of the motion relative to the rigid motion of each
+    section, 1/s, 0 to 1e6; default 0. It conserves linear and angular momentum.
 
     start: Position of node 0, m, each coordinate at most 1e3 in magnitude; default (0, 0, 0);
     ignored with positions.
@@ -122,43 +122,44 @@ class vbss_thread_config(ctypes.Structure):
     ignored with positions.
 
     rest_lengths: Rest length of each segment, m, 1e-7 to 1e2; segment_count values, or NULL
-    (default) for length / segment_count each. vbss_thread_grade fills such an array. The
-    library copies it.
+    (default) for length / segment_count each. vbss_thread_grade_lengths fills such an array.
+    The library copies it.
 
     positions: Positions of the nodes, m, each at most 1e3; 3 (segment_count + 1) values, or
     NULL (default) for a straight thread from start along direction. The library copies them.
 
-    spectral_radius: Method OURS: spectral radius at infinite frequency of the time integration,
-    0 (strongest damping) to 1 (none); default 0.3. Above 0.5 stiff motion may gain energy.
+    spectral_radius: Method IMPLICIT: spectral radius at infinite frequency of the time
+    integration, 0 (strongest damping) to 1 (none); default 0.3. Above 0.5 stiff motion may gain
+    energy.
 
-    stretch_tolerance: Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2;
-    default 1e-6.
+    stretch_tolerance: Method IMPLICIT: largest stretch error that a step may leave, 1e-12 to
+    1e-2; default 1e-6.
 
-    position_tolerance: Method OURS: largest distance by which a further linearisation would
+    position_tolerance: Method IMPLICIT: largest distance by which a further linearisation would
     move a node, m, 1e-12 to 1; an estimate; default 1e-6.
 
-    iteration_limit: Method OURS: largest number of linearisations of an attempt, 1 to 100;
+    iteration_limit: Method IMPLICIT: largest number of linearisations of an attempt, 1 to 100;
     default 40. Smooth motion takes one or two. The worst known case (ends shaken by 3 mm every
     ms) takes 300 in a step with its halves.
 
-    halving_limit: Method OURS: how often a step is halved before its state is accepted
+    halving_limit: Method IMPLICIT: how often a step is halved before its state is accepted
     unconverged, 0 to 10; default 5. `forced` counts such states and should stay zero.
 
-    paper_stiffness: Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0:
+    paper_stiffness: Method VBLAST: spring constant of a segment, N/m, 0 to 1e9; default 0:
     derived from mass and step by docs/paper-thread.md.
 
-    paper_damping: Method PAPER: share of the velocity relative to the section's rigid motion
+    paper_damping: Method VBLAST: share of the velocity relative to the section's rigid motion
     that is removed at each explicit step, 0 to 1; default 0.
 
-    paper_substeps: Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many
+    paper_substeps: Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many
     as the stiffest bending mode and the tension need.
 
-    paper_iteration_limit: Method PAPER: largest number of iterations of the projection, 1 to
+    paper_iteration_limit: Method VBLAST: largest number of iterations of the projection, 1 to
     1000; default 50.
 
-    paper_tolerance: Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6.
+    paper_tolerance: Method VBLAST: largest |C| / l of a section, 1e-14 to 1; default 1e-6.
 
-    mesh: Default VBSS_MESH_FIXED, which ignores the following fields.
+    mesh: Default VBSS_THREAD_MESH_FIXED, which ignores the following fields.
 
     node_capacity: ADAPTIVE: largest number of nodes, segment_count + 1 to 65537; default 0:
     four times the initial number of segments, at most 65536. A scene must have capacity for all
@@ -226,7 +227,7 @@ class vbss_thread_config(ctypes.Structure):
     clear_distance: float
     mesh_operations: int
     reserved: int
-    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "bending": Bending, "mesh": Mesh}
+    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "bending": ThreadBending, "mesh": ThreadMesh}
     _fields_ = [
         ("struct_size", c_uint32),
         ("method", c_int32),
@@ -273,7 +274,7 @@ class vbss_thread_config(ctypes.Structure):
 class vbss_thread_attachment(ctypes.Structure):
     """An attachment acts on one node. Fill it with vbss_thread_attachment_init.
 
-    kind: Kind; default VBSS_ATTACHMENT_PIN.
+    kind: Kind; default VBSS_THREAD_ATTACHMENT_PIN.
 
     node: Node, 0 to segment_count; default 0.
 
@@ -300,7 +301,7 @@ class vbss_thread_attachment(ctypes.Structure):
     stiffness: float
     damping: float
     mass: float
-    _kinds_: ClassVar[dict[str, Any]] = {"kind": AttachmentKind}
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": ThreadAttachmentKind}
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_int32),
@@ -425,24 +426,24 @@ class vbss_thread_statistics(ctypes.Structure):
 
     steps: Calls of vbss_thread_step that succeeded.
 
-    iterations: OURS: linearisations; PAPER: iterations of the projection.
+    iterations: IMPLICIT: linearisations; VBLAST: iterations of the projection.
 
     substeps: Accepted parts of steps; equal to steps if none was divided.
 
-    first_order: OURS: substeps made by backward Euler.
+    first_order: IMPLICIT: substeps made by backward Euler.
 
-    rejections: OURS: attempts that were rejected and halved.
+    rejections: IMPLICIT: attempts that were rejected and halved.
 
-    forced: OURS: substeps accepted unconverged, at the last halving.
+    forced: IMPLICIT: substeps accepted unconverged, at the last halving.
 
-    fallbacks: PAPER: sections that did not converge and kept the point constraints alone.
+    fallbacks: VBLAST: sections that did not converge and kept the point constraints alone.
 
-    softened: OURS: linearisations repeated with less compression, parts that started from the
-    old positions because the prediction was unusable, and parts in which the force of rest
+    softened: IMPLICIT: linearisations repeated with less compression, parts that started from
+    the old positions because the prediction was unusable, and parts in which the force of rest
     curvature was kept constant.
 
-    last_stretch_error: OURS: max |length / rest length - 1 - T / EA| after the last step;
-    PAPER: max |length / rest length - 1|.
+    last_stretch_error: IMPLICIT: max |length / rest length - 1 - T / EA| after the last step;
+    VBLAST: max |length / rest length - 1|.
 
     stretch_error: Largest stretch error after any part of a step.
 
@@ -467,7 +468,7 @@ class vbss_thread_statistics(ctypes.Structure):
 
     most_nodes: Largest number of nodes so far; 0 for a fixed mesh.
 
-    sagitta: Largest of VBSS_THREAD_SAGITTAS, m; also for a fixed mesh."""
+    sagitta: Largest of VBSS_THREAD_VIEW_SAGITTAS, m; also for a fixed mesh."""
     struct_size: int
     last_iterations: int
     steps: int
@@ -549,7 +550,7 @@ class ThreadStatistics(NamedTuple):
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_thread_config_init": (c_int32, (POINTER(vbss_thread_config), c_uint32)),
     "vbss_thread_config_preset": (c_int32, (POINTER(vbss_thread_config), c_int32)),
-    "vbss_thread_grade": (c_int32, (c_double, c_double, c_double, c_double, c_double,
+    "vbss_thread_grade_lengths": (c_int32, (c_double, c_double, c_double, c_double, c_double,
         POINTER(c_double), c_uint32, POINTER(c_uint32))),
     "vbss_thread_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_thread_config),
         POINTER(POINTER(vbss_thread)))),
@@ -560,8 +561,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_thread_attachment_init": (c_int32, (POINTER(vbss_thread_attachment), c_uint32)),
     "vbss_thread_attach": (c_int32, (POINTER(vbss_thread), POINTER(vbss_thread_attachment),
         POINTER(c_uint32))),
-    "vbss_thread_move": (c_int32, (POINTER(vbss_thread), c_uint32, POINTER(c_double),
-        POINTER(c_double))),
+    "vbss_thread_set_attachment_target": (c_int32, (POINTER(vbss_thread), c_uint32,
+        POINTER(c_double), POINTER(c_double))),
     "vbss_thread_detach": (c_int32, (POINTER(vbss_thread), c_uint32)),
     "vbss_thread_get_reaction": (c_int32, (POINTER(vbss_thread), c_uint32,
         POINTER(vbss_thread_reaction), c_uint32)),

@@ -33,8 +33,8 @@ class VisualKind(IntEnum):
     """The floor of a scene."""
 
 
-class SpotKind(IntEnum):
-    """The constants of vbss_spot_kind."""
+class VisualSpotKind(IntEnum):
+    """The constants of vbss_visual_spot_kind."""
     MARK = 1
     """One of the two marks, on the outer face."""
     HOLE = 2
@@ -48,7 +48,7 @@ class VisualField(IntEnum):
     *Texture*: on tubes and tools, 0 to 1 around the section, and m along; on drains, m along
     the tube, and m around it from the middle of the slit before it was opened; on floors, m in
     the plane. *Material*, x 3, m: position in the undeformed body. On drains it is the position
-    at rest in the drain's frame (VBSS_DRAIN_REST_POSITIONS); on tubes and tools, along and
+    at rest in the drain's frame (VBSS_DRAIN_VIEW_REST_POSITIONS); on tubes and tools, along and
     across the axis; on floors, the texture and 0. *Value*: on threads, the tension, N; on
     drains, 1 on the outer face, -1 on the inner face, 0 on rims; on graspers, 0 shaft, 1 neck,
     2 jaws; else 0."""
@@ -59,8 +59,8 @@ class VisualField(IntEnum):
     number of vertices, first triangle, number of triangles, 0. Parts have the order of their
     sources, and within a scene that of its bodies."""
     SPOTS = 3
-    """x 6 float: index of the drain in VBSS_VISUAL_VIEW_PARTS, vbss_spot_kind, material x 3,
-    radius in m."""
+    """x 6 float: index of the drain in VBSS_VISUAL_VIEW_PARTS, vbss_visual_spot_kind, material x
+    3, radius in m."""
 
 
 class vbss_visual(ctypes.Structure):
