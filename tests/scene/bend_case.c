@@ -13,9 +13,9 @@ bend_outcome bend_case_run(bend_kind kind, double friction, double step, double 
     options.segment = segment;
     bend b;
     expect_ok(bend_create(context, &options, &b));
-    bend_outcome outcome = {.verdict = BEND_PULLED};
-    while (outcome.verdict == BEND_PULLED) {
-        expect_ok(bend_pull(&b, &outcome.verdict));
+    bend_outcome outcome = {.result = BEND_PULLED};
+    while (outcome.result == BEND_PULLED) {
+        expect_ok(bend_pull(&b, &outcome.result));
     }
     vbss_scene_statistics statistics;
     expect_ok(vbss_scene_get_statistics(b.scene, &statistics, sizeof statistics));

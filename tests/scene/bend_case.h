@@ -6,7 +6,7 @@
 #include "harness/harness.h"
 
 typedef struct bend_outcome {
-    bend_verdict verdict;
+    bend_result result;
     double force;   /* mean in the window if it slips, N */
     double overlap; /* deepest of all steps, diameters */
     uint64_t clamped;

@@ -10,8 +10,8 @@ static void bends_slip_below_critical_friction(void **state)
         bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE);
     const bend_outcome granny =
         bend_case_run(BEND_GRANNY, 0.2, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE);
-    assert_int_equal(BEND_SLIPS, grief.verdict);
-    assert_int_equal(BEND_SLIPS, granny.verdict);
+    assert_int_equal(BEND_SLIPS, grief.result);
+    assert_int_equal(BEND_SLIPS, granny.result);
     expect_near(1.0, grief.force / 0.17, 0.2);
     expect_near(1.0, granny.force / 0.48, 0.2);
 }
@@ -22,7 +22,7 @@ static void bends_hold_above_critical_friction(void **state)
     for (bend_kind kind = BEND_REEF; kind <= BEND_GRIEF; kind++) {
         if (kind != BEND_THIEF) {
             const bend_outcome at = bend_case_run(kind, 0.4, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE);
-            assert_int_equal(BEND_HOLDS, at.verdict);
+            assert_int_equal(BEND_HOLDS, at.result);
         }
     }
 }
@@ -32,18 +32,16 @@ static void thief_slips(void **state)
 {
     (void)state;
     assert_int_equal(BEND_SLIPS,
-                     bend_case_run(BEND_THIEF, 0.5, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE).verdict);
+                     bend_case_run(BEND_THIEF, 0.5, 1e-3, 0.3e-3, VBSS_SCENE_MODE_OFFLINE).result);
 }
 
-static void real_time_bends_have_same_verdicts(void **state)
+static void real_time_bends_have_same_results(void **state)
 {
     (void)state;
     assert_int_equal(
-        BEND_SLIPS,
-        bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_SCENE_MODE_REAL_TIME).verdict);
+        BEND_SLIPS, bend_case_run(BEND_GRIEF, 0.2, 1e-3, 0.3e-3, VBSS_SCENE_MODE_REAL_TIME).result);
     assert_int_equal(
-        BEND_HOLDS,
-        bend_case_run(BEND_GRIEF, 0.4, 1e-3, 0.3e-3, VBSS_SCENE_MODE_REAL_TIME).verdict);
+        BEND_HOLDS, bend_case_run(BEND_GRIEF, 0.4, 1e-3, 0.3e-3, VBSS_SCENE_MODE_REAL_TIME).result);
 }
 
 int test_bends(void)
@@ -52,7 +50,7 @@ int test_bends(void)
         cmocka_unit_test(bends_slip_below_critical_friction),
         cmocka_unit_test(bends_hold_above_critical_friction),
         cmocka_unit_test(thief_slips),
-        cmocka_unit_test(real_time_bends_have_same_verdicts),
+        cmocka_unit_test(real_time_bends_have_same_results),
     };
     return cmocka_run_group_tests_name("scene.bends", tests, NULL, NULL);
 }

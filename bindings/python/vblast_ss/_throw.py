@@ -194,7 +194,7 @@ class ThrowScene:
         mover = self.mover
         for i in range(steps):
             for body, places, stands in ways:
-                mover.move_rigid(body, places[i], stands[i])
+                mover.set_rigid_target(body, places[i], stands[i])
             mover.step(STEP)
         self.steps += steps
 
