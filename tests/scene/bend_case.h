@@ -9,10 +9,9 @@ typedef struct bend_outcome {
     bend_result result;
     double force;   /* mean in the window if it slips, N */
     double overlap; /* deepest of all steps, diameters */
-    uint64_t clamped;
+    uint64_t clamped; /* truncated substeps */
 } bend_outcome;
 
-/* Offline nothing is truncated, or the test fails. */
 bend_outcome bend_case_run(bend_kind kind, double friction, double step, double segment,
                            vbss_scene_mode mode);
 
