@@ -409,8 +409,8 @@ static void refused_changes_change_nothing_and_say_why(void **state)
 {
     (void)state;
     small s;
-    const double g[3] = {0.0, -1.0, 0.0}, big[3] = {2e6, 0.0, 0.0}, bad[3] = {NAN, 0.0, 0.0},
-                 inside[3] = {0.1, 0.02, 0.0};
+    const double g[3] = {0.0, -1.0, 0.0}, big[3] = {2e6, 0.0, 0.0},
+                 bad[3] = {harness_bad_numbers[0], 0.0, 0.0}, inside[3] = {0.1, 0.02, 0.0};
     changed c;
     small_begin(&s);
     s.config.overlap = VBSS_SCENE_OVERLAP_REFUSE;

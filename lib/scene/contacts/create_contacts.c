@@ -185,17 +185,15 @@ static void flag_contact_of(scene_body *b)
     }
 }
 
-static void set_contact_flags(scene_object *s)
+/* While the list of contacts is incomplete, each thread counts as in contact. What an earlier attempt
+ * has left would differ in a restored scene. */
+static void begin_contact_flags(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
+        flag_contact_of(&s->bodies[i]);
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
-            s->bodies[i].thread.has_contacts = s->bodies[i].thread.is_welded = false;
+            s->bodies[i].thread.is_welded = false;
         }
-    }
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_key *key = &s->contacts->constraints[i].key;
-        flag_contact_of(vbss_scene_body(s, key->body_a));
-        flag_contact_of(vbss_scene_body(s, key->body_b));
     }
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         if (s->pins[i].id != 0 && s->pins[i].attachment == 0) {
@@ -204,9 +202,24 @@ static void set_contact_flags(scene_object *s)
     }
 }
 
+static void set_contact_flags(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            s->bodies[i].thread.has_contacts = false;
+        }
+    }
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_key *key = &s->contacts->constraints[i].key;
+        flag_contact_of(vbss_scene_body(s, key->body_a));
+        flag_contact_of(vbss_scene_body(s, key->body_b));
+    }
+}
+
 bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep)
 {
     contact_set *set = s->contacts;
+    begin_contact_flags(s);
     vbss_scene_set_capsule_trials(s, substep);
     vbss_scene_set_motion_bounds(s, substep);
     if (vbss_scene_find_candidates(s) != VBSS_OK) {
