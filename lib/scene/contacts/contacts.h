@@ -206,11 +206,6 @@ bool vbss_scene_add_drain_floor_contacts(scene_object *s, const scene_body *b);
 /* Removes all but one of the contacts about the same two points. The contact set must be sorted. */
 void vbss_scene_remove_duplicate_contacts(scene_object *s);
 
-/* ---- sliding_contacts.c */
-
-/* Moves each contact of two threads to where the threads cross at the end of the substep. */
-void vbss_scene_slide_contacts(scene_object *s);
-
 /* ---- create_contacts.c */
 
 /* Creates all constraints of a substep: contacts of features that may touch, grasps and holes. Sets

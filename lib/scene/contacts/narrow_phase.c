@@ -62,9 +62,6 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         return d;
     }
     if (b->kind == SCENE_BODY_THREAD) {
-        if (kind == VBSS_SCENE_CONTACT_SEGMENTS) {
-            d.feature = scene_geometry_of(s, constraint)->segments[which];
-        }
         /* end nodes of a thread are not smoothed */
         d.smooth = kind == VBSS_SCENE_CONTACT_NODE_CAPSULE && feature > 0 &&
                    feature + 1 < b->thread.thread->node_count;
