@@ -81,6 +81,7 @@ typedef struct replica_capacities {
  * surface with a free edge. */
 enum { REPLICA_TRIANGLES_PER_NODE = 2, REPLICA_EDGES_PER_NODE = 3 };
 
+/* NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): each thread writes to cache lines of its own */
 typedef struct replica_object {
     /* Constant. */
     vbss_context *context;

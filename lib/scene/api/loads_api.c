@@ -180,7 +180,7 @@ static void move_to(scene_object *s, uint32_t body, pose at)
 static vbss_result set_pose(scene_object *s, uint32_t body, const double position[3],
                             const quat *orientation)
 {
-    pose at;
+    pose at = pose_identity();
     VBSS_TRY(check_pose(s, body, position, orientation, &at));
     move_to(s, body, at);
     return VBSS_OK;

@@ -80,7 +80,7 @@ static double depth_of_triangle(const scene_object *s, const scene_segment *g,
     vbss_collision_closest closest;
     double segment[6], corners[9];
     for (int k = 0; k < 3; k++) {
-        vec3_store(corners + 3 * k, d->x[d->mesh.triangles[triangle][k]]);
+        vec3_store(corners + 3 * (size_t)k, d->x[d->mesh.triangles[triangle][k]]);
     }
     vec3_store(segment, g->ends[0]);
     vec3_store(segment + 3, g->ends[1]);
@@ -96,8 +96,8 @@ static double depth_of_segments(const scene_object *s, const scene_segment *a,
     vbss_collision_closest closest;
     double first[6], second[6];
     for (int k = 0; k < 2; k++) {
-        vec3_store(first + 3 * k, a->ends[k]);
-        vec3_store(second + 3 * k, b->ends[k]);
+        vec3_store(first + 3 * (size_t)k, a->ends[k]);
+        vec3_store(second + 3 * (size_t)k, b->ends[k]);
     }
     return vbss_collision_closest_segments(first, second, &closest, sizeof closest) == VBSS_OK
                ? depth_of(s, closest.distance, a->radius, b->radius)
