@@ -33,8 +33,8 @@ static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAY_COUNT])
         arrays[n++] = (vbss_array){&f->decals, c->spot_capacity, sizeof *f->decals};
         arrays[n++] = (vbss_array){&f->tube_starts, c->part_capacity, sizeof *f->tube_starts};
         arrays[n++] = (vbss_array){&f->walls, c->part_capacity, sizeof *f->walls};
-        arrays[n++] =
-            (vbss_array){&f->lofts, VISUAL_LOFTS_PER_PART * c->part_capacity, sizeof *f->lofts};
+        arrays[n++] = (vbss_array){&f->lofts, (size_t)VISUAL_LOFTS_PER_PART * c->part_capacity,
+                                   sizeof *f->lofts};
     }
     arrays[n++] = (vbss_array){&v->sources, c->source_capacity, sizeof *v->sources};
     arrays[n++] = (vbss_array){&v->node_vectors, c->node_capacity, sizeof *v->node_vectors};

@@ -139,7 +139,7 @@ static void add_body(vbss_hash *hash, vbss_replica *replica, const body_row *row
     const vbss_view poses = rig_view(replica, VBSS_REPLICA_VIEW_POSES);
     const vbss_view sizes = rig_view(replica, VBSS_REPLICA_VIEW_SIZES);
     const vbss_view capsules = rig_view(replica, VBSS_REPLICA_VIEW_CAPSULES);
-    const double *jaws = (const double *)sizes.data + 2 * index + 1;
+    const double *jaws = (const double *)sizes.data + 2 * (size_t)index + 1;
     add_number(hash, row->number);
     if (row->kind == VBSS_REPLICA_KIND_THREAD) {
         add_number(hash, row->node_count);
@@ -163,7 +163,7 @@ static void add_hole_rows(vbss_hash *hash, vbss_replica *replica)
     const vbss_view places = rig_view(replica, VBSS_REPLICA_VIEW_HOLE_PLACES);
     assert_true(holes.count == places.count);
     for (uint32_t i = 0; i < holes.count; i++) {
-        const double *place = (const double *)places.data + 8 * i;
+        const double *place = (const double *)places.data + 8 * (size_t)i;
         add_rows(hash, &holes, i, 1);
         vbss_hash_add(hash, place, 6 * sizeof *place);
         vbss_hash_add(hash, &place[7], sizeof *place);

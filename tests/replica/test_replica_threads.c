@@ -35,7 +35,7 @@ static void publish(relay *e)
         e->wanted[number] =
             number % COPIES == 1 ? rig_hash_scene(e->run.scene) : e->wanted[number - 1];
         expect_ok(vbss_replica_publish(e->replica, e->run.scene));
-        if (number % (10 * COPIES) == 0) {
+        if (number % ((uint64_t)10 * COPIES) == 0) {
             sched_yield(); /* the reader runs in between even where there is one core */
         }
     }

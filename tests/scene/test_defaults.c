@@ -55,6 +55,7 @@ static void defaults_of_headers_are_those_of_library(void **state)
     EXPECT_DEFAULTS(vbss_visual_config, vbss_visual_config);
 }
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): C has no parentheses around a type */
 /* The bytes that the save function writes of an object. */
 #define EXPECT_SAME_STATE(kind, config)                                                \
     do {                                                                               \
@@ -70,6 +71,7 @@ static void defaults_of_headers_are_those_of_library(void **state)
         assert_int_equal(counts[0], counts[1]);                                        \
         assert_memory_equal(bytes[0], bytes[1], counts[0]);                            \
     } while (0)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 static void objects_of_null_and_of_defaults_have_equal_states(void **state)
 {

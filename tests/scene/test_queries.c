@@ -155,8 +155,8 @@ static void ray_meets_floor_wall_and_thread(void **state)
     const double *x = view.data;
     expect_ok(vbss_drain_get_view(drain, VBSS_DRAIN_VIEW_TRIANGLES, &view, sizeof view));
     const uint32_t *n = view.data;
-    const vec3 p = vec3_load(x + 3 * n[0]), q = vec3_load(x + 3 * n[1]),
-               r = vec3_load(x + 3 * n[2]);
+    const vec3 p = vec3_load(x + 3 * (size_t)n[0]), q = vec3_load(x + 3 * (size_t)n[1]),
+               r = vec3_load(x + 3 * (size_t)n[2]);
     const vec3 centre = vec3_scale(vec3_add(vec3_add(p, q), r), 1.0 / 3.0);
     const vec3 normal = vec3_unit_or(vec3_cross(vec3_sub(q, p), vec3_sub(r, p)), vec3_zero());
     const double start = 0.9 * s.drain.thickness;

@@ -37,6 +37,7 @@ static body_settings settings_of(scene_body *b)
 
 static bool is_same(double a, double b)
 {
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): to the bit */
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
@@ -57,6 +58,7 @@ static bool has_body_settings(scene_body *b)
                has_wrench(p.pending_load) ||
                (p.friction != NULL && !is_same(*p.friction, p.created_friction));
     if (p.gravity != NULL) {
+        /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): to the bit */
         has = has || memcmp(&p.gravity->x, p.created_gravity, 3 * sizeof(double)) != 0;
     }
     return has;
