@@ -2,8 +2,6 @@
 
 #include "base/elementary.h"
 
-#include <stdlib.h>
-
 enum { SHUTTING = 150, MAX_SHUTTING = 400 }; /* steps that blades take; what waits shuts later */
 
 /* Hands pull on what they hold, whatever piece that is by now. */
@@ -66,7 +64,7 @@ cut_outcome cut_throw(const cut_case *t, double share)
     o.knot.kind = t->kind;
     o.knot.length = t->length;
     o.thread.cut_capacity = 12;
-    o.pull.force = t->limited ? 2.0 : 2.0 * share;
+    o.pull.force = 2.0;
     o.scene.thread_capacity = 16;
     o.scene.grasp_capacity = 32;
     o.scene.call_budget = 0; /* what the limit of a step costs; that of a call: docs/contact.md */
@@ -81,7 +79,7 @@ cut_outcome cut_throw(const cut_case *t, double share)
     int steady = 0; /* steps for which it has been tight */
     for (int i = 0; i < 3000 && steady < 200; i++) {
         expect_ok(contact_scene_step(&c, 1e-3));
-        steady = fabs(c.hands[0].felt - o.pull.force) < 0.02 ? steady + 1 : 0;
+        steady = fabs(c.hands[0].felt - 2.0) < 0.02 ? steady + 1 : 0;
     }
     assert_int_equal(steady, 200);
     expect_ok(vbss_grasper_config_init(&config, sizeof config));
@@ -120,39 +118,6 @@ cut_outcome cut_throw(const cut_case *t, double share)
     found.paused = statistics.time_paused;
     harness_context_end(context, &memory);
     return found;
-}
-
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, ascending);
-    return values[count / 2];
-}
-
-cut_outcome cut_throw_medians(const cut_case *t, const double *shares, int count)
-{
-    enum { MAX_SHARES = 9 };
-    double cuts[MAX_SHARES], clamped[MAX_SHARES], paused[MAX_SHARES], fastest[MAX_SHARES];
-    assert_in_range(count, 1, MAX_SHARES);
-    for (int i = 0; i < count; i++) {
-        cut_outcome one = cut_throw(t, shares[i]);
-        print_message("%s x %.2f: %.0f cuts, %.0f steps cut short, %.1f ms waited, "
-                      "fastest %.1f m/s\n",
-                      t->limited ? "limit of work" : "pull", shares[i], one.cuts, one.clamped,
-                      1e3 * one.paused, one.fastest);
-        assert_true(one.cuts > 0.0);
-        cuts[i] = one.cuts;
-        clamped[i] = one.clamped;
-        paused[i] = one.paused;
-        fastest[i] = one.fastest;
-    }
-    return (cut_outcome){median(cuts, count), median(clamped, count), median(paused, count),
-                         median(fastest, count)};
 }
 
 static void expect_cut(const cut_outcome *found, const cut_case *bars)

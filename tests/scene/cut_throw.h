@@ -15,10 +15,8 @@ typedef struct cut_outcome {
     double cuts, clamped, paused, fastest; /* m/s: of any node */
 } cut_outcome;
 
-/* With that share of the default limit of work if it is limited, else of the default pull. */
+/* With that share of the default limit of work, if it is limited. */
 cut_outcome cut_throw(const cut_case *t, double share);
-/* A run is one of many, as small changes lead to others. Medians over `count` shares, at most 9. */
-cut_outcome cut_throw_medians(const cut_case *t, const double *shares, int count);
 /* With the default limit of work: all that `bars` ask, but for the waiting, which is known to be `paused`, s. */
 void cut_expect_within_known(const cut_case *bars, double paused);
 void cut_expect_within(const cut_outcome *found, const cut_case *bars);

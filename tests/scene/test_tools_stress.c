@@ -46,10 +46,10 @@ static void tight_knot_survives_strike_at_1_m_per_second(void **state)
             o.knot.kind = kind == 0 ? KNOT_OVERHAND : KNOT_DOUBLE_OVERHAND;
             o.pull.force = 2.0;
             o.tool = tool;
-            o.begin = 300;
+            o.begin = 200;
             hard_begin(&c, names[tool], &o, 1e-3);
-            assert_true(hard_pull(&c, 290));
-            hard_run(&c, 306 - c.steps);
+            assert_true(hard_pull(&c, 190));
+            hard_run(&c, 206 - c.steps);
             double before = contact_scene_pull_felt(&c.scene), largest = before;
             for (int i = 0; i < 150; i++) {
                 hard_run(&c, 1);
@@ -72,7 +72,7 @@ static void knot_between_rigid_hands_survives_strike(void **state)
     contact_scene_options o = options_of(CONTACT_SCENE_STRUCK);
     o.knot.kind = KNOT_DOUBLE_OVERHAND;
     o.pull.stiffness = 0.0;
-    o.begin = 300;
+    o.begin = 200;
     hard_begin(&c, "struck between rigid hands", &o, 1e-3);
     hard_run(&c, 400);
     hard_report(&c);
