@@ -34,19 +34,12 @@ static place place_at(vec3 to, double radius, vec3 otherwise)
     return (place){vec3_norm(to) - radius, vec3_unit_or(vec3_neg(to), otherwise)};
 }
 
-/* A unit vector across a line. */
-static vec3 across(vec3 line)
-{
-    const vec3 axis =
-        fabs(line.x) <= fabs(line.y) ? vec3_make(1.0, 0.0, 0.0) : vec3_make(0.0, 1.0, 0.0);
-    return vec3_unit_or(vec3_cross(line, axis), vec3_make(0.0, 0.0, 1.0));
-}
-
 static place place_on_segment(const scene_segment *g, vec3 point)
 {
     const vec3 e = vec3_sub(g->ends[1], g->ends[0]);
     const double along = closest_on_edge(e, vec3_sub(point, g->ends[0]));
-    return place_at(vec3_sub(vec3_add_scaled(g->ends[0], along, e), point), g->radius, across(e));
+    return place_at(vec3_sub(vec3_add_scaled(g->ends[0], along, e), point), g->radius,
+                    vec3_any_normal(vec3_unit_or(e, vec3_make(1.0, 0.0, 0.0))));
 }
 
 typedef struct triangle {
