@@ -63,6 +63,7 @@ class Graph:
         path, line, column = place.rsplit(":", 2)
         with open(path) as file:
             text = file.read().split("\n", int(line) - 1)[-1][int(column) - 1:]
+        text = text.removeprefix("VBSS_TRY(")  # the compiler names the place of the macro
         member = re.match(r"[^(;]*?(\w+)\s*\(", text)
         name = member.group(1) if member else text[:30]
         if name not in self.indirect:
