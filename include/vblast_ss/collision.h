@@ -22,6 +22,7 @@
 #define VBLAST_SS_COLLISION_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 
 /** Shapes, their candidates and impacts, batches, counters. */
 typedef struct vbss_collision vbss_collision;
@@ -125,10 +126,8 @@ typedef struct vbss_collision_config {
     double exclusion;
     /** Added to D in the search for candidates, m, 0 to 1e3; default 0. */
     double margin;
-    /** VBLAST: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in paper_unit^4; 0 to 1;
-     * default 1e-6. */
-    double paper_parallel;
-    double paper_unit; /**< VBLAST: unit of length, m, 1e-9 to 1e3; default 1e-3. */
+    /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
 } vbss_collision_config;
 
 /** Questions in rows, answers in rows. Fill it with #vbss_collision_batch_init. */

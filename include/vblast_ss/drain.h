@@ -21,6 +21,7 @@
 #define VBLAST_SS_DRAIN_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 
 /** A drain. */
 typedef struct vbss_drain vbss_drain;
@@ -84,15 +85,8 @@ typedef struct vbss_drain_config {
     /** Method IMPLICIT: a step in which a node would move farther than this gets one more linearisation. A step
      * in which it would move four times as far is halved. m, 1e-9 to 1; default 1e-3. */
     double move_limit;
-    /** Method VBLAST: stiffness of the spring that ties a particle to its rest position, N/m, 0 to 1e9;
-     * default 125. */
-    double paper_stiffness;
-    /** Method VBLAST: share of the velocity relative to the rigid motion of the drain that each explicit step
-     * removes, 0 to 1; default 0.7. */
-    double paper_damping;
-    /** Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many as stability needs. */
-    uint32_t paper_substeps;
-    uint32_t reserved2; /**< Zero. */
+    /** Method VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
     /** In a scene: coefficient of friction with threads, 0 to 10. Friction with other bodies, the floor and
      * the drain itself uses the geometric mean of both coefficients. Default 0.3 (not verified). */
     double friction;

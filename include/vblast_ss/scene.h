@@ -32,6 +32,7 @@
 #define VBLAST_SS_SCENE_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 #include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/needle.h>
@@ -119,14 +120,10 @@ typedef struct vbss_scene_config {
      * 1000; default 3. Without a step_budget each remaining part is tried once, and truncated if
      * necessary; after eight truncated parts the rest is left out. */
     uint32_t attempt_limit;
-    /** VBLAST: number of passes of detection and response in a step, 1 to 1000; default 4. */
-    uint32_t paper_pass_limit;
     /** Largest number of grasped places of threads at a time, 0 to 256; default 8. Places that jaws
      * have released but not cleared count too, and so do the two ends at each cut of blades.
      * Without capacity the jaws stay open. */
     uint32_t grasp_capacity;
-    /** VBLAST: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2; default 0. */
-    double paper_thickness;
     /** REAL_TIME, method IMPLICIT: operations of a step after which the search for contact states
      * stops; 0: no limit; default 250000. An operation costs about as much as a product of two 3x3
      * blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md). At the limit the
@@ -157,6 +154,8 @@ typedef struct vbss_scene_config {
      * it, a step that two calls have suspended is completed by the third, whatever it takes, and
      * counted in `overdue`. So bodies that touch nothing never miss more than three calls. */
     uint32_t call_budget;
+    /** Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN. */
+    vbss_scene_overlap_policy overlap;
     /** Largest speed of any point of a driven or coupled body, or of a grasper, on the way to
      * its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that is
      * farther away at this speed, over several steps. A pose in the wrong unit, or a jump of a
@@ -164,9 +163,8 @@ typedef struct vbss_scene_config {
      * snapshots store the limit, and a scene with another one rejects them. One exception:
      * scenes without a limit and with the default limit accept each other's snapshots. */
     double speed_limit;
-    /** Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN. */
-    vbss_scene_overlap_policy overlap;
-    uint32_t reserved; /**< Zero. */
+    /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
 } vbss_scene_config;
 
 /** The deepest overlap of a body. */

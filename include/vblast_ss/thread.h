@@ -20,6 +20,7 @@
 #define VBLAST_SS_THREAD_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 
 /** A suture thread. */
 typedef struct vbss_thread vbss_thread;
@@ -122,19 +123,8 @@ typedef struct vbss_thread_config {
     /** Method IMPLICIT: how often a step is halved before its state is accepted unconverged, 0 to
      * 10; default 5. `forced` counts such states and should stay zero. */
     uint32_t halving_limit;
-    /** Method VBLAST: spring constant of a segment, N/m, 0 to 1e9; default 0: derived from mass and
-     * step by docs/paper-thread.md. */
-    double paper_stiffness;
-    /** Method VBLAST: share of the velocity relative to the section's rigid motion that is removed at
-     * each explicit step, 0 to 1; default 0. */
-    double paper_damping;
-    /** Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
-     * bending mode and the tension need. */
-    uint32_t paper_substeps;
-    /** Method VBLAST: largest number of iterations of the projection, 1 to 1000; default 50. */
-    uint32_t paper_iteration_limit;
-    /** Method VBLAST: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
-    double paper_tolerance;
+    /** Method VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
     vbss_thread_mesh
         mesh; /**< Default VBSS_THREAD_MESH_FIXED, which ignores the following fields. */
     /** ADAPTIVE: largest number of nodes, segment_count + 1 to 65537; default 0: four times the

@@ -9,6 +9,7 @@
 
 #include <vblast_ss/adapter.h>
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 #include <vblast_ss/budget.h>
 #include <vblast_ss/collision.h>
 #include <vblast_ss/device.h>

@@ -32,13 +32,13 @@ static void lead(scene_object *s, scene_thread_grasp *g)
     }
 }
 
-/* Finds the node nearest to the point between the tips of the jaws, within paper_distance.
+/* Finds the node nearest to the point between the tips of the jaws, within grasper_distance.
  * Returns false if there is none. */
 static bool nearest_node(const scene_object *s, const scene_body *tool, scene_thread_grasp *found)
 {
     const grasper_object *g = tool->rigid.grasper;
     pose at = pose_mul(tool->rigid.body.now.pose, pose_inverse(tool->rigid.frame));
-    double nearest = g->config.paper_distance;
+    double nearest = g->config.baseline->grasper_distance;
     found->thread = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
@@ -154,7 +154,7 @@ static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness
 /* Sums the forces of nodes that the tool carries, and of nodes pinned to its needle. */
 vec3 vbss_baseline_hand_force(const scene_object *s, const scene_body *tool)
 {
-    double stiffness = tool->rigid.grasper->config.paper_stiffness;
+    double stiffness = tool->rigid.grasper->config.baseline->grasper_stiffness;
     uint32_t needle =
         vbss_scene_has_needle_grasp(s, tool->number) ? tool->rigid.needle_grasp.needle : 0;
     vec3 force = vec3_zero();

@@ -77,7 +77,8 @@ static void begin_landing(landing *l, pose at, uint32_t count)
 
 static void land(const scene_object *s, const scene_rigid *r, pose *at)
 {
-    double thickness = r->needle->config.wire_radius + s->config.paper_thickness, below = 0.0;
+    double thickness = r->needle->config.wire_radius + s->config.baseline->scene_thickness,
+           below = 0.0;
     uint32_t count = r->needle->config.segment_count + 1;
     landing l;
     l.needle = r;
@@ -245,7 +246,7 @@ static void find_needle_grasp(const scene_body *tool, const scene_body *b,
 static void take(scene_object *s, scene_body *tool)
 {
     scene_needle_grasp found = {0};
-    double nearest = tool->rigid.grasper->config.paper_distance;
+    double nearest = tool->rigid.grasper->config.baseline->grasper_distance;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
             find_needle_grasp(tool, &s->bodies[i], &found, &nearest);

@@ -120,7 +120,7 @@ static vbss_result make_passes(scene_object *s, double h)
     baseline_scene_counts *counts = &s->baseline->counts;
     *counts = (baseline_scene_counts){0};
     s->baseline->contact_count = 0;
-    while (!counts->has_converged && counts->passes < s->config.paper_pass_limit) {
+    while (!counts->has_converged && counts->passes < s->config.baseline->scene_pass_limit) {
         VBSS_TRY(search(s));
         VBSS_TRY(vbss_baseline_run_pass(s, h));
         counts->passes++;

@@ -80,6 +80,8 @@ vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_
     }
     c->context = context;
     c->config = *config;
+    c->baseline_config = *config->baseline;
+    c->config.baseline = &c->baseline_config;
     c->ccd_options = vbss_collision_ccd_options_of(config);
     c->ccd_options.limb_count = COLLISION_LIMBS;
     c->wide = vbss_wide_is_available();

@@ -339,6 +339,7 @@ typedef struct collision_block {
 struct collision_object {
     vbss_context *context;
     vbss_collision_config config;
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     collision_ccd_options ccd_options;
     bool wide;        /* use the AVX2 copies of the hot loops */
     double thickness; /* thickness of the configuration, m */

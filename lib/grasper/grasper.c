@@ -56,6 +56,8 @@ static void init_grasper(grasper_object *g, const vbss_grasper_config *c)
     const grasper_jaws shears = {c->shears_length, c->shears_radius, c->shears_bend,
                                  c->shears_opening, c->shears_neck};
     g->config = *c;
+    g->baseline_config = *c->baseline;
+    g->config.baseline = &g->baseline_config;
     g->driver = driver;
     g->shears = shears;
     g->kind = g->commanded_kind = c->kind;
@@ -76,7 +78,8 @@ vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_grasper_config own;
-    VBSS_TRY(vbss_grasper_read_config(context, config, &own));
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_grasper_read_config(context, config, &own, &baseline));
     grasper_object *g = vbss_allocate(context, 1, sizeof *g, "grasper");
     if (g == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;

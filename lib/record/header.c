@@ -10,28 +10,33 @@
 
 /* ---- the configuration of the scene */
 
-_Static_assert(sizeof(vbss_scene_config) == 192, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_scene_config) == 184, "new fields must be listed, with a new version");
 
 typedef enum config_field_type { FIELD_U32, FIELD_F64 } config_field_type;
+typedef enum config_field_place {
+    FIELD_IN_SCENE,
+    FIELD_IN_BASELINE,
+    FIELD_CAPACITY /* of the scene; only sizes memory: may differ in a replay */
+} config_field_place;
 typedef struct config_field {
     const char *name;
     size_t offset;
     config_field_type type;
     uint32_t count;
-    bool is_capacity; /* only sizes memory: may differ in a replay */
+    config_field_place place;
 } config_field;
 
-#define WORD(name)                                                    \
-    {                                                                 \
-#name, offsetof(vbss_scene_config, name), FIELD_U32, 1, false \
+#define WORD(name)                                                             \
+    {                                                                          \
+#name, offsetof(vbss_scene_config, name), FIELD_U32, 1, FIELD_IN_SCENE \
     }
-#define ROOM(name)                                                   \
-    {                                                                \
-#name, offsetof(vbss_scene_config, name), FIELD_U32, 1, true \
+#define ROOM(name)                                                             \
+    {                                                                          \
+#name, offsetof(vbss_scene_config, name), FIELD_U32, 1, FIELD_CAPACITY \
     }
-#define NUMBER(name)                                                  \
-    {                                                                 \
-#name, offsetof(vbss_scene_config, name), FIELD_F64, 1, false \
+#define NUMBER(name)                                                           \
+    {                                                                          \
+#name, offsetof(vbss_scene_config, name), FIELD_F64, 1, FIELD_IN_SCENE \
     }
 
 /* The index in the table is the tag, so new fields are appended. */
@@ -47,7 +52,7 @@ static const config_field fields[] = {
     ROOM(candidate_capacity),
     ROOM(event_capacity),
     WORD(floor),
-    {"floor_normal", offsetof(vbss_scene_config, floor_normal), FIELD_F64, 3, false},
+    {"floor_normal", offsetof(vbss_scene_config, floor_normal), FIELD_F64, 3, FIELD_IN_SCENE},
     NUMBER(floor_height),
     NUMBER(floor_friction),
     NUMBER(thread_friction),
@@ -59,8 +64,10 @@ static const config_field fields[] = {
     WORD(active_set_limit),
     WORD(halving_limit),
     WORD(attempt_limit),
-    WORD(paper_pass_limit),
-    NUMBER(paper_thickness),
+    {"scene_pass_limit", offsetof(vbss_baseline_config, scene_pass_limit), FIELD_U32, 1,
+     FIELD_IN_BASELINE},
+    {"scene_thickness", offsetof(vbss_baseline_config, scene_thickness), FIELD_F64, 1,
+     FIELD_IN_BASELINE},
     WORD(grasp_capacity), /* since version 2 */
     WORD(step_budget),    /* since version 3 */
     ROOM(drain_capacity), /* since version 4 */
@@ -88,8 +95,9 @@ static uint32_t field_count(uint32_t version)
     return version < 6 ? before[version] : FIELDS;
 }
 
-static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
+static void visit_scene_config(vbss_stream *stream, log_header *header)
 {
+    vbss_scene_config *config = &header->scene;
     vbss_section outer = vbss_stream_open(stream, CONFIG, 6);
     uint32_t count = field_count(stream->version);
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
@@ -100,7 +108,9 @@ static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
     config->speed_limit = stream->version >= 6 ? config->speed_limit : 0.0;
     for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;
-        void *value = (char *)config + fields[i].offset;
+        void *value = (char *)(fields[i].place == FIELD_IN_BASELINE ? (void *)&header->baseline
+                                                                    : (void *)config) +
+                      fields[i].offset;
         if (fields[i].type == FIELD_U32) {
             vbss_stream_u32(stream, tag, value, fields[i].count);
         } else {
@@ -113,10 +123,16 @@ static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
 vbss_result vbss_log_compare_config(const log_header *header, const scene_info *scene)
 {
     for (size_t i = 0; i < FIELDS; i++) {
-        const char *wanted = (const char *)&header->scene + fields[i].offset;
-        const char *found = (const char *)scene->config + fields[i].offset;
+        bool in_baseline = fields[i].place == FIELD_IN_BASELINE;
+        const char *wanted =
+            (in_baseline ? (const char *)&header->baseline : (const char *)&header->scene) +
+            fields[i].offset;
+        const char *found =
+            (in_baseline ? (const char *)scene->config->baseline : (const char *)scene->config) +
+            fields[i].offset;
         size_t size = fields[i].type == FIELD_U32 ? sizeof(uint32_t) : sizeof(double);
-        if (!fields[i].is_capacity && memcmp(wanted, found, size * fields[i].count) != 0) {
+        if (fields[i].place != FIELD_CAPACITY &&
+            memcmp(wanted, found, size * fields[i].count) != 0) {
             return vbss_fail(scene->context, VBSS_ERROR_CORRUPT,
                              "the scene's %s is not that of the log", fields[i].name);
         }
@@ -174,7 +190,7 @@ void vbss_log_visit_header(vbss_stream *stream, log_header *header)
     }
     vbss_stream_count(stream, 5, &header->input_capacity, 65536);
     visit_blob(stream, 6, header->context, &header->note);
-    visit_scene_config(stream, &header->scene);
+    visit_scene_config(stream, header);
     if (header->scene.event_capacity > 65536) { /* a reader allocates room for them */
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no scene keeps so many events");
     }

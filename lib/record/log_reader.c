@@ -14,7 +14,7 @@ static const uint32_t step_sizes[] = {72, 80, 0};
 static const vbss_layout step_layout = {"vbss_replay_logged_step", NULL, step_sizes};
 _Static_assert(sizeof(vbss_replay_logged_step) == 80 && sizeof(vbss_record_input) == 128,
                "published sizes");
-static const uint32_t scene_config_sizes[] = {160, 168, 176, 192, 0};
+static const uint32_t scene_config_sizes[] = {184, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
 /* ---- creation and destruction */
@@ -174,6 +174,7 @@ vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config 
     VBSS_TRY(vbss_check_pointer(p->context, config, "config"));
     vbss_scene_config own = p->header.scene;
     own.struct_size = sizeof own;
+    own.baseline = &p->header.baseline;
     return vbss_struct_write(p->context, &scene_config_layout, &own, config, config->struct_size);
 }
 

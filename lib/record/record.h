@@ -122,6 +122,7 @@ typedef struct log_header {
     uint32_t library_version, hash_interval, input_capacity;
     log_blob build_info, note; /* a zero follows the text, but is not counted */
     vbss_scene_config scene;
+    vbss_baseline_config baseline; /* what scene.baseline points to */
 } log_header;
 
 /* A reading stream allocates the blobs; vbss_log_free_header frees them. */

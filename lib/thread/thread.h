@@ -130,7 +130,8 @@ extern const thread_method vbss_baseline_thread; /* defined in lib/baseline */
 struct thread_object {
     const thread_method *method;
     vbss_context *context;
-    vbss_thread_config config; /* pointers are NULL; equal for all pieces */
+    vbss_thread_config config;            /* pointers are NULL; equal for all pieces */
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     uint32_t node_capacity, node_count;
     uint64_t generation;
     uint64_t edit_generation; /* counts edits by hosts, except new targets */
@@ -201,10 +202,10 @@ vbss_result vbss_thread_edit_unowned(vbss_thread *handle, thread_object **thread
 
 /* ---- thread.c */
 
-/* Copies the configuration of a host into `own`, sets defaults for fields that it lacks, and checks
- * the copy. */
+/* Copies the configuration of a host into `own` and its parameters of the baseline into `baseline`,
+ * to which own->baseline points. Sets defaults for fields that it lacks, and checks the copies. */
 vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_config *config,
-                                    vbss_thread_config *own);
+                                    vbss_thread_config *own, vbss_baseline_config *baseline);
 
 /* Allocates a thread without a handle. VBSS_ERROR_OUT_OF_MEMORY: `*thread` is NULL. */
 vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config *config,

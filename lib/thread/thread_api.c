@@ -79,7 +79,8 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_thread_config own;
-    VBSS_TRY(vbss_thread_read_config(context, config, &own));
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_thread_read_config(context, config, &own, &baseline));
     warn_of_units(context, &own);
 
     thread_object *t;

@@ -42,8 +42,6 @@ static void bad_config_is_rejected(void **state)
         {offsetof(vbss_collision_config, tolerance), 1e-12, 1.0},
         {offsetof(vbss_collision_config, exclusion), 0.0, 1e3},
         {offsetof(vbss_collision_config, margin), 0.0, 1e3},
-        {offsetof(vbss_collision_config, paper_parallel), 0.0, 1.0},
-        {offsetof(vbss_collision_config, paper_unit), 1e-9, 1e3},
     };
     static const struct {
         size_t offset;

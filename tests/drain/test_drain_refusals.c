@@ -61,8 +61,6 @@ static const number numbers[] = {
     NUMBER(tear_stress, 1.0, 1e12, true),
     NUMBER(position_tolerance, 1e-15, 1.0, true),
     NUMBER(move_limit, 1e-9, 1.0, true),
-    NUMBER(paper_stiffness, 0.0, 1e9, true),
-    NUMBER(paper_damping, 0.0, 1.0, true),
     NUMBER(friction, 0.0, 10.0, true),
     NUMBER(puncture_force, 1e-3, 1e3, true),
     NUMBER(hole_force, 1e-6, 1e3, true),
@@ -151,8 +149,6 @@ static void bad_config_choices_are_rejected(void **state)
         {offsetof(vbss_drain_config, halving_limit), 11},
         {offsetof(vbss_drain_config, halving_limit), UINT32_MAX},
         {offsetof(vbss_drain_config, reserved), 1},
-        {offsetof(vbss_drain_config, paper_substeps), 100001},
-        {offsetof(vbss_drain_config, reserved2), 1},
     };
     drain_rig r;
     drain_rig_begin(&r);

@@ -73,7 +73,6 @@ static const number numbers[] = {
     NUMBER(turning_stiffness, 0.0, 1e9),   NUMBER(turning_damping, 0.0, 1e6),
     NUMBER(exchange_centre[0], -1e3, 1e3), NUMBER(exchange_centre[1], -1e3, 1e3),
     NUMBER(exchange_centre[2], -1e3, 1e3), NUMBER(exchange_distance, 0.0, 1e3),
-    NUMBER(paper_stiffness, 0.0, 1e6),     NUMBER(paper_distance, 0.0, 0.1),
     NUMBER(needle_stiffness, 1.0, 1e7),    NUMBER(needle_turning_stiffness, 1e-6, 1e4),
     NUMBER(needle_torque, 0.0, 1e2),       NUMBER(solenoid_opening, 0.0, 1.0),
 };

@@ -1,4 +1,5 @@
 /* Drains in scenes of method VBLAST: equal to a drain alone without contact, owned by the scene, unchanged by a step that fails. */
+#include "fixtures/baseline_of.h"
 #include "scene/paper_drains.h"
 
 static uint64_t drain_hash(vbss_drain *drain)
@@ -28,7 +29,7 @@ static void contact_free_drain_equals_standalone(void **state)
         stage_drain d, alone = {NULL, NULL, 0};
         vbss_drain_config c = paper_drain();
         c.gravity[1] = -9.81;
-        c.paper_damping = 0.1;
+        baseline_of(&c.baseline)->drain_damping = 0.1;
         begin(&s);
         make(&s);
         place_over(&s, 0.05);

@@ -1,6 +1,7 @@
 /* Grasping by method VBLAST: jaws that close near a node carry it exactly, and the first tool that has it leads. */
 #include <stdlib.h>
 
+#include "fixtures/baseline_of.h"
 #include "scene/tools_rig.h"
 
 static void begin(tools_rig *r, tools_ends ends)
@@ -10,7 +11,7 @@ static void begin(tools_rig *r, tools_ends ends)
     r->s.thread.bending_stiffness *= 0.1; /* a soft thread takes a third of the explicit steps */
     r->s.config.candidate_capacity = 16384;
     small_create(&r->s);
-    r->s.thread.paper_damping = 0.01;
+    baseline_of(&r->s.thread.baseline)->thread_damping = 0.01;
     tools_thread(r, ends, 0.0);
 }
 
@@ -89,7 +90,7 @@ static void first_tool_leads_and_second_takes_over(void **state)
     tools_rig r;
     uint32_t event[4] = {0}, taken[4] = {0};
     begin(&r, TOOLS_BOTH);
-    r.config.paper_distance = 0.1;
+    baseline_of(&r.config.baseline)->grasper_distance = 0.1;
     tools_add(&r, vec3_make(0.0, 0.0, -3e-3));
     tools_add(&r, vec3_make(0.0, 0.0, 20e-3));
     assert_true(close_jaws(&r, 0, event));
@@ -118,7 +119,7 @@ static void waiting_tool_holds_nothing(void **state)
     uint32_t event[4] = {0};
     vbss_scene_grasp grasp;
     begin(&r, TOOLS_BOTH);
-    r.config.paper_distance = 0.1;
+    baseline_of(&r.config.baseline)->grasper_distance = 0.1;
     tools_add(&r, vec3_make(0.0, 0.0, -3e-3));
     tools_add(&r, vec3_make(0.0, 0.0, 20e-3));
     assert_true(close_jaws(&r, 0, event));
@@ -159,8 +160,9 @@ static void hand_feels_section_stretch(void **state)
         }
         vec3 offset = vec3_sub(tools_node(&r, side == 0 ? from : to), tools_node(&r, node));
         double stretch = vbss_max(length - 5e-4 * (to - from), 0.0);
-        wanted = vec3_add_scaled(wanted, r.config.paper_stiffness * stretch,
-                                 vec3_unit_or(offset, vec3_zero()));
+        wanted =
+            vec3_add_scaled(wanted, baseline_of(&r.config.baseline)->grasper_stiffness * stretch,
+                            vec3_unit_or(offset, vec3_zero()));
     }
     assert_true(vec3_norm(wanted) > 1e-3);
     expect_near(0.0, vec3_distance(wanted, tools_hand_force(&r, 0)), 1e-9);

@@ -2,6 +2,7 @@
  * that lets go. And when a solenoid is wanted. */
 #include <vblast_ss/device.h>
 
+#include "fixtures/baseline_of.h"
 #include "scene/needles_rig.h"
 
 #define MIDDLE (0.5 * 3.14159265358979323846 * 10.5e-3)
@@ -13,7 +14,7 @@ static void begin(needles_rig *r)
     r->tools.s.config.capsule_capacity = 64;
     r->tools.config.jaw_speed = 1e3; /* closed in one step */
     r->tools.s.thread.method = VBSS_METHOD_VBLAST;
-    r->tools.s.thread.paper_damping = 0.01;
+    baseline_of(&r->tools.s.thread.baseline)->thread_damping = 0.01;
     small_create(&r->tools.s);
 }
 
@@ -241,8 +242,8 @@ static void swaged_thread_follows_needle(void **state)
         length += vec3_distance(tools_node(&r.tools, i), tools_node(&r.tools, i + 1));
     }
     vec3 chord = vec3_sub(tools_node(&r.tools, 15), tools_node(&r.tools, 0));
-    vec3 wanted =
-        vec3_scale(chord, r.tools.config.paper_stiffness * (length - 0.03) / vec3_norm(chord));
+    vec3 wanted = vec3_scale(chord, baseline_of(&r.tools.config.baseline)->grasper_stiffness *
+                                        (length - 0.03) / vec3_norm(chord));
     assert_true(length > 0.0301);
     expect_near(0.0, vec3_distance(wanted, tools_hand_force(&r.tools, 0)), 1e-9);
     needles_end(&r);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fixtures/baseline_of.h"
 #include "scene/drains_rig.h"
 #include "scene/pulled_surgeons.h"
 #include "scene/small.h"
@@ -626,7 +627,7 @@ static void paper_steps_are_never_suspended(void **state)
     small s;
     small_begin(&s);
     s.config.method = s.thread.method = VBSS_METHOD_VBLAST;
-    s.thread.paper_substeps = 20;
+    baseline_of(&s.thread.baseline)->thread_substeps = 20;
     small_create(&s);
     (void)small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
     small_steps(&s, 2, STEP);

@@ -513,6 +513,7 @@ struct scene_object {
     struct baseline_scene *baseline; /* state of lib/baseline; NULL by the implicit method */
     vbss_context *context;
     vbss_scene_config config; /* as the scene was created; `settings` has values that changed */
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     scene_settings settings;
     vec3 floor_normal; /* unit */
 
