@@ -60,6 +60,7 @@ vbss_result vbss_replay_open_log(replay_object *p)
     vbss_stream stream;
     VBSS_TRY(vbss_log_read_preamble(&p->log));
     VBSS_TRY(next_record(&p->log, &found, &stream));
+    p->header.baseline = vbss_baseline_config_default();
     vbss_log_visit_header(&stream, &p->header);
     VBSS_TRY(vbss_log_check_all_read(&p->log, &found, &stream));
     VBSS_TRY(next_record(&p->log, &found, &stream));

@@ -41,7 +41,7 @@ static vbss_result ask_both(vbss_context *context, const void *config)
 static void config_size_protocol(void **state)
 {
     (void)state;
-    static const uint32_t sizes[] = {72, 0};
+    static const uint32_t sizes[] = {64, 0};
     const harness_config protocol = {sizes, config_init, ask_both};
     harness_config_protocol(&protocol);
     const vbss_collision_config config = defaults(0.0);

@@ -22,7 +22,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void config_size_protocol(void **state)
 {
     (void)state;
-    static const uint32_t sizes[] = {72, 0};
+    static const uint32_t sizes[] = {64, 0};
     const harness_config config = {sizes, config_init, create_and_destroy};
     harness_config_protocol(&config);
     harness_memory memory;

@@ -440,7 +440,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_drain_destroy(drain);
 }
 
-static const uint32_t config_sizes[] = {240, 248, 296, 304, 0}, attachment_sizes[] = {72, 0};
+static const uint32_t config_sizes[] = {288, 0}, attachment_sizes[] = {72, 0};
 
 static const contract_object object = {
     .name = "drain",

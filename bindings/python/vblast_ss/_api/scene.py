@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
+from .baseline import vbss_baseline_config
 from .drain import vbss_drain
 from .grasper import vbss_grasper
 from .needle import vbss_needle
@@ -230,15 +231,9 @@ class vbss_scene_config(ctypes.Structure):
     left out, 1 to 1000; default 3. Without a step_budget each remaining part is tried once, and
     truncated if necessary; after eight truncated parts the rest is left out.
 
-    paper_pass_limit: VBLAST: number of passes of detection and response in a step, 1 to 1000;
-    default 4.
-
     grasp_capacity: Largest number of grasped places of threads at a time, 0 to 256; default 8.
     Places that jaws have released but not cleared count too, and so do the two ends at each cut
     of blades. Without capacity the jaws stay open.
-
-    paper_thickness: VBLAST: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2;
-    default 0.
 
     step_budget: REAL_TIME, method IMPLICIT: operations of a step after which the search for
     contact states stops; 0: no limit; default 250000. An operation costs about as much as a
@@ -274,6 +269,8 @@ class vbss_scene_config(ctypes.Structure):
     completed by the third, whatever it takes, and counted in `overdue`. So bodies that touch
     nothing never miss more than three calls.
 
+    overlap: Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN.
+
     speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
     way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
     is farther away at this speed, over several steps. A pose in the wrong unit, or a jump of a
@@ -281,7 +278,7 @@ class vbss_scene_config(ctypes.Structure):
     snapshots store the limit, and a scene with another one rejects them. One exception: scenes
     without a limit and with the default limit accept each other's snapshots.
 
-    overlap: Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN."""
+    baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them."""
     struct_size: int
     method: int
     mode: int
@@ -306,16 +303,14 @@ class vbss_scene_config(ctypes.Structure):
     active_set_limit: int
     halving_limit: int
     attempt_limit: int
-    paper_pass_limit: int
     grasp_capacity: int
-    paper_thickness: float
     step_budget: int
     drain_capacity: int
     hole_capacity: int
     call_budget: int
-    speed_limit: float
     overlap: int
-    reserved: int
+    speed_limit: float
+    baseline: Any
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode, "overlap": SceneOverlapPolicy}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -342,16 +337,14 @@ class vbss_scene_config(ctypes.Structure):
         ("active_set_limit", c_uint32),
         ("halving_limit", c_uint32),
         ("attempt_limit", c_uint32),
-        ("paper_pass_limit", c_uint32),
         ("grasp_capacity", c_uint32),
-        ("paper_thickness", c_double),
         ("step_budget", c_uint32),
         ("drain_capacity", c_uint32),
         ("hole_capacity", c_uint32),
         ("call_budget", c_uint32),
-        ("speed_limit", c_double),
         ("overlap", c_int32),
-        ("reserved", c_uint32),
+        ("speed_limit", c_double),
+        ("baseline", POINTER(vbss_baseline_config)),
     ]
 
 

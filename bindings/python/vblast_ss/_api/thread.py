@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
+from .baseline import vbss_baseline_config
 
 
 class ThreadBending(IntEnum):
@@ -145,19 +146,8 @@ class vbss_thread_config(ctypes.Structure):
     halving_limit: Method IMPLICIT: how often a step is halved before its state is accepted
     unconverged, 0 to 10; default 5. `forced` counts such states and should stay zero.
 
-    paper_stiffness: Method VBLAST: spring constant of a segment, N/m, 0 to 1e9; default 0:
-    derived from mass and step by docs/paper-thread.md.
-
-    paper_damping: Method VBLAST: share of the velocity relative to the section's rigid motion
-    that is removed at each explicit step, 0 to 1; default 0.
-
-    paper_substeps: Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many
-    as the stiffest bending mode and the tension need.
-
-    paper_iteration_limit: Method VBLAST: largest number of iterations of the projection, 1 to
-    1000; default 50.
-
-    paper_tolerance: Method VBLAST: largest |C| / l of a section, 1e-14 to 1; default 1e-6.
+    baseline: Method VBLAST: its parameters; NULL (default): their defaults. The library copies
+    them.
 
     mesh: Default VBSS_THREAD_MESH_FIXED, which ignores the following fields.
 
@@ -212,11 +202,7 @@ class vbss_thread_config(ctypes.Structure):
     position_tolerance: float
     iteration_limit: int
     halving_limit: int
-    paper_stiffness: float
-    paper_damping: float
-    paper_substeps: int
-    paper_iteration_limit: int
-    paper_tolerance: float
+    baseline: Any
     mesh: int
     node_capacity: int
     finest_length: float
@@ -253,11 +239,7 @@ class vbss_thread_config(ctypes.Structure):
         ("position_tolerance", c_double),
         ("iteration_limit", c_uint32),
         ("halving_limit", c_uint32),
-        ("paper_stiffness", c_double),
-        ("paper_damping", c_double),
-        ("paper_substeps", c_uint32),
-        ("paper_iteration_limit", c_uint32),
-        ("paper_tolerance", c_double),
+        ("baseline", POINTER(vbss_baseline_config)),
         ("mesh", c_int32),
         ("node_capacity", c_uint32),
         ("finest_length", c_double),
