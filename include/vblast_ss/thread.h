@@ -64,6 +64,36 @@ enum {
     VBSS_THREAD_PRESET_VBLAST = 1
 };
 
+/** Material of a suture: a VBSS_THREAD_MATERIAL_ constant. */
+typedef int32_t vbss_thread_material;
+
+/** The constants of #vbss_thread_material. docs/sutures.md has sources and uncertainties. */
+enum {
+    VBSS_THREAD_MATERIAL_SILK = 0,          /**< Braided silk. */
+    VBSS_THREAD_MATERIAL_POLYGLACTIN = 1,   /**< Braided polyglactin 910, absorbable. */
+    VBSS_THREAD_MATERIAL_POLYPROPYLENE = 2, /**< Polypropylene monofilament. */
+    VBSS_THREAD_MATERIAL_NYLON = 3          /**< Nylon monofilament. */
+};
+
+/** Size of a suture by USP <861>: a VBSS_THREAD_USP_ constant. */
+typedef int32_t vbss_thread_usp_size;
+
+/** The constants of #vbss_thread_usp_size, with the middle of the range of the diameter, mm. */
+enum {
+    VBSS_THREAD_USP_10_0 = -10, /**< 0.025 (0.020 to 0.029). */
+    VBSS_THREAD_USP_9_0 = -9,   /**< 0.035 (0.030 to 0.039). */
+    VBSS_THREAD_USP_8_0 = -8,   /**< 0.045 (0.040 to 0.049). */
+    VBSS_THREAD_USP_7_0 = -7,   /**< 0.06 (0.050 to 0.069). */
+    VBSS_THREAD_USP_6_0 = -6,   /**< 0.085 (0.070 to 0.099). */
+    VBSS_THREAD_USP_5_0 = -5,   /**< 0.125 (0.100 to 0.149). */
+    VBSS_THREAD_USP_4_0 = -4,   /**< 0.175 (0.150 to 0.199). */
+    VBSS_THREAD_USP_3_0 = -3,   /**< 0.225 (0.200 to 0.249). */
+    VBSS_THREAD_USP_2_0 = -2,   /**< 0.32 (0.300 to 0.339). */
+    VBSS_THREAD_USP_0 = 0,      /**< 0.375 (0.350 to 0.399). */
+    VBSS_THREAD_USP_1 = 1,      /**< 0.45 (0.400 to 0.499). */
+    VBSS_THREAD_USP_2 = 2       /**< 0.55 (0.500 to 0.599). */
+};
+
 /** Configuration of a thread. Fill it with #vbss_thread_config_init, then change fields. */
 typedef struct vbss_thread_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
@@ -314,6 +344,23 @@ static inline vbss_thread_config vbss_thread_config_default(void)
  */
 VBSS_API vbss_result vbss_thread_config_preset(vbss_thread_config *config,
                                                vbss_thread_preset preset);
+
+/**
+ * Sets radius, linear density, EA and EI of a configuration to those of a suture. They follow from the
+ * diameter of the size and from density, modulus of elasticity and modulus of bending of the material
+ * (docs/sutures.md): a braid bends far more easily than a solid rod, a monofilament like one.
+ *
+ * @param[in,out] config  an initialised configuration
+ * @param material        the material
+ * @param size            the size
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
+ *         such material or size)
+ * @threads any thread, any time
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_thread_config_suture(vbss_thread_config *config,
+                                               vbss_thread_material material,
+                                               vbss_thread_usp_size size);
 
 /**
  * Divides a length into segments that are fine about one place and grow away from it by a constant

@@ -54,11 +54,16 @@ vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
+vbss_result vbss_thread_check_config_size(const vbss_thread_config *config)
+{
+    vbss_thread_config own;
+    return vbss_config_read(NULL, &config_layout, config, &own);
+}
+
 vbss_result vbss_thread_config_preset(vbss_thread_config *config, vbss_thread_preset preset)
 {
     VBSS_ENTER(NULL);
-    vbss_thread_config own; /* only to check struct_size */
-    VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
+    VBSS_TRY(vbss_thread_check_config_size(config));
     switch (preset) {
     case VBSS_THREAD_PRESET_SILK_2_0:
         config->radius = 0.16e-3;

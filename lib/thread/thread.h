@@ -202,6 +202,9 @@ vbss_result vbss_thread_edit_unowned(vbss_thread *handle, thread_object **thread
 
 /* ---- thread.c */
 
+/* Refuses a configuration that is NULL or of a size that no version has. */
+vbss_result vbss_thread_check_config_size(const vbss_thread_config *config);
+
 /* Copies the configuration of a host into `own` and its parameters of the baseline into `baseline`,
  * to which own->baseline points. Sets defaults for fields that it lacks, and checks the copies. */
 vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_config *config,

@@ -40,6 +40,46 @@ class ThreadPreset(IntEnum):
     """The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2."""
 
 
+class ThreadMaterial(IntEnum):
+    """The constants of vbss_thread_material. docs/sutures.md has sources and uncertainties."""
+    SILK = 0
+    """Braided silk."""
+    POLYGLACTIN = 1
+    """Braided polyglactin 910, absorbable."""
+    POLYPROPYLENE = 2
+    """Polypropylene monofilament."""
+    NYLON = 3
+    """Nylon monofilament."""
+
+
+class ThreadUspSize(IntEnum):
+    """The constants of vbss_thread_usp_size, with the middle of the range of the diameter, mm."""
+    USP_10_0 = -10
+    """0.025 (0.020 to 0.029)."""
+    USP_9_0 = -9
+    """0.035 (0.030 to 0.039)."""
+    USP_8_0 = -8
+    """0.045 (0.040 to 0.049)."""
+    USP_7_0 = -7
+    """0.06 (0.050 to 0.069)."""
+    USP_6_0 = -6
+    """0.085 (0.070 to 0.099)."""
+    USP_5_0 = -5
+    """0.125 (0.100 to 0.149)."""
+    USP_4_0 = -4
+    """0.175 (0.150 to 0.199)."""
+    USP_3_0 = -3
+    """0.225 (0.200 to 0.249)."""
+    USP_2_0 = -2
+    """0.32 (0.300 to 0.339)."""
+    USP_0 = 0
+    """0.375 (0.350 to 0.399)."""
+    USP_1 = 1
+    """0.45 (0.400 to 0.499)."""
+    USP_2 = 2
+    """0.55 (0.500 to 0.599)."""
+
+
 class ThreadAttachmentKind(IntEnum):
     """The constants of vbss_thread_attachment_kind."""
     PIN = 0
@@ -532,6 +572,7 @@ class ThreadStatistics(NamedTuple):
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_thread_config_init": (c_int32, (POINTER(vbss_thread_config), c_uint32)),
     "vbss_thread_config_preset": (c_int32, (POINTER(vbss_thread_config), c_int32)),
+    "vbss_thread_config_suture": (c_int32, (POINTER(vbss_thread_config), c_int32, c_int32)),
     "vbss_thread_grade_lengths": (c_int32, (c_double, c_double, c_double, c_double, c_double,
         POINTER(c_double), c_uint32, POINTER(c_uint32))),
     "vbss_thread_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_thread_config),
