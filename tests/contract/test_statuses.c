@@ -1,4 +1,4 @@
-/* Each module tells apart why it refuses a call: a missing object, a wrong state, an object that does
+/* Each module distinguishes why it refuses a call: a missing object, a wrong state, an object that does
  * not fit, or one that is in use. Every status is here once for every module that has it. */
 #include <string.h>
 
@@ -37,7 +37,7 @@ static void refused(const world *w, vbss_result wanted, vbss_result result)
     assert_true(strlen(text) > 0);
 }
 
-static void collision_tells_refusals_apart(void **state)
+static void collision_distinguishes_refusals(void **state)
 {
     (void)state;
     world w;
@@ -48,7 +48,7 @@ static void collision_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void thread_tells_refusals_apart(void **state)
+static void thread_distinguishes_refusals(void **state)
 {
     (void)state;
     const double target[3] = {0.0, 0.0, 0.0};
@@ -71,7 +71,7 @@ static void thread_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void drain_tells_refusals_apart(void **state)
+static void drain_distinguishes_refusals(void **state)
 {
     (void)state;
     world w;
@@ -89,7 +89,7 @@ static void drain_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void scene_tells_refusals_apart(void **state)
+static void scene_distinguishes_refusals(void **state)
 {
     (void)state;
     const double origin[3] = {0.0, 0.0, 0.0};
@@ -113,7 +113,7 @@ static void scene_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void baseline_scene_tells_refusals_apart(void **state)
+static void baseline_scene_distinguishes_refusals(void **state)
 {
     (void)state;
     const double gravity[3] = {0.0, -1.0, 0.0};
@@ -137,7 +137,7 @@ static void baseline_scene_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void visual_tells_refusals_apart(void **state)
+static void visual_distinguishes_refusals(void **state)
 {
     (void)state;
     world w;
@@ -148,7 +148,7 @@ static void visual_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void metrics_tell_refusals_apart(void **state)
+static void metrics_distinguish_refusals(void **state)
 {
     (void)state;
     world w;
@@ -167,7 +167,7 @@ static void metrics_tell_refusals_apart(void **state)
     end(&w);
 }
 
-static void knot_detector_tells_refusals_apart(void **state)
+static void knot_detector_distinguishes_refusals(void **state)
 {
     (void)state;
     world w;
@@ -180,7 +180,7 @@ static void knot_detector_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void device_tells_refusals_apart(void **state)
+static void device_distinguishes_refusals(void **state)
 {
     (void)state;
     world w;
@@ -205,7 +205,7 @@ static void device_tells_refusals_apart(void **state)
     end(&w);
 }
 
-static void record_and_replay_tell_refusals_apart(void **state)
+static void record_and_replay_distinguish_refusals(void **state)
 {
     (void)state;
     const double origin[3] = {0.0, 0.0, 0.0};
@@ -237,7 +237,7 @@ static void record_and_replay_tell_refusals_apart(void **state)
     end(&w);
 }
 
-static void session_tells_refusals_apart(void **state)
+static void session_distinguishes_refusals(void **state)
 {
     (void)state;
     world w;
@@ -271,17 +271,17 @@ static void session_tells_refusals_apart(void **state)
 int test_statuses(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(collision_tells_refusals_apart),
-        harness_test(thread_tells_refusals_apart),
-        harness_test(drain_tells_refusals_apart),
-        harness_test(scene_tells_refusals_apart),
-        harness_test(baseline_scene_tells_refusals_apart),
-        harness_test(visual_tells_refusals_apart),
-        harness_test(metrics_tell_refusals_apart),
-        harness_test(knot_detector_tells_refusals_apart),
-        harness_test(device_tells_refusals_apart),
-        harness_test(record_and_replay_tell_refusals_apart),
-        harness_test(session_tells_refusals_apart),
+        harness_test(collision_distinguishes_refusals),
+        harness_test(thread_distinguishes_refusals),
+        harness_test(drain_distinguishes_refusals),
+        harness_test(scene_distinguishes_refusals),
+        harness_test(baseline_scene_distinguishes_refusals),
+        harness_test(visual_distinguishes_refusals),
+        harness_test(metrics_distinguish_refusals),
+        harness_test(knot_detector_distinguishes_refusals),
+        harness_test(device_distinguishes_refusals),
+        harness_test(record_and_replay_distinguish_refusals),
+        harness_test(session_distinguishes_refusals),
     };
-    return harness_run_group("contract.statuses", tests);
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }
