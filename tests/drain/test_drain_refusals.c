@@ -218,7 +218,8 @@ static void bad_attachments_are_rejected(void **state)
     for (int k = 0; k < 4; k++) {
         a = good;
         a.node = nodes[k];
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_attach(r.drain, &a, &id));
+        unchanged(&r, hash, k < 2 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_IN_USE,
+                  vbss_drain_attach(r.drain, &a, &id));
     }
     const int32_t kinds[] = {-1, 3, INT32_MIN, INT32_MAX};
     for (int k = 0; k < 4; k++) {
