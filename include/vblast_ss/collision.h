@@ -521,7 +521,7 @@ VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t
  *
  * @param collision  the object
  * @param shape identifier of the shape
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such shape) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -537,7 +537,7 @@ VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t s
  * @param shape identifier of the shape
  * @param category   bits; 1 when the shape was added
  * @param mask       bits; all when the shape was added
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such shape) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -553,8 +553,8 @@ VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32
  * @param start       3 doubles per node at time 0, m; NULL: the end of the last move
  * @param end         3 doubles per node at time 1, m
  * @param node_count  number of nodes in the arrays, equal to the shape's
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
- *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such shape), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -613,7 +613,8 @@ VBSS_API vbss_result vbss_collision_get_view(vbss_collision *collision, vbss_col
  * @param shape identifier of the shape
  * @param edge index of the edge, as in candidates
  * @param[out] nodes  receives two nodes
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such shape) or VBSS_ERROR_OUT_OF_RANGE (no such edge)
  * @threads one thread at a time per context
  * @since 0.1
  */

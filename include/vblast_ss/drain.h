@@ -300,8 +300,8 @@ VBSS_API vbss_result vbss_drain_step(vbss_drain *drain, double h);
  * @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
  * @param velocities  3 doubles per node, m/s, each at most 1e5 in magnitude; NULL keeps them
  * @param node_count  number of nodes in the arrays, equal to the drain's
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE (also: an anchored node
- *         would move) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_IN_USE (an anchored node would move) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -342,8 +342,8 @@ static inline vbss_drain_attachment vbss_drain_attachment_default(void)
  * @param attachment  the attachment
  * @param[out] id     identifier of the attachment, from 1 on, never reused in this drain
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is pinned or anchored already),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is pinned
+ *         or anchored already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -357,8 +357,8 @@ VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attac
  * @param drain   the drain
  * @param id      the attachment
  * @param target  PIN, SPRING: position, m; FORCE: the force, N, which changes at once
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such attachment, or a value out of range), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such attachment), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -370,7 +370,7 @@ VBSS_API vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_
  *
  * @param drain  the drain
  * @param id     the attachment
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such attachment) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -383,8 +383,8 @@ VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
  * @param drain       the drain
  * @param id          the attachment
  * @param[out] force  receives the force, N
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE (no such
- *         attachment)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_NOT_FOUND (no
+ *         such attachment)
  * @threads one thread at a time per context
  * @since 0.1
  */

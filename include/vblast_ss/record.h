@@ -264,7 +264,7 @@ VBSS_API vbss_result vbss_record_destroy(vbss_record *record);
  * @return VBSS_OK, VBSS_ERROR_CORRUPT (also: the steps differ from the recorded ones),
  *         VBSS_ERROR_DATA_VERSION (also: another version of the library began the log),
  *         VBSS_ERROR_CAPACITY (the scene keeps more events than the recorded one),
- *         VBSS_ERROR_OUT_OF_RANGE (the replay has not begun), or a result of #vbss_replay_step,
+ *         VBSS_ERROR_WRONG_STATE (the replay has not begun), or a result of #vbss_replay_step,
  *         #vbss_scene_restore or #vbss_record_create
  * @threads one thread at a time per context
  * @since 0.1
@@ -288,7 +288,7 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
 /**
  * Calls #vbss_scene_set_rigid_target of the recorded scene and logs it. An input belongs to the step that
  * follows. Like all logging functions below, it changes nothing when it fails, and has two further
- * errors. VBSS_ERROR_OUT_OF_RANGE: #vbss_record_end was called, or the host has changed the scene
+ * errors. VBSS_ERROR_WRONG_STATE: #vbss_record_end was called, or the host has changed the scene
  * or a thread, drain or grasper in it without the record (a new record is needed then).
  * VBSS_ERROR_CAPACITY: input_capacity is exhausted.
  *
@@ -298,7 +298,9 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
  *         magnitude
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
  *         orientation
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed), VBSS_ERROR_NULL_ARGUMENT,
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed),
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such body), VBSS_ERROR_INCOMPATIBLE
+ *         (no rigid body, a free one or a grasper), VBSS_ERROR_WRONG_STATE (see above),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -472,7 +474,7 @@ VBSS_API vbss_result vbss_record_step(vbss_record *record, double h);
  * #vbss_record_destroy succeed.
  *
  * @param record  the record
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (it has ended before) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_WRONG_STATE (it has ended before) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -570,7 +572,7 @@ VBSS_API vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene);
  *         steps were replayed, the end is missing), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
  *         with texts that name the byte; any error of an input or of #vbss_scene_step;
  *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_OUT_OF_RANGE (it has not begun) or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_WRONG_STATE (it has not begun) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -587,7 +589,8 @@ VBSS_API vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *r
  * @param step         number of the step; 0: the initial state
  * @param[out] report  receives the report, as in #vbss_replay_step
  * @param struct_size  `sizeof *report` as the caller was compiled
- * @return as #vbss_replay_step and #vbss_scene_restore; VBSS_ERROR_OUT_OF_RANGE also: the log ends before the step
+ * @return as #vbss_replay_step and #vbss_scene_restore; VBSS_ERROR_NOT_FOUND if the log ends before
+ *         the step
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -603,7 +606,7 @@ VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
  * @param number       number of the step, from 1 on
  * @param[out] step    receives the step; its arrays are valid until the next call for this replay
  * @param struct_size  `sizeof *step` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the log ends before it), VBSS_ERROR_TRUNCATED (the log
+ * @return VBSS_OK, VBSS_ERROR_NOT_FOUND (the log ends before it), VBSS_ERROR_TRUNCATED (the log
  *         is truncated before it), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
  *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY

@@ -534,8 +534,9 @@ VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
  * @param thread     the thread, of the scene's method, with a radius above 0
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the thread is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE,
- *         VBSS_ERROR_CAPACITY (pieces included), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (an overlap, if the scene refuses it),
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY
+ *         (pieces included), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -551,8 +552,9 @@ VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *threa
  * @param drain      the drain, of the scene's method
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the drain is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE,
- *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (an overlap, if the scene refuses it),
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -611,8 +613,9 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_ri
  * @param needle     a needle of the same context and method
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the needle is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_IN_SCENE, VBSS_ERROR_OUT_OF_RANGE (another method),
- *         VBSS_ERROR_CAPACITY (bodies or capsules), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_IN_SCENE, VBSS_ERROR_OUT_OF_RANGE (an overlap, if
+ *         the scene refuses it), VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY
+ *         (bodies or capsules), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -626,9 +629,10 @@ VBSS_API vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needl
  * @param grasper    the grasper, of the scene's method
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the grasper is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (another method, or the trocar is
- *         nearer to the tip than the lateral reach of the bent jaws), VBSS_ERROR_IN_SCENE,
- *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (an overlap, if the scene refuses it,
+ *         or the trocar is nearer to the tip than the lateral reach of the bent jaws),
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -644,7 +648,7 @@ VBSS_API vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *gra
  * @param[out] grasp   receives the grasp
  * @param struct_size  `sizeof *grasp` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such place)
+ *         VBSS_ERROR_NOT_FOUND (no such place)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -659,7 +663,7 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
  * @param[out] hole    receives the hole
  * @param struct_size  `sizeof *hole` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such hole)
+ *         VBSS_ERROR_NOT_FOUND (no such hole)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -676,7 +680,7 @@ VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss
  * @param[out] blocker  receives the pair
  * @param struct_size   `sizeof *blocker` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such pair)
+ *         VBSS_ERROR_NOT_FOUND (no such pair)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -696,10 +700,11 @@ VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
  * @param weights     three weights of its nodes at the hole, 0 to 1, with the sum 1
  * @param[out] id     receives the identifier of the hole; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a
- *         value; no such body; the suture is too far from there to touch the wall; a hole of the
- *         same suture is nearer than its diameter), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
- *         (hole_capacity), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
- *         VBSS_ERROR_BUSY
+ *         value, or the suture is too far from there to touch the wall), VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (a body of another kind, a thread of two nodes, or
+ *         another method), VBSS_ERROR_IN_USE (a hole of the same suture is nearer than its
+ *         diameter), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (hole_capacity),
+ *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -713,7 +718,7 @@ VBSS_API vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, doub
  *
  * @param scene  the scene
  * @param body   its number, not 0
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -732,8 +737,9 @@ VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
  *         magnitude
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
  *         orientation
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such body, or a value), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (no rigid body, a free one or a grasper),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -758,10 +764,11 @@ VBSS_API vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t bod
  * @param point     point in the frame of the body, m, each coordinate at most 1e3 in magnitude;
  *         NULL: the current position of the node
  * @param[out] pin  identifier of the pin, from 1 on, never reused
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE
- *         (also: the node is held already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (pins, or
- *         the thread's attachments), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
- *         VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such thread or body), VBSS_ERROR_INCOMPATIBLE (a body of another kind), VBSS_ERROR_IN_USE
+ *         (the node is held already), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_CAPACITY (pins, or the thread's attachments), VBSS_ERROR_OUT_OF_MEMORY (only
+ *         while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -773,7 +780,7 @@ VBSS_API vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, u
  *
  * @param scene  the scene
  * @param pin    identifier of the pin
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such pin) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such pin) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -794,10 +801,10 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
  * @param arc_length  unstretched arc length from the thread's node 0 to the cut, m, within its
  *         length and not at an end
  * @param[out] piece  number of the new body, for #vbss_scene_get_thread; also in an event
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such thread, or the cut is not within it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no
- *         cuts left, which is an event, too), VBSS_ERROR_OUT_OF_MEMORY (only while a step is
- *         suspended) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (no thread), VBSS_ERROR_OUT_OF_RANGE (the cut is not
+ *         within the thread), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left, which is an
+ *         event, too), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -812,7 +819,8 @@ VBSS_API vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, d
  * @param scene        the scene
  * @param body         number of the thread in the scene
  * @param[out] thread  its handle; NULL when there is no such thread
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE (no such thread)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body) or VBSS_ERROR_INCOMPATIBLE (no thread)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -842,8 +850,8 @@ VBSS_API vbss_result vbss_scene_step(vbss_scene *scene, double h);
  * @param body         its number
  * @param[out] state   receives the state
  * @param struct_size  `sizeof *state` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such rigid body)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_NOT_FOUND (no such body) or VBSS_ERROR_INCOMPATIBLE (no rigid body)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -890,8 +898,8 @@ VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_sta
  * @param body          number of the body
  * @param[out] overlap  receives the overlap
  * @param struct_size   `sizeof *overlap` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body), VBSS_ERROR_NULL_ARGUMENT or
- *         VBSS_ERROR_STRUCT_SIZE
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body),
+ *         VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
  * @since 0.1
  */

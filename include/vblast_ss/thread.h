@@ -392,8 +392,9 @@ VBSS_API vbss_result vbss_thread_grade_lengths(double length, double centre, dou
  * @param config       the configuration; NULL for the defaults
  * @param[out] thread  the new thread; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
- *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (an adaptive
+ *         mesh with method VBLAST), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -476,8 +477,8 @@ static inline vbss_thread_attachment vbss_thread_attachment_default(void)
  * @param attachment the attachment
  * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is held already),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is held
+ *         already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -492,8 +493,9 @@ VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
  * @param id         the attachment, not a MASS
  * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N, which changes at once
  * @param direction  CLAMP: as in #vbss_thread_attachment; NULL keeps it
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such attachment, a MASS, or a value out of range), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such attachment), VBSS_ERROR_INCOMPATIBLE (a MASS), VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -506,7 +508,7 @@ VBSS_API vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint
  *
  * @param thread  the thread
  * @param id      the attachment
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such attachment) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -525,7 +527,7 @@ VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
  * @param[out] reaction  receives the reaction
  * @param struct_size    `sizeof *reaction` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such attachment)
+ *         VBSS_ERROR_NOT_FOUND (no such attachment)
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -400,7 +400,7 @@ vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **colli
 vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
                                     bool caches_separation, collision_object **collision);
 void vbss_collision_free(vbss_context *context, void *object);
-/* The shape with this id, or VBSS_ERROR_OUT_OF_RANGE. */
+/* The shape with this id, or VBSS_ERROR_NOT_FOUND. */
 vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,
                                       collision_shape **shape);
 /* Contact distance D of two shapes, m. */

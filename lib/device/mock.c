@@ -284,7 +284,7 @@ vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault, double f
     VBSS_TRY(edit_mock(mock, &m));
     VBSS_TRY(vbss_mock_check_fault(m->context, &own));
     if (m->config.measure == NULL && vbss_mock_needs_function(fault)) {
-        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "fault %d needs a function of time",
+        return vbss_fail(m->context, VBSS_ERROR_INCOMPATIBLE, "fault %d needs a function of time",
                          fault);
     }
     if (m->fault_count == m->config.fault_capacity) {

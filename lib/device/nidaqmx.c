@@ -364,7 +364,7 @@ vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
     nidaqmx_object *o;
     VBSS_TRY(open_daq(nidaqmx, &o));
     if (which >= o->handle_count) {
-        return vbss_fail(o->context, VBSS_ERROR_OUT_OF_RANGE, "there is no handle %u", which);
+        return vbss_fail(o->context, VBSS_ERROR_NOT_FOUND, "there is no handle %u", which);
     }
     const vbss_device_adapter own = {
         .struct_size = sizeof own,
@@ -390,7 +390,10 @@ vbss_result vbss_nidaqmx_poll(vbss_nidaqmx *nidaqmx, double now)
     if (!isfinite(now)) {
         return VBSS_ERROR_NOT_FINITE;
     }
-    if (o->has_thread || fabs(now) > 1e9) {
+    if (o->has_thread) {
+        return VBSS_ERROR_WRONG_STATE;
+    }
+    if (fabs(now) > 1e9) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     vbss_nidaqmx_cycle(o, now);

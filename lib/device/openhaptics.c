@@ -315,12 +315,9 @@ static vbss_result open_arm_at(const void *handle, uint32_t which, openhaptics_o
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
     *o = slot->object;
-    if (which >= (*o)->arm_count) {
-        vbss_fail((*o)->context, VBSS_ERROR_OUT_OF_RANGE, "there is no arm %u", which);
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    *a = &(*o)->arms[which];
-    return VBSS_OK;
+    *a = which < (*o)->arm_count ? &(*o)->arms[which] : NULL;
+    return *a != NULL ? VBSS_OK
+                      : vbss_fail((*o)->context, VBSS_ERROR_NOT_FOUND, "there is no arm %u", which);
 }
 
 /* ---- adapters

@@ -28,23 +28,24 @@ static vbss_result check(const drain_object *d, const vbss_drain_attachment *a)
     VBSS_TRY(vbss_check_vector(context, a->force, 1e6, "force"));
     VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
     if (d->anchored[a->node]) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", a->node);
+        return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is anchored", a->node);
     }
     if (a->kind == VBSS_DRAIN_ATTACHMENT_PIN && vbss_drain_find_pin(d, a->node) != NULL) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is pinned already", a->node);
+        return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is pinned already", a->node);
     }
     return VBSS_OK;
 }
 
-static drain_attachment *find_attachment(drain_object *d, uint32_t id)
+static vbss_result find_attachment(drain_object *d, uint32_t id, drain_attachment **found)
 {
     for (uint32_t i = 0; id != 0 && i < d->config.attachment_capacity; i++) {
         if (d->attachments[i].id == id) {
-            return &d->attachments[i];
+            *found = &d->attachments[i];
+            return VBSS_OK;
         }
     }
-    vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "the drain has no attachment %u", id);
-    return NULL;
+    *found = NULL;
+    return vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "the drain has no attachment %u", id);
 }
 
 vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *attachment,
@@ -87,10 +88,8 @@ vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id, con
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, target, "target"));
-    drain_attachment *a = find_attachment(d, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    drain_attachment *a;
+    VBSS_TRY(find_attachment(d, id, &a));
     bool force = a->kind == VBSS_DRAIN_ATTACHMENT_FORCE;
     VBSS_TRY(vbss_check_vector(d->context, target, force ? 1e6 : 1e3, "target"));
     *(force ? &a->force : &a->target) = vec3_load(target);
@@ -103,10 +102,8 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
     VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
-    drain_attachment *a = find_attachment(d, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    drain_attachment *a;
+    VBSS_TRY(find_attachment(d, id, &a));
     *a = (drain_attachment){0};
     vbss_drain_invalidate(d);
     return VBSS_OK;
@@ -118,10 +115,8 @@ vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, force, "force"));
-    const drain_attachment *a = find_attachment(d, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    drain_attachment *a;
+    VBSS_TRY(find_attachment(d, id, &a));
     vec3_store(force, a->reaction);
     return VBSS_OK;
 }

@@ -86,7 +86,7 @@ static vbss_result check_state(const drain_object *d, const double *positions,
         VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(v, 3), 0.0, 1e5, "a velocity"));
         bool moves = vec3_distance(vec3_load(x), d->x[i]) > 0.0 || vbss_max_abs(v, 3) > 0.0;
         if (d->anchored[i] && moves) {
-            return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", i);
+            return vbss_fail(d->context, VBSS_ERROR_IN_USE, "node %u is anchored", i);
         }
     }
     return VBSS_OK;

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "record/record.h"
 
+#include <vblast_ss/scene_query.h>
 #include <vblast_ss/scene_settings.h>
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");
@@ -19,16 +20,6 @@ const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
     [VBSS_RECORD_INPUT_CUT] = {1, 1},
     [VBSS_RECORD_INPUT_SETTING] = {4, 9},
 };
-
-vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper)
-{
-    scene_info info;
-    VBSS_TRY(vbss_scene_inspect(scene, &info));
-    *grasper = vbss_scene_inspect_body(scene, body).grasper;
-    return *grasper != NULL ? VBSS_OK
-                            : vbss_fail(info.context, VBSS_ERROR_OUT_OF_RANGE,
-                                        "body %u is no grasper of this scene", body);
-}
 
 static vbss_result attach(vbss_thread *thread, const vbss_record_input *input, uint32_t *id)
 {
@@ -90,7 +81,7 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_rec
         VBSS_TRY(vbss_scene_get_thread(scene, w[0], &thread));
     }
     if (kind >= VBSS_RECORD_INPUT_GRASPER_TARGET && kind <= VBSS_RECORD_INPUT_EXCHANGE) {
-        VBSS_TRY(vbss_log_find_grasper(scene, w[0], &grasper));
+        VBSS_TRY(vbss_scene_get_grasper(scene, w[0], &grasper));
     }
     switch (kind) {
     case VBSS_RECORD_INPUT_RIGID_TARGET:

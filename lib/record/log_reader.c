@@ -287,7 +287,7 @@ vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_replay_l
         p->inspected_time += p->step.h;
     }
     if (end || number == 0) {
-        return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+        return vbss_fail(p->context, VBSS_ERROR_NOT_FOUND, "the log has no step %llu",
                          (unsigned long long)number);
     }
     own.position = p->inspection.position;

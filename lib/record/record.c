@@ -229,12 +229,12 @@ static bool knows_all_edits(const record_object *r)
 vbss_result vbss_record_check_ready(const record_object *r)
 {
     if (r->ended) {
-        return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended");
+        return vbss_fail(r->context, VBSS_ERROR_WRONG_STATE, "the record has ended");
     }
     scene_info info;
     VBSS_TRY(vbss_scene_inspect(r->scene, &info));
     return knows_all_edits(r) ? VBSS_OK
-                              : vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE,
+                              : vbss_fail(r->context, VBSS_ERROR_WRONG_STATE,
                                           "the scene was changed past the record after step %llu",
                                           (unsigned long long)r->step.number);
 }
@@ -339,7 +339,7 @@ vbss_result vbss_record_end(vbss_record *record)
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     if (r->ended) {
-        return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended before");
+        return vbss_fail(r->context, VBSS_ERROR_WRONG_STATE, "the record has ended before");
     }
     /* The end has the hash of the scene if it still is in the state after the last step. */
     const vbss_slot *scene = (const vbss_slot *)r->scene;

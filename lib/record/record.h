@@ -183,7 +183,6 @@ extern const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS];
  * NULL. Returns the result of the scene's function. */
 vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_record_input *input,
                                  uint32_t *id);
-vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper);
 
 /* ---- step_record.c */
 

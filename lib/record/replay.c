@@ -95,7 +95,7 @@ static vbss_result open_started(vbss_replay *replay, vbss_replay_report *report,
     *opened = p;
     return p->scene != NULL
                ? VBSS_OK
-               : vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
+               : vbss_fail(p->context, VBSS_ERROR_WRONG_STATE, "the replay has not begun");
 }
 
 vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size)
@@ -131,7 +131,7 @@ static vbss_result find_seek_point(replay_object *p, uint64_t step, place *found
         log_record record;
         VBSS_TRY(vbss_log_read_record(&log, number, &p->step, &next.snapshot, &record));
         if (record.code == LOG_END) {
-            return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+            return vbss_fail(p->context, VBSS_ERROR_NOT_FOUND, "the log has no step %llu",
                              (unsigned long long)step);
         }
         if (record.code == LOG_SNAPSHOT) {

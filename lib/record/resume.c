@@ -77,7 +77,7 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     VBSS_TRY(vbss_check_pointer(p->context, position, "position"));
     VBSS_TRY(vbss_record_read_config(p->context, config, &own));
     if (p->scene == NULL) {
-        return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
+        return vbss_fail(p->context, VBSS_ERROR_WRONG_STATE, "the replay has not begun");
     }
     VBSS_TRY(vbss_scene_inspect_for_edit(p->scene, &info));
     VBSS_TRY(check_compatible(p, &info));

@@ -45,14 +45,14 @@ static vbss_result check_attachment(const thread_object *t, const vbss_thread_at
     VBSS_TRY(vbss_check_range(context, a->damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
     if (t->welded[a->node] != 0 && vbss_thread_prescribes_motion(a->kind)) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by a body of its scene",
+        return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is held by a body of its scene",
                          a->node);
     }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *other = &t->attachments[i];
         if (other->id != 0 && other->node == a->node &&
             vbss_thread_prescribes_motion(other->kind) && vbss_thread_prescribes_motion(a->kind)) {
-            return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by attachment %u",
+            return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is held by attachment %u",
                              a->node, other->id);
         }
     }
@@ -116,12 +116,10 @@ vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
     VBSS_TRY(vbss_check_pointer(t->context, target, "target"));
-    thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
     if (a->kind == VBSS_THREAD_ATTACHMENT_MASS) {
-        return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "attachment %u is a mass", id);
+        return vbss_fail(t->context, VBSS_ERROR_INCOMPATIBLE, "attachment %u is a mass", id);
     }
     bool force = a->kind == VBSS_THREAD_ATTACHMENT_FORCE;
     VBSS_TRY(vbss_check_vector(t->context, target, force ? 1e6 : 1e3, "target"));
@@ -139,10 +137,8 @@ vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
     VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
-    thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
     *a = (thread_attachment){0};
     vbss_thread_invalidate(t);
     return VBSS_OK;
@@ -154,10 +150,8 @@ vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
     VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
-    const thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
     vbss_thread_reaction own = {.struct_size = sizeof own, .node = a->node};
     vec3_store(own.force, a->reaction);
     vec3_store(own.torque, a->reaction_torque);

@@ -138,7 +138,7 @@ static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c
     };
     VBSS_TRY(check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]));
     if (c->mesh == VBSS_THREAD_MESH_ADAPTIVE && c->method != VBSS_METHOD_IMPLICIT) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
                          "VBSS_METHOD_VBLAST has no adaptive mesh");
     }
     return VBSS_OK;

@@ -268,8 +268,8 @@ bool vbss_thread_prescribes_motion(vbss_thread_attachment_kind kind);
 /* Whether a clamp prescribes the node. */
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);
 
-/* Finds an attachment by its id. NULL: there is no such attachment; sets the error text. */
-thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id);
+/* Finds an attachment by its id. VBSS_ERROR_NOT_FOUND if there is none. */
+vbss_result vbss_thread_find_attachment(thread_object *t, uint32_t id, thread_attachment **found);
 
 /* Position of an attachment at a fraction 0..1 of the step, m. */
 vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction);

@@ -195,7 +195,7 @@ vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
             return VBSS_OK;
         }
     }
-    return vbss_fail(v->context, VBSS_ERROR_OUT_OF_RANGE, "the visual has no source %u", source);
+    return vbss_fail(v->context, VBSS_ERROR_NOT_FOUND, "the visual has no source %u", source);
 }
 
 /* ---- views and statistics */

@@ -78,7 +78,7 @@ static void object_belongs_to_scene_until_removed(void **state)
         const uint64_t before = hash_of(m, handle);
         if (by_destroy == 0) {
             expect_ok(vbss_scene_remove(s.scene, number));
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(s.scene, number));
+            expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_remove(s.scene, number));
         } else {
             expect_ok(vbss_scene_destroy(s.scene));
         }
@@ -149,7 +149,7 @@ static void object_of_other_method_is_rejected(void **state)
         small_create(&s);
         expect_ok(
             m->create(s.context, 0, VBSS_METHOD_IMPLICIT + VBSS_METHOD_VBLAST - method, &other));
-        expect_rejected(m, &s, VBSS_ERROR_OUT_OF_RANGE, other);
+        expect_rejected(m, &s, VBSS_ERROR_INCOMPATIBLE, other);
         expect_ok(m->step(other));
         small_end(&s);
     }

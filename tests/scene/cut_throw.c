@@ -11,10 +11,9 @@ static void follow(contact_scene *c, const scene_object *s)
         contact_hand *hand = &c->hands[i];
         for (uint32_t k = 0; k < s->body_count; k++) {
             const scene_body *b = &s->bodies[k];
-            thread_attachment *a = b->kind == SCENE_BODY_THREAD && hand->id != 0
-                                       ? vbss_thread_find_attachment(b->thread.thread, hand->id)
-                                       : NULL;
-            if (a != NULL) {
+            thread_attachment *a;
+            if (b->kind == SCENE_BODY_THREAD && hand->id != 0 &&
+                vbss_thread_find_attachment(b->thread.thread, hand->id, &a) == VBSS_OK) {
                 hand->thread = (vbss_thread *)b->thread.slot;
                 hand->node = a->node;
             }

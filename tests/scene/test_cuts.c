@@ -83,12 +83,12 @@ static void cut_at_end_does_nothing(void **state)
         assert_int_equal(vbss_scene_apply_cut(small_object(&s), b, harness_bad_numbers[k], &made),
                          VBSS_ERROR_OUT_OF_RANGE);
     }
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(s.scene, 0, 5e-3, &piece));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(s.scene, body + 1, 5e-3, &piece));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_cut_thread(s.scene, 0, 5e-3, &piece));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_cut_thread(s.scene, body + 1, 5e-3, &piece));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_scene_cut_thread(s.scene, body, 5e-3, NULL));
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_scene_cut_thread(NULL, body, 5e-3, &piece));
     vbss_thread *thread = (vbss_thread *)&s;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_thread(s.scene, body + 1, &thread));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_get_thread(s.scene, body + 1, &thread));
     assert_null(thread);
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_scene_get_thread(s.scene, body, NULL));
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_scene_get_thread(NULL, body, &thread));
@@ -143,7 +143,7 @@ static void pins_and_attachments_move_with_nodes(void **state)
         assert_true(vec3_distance(held, small_node(piece, 19 - shift)) < 1e-12);
         const double there[3] = {0.016, -1e-3, 0.0};
         expect_ok(vbss_thread_set_attachment_target(piece, spring, there, NULL));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_NOT_FOUND,
                       vbss_thread_set_attachment_target(thread, spring, there, NULL));
         expect_ok(vbss_thread_detach(thread, mass));
         for (int i = 0; i < 3; i++) {

@@ -57,7 +57,7 @@ static void wall_holds_without_hole_capacity(void **state)
         assert_int_equal(count_of(scene, VBSS_SCENE_EVENT_PUNCTURE), 0);
     }
     assert_true(lost > 0);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_hole(scene, 0, &hole, sizeof hole));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_get_hole(scene, 0, &hole, sizeof hole));
     harness_context_end(context, &memory);
 }
 
@@ -76,7 +76,7 @@ static void removed_bodies_remove_holes(void **state)
         }
         expect_ok(vbss_scene_get_hole(scene, 0, &hole, sizeof hole));
         expect_ok(vbss_scene_remove(scene, which));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_hole(scene, 0, &hole, sizeof hole));
+        expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_get_hole(scene, 0, &hole, sizeof hole));
         for (int i = 0; i < 20; i++) {
             expect_ok(vbss_scene_step(scene, STEP_S));
         }

@@ -365,7 +365,7 @@ static uint32_t count_blockers(small *s)
     while (vbss_scene_get_blocker(s->scene, count, &found, sizeof found) == VBSS_OK) {
         count++;
     }
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_blocker(s->scene, count, &found, sizeof found));
     return count;
 }

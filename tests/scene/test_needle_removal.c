@@ -15,7 +15,7 @@ static void held_needle_can_be_removed(void **state)
     double angle = tools_state(&r.tools, 0).jaw_angle;
     assert_true(angle > 0.02);
     expect_ok(vbss_scene_remove(s->scene, r.body));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_grasp(s->scene, r.tools.bodies[0], 0, &grasp, sizeof grasp));
     for (int i = 0; i < 20; i++) {
         tools_steps(&r.tools, 1);

@@ -66,7 +66,7 @@ static void drain_belongs_to_scene_until_removed(void **state)
     expect_ok(vbss_drain_step(d.drain, 1e-3));
     c.method = VBSS_METHOD_IMPLICIT;
     expect_ok(vbss_drain_create(s.context, &c, &ours));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_drain(s.scene, ours, &body));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_scene_add_drain(s.scene, ours, &body));
     expect_ok(vbss_scene_add_drain(s.scene, d.drain, &body));
     wait_for(&s, 3);
     end(&s);

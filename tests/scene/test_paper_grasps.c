@@ -124,7 +124,7 @@ static void waiting_tool_holds_nothing(void **state)
     tools_add(&r, vec3_make(0.0, 0.0, 20e-3));
     assert_true(close_jaws(&r, 0, event));
     assert_false(close_jaws(&r, 1, event));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_grasp(r.s.scene, r.bodies[1], 0, &grasp, sizeof grasp));
     expect_ok(vbss_grasper_exchange(r.tools[1], VBSS_GRASPER_KIND_SHEARS));
     tools_steps(&r, 1);

@@ -116,7 +116,7 @@ static void second_tool_waits_and_takes_over(void **state)
         vbss_scene_grasp grasp;
         assert_int_equal(tools_state(&r.tools, waiting).needle, 0);
         assert_int_equal(tools_state(&r.tools, waiting).grasp_count, 0);
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_NOT_FOUND,
                       vbss_scene_get_grasp(r.tools.s.scene, r.tools.bodies[waiting], 0, &grasp,
                                            sizeof grasp));
         wander(&r, waiting, home, 40, waiting);

@@ -98,7 +98,7 @@ static void options_of_other_method_are_rejected(void **state)
     vbss_thread_config ours = paper_thread(4);
     ours.method = VBSS_METHOD_IMPLICIT;
     expect_ok(vbss_thread_create(s.context, &ours, &s.threads[0]));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(s.scene, s.threads[0], &body));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_scene_add_thread(s.scene, s.threads[0], &body));
     place_over(&s, 0.0);
     expect_result(VBSS_ERROR_IN_SCENE, vbss_thread_step(s.threads[0], 1e-3));
     for (int k = 0; k < 3; k++) {

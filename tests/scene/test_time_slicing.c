@@ -86,8 +86,9 @@ static void report(pulled *p, uint64_t step)
     for (uint32_t i = 0; i < p->scene.hand_count; i++) {
         const contact_hand *hand = &p->scene.hands[i];
         thread_object *t = ((vbss_slot *)hand->thread)->object;
-        const thread_attachment *a = vbss_thread_find_attachment(t, hand->id);
+        thread_attachment *a;
         double target[3];
+        expect_ok(vbss_thread_find_attachment(t, hand->id, &a));
         const double travel = step % 80 < 40 ? 2e-5 : -2e-5;
         vec3_store(target, vec3_add(a->target, vec3_make(i == 0 ? -travel : travel, 0.0, 0.0)));
         expect_ok(vbss_thread_set_attachment_target(hand->thread, hand->id, target, NULL));

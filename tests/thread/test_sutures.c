@@ -20,7 +20,7 @@ static void diameters_are_the_middle_of_the_range_of_the_standard(void **state)
     (void)state;
     static const struct {
         vbss_thread_usp_size size;
-        double least, largest;
+        double min, max;
     } rows[] = {
         {VBSS_THREAD_USP_10_0, 0.020, 0.029}, {VBSS_THREAD_USP_9_0, 0.030, 0.039},
         {VBSS_THREAD_USP_8_0, 0.040, 0.049},  {VBSS_THREAD_USP_7_0, 0.050, 0.069},
@@ -32,7 +32,7 @@ static void diameters_are_the_middle_of_the_range_of_the_standard(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         for (vbss_thread_material m = 0; m <= VBSS_THREAD_MATERIAL_NYLON; m++) {
             double diameter = 2e3 * suture(m, rows[i].size).radius;
-            expect_near(0.5 * (rows[i].least + rows[i].largest), diameter, 0.0006);
+            expect_near(0.5 * (rows[i].min + rows[i].max), diameter, 0.0006);
         }
     }
 }

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union, cast
 
 from ._api.base import Method
 from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneEventKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
@@ -19,7 +19,7 @@ from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
 from ._values import doubles, index, initialised, optional
 from .context import Context
 from .drain import Drain
-from .errors import OutOfRangeError
+from .errors import NotFoundError
 from .grasper import Grasper
 from .needle import Needle
 from .thread import Thread
@@ -279,9 +279,8 @@ class Scene(Configured, Viewed, Saved):
 
     def grasps(self, tool: int) -> list[SceneGrasp]:
         """All of them."""
-        grasper = self._bodies.get(tool)
-        if not isinstance(grasper, Grasper):
-            raise OutOfRangeError(f"body {tool} is no grasper")
+        self.grasper_handle(tool)  # fails unless the body is a grasper
+        grasper = cast(Grasper, self._bodies[tool])
         return [self.grasp(tool, number) for number in range(grasper.state.grasp_count)]
 
     def overlap(self, body: int) -> SceneOverlap:
@@ -314,7 +313,7 @@ class Scene(Configured, Viewed, Saved):
             try:
                 while True:
                     found.append(read(len(found)))
-            except OutOfRangeError:
+            except NotFoundError:
                 return found
             finally:
                 self._context._quiet = False

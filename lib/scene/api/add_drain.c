@@ -17,10 +17,11 @@ static vbss_result check_drain(scene_object *s, vbss_drain *drain, const uint32_
     const drain_object *d = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (d->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the drain's method is not the scene's");
     }
-    return vbss_scene_find_free_body(s, SCENE_BODY_DRAIN) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    scene_body *entry;
+    return vbss_scene_find_free_body(s, SCENE_BODY_DRAIN, &entry);
 }
 
 static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
@@ -80,10 +81,8 @@ static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
     uint32_t shape = 0;
     VBSS_TRY(check_drain(s, drain, body, &slot));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_DRAIN, &b));
     scene_drain own = {.slot = slot, .drain = slot->object};
     own.friction = own.drain->config.friction;
     vbss_result result = create_drain_data(s, &own, &shape);

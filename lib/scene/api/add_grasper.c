@@ -46,7 +46,7 @@ static vbss_result check_grasper(scene_object *s, vbss_grasper *grasper, const u
     const grasper_object *g = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (g->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the grasper's method is not the scene's");
     }
     if (GRASPER_CAPSULES > s->config.capsule_capacity - s->capsule_count) {
@@ -57,8 +57,7 @@ static vbss_result check_grasper(scene_object *s, vbss_grasper *grasper, const u
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the trocar is nearer to the tip than the jaws reach aside");
     }
-    found->body = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    return found->body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    return vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &found->body);
 }
 
 /* A proxy has the mass that its coupling needs, at the tip, where the hand is to feel what acts. */

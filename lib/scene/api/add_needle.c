@@ -17,14 +17,15 @@ static vbss_result check_needle(scene_object *s, vbss_needle *needle, const uint
     const needle_object *n = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (n->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the needle's method is not the scene's");
     }
     if (n->config.segment_count > s->config.capsule_capacity - s->capsule_count) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
                          s->config.capsule_capacity);
     }
-    return vbss_scene_find_free_body(s, SCENE_BODY_RIGID) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    scene_body *entry;
+    return vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &entry);
 }
 
 static void add_capsules(scene_object *s, scene_rigid *r)
@@ -50,10 +51,8 @@ static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *bo
     uint32_t shape = 0;
     VBSS_TRY(check_needle(s, needle, body, &slot));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.needle = slot->object}, "needle"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &b));
     needle_object *n = slot->object;
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), n->config.segment_count,
                                          n->config.wire_radius, &shape));

@@ -167,10 +167,8 @@ static vbss_result add_rigid(scene_object *s, const new_rigid *added, uint32_t *
                                    .at = pose_make(vec3_load(c->position), added->orientation),
                                    .is_prescribed = c->kind == VBSS_SCENE_RIGID_DRIVEN};
     VBSS_TRY(vbss_scene_check_overlap(s, &outline, "rigid body"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &b));
     VBSS_TRY(
         vbss_collision_add_capsules(scene_collision(s), c->capsule_count, added->radius, &shape));
     s->collision->shapes[shape]->is_rigid = true;
@@ -192,9 +190,8 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_rigid_confi
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
     VBSS_TRY(read_rigid(s, config, &added));
-    if (vbss_scene_find_free_body(s, SCENE_BODY_RIGID) == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    scene_body *entry;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &entry));
     warn_of_units(s->context, &added.config);
     VBSS_TRY(vbss_scene_begin_edit(s, &edit));
     return vbss_scene_end_edit(s, &edit, add_rigid(s, &added, body));

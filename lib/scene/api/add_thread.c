@@ -17,11 +17,12 @@ static vbss_result check_thread(scene_object *s, vbss_thread *thread, const uint
     const thread_object *t = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (t->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the thread's method is not the scene's");
     }
     VBSS_TRY(vbss_scene_check_thread_capacity(s, t));
-    return vbss_scene_find_free_body(s, SCENE_BODY_THREAD) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    scene_body *entry;
+    return vbss_scene_find_free_body(s, SCENE_BODY_THREAD, &entry);
 }
 
 /* The shape of an adaptive thread has room for all nodes that its mesh may get. */
@@ -43,10 +44,8 @@ static vbss_result add_thread(scene_object *s, vbss_thread *thread, uint32_t *bo
     uint32_t shape = 0;
     VBSS_TRY(check_thread(s, thread, body, &slot));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.thread = slot->object}, "thread"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_THREAD, &b));
     thread_object *t = slot->object;
     VBSS_TRY(add_shape(s, t, &shape));
     VBSS_TRY(vbss_scene_create_piece_shapes(s, t, shape));

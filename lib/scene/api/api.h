@@ -52,7 +52,7 @@ vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene);
 
 /* ---- loads_api.c */
 
-/* Sets the error and returns VBSS_ERROR_OUT_OF_RANGE if hosts cannot change the scene at run time:
+/* Sets the error and returns VBSS_ERROR_INCOMPATIBLE if hosts cannot change the scene at run time:
  * its method is the baseline's. */
 vbss_result vbss_scene_check_settable(const scene_object *s);
 

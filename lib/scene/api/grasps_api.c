@@ -44,6 +44,6 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
         vbss_scene_describe_wall_grasp(s, vbss_scene_body(s, tool), &own);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }
-    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u does not hold %u places", tool,
+    return vbss_fail(s->context, VBSS_ERROR_NOT_FOUND, "body %u does not hold %u places", tool,
                      index + 1);
 }

@@ -30,10 +30,8 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    scene_body *b = vbss_scene_body(s, body);
-    if (b == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u", body);
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
     VBSS_TRY(vbss_scene_abandon_suspended_step(s)); /* which removes no body */
     vbss_scene_remove_pins_of(s, body);
     vbss_scene_remove_thread_grasps_of(s, body);

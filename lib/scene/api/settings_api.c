@@ -44,10 +44,8 @@ static vbss_result check_method(const scene_object *s, const setting *wanted)
 static vbss_result check_body(const scene_object *s, const setting *wanted)
 {
     VBSS_TRY(vbss_scene_check_settable(s));
-    return wanted->body == 0 || vbss_scene_body(s, wanted->body) != NULL
-               ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u",
-                           wanted->body);
+    scene_body *b;
+    return wanted->body == 0 ? VBSS_OK : vbss_scene_require_any_body(s, wanted->body, &b);
 }
 
 /* ---- gravity */
@@ -101,7 +99,7 @@ static vbss_result check_friction(const scene_object *s, const setting *wanted)
     VBSS_TRY(check_body(s, wanted));
     const scene_body *b = vbss_scene_body(s, wanted->body);
     if (b != NULL && b->kind == SCENE_BODY_THREAD) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "body %u is a thread: vbss_scene_set_thread_friction sets the friction "
                          "of all threads",
                          wanted->body);
@@ -150,13 +148,11 @@ vbss_result vbss_scene_set_thread_friction(vbss_scene *scene, double friction)
 static vbss_result check_coupling(const scene_object *s, const setting *wanted)
 {
     VBSS_TRY(vbss_scene_check_settable(s));
-    const scene_body *b = vbss_scene_require_body(s, wanted->body, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, wanted->body, SCENE_BODY_RIGID, &b));
     return b->rigid.kind == VBSS_SCENE_RIGID_COUPLED
                ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u has no coupling",
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u has no coupling",
                            wanted->body);
 }
 

@@ -27,7 +27,7 @@ vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     if (!vbss_scene_has_pin(s, pin)) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no pin %u", pin);
+        return vbss_fail(s->context, VBSS_ERROR_NOT_FOUND, "the scene has no pin %u", pin);
     }
     VBSS_TRY(vbss_scene_abandon_suspended_step(s)); /* which removes no pin */
     (void)vbss_scene_unpin_node(s, pin);
@@ -36,10 +36,7 @@ vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
 
 static vbss_result check_cut(scene_object *s, uint32_t thread, double arc_length, scene_body **body)
 {
-    *body = vbss_scene_require_body(s, thread, SCENE_BODY_THREAD);
-    if (*body == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    VBSS_TRY(vbss_scene_require_body(s, thread, SCENE_BODY_THREAD, body));
     const thread_object *t = (*body)->thread.thread;
     return vbss_check_range(s->context, arc_length, 0.0,
                             vbss_thread_arc_length(t, t->node_count - 1), "arc_length");
@@ -86,10 +83,8 @@ vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread 
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, thread, "thread"));
-    const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_THREAD);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_THREAD, &b));
     *thread = (vbss_thread *)b->thread.slot;
     return VBSS_OK;
 }

@@ -77,9 +77,13 @@ static inline vbss_collision *scene_collision(scene_object *s)
 
 /* ---- body_lookup.c */
 
-/* Returns the body with a number if it is of this kind. Otherwise returns NULL and sets the error
- * VBSS_ERROR_OUT_OF_RANGE. */
-scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind);
+/* Finds the body with a number, of any kind. VBSS_ERROR_NOT_FOUND if there is none. */
+vbss_result vbss_scene_require_any_body(const scene_object *s, uint32_t number, scene_body **body);
+
+/* Finds the body with a number and a kind. VBSS_ERROR_NOT_FOUND if there is no body with the
+ * number, VBSS_ERROR_INCOMPATIBLE if it is of another kind. */
+vbss_result vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind,
+                                    scene_body **body);
 
 /* Returns the body with a number, of any kind, or NULL. Sets no error. */
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
@@ -90,10 +94,9 @@ void vbss_scene_set_body_number(scene_object *s, scene_body *b, uint32_t number)
 /* Whether the scene has a body of this kind. */
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind);
 
-/* Returns a free entry for a body of this kind. Returns NULL and sets the error VBSS_ERROR_CAPACITY
- * if the scene has as many as its configuration allows, pieces of threads that may yet be cut
- * included. */
-scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind);
+/* Finds a free entry for a body of this kind. VBSS_ERROR_CAPACITY if the scene has as many as its
+ * configuration allows, pieces of threads that may yet be cut included. */
+vbss_result vbss_scene_find_free_body(scene_object *s, scene_body_kind kind, scene_body **body);
 
 /* Makes the entry `b` a body of this kind with a new number, which is stored in `number` as well.
  * `shape` is its shape in the collision object. */
