@@ -155,17 +155,10 @@ bool vbss_scene_find_wall_in_jaws(const scene_object *s, const scene_body *tool,
 
 /* ---- grasping and releasing */
 
-static void emit_wall_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                  const scene_body *tool)
-{
-    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
-    vbss_scene_add_event(s, kind, p->drain, tool->number, p->triangle[p->point_count / 2]);
-}
-
 void vbss_scene_grasp_wall(scene_object *s, scene_body *tool, const scene_wall_grasp *found)
 {
     tool->rigid.wall_grasp = *found;
-    emit_wall_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
+    vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
 }
 
 vec3 vbss_scene_wall_grasp_point(const scene_wall_grasp *p, const drain_object *d, const vec3 *x,
@@ -230,7 +223,7 @@ void vbss_scene_release_wall_grasp(scene_object *s, scene_body *tool)
     }
     p->needs_reopening = false;
     if (!p->is_released) {
-        emit_wall_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
+        vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
         p->is_released = true;
         p->force = vec3_zero();
         if (is_wall_clear(s, tool)) {
@@ -308,12 +301,12 @@ static void update_wall_grasp(scene_object *s, scene_body *tool, double h)
         p->points_in_jaws[k] = vec3_add(p->points_in_jaws[k], vec3_sub(held.position, middle));
     }
     if (change.slip > 0.0 && !p->is_sliding) {
-        emit_wall_grasp_event(s, VBSS_SCENE_EVENT_SLIP, tool);
+        vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_SLIP, tool);
     }
     p->is_sliding = change.slip > 0.0;
     p->slid += change.slip;
     if (change.has_escaped) {
-        emit_wall_grasp_event(s, VBSS_SCENE_EVENT_TORN, tool);
+        vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_TORN, tool);
         p->is_released = p->needs_reopening = true;
         p->force = vec3_zero();
     }

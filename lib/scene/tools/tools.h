@@ -35,6 +35,17 @@ typedef struct scene_clamp_corner {
     vec3 jaw_point, needle_point;
 } scene_clamp_corner;
 
+/* ---- grasp_events.c */
+
+/* Adds an event of this kind with the body, the tool and the place of a grasp. A needle or a wall is that
+ * in the jaws of the tool. */
+void vbss_scene_emit_thread_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_thread_grasp *g);
+void vbss_scene_emit_needle_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_body *tool);
+void vbss_scene_emit_wall_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                      const scene_body *tool);
+
 /* ---- grasp_query.c */
 
 /* Returns an unused entry in the list of thread grasps, or NULL. */
@@ -81,10 +92,6 @@ void vbss_scene_update_thread_grasps(scene_object *s, double h);
 /* Removes the grasps of released threads that are clear of the jaws. */
 void vbss_scene_remove_clear_thread_grasps(scene_object *s);
 
-/* Adds an event of this kind with the thread, the tool and the arc length of the grasp in um. */
-void vbss_scene_emit_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                 const scene_thread_grasp *g);
-
 /* Removes all grasps of a thread, or of a tool, given by its number. */
 void vbss_scene_remove_thread_grasps_of(scene_object *s, uint32_t number);
 
@@ -92,6 +99,10 @@ void vbss_scene_remove_thread_grasps_of(scene_object *s, uint32_t number);
  * excluded from contact with the jaws. `contact_distance` is that of the thread and a jaw, m. */
 bool vbss_scene_is_segment_in_grasp(const scene_object *s, const scene_thread_grasp *g,
                                     uint32_t segment, double contact_distance);
+
+/* Describes a thread's grasp for hosts, in all fields but the size. */
+void vbss_scene_describe_thread_grasp(const scene_object *s, const scene_thread_grasp *g,
+                                      vbss_scene_grasp *grasp);
 
 /* Returns the arc length of the middle of a grasp, from the thread's first node at rest, m. */
 double vbss_scene_grasp_arc(const scene_object *s, const scene_thread_grasp *g);
