@@ -27,7 +27,7 @@ static uint32_t crowd_steps(crowd *c, uint32_t limit)
                 expect_result(VBSS_ERROR_CAPACITY, result);
                 assert_true(small_hash(&c->s) == hash);
                 assert_true(drains_rig_hash(c->hands.drain) == own);
-                assert_int_equal(small_view(&c->s, VBSS_SCENE_VIEW_EVENTS).count, 0);
+                assert_int_equal(step_events_of(c->s.scene).count, 0);
                 result = vbss_scene_step(c->s.scene, 1e-3);
             }
             return i;
