@@ -115,10 +115,14 @@ typedef struct vbss_record_input {
     double numbers[12];          /**< Numbers; #vbss_record_input_kind lists their meanings. */
 } vbss_record_input;
 
-/** Kinds of events in a log that differ from those of #vbss_scene_event_kind. A log stores an event as
- * four words: kind, two bodies, and the last word. For most kinds the last word is the `id` of
- * #vbss_scene_event. For GRASP, RELEASE, TORN and SLIP of a thread or a needle, and for CUT, it is the
- * arc length in um. Logs have no DEFERRED, CAUGHT_UP and OVERDUE. */
+/** Kind of an event in a log: a VBSS_RECORD_EVENT_ constant, or a #vbss_scene_event_kind other than
+ * TRUNCATED and PAUSED. A log stores an event as four words: kind, two bodies, and the last word. For
+ * most kinds the last word is the `id` of #vbss_scene_event. For GRASP, RELEASE, TORN and SLIP of a
+ * thread or a needle, and for CUT, it is the arc length in um. Logs have no DEFERRED, CAUGHT_UP and
+ * OVERDUE. */
+typedef int32_t vbss_record_event_kind;
+
+/** The constants of #vbss_record_event_kind that are no #vbss_scene_event_kind. */
 enum {
     /** TRUNCATED or PAUSED: 0, 0, and the share of the step that was left out, in 65536ths. */
     VBSS_RECORD_EVENT_TIME_LOST = 3,
@@ -136,8 +140,7 @@ typedef struct vbss_replay_logged_step {
     double h;             /**< Length of the step, s. */
     double time; /**< Sum of the lengths of the steps up to this one, s: the clock of the hands. */
     const vbss_record_input *inputs; /**< Inputs before the step, in their order. */
-    /** x 4: the events of the step. Kinds are those of #vbss_scene_event_kind, except the
-     * VBSS_RECORD_EVENT_ constants. */
+    /** x 4: the events of the step, as #vbss_record_event_kind describes them. */
     const uint32_t *events;
     uint32_t input_count;   /**< Number of inputs. */
     uint32_t event_count;   /**< Number of events; each has four words. */

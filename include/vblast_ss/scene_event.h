@@ -13,21 +13,8 @@
  * event. A suspended step adds its events with the call of #vbss_scene_step that completes it. So the
  * events that a suspended step has found before a snapshot are missing where that is restored.
  *
- * SPDX-License-Identifier: Apache-2.0
- */
-#ifndef VBLAST_SS_SCENE_EVENT_H
-#define VBLAST_SS_SCENE_EVENT_H
-
-#include <vblast_ss/base.h>
-#include <vblast_ss/scene.h>
-
-/** Kind of an event: a VBSS_SCENE_EVENT_ constant. */
-typedef int32_t vbss_scene_event_kind;
-
-/**
- * The constants of #vbss_scene_event_kind. The table lists the fields of #vbss_scene_event that a
- * kind uses. All other fields of that kind are zero. A cross means that the event has a position; a
- * cross in brackets, that it may have one.
+ * The fields that each kind uses. All other fields of a kind are zero. A cross means that the event has a
+ * position; a cross in brackets, that it may have one.
  *
  *     kind           body_a    body_b     id           arc_length  value                   position
  *     TOUCH          body      body, or   0            0           force of the strongest    (x)
@@ -61,7 +48,19 @@ typedef int32_t vbss_scene_event_kind;
  * An arc length is that along the thread from its node 0, or along the needle from its tip; it is 0
  * for a grasp of a drain. A triangle is one of a drain that jaws hold; it is 0 for a grasp of a
  * thread or a needle. A hole is the identifier of #vbss_scene_hole.
+ *
+ * SPDX-License-Identifier: Apache-2.0
  */
+#ifndef VBLAST_SS_SCENE_EVENT_H
+#define VBLAST_SS_SCENE_EVENT_H
+
+#include <vblast_ss/base.h>
+#include <vblast_ss/scene.h>
+
+/** Kind of an event: a VBSS_SCENE_EVENT_ constant. */
+typedef int32_t vbss_scene_event_kind;
+
+/** The constants of #vbss_scene_event_kind. */
 enum {
     /** Two bodies have come into contact, or a body with itself. */
     VBSS_SCENE_EVENT_TOUCH = 1,
