@@ -142,8 +142,8 @@ typedef struct vbss_replay_logged_step {
     const vbss_record_input *inputs; /**< Inputs before the step, in their order. */
     /** x 4: the events of the step, as #vbss_record_event_kind describes them. */
     const uint32_t *events;
-    uint32_t input_count;   /**< Number of inputs. */
-    uint32_t event_count;   /**< Number of events; each has four words. */
+    uint32_t input_count; /**< Number of inputs. */
+    uint32_t event_count; /**< Number of events; each has four words. */
     /** Part of `h` that the scene has left out, s, by its #VBSS_RECORD_EVENT_TIME_LOST events. Each is up to
      * h / 65536 too small. A step may report the time of an earlier paused step. */
     double time_lost;

@@ -133,10 +133,11 @@ typedef struct vbss_scene_event {
     /** vbss_scene_statistics::steps after the call of #vbss_scene_step that reported the event. An event
      * between two steps has the number of the step before. */
     uint64_t step;
-    double time;        /**< vbss_scene_statistics::time after that call, s. */
-    double value;       /**< Value, in the unit of the kind; 0: the kind has none. */
-    double arc_length;  /**< Arc length along a thread or needle, m; 0: the kind has none. */
-    double position[3]; /**< Position in the world, m; zero without VBSS_SCENE_EVENT_FLAG_POSITION. */
+    double time;       /**< vbss_scene_statistics::time after that call, s. */
+    double value;      /**< Value, in the unit of the kind; 0: the kind has none. */
+    double arc_length; /**< Arc length along a thread or needle, m; 0: the kind has none. */
+    /** Position in the world, m; zero without VBSS_SCENE_EVENT_FLAG_POSITION. */
+    double position[3];
 } vbss_scene_event;
 
 #ifdef __cplusplus

@@ -255,7 +255,8 @@ static void near_thread_is_damped(void **state)
 static uint64_t generation(const small *s)
 {
     uint64_t g = small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation;
-    for (vbss_scene_field k = VBSS_SCENE_VIEW_CONTACT_POINTS; k <= VBSS_SCENE_VIEW_CONTACT_GAPS; k++) {
+    for (vbss_scene_field k = VBSS_SCENE_VIEW_CONTACT_POINTS; k <= VBSS_SCENE_VIEW_CONTACT_GAPS;
+         k++) {
         assert_true(small_view(s, k).generation == g);
     }
     return g;

@@ -415,9 +415,8 @@ static void puncture_event_has_force_hole_and_position(void **state)
                  h++) {
                 if (hole.id == e->id) {
                     found++;
-                    expect_near(0.0,
-                                vec3_distance(vec3_load(hole.position), vec3_load(e->position)),
-                                1e-9);
+                    expect_near(
+                        0.0, vec3_distance(vec3_load(hole.position), vec3_load(e->position)), 1e-9);
                     expect_near(hole.arc_length, e->arc_length, 1e-9);
                 }
             }

@@ -17,7 +17,7 @@
 
 /* No node, triangle or edge of a drain. */
 #define SCENE_INSPECT_NONE UINT32_MAX
-/* Kinds of logged events: lost time; more events than there is room for. */
+/* Kinds of logged events: lost time; more events than there is room for. Chosen with the format of logs. */
 enum { SCENE_INSPECT_TIME_LOST = 3, SCENE_INSPECT_LOST = 4 };
 
 /* ---- handles */

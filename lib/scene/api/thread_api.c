@@ -76,8 +76,7 @@ vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc
     VBSS_TRY(vbss_check_pointer(s->context, piece, "piece"));
     VBSS_TRY(check_cut(s, thread, arc_length, &b));
     const uint32_t pending_before = s->events.pending_count;
-    vbss_result result =
-        report_cut(s, vbss_scene_check_cut(s, b, arc_length), thread, arc_length);
+    vbss_result result = report_cut(s, vbss_scene_check_cut(s, b, arc_length), thread, arc_length);
     if (result == VBSS_OK) {
         VBSS_TRY(vbss_scene_begin_edit(s, &edit));
         result = vbss_scene_end_edit(s, &edit, cut(s, thread, arc_length, piece));

@@ -163,8 +163,8 @@ static void drop_overdue_steps(scene_object *s, double h)
     while (cursor->steps_behind > 0 &&
            cursor->steps_behind + cursor->is_suspended > SCENE_MAX_STEPS_BEHIND) {
         cursor->steps_behind--;
-        vbss_scene_add_event(
-            s, &(vbss_scene_event){.kind = VBSS_SCENE_EVENT_PAUSED, .value = h}, 65536);
+        vbss_scene_add_event(s, &(vbss_scene_event){.kind = VBSS_SCENE_EVENT_PAUSED, .value = h},
+                             65536);
         c->paused++;
         c->time_paused += h;
         vbss_scene_record_blocker(s, VBSS_SCENE_BLOCKER_WORK, (scene_touching_pair){0, 0}, h);

@@ -1,4 +1,4 @@
-/* Events of grasps: of threads, needles and walls. */
+/* Events of grasps, of threads, needles and walls alike. */
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
@@ -16,43 +16,14 @@ static double value_of(vbss_scene_event_kind kind, const vbss_scene_grasp *grasp
     }
 }
 
-static vbss_scene_event event_of(vbss_scene_event_kind kind, const vbss_scene_grasp *grasp,
-                                 uint32_t tool)
+void vbss_scene_emit_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                 const scene_grasp_event *of)
 {
-    return (vbss_scene_event){.kind = kind,
-                              .body_a = grasp->body,
-                              .body_b = tool,
-                              .value = value_of(kind, grasp),
-                              .arc_length = grasp->arc_length};
-}
-
-void vbss_scene_emit_thread_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                        const scene_thread_grasp *g)
-{
-    vbss_scene_grasp grasp = {.struct_size = sizeof grasp};
-    vbss_scene_describe_thread_grasp(s, g, &grasp);
-    vbss_scene_event event = event_of(kind, &grasp, g->tool);
-    vbss_scene_add_event_at(s, &event, vec3_load(grasp.position),
-                            (uint32_t)vbss_max(1e6 * grasp.arc_length, 0.0));
-}
-
-void vbss_scene_emit_needle_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                        const scene_body *tool)
-{
-    vbss_scene_grasp grasp = {.struct_size = sizeof grasp};
-    vbss_scene_describe_needle_grasp(s, tool, &grasp);
-    vbss_scene_event event = event_of(kind, &grasp, tool->number);
-    vbss_scene_add_event_at(s, &event, vec3_load(grasp.position),
-                            (uint32_t)(1e6 * grasp.arc_length));
-}
-
-void vbss_scene_emit_wall_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                      const scene_body *tool)
-{
-    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
-    vbss_scene_grasp grasp = {.struct_size = sizeof grasp};
-    vbss_scene_describe_wall_grasp(s, tool, &grasp);
-    vbss_scene_event event = event_of(kind, &grasp, tool->number);
-    event.id = p->triangle[p->point_count / 2];
-    vbss_scene_add_event_at(s, &event, vec3_load(grasp.position), event.id);
+    vbss_scene_event event = {.kind = kind,
+                              .body_a = of->grasp.body,
+                              .body_b = of->tool,
+                              .id = of->triangle,
+                              .value = value_of(kind, &of->grasp),
+                              .arc_length = of->grasp.arc_length};
+    vbss_scene_add_event_at(s, &event, vec3_load(of->grasp.position), of->logged_number);
 }

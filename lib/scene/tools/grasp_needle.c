@@ -26,6 +26,15 @@ static pose held_frame(const scene_rigid *needle, const scene_needle_grasp *gras
                     arc_frame(needle->needle, grasp->arc));
 }
 
+void vbss_scene_emit_needle_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_body *tool)
+{
+    scene_grasp_event of = {.tool = tool->number};
+    vbss_scene_describe_needle_grasp(s, tool, &of.grasp);
+    of.logged_number = (uint32_t)(1e6 * of.grasp.arc_length);
+    vbss_scene_emit_grasp_event(s, kind, &of);
+}
+
 /* ---- grasping */
 
 /* Largest distance of a wire beyond the tip at which friction holds it, m. The contact normals lean

@@ -40,6 +40,15 @@ void vbss_scene_describe_thread_grasp(const scene_object *s, const scene_thread_
     vec3_store(grasp->force, g->force);
 }
 
+void vbss_scene_emit_thread_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_thread_grasp *g)
+{
+    scene_grasp_event of = {.tool = g->tool};
+    vbss_scene_describe_thread_grasp(s, g, &of.grasp);
+    of.logged_number = (uint32_t)vbss_max(1e6 * of.grasp.arc_length, 0.0);
+    vbss_scene_emit_grasp_event(s, kind, &of);
+}
+
 /* ---- grasping */
 
 /* Whether a segment belongs to a strand that must not be grasped, because it was just torn out,

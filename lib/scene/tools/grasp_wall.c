@@ -155,10 +155,20 @@ bool vbss_scene_find_wall_in_jaws(const scene_object *s, const scene_body *tool,
 
 /* ---- grasping and releasing */
 
+static void emit_wall_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                  const scene_body *tool)
+{
+    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
+    scene_grasp_event of = {.tool = tool->number, .triangle = p->triangle[p->point_count / 2]};
+    vbss_scene_describe_wall_grasp(s, tool, &of.grasp);
+    of.logged_number = of.triangle;
+    vbss_scene_emit_grasp_event(s, kind, &of);
+}
+
 void vbss_scene_grasp_wall(scene_object *s, scene_body *tool, const scene_wall_grasp *found)
 {
     tool->rigid.wall_grasp = *found;
-    vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
+    emit_wall_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
 }
 
 vec3 vbss_scene_wall_grasp_point(const scene_wall_grasp *p, const drain_object *d, const vec3 *x,
@@ -223,7 +233,7 @@ void vbss_scene_release_wall_grasp(scene_object *s, scene_body *tool)
     }
     p->needs_reopening = false;
     if (!p->is_released) {
-        vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
+        emit_wall_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
         p->is_released = true;
         p->force = vec3_zero();
         if (is_wall_clear(s, tool)) {
@@ -301,12 +311,12 @@ static void update_wall_grasp(scene_object *s, scene_body *tool, double h)
         p->points_in_jaws[k] = vec3_add(p->points_in_jaws[k], vec3_sub(held.position, middle));
     }
     if (change.slip > 0.0 && !p->is_sliding) {
-        vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_SLIP, tool);
+        emit_wall_grasp_event(s, VBSS_SCENE_EVENT_SLIP, tool);
     }
     p->is_sliding = change.slip > 0.0;
     p->slid += change.slip;
     if (change.has_escaped) {
-        vbss_scene_emit_wall_grasp_event(s, VBSS_SCENE_EVENT_TORN, tool);
+        emit_wall_grasp_event(s, VBSS_SCENE_EVENT_TORN, tool);
         p->is_released = p->needs_reopening = true;
         p->force = vec3_zero();
     }

@@ -231,8 +231,8 @@ void vbss_scene_limit_rigid_targets(scene_object *s, double h);
 /* ---- events.c */
 
 /* Kinds of events in logs that hosts get in another form: a step was truncated or paused, with the lost
- * share of the step in 65536ths; events exceeded the capacity, with their number. They are
- * VBSS_RECORD_EVENT_TIME_LOST and VBSS_RECORD_EVENT_LOST. */
+ * share of the step in 65536ths; events exceeded the capacity, with their number. Chosen with the format
+ * of logs: VBSS_RECORD_EVENT_TIME_LOST and VBSS_RECORD_EVENT_LOST. */
 enum { SCENE_LOGGED_TIME_LOST = 3, SCENE_LOGGED_LOST = 4 };
 
 /* Adds an event of the present step, or of an edit. `logged_number` is the last of its four words in
