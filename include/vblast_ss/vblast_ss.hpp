@@ -5,7 +5,7 @@
  * The functions of the C headers remain the interface and the only ABI: everything here is inline. An
  * #vbss::owner converts to the pointer that these functions take. #vbss::owner::call calls one of them
  * and throws #vbss::error in place of a status. No exception may leave a callback, because the library
- * is C: #vbss::callback catches it, and #vbss::callback::rethrow throws it again after the call.
+ * is C: #vbss::callback catches it, and its function rethrow throws it again after the call.
  *
  * The rules for threads are those of the C functions.
  *
@@ -40,11 +40,16 @@ namespace vbss
 class error : public std::runtime_error
 {
   public:
-    /** Status `result`, with a text. */
+    /** An error.
+     * @param result  the status
+     * @param text    the text of what()
+     */
     error(vbss_result result, const std::string &text) : std::runtime_error(text), result_(result)
     {
     }
-    /** The status. */
+    /** Returns the status.
+     * @return the status, not VBSS_OK
+     */
     vbss_result result() const noexcept
     {
         return result_;
@@ -54,7 +59,10 @@ class error : public std::runtime_error
     vbss_result result_;
 };
 
-/** Throws #vbss::error unless `result` is VBSS_OK. `context` has the text; nullptr: the text of the status. */
+/** Throws #vbss::error unless a status is VBSS_OK.
+ * @param result   the status
+ * @param context  context that has the error text; nullptr: the text of the status
+ */
 inline void check(vbss_result result, const vbss_context *context = nullptr)
 {
     if (result == VBSS_OK) {
@@ -79,36 +87,52 @@ template <class T> class span
   public:
     /** No values. */
     constexpr span() noexcept = default;
-    /** `size` values from `data` on. */
+    /** Values one after the other.
+     * @param data  the first value
+     * @param size  number of values
+     */
     constexpr span(T *data, std::size_t size) noexcept : data_(data), size_(size)
     {
     }
-    /** The first value. */
+    /** Returns the first value.
+     * @return pointer to the first value
+     */
     constexpr T *data() const noexcept
     {
         return data_;
     }
-    /** Number of values. */
+    /** Returns the number of values.
+     * @return the number
+     */
     constexpr std::size_t size() const noexcept
     {
         return size_;
     }
-    /** Whether there is no value. */
+    /** Returns whether there is no value.
+     * @return true: there is none
+     */
     constexpr bool empty() const noexcept
     {
         return size_ == 0;
     }
-    /** Value `index`, below size(). */
+    /** Returns a value.
+     * @param index  its index, below size()
+     * @return the value
+     */
     constexpr T &operator[](std::size_t index) const noexcept
     {
         return data_[index];
     }
-    /** Begin of the values. */
+    /** Returns the begin of the values.
+     * @return pointer to the first value
+     */
     constexpr T *begin() const noexcept
     {
         return data_;
     }
-    /** End of the values. */
+    /** Returns the end of the values.
+     * @return pointer behind the last value
+     */
     constexpr T *end() const noexcept
     {
         return data_ + size_;
@@ -125,7 +149,9 @@ template <class T> class span
 template <class T> class items
 {
   public:
-    /** The items of a view. Throws #vbss::error (VBSS_ERROR_OUT_OF_RANGE) if its values are no T. */
+    /** The items of a view. Throws #vbss::error (VBSS_ERROR_OUT_OF_RANGE) if its values are no T.
+     * @param view  the view
+     */
     explicit items(const vbss_view &view) : view_(view)
     {
         const bool is_type = view.type == VBSS_VIEW_TYPE_F64   ? std::is_same_v<T, double>
@@ -135,18 +161,25 @@ template <class T> class items
             throw error(VBSS_ERROR_OUT_OF_RANGE, "the values of the view have another type");
         }
     }
-    /** Number of items. */
+    /** Returns the number of items.
+     * @return the number
+     */
     std::size_t size() const noexcept
     {
         return static_cast<std::size_t>(view_.count);
     }
-    /** Item `index`, below size(). */
+    /** Returns an item.
+     * @param index  its index, below size()
+     * @return its values
+     */
     span<const T> operator[](std::size_t index) const noexcept
     {
         const char *first = static_cast<const char *>(view_.data) + index * view_.stride_bytes;
         return span<const T>(reinterpret_cast<const T *>(first), view_.components);
     }
-    /** All values, one item after the other. Throws #vbss::error if there is space between items. */
+    /** Returns all values, one item after the other. Throws #vbss::error if there is space between items.
+     * @return the values
+     */
     span<const T> values() const
     {
         if (view_.stride_bytes != view_.components * sizeof(T) && view_.count > 1) {
@@ -154,7 +187,9 @@ template <class T> class items
         }
         return span<const T>(static_cast<const T *>(view_.data), size() * view_.components);
     }
-    /** The view. */
+    /** Returns the view.
+     * @return the view
+     */
     const vbss_view &view() const noexcept
     {
         return view_;
@@ -168,7 +203,9 @@ template <class T> class items
 class context
 {
   public:
-    /** Creates a context; nullptr: the default configuration. Throws #vbss::error. */
+    /** Creates a context. Throws #vbss::error.
+     * @param config  configuration; nullptr: the defaults
+     */
     explicit context(const vbss_context_config *config = nullptr)
     {
         vbss_context *created = nullptr;
@@ -176,7 +213,9 @@ class context
         shared_ = std::shared_ptr<vbss_context>(
             created, [](vbss_context *c) { (void)vbss_context_destroy(c); });
     }
-    /** The pointer for C functions. */
+    /** Returns the pointer for C functions.
+     * @return the context
+     */
     vbss_context *get() const noexcept
     {
         return shared_.get();
@@ -199,16 +238,24 @@ template <class T, vbss_result (*destroy)(T *)> class owner
   public:
     /** Owns nothing. */
     owner() noexcept = default;
-    /** Owns an object of a context. */
+    /** Owns an object.
+     * @param context  its context
+     * @param object   the object
+     */
     owner(vbss::context context, T *object) noexcept : context_(std::move(context)), object_(object)
     {
     }
-    /** Takes the object of another owner. */
+    /** Takes the object of another owner.
+     * @param other  the other owner; it then owns nothing
+     */
     owner(owner &&other) noexcept
         : context_(other.context_), object_(std::exchange(other.object_, nullptr))
     {
     }
-    /** Destroys the object, and takes that of another owner. */
+    /** Destroys the object, and takes that of another owner.
+     * @param other  the other owner; it then owns nothing
+     * @return this owner
+     */
     owner &operator=(owner &&other) noexcept
     {
         if (this != &other) {
@@ -231,12 +278,16 @@ template <class T, vbss_result (*destroy)(T *)> class owner
             (void)destroy(std::exchange(object_, nullptr));
         }
     }
-    /** Gives the object up: the caller destroys it. */
+    /** Gives the object up: the caller destroys it.
+     * @return the object; nullptr: none
+     */
     T *release() noexcept
     {
         return std::exchange(object_, nullptr);
     }
-    /** The pointer for C functions; nullptr: no object. */
+    /** Returns the pointer for C functions.
+     * @return the object; nullptr: none
+     */
     T *get() const noexcept
     {
         return object_;
@@ -246,24 +297,35 @@ template <class T, vbss_result (*destroy)(T *)> class owner
     {
         return object_;
     }
-    /** Its context. Only an owner with an object has one. */
+    /** Returns the context. Only an owner that has had an object has one.
+     * @return the context
+     */
     const vbss::context &context() const noexcept
     {
         return *context_;
     }
-    /** Throws #vbss::error unless `result` is VBSS_OK, with the last error text of the context. */
+    /** Throws #vbss::error unless a status is VBSS_OK, with the last error text of the context.
+     * @param result  the status
+     */
     void check(vbss_result result) const
     {
         vbss::check(result, context_.has_value() ? context_->get() : nullptr);
     }
-    /** Calls a C function with the object and further arguments. Throws #vbss::error. */
+    /** Calls a C function with the object and further arguments. Throws #vbss::error.
+     * @param function   the C function
+     * @param arguments  its arguments after the object
+     */
     template <class... P, class... A>
     void call(vbss_result (*function)(T *, P...), A &&...arguments) const
     {
         check(function(object_, std::forward<A>(arguments)...));
     }
     /** Calls a C function that fills a struct S with its size behind it, such as
-     * `scene.read<vbss_scene_statistics>(vbss_scene_get_statistics)`. Throws #vbss::error. */
+     * `scene.read<vbss_scene_statistics>(vbss_scene_get_statistics)`. Throws #vbss::error.
+     * @param function   the C function
+     * @param arguments  its arguments between the object and the struct
+     * @return the struct
+     */
     template <class S, class... P, class... A>
     S read(vbss_result (*function)(T *, P...), A &&...arguments) const
     {
@@ -273,8 +335,12 @@ template <class T, vbss_result (*destroy)(T *)> class owner
                        static_cast<std::uint32_t>(sizeof filled)));
         return filled;
     }
-    /** Items of an array of the object, such as `thread.view<double>(vbss_thread_get_view,
-     * VBSS_THREAD_VIEW_POSITIONS)`. Throws #vbss::error. */
+    /** Returns the items of an array of the object, such as `thread.view<double>(vbss_thread_get_view,
+     * VBSS_THREAD_VIEW_POSITIONS)`. Throws #vbss::error.
+     * @param function  the C function that returns views
+     * @param field     the array
+     * @return its items
+     */
     template <class V, class F> items<V> view(F function, std::int32_t field) const
     {
         return items<V>(read<vbss_view>(function, field));
@@ -285,7 +351,12 @@ template <class T, vbss_result (*destroy)(T *)> class owner
     T *object_ = nullptr;
 };
 
-/** Creates an object with the function that creates it and all its arguments before the result. */
+/** Creates an object. Throws #vbss::error.
+ * @param in         context of the object
+ * @param create     C function that creates it
+ * @param arguments  all its arguments before the result
+ * @return the owner
+ */
 template <class Owner, class... P, class... A>
 Owner make(const context &in, vbss_result (*create)(P...), A &&...arguments)
 {
@@ -315,20 +386,32 @@ using session = owner<vbss_session, vbss_session_destroy>; /**< Owner of a sessi
 using thread = owner<vbss_thread, vbss_thread_destroy>;    /**< Owner of a thread. */
 using visual = owner<vbss_visual, vbss_visual_destroy>;    /**< Owner of a visual. */
 
-/** Creates a scene; nullptr: the default configuration. Throws #vbss::error. */
+/** Creates a scene. Throws #vbss::error.
+ * @param in      context of the scene
+ * @param config  configuration; nullptr: the defaults
+ * @return the owner
+ */
 inline scene make_scene(const context &in, const vbss_scene_config *config = nullptr)
 {
     return make<scene>(in, vbss_scene_create, in.get(), config);
 }
 
-/** Creates a thread; nullptr: the default configuration. Throws #vbss::error. */
+/** Creates a thread. Throws #vbss::error.
+ * @param in      context of the thread
+ * @param config  configuration; nullptr: the defaults
+ * @return the owner
+ */
 inline thread make_thread(const context &in, const vbss_thread_config *config = nullptr)
 {
     return make<thread>(in, vbss_thread_create, in.get(), config);
 }
 
-/** Takes all events out of a scene's list, oldest first. `lost`, if not nullptr, receives the number of events
- * that were lost since the last call, because the list was full. Throws #vbss::error. */
+/** Takes all events out of the list of a scene, oldest first. Throws #vbss::error.
+ * @param from       the scene
+ * @param[out] lost  receives the number of events that were lost since the last call, because the list was
+ *         full; nullptr: not wanted
+ * @return the events
+ */
 inline std::vector<vbss_scene_event> take_events(const scene &from, std::uint64_t *lost = nullptr)
 {
     std::uint32_t waiting = 0, taken = 0;
@@ -341,21 +424,29 @@ inline std::vector<vbss_scene_event> take_events(const scene &from, std::uint64_
     return events;
 }
 
+template <class S> class callback;
+
 /** A function of the host that the library calls, such as `vbss::callback<void(vbss_log_level, const char *)>`
  * for #vbss_log_fn. Set the C callback to `call` and its user pointer to the address of this object, which
  * must outlive the object that calls it. `call` returns a fixed value when the function throws. */
-template <class S> class callback;
 template <class R, class... A> class callback<R(A...)>
 {
   public:
-    /** Calls `function`; `failed` is the value that `call` returns when it throws. */
+    /** Wraps a function.
+     * @param function  the function of the host
+     * @param failed    value that call returns when it throws
+     */
     template <class F, class V = int>
     explicit callback(F function, V failed = V()) : function_(std::move(function)), failed_(failed)
     {
     }
     callback(const callback &) = delete;
     callback &operator=(const callback &) = delete;
-    /** The function for C. It never throws. */
+    /** The function for C. It never throws.
+     * @param user       address of the callback object
+     * @param arguments  arguments of the library
+     * @return the result of the function, or the value for a failure
+     */
     static R call(void *user, A... arguments) noexcept
     {
         callback *self = static_cast<callback *>(user);

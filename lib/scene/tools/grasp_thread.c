@@ -36,7 +36,8 @@ void vbss_scene_describe_thread_grasp(const scene_object *s, const scene_thread_
     grasp->arc_length = vbss_scene_grasp_arc(s, g);
     grasp->limit = g->limit;
     grasp->slid = g->slid;
-    vec3_store(grasp->position, s->method->grasp_position(t, g));
+    const vec3 position = s->method->grasp_position(t, g);
+    vec3_store(grasp->position, position);
     vec3_store(grasp->force, g->force);
 }
 
