@@ -160,6 +160,13 @@ static void failed_step_adds_no_event(void **state)
     small_create(&s);
     s.rigid.gravity[1] = -9.81;
     small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 1e-3 + 1e-6, 0.0), vec3_zero(), 1e-3);
+    const double away[3] = {0.0, 0.3, 0.0};
+    vbss_grasper *tool;
+    uint32_t body;
+    expect_ok(vbss_grasper_create(s.context, NULL, &tool));
+    expect_ok(vbss_grasper_set_target(tool, away, NULL));
+    expect_ok(vbss_scene_add_grasper(s.scene, tool, &body));
+    expect_ok(vbss_grasper_exchange(tool, VBSS_GRASPER_KIND_SHEARS)); /* as the step begins */
     const uint32_t capacity = small_object(&s)->contacts->capacity;
     small_object(&s)->contacts->capacity = 0;
     for (int i = 0; i < 3; i++) {
@@ -169,7 +176,7 @@ static void failed_step_adds_no_event(void **state)
     }
     small_object(&s)->contacts->capacity = capacity;
     small_steps(&s, 1, STEP);
-    assert_int_equal(waiting(s.scene), 1);
+    assert_int_equal(waiting(s.scene), 2); /* the exchange, and a contact */
     small_end(&s);
 }
 
