@@ -354,6 +354,39 @@ static void suspended_step_reports_when_complete(void **state)
     expect_ok(vbss_context_destroy(context));
 }
 
+/* A tool is exchanged as a step begins. The event is there when that step is complete, and not before. */
+static void event_of_suspended_step_waits(void **state)
+{
+    (void)state;
+    static taken t;
+    t = (taken){.count = 0};
+    contact_scene scene;
+    vbss_context *context;
+    vbss_grasper *tool;
+    const double away[3] = {0.0, 0.3, 0.0};
+    uint32_t body, waits = 0;
+    pull(&scene, &context, 30000);
+    scene_object *s = ((vbss_slot *)scene.scene)->object;
+    expect_ok(vbss_grasper_create(context, NULL, &tool));
+    expect_ok(vbss_grasper_set_target(tool, away, NULL));
+    expect_ok(vbss_scene_add_grasper(scene.scene, tool, &body));
+    for (uint32_t i = 0; i < 100; i++) {
+        const bool is_driver = i % 2 == 0;
+        expect_ok(vbss_grasper_exchange(tool, is_driver ? VBSS_GRASPER_KIND_SHEARS
+                                                        : VBSS_GRASPER_KIND_NEEDLE_DRIVER));
+        expect_ok(contact_scene_step(&scene, STEP));
+        take_all(scene.scene, &t, 32);
+        const uint64_t complete =
+            ((thread_object *)((vbss_slot *)scene.threads[0])->object)->statistics.steps;
+        assert_true(count_kind(&t, VBSS_SCENE_EVENT_EXCHANGED) <= complete);
+        waits += s->cursor.is_suspended && s->events.pending_count > 0 &&
+                 count_kind(&t, VBSS_SCENE_EVENT_EXCHANGED) == complete;
+    }
+    assert_true(waits > 5);
+    expect_ok(contact_scene_destroy(&scene));
+    expect_ok(vbss_context_destroy(context));
+}
+
 /* An edit ends a suspended step: what it left out is an event, once. */
 static void abandoned_step_is_one_pause(void **state)
 {
@@ -479,6 +512,7 @@ int test_take_events(void)
         cmocka_unit_test(events_are_struct_size_apart),
         cmocka_unit_test(deferred_truncated_and_paused_match_statistics),
         cmocka_unit_test(suspended_step_reports_when_complete),
+        cmocka_unit_test(event_of_suspended_step_waits),
         cmocka_unit_test(abandoned_step_is_one_pause),
         cmocka_unit_test(puncture_event_has_force_hole_and_position),
         cmocka_unit_test(grasp_event_is_where_jaws_hold),
