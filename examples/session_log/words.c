@@ -28,8 +28,8 @@ const char *event_name(uint32_t kind)
     static const char *const names[] = {
         [VBSS_SCENE_EVENT_TOUCH] = "touch",
         [VBSS_SCENE_EVENT_PART] = "part",
-        [VBSS_SCENE_EVENT_CLAMPED] = "clamped",
-        [VBSS_SCENE_EVENT_LOST] = "lost",
+        [VBSS_RECORD_EVENT_TIME_LOST] = "time_lost",
+        [VBSS_RECORD_EVENT_LOST] = "lost",
         [VBSS_SCENE_EVENT_GRASP] = "grasp",
         [VBSS_SCENE_EVENT_RELEASE] = "release",
         [VBSS_SCENE_EVENT_TORN] = "torn",

@@ -22,6 +22,7 @@
 #include <vblast_ss/base.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/scene.h>
+#include <vblast_ss/scene_event.h>
 #include <vblast_ss/thread.h>
 
 /** Writes the log of one scene. */
@@ -114,6 +115,21 @@ typedef struct vbss_record_input {
     double numbers[12];          /**< Numbers; #vbss_record_input_kind lists their meanings. */
 } vbss_record_input;
 
+/** Kind of an event in a log: a VBSS_RECORD_EVENT_ constant, or a #vbss_scene_event_kind other than
+ * TRUNCATED and PAUSED. A log stores an event as four words: kind, two bodies, and the last word. For
+ * most kinds the last word is the `id` of #vbss_scene_event. For GRASP, RELEASE, TORN and SLIP of a
+ * thread or a needle, and for CUT, it is the arc length in um. Logs have no DEFERRED, CAUGHT_UP and
+ * OVERDUE. */
+typedef int32_t vbss_record_event_kind;
+
+/** The constants of #vbss_record_event_kind that are no #vbss_scene_event_kind. */
+enum {
+    /** TRUNCATED or PAUSED: 0, 0, and the share of the step that was left out, in 65536ths. */
+    VBSS_RECORD_EVENT_TIME_LOST = 3,
+    /** Events of a step exceeded event_capacity: 0, 0, and the number of lost events. */
+    VBSS_RECORD_EVENT_LOST = 4
+};
+
 /** A step as the log describes it. */
 typedef struct vbss_replay_logged_step {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
@@ -124,10 +140,11 @@ typedef struct vbss_replay_logged_step {
     double h;             /**< Length of the step, s. */
     double time; /**< Sum of the lengths of the steps up to this one, s: the clock of the hands. */
     const vbss_record_input *inputs; /**< Inputs before the step, in their order. */
-    const uint32_t *events; /**< x 4: the events of the step, as in #VBSS_SCENE_VIEW_EVENTS. */
-    uint32_t input_count;   /**< Number of inputs. */
-    uint32_t event_count;   /**< Number of events; each has four words. */
-    /** Part of `h` that the scene has left out, s, by #VBSS_SCENE_EVENT_CLAMPED. Each such event is up to
+    /** x 4: the events of the step, as #vbss_record_event_kind describes them. */
+    const uint32_t *events;
+    uint32_t input_count; /**< Number of inputs. */
+    uint32_t event_count; /**< Number of events; each has four words. */
+    /** Part of `h` that the scene has left out, s, by its #VBSS_RECORD_EVENT_TIME_LOST events. Each is up to
      * h / 65536 too small. A step may report the time of an earlier paused step. */
     double time_lost;
 } vbss_replay_logged_step;

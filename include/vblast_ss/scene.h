@@ -88,7 +88,8 @@ typedef struct vbss_scene_config {
     uint32_t contact_capacity;
     /** Largest number of candidate pairs, 0 to 1e7; default 16384. */
     uint32_t candidate_capacity;
-    /** Largest number of events of a step that are kept, 0 to 65536; default 256. */
+    /** Largest number of events that are kept until the host takes them (scene_event.h), and of those of
+     * a step, 0 to 65536; default 256. */
     uint32_t event_capacity;
     int32_t floor; /**< 1: a floor fills the half-space below a plane; default 0. */
     /** Direction up, of any length from 1e-100 to 1e100; default (0, 1, 0). */
@@ -266,8 +267,7 @@ enum {
      * and may pull. */
     VBSS_SCENE_VIEW_CONTACT_FORCES = 3,
     /** x 1: distance of the surfaces, m; negative when they overlap. */
-    VBSS_SCENE_VIEW_CONTACT_GAPS = 4,
-    VBSS_SCENE_VIEW_EVENTS = 5 /**< x 4 uint32_t: #vbss_scene_event_kind, two bodies, a number. */
+    VBSS_SCENE_VIEW_CONTACT_GAPS = 4
 };
 
 /** Features of a contact: a VBSS_SCENE_CONTACT_ constant. */
@@ -295,57 +295,6 @@ enum {
      * hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
      * particles were moved. */
     VBSS_SCENE_CONTACT_HOLE = 10
-};
-
-/** Kind of an event: a VBSS_SCENE_EVENT_ constant. Three numbers follow the kind: two bodies, and a third
- * number. */
-typedef int32_t vbss_scene_event_kind;
-
-/** The constants of #vbss_scene_event_kind. Each comment lists the three numbers after its colon. */
-enum {
-    /** Two bodies have come into contact, or a body with itself: body, body, 0. */
-    VBSS_SCENE_EVENT_TOUCH = 1,
-    VBSS_SCENE_EVENT_PART = 2, /**< Two bodies in contact have separated: body, body, 0. */
-    /** A step was truncated or paused; the third number is the lost share of the step in 1/65536. */
-    VBSS_SCENE_EVENT_CLAMPED = 3,
-    /** Events exceeded the capacity; the third number is the number of lost events. */
-    VBSS_SCENE_EVENT_LOST = 4,
-    /** Jaws have grasped a body: thread, needle or drain; grasper; arc length in um, or for a drain
-     * a held triangle. */
-    VBSS_SCENE_EVENT_GRASP = 5,
-    VBSS_SCENE_EVENT_RELEASE =
-        6,                     /**< Jaws have opened and released a body: numbers as for GRASP. */
-    VBSS_SCENE_EVENT_TORN = 7, /**< A body was pulled out of the jaws: numbers as for GRASP. */
-    /** A body begins to slide through the jaws, or to turn in them: numbers as for GRASP. */
-    VBSS_SCENE_EVENT_SLIP = 8,
-    /** A grasp exceeded grasp_capacity, so the body is not held: thread, grasper, 0. */
-    VBSS_SCENE_EVENT_GRASP_LOST = 9,
-    /** A thread was cut: thread, its new piece, arc length of the cut in um. The second number is 0
-     * if the thread had no cuts left and stayed whole. */
-    VBSS_SCENE_EVENT_CUT = 10,
-    VBSS_SCENE_EVENT_EXCHANGED = 11, /**< An instrument was exchanged: grasper, 0, new kind. */
-    /** An instrument was not exchanged: grasper, 0, wanted kind. */
-    VBSS_SCENE_EVENT_NOT_EXCHANGED = 12,
-    /** A needle's tip has entered a wall (VBLAST: has gone through it): needle, drain, id of the
-     * hole (vbss_scene_get_hole). */
-    VBSS_SCENE_EVENT_PUNCTURE = 13,
-    /** The tip has left the hole backwards: needle, drain, id of the hole. */
-    VBSS_SCENE_EVENT_WITHDRAWN = 14,
-    /** The needle and its swage have passed through the hole, and the thread follows: needle,
-     * drain, id of the hole. */
-    VBSS_SCENE_EVENT_PASSED = 15,
-    /** A hole exceeded hole_capacity, so the wall is not pierced: needle, drain, 0. */
-    VBSS_SCENE_EVENT_HOLE_LOST = 16,
-    /** The swage has come back through the hole, and the needle is in it again: needle, drain, id
-     * of the hole. */
-    VBSS_SCENE_EVENT_RETURNED = 17,
-    VBSS_SCENE_EVENT_UNTHREADED =
-        18, /**< An end of a thread has left the hole: thread, drain, id of the hole. */
-    /** Two bodies hold each other back: both bodies of #vbss_scene_blocker, its cause. Reported once
-     * until they have moved freely again. */
-    VBSS_SCENE_EVENT_BLOCKED = 19,
-    /** Two bodies have moved freely for 0.1 s after BLOCKED: both bodies, cause. */
-    VBSS_SCENE_EVENT_UNBLOCKED = 20
 };
 
 /** Counters since creation, and results of the last step. Method VBLAST uses these fields
@@ -800,7 +749,7 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
  * @param thread      number of the thread in the scene
  * @param arc_length  unstretched arc length from the thread's node 0 to the cut, m, within its
  *         length and not at an end
- * @param[out] piece  number of the new body, for #vbss_scene_get_thread; also in an event
+ * @param[out] piece  number of the new body, for #vbss_scene_get_thread; also in an event (scene_event.h)
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
  *         such body), VBSS_ERROR_INCOMPATIBLE (no thread), VBSS_ERROR_OUT_OF_RANGE (the cut is not
  *         within the thread), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left, which is an
@@ -827,8 +776,7 @@ VBSS_API vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, d
 VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread);
 
 /**
- * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged,
- * except that its events are cleared. With method VBLAST the step of a thread or drain that has
+ * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged. With method VBLAST the step of a thread or drain that has
  * diverged fails; see #vbss_thread_step and #vbss_drain_step for the bounds. If a call has ended a
  * suspended step, or some islands of a step, and the rest fails, that result stays: the call
  * returns VBSS_OK, `behind` counts the rest, and the next call returns the failure.

@@ -34,6 +34,7 @@
 #include <vblast_ss/metrics.h>
 #include <vblast_ss/record.h>
 #include <vblast_ss/scene.h>
+#include <vblast_ss/scene_event.h>
 
 /** A run of the suturing task on a scene. */
 typedef struct vbss_session vbss_session;
@@ -278,7 +279,7 @@ typedef struct vbss_session_status {
     double tension[2];      /**< Largest tension of the short limb and of the needle's limb, N. */
     double deviation_mm[2]; /**< Deviation of each hole from its mark, mm. */
     /** Part of `time` that the scene has left out, s. It counts paused steps
-     * (vbss_scene_statistics::time_paused) and truncated substeps (#VBSS_SCENE_EVENT_CLAMPED), from
+     * (vbss_scene_statistics::time_paused) and truncated substeps (#VBSS_SCENE_EVENT_TRUNCATED), from
      * the second step on. */
     double time_lost;
     /** Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it may still be

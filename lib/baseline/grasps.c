@@ -28,7 +28,7 @@ static void lead(scene_object *s, scene_thread_grasp *g)
 {
     if (leader_of(s, g->thread, g->segment) == NULL &&
         vbss_scene_pin_node(s, g->thread, g->segment, g->tool, NULL, pin_of(s, g)) == VBSS_OK) {
-        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
+        vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
     }
 }
 
@@ -70,14 +70,19 @@ static void take(scene_object *s, const scene_body *tool)
             return;
         }
     }
-    vbss_scene_add_event(s, VBSS_SCENE_EVENT_GRASP_LOST, found.thread, tool->number, 0);
+    const thread_object *t = vbss_scene_body(s, found.thread)->thread.thread;
+    vbss_scene_event event = {.kind = VBSS_SCENE_EVENT_GRASP_LOST,
+                              .body_a = found.thread,
+                              .body_b = tool->number,
+                              .arc_length = vbss_thread_arc_length(t, found.segment)};
+    vbss_scene_add_event_at(s, &event, t->now.x[found.segment], 0);
 }
 
 static void let_go(scene_object *s, scene_thread_grasp *g)
 {
     uint32_t *pin = pin_of(s, g);
     if (*pin != 0) {
-        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
+        vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
         (void)vbss_scene_unpin_node(s, *pin); /* the host may have removed the pin */
         *pin = 0;
     }

@@ -2,6 +2,10 @@
 #include "base/memory.h"
 #include "record/record.h"
 
+_Static_assert((int)VBSS_RECORD_EVENT_TIME_LOST == (int)SCENE_INSPECT_TIME_LOST &&
+                   (int)VBSS_RECORD_EVENT_LOST == (int)SCENE_INSPECT_LOST,
+               "the kinds of logged events");
+
 /* Inputs follow one another as they were told; tags of words from 16 on, of numbers from 32. */
 enum { WORD_TAGS = 16, NUMBER_TAGS = 32 };
 

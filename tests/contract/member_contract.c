@@ -104,14 +104,14 @@ static void expect_rejected(const contract_member *m, const small *s, vbss_resul
     uint32_t body = NO_BODY;
     const char *text;
     const uint64_t hash = small_hash(s), blocks = s->memory.blocks;
-    const uint64_t generation = small_view(s, VBSS_SCENE_VIEW_EVENTS).generation;
+    const uint64_t generation = small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation;
     expect_result(wanted, m->add(s->scene, handle, &body));
     expect_ok(vbss_context_get_last_error(s->context, NULL, &text));
     assert_true(strlen(text) > 0);
     assert_int_equal(body, NO_BODY);
     assert_int_equal(s->memory.blocks, blocks);
     assert_true(small_hash(s) == hash);
-    assert_true(small_view(s, VBSS_SCENE_VIEW_EVENTS).generation == generation);
+    assert_true(small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation == generation);
 }
 
 static void invalid_object_is_rejected(void **state)

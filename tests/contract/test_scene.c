@@ -110,7 +110,7 @@ static vbss_result write_rigid(void *handle, void *out, uint32_t size)
 }
 static vbss_result write_view(void *handle, void *out, uint32_t size)
 {
-    return vbss_scene_get_view(handle, VBSS_SCENE_VIEW_EVENTS, out, size);
+    return vbss_scene_get_view(handle, VBSS_SCENE_VIEW_CONTACTS, out, size);
 }
 static vbss_result write_statistics(void *handle, void *out, uint32_t size)
 {

@@ -21,7 +21,7 @@ def test_a_thread_falls_on_the_floor_and_lies(lying):
     kinds = set()
     for _ in range(40):
         scene.step()
-        kinds |= {event.kind for event in scene.events}
+        kinds |= {event.kind for event in scene.take_events()}
     assert body == 1 and vb.SceneEventKind.TOUCH in kinds
     contacts = scene.contacts
     assert len(contacts) == scene.statistics.contacts == len(scene.contact_gaps) > 10
@@ -69,7 +69,10 @@ def test_threads_are_pinned_and_cut(lying):
     piece = scene.cut_thread(body, 0.05)
     cut = scene.thread(piece)
     assert cut is scene.body(piece) and cut.node_count < 20
-    assert vb.Event(vb.SceneEventKind.CUT, body, piece, 50000) in scene.events
+    (event,) = [event for event in scene.take_events() if event.kind is vb.SceneEventKind.CUT]
+    assert (event.body_a, event.body_b, event.step) == (body, piece, scene.statistics.steps)
+    assert event.arc_length == pytest.approx(0.05) and event.position == pytest.approx(cut.positions[0].tolist())
+    assert scene.take_events() == [] and scene.lost_events == 0
     scene.step()
     assert cut.statistics.steps >= 1
     with pytest.raises(vb.NotFoundError):
@@ -124,7 +127,7 @@ def test_bodies_that_hold_each_other_back_are_listed(context):
     (blocker,) = scene.blockers
     assert {blocker.body_a, blocker.body_b} == set(sticks)
     assert blocker.cause is vb.SceneBlockerCause.COLLISION and 0.0 < blocker.lost_time < 1e-3
-    assert vb.SceneEventKind.BLOCKED in [event.kind for event in scene.events]
+    assert vb.SceneEventKind.BLOCKED in [event.kind for event in scene.take_events()]
 
 
 def test_a_heavy_needle_goes_through_a_wall(context):
@@ -136,7 +139,7 @@ def test_a_heavy_needle_goes_through_a_wall(context):
     body, events = scene.add(needle), []
     for _ in range(10):
         scene.step(2e-4)
-        events += [event.kind for event in scene.events]
+        events += [event.kind for event in scene.take_events()]
         if scene.holes:
             break
     hole = scene.hole(0)
@@ -170,10 +173,10 @@ def test_a_thread_lies_in_a_hole_that_was_made_and_is_pulled_out(context):
     for step in range(400):
         thread.set_attachment_target(end, [p + 2e-5 * (step + 1) * n for p, n in zip(tip, across)])
         scene.step()
-        events += [event for event in scene.events if event.kind is vb.SceneEventKind.UNTHREADED]
+        events += [event for event in scene.take_events() if event.kind is vb.SceneEventKind.UNTHREADED]
         if events:
             break
-    assert [event[1:] for event in events] == [(body, wall, name)] and scene.holes == []
+    assert [event[1:4] for event in events] == [(body, wall, name)] and scene.holes == []
 
 
 def test_scenes_are_saved_and_restored(lying):
@@ -204,3 +207,13 @@ def test_bad_bodies_are_refused(context):
     with pytest.raises(vb.InvalidHandleError, match="the thread is closed"):
         scene.add(thread)
 
+
+
+def test_events_wait_until_they_are_taken_and_lost_ones_are_counted(context):
+    scene = vb.Scene(context, mode="offline", event_capacity=2)
+    body = scene.add(vb.Thread(context, segment_count=20, cut_capacity=3))
+    for cut in (0.08, 0.06, 0.04):
+        scene.cut_thread(body, cut)
+        scene.step()
+    assert [event.arc_length for event in scene.take_events()] == pytest.approx([0.06, 0.04])
+    assert scene.lost_events == 1 and scene.take_events() == [] and scene.lost_events == 1

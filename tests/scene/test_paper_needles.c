@@ -72,15 +72,15 @@ static void needle_follows_tool_exactly(void **state)
 {
     (void)state;
     needles_rig r;
-    uint32_t event[4] = {0};
+    vbss_scene_event event = {0};
     const vec3 home = vec3_make(0.0, 0.0, -2e-3);
     begin_across(&r);
     tools_add(&r.tools, home);
     close_jaws(&r, 0);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 1);
-    assert_int_equal(event[1], r.body);
-    assert_int_equal(event[2], r.tools.bodies[0]);
-    expect_near(1e6 * MIDDLE, event[3], 1.0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 1);
+    assert_int_equal(event.body_a, r.body);
+    assert_int_equal(event.body_b, r.tools.bodies[0]);
+    expect_near(MIDDLE, event.arc_length, 1e-6);
     assert_int_equal(tools_state(&r.tools, 0).needle, r.body);
     assert_int_equal(tools_state(&r.tools, 0).grasp_count, 1);
     const pose held = offset(&r, 0);
@@ -101,7 +101,7 @@ static void second_tool_waits_and_takes_over(void **state)
 {
     (void)state;
     needles_rig r;
-    uint32_t event[4] = {0};
+    vbss_scene_event event = {0};
     const vec3 home = vec3_make(0.0, 0.0, -2e-3);
     begin_across(&r);
     for (int k = 0; k < 3; k++) {
@@ -111,7 +111,7 @@ static void second_tool_waits_and_takes_over(void **state)
     const pose held = offset(&r, 2);
     close_jaws(&r, 1); /* in this order, against that of their numbers */
     close_jaws(&r, 0);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 0);
     for (uint32_t waiting = 0; waiting < 2; waiting++) {
         vbss_scene_grasp grasp;
         assert_int_equal(tools_state(&r.tools, waiting).needle, 0);
@@ -128,10 +128,10 @@ static void second_tool_waits_and_takes_over(void **state)
         const pose before = needles_pose(&r);
         tools_open(&r.tools, next + 1, 1.0);
         tools_steps(&r.tools, 1);
-        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 1);
-        assert_int_equal(event[2], r.tools.bodies[next + 1]);
-        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 1);
-        assert_int_equal(event[2], r.tools.bodies[next]);
+        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event), 1);
+        assert_int_equal(event.body_b, r.tools.bodies[next + 1]);
+        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 1);
+        assert_int_equal(event.body_b, r.tools.bodies[next]);
         assert_int_equal(tools_state(&r.tools, next).needle, r.body);
         expect_same_pose(before, needles_pose(&r));
         const pose taken = offset(&r, next);
@@ -145,7 +145,7 @@ static void leaving_waiter_does_not_take_over(void **state)
 {
     (void)state;
     needles_rig r;
-    uint32_t event[4];
+    vbss_scene_event event;
     begin_across(&r);
     tools_add(&r.tools, vec3_make(0.0, 0.0, -2e-3));
     tools_add(&r.tools, vec3_make(0.0, 0.0, -2e-3));
@@ -153,11 +153,11 @@ static void leaving_waiter_does_not_take_over(void **state)
     close_jaws(&r, 1);
     tools_open(&r.tools, 1, 1.0);
     tools_steps(&r.tools, 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event), 0);
     tools_open(&r.tools, 0, 1.0);
     tools_steps(&r.tools, 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event), 1);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 0);
     needles_end(&r);
 }
 

@@ -184,7 +184,7 @@ static void expect_rigid(small *s, vbss_result wanted)
     expect_ok(result);
     expect_ok(vbss_scene_remove(s->scene, body));
     t->hash = small_hash(s);
-    t->generation = small_view(s, VBSS_SCENE_VIEW_EVENTS).generation;
+    t->generation = small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation;
 }
 
 static void bad_rigid_bodies_are_rejected(void **state)

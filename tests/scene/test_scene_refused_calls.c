@@ -117,7 +117,7 @@ static void bad_pins_are_rejected(void **state)
     assert_int_equal(pin, 77);
     expect_ok(vbss_scene_pin_thread(scene, t.line, 5, 0, NULL, &pin));
     t.hash = small_hash(&t.s);
-    t.generation = small_view(&t.s, VBSS_SCENE_VIEW_EVENTS).generation;
+    t.generation = small_view(&t.s, VBSS_SCENE_VIEW_CONTACTS).generation;
     unchanged(&t, VBSS_ERROR_CAPACITY, vbss_scene_pin_thread(scene, t.line, 7, 0, NULL, &pin));
     small_end(&t.s);
 }

@@ -340,7 +340,7 @@ static void read_all_views(const pulled *p)
     for (vbss_thread_field field = 0; field <= VBSS_THREAD_VIEW_CURVATURES; field++) {
         expect_ok(vbss_thread_get_view(p->scene.threads[0], field, &v, sizeof v));
     }
-    for (vbss_scene_field field = 0; field <= VBSS_SCENE_VIEW_EVENTS; field++) {
+    for (vbss_scene_field field = 0; field <= VBSS_SCENE_VIEW_CONTACT_GAPS; field++) {
         expect_ok(vbss_scene_get_view(p->scene.scene, field, &v, sizeof v));
     }
     expect_ok(vbss_thread_get_statistics(p->scene.threads[0], &t, sizeof t));

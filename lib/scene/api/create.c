@@ -100,7 +100,7 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 29 };
+enum { ARRAY_COUNT = 31 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
@@ -129,7 +129,9 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->scratch.mass_capsules, capsules, sizeof *s->scratch.mass_capsules},
         {&s->report.touching_pairs, contacts, sizeof *s->report.touching_pairs},
         {&s->report.previous_touching_pairs, contacts, sizeof *s->report.previous_touching_pairs},
-        {&s->report.events, s->config.event_capacity, sizeof *s->report.events},
+        {&s->report.logged_events, s->config.event_capacity, sizeof *s->report.logged_events},
+        {&s->events.ring, s->config.event_capacity, sizeof *s->events.ring},
+        {&s->events.pending, s->config.event_capacity, sizeof *s->events.pending},
         {&s->report.contact_features, contacts, sizeof *s->report.contact_features},
         {&s->report.contact_points, contacts, sizeof *s->report.contact_points},
         {&s->report.contact_normals, contacts, sizeof *s->report.contact_normals},

@@ -17,6 +17,8 @@
 
 /* No node, triangle or edge of a drain. */
 #define SCENE_INSPECT_NONE UINT32_MAX
+/* Kinds of logged events: lost time; more events than there is room for. Chosen with the format of logs. */
+enum { SCENE_INSPECT_TIME_LOST = 3, SCENE_INSPECT_LOST = 4 };
 
 /* ---- handles */
 
@@ -40,9 +42,9 @@ typedef struct scene_info {
     uint64_t steps;       /* calls of vbss_scene_step that succeeded */
     double time;          /* simulated time, s */
     uint32_t entry_count; /* entries in the table of bodies, for vbss_scene_inspect_entry */
-    uint32_t event_count; /* events that the last step emitted */
-    /* Items of VBSS_SCENE_VIEW_EVENTS. Callers must not change them; they are not const because
-     * streams take no const pointers. */
+    uint32_t event_count; /* events of the last call, as logs store them */
+    /* Kind, two bodies, and a number that depends on the kind (record.h). Callers must not change
+     * them; they are not const because streams take no const pointers. */
     uint32_t (*events)[4];
 } scene_info;
 
@@ -52,13 +54,13 @@ vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info);
  * callback of the context. */
 vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info);
 
-/* Simulated time that a step of length `h` lost, by its VBSS_SCENE_EVENT_CLAMPED events, s. The events are
- * not const for the reason given above. */
+/* Simulated time that a step of length `h` lost, by its events, s: truncated and paused parts have kind 3
+ * and a share in 65536ths. The events are not const for the reason given above. */
 static inline double vbss_scene_inspect_lost_time(uint32_t (*events)[4], uint32_t count, double h)
 {
     double lost = 0.0;
     for (uint32_t i = 0; i < count; i++) {
-        lost += events[i][0] == VBSS_SCENE_EVENT_CLAMPED ? h * events[i][3] / 65536.0 : 0.0;
+        lost += events[i][0] == SCENE_INSPECT_TIME_LOST ? h * events[i][3] / 65536.0 : 0.0;
     }
     return lost;
 }

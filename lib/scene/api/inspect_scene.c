@@ -4,6 +4,10 @@
 #include "scene/api/inspect.h"
 #include "scene/world/world.h"
 
+_Static_assert((int)SCENE_INSPECT_TIME_LOST == (int)SCENE_LOGGED_TIME_LOST &&
+                   (int)SCENE_INSPECT_LOST == (int)SCENE_LOGGED_LOST,
+               "the kinds of logged events");
+
 static const scene_object *object_of(const vbss_scene *scene)
 {
     return ((const vbss_slot *)scene)->object;
@@ -19,8 +23,8 @@ static scene_info describe_scene(const scene_object *s)
                         .steps = s->report.statistics.steps,
                         .time = s->report.statistics.time,
                         .entry_count = s->body_count,
-                        .event_count = s->report.event_count,
-                        .events = s->report.events};
+                        .event_count = s->report.logged_event_count,
+                        .events = s->report.logged_events};
 }
 
 vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info)

@@ -72,9 +72,15 @@ vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, piece, "piece"));
     VBSS_TRY(check_cut(s, thread, arc_length, &b));
-    VBSS_TRY(report_cut(s, vbss_scene_check_cut(s, b, arc_length), thread, arc_length));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, cut(s, thread, arc_length, piece));
+    const uint32_t pending_before = s->events.pending_count;
+    vbss_result result = report_cut(s, vbss_scene_check_cut(s, b, arc_length), thread, arc_length);
+    if (result == VBSS_OK) {
+        VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+        result = vbss_scene_end_edit(s, &edit, cut(s, thread, arc_length, piece));
+    }
+    /* A refused cut is an event, too. If the step stays suspended, its events stay pending. */
+    vbss_scene_publish_events(s, s->cursor.is_suspended ? pending_before : 0, 0.0);
+    return result;
 }
 
 vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)

@@ -597,7 +597,8 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     if (stream->mode == VBSS_STREAM_READ) {
         set_welded_flags(s);
         s->step.pattern_hash = 0;
-        s->report.event_count = 0;
+        s->report.logged_event_count = 0;
+        s->events = (scene_events){.ring = s->events.ring, .pending = s->events.pending};
         s->report.generation++;
     }
     if (stream->trusted) {

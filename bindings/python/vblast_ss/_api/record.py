@@ -65,6 +65,14 @@ class SceneSetting(IntEnum):
     """vbss_scene_set_rigid_pose. Words: 1 if turned. Numbers: position (3), orientation (4)."""
 
 
+class RecordEventKind(IntEnum):
+    """The constants of vbss_record_event_kind that are no vbss_scene_event_kind."""
+    TIME_LOST = 3
+    """TRUNCATED or PAUSED: 0, 0, and the share of the step that was left out, in 65536ths."""
+    LOST = 4
+    """Events of a step exceeded event_capacity: 0, 0, and the number of lost events."""
+
+
 class ReplayOutcome(IntEnum):
     """The constants of vbss_replay_outcome."""
     STEPPED = 0
@@ -172,14 +180,14 @@ class vbss_replay_logged_step(ctypes.Structure):
 
     inputs: Inputs before the step, in their order.
 
-    events: x 4: the events of the step, as in VBSS_SCENE_VIEW_EVENTS.
+    events: x 4: the events of the step, as vbss_record_event_kind describes them.
 
     input_count: Number of inputs.
 
     event_count: Number of events; each has four words.
 
-    time_lost: Part of `h` that the scene has left out, s, by VBSS_SCENE_EVENT_CLAMPED. Each
-    such event is up to h / 65536 too small. A step may report the time of an earlier paused
+    time_lost: Part of `h` that the scene has left out, s, by its VBSS_RECORD_EVENT_TIME_LOST
+    events. Each is up to h / 65536 too small. A step may report the time of an earlier paused
     step."""
     struct_size: int
     hashed: int

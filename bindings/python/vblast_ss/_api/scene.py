@@ -68,8 +68,6 @@ class SceneField(IntEnum):
     and may pull."""
     CONTACT_GAPS = 4
     """x 1: distance of the surfaces, m; negative when they overlap."""
-    EVENTS = 5
-    """x 4 uint32_t: vbss_scene_event_kind, two bodies, a number."""
 
 
 class SceneContactKind(IntEnum):
@@ -101,57 +99,6 @@ class SceneContactKind(IntEnum):
     """A needle or a thread in a hole of a drain. The feature of the suture is the index of the
     hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
     particles were moved."""
-
-
-class SceneEventKind(IntEnum):
-    """The constants of vbss_scene_event_kind. Each comment lists the three numbers after its
-    colon."""
-    TOUCH = 1
-    """Two bodies have come into contact, or a body with itself: body, body, 0."""
-    PART = 2
-    """Two bodies in contact have separated: body, body, 0."""
-    CLAMPED = 3
-    """A step was truncated or paused; the third number is the lost share of the step in 1/65536."""
-    LOST = 4
-    """Events exceeded the capacity; the third number is the number of lost events."""
-    GRASP = 5
-    """Jaws have grasped a body: thread, needle or drain; grasper; arc length in um, or for a drain
-    a held triangle."""
-    RELEASE = 6
-    """Jaws have opened and released a body: numbers as for GRASP."""
-    TORN = 7
-    """A body was pulled out of the jaws: numbers as for GRASP."""
-    SLIP = 8
-    """A body begins to slide through the jaws, or to turn in them: numbers as for GRASP."""
-    GRASP_LOST = 9
-    """A grasp exceeded grasp_capacity, so the body is not held: thread, grasper, 0."""
-    CUT = 10
-    """A thread was cut: thread, its new piece, arc length of the cut in um. The second number is 0
-    if the thread had no cuts left and stayed whole."""
-    EXCHANGED = 11
-    """An instrument was exchanged: grasper, 0, new kind."""
-    NOT_EXCHANGED = 12
-    """An instrument was not exchanged: grasper, 0, wanted kind."""
-    PUNCTURE = 13
-    """A needle's tip has entered a wall (VBLAST: has gone through it): needle, drain, id of the
-    hole (vbss_scene_get_hole)."""
-    WITHDRAWN = 14
-    """The tip has left the hole backwards: needle, drain, id of the hole."""
-    PASSED = 15
-    """The needle and its swage have passed through the hole, and the thread follows: needle,
-    drain, id of the hole."""
-    HOLE_LOST = 16
-    """A hole exceeded hole_capacity, so the wall is not pierced: needle, drain, 0."""
-    RETURNED = 17
-    """The swage has come back through the hole, and the needle is in it again: needle, drain, id
-    of the hole."""
-    UNTHREADED = 18
-    """An end of a thread has left the hole: thread, drain, id of the hole."""
-    BLOCKED = 19
-    """Two bodies hold each other back: both bodies of vbss_scene_blocker, its cause. Reported once
-    until they have moved freely again."""
-    UNBLOCKED = 20
-    """Two bodies have moved freely for 0.1 s after BLOCKED: both bodies, cause."""
 
 
 class SceneBlockerCause(IntEnum):
@@ -194,7 +141,8 @@ class vbss_scene_config(ctypes.Structure):
 
     candidate_capacity: Largest number of candidate pairs, 0 to 1e7; default 16384.
 
-    event_capacity: Largest number of events of a step that are kept, 0 to 65536; default 256.
+    event_capacity: Largest number of events that are kept until the host takes them
+    (scene_event.h), and of those of a step, 0 to 65536; default 256.
 
     floor: 1: a floor fills the half-space below a plane; default 0.
 
