@@ -18,6 +18,11 @@ const char *input_name(vbss_record_input_kind kind)
         [VBSS_RECORD_INPUT_SET_OPENING] = "set_opening",
         [VBSS_RECORD_INPUT_EXCHANGE] = "exchange",
         [VBSS_RECORD_INPUT_SETTING] = "setting",
+        [VBSS_RECORD_INPUT_HOLE] = "make_hole",
+        [VBSS_RECORD_INPUT_REMOVE] = "remove",
+        [VBSS_RECORD_INPUT_DRAIN_ATTACH] = "attach_drain",
+        [VBSS_RECORD_INPUT_DRAIN_TARGET] = "move_drain_attachment",
+        [VBSS_RECORD_INPUT_DRAIN_DETACH] = "detach_drain",
     };
     bool known = kind > 0 && (size_t)kind < sizeof names / sizeof names[0];
     return known ? names[kind] : "unknown";

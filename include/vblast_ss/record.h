@@ -78,7 +78,15 @@ enum {
     VBSS_RECORD_INPUT_EXCHANGE = 10,   /**< Words: grasper, kind. */
     /** A change of scene_settings.h. Words: #vbss_scene_setting, body (0 where the setting has none), and
      * two words of the setting. Numbers: those of the setting. */
-    VBSS_RECORD_INPUT_SETTING = 11
+    VBSS_RECORD_INPUT_SETTING = 11,
+    /** #vbss_scene_make_hole. Words: body, drain, triangle. Numbers: arc length, weights (3). */
+    VBSS_RECORD_INPUT_HOLE = 12,
+    VBSS_RECORD_INPUT_REMOVE = 13, /**< #vbss_scene_remove. Words: body. */
+    /** #vbss_drain_attach. Words: drain, kind, node. Numbers: position (3), force (3), stiffness. */
+    VBSS_RECORD_INPUT_DRAIN_ATTACH = 14,
+    /** #vbss_drain_set_attachment_target. Words: drain, attachment. Numbers: target (3). */
+    VBSS_RECORD_INPUT_DRAIN_TARGET = 15,
+    VBSS_RECORD_INPUT_DRAIN_DETACH = 16 /**< #vbss_drain_detach. Words: drain, attachment. */
 };
 
 /** Change of a running scene: a VBSS_SCENE_SETTING_ constant. */
@@ -301,6 +309,32 @@ VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_c
  * @since 0.1
  */
 VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_t *count);
+
+/**
+ * Attaches a record to its scene. From then on the record logs every edit of the scene and of bodies in
+ * it, and every step, whatever function makes them. An edit belongs to the step that follows; one that
+ * fails is not logged. A scene has at most one record attached; another one takes its place.
+ *
+ * Adding a body, #vbss_scene_restore, #vbss_thread_set_state and #vbss_drain_set_state have no input of
+ * their own: the log receives a snapshot of the scene after them, for which they may allocate memory. A
+ * replay follows them in a scene of #vbss_replay_load_scene.
+ *
+ * An edit or step of the scene then has further errors, and changes nothing with them.
+ * VBSS_ERROR_CAPACITY: input_capacity is exhausted, or the buffer has no room for the step, until
+ * #vbss_record_take. VBSS_ERROR_OUT_OF_RANGE: the scene was changed while the record was not attached.
+ * VBSS_ERROR_OUT_OF_MEMORY: there is no memory for the snapshot. #vbss_record_end and
+ * #vbss_record_destroy detach the record.
+ *
+ * @param scene   the scene
+ * @param record  a record of this scene that knows its state: no edit came between its creation or
+ *         its last step and this call. NULL detaches.
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a record of another context),
+ *         VBSS_ERROR_INCOMPATIBLE (a record of another scene), VBSS_ERROR_WRONG_STATE (one that has
+ *         ended, or that does not know the state) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_recorder(vbss_scene *scene, vbss_record *record);
 
 /**
  * Calls #vbss_scene_set_rigid_target of the recorded scene and logs it. An input belongs to the step that
@@ -575,6 +609,19 @@ VBSS_API vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps);
  * @since 0.1
  */
 VBSS_API vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene);
+
+/**
+ * Creates the recorded scene from the first snapshot of the log, as #vbss_scene_load does, and begins
+ * the replay in it. The host destroys the scene, after the replay or before.
+ *
+ * @param replay      the replay
+ * @param[out] scene  the new scene; NULL when the call fails
+ * @return as #vbss_scene_load and #vbss_replay_begin; VBSS_ERROR_DATA_VERSION for a log of an older
+ *         library, whose snapshots do not describe their scene
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_replay_load_scene(vbss_replay *replay, vbss_scene **scene);
 
 /**
  * Replays the next step: applies its inputs, steps the scene and compares the hash. The call

@@ -855,8 +855,8 @@ VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body,
                                             vbss_scene_overlap *overlap, uint32_t struct_size);
 
 /**
- * Saves the state of the scene and all its bodies. A restored scene continues with the same bits,
- * also on another machine.
+ * Saves the state of the scene and all its bodies, with a description from which #vbss_scene_load
+ * creates an equal scene. A restored scene continues with the same bits, also on another machine.
  *
  * @param scene         the scene
  * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
@@ -885,6 +885,30 @@ VBSS_API vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t
  * @since 0.1
  */
 VBSS_API vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count);
+
+/**
+ * Creates a scene and all its bodies from the bytes of #vbss_scene_save alone. The scene has the hash
+ * of the saved one and continues with the same bits. Its bodies have their old numbers;
+ * #vbss_scene_get_bodies lists them, and #vbss_scene_get_thread and its like return their handles.
+ *
+ * The host destroys the scene. The scene owns the bodies that it was loaded with: #vbss_scene_remove
+ * destroys such a body, and #vbss_scene_destroy all of them, pieces of their threads included. Bodies
+ * that the host adds later stay the host's, as in any scene. Pointers of the host for bodies are NULL
+ * (#vbss_scene_set_user_data).
+ *
+ * @param context     owner
+ * @param bytes       the saved scene; not used after the call
+ * @param count       its size
+ * @param[out] scene  the new scene; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
+ *         VBSS_ERROR_CORRUPT (also: no scene or body can have the described configuration),
+ *         VBSS_ERROR_DATA_VERSION (also: an older library saved the scene, without a description),
+ *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_load(vbss_context *context, const uint8_t *bytes, uint64_t count,
+                                     vbss_scene **scene);
 
 /**
  * Returns the XXH64 of the state of the scene and its bodies, counters included. Equal states have

@@ -138,6 +138,9 @@ typedef struct collision_shape {
     bool edge_offsets_used, point_offsets_used;
 } collision_shape;
 
+/* Lets the next shape have the id `next`, at most shape_capacity: those before it never exist. */
+void vbss_collision_skip_shapes(collision_object *c, uint32_t next);
+
 /* Chains with a variable number of nodes. A disabled chain only reserves memory. Resizing sets a
  * number of nodes, up to its capacity, and rest lengths; it enables the chain and does not
  * allocate. Disabling keeps the memory. */

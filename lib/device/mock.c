@@ -59,7 +59,8 @@ static void visit_mock(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 2, &m->statistics.writes, 1);
 }
 
-static const vbss_kind kind = {"mock", VBSS_CODE('M', 'O', 'C', 'K'), 1, free_mock, visit_mock};
+static const vbss_kind kind = {"mock", VBSS_CODE('M', 'O', 'C', 'K'), 1, free_mock, visit_mock,
+                               NULL};
 
 static vbss_result allocate_mock(vbss_context *context, const mock_object *wanted,
                                  mock_object **mock)

@@ -72,8 +72,8 @@ static void visit_lines(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, o->handle_count);
 }
 
-static const vbss_kind kind = {"handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_lines,
-                               visit_lines};
+static const vbss_kind kind = {
+    "handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_lines, visit_lines, NULL};
 
 /* The slot of an instrument handle owns nothing: the lines free the handle. */
 static void release_nothing(vbss_context *context, void *object)
@@ -88,8 +88,8 @@ static void visit_handle(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, h->handle_index);
 }
 
-static const vbss_kind handle_kind = {"handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1,
-                                      release_nothing, visit_handle};
+static const vbss_kind handle_kind = {
+    "handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1, release_nothing, visit_handle, NULL};
 
 /* ---- opening */
 

@@ -90,8 +90,8 @@ static void visit_arms(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, o->arm_count);
 }
 
-static const vbss_kind kind = {"haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_arms,
-                               visit_arms};
+static const vbss_kind kind = {
+    "haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_arms, visit_arms, NULL};
 
 /* The slot of an arm owns nothing: the arms are freed together. */
 static void release_nothing(vbss_context *context, void *object)
@@ -106,8 +106,8 @@ static void visit_arm(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, a->device);
 }
 
-static const vbss_kind arm_kind = {"haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, release_nothing,
-                                   visit_arm};
+static const vbss_kind arm_kind = {
+    "haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, release_nothing, visit_arm, NULL};
 
 /* ---- opening */
 

@@ -2,6 +2,7 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "drain/drain.h"
 
@@ -65,6 +66,11 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
     if (free_index == d->config.attachment_capacity || d->last_id == UINT32_MAX) {
         return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "more than %u attachments", free_index);
     }
+    vbss_edit input = {.kind = VBSS_EDIT_DRAIN_ATTACH, .words = {0, (uint32_t)own.kind, own.node}};
+    vbss_edit_set_numbers(&input, 0, own.position, 3);
+    vbss_edit_set_numbers(&input, 3, own.force, 3);
+    input.numbers[6] = own.stiffness;
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     drain_attachment *a = &d->attachments[free_index];
     *a = (drain_attachment){.id = ++d->last_id,
                             .kind = own.kind,
@@ -79,7 +85,7 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
     a->alternate_force = a->force;
     *id = a->id;
     vbss_drain_invalidate(d);
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id, const double target[3])
@@ -92,9 +98,12 @@ vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id, con
     VBSS_TRY(find_attachment(d, id, &a));
     bool force = a->kind == VBSS_DRAIN_ATTACHMENT_FORCE;
     VBSS_TRY(vbss_check_vector(d->context, target, force ? 1e6 : 1e3, "target"));
+    vbss_edit input = {.kind = VBSS_EDIT_DRAIN_TARGET, .words = {0, id}};
+    vbss_edit_set_numbers(&input, 0, target, 3);
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     *(force ? &a->force : &a->target) = vec3_load(target);
     d->generation++;
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
@@ -104,9 +113,11 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
     VBSS_TRY(vbss_drain_edit(drain, &d));
     drain_attachment *a;
     VBSS_TRY(find_attachment(d, id, &a));
+    vbss_edit input = {.kind = VBSS_EDIT_DRAIN_DETACH, .words = {0, id}};
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     *a = (drain_attachment){0};
     vbss_drain_invalidate(d);
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force[3])

@@ -1,6 +1,7 @@
 /* The functions that hosts call on a whole drain. */
 #include "base/api_call.h"
 #include "base/check.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "base/snapshot.h"
 #include "drain/drain.h"
@@ -107,12 +108,14 @@ vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
     double nodes = d->mesh.node_count;
     VBSS_TRY(vbss_check_range(d->context, node_count, nodes, nodes, "node_count"));
     VBSS_TRY(check_state(d, positions, velocities));
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     for (uint32_t i = 0; i < node_count; i++) {
         d->x[i] = positions != NULL ? vec3_load(positions + 3 * (size_t)i) : d->x[i];
         d->v[i] = velocities != NULL ? vec3_load(velocities + 3 * (size_t)i) : d->v[i];
     }
     vbss_drain_invalidate(d);
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity, uint64_t *written)

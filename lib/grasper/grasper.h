@@ -66,6 +66,9 @@ void vbss_grasper_detach(grasper_object *g);
  * VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE and the errors of vbss_config_read. */
 vbss_result vbss_grasper_read_config(vbss_context *context, const vbss_grasper_config *config,
                                      vbss_grasper_config *own, vbss_baseline_config *baseline);
+/* Visits the configuration and its parameters of the baseline (config_fields.c). */
+void vbss_grasper_visit_config(vbss_stream *stream, vbss_grasper_config *config,
+                               vbss_baseline_config *baseline);
 /* Visits state and query results; the configuration must equal the saved one (snapshot.c). */
 void vbss_grasper_serialise(vbss_stream *stream, void *object);
 

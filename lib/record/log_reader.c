@@ -33,8 +33,8 @@ static void visit_replay(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 1, &p->report.step, 1);
 }
 
-static const vbss_kind kind = {"replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_replay,
-                               visit_replay};
+static const vbss_kind kind = {
+    "replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_replay, visit_replay, NULL};
 
 /* Finds the next record and begins a stream that reads its payload. */
 static vbss_result next_record(log_reader *log, log_record *found, vbss_stream *stream)
@@ -214,6 +214,10 @@ vbss_result vbss_log_read_record(log_reader *log, uint64_t steps_before, log_ste
         VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
         vbss_log_reset_coder(log->coder);
         number = snapshot->number;
+    } else if (found->code == LOG_REPLACEMENT) {
+        vbss_log_visit_replacement(&stream, snapshot);
+        VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
+        number = snapshot->number;
     } else if (found->code == LOG_END) {
         vbss_log_visit_end(&stream, step);
         VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
@@ -237,9 +241,11 @@ vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step 
     log_reader next = *log;
     log_snapshot skipped;
     log_record found;
+    step->replacement = (log_snapshot){.bytes = NULL};
     do {
         VBSS_TRY(vbss_log_read_record(&next, steps_before, step, &skipped, &found));
-    } while (found.code == LOG_SNAPSHOT);
+        step->replacement = found.code == LOG_REPLACEMENT ? skipped : step->replacement;
+    } while (found.code == LOG_SNAPSHOT || found.code == LOG_REPLACEMENT);
     *end = found.code == LOG_END;
     *log = next;
     return VBSS_OK;

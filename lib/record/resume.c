@@ -8,7 +8,7 @@
 /* Finds the number of complete steps, and the position after the last of them. */
 static vbss_result find_last_step(replay_object *p, uint64_t *steps, log_reader *end)
 {
-    log_record found = {.code = LOG_STEP};
+    log_record found = {.code = LOG_STEP}; /* a replacement without its step is cut off */
     log_snapshot snapshot;
     log_reader log = vbss_log_reader_at(&p->start, p->scan_coder);
     log_fault fault;
@@ -17,7 +17,7 @@ static vbss_result find_last_step(replay_object *p, uint64_t *steps, log_reader 
     *steps = 0;
     *end = log;
     while (result == VBSS_OK && found.code != LOG_END) {
-        *end = log;
+        *end = found.code != LOG_REPLACEMENT ? log : *end;
         result = vbss_log_read_record(&log, *steps, &p->step, &snapshot, &found);
         *steps += result == VBSS_OK && found.code == LOG_STEP;
     }

@@ -252,6 +252,12 @@ void vbss_thread_return_piece(thread_object *piece, vbss_slot *slot);
 /* Finishes a step of `h` seconds, alone or in a scene: attachments, reactions, statistics. */
 void vbss_thread_finish_step(thread_object *t, double h);
 
+/* ---- config_fields.c */
+
+/* Visits the configuration and its parameters of the baseline, to which it points afterwards. */
+void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
+                              vbss_baseline_config *baseline);
+
 /* ---- snapshot.c */
 
 /* Saves, hashes or restores the thread. */

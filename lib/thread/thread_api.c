@@ -1,6 +1,7 @@
 /* The functions that hosts call on a whole thread. */
 #include "base/api_call.h"
 #include "base/check.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/number_text.h"
@@ -121,6 +122,8 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
             VBSS_TRY(vbss_check_range(t->context, velocities[i], -1e5, 1e5, "a velocity"));
         }
     }
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_edit_begin(thread, &input));
     for (uint32_t i = 0; i < node_count; i++) {
         if (positions != NULL) {
             t->now.x[i] = vec3_load(positions + 3 * (size_t)i);
@@ -133,7 +136,7 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
     }
     vbss_thread_invalidate(t);
     t->is_in_setup = t->is_in_setup || positions != NULL;
-    return VBSS_OK;
+    return vbss_edit_end(thread, &input, VBSS_OK);
 }
 
 vbss_result vbss_thread_step(vbss_thread *thread, double h)

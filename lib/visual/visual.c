@@ -58,8 +58,8 @@ static void visit_nothing(vbss_stream *stream, void *object)
     (void)object;
 }
 
-const vbss_kind vbss_visual_kind_of_slot = {"visual", VBSS_CODE('V', 'I', 'S', 'U'), 1, free_visual,
-                                            visit_nothing};
+const vbss_kind vbss_visual_kind_of_slot = {
+    "visual", VBSS_CODE('V', 'I', 'S', 'U'), 1, free_visual, visit_nothing, NULL};
 
 static vbss_result allocate_visual(vbss_context *context, const vbss_visual_config *config,
                                    visual_object **visual)

@@ -52,6 +52,43 @@ def test_a_log_is_replayed_to_the_bit(context):
         assert scene.state_hash == wanted
 
 
+def test_an_attached_record_logs_ordinary_calls(context):
+    scene, body, ball, tool = make(context)
+    record = vb.Record(scene)
+    record.attach_to_scene()
+    scene.set_rigid_target(ball, (0, 0.051, 0))
+    pin = scene.pin_thread(body, 0)
+    scene.step()
+    scene.unpin_thread(pin)
+    piece = scene.cut_thread(body, 0.07)
+    scene.step()
+    scene.remove(piece)
+    scene.step()
+    scene.add_rigid([((0, 0, 0), (0, 0, 0), 2e-3)], position=(0, 0.5, 0))
+    scene.step()
+    record.end()
+    scene.step()  # the end has detached the record
+    log, wanted = record.take(), scene.state_hash
+    with vb.Context() as other:
+        replay = vb.Replay(log, other)
+        loaded = replay.load_scene()
+        report = replay.run()
+        assert report.outcome is vb.ReplayOutcome.ENDED and report.agreed_step == 4
+        loaded.step()
+        assert loaded.state_hash == wanted
+
+
+def test_a_record_with_missed_edits_is_refused(context):
+    scene, _, ball, _ = make(context)
+    record = vb.Record(scene)
+    record.attach_to_scene()
+    scene.step()
+    record.detach_from_scene()
+    scene.step()
+    with pytest.raises(vb.OutOfRangeError):
+        record.attach_to_scene()
+
+
 def test_damaged_logs_are_refused(context):
     log, _ = recorded(context)
     with pytest.raises(vb.TruncatedError):

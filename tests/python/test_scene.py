@@ -179,6 +179,19 @@ def test_a_thread_lies_in_a_hole_that_was_made_and_is_pulled_out(context):
     assert [event[1:4] for event in events] == [(body, wall, name)] and scene.holes == []
 
 
+def test_a_scene_is_loaded_from_its_bytes_alone(lying):
+    scene = lying[0] if isinstance(lying, tuple) else lying
+    scene.step()
+    with vb.Context() as other:
+        loaded = vb.Scene.load(scene.save(), other)
+        assert loaded.state_hash == scene.state_hash
+        loaded.step()
+        scene.step()
+        assert loaded.state_hash == scene.state_hash
+        with pytest.raises(vb.TruncatedError):
+            vb.Scene.load(b"not a state", other)
+
+
 def test_scenes_are_saved_and_restored(lying):
     scene, _, _ = lying
     scene.step()

@@ -596,7 +596,8 @@ static void damaged_suspended_states_are_rejected_or_continue(void **state)
     uint8_t *bad = malloc(good.count);
     assert_non_null(bad);
     uint32_t taken = 0, refused = 0;
-    for (size_t at = good.count - 8 - LAST; at < good.count - 8; at++) {
+    const size_t end = harness_state_end(good.bytes, good.count);
+    for (size_t at = end - LAST; at < end; at++) {
         for (int bit = 0; bit < 8; bit++) {
             memcpy(bad, good.bytes, good.count);
             bad[at] ^= (uint8_t)(1u << bit);

@@ -8,7 +8,7 @@ from ._api.base import Result
 from ._api.grasper import GrasperKind
 from ._api.record import (RecordEventKind, RecordInputKind, ReplayOutcome, ReplayReport, SceneSetting, vbss_record_input, vbss_record_log_report,
                           vbss_replay_logged_step, vbss_record, vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
-from ._api.scene import vbss_scene_config
+from ._api.scene import vbss_scene, vbss_scene_config
 from ._library import lib
 from ._objects import Configured, Object, context_or_new, created
 from ._values import constant, constant_of, data_of, doubles, index, initialised, integer, optional, settable
@@ -67,6 +67,15 @@ class Record(Configured, Object):
         with self._context._lock:
             self._call(lib.vbss_record_take, ctypes.byref(data), ctypes.byref(count))
             return ctypes.string_at(data, count.value)
+
+    def attach_to_scene(self) -> None:
+        """From now on the record logs all edits and steps of its scene, made by functions of the scene and its
+        bodies. end() and close() detach it, and detach_from_scene()."""
+        self._scene._call(lib.vbss_scene_set_recorder, self._handle)
+
+    def detach_from_scene(self) -> None:
+        """Detaches the record that is attached to the scene."""
+        self._scene._call(lib.vbss_scene_set_recorder, None)
 
     def step(self, h: float = 1e-3) -> None:
         """Steps the scene."""
@@ -251,6 +260,11 @@ class Replay(Object):
             scene._refuse()
         self._call(lib.vbss_replay_begin, scene._handle)
         self._scene = scene
+
+    def load_scene(self) -> Scene:
+        """Makes the recorded scene from the log alone, and begins in it."""
+        self._scene = Scene._of(self._context, created(self._context, vbss_scene, lib.vbss_replay_load_scene, self._handle))
+        return self._scene
 
     def step(self) -> ReplayReport:
         """Replays the next step and compares the hash."""

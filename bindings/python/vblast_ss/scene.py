@@ -17,7 +17,7 @@ from ._api.scene_query import SceneBodyInfo, SceneBodyKind, SceneNearest, SceneR
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
-from ._values import constant_of, doubles, index, initialised, optional
+from ._values import constant_of, data_of, doubles, index, initialised, optional
 from .context import Context
 from .drain import Drain
 from .errors import NotFoundError
@@ -98,6 +98,20 @@ class Scene(Configured, Viewed, Saved):
         self._lost_events = 0
         super().__init__(context, created(context, vbss_scene, lib.vbss_scene_create, context._handle,
                                           ctypes.byref(config)))
+
+    @classmethod
+    def load(cls, state: Any, context: Optional[Context] = None) -> Scene:
+        """The scene of saved bytes (save()), with its bodies, which belong to it and end with it."""
+        context = context_or_new(context)
+        data = data_of(state, "state")
+        return cls._of(context, created(context, vbss_scene, lib.vbss_scene_load, context._handle, data, len(data)))
+
+    @classmethod
+    def _of(cls, context: Context, handle: Any) -> Scene:
+        scene = cls.__new__(cls)
+        scene._bodies = {}
+        Object.__init__(scene, context, handle)
+        return scene
 
     def close(self) -> None:
         super().close()

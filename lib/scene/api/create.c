@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/stream.h"
 #include "scene/api/api.h"
+#include "scene/snapshot/describe.h"
 #include "scene/snapshot/snapshot.h"
 #include "scene/topology/topology.h"
 #include "scene/world/method.h"
@@ -166,6 +167,12 @@ static void free_object(vbss_context *context, void *object)
             vbss_scene_return_spare(&s->bodies[i]);
         }
     }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        vbss_slot *slot = vbss_scene_slot_of_body(&s->bodies[i]);
+        if (slot != NULL) {
+            vbss_slot_destroy_owned(slot);
+        }
+    }
     if (s->collision != NULL) {
         vbss_collision_free(context, s->collision);
     }
@@ -174,8 +181,8 @@ static void free_object(vbss_context *context, void *object)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 6, free_object,
-                                   vbss_scene_serialise};
+const vbss_kind vbss_scene_kind = {"scene",     VBSS_CODE('S', 'C', 'E', 'N'), 6,
+                                   free_object, vbss_scene_serialise,          vbss_scene_describe};
 
 static vbss_result make_collision(scene_object *s)
 {
@@ -243,6 +250,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
         free_object(context, s);
         return result;
     }
+    slot->hook = &s->hook;
     *scene = (vbss_scene *)slot;
     return VBSS_OK;
 }

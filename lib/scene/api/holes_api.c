@@ -125,6 +125,16 @@ static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_l
     return VBSS_OK;
 }
 
+static vbss_result add_hole(scene_object *s, suture_hole *made, double arc_length, uint32_t body,
+                            const double *weights)
+{
+    VBSS_TRY(prepare_hole(s, made, arc_length, body, weights));
+    *vbss_scene_find_free_hole(s) = *made;
+    s->last_hole_id = made->id;
+    s->report.generation++;
+    return VBSS_OK;
+}
+
 vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
                                  uint32_t drain, uint32_t triangle, const double *weights,
                                  uint32_t *id)
@@ -136,12 +146,12 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     suture_hole made = place;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(prepare_hole(s, &made, arc_length, body, weights));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    vbss_edit input = {
+        .kind = VBSS_EDIT_HOLE, .words = {body, drain, triangle}, .numbers = {arc_length}};
+    vbss_edit_set_numbers(&input, 1, weights, 3);
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
     made = place;
-    VBSS_TRY(vbss_scene_end_edit(s, &edit, prepare_hole(s, &made, arc_length, body, weights)));
-    *vbss_scene_find_free_hole(s) = made;
-    s->last_hole_id = made.id;
-    s->report.generation++;
+    VBSS_TRY(vbss_scene_end_edit(&edit, add_hole(s, &made, arc_length, body, weights)));
     if (id != NULL) {
         *id = made.id;
     }

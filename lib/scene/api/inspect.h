@@ -12,6 +12,7 @@
 
 #include <vblast_ss/scene.h>
 
+#include "base/edit_hook.h"
 #include "base/linear.h"
 #include "base/slot.h"
 
@@ -54,6 +55,15 @@ vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info);
  * callback of the context. */
 vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info);
 
+/* Visits the configuration of a scene and its parameters of the baseline; scene/snapshot/config_fields.c has
+ * the versions. */
+void vbss_scene_inspect_visit_config(vbss_stream *stream, vbss_scene_config *config,
+                                     vbss_baseline_config *baseline);
+/* Name of a field that keeps two scenes from accepting each other's states, or NULL. Both configurations
+ * point to their parameters of the baseline. */
+const char *vbss_scene_inspect_config_difference(const vbss_scene_config *a,
+                                                 const vbss_scene_config *b);
+
 /* Simulated time that a step of length `h` lost, by its events, s: truncated and paused parts have kind 3
  * and a share in 65536ths. The events are not const for the reason given above. */
 static inline double vbss_scene_inspect_lost_time(uint32_t (*events)[4], uint32_t count, double h)
@@ -72,6 +82,14 @@ typedef struct scene_edit_counts {
 } scene_edit_counts;
 scene_edit_counts vbss_scene_inspect_edits(const vbss_scene *scene);
 
+/* Loads a scene from its bytes into an existing handle. The bodies of before leave the scene, as when
+ * it is destroyed. Returns the errors of vbss_scene_load; the scene is then unchanged. */
+vbss_result vbss_scene_inspect_reload(vbss_scene *scene, const uint8_t *bytes, uint64_t count);
+
+/* Who hears of the edits of the scene; NULL if the scene was destroyed. Callers change the data and
+ * the functions, but not the depth. */
+vbss_edit_hook *vbss_scene_inspect_hook(const vbss_scene *scene);
+
 /* ---- bodies of a scene */
 
 /* A body of a scene. At most one of its handles is not NULL. All are NULL for a rigid body that is
@@ -88,6 +106,8 @@ typedef struct scene_body_info {
 } scene_body_info;
 /* Reads the body with a number; the number may be one that no body has. */
 scene_body_info vbss_scene_inspect_body(const vbss_scene *scene, uint32_t number);
+/* Number of the body that has a handle; 0: no body has it. */
+uint32_t vbss_scene_inspect_number(const vbss_scene *scene, const void *handle);
 /* Reads the body at an entry of the table of bodies, 0 to entry_count - 1. */
 scene_body_info vbss_scene_inspect_entry(const vbss_scene *scene, uint32_t entry);
 

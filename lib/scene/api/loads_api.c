@@ -45,6 +45,12 @@ vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, const doubl
         return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "body %u is driven: no force moves it", body);
     }
+    vbss_edit input = {.kind = VBSS_EDIT_SETTING,
+                       .words = {VBSS_EDIT_SETTING_FORCE, body, point != NULL, torque != NULL}};
+    vbss_edit_set_numbers(&input, 0, force, 3);
+    vbss_edit_set_numbers(&input, 3, point, 3);
+    vbss_edit_set_numbers(&input, 6, torque, 3);
+    VBSS_TRY(vbss_edit_begin(scene, &input));
     const vec3 f = vec3_load(force);
     r->pending_load.force = vec3_add(r->pending_load.force, f);
     if (point != NULL) {
@@ -55,7 +61,7 @@ vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, const doubl
         r->pending_load.torque = vec3_add(r->pending_load.torque, vec3_load(torque));
     }
     s->report.generation++;
-    return VBSS_OK;
+    return vbss_edit_end(scene, &input, VBSS_OK);
 }
 
 /* ---- motion of free bodies */
@@ -109,8 +115,12 @@ vbss_result vbss_scene_set_rigid_velocity(vbss_scene *scene, uint32_t body,
     }
     VBSS_TRY(vbss_scene_check_settable(s));
     VBSS_TRY(find_free(s, body, &r));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, set_velocity(s, body, velocity, angular_velocity));
+    vbss_edit input = {.kind = VBSS_EDIT_SETTING,
+                       .words = {VBSS_EDIT_SETTING_VELOCITY, body, angular_velocity != NULL}};
+    vbss_edit_set_numbers(&input, 0, velocity, 3);
+    vbss_edit_set_numbers(&input, 3, angular_velocity, 3);
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, set_velocity(s, body, velocity, angular_velocity));
 }
 
 /* What holds a body where it is; NULL: nothing. */
@@ -195,10 +205,13 @@ vbss_result vbss_scene_set_rigid_pose(vbss_scene *scene, uint32_t body, const do
     }
     const quat *wanted = orientation != NULL ? &turned : NULL;
     VBSS_TRY(vbss_scene_check_settable(s));
-    if (!s->cursor.is_suspended) {
-        return set_pose(s, body, position, wanted);
+    vbss_edit input = {.kind = VBSS_EDIT_SETTING,
+                       .words = {VBSS_EDIT_SETTING_POSE, body, orientation != NULL}};
+    vbss_edit_set_numbers(&input, 0, position, 3);
+    vbss_edit_set_numbers(&input, 3, orientation, 4);
+    if (s->cursor.is_suspended) {
+        VBSS_TRY(check_pose(s, body, position, wanted, &at));
     }
-    VBSS_TRY(check_pose(s, body, position, wanted, &at));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, set_pose(s, body, position, wanted));
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, set_pose(s, body, position, wanted));
 }

@@ -33,6 +33,10 @@ vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body, const 
     if (orientation != NULL) {
         VBSS_TRY(vbss_read_orientation(s->context, orientation, &target.orientation));
     }
+    vbss_edit input = {.kind = VBSS_EDIT_RIGID_TARGET, .words = {body, orientation != NULL}};
+    vbss_edit_set_numbers(&input, 0, position, 3);
+    vbss_edit_set_numbers(&input, 3, orientation, 4);
+    VBSS_TRY(vbss_edit_begin(scene, &input));
     const double jump = vec3_distance(vec3_load(position), target.position);
     if (!r->has_jumped && jump > VBSS_LIKELY_JUMP) {
         r->has_jumped = true; /* a host with the wrong unit is warned once, not each step */
@@ -45,7 +49,7 @@ vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body, const 
     }
     vbss_scene_set_tool_target(s, r, target);
     s->report.generation++;
-    return VBSS_OK;
+    return vbss_edit_end(scene, &input, VBSS_OK);
 }
 
 vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_scene_rigid_state *state,

@@ -19,6 +19,20 @@ void vbss_scene_set_body_number(scene_object *s, scene_body *b, uint32_t number)
     s->body_of_number[number - 1] = (uint32_t)(b - s->bodies);
 }
 
+vbss_slot *vbss_scene_slot_of_body(const scene_body *b)
+{
+    switch (b->kind) {
+    case SCENE_BODY_THREAD:
+        return b->thread.slot;
+    case SCENE_BODY_DRAIN:
+        return b->drain.slot;
+    case SCENE_BODY_RIGID:
+        return b->rigid.slot;
+    default:
+        return NULL;
+    }
+}
+
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind)
 {
     bool any = false;

@@ -17,6 +17,7 @@
 #include <vblast_ss/scene.h>
 #include <vblast_ss/scene_event.h>
 
+#include "base/edit_hook.h"
 #include "collision/shapes.h"
 #include "contact/contact.h"
 #include "drain/drain.h"
@@ -525,6 +526,7 @@ struct scene_object {
     const scene_method *method;
     struct baseline_scene *baseline; /* state of lib/baseline; NULL by the implicit method */
     vbss_context *context;
+    vbss_edit_hook hook;      /* hears of all edits of the scene and its bodies */
     vbss_scene_config config; /* as the scene was created; `settings` has values that changed */
     vbss_baseline_config baseline_config; /* what config.baseline points to */
     scene_settings settings;

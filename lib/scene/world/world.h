@@ -94,6 +94,9 @@ void vbss_scene_set_body_number(scene_object *s, scene_body *b, uint32_t number)
 /* Whether the scene has a body of this kind. */
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind);
 
+/* Slot of the handle of a body; NULL if it has none. */
+vbss_slot *vbss_scene_slot_of_body(const scene_body *b);
+
 /* Finds a free entry for a body of this kind. VBSS_ERROR_CAPACITY if the scene has as many as its
  * configuration allows, pieces of threads that may yet be cut included. */
 vbss_result vbss_scene_find_free_body(scene_object *s, scene_body_kind kind, scene_body **body);

@@ -891,5 +891,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_save": (c_int32, (POINTER(vbss_scene), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),
     "vbss_scene_restore": (c_int32, (POINTER(vbss_scene), POINTER(c_uint8), c_uint64)),
+    "vbss_scene_load": (c_int32, (POINTER(vbss_context), POINTER(c_uint8), c_uint64,
+        POINTER(POINTER(vbss_scene)))),
     "vbss_scene_get_hash": (c_int32, (POINTER(vbss_scene), POINTER(c_uint64))),
 }
