@@ -321,7 +321,7 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
  *
  * An edit or step of the scene then has further errors, and changes nothing with them.
  * VBSS_ERROR_CAPACITY: input_capacity is exhausted, or the buffer has no room for the step, until
- * #vbss_record_take. VBSS_ERROR_OUT_OF_RANGE: the scene was changed while the record was not attached.
+ * #vbss_record_take. VBSS_ERROR_WRONG_STATE: the scene was changed while the record was not attached.
  * VBSS_ERROR_OUT_OF_MEMORY: there is no memory for the snapshot. #vbss_record_end and
  * #vbss_record_destroy detach the record.
  *

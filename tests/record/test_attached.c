@@ -259,7 +259,7 @@ static void failed_edit_is_not_logged(void **state)
     vbss_record *record = attach(s.scene);
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_scene_set_rigid_target(s.scene, s.tools[0], far, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(s.scene, 1000));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_unpin_thread(s.scene, 1000));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_scene_pin_thread(s.scene, s.body, 1000, 0, NULL, &id));
     stage_step(&s, NULL);
@@ -440,7 +440,7 @@ static void record_that_does_not_know_the_state_is_not_attached(void **state)
     stage_step(&s, NULL);
     expect_ok(vbss_scene_set_recorder(s.scene, NULL));
     stage_step(&s, NULL);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_set_recorder(s.scene, record));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(s.scene, record));
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_scene_set_recorder(other.scene, record));
     expect_result(VBSS_ERROR_INVALID_HANDLE,
                   vbss_scene_set_recorder(s.scene, (vbss_record *)s.thread));
