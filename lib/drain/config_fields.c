@@ -51,7 +51,7 @@ static const vbss_field fields[] = {
 };
 
 void vbss_drain_visit_config(vbss_stream *stream, vbss_drain_config *config,
-                              vbss_baseline_config *baseline)
+                             vbss_baseline_config *baseline)
 {
     values v = {*config, *baseline};
     vbss_section outer = vbss_stream_open(stream, VBSS_CODE('D', 'C', 'F', 'G'), 1);

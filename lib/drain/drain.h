@@ -294,7 +294,7 @@ static inline vec3 vbss_drain_point(const drain_object *d, const vec3 *x, uint32
 
 /* Visits the configuration and its parameters of the baseline, to which it points afterwards. */
 void vbss_drain_visit_config(vbss_stream *stream, vbss_drain_config *config,
-                              vbss_baseline_config *baseline);
+                             vbss_baseline_config *baseline);
 
 /* ---- snapshot.c */
 

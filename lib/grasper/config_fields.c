@@ -55,7 +55,7 @@ static const vbss_field fields[] = {
 };
 
 void vbss_grasper_visit_config(vbss_stream *stream, vbss_grasper_config *config,
-                              vbss_baseline_config *baseline)
+                               vbss_baseline_config *baseline)
 {
     values v = {*config, *baseline};
     vbss_section outer = vbss_stream_open(stream, VBSS_CODE('G', 'C', 'F', 'G'), 1);

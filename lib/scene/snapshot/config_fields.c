@@ -55,14 +55,10 @@ enum { FIELD_COUNT = sizeof fields / sizeof fields[0] };
 static bool may_differ(const vbss_field *field)
 {
     static const size_t offsets[] = {
-        offsetof(values, config.thread_capacity),
-        offsetof(values, config.node_capacity),
-        offsetof(values, config.rigid_capacity),
-        offsetof(values, config.capsule_capacity),
-        offsetof(values, config.contact_capacity),
-        offsetof(values, config.candidate_capacity),
-        offsetof(values, config.event_capacity),
-        offsetof(values, config.drain_capacity),
+        offsetof(values, config.thread_capacity),  offsetof(values, config.node_capacity),
+        offsetof(values, config.rigid_capacity),   offsetof(values, config.capsule_capacity),
+        offsetof(values, config.contact_capacity), offsetof(values, config.candidate_capacity),
+        offsetof(values, config.event_capacity),   offsetof(values, config.drain_capacity),
         offsetof(values, config.overlap),
     };
     bool found = false;

@@ -32,8 +32,9 @@ typedef struct scene_body_description {
     uint32_t type;                 /* SCENE_DESCRIBED_ */
     uint32_t entry, shape, number; /* of the body, in their tables; number 0: a spare piece */
     uint32_t rest_count; /* threads: rest lengths in the record; 0: only the state has them */
-    vbss_baseline_config baseline; /* threads, drains, graspers: to which their configuration points */
-    union {              /* `type` says which one is in use */
+    vbss_baseline_config
+        baseline; /* threads, drains, graspers: to which their configuration points */
+    union {       /* `type` says which one is in use */
         vbss_thread_config thread;
         vbss_drain_config drain;
         vbss_needle_config needle;
