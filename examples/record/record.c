@@ -2,6 +2,7 @@
  *
  * The first half is a host as any other: it makes a scene, edits and steps it. Attaching the record is its one extra call. The
  * second half has the bytes of the log and nothing else. */
+#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -135,6 +136,7 @@ int main(void)
 {
     log_bytes log = {NULL, 0};
     uint64_t recorded = 0, replayed = 1;
+    (void)setlocale(LC_NUMERIC, "C"); /* numbers with a decimal point */
     vbss_result result = record(&log, &recorded);
     if (result == VBSS_OK) {
         printf("a log of %lu bytes\n", (unsigned long)log.count);

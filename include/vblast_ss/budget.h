@@ -134,9 +134,8 @@ static inline vbss_budget_config vbss_budget_config_default(void)
  * @param context         the context that receives error texts and the warning
  * @param budget          the budget, with the speed of the core
  * @param[in,out] config  the configuration; other fields stay as they are
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE (also: a
- *         configuration that does not have both fields yet), VBSS_ERROR_UNKNOWN_FIELD,
- *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */

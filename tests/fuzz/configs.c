@@ -34,6 +34,7 @@ static void try_thread(vbss_context *context, vbss_thread_config *c)
 {
     vbss_thread *thread;
     c->rest_lengths = c->positions = NULL;
+    c->baseline = NULL;
     if (vbss_thread_create(context, c, &thread) == VBSS_OK) {
         uint64_t hash;
         for (int i = 0; i < 3; i++) {
@@ -58,6 +59,7 @@ static void try_needle(vbss_context *context, const vbss_needle_config *c)
 static void try_drain(vbss_context *context, vbss_drain_config *c)
 {
     vbss_drain *drain;
+    c->baseline = NULL;
     c->mesh_divisions &= 1; /* finer ones take seconds under sanitizers */
     if (vbss_drain_create(context, c, &drain) == VBSS_OK) {
         (void)vbss_drain_step(drain, 1e-3);
@@ -88,6 +90,7 @@ static void try_in_scene(vbss_context *context, uint8_t kind, void *config)
         rigid->capsule_count %= 5;
         result = vbss_scene_add_rigid(scene, rigid, &body);
     } else if (result == VBSS_OK) {
+        ((vbss_grasper_config *)config)->baseline = NULL;
         result = vbss_grasper_create(context, config, &grasper);
         result = result == VBSS_OK ? vbss_scene_add_grasper(scene, grasper, &body) : result;
     }
@@ -118,6 +121,7 @@ void try_config(vbss_context *context, uint8_t kind, void *config)
     vbss_knot_detector *detector;
     switch (kind) {
     case SCENE:
+        ((vbss_scene_config *)config)->baseline = NULL;
         if (vbss_scene_create(context, config, &scene) == VBSS_OK) {
             (void)vbss_scene_step(scene, 1e-3);
         }

@@ -13,7 +13,7 @@ static hands place_across(stage *s, double height, uint32_t segments)
     memcpy(c.start, start, sizeof start);
     memcpy(c.direction, direction, sizeof direction);
     c.length = 0.06;
-    baseline_of(&c.baseline)->drain_damping = 0.01;
+    baseline_of(&c.baseline)->thread_damping = 0.01;
     add(s, 0, &c);
     return hold_ends(s, 0);
 }

@@ -66,11 +66,6 @@ vbss_result vbss_budget_fit_scene(vbss_context *context, const vbss_budget_confi
     VBSS_TRY(vbss_config_read(context, &budget_layout, budget, &own));
     VBSS_TRY(vbss_config_read(context, &vbss_scene_config_layout, config, &scene));
     VBSS_TRY(check_budget(context, &own));
-    if (config->struct_size < offsetof(vbss_scene_config, call_budget) + sizeof scene.call_budget) {
-        return vbss_fail(context, VBSS_ERROR_STRUCT_SIZE,
-                         "a vbss_scene_config of %u bytes has no call_budget",
-                         (unsigned)config->struct_size);
-    }
     config->call_budget = fit_slot_limit(context, &own);
     config->step_budget = (uint32_t)((uint64_t)config->call_budget * SCENE_DEFAULT_STEP_BUDGET /
                                      SCENE_DEFAULT_CALL_BUDGET);

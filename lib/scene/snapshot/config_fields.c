@@ -50,6 +50,15 @@ static const vbss_field fields[] = {
 };
 enum { FIELD_COUNT = sizeof fields / sizeof fields[0] };
 
+/* The name without the member of `values` that has the field. */
+static const char *name_of(const vbss_field *field)
+{
+    const char *name = field->name;
+    while (*name++ != '.') {
+    }
+    return name;
+}
+
 /* Whether a field may differ between scenes that accept each other's states: it sizes memory, or
  * applies to bodies that are added. Pins, grasps and holes are part of the state. */
 static bool may_differ(const vbss_field *field)
@@ -103,8 +112,7 @@ const char *vbss_scene_find_config_difference(const vbss_scene_config *a,
         const char *value_b = (const char *)&of_b + fields[i].offset;
         size_t size = fields[i].type == VBSS_FIELD_U32 ? sizeof(uint32_t) : sizeof(double);
         if (!may_differ(&fields[i]) && memcmp(value_a, value_b, size * fields[i].count) != 0) {
-            const char *dot = strchr(fields[i].name, '.');
-            return dot + 1;
+            return name_of(&fields[i]);
         }
     }
     return NULL;
