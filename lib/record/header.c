@@ -65,11 +65,13 @@ static const config_field fields[] = {
     WORD(step_budget),    /* since version 3 */
     ROOM(drain_capacity), /* since version 4 */
     WORD(hole_capacity),
-    WORD(call_budget),   /* since version 5 */
-    NUMBER(speed_limit), /* since version 6 */
+    WORD(call_budget),     /* since version 5 */
+    NUMBER(speed_limit),   /* since version 6 */
+    ROOM(matrix_capacity), /* since version 7 */
 };
 /* Of version 1, whose scenes had no graspers, 2, whose work had no limit, 3, which had no drains and
- * holes, 4, whose calls had no limit, and 5, whose targets had no limit of speed. */
+ * holes, 4, whose calls had no limit, 5, whose targets had no limit of speed, and 6, whose systems
+ * had no configured capacity. */
 enum {
     FIELDS = sizeof fields / sizeof fields[0],
     FIELDS_1 = 25,
@@ -77,6 +79,7 @@ enum {
     FIELDS_3 = 27,
     FIELDS_4 = 29,
     FIELDS_5 = 30,
+    FIELDS_6 = 31,
     GRASPS_1 = 8,
     DRAINS_3 = 1,
     HOLES_3 = 16
@@ -84,13 +87,14 @@ enum {
 
 static uint32_t field_count(uint32_t version)
 {
-    static const uint32_t before[] = {FIELDS_1, FIELDS_1, FIELDS_2, FIELDS_3, FIELDS_4, FIELDS_5};
-    return version < 6 ? before[version] : FIELDS;
+    static const uint32_t before[] = {FIELDS_1, FIELDS_1, FIELDS_2, FIELDS_3,
+                                      FIELDS_4, FIELDS_5, FIELDS_6};
+    return version < 7 ? before[version] : FIELDS;
 }
 
 static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
 {
-    vbss_section outer = vbss_stream_open(stream, CONFIG, 6);
+    vbss_section outer = vbss_stream_open(stream, CONFIG, 7);
     uint32_t count = field_count(stream->version);
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
     config->step_budget = stream->version >= 3 ? config->step_budget : 0;
@@ -98,6 +102,7 @@ static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
     config->hole_capacity = stream->version >= 4 ? config->hole_capacity : HOLES_3;
     config->call_budget = stream->version >= 5 ? config->call_budget : 0;
     config->speed_limit = stream->version >= 6 ? config->speed_limit : 0.0;
+    config->matrix_capacity = stream->version >= 7 ? config->matrix_capacity : 0;
     for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;
         void *value = (char *)config + fields[i].offset;
