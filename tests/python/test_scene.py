@@ -200,3 +200,21 @@ def test_bad_bodies_are_refused(context):
     with pytest.raises(vb.InvalidHandleError, match="the thread is closed"):
         scene.add(thread)
 
+
+
+def test_memory_of_settings_is_that_of_a_scene(context):
+    vb.Thread(context, segment_count=2)  # its handle takes the slots that handles of scenes use
+    before = context.statistics.bytes_allocated
+    wanted = vb.Scene.memory(context, node_capacity=100)
+    assert context.statistics.bytes_allocated == before
+    scene = vb.Scene(context, node_capacity=100)
+    assert context.statistics.bytes_allocated - before == wanted < vb.Scene.memory(context) <= 8e6
+    scene.close()
+
+
+def test_a_prepared_scene_has_the_same_state(lying):
+    scene, _, _ = lying
+    before = scene.hash
+    scene.prepare()
+    assert scene.hash == before
+    scene.step()

@@ -17,14 +17,14 @@ static uint64_t allocated(vbss_context *context)
 static uint64_t expect_exact_memory(vbss_context *context, const vbss_scene_config *config)
 {
     const uint64_t before = allocated(context);
-    uint64_t told = 0;
+    uint64_t bytes = 0;
     vbss_scene *scene;
-    expect_ok(vbss_scene_config_get_memory(context, config, &told));
+    expect_ok(vbss_scene_config_get_memory(context, config, &bytes));
     assert_true(allocated(context) == before);
     expect_ok(vbss_scene_create(context, config, &scene));
-    assert_true(allocated(context) - before == told);
+    assert_true(allocated(context) - before == bytes);
     expect_ok(vbss_scene_destroy(scene));
-    return told;
+    return bytes;
 }
 
 static void memory_of_configuration_is_exact(void **state)
@@ -48,30 +48,30 @@ static void memory_of_configuration_is_exact(void **state)
     small_end(&s);
 }
 
-static void default_scene_takes_at_most_8_MB(void **state)
+static void default_scene_takes_no_more_than_8_MB(void **state)
 {
     (void)state;
     small s;
-    uint64_t told;
+    uint64_t bytes;
     small_begin(&s);
-    expect_ok(vbss_scene_config_get_memory(s.context, NULL, &told));
-    assert_true(told <= 8000000);
+    expect_ok(vbss_scene_config_get_memory(s.context, NULL, &bytes));
+    assert_true(bytes <= 8000000);
     small_end(&s);
 }
 
-static void refused_configuration_tells_no_memory(void **state)
+static void refused_configuration_leaves_the_number(void **state)
 {
     (void)state;
     small s;
-    uint64_t told = 77;
+    uint64_t bytes = 77;
     small_begin(&s);
     s.config.matrix_capacity = 10000001;
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_scene_config_get_memory(s.context, &s.config, &told));
+                  vbss_scene_config_get_memory(s.context, &s.config, &bytes));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_scene_config_get_memory(s.context, NULL, NULL));
     s.memory.fail_call = s.memory.calls + 40;
-    expect_result(VBSS_ERROR_OUT_OF_MEMORY, vbss_scene_config_get_memory(s.context, NULL, &told));
-    assert_true(told == 77);
+    expect_result(VBSS_ERROR_OUT_OF_MEMORY, vbss_scene_config_get_memory(s.context, NULL, &bytes));
+    assert_true(bytes == 77);
     small_end(&s);
 }
 
@@ -192,8 +192,8 @@ int test_matrix_capacity(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(memory_of_configuration_is_exact),
-        harness_test(default_scene_takes_at_most_8_MB),
-        harness_test(refused_configuration_tells_no_memory),
+        harness_test(default_scene_takes_no_more_than_8_MB),
+        harness_test(refused_configuration_leaves_the_number),
         harness_test(scene_beyond_matrix_capacity_reports_capacity),
         harness_test(thread_that_touches_with_all_nodes_fits_default),
         harness_test(prepared_scene_steps_with_the_same_bits),
