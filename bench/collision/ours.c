@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fixtures/baseline_of.h"
 #include "base/simd_dispatch.h"
 #include "collision/collision.h"
 #include "collision/query_method.h"
@@ -32,7 +33,7 @@ static bool begin_questions(const query_rows *rows, vbss_collision_method method
         return false;
     }
     config.method = method;
-    config.paper_unit = unit;
+    baseline_of(&config.baseline)->collision_unit = unit;
     rules = vbss_collision_ccd_options_of(&config);
     rules.limbs = limbs;
     rules.limb_count = COLLISION_LIMBS;

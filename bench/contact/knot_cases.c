@@ -2,6 +2,7 @@
  * paper's on its own 30 segments and steps of 1/150 s, and on ours. */
 #include <stdio.h>
 
+#include "fixtures/baseline_of.h"
 #include "contact/bench_contact.h"
 #include "contact/pulled_knot.h"
 
@@ -83,7 +84,7 @@ static void set(pulled_knot *k, const kind_case *c, phase when)
     k->options.knot.finest = c->finest;
     k->options.knot.coarsest = c->coarsest;
     k->options.knot.size = c->finest == PAPER_SEGMENT ? PAPER_SIZE : k->options.knot.size;
-    k->options.thread.paper_damping =
+    baseline_of(&k->options.thread.baseline)->thread_damping =
         c->finest == PAPER_SEGMENT ? 0.01 : 0.0; /* or it shakes to pieces */
     k->max_steps = c->max_steps;
     k->pinned = c->pinned;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "fixtures/baseline_of.h"
 #include "contact/bench_contact.h"
 #include "contact/pulled_knot.h"
 
@@ -67,7 +68,7 @@ static void add_paper_cases(bench *b)
             pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_VBLAST);
             k->options.knot.finest = k->options.knot.coarsest = paper_segments[i];
             k->options.knot.size = PAPER_SIZE;
-            k->options.thread.paper_damping = PAPER_DAMPING;
+            baseline_of(&k->options.thread.baseline)->thread_damping = PAPER_DAMPING;
             k->h = paper_steps[h];
             k->max_steps = (uint32_t)(PAPER_SECONDS / k->h + 0.5);
             snprintf(k->name, sizeof k->name, "contact/resolution/paper-%.3gms/%g", 1e3 * k->h,

@@ -5,6 +5,7 @@
  * (docs/paper-scene.md), and with its own of 1/150 s; compare us/ms. */
 #include <stdio.h>
 
+#include "fixtures/baseline_of.h"
 #include "contact/pulled_knot.h"
 #include "task/bench_task.h"
 
@@ -40,7 +41,7 @@ void add_drawn_cases(bench *b)
             k->options.knot.length = THREAD_LENGTH;
             k->options.knot.finest = k->options.knot.coarsest = THREAD_LENGTH / sizes[i];
             k->options.knot.size = LOOSE;
-            k->options.thread.paper_damping = PAPER_DAMPING;
+            baseline_of(&k->options.thread.baseline)->thread_damping = PAPER_DAMPING;
             k->h = methods[m].h;
             k->whole = true;
             k->max_steps = (uint32_t)(DRAWN_SECONDS / k->h + 0.5);

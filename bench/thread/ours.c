@@ -46,7 +46,6 @@ static vbss_result make(ours *o, const cantilever_setup *setup, vbss_method meth
     config.bending_stiffness = CANTILEVER_BENDING_STIFFNESS;
     config.gravity[1] = -CANTILEVER_GRAVITY;
     config.drag = setup->drag;
-    config.paper_damping = 0.0; /* the scene has none */
     result = vbss_thread_create(o->context, &config, &o->thread);
     if (result == VBSS_OK) {
         result = vbss_thread_attachment_init(&clamp, sizeof clamp);

@@ -457,20 +457,19 @@ static bool sprang_off(stitch *t, uint32_t id)
 
 vbss_result stitch_observe(stitch *t)
 {
-    vbss_view view;
+    const throw_rig *rig = &t->site.rig;
     vbss_scene_hole hole;
     TRY(hand_feel(&t->right));
     TRY(hand_feel(&t->left));
-    TRY(vbss_scene_get_view(t->site.rig.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
-    for (uint64_t i = 0; i < view.count; i++) {
-        const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
-        if (event[0] == VBSS_SCENE_EVENT_PUNCTURE) {
-            punctured(t, event[3]);
-        } else if (event[0] == VBSS_SCENE_EVENT_WITHDRAWN && sprang_off(t, event[3])) {
+    for (uint32_t i = 0; i < rig->event_count; i++) {
+        const vbss_scene_event *e = &rig->events[i];
+        if (e->kind == VBSS_SCENE_EVENT_PUNCTURE) {
+            punctured(t, e->id);
+        } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN && sprang_off(t, e->id)) {
             continue;
-        } else if (event[0] == VBSS_SCENE_EVENT_TORN || event[0] == VBSS_SCENE_EVENT_WITHDRAWN) {
+        } else if (e->kind == VBSS_SCENE_EVENT_TORN || e->kind == VBSS_SCENE_EVENT_WITHDRAWN) {
             t->others++;
-            fail(t, event[0] == VBSS_SCENE_EVENT_TORN ? "torn out of the jaws" : "withdrawn");
+            fail(t, e->kind == VBSS_SCENE_EVENT_TORN ? "torn out of the jaws" : "withdrawn");
         }
     }
     if (t->holes[SITE_RIGHT] != 0 && site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole)) {

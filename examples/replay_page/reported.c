@@ -48,7 +48,7 @@ static const reporting tellings[] = {
     {VBSS_SCENE_EVENT_RETURNED, "warn", "%1 is in the wall of %2 again"},
     {VBSS_SCENE_EVENT_UNTHREADED, "warn", "an end of %1 leaves the wall of %2"},
     {VBSS_SCENE_EVENT_HOLE_LOST, "bad", "no room for a hole of %1 in %2"},
-    {VBSS_SCENE_EVENT_CLAMPED, "step", "a step is cut short or paused"},
+    {VBSS_RECORD_EVENT_TIME_LOST, "step", "a step is cut short or paused"},
     {VBSS_SCENE_EVENT_BLOCKED, "step", "%1 and %2 hold each other back"},
     {VBSS_SCENE_EVENT_UNBLOCKED, "step", "%1 and %2 move freely again"},
 };

@@ -30,7 +30,7 @@ typedef struct closest_points {
 } moment;
 
 typedef struct happening {
-    uint32_t kind, first, second, number; /* as in VBSS_SCENE_VIEW_EVENTS */
+    uint32_t kind, first, second, number; /* the four words of an event in the log */
     uint64_t step;
     double time;
 } happening;

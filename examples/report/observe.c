@@ -118,14 +118,12 @@ static void take_back(again *a, uint32_t id, double time)
 /* Those of the step that was made last. */
 static vbss_result observe_events(again *a, const stage *s, double time)
 {
-    vbss_view view;
-    TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
-    for (uint64_t i = 0; i < view.count; i++) {
-        const uint32_t *e = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
-        if (e[0] == VBSS_SCENE_EVENT_PUNCTURE && s->drain != NULL) {
-            TRY(keep_puncture(a, s, e[3], time));
-        } else if (e[0] == VBSS_SCENE_EVENT_WITHDRAWN) {
-            take_back(a, e[3], time);
+    for (uint32_t i = 0; i < s->rig->event_count; i++) {
+        const vbss_scene_event *e = &s->rig->events[i];
+        if (e->kind == VBSS_SCENE_EVENT_PUNCTURE && s->drain != NULL) {
+            TRY(keep_puncture(a, s, e->id, time));
+        } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN) {
+            take_back(a, e->id, time);
         }
     }
     return VBSS_OK;

@@ -53,13 +53,13 @@ static void put_events(page *p, const facts *f)
               "two bodies touched that did not");
     put_count(p, "contacts ended", f->counts[VBSS_SCENE_EVENT_PART],
               "two that touched do no longer");
-    put_count(p, "steps cut short or paused", f->counts[VBSS_SCENE_EVENT_CLAMPED],
+    put_count(p, "steps cut short or paused", f->counts[VBSS_RECORD_EVENT_TIME_LOST],
               "by the guard or the limit of work");
     put_count(p, "slips in jaws", f->counts[VBSS_SCENE_EVENT_SLIP], "what is held begins to slide");
     put_count(p, "torn out", f->counts[VBSS_SCENE_EVENT_TORN], "pulled out of the jaws");
     put_count(p, "grasps without room", f->counts[VBSS_SCENE_EVENT_GRASP_LOST],
               "not held for that");
-    put_count(p, "steps with lost events", f->counts[VBSS_SCENE_EVENT_LOST],
+    put_count(p, "steps with lost events", f->counts[VBSS_RECORD_EVENT_LOST],
               "more happened than was kept");
     put(p, "</tbody></table>\n<p>Simulated time lost in steps cut short or paused: %.2f ms.</p>\n",
         1e3 * f->check.time_lost);

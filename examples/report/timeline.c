@@ -15,7 +15,7 @@ typedef struct mark {
 
 /* What is drawn first lies below. */
 static const mark marks[] = {
-    {"a step is cut short or paused", "m-warn", VBSS_SCENE_EVENT_CLAMPED, 'c'},
+    {"a step is cut short or paused", "m-warn", VBSS_RECORD_EVENT_TIME_LOST, 'c'},
     {"a wall is entered", "m-needle", VBSS_SCENE_EVENT_PUNCTURE, 't'},
     {"the needle is drawn back", "m-bad", VBSS_SCENE_EVENT_WITHDRAWN, 'x'},
     {"the needle is through", "m-needle", VBSS_SCENE_EVENT_PASSED, 'c'},

@@ -18,6 +18,11 @@ const char *input_name(vbss_record_input_kind kind)
         [VBSS_RECORD_INPUT_SET_OPENING] = "set_opening",
         [VBSS_RECORD_INPUT_EXCHANGE] = "exchange",
         [VBSS_RECORD_INPUT_SETTING] = "setting",
+        [VBSS_RECORD_INPUT_HOLE] = "make_hole",
+        [VBSS_RECORD_INPUT_REMOVE] = "remove",
+        [VBSS_RECORD_INPUT_DRAIN_ATTACH] = "attach_drain",
+        [VBSS_RECORD_INPUT_DRAIN_TARGET] = "move_drain_attachment",
+        [VBSS_RECORD_INPUT_DRAIN_DETACH] = "detach_drain",
     };
     bool known = kind > 0 && (size_t)kind < sizeof names / sizeof names[0];
     return known ? names[kind] : "unknown";
@@ -28,8 +33,8 @@ const char *event_name(uint32_t kind)
     static const char *const names[] = {
         [VBSS_SCENE_EVENT_TOUCH] = "touch",
         [VBSS_SCENE_EVENT_PART] = "part",
-        [VBSS_SCENE_EVENT_CLAMPED] = "clamped",
-        [VBSS_SCENE_EVENT_LOST] = "lost",
+        [VBSS_RECORD_EVENT_TIME_LOST] = "time_lost",
+        [VBSS_RECORD_EVENT_LOST] = "lost",
         [VBSS_SCENE_EVENT_GRASP] = "grasp",
         [VBSS_SCENE_EVENT_RELEASE] = "release",
         [VBSS_SCENE_EVENT_TORN] = "torn",

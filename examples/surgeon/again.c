@@ -16,7 +16,7 @@ static vbss_result play(const watch *w, stitch *t, const replay_log *log,
     while (result == VBSS_OK) {
         result = vbss_session_step(k.session, 0.0, 0.0);
     }
-    TRY(result == VBSS_ERROR_OUT_OF_RANGE ? VBSS_OK : result); /* at its end */
+    TRY(result == VBSS_ERROR_WRONG_STATE ? VBSS_OK : result); /* at its end */
     return vbss_replay_step(replay, report, sizeof *report);
 }
 

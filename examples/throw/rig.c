@@ -223,12 +223,12 @@ static vbss_result follow_cut(throw_rig *s, uint32_t piece)
 
 vbss_result throw_rig_follow(throw_rig *s)
 {
-    vbss_view view;
-    TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
-    for (uint64_t i = 0; i < view.count; i++) {
-        const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
-        if (event[0] == VBSS_SCENE_EVENT_CUT && event[1] == s->thread_body && event[2] != 0) {
-            TRY(follow_cut(s, event[2]));
+    TRY(vbss_scene_take_events(s->scene, s->events, sizeof *s->events, MAX_STEP_EVENTS,
+                               &s->event_count, NULL));
+    for (uint32_t i = 0; i < s->event_count; i++) {
+        const vbss_scene_event *e = &s->events[i];
+        if (e->kind == VBSS_SCENE_EVENT_CUT && e->body_a == s->thread_body && e->body_b != 0) {
+            TRY(follow_cut(s, e->body_b));
         }
     }
     turn_round(s);

@@ -17,6 +17,7 @@
 #define THREAD_RADIUS 0.125e-3
 #define EXCHANGE_DISTANCE 0.05 /* from the middle of the drain's top */
 
+enum { MAX_STEP_EVENTS = 64 };
 enum { MAX_THREAD_NODES = 1024 };
 
 #define TRY(call)                     \
@@ -47,6 +48,9 @@ typedef struct throw_rig {
     bool
         reversed; /* the scene's thread begins at the limb's end; here all counts from the tail's */
     vec turned[MAX_THREAD_NODES]; /* its nodes then */
+    /* Events of the scene that throw_rig_follow has taken: those of the last step. */
+    vbss_scene_event events[MAX_STEP_EVENTS];
+    uint32_t event_count;
 } throw_rig;
 
 /* Above the drain's round, m. */
@@ -62,7 +66,7 @@ vbss_result throw_rig_begin(throw_rig *s, const char *log, const char *note);
 vbss_result throw_rig_hold_limb(throw_rig *s, uint32_t node);
 vbss_result throw_rig_release_limb(throw_rig *s);
 vbss_result throw_rig_step(throw_rig *s, double dt);
-/* After a step that was made otherwise: where its nodes are; `thread` is what is left of it on the drain, if it was cut. */
+/* After a step that was made otherwise: takes the events; where its nodes are; `thread` is what is left of it on the drain, if it was cut. */
 vbss_result throw_rig_follow(throw_rig *s);
 /* Ends the log. */
 vbss_result throw_rig_end(throw_rig *s);

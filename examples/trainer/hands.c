@@ -116,7 +116,7 @@ static vbss_result read_log(vbss_context *context, const replay_log *log, score 
     r.steps = report.steps;
     TRY(walk(&r, false));
     if (r.bodies[RIGHT] == NO_BODY) {
-        return VBSS_ERROR_OUT_OF_RANGE; /* no tool moves in it */
+        return VBSS_ERROR_NOT_FOUND; /* no tool moves in it */
     }
     for (int side = 0; side < HANDS; side++) {
         s->reported[side] = calloc((size_t)r.steps, sizeof *s->reported[side]);
@@ -142,9 +142,9 @@ bool score_read(score *s, const char *path, char *why, size_t bytes)
     free(log.data);
     if (result != VBSS_OK) {
         snprintf(why, bytes, "%s",
-                 log.count == 0                      ? "cannot be read"
-                 : result == VBSS_ERROR_OUT_OF_RANGE ? "no tool moves in it"
-                                                     : vbss_result_string(result));
+                 log.count == 0                   ? "cannot be read"
+                 : result == VBSS_ERROR_NOT_FOUND ? "no tool moves in it"
+                                                  : vbss_result_string(result));
         score_free(s);
     }
     return result == VBSS_OK;

@@ -72,9 +72,18 @@
     X(VBSS_ERROR_DEVICE, -15, "a device failed, or is not there")                                 \
     X(VBSS_ERROR_CLOCK_STOPPED, -16, "the host's clock does not advance")                         \
     X(VBSS_ERROR_CLOCK_JUMPED, -17, "the host's clock runs backwards or jumps")                   \
-    X(VBSS_ERROR_CLOCK_COARSE, -18, "the host's clock is too coarse")
+    X(VBSS_ERROR_CLOCK_COARSE, -18, "the host's clock is too coarse")                             \
+    X(VBSS_ERROR_NOT_FOUND, -19,                                                                  \
+      "the object, entry or step that an argument names does not exist")                          \
+    X(VBSS_ERROR_WRONG_STATE, -20, "the object is not in a state that allows the call")           \
+    X(VBSS_ERROR_INCOMPATIBLE, -21, "an object or a setting does not fit the others of the call") \
+    X(VBSS_ERROR_IN_USE, -22, "something else already uses what an argument names")
 
-/** Status of a call: VBSS_OK (0) or a negative VBSS_ERROR_ constant. */
+/**
+ * Status of a call: VBSS_OK (0) or a negative VBSS_ERROR_ constant. Refusals differ by what the host
+ * can do about them (docs/abi.md). VBSS_ERROR_OUT_OF_RANGE concerns numbers alone, also constants
+ * that do not exist, and indices of nodes, edges and triangles.
+ */
 typedef int32_t vbss_result;
 
 /** The constants of #vbss_result, one for each row of #VBSS_RESULTS. */

@@ -22,6 +22,7 @@
 #define VBLAST_SS_COLLISION_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 
 /** Shapes, their candidates and impacts, batches, counters. */
 typedef struct vbss_collision vbss_collision;
@@ -125,10 +126,8 @@ typedef struct vbss_collision_config {
     double exclusion;
     /** Added to D in the search for candidates, m, 0 to 1e3; default 0. */
     double margin;
-    /** VBLAST: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in paper_unit^4; 0 to 1;
-     * default 1e-6. */
-    double paper_parallel;
-    double paper_unit; /**< VBLAST: unit of length, m, 1e-9 to 1e3; default 1e-3. */
+    /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
 } vbss_collision_config;
 
 /** Questions in rows, answers in rows. Fill it with #vbss_collision_batch_init. */
@@ -522,7 +521,7 @@ VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t
  *
  * @param collision  the object
  * @param shape identifier of the shape
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such shape) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -538,7 +537,7 @@ VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t s
  * @param shape identifier of the shape
  * @param category   bits; 1 when the shape was added
  * @param mask       bits; all when the shape was added
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such shape) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -554,8 +553,8 @@ VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32
  * @param start       3 doubles per node at time 0, m; NULL: the end of the last move
  * @param end         3 doubles per node at time 1, m
  * @param node_count  number of nodes in the arrays, equal to the shape's
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
- *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such shape), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -614,7 +613,8 @@ VBSS_API vbss_result vbss_collision_get_view(vbss_collision *collision, vbss_col
  * @param shape identifier of the shape
  * @param edge index of the edge, as in candidates
  * @param[out] nodes  receives two nodes
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such shape) or VBSS_ERROR_OUT_OF_RANGE (no such edge)
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -414,8 +414,8 @@ VBSS_API vbss_result vbss_device_set_clutch(vbss_device *device, int32_t held);
  * @param position     position of the tool, world, m, each coordinate at most 1e3 in magnitude;
  *         NULL keeps it
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps it
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (also: there is no pose yet),
- *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_WRONG_STATE (there is no pose yet),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -429,8 +429,8 @@ VBSS_API vbss_result vbss_device_recentre(vbss_device *device, const double *pos
  *
  * @param device   the device; its configuration has `jaw_takeover`
  * @param opening  opening of the jaws, 0 (closed) to 1 (open)
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (also: without `jaw_takeover`),
- *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (the
+ *         configuration has no `jaw_takeover`), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -459,7 +459,7 @@ VBSS_API vbss_result vbss_device_set_calibration(vbss_device *device,
  * @param[out] capabilities  receives the capabilities
  * @param struct_size        `sizeof *capabilities` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such adapter)
+ *         VBSS_ERROR_NOT_FOUND (no such adapter)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -475,7 +475,7 @@ VBSS_API vbss_result vbss_device_get_capabilities(vbss_device *device, uint32_t 
  * @param[out] result  the result of its function, VBSS_OK when nothing has failed yet; may be NULL
  * @param[out] text    its explanation, never NULL, valid until the next call that reads, writes or
  *         restores the device; the argument may be NULL
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_OUT_OF_RANGE (no such adapter)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NOT_FOUND (no such adapter)
  * @threads one thread at a time per context
  * @since 0.1
  */

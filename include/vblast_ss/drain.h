@@ -21,6 +21,7 @@
 #define VBLAST_SS_DRAIN_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 
 /** A drain. */
 typedef struct vbss_drain vbss_drain;
@@ -84,15 +85,8 @@ typedef struct vbss_drain_config {
     /** Method IMPLICIT: a step in which a node would move farther than this gets one more linearisation. A step
      * in which it would move four times as far is halved. m, 1e-9 to 1; default 1e-3. */
     double move_limit;
-    /** Method VBLAST: stiffness of the spring that ties a particle to its rest position, N/m, 0 to 1e9;
-     * default 125. */
-    double paper_stiffness;
-    /** Method VBLAST: share of the velocity relative to the rigid motion of the drain that each explicit step
-     * removes, 0 to 1; default 0.7. */
-    double paper_damping;
-    /** Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many as stability needs. */
-    uint32_t paper_substeps;
-    uint32_t reserved2; /**< Zero. */
+    /** Method VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
     /** In a scene: coefficient of friction with threads, 0 to 10. Friction with other bodies, the floor and
      * the drain itself uses the geometric mean of both coefficients. Default 0.3 (not verified). */
     double friction;
@@ -306,8 +300,8 @@ VBSS_API vbss_result vbss_drain_step(vbss_drain *drain, double h);
  * @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
  * @param velocities  3 doubles per node, m/s, each at most 1e5 in magnitude; NULL keeps them
  * @param node_count  number of nodes in the arrays, equal to the drain's
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE (also: an anchored node
- *         would move) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_IN_USE (an anchored node would move) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -348,8 +342,8 @@ static inline vbss_drain_attachment vbss_drain_attachment_default(void)
  * @param attachment  the attachment
  * @param[out] id     identifier of the attachment, from 1 on, never reused in this drain
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is pinned or anchored already),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is pinned
+ *         or anchored already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -363,8 +357,8 @@ VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attac
  * @param drain   the drain
  * @param id      the attachment
  * @param target  PIN, SPRING: position, m; FORCE: the force, N, which changes at once
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such attachment, or a value out of range), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such attachment), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -376,7 +370,7 @@ VBSS_API vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_
  *
  * @param drain  the drain
  * @param id     the attachment
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such attachment) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -389,8 +383,8 @@ VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
  * @param drain       the drain
  * @param id          the attachment
  * @param[out] force  receives the force, N
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE (no such
- *         attachment)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_NOT_FOUND (no
+ *         such attachment)
  * @threads one thread at a time per context
  * @since 0.1
  */

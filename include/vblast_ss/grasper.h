@@ -37,6 +37,7 @@
 #define VBLAST_SS_GRASPER_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 
 /** A tool with two jaws. */
 typedef struct vbss_grasper vbss_grasper;
@@ -110,12 +111,8 @@ typedef struct vbss_grasper_config {
      * point, m, each at most 1e3; default 0. */
     double exchange_centre[3];
     double exchange_distance; /**< Distance, m, 0 to 1e3; default 0: no limit. */
-    /** VBLAST: factor k_s of the force on the hand, k_s (stretched length - length), N/m, 0 to 1e6;
-     * default 50. */
-    double paper_stiffness;
-    /** VBLAST: largest distance from the tip at which closing jaws take a node, and from the centre line of
-     * the jaws at which they take a needle, m, 0 to 0.1; default 2e-3 (the paper gives no number). */
-    double paper_distance;
+    /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
     /* Needles (needle.h) and walls of drains, which are stiffer than threads. */
     /** Stiffness of the clamp on either, equal in all directions, N/m, 1 to 1e7; default 3e4. */
     double needle_stiffness;

@@ -246,7 +246,7 @@ VBSS_API vbss_result vbss_openhaptics_destroy(vbss_openhaptics *openhaptics);
  * @param which            0 or 1
  * @param[in,out] adapter an initialised table; the call sets every field
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such arm)
+ *         VBSS_ERROR_NOT_FOUND (no such arm)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -261,7 +261,7 @@ VBSS_API vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics,
  * @param[out] status      receives the status
  * @param struct_size  `sizeof *status` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such arm)
+ *         VBSS_ERROR_NOT_FOUND (no such arm)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -278,7 +278,7 @@ VBSS_API vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, 
  *         NULL
  * @param[out] serial  its serial number, never NULL, valid as long as the arms exist; the argument
  *         may be NULL
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_OUT_OF_RANGE (no such arm)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NOT_FOUND (no such arm)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -344,7 +344,7 @@ VBSS_API vbss_result vbss_nidaqmx_destroy(vbss_nidaqmx *nidaqmx);
  * @param which            0 or 1
  * @param[in,out] adapter an initialised table; the call sets every field
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such handle)
+ *         VBSS_ERROR_NOT_FOUND (no such handle)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -359,8 +359,8 @@ VBSS_API vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t wh
  * @param now      a clock that never runs backwards, s, at most 1e9 in magnitude; when it does,
  *         solenoids are switched off
  * @return VBSS_OK (also when the hardware fails, which the status reports),
- *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (also: there is a thread) or
- *         VBSS_ERROR_NOT_FINITE, all without an error text
+ *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_WRONG_STATE (there is a thread),
+ *         VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE, all without an error text
  * @threads any one thread, also while another uses the context, except during the destruction of
  *   the lines
  * @since 0.1

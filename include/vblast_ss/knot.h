@@ -480,7 +480,7 @@ VBSS_API vbss_result vbss_knot_detector_get_state(vbss_knot_detector *detector,
  * @param[out] knot_throw  receives the throw
  * @param struct_size  `sizeof *knot_throw` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such throw)
+ *         VBSS_ERROR_NOT_FOUND (no such throw)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -496,7 +496,7 @@ VBSS_API vbss_result vbss_knot_detector_get_throw(vbss_knot_detector *detector, 
  * @param[out] winding  receives the winding
  * @param struct_size   `sizeof *winding` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such tool)
+ *         VBSS_ERROR_NOT_FOUND (no such tool)
  * @threads one thread at a time per context
  * @since 0.1
  */

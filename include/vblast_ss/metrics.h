@@ -558,9 +558,9 @@ VBSS_API vbss_result vbss_metrics_destroy(vbss_metrics *metrics);
  * @param metrics  the measurement
  * @param sample   the sample
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: time runs backwards, or the
- *         measurement has finished), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_ARITHMETIC_MODE or
- *         VBSS_ERROR_BUSY; nothing has changed then
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: time runs backwards),
+ *         VBSS_ERROR_WRONG_STATE (the measurement has finished), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; nothing has changed then
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -573,9 +573,10 @@ VBSS_API vbss_result vbss_metrics_add_sample(vbss_metrics *metrics,
  * @param metrics  the measurement
  * @param event    the event
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: time runs backwards, or the
- *         event to undo is not in force), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY,
- *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; nothing has changed then
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: time runs backwards),
+ *         VBSS_ERROR_NOT_FOUND (the event to undo is not in force), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_CAPACITY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; nothing has changed
+ *         then
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -627,7 +628,7 @@ VBSS_API vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics
  * @param[out] record      receives the record
  * @param struct_size      `sizeof *record` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such record)
+ *         VBSS_ERROR_NOT_FOUND (no such record)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -642,7 +643,7 @@ VBSS_API vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t inde
  * @param[out] phase   receives the visit
  * @param struct_size  `sizeof *phase` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such visit)
+ *         VBSS_ERROR_NOT_FOUND (no such visit)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -658,7 +659,7 @@ VBSS_API vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t inde
  * @param[out] penalty  receives the penalty
  * @param struct_size   `sizeof *penalty` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such penalty)
+ *         VBSS_ERROR_NOT_FOUND (no such penalty)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -675,7 +676,8 @@ VBSS_API vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t in
  * @param[out] motion  receives the motion
  * @param struct_size  `sizeof *motion` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_OUT_OF_RANGE (no such tool or visit) or VBSS_ERROR_ARITHMETIC_MODE
+ *         VBSS_ERROR_OUT_OF_RANGE (no such tool), VBSS_ERROR_NOT_FOUND (no such visit) or
+ *         VBSS_ERROR_ARITHMETIC_MODE
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -691,7 +693,7 @@ VBSS_API vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics
  * @param[out] bimanual  receives the joint motion
  * @param struct_size    `sizeof *bimanual` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_OUT_OF_RANGE (no such visit) or VBSS_ERROR_ARITHMETIC_MODE
+ *         VBSS_ERROR_NOT_FOUND (no such visit) or VBSS_ERROR_ARITHMETIC_MODE
  * @threads one thread at a time per context
  * @since 0.1
  */

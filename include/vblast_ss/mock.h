@@ -166,8 +166,9 @@ VBSS_API vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sam
  * @param until  first `now` without the fault, s, not before `from`; up to 1e9
  * @param value  value of the fault; RATE, SHUFFLE: 1e-6 to 1e3, LATE: 0 to 1e3, NAN: 0 to 4,
  *         others: up to 1e9
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (also: there is no function of time),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE
+ *         (there is no function of time), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -144,6 +144,22 @@ VBSS_API vbss_result vbss_needle_config_preset(vbss_needle_config *config,
                                                vbss_needle_preset preset);
 
 /**
+ * Sets radius, wire radius and arc to those of a needle as catalogues describe it. docs/sutures.md lists
+ * common needles.
+ *
+ * @param[in,out] config  an initialised configuration
+ * @param circle          share of a circle, 0.05 to 0.9: 0.5 for a half circle
+ * @param length          length along the arc, m, 1e-3 to 1
+ * @param wire_diameter   diameter of the wire, m, 1e-5 to 0.4 of the arc's radius
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_NOT_FINITE or
+ *         VBSS_ERROR_OUT_OF_RANGE; the configuration is then unchanged
+ * @threads any thread, any time
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_needle_config_shape(vbss_needle_config *config, double circle,
+                                              double length, double wire_diameter);
+
+/**
  * Creates a needle with the pose and velocity of its configuration.
  *
  * @param context      owner

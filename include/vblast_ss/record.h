@@ -22,6 +22,7 @@
 #include <vblast_ss/base.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/scene.h>
+#include <vblast_ss/scene_event.h>
 #include <vblast_ss/thread.h>
 
 /** Writes the log of one scene. */
@@ -77,7 +78,15 @@ enum {
     VBSS_RECORD_INPUT_EXCHANGE = 10,   /**< Words: grasper, kind. */
     /** A change of scene_settings.h. Words: #vbss_scene_setting, body (0 where the setting has none), and
      * two words of the setting. Numbers: those of the setting. */
-    VBSS_RECORD_INPUT_SETTING = 11
+    VBSS_RECORD_INPUT_SETTING = 11,
+    /** #vbss_scene_make_hole. Words: body, drain, triangle. Numbers: arc length, weights (3). */
+    VBSS_RECORD_INPUT_HOLE = 12,
+    VBSS_RECORD_INPUT_REMOVE = 13, /**< #vbss_scene_remove. Words: body. */
+    /** #vbss_drain_attach. Words: drain, kind, node. Numbers: position (3), force (3), stiffness. */
+    VBSS_RECORD_INPUT_DRAIN_ATTACH = 14,
+    /** #vbss_drain_set_attachment_target. Words: drain, attachment. Numbers: target (3). */
+    VBSS_RECORD_INPUT_DRAIN_TARGET = 15,
+    VBSS_RECORD_INPUT_DRAIN_DETACH = 16 /**< #vbss_drain_detach. Words: drain, attachment. */
 };
 
 /** Change of a running scene: a VBSS_SCENE_SETTING_ constant. */
@@ -114,6 +123,21 @@ typedef struct vbss_record_input {
     double numbers[12];          /**< Numbers; #vbss_record_input_kind lists their meanings. */
 } vbss_record_input;
 
+/** Kind of an event in a log: a VBSS_RECORD_EVENT_ constant, or a #vbss_scene_event_kind other than
+ * TRUNCATED and PAUSED. A log stores an event as four words: kind, two bodies, and the last word. For
+ * most kinds the last word is the `id` of #vbss_scene_event. For GRASP, RELEASE, TORN and SLIP of a
+ * thread or a needle, and for CUT, it is the arc length in um. Logs have no DEFERRED, CAUGHT_UP and
+ * OVERDUE. */
+typedef int32_t vbss_record_event_kind;
+
+/** The constants of #vbss_record_event_kind that are no #vbss_scene_event_kind. */
+enum {
+    /** TRUNCATED or PAUSED: 0, 0, and the share of the step that was left out, in 65536ths. */
+    VBSS_RECORD_EVENT_TIME_LOST = 3,
+    /** Events of a step exceeded event_capacity: 0, 0, and the number of lost events. */
+    VBSS_RECORD_EVENT_LOST = 4
+};
+
 /** A step as the log describes it. */
 typedef struct vbss_replay_logged_step {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
@@ -124,10 +148,11 @@ typedef struct vbss_replay_logged_step {
     double h;             /**< Length of the step, s. */
     double time; /**< Sum of the lengths of the steps up to this one, s: the clock of the hands. */
     const vbss_record_input *inputs; /**< Inputs before the step, in their order. */
-    const uint32_t *events; /**< x 4: the events of the step, as in #VBSS_SCENE_VIEW_EVENTS. */
-    uint32_t input_count;   /**< Number of inputs. */
-    uint32_t event_count;   /**< Number of events; each has four words. */
-    /** Part of `h` that the scene has left out, s, by #VBSS_SCENE_EVENT_CLAMPED. Each such event is up to
+    /** x 4: the events of the step, as #vbss_record_event_kind describes them. */
+    const uint32_t *events;
+    uint32_t input_count; /**< Number of inputs. */
+    uint32_t event_count; /**< Number of events; each has four words. */
+    /** Part of `h` that the scene has left out, s, by its #VBSS_RECORD_EVENT_TIME_LOST events. Each is up to
      * h / 65536 too small. A step may report the time of an earlier paused step. */
     double time_lost;
 } vbss_replay_logged_step;
@@ -264,7 +289,7 @@ VBSS_API vbss_result vbss_record_destroy(vbss_record *record);
  * @return VBSS_OK, VBSS_ERROR_CORRUPT (also: the steps differ from the recorded ones),
  *         VBSS_ERROR_DATA_VERSION (also: another version of the library began the log),
  *         VBSS_ERROR_CAPACITY (the scene keeps more events than the recorded one),
- *         VBSS_ERROR_OUT_OF_RANGE (the replay has not begun), or a result of #vbss_replay_step,
+ *         VBSS_ERROR_WRONG_STATE (the replay has not begun), or a result of #vbss_replay_step,
  *         #vbss_scene_restore or #vbss_record_create
  * @threads one thread at a time per context
  * @since 0.1
@@ -286,9 +311,35 @@ VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_c
 VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_t *count);
 
 /**
+ * Attaches a record to its scene. From then on the record logs every edit of the scene and of bodies in
+ * it, and every step, whatever function makes them. An edit belongs to the step that follows; one that
+ * fails is not logged. A scene has at most one record attached; another one takes its place.
+ *
+ * Adding a body, #vbss_scene_restore, #vbss_thread_set_state and #vbss_drain_set_state have no input of
+ * their own: the log receives a snapshot of the scene after them, for which they may allocate memory. A
+ * replay follows them in a scene of #vbss_replay_load_scene.
+ *
+ * An edit or step of the scene then has further errors, and changes nothing with them.
+ * VBSS_ERROR_CAPACITY: input_capacity is exhausted, or the buffer has no room for the step, until
+ * #vbss_record_take. VBSS_ERROR_WRONG_STATE: the scene was changed while the record was not attached.
+ * VBSS_ERROR_OUT_OF_MEMORY: there is no memory for the snapshot. #vbss_record_end and
+ * #vbss_record_destroy detach the record.
+ *
+ * @param scene   the scene
+ * @param record  a record of this scene that knows its state: no edit came between its creation or
+ *         its last step and this call. NULL detaches.
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a record of another context),
+ *         VBSS_ERROR_INCOMPATIBLE (a record of another scene), VBSS_ERROR_WRONG_STATE (one that has
+ *         ended, or that does not know the state) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_recorder(vbss_scene *scene, vbss_record *record);
+
+/**
  * Calls #vbss_scene_set_rigid_target of the recorded scene and logs it. An input belongs to the step that
  * follows. Like all logging functions below, it changes nothing when it fails, and has two further
- * errors. VBSS_ERROR_OUT_OF_RANGE: #vbss_record_end was called, or the host has changed the scene
+ * errors. VBSS_ERROR_WRONG_STATE: #vbss_record_end was called, or the host has changed the scene
  * or a thread, drain or grasper in it without the record (a new record is needed then).
  * VBSS_ERROR_CAPACITY: input_capacity is exhausted.
  *
@@ -298,7 +349,9 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
  *         magnitude
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
  *         orientation
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed), VBSS_ERROR_NULL_ARGUMENT,
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed),
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such body), VBSS_ERROR_INCOMPATIBLE
+ *         (no rigid body, a free one or a grasper), VBSS_ERROR_WRONG_STATE (see above),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -472,7 +525,7 @@ VBSS_API vbss_result vbss_record_step(vbss_record *record, double h);
  * #vbss_record_destroy succeed.
  *
  * @param record  the record
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (it has ended before) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_WRONG_STATE (it has ended before) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -558,6 +611,19 @@ VBSS_API vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps);
 VBSS_API vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene);
 
 /**
+ * Creates the recorded scene from the first snapshot of the log, as #vbss_scene_load does, and begins
+ * the replay in it. The host destroys the scene, after the replay or before.
+ *
+ * @param replay      the replay
+ * @param[out] scene  the new scene; NULL when the call fails
+ * @return as #vbss_scene_load and #vbss_replay_begin; VBSS_ERROR_DATA_VERSION for a log of an older
+ *         library, whose snapshots do not describe their scene
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_replay_load_scene(vbss_replay *replay, vbss_scene **scene);
+
+/**
  * Replays the next step: applies its inputs, steps the scene and compares the hash. The call
  * allocates nothing. After the end, a difference or a failure, further calls do nothing and return
  * the same result until #vbss_replay_begin.
@@ -570,7 +636,7 @@ VBSS_API vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene);
  *         steps were replayed, the end is missing), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
  *         with texts that name the byte; any error of an input or of #vbss_scene_step;
  *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_OUT_OF_RANGE (it has not begun) or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_WRONG_STATE (it has not begun) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -587,7 +653,8 @@ VBSS_API vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *r
  * @param step         number of the step; 0: the initial state
  * @param[out] report  receives the report, as in #vbss_replay_step
  * @param struct_size  `sizeof *report` as the caller was compiled
- * @return as #vbss_replay_step and #vbss_scene_restore; VBSS_ERROR_OUT_OF_RANGE also: the log ends before the step
+ * @return as #vbss_replay_step and #vbss_scene_restore; VBSS_ERROR_NOT_FOUND if the log ends before
+ *         the step
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -603,7 +670,7 @@ VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
  * @param number       number of the step, from 1 on
  * @param[out] step    receives the step; its arrays are valid until the next call for this replay
  * @param struct_size  `sizeof *step` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the log ends before it), VBSS_ERROR_TRUNCATED (the log
+ * @return VBSS_OK, VBSS_ERROR_NOT_FOUND (the log ends before it), VBSS_ERROR_TRUNCATED (the log
  *         is truncated before it), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
  *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY

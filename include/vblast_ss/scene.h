@@ -32,6 +32,7 @@
 #define VBLAST_SS_SCENE_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 #include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/needle.h>
@@ -87,7 +88,8 @@ typedef struct vbss_scene_config {
     uint32_t contact_capacity;
     /** Largest number of candidate pairs, 0 to 1e7; default 16384. */
     uint32_t candidate_capacity;
-    /** Largest number of events of a step that are kept, 0 to 65536; default 256. */
+    /** Largest number of events that are kept until the host takes them (scene_event.h), and of those of
+     * a step, 0 to 65536; default 256. */
     uint32_t event_capacity;
     int32_t floor; /**< 1: a floor fills the half-space below a plane; default 0. */
     /** Direction up, of any length from 1e-100 to 1e100; default (0, 1, 0). */
@@ -119,14 +121,10 @@ typedef struct vbss_scene_config {
      * 1000; default 3. Without a step_budget each remaining part is tried once, and truncated if
      * necessary; after eight truncated parts the rest is left out. */
     uint32_t attempt_limit;
-    /** VBLAST: number of passes of detection and response in a step, 1 to 1000; default 4. */
-    uint32_t paper_pass_limit;
     /** Largest number of grasped places of threads at a time, 0 to 256; default 8. Places that jaws
      * have released but not cleared count too, and so do the two ends at each cut of blades.
      * Without capacity the jaws stay open. */
     uint32_t grasp_capacity;
-    /** VBLAST: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2; default 0. */
-    double paper_thickness;
     /** REAL_TIME, method IMPLICIT: operations of a step after which the search for contact states
      * stops; 0: no limit; default 250000. An operation costs about as much as a product of two 3x3
      * blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md). At the limit the
@@ -157,6 +155,8 @@ typedef struct vbss_scene_config {
      * it, a step that two calls have suspended is completed by the third, whatever it takes, and
      * counted in `overdue`. So bodies that touch nothing never miss more than three calls. */
     uint32_t call_budget;
+    /** Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN. */
+    vbss_scene_overlap_policy overlap;
     /** Largest speed of any point of a driven or coupled body, or of a grasper, on the way to
      * its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that is
      * farther away at this speed, over several steps. A pose in the wrong unit, or a jump of a
@@ -164,14 +164,15 @@ typedef struct vbss_scene_config {
      * snapshots store the limit, and a scene with another one rejects them. One exception:
      * scenes without a limit and with the default limit accept each other's snapshots. */
     double speed_limit;
-    /** Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN. */
-    vbss_scene_overlap_policy overlap;
     /** Method IMPLICIT: capacity of the linear system's matrix and its factor for threads and rigid
      * bodies, in blocks of 3 x 3 numbers of 96 bytes, 0 to 1e7; 0 (default): 4096, and 20 for each
      * node of node_capacity and 40 for each body of rigid_capacity. A node without contact takes up
      * to 12 blocks, one of a tight knot 42; each drain adds its own. A step that needs more returns
      * VBSS_ERROR_CAPACITY. See docs/memory.md. */
     uint32_t matrix_capacity;
+    uint32_t reserved; /**< Zero. */
+    /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
 } vbss_scene_config;
 
 /** The deepest overlap of a body. */
@@ -273,8 +274,7 @@ enum {
      * and may pull. */
     VBSS_SCENE_VIEW_CONTACT_FORCES = 3,
     /** x 1: distance of the surfaces, m; negative when they overlap. */
-    VBSS_SCENE_VIEW_CONTACT_GAPS = 4,
-    VBSS_SCENE_VIEW_EVENTS = 5 /**< x 4 uint32_t: #vbss_scene_event_kind, two bodies, a number. */
+    VBSS_SCENE_VIEW_CONTACT_GAPS = 4
 };
 
 /** Features of a contact: a VBSS_SCENE_CONTACT_ constant. */
@@ -302,57 +302,6 @@ enum {
      * hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
      * particles were moved. */
     VBSS_SCENE_CONTACT_HOLE = 10
-};
-
-/** Kind of an event: a VBSS_SCENE_EVENT_ constant. Three numbers follow the kind: two bodies, and a third
- * number. */
-typedef int32_t vbss_scene_event_kind;
-
-/** The constants of #vbss_scene_event_kind. Each comment lists the three numbers after its colon. */
-enum {
-    /** Two bodies have come into contact, or a body with itself: body, body, 0. */
-    VBSS_SCENE_EVENT_TOUCH = 1,
-    VBSS_SCENE_EVENT_PART = 2, /**< Two bodies in contact have separated: body, body, 0. */
-    /** A step was truncated or paused; the third number is the lost share of the step in 1/65536. */
-    VBSS_SCENE_EVENT_CLAMPED = 3,
-    /** Events exceeded the capacity; the third number is the number of lost events. */
-    VBSS_SCENE_EVENT_LOST = 4,
-    /** Jaws have grasped a body: thread, needle or drain; grasper; arc length in um, or for a drain
-     * a held triangle. */
-    VBSS_SCENE_EVENT_GRASP = 5,
-    VBSS_SCENE_EVENT_RELEASE =
-        6,                     /**< Jaws have opened and released a body: numbers as for GRASP. */
-    VBSS_SCENE_EVENT_TORN = 7, /**< A body was pulled out of the jaws: numbers as for GRASP. */
-    /** A body begins to slide through the jaws, or to turn in them: numbers as for GRASP. */
-    VBSS_SCENE_EVENT_SLIP = 8,
-    /** A grasp exceeded grasp_capacity, so the body is not held: thread, grasper, 0. */
-    VBSS_SCENE_EVENT_GRASP_LOST = 9,
-    /** A thread was cut: thread, its new piece, arc length of the cut in um. The second number is 0
-     * if the thread had no cuts left and stayed whole. */
-    VBSS_SCENE_EVENT_CUT = 10,
-    VBSS_SCENE_EVENT_EXCHANGED = 11, /**< An instrument was exchanged: grasper, 0, new kind. */
-    /** An instrument was not exchanged: grasper, 0, wanted kind. */
-    VBSS_SCENE_EVENT_NOT_EXCHANGED = 12,
-    /** A needle's tip has entered a wall (VBLAST: has gone through it): needle, drain, id of the
-     * hole (vbss_scene_get_hole). */
-    VBSS_SCENE_EVENT_PUNCTURE = 13,
-    /** The tip has left the hole backwards: needle, drain, id of the hole. */
-    VBSS_SCENE_EVENT_WITHDRAWN = 14,
-    /** The needle and its swage have passed through the hole, and the thread follows: needle,
-     * drain, id of the hole. */
-    VBSS_SCENE_EVENT_PASSED = 15,
-    /** A hole exceeded hole_capacity, so the wall is not pierced: needle, drain, 0. */
-    VBSS_SCENE_EVENT_HOLE_LOST = 16,
-    /** The swage has come back through the hole, and the needle is in it again: needle, drain, id
-     * of the hole. */
-    VBSS_SCENE_EVENT_RETURNED = 17,
-    VBSS_SCENE_EVENT_UNTHREADED =
-        18, /**< An end of a thread has left the hole: thread, drain, id of the hole. */
-    /** Two bodies hold each other back: both bodies of #vbss_scene_blocker, its cause. Reported once
-     * until they have moved freely again. */
-    VBSS_SCENE_EVENT_BLOCKED = 19,
-    /** Two bodies have moved freely for 0.1 s after BLOCKED: both bodies, cause. */
-    VBSS_SCENE_EVENT_UNBLOCKED = 20
 };
 
 /** Counters since creation, and results of the last step. Method VBLAST uses these fields
@@ -541,8 +490,9 @@ VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
  * @param thread     the thread, of the scene's method, with a radius above 0
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the thread is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE,
- *         VBSS_ERROR_CAPACITY (pieces included), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (an overlap, if the scene refuses it),
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY
+ *         (pieces included), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -558,8 +508,9 @@ VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *threa
  * @param drain      the drain, of the scene's method
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the drain is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE,
- *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (an overlap, if the scene refuses it),
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -618,8 +569,9 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_ri
  * @param needle     a needle of the same context and method
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the needle is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_IN_SCENE, VBSS_ERROR_OUT_OF_RANGE (another method),
- *         VBSS_ERROR_CAPACITY (bodies or capsules), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_IN_SCENE, VBSS_ERROR_OUT_OF_RANGE (an overlap, if
+ *         the scene refuses it), VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY
+ *         (bodies or capsules), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -633,9 +585,10 @@ VBSS_API vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needl
  * @param grasper    the grasper, of the scene's method
  * @param[out] body  its number in the scene, from 1 on, never reused
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the grasper is of another context),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (another method, or the trocar is
- *         nearer to the tip than the lateral reach of the bent jaws), VBSS_ERROR_IN_SCENE,
- *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (an overlap, if the scene refuses it,
+ *         or the trocar is nearer to the tip than the lateral reach of the bent jaws),
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -651,7 +604,7 @@ VBSS_API vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *gra
  * @param[out] grasp   receives the grasp
  * @param struct_size  `sizeof *grasp` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such place)
+ *         VBSS_ERROR_NOT_FOUND (no such place)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -666,7 +619,7 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
  * @param[out] hole    receives the hole
  * @param struct_size  `sizeof *hole` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such hole)
+ *         VBSS_ERROR_NOT_FOUND (no such hole)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -683,7 +636,7 @@ VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss
  * @param[out] blocker  receives the pair
  * @param struct_size   `sizeof *blocker` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such pair)
+ *         VBSS_ERROR_NOT_FOUND (no such pair)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -703,10 +656,11 @@ VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
  * @param weights     three weights of its nodes at the hole, 0 to 1, with the sum 1
  * @param[out] id     receives the identifier of the hole; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a
- *         value; no such body; the suture is too far from there to touch the wall; a hole of the
- *         same suture is nearer than its diameter), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
- *         (hole_capacity), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
- *         VBSS_ERROR_BUSY
+ *         value, or the suture is too far from there to touch the wall), VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (a body of another kind, a thread of two nodes, or
+ *         another method), VBSS_ERROR_IN_USE (a hole of the same suture is nearer than its
+ *         diameter), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (hole_capacity),
+ *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -720,7 +674,7 @@ VBSS_API vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, doub
  *
  * @param scene  the scene
  * @param body   its number, not 0
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -739,8 +693,9 @@ VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
  *         magnitude
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
  *         orientation
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such body, or a value), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (no rigid body, a free one or a grasper),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -765,10 +720,11 @@ VBSS_API vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t bod
  * @param point     point in the frame of the body, m, each coordinate at most 1e3 in magnitude;
  *         NULL: the current position of the node
  * @param[out] pin  identifier of the pin, from 1 on, never reused
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE
- *         (also: the node is held already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (pins, or
- *         the thread's attachments), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
- *         VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such thread or body), VBSS_ERROR_INCOMPATIBLE (a body of another kind), VBSS_ERROR_IN_USE
+ *         (the node is held already), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_CAPACITY (pins, or the thread's attachments), VBSS_ERROR_OUT_OF_MEMORY (only
+ *         while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -780,7 +736,7 @@ VBSS_API vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, u
  *
  * @param scene  the scene
  * @param pin    identifier of the pin
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such pin) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such pin) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -800,11 +756,11 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
  * @param thread      number of the thread in the scene
  * @param arc_length  unstretched arc length from the thread's node 0 to the cut, m, within its
  *         length and not at an end
- * @param[out] piece  number of the new body, for #vbss_scene_get_thread; also in an event
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such thread, or the cut is not within it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no
- *         cuts left, which is an event, too), VBSS_ERROR_OUT_OF_MEMORY (only while a step is
- *         suspended) or VBSS_ERROR_BUSY
+ * @param[out] piece  number of the new body, for #vbss_scene_get_thread; also in an event (scene_event.h)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (no thread), VBSS_ERROR_OUT_OF_RANGE (the cut is not
+ *         within the thread), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left, which is an
+ *         event, too), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -819,7 +775,8 @@ VBSS_API vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, d
  * @param scene        the scene
  * @param body         number of the thread in the scene
  * @param[out] thread  its handle; NULL when there is no such thread
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE (no such thread)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body) or VBSS_ERROR_INCOMPATIBLE (no thread)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -859,8 +816,7 @@ VBSS_API vbss_result vbss_scene_config_get_memory(vbss_context *context,
 VBSS_API vbss_result vbss_scene_prepare(vbss_scene *scene);
 
 /**
- * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged,
- * except that its events are cleared. With method VBLAST the step of a thread or drain that has
+ * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged. With method VBLAST the step of a thread or drain that has
  * diverged fails; see #vbss_thread_step and #vbss_drain_step for the bounds. If a call has ended a
  * suspended step, or some islands of a step, and the rest fails, that result stays: the call
  * returns VBSS_OK, `behind` counts the rest, and the next call returns the failure.
@@ -882,8 +838,8 @@ VBSS_API vbss_result vbss_scene_step(vbss_scene *scene, double h);
  * @param body         its number
  * @param[out] state   receives the state
  * @param struct_size  `sizeof *state` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such rigid body)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_NOT_FOUND (no such body) or VBSS_ERROR_INCOMPATIBLE (no rigid body)
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -930,8 +886,8 @@ VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_sta
  * @param body          number of the body
  * @param[out] overlap  receives the overlap
  * @param struct_size   `sizeof *overlap` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body), VBSS_ERROR_NULL_ARGUMENT or
- *         VBSS_ERROR_STRUCT_SIZE
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body),
+ *         VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -939,8 +895,8 @@ VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body,
                                             vbss_scene_overlap *overlap, uint32_t struct_size);
 
 /**
- * Saves the state of the scene and all its bodies. A restored scene continues with the same bits,
- * also on another machine.
+ * Saves the state of the scene and all its bodies, with a description from which #vbss_scene_load
+ * creates an equal scene. A restored scene continues with the same bits, also on another machine.
  *
  * @param scene         the scene
  * @param[out] bytes    receives the state; NULL with capacity 0 asks for its size, which logs no error
@@ -969,6 +925,30 @@ VBSS_API vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t
  * @since 0.1
  */
 VBSS_API vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count);
+
+/**
+ * Creates a scene and all its bodies from the bytes of #vbss_scene_save alone. The scene has the hash
+ * of the saved one and continues with the same bits. Its bodies have their old numbers;
+ * #vbss_scene_get_bodies lists them, and #vbss_scene_get_thread and its like return their handles.
+ *
+ * The host destroys the scene. The scene owns the bodies that it was loaded with: #vbss_scene_remove
+ * destroys such a body, and #vbss_scene_destroy all of them, pieces of their threads included. Bodies
+ * that the host adds later stay the host's, as in any scene. Pointers of the host for bodies are NULL
+ * (#vbss_scene_set_user_data).
+ *
+ * @param context     owner
+ * @param bytes       the saved scene; not used after the call
+ * @param count       its size
+ * @param[out] scene  the new scene; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
+ *         VBSS_ERROR_CORRUPT (also: no scene or body can have the described configuration),
+ *         VBSS_ERROR_DATA_VERSION (also: an older library saved the scene, without a description),
+ *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_load(vbss_context *context, const uint8_t *bytes, uint64_t count,
+                                     vbss_scene **scene);
 
 /**
  * Returns the XXH64 of the state of the scene and its bodies, counters included. Equal states have

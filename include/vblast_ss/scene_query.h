@@ -89,7 +89,7 @@ VBSS_API vbss_result vbss_scene_get_bodies(vbss_scene *scene, uint32_t *numbers,
  * @param[out] info    receives the properties
  * @param struct_size  `sizeof *info` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such body)
+ *         VBSS_ERROR_NOT_FOUND (no such body)
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -102,8 +102,8 @@ VBSS_API vbss_result vbss_scene_get_body(vbss_scene *scene, uint32_t body,
  * @param scene       the scene
  * @param body        number of the drain in the scene
  * @param[out] drain  its handle; NULL when there is no such drain
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
- *         (no such drain)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body) or VBSS_ERROR_INCOMPATIBLE (no drain)
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -115,8 +115,8 @@ VBSS_API vbss_result vbss_scene_get_drain(vbss_scene *scene, uint32_t body, vbss
  * @param scene        the scene
  * @param body         number of the needle in the scene
  * @param[out] needle  its handle; NULL when there is no such needle
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
- *         (no such needle)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body) or VBSS_ERROR_INCOMPATIBLE (no needle)
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -128,8 +128,8 @@ VBSS_API vbss_result vbss_scene_get_needle(vbss_scene *scene, uint32_t body, vbs
  * @param scene         the scene
  * @param body          number of the grasper in the scene
  * @param[out] grasper  its handle; NULL when there is no such grasper
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
- *         (no such grasper)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body) or VBSS_ERROR_INCOMPATIBLE (no grasper)
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -144,7 +144,7 @@ VBSS_API vbss_result vbss_scene_get_grasper(vbss_scene *scene, uint32_t body,
  * @param scene  the scene
  * @param body   number of a body, not 0
  * @param data   the pointer, or an integer of its size; may be NULL
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
@@ -157,7 +157,7 @@ VBSS_API vbss_result vbss_scene_set_user_data(vbss_scene *scene, uint32_t body, 
  * @param scene      the scene
  * @param body       number of a body, not 0
  * @param[out] data  receives the pointer; NULL if none was stored, and on failure
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_NOT_FOUND
  *         (no such body)
  * @threads one thread at a time per context
  * @since 1.0

@@ -9,7 +9,7 @@
  * #vbss_scene_config), except a force, which acts in the next step that begins. A body that leaves
  * the scene has its configured values again.
  *
- * Scenes of method VBLAST have no such changes: all functions return VBSS_ERROR_OUT_OF_RANGE.
+ * Scenes of method VBLAST have no such changes: all functions return VBSS_ERROR_INCOMPATIBLE.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -31,9 +31,10 @@ extern "C" {
  *         and all free bodies. Driven and coupled bodies and graspers then keep theirs, because
  *         hands carry them. A driven body accepts a value, but moves as its target does.
  * @param gravity  acceleration, m/s^2, each component at most 1e6 in magnitude
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such body, a value, or another method), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY
- *         (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -48,9 +49,10 @@ VBSS_API vbss_result vbss_scene_set_gravity(vbss_scene *scene, uint32_t body,
  * @param scene     the scene
  * @param body      a drain, needle, rigid body or grasper, no thread; 0: the floor
  * @param friction  coefficient, 0 to 10
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body, a thread, a
- *         value, or another method), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a
- *         step is suspended) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body),
+ *         VBSS_ERROR_INCOMPATIBLE (a thread, or another method), VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -61,9 +63,9 @@ VBSS_API vbss_result vbss_scene_set_friction(vbss_scene *scene, uint32_t body, d
  *
  * @param scene     the scene
  * @param friction  coefficient, 0 to 10
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (a value, or another method),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
- *         VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_INCOMPATIBLE (another method),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a
+ *         step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -78,9 +80,10 @@ VBSS_API vbss_result vbss_scene_set_thread_friction(vbss_scene *scene, double fr
  * @param damping            damping, N s/m, 0 to 1e6
  * @param turning_stiffness  rotational stiffness, N m/rad, 0 to 1e9
  * @param turning_damping    rotational damping, N m s/rad, 0 to 1e6
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body, a body without
- *         a coupling, a value, or another method), VBSS_ERROR_NOT_FINITE,
- *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body),
+ *         VBSS_ERROR_INCOMPATIBLE (a body without a coupling, or another method),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a
+ *         step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -94,9 +97,9 @@ VBSS_API vbss_result vbss_scene_set_coupling(vbss_scene *scene, uint32_t body, d
  *
  * @param scene  the scene
  * @param limit  speed, m/s, 0 to 1e6; 0: no limit
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (a value, or another method),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
- *         VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_INCOMPATIBLE (another method),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a
+ *         step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -114,8 +117,9 @@ VBSS_API vbss_result vbss_scene_set_speed_limit(vbss_scene *scene, double limit)
  * @param body      any body; 0: the floor
  * @param category  categories of the body, one bit each
  * @param mask      categories that the body collides with
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body, or another
- *         method), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body),
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_OUT_OF_MEMORY (only while a step is
+ *         suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -134,9 +138,9 @@ VBSS_API vbss_result vbss_scene_set_filter(vbss_scene *scene, uint32_t body, uin
  *         magnitude; NULL: the centre of mass
  * @param torque  additional torque in the world frame, N m, each component at most 1e6 in
  *         magnitude; NULL: none
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such body, a driven body, a value, or another method), VBSS_ERROR_NOT_FINITE or
- *         VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (no rigid body, a driven one, or another method),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -152,9 +156,10 @@ VBSS_API vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, co
  *         magnitude
  * @param angular_velocity  angular velocity in the world frame, rad/s, each component at most 1e6 in
  *         magnitude; NULL keeps it
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such body, a body that is not free, a value, or another method), VBSS_ERROR_NOT_FINITE,
- *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (a body that is not free, or another method),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a
+ *         step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -172,10 +177,11 @@ VBSS_API vbss_result vbss_scene_set_rigid_velocity(vbss_scene *scene, uint32_t b
  *         magnitude
  * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
  *         orientation
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such body, a body that is not free or is held, a value, an overlap, or another method),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or
- *         VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such body), VBSS_ERROR_INCOMPATIBLE (a body that is not free, or another method),
+ *         VBSS_ERROR_IN_USE (a pin, a hole or a grasp holds the body), VBSS_ERROR_OUT_OF_RANGE (a
+ *         value, or an overlap, if the scene refuses it), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */

@@ -34,6 +34,7 @@
 #include <vblast_ss/metrics.h>
 #include <vblast_ss/record.h>
 #include <vblast_ss/scene.h>
+#include <vblast_ss/scene_event.h>
 
 /** A run of the suturing task on a scene. */
 typedef struct vbss_session vbss_session;
@@ -278,7 +279,7 @@ typedef struct vbss_session_status {
     double tension[2];      /**< Largest tension of the short limb and of the needle's limb, N. */
     double deviation_mm[2]; /**< Deviation of each hole from its mark, mm. */
     /** Part of `time` that the scene has left out, s. It counts paused steps
-     * (vbss_scene_statistics::time_paused) and truncated substeps (#VBSS_SCENE_EVENT_CLAMPED), from
+     * (vbss_scene_statistics::time_paused) and truncated substeps (#VBSS_SCENE_EVENT_TRUNCATED), from
      * the second step on. */
     double time_lost;
     /** Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it may still be
@@ -327,10 +328,11 @@ static inline vbss_session_config vbss_session_config_default(void)
  * @param[out] session  the new session; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of a device, detector, metrics, record or
  *         replay, or one of another context), VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: no such body; a record or replay
- *         of another scene, or both), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (the detector's
- *         capacity is too small for the thread or the tools), VBSS_ERROR_OUT_OF_MEMORY or
- *         VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FOUND (no such body),
+ *         VBSS_ERROR_INCOMPATIBLE (a body of another kind, a record or replay of another scene, or
+ *         both a record and a replay), VBSS_ERROR_IN_USE (a tool is given twice),
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (the detector's capacity is too small for the
+ *         thread or the tools), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -357,10 +359,11 @@ VBSS_API vbss_result vbss_session_destroy(vbss_session *session);
  * @param h        length of the step, s, 1e-7 to 0.1; ignored with a replay, which sets it
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of a device, detector, metrics, record or
  *         replay), or a result of #vbss_device_read, #vbss_record_step or #vbss_scene_step,
- *         #vbss_knot_detector_step, #vbss_metrics_add_sample or #vbss_device_write. With a replay
- *         also the results of #vbss_replay_step, VBSS_ERROR_OUT_OF_RANGE at its end, and
- *         VBSS_ERROR_CORRUPT when the hash of the scene or of the session differs from the recorded
- *         one
+ *         #vbss_knot_detector_step, #vbss_metrics_add_sample or #vbss_device_write.
+ *         VBSS_ERROR_WRONG_STATE if the scene was stepped or restored past the session. With a
+ *         replay also the results of #vbss_replay_step, VBSS_ERROR_WRONG_STATE at its end,
+ *         VBSS_ERROR_INCOMPATIBLE if it has begun with another scene since, and VBSS_ERROR_CORRUPT
+ *         when the hash of the scene or of the session differs from the recorded one
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -375,9 +378,10 @@ VBSS_API vbss_result vbss_session_step(vbss_session *session, double now, double
  *
  * @param session  the session; its replay has begun with its scene
  * @param step     number of the step in the log, from 1 on; 0: the initial state
- * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the session follows no replay, the log ends before the
- *         step, or has no state of a session at or before it), or a result of #vbss_replay_seek,
- *         #vbss_session_restore or #vbss_session_step
+ * @return VBSS_OK, VBSS_ERROR_WRONG_STATE (the session follows no replay), VBSS_ERROR_INCOMPATIBLE
+ *         (the replay has begun with another scene since), VBSS_ERROR_NOT_FOUND (the log ends
+ *         before the step, or has no state of a session at or before it), or a result of
+ *         #vbss_replay_seek, #vbss_session_restore or #vbss_session_step
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -391,7 +395,7 @@ VBSS_API vbss_result vbss_session_seek(vbss_session *session, uint64_t step);
  * @param session  the session
  * @param record   a record of the session's scene; NULL: none
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the record or another object),
- *         VBSS_ERROR_OUT_OF_RANGE (the record belongs to another scene) or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_INCOMPATIBLE (the record belongs to another scene) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -418,7 +422,7 @@ VBSS_API vbss_result vbss_session_get_status(vbss_session *session, vbss_session
  * @param[out] event   receives the event
  * @param struct_size  `sizeof *event` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (the event has not happened yet, or is lost)
+ *         VBSS_ERROR_NOT_FOUND (the event has not happened yet, or is lost)
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -20,6 +20,7 @@
 #define VBLAST_SS_THREAD_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 
 /** A suture thread. */
 typedef struct vbss_thread vbss_thread;
@@ -61,6 +62,36 @@ enum {
     VBSS_THREAD_PRESET_SILK_2_0 = 0,
     /** The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2. */
     VBSS_THREAD_PRESET_VBLAST = 1
+};
+
+/** Material of a suture: a VBSS_THREAD_MATERIAL_ constant. */
+typedef int32_t vbss_thread_material;
+
+/** The constants of #vbss_thread_material. docs/sutures.md has sources and uncertainties. */
+enum {
+    VBSS_THREAD_MATERIAL_SILK = 0,          /**< Braided silk. */
+    VBSS_THREAD_MATERIAL_POLYGLACTIN = 1,   /**< Braided polyglactin 910, absorbable. */
+    VBSS_THREAD_MATERIAL_POLYPROPYLENE = 2, /**< Polypropylene monofilament. */
+    VBSS_THREAD_MATERIAL_NYLON = 3          /**< Nylon monofilament. */
+};
+
+/** Size of a suture by USP <861>: a VBSS_THREAD_USP_ constant. */
+typedef int32_t vbss_thread_usp_size;
+
+/** The constants of #vbss_thread_usp_size, with the middle of the range of the diameter, mm. */
+enum {
+    VBSS_THREAD_USP_10_0 = -10, /**< 0.025 (0.020 to 0.029). */
+    VBSS_THREAD_USP_9_0 = -9,   /**< 0.035 (0.030 to 0.039). */
+    VBSS_THREAD_USP_8_0 = -8,   /**< 0.045 (0.040 to 0.049). */
+    VBSS_THREAD_USP_7_0 = -7,   /**< 0.06 (0.050 to 0.069). */
+    VBSS_THREAD_USP_6_0 = -6,   /**< 0.085 (0.070 to 0.099). */
+    VBSS_THREAD_USP_5_0 = -5,   /**< 0.125 (0.100 to 0.149). */
+    VBSS_THREAD_USP_4_0 = -4,   /**< 0.175 (0.150 to 0.199). */
+    VBSS_THREAD_USP_3_0 = -3,   /**< 0.225 (0.200 to 0.249). */
+    VBSS_THREAD_USP_2_0 = -2,   /**< 0.32 (0.300 to 0.339). */
+    VBSS_THREAD_USP_0 = 0,      /**< 0.375 (0.350 to 0.399). */
+    VBSS_THREAD_USP_1 = 1,      /**< 0.45 (0.400 to 0.499). */
+    VBSS_THREAD_USP_2 = 2       /**< 0.55 (0.500 to 0.599). */
 };
 
 /** Configuration of a thread. Fill it with #vbss_thread_config_init, then change fields. */
@@ -122,19 +153,8 @@ typedef struct vbss_thread_config {
     /** Method IMPLICIT: how often a step is halved before its state is accepted unconverged, 0 to
      * 10; default 5. `forced` counts such states and should stay zero. */
     uint32_t halving_limit;
-    /** Method VBLAST: spring constant of a segment, N/m, 0 to 1e9; default 0: derived from mass and
-     * step by docs/paper-thread.md. */
-    double paper_stiffness;
-    /** Method VBLAST: share of the velocity relative to the section's rigid motion that is removed at
-     * each explicit step, 0 to 1; default 0. */
-    double paper_damping;
-    /** Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
-     * bending mode and the tension need. */
-    uint32_t paper_substeps;
-    /** Method VBLAST: largest number of iterations of the projection, 1 to 1000; default 50. */
-    uint32_t paper_iteration_limit;
-    /** Method VBLAST: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
-    double paper_tolerance;
+    /** Method VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
+    const vbss_baseline_config *baseline;
     vbss_thread_mesh
         mesh; /**< Default VBSS_THREAD_MESH_FIXED, which ignores the following fields. */
     /** ADAPTIVE: largest number of nodes, segment_count + 1 to 65537; default 0: four times the
@@ -326,6 +346,23 @@ VBSS_API vbss_result vbss_thread_config_preset(vbss_thread_config *config,
                                                vbss_thread_preset preset);
 
 /**
+ * Sets radius, linear density, EA and EI of a configuration to those of a suture. They follow from the
+ * diameter of the size and from density, modulus of elasticity and modulus of bending of the material
+ * (docs/sutures.md): a braid bends far more easily than a solid rod, a monofilament like one.
+ *
+ * @param[in,out] config  an initialised configuration
+ * @param material        the material
+ * @param size            the size
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
+ *         such material or size)
+ * @threads any thread, any time
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_thread_config_suture(vbss_thread_config *config,
+                                               vbss_thread_material material,
+                                               vbss_thread_usp_size size);
+
+/**
  * Divides a length into segments that are fine about one place and grow away from it by a constant
  * ratio, up to the largest length. The lengths sum to `length` up to rounding. For this the ratio
  * is lowered on either side. Segments that are too long even when equal are scaled, to no less than
@@ -355,8 +392,9 @@ VBSS_API vbss_result vbss_thread_grade_lengths(double length, double centre, dou
  * @param config       the configuration; NULL for the defaults
  * @param[out] thread  the new thread; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
- *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (an adaptive
+ *         mesh with method VBLAST), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -439,8 +477,8 @@ static inline vbss_thread_attachment vbss_thread_attachment_default(void)
  * @param attachment the attachment
  * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is held already),
- *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is held
+ *         already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -455,8 +493,9 @@ VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
  * @param id         the attachment, not a MASS
  * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N, which changes at once
  * @param direction  CLAMP: as in #vbss_thread_attachment; NULL keeps it
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such attachment, a MASS, or a value out of range), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
+ *         such attachment), VBSS_ERROR_INCOMPATIBLE (a MASS), VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -469,7 +508,7 @@ VBSS_API vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint
  *
  * @param thread  the thread
  * @param id      the attachment
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such attachment) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -488,7 +527,7 @@ VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
  * @param[out] reaction  receives the reaction
  * @param struct_size    `sizeof *reaction` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
- *         VBSS_ERROR_OUT_OF_RANGE (no such attachment)
+ *         VBSS_ERROR_NOT_FOUND (no such attachment)
  * @threads one thread at a time per context
  * @since 0.1
  */

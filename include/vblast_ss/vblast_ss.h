@@ -9,6 +9,7 @@
 
 #include <vblast_ss/adapter.h>
 #include <vblast_ss/base.h>
+#include <vblast_ss/baseline.h>
 #include <vblast_ss/budget.h>
 #include <vblast_ss/collision.h>
 #include <vblast_ss/device.h>
@@ -25,6 +26,7 @@
 #include <vblast_ss/record.h>
 #include <vblast_ss/replica.h>
 #include <vblast_ss/scene.h>
+#include <vblast_ss/scene_event.h>
 #include <vblast_ss/scene_query.h>
 #include <vblast_ss/scene_settings.h>
 #include <vblast_ss/session.h>

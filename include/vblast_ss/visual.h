@@ -271,7 +271,7 @@ VBSS_API vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *
  *
  * @param visual  the visual
  * @param source  number of the scene or the body in the visual
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such source) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such source) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1

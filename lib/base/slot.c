@@ -38,7 +38,7 @@ void vbss_slot_empty(vbss_slot *slot)
 {
     slot->status = SLOT_RESERVED;
     slot->object = NULL;
-    slot->owner = NULL;
+    vbss_slot_set_owner(slot, NULL, NULL);
     slot->context->objects_alive--;
 }
 
@@ -164,6 +164,14 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
     VBSS_TRY(check_unowned(slot));
     retire(slot);
     return VBSS_OK;
+}
+
+void vbss_slot_destroy_owned(vbss_slot *slot)
+{
+    if (slot->is_owned_for_good && slot->status == SLOT_ALIVE) {
+        vbss_slot_set_owner(slot, NULL, NULL);
+        retire(slot);
+    }
 }
 
 void vbss_slots_release(vbss_context *context)

@@ -5,6 +5,7 @@
 #ifndef VBSS_BASE_SLOT_H
 #define VBSS_BASE_SLOT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include <vblast_ss/base.h>
@@ -17,6 +18,9 @@ typedef struct vbss_kind {
     uint16_t version; /* current version of that section */
     void (*destroy)(vbss_context *context, void *object);
     void (*serialise)(vbss_stream *stream, void *object); /* visits every field of the state */
+    /* Visits what is needed to create an equal object, for snapshots; NULL: the kind has no
+     * description. It is no part of the hash. */
+    void (*serialise_description)(vbss_stream *stream, void *object);
 } vbss_kind;
 typedef struct vbss_slot {
     uint32_t tag;
@@ -28,6 +32,8 @@ typedef struct vbss_slot {
     uint64_t ordinal;
     /* NULL if the host owns the object; otherwise the owner, which alone may step or destroy it */
     const void *owner;
+    struct vbss_edit_hook *hook; /* hears of edits of the object; NULL: nobody does */
+    bool is_owned_for_good;      /* the owner destroys the object when it gives the object up */
 } vbss_slot;
 /* Creates a handle for a complete object. On failure the caller still owns the object. */
 vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,
@@ -55,6 +61,15 @@ vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slo
 /* Destroys the object and makes its handle invalid. VBSS_OK for NULL; VBSS_ERROR_INVALID_HANDLE,
  * VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY on failure. */
 vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind);
+/* Gives the object to an owner, whose hook hears of its edits; NULL, NULL: back to the host. */
+static inline void vbss_slot_set_owner(vbss_slot *slot, const void *owner,
+                                       struct vbss_edit_hook *hook)
+{
+    slot->owner = owner;
+    slot->hook = hook;
+}
+/* Destroys an object that its owner has given up, if it was owned for good. */
+void vbss_slot_destroy_owned(vbss_slot *slot);
 /* Handle for an object that is part of another and is used through its public functions. The
  * context does not track it; the owner destroys the object. */
 vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *object);

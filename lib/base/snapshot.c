@@ -1,5 +1,7 @@
-/* The envelope of a snapshot: "VBSS", format, payload length, payload, and XXH64 of all bytes
- * before it. */
+/* The envelope of a snapshot: "VBSS", format, length of the state, in format 2 length of the
+ * description, state, description, and XXH64 of all bytes before it. Kinds without a description
+ * have format 1. */
+#include <stdio.h>
 #include <string.h>
 
 #include "base/check.h"
@@ -12,15 +14,33 @@
 #include "base/stream.h"
 
 #define MAGIC VBSS_CODE('V', 'B', 'S', 'S')
-#define FORMAT 1u
-#define ENVELOPE_HEADER_BYTES 16u /* magic u32, format u32, payload length u64 */
+enum { FORMAT_STATE = 1, FORMAT_DESCRIBED = 2 };
+#define HEADER_BYTES 16u           /* magic u32, format u32, length of the state u64 */
+#define DESCRIBED_HEADER_BYTES 24u /* the same, length of the description u64 */
 #define ENVELOPE_TRAILER_BYTES 8u
+
+static size_t header_bytes(uint32_t format)
+{
+    return format == FORMAT_DESCRIBED ? DESCRIBED_HEADER_BYTES : HEADER_BYTES;
+}
+
+static uint32_t format_of(const vbss_slot *slot)
+{
+    return slot->kind->serialise_description != NULL ? FORMAT_DESCRIBED : FORMAT_STATE;
+}
 
 static void visit(vbss_stream *stream, const vbss_slot *slot)
 {
     vbss_section outer = vbss_stream_open(stream, slot->kind->code, slot->kind->version);
     slot->kind->serialise(stream, slot->object);
     vbss_stream_close(stream, outer);
+}
+
+static void visit_description(vbss_stream *stream, const vbss_slot *slot)
+{
+    if (slot->kind->serialise_description != NULL) {
+        slot->kind->serialise_description(stream, slot->object);
+    }
 }
 
 static vbss_result report_result(const vbss_slot *slot, const vbss_stream *stream, const char *what)
@@ -41,7 +61,8 @@ vbss_result vbss_snapshot_size(const vbss_slot *slot, size_t *bytes)
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
     visit(&stream, slot);
-    *bytes = ENVELOPE_HEADER_BYTES + stream.position + ENVELOPE_TRAILER_BYTES;
+    visit_description(&stream, slot);
+    *bytes = header_bytes(format_of(slot)) + stream.position + ENVELOPE_TRAILER_BYTES;
     return report_result(slot, &stream, "size");
 }
 
@@ -65,66 +86,77 @@ static uint64_t checksum(const uint8_t *bytes, size_t count)
 vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t capacity,
                                size_t *written)
 {
-    if (capacity < ENVELOPE_HEADER_BYTES + ENVELOPE_TRAILER_BYTES) {
+    const uint32_t format = format_of(slot);
+    const size_t header = header_bytes(format);
+    if (capacity < header + ENVELOPE_TRAILER_BYTES) {
         return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "%s save: the buffer is too small",
                          slot->kind->name);
     }
     vbss_stream stream;
-    vbss_stream_begin_write(&stream, bytes + ENVELOPE_HEADER_BYTES,
-                            capacity - ENVELOPE_HEADER_BYTES - ENVELOPE_TRAILER_BYTES);
+    vbss_stream_begin_write(&stream, bytes + header, capacity - header - ENVELOPE_TRAILER_BYTES);
     visit(&stream, slot);
+    const size_t state = stream.position;
+    visit_description(&stream, slot);
     VBSS_TRY(report_result(slot, &stream, "save"));
-    store_little_endian(bytes, (uint64_t)FORMAT << 32 | MAGIC, 8);
-    store_little_endian(bytes + 8, stream.position, 8);
-    size_t covered = ENVELOPE_HEADER_BYTES + stream.position;
+    store_little_endian(bytes, (uint64_t)format << 32 | MAGIC, 8);
+    store_little_endian(bytes + 8, state, 8);
+    if (format == FORMAT_DESCRIBED) {
+        store_little_endian(bytes + 16, stream.position - state, 8);
+    }
+    size_t covered = header + stream.position;
     store_little_endian(bytes + covered, checksum(bytes, covered), 8);
     *written = covered + ENVELOPE_TRAILER_BYTES;
     return VBSS_OK;
 }
 
-/* Checks everything that does not need the object, and returns the length of the payload. */
-static vbss_result open_envelope(const vbss_slot *slot, const uint8_t *bytes, size_t count,
-                                 size_t *payload)
+vbss_result vbss_snapshot_open(vbss_context *context, const char *what, const uint8_t *bytes,
+                               size_t count, vbss_snapshot_parts *parts)
 {
-    const char *name = slot->kind->name;
-    if (count < ENVELOPE_HEADER_BYTES + ENVELOPE_TRAILER_BYTES) {
-        return vbss_fail(slot->context, VBSS_ERROR_TRUNCATED,
-                         "%s restore: %llu bytes are no snapshot", name, (unsigned long long)count);
+    if (count < HEADER_BYTES + ENVELOPE_TRAILER_BYTES) {
+        return vbss_fail(context, VBSS_ERROR_TRUNCATED, "%s: %llu bytes are no snapshot", what,
+                         (unsigned long long)count);
     }
-    uint64_t header = load_little_endian(bytes, 8);
-    if ((uint32_t)header != MAGIC) {
-        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: this is no snapshot",
-                         name);
+    const uint64_t start = load_little_endian(bytes, 8);
+    const uint32_t format = (uint32_t)(start >> 32);
+    if ((uint32_t)start != MAGIC) {
+        return vbss_fail(context, VBSS_ERROR_CORRUPT, "%s: this is no snapshot", what);
     }
-    if (header >> 32 != FORMAT) {
-        return vbss_fail(slot->context, VBSS_ERROR_DATA_VERSION,
-                         "%s restore: snapshot format %u, this library reads %u", name,
-                         (unsigned)(header >> 32), FORMAT);
+    if (format != FORMAT_STATE && format != FORMAT_DESCRIBED) {
+        return vbss_fail(context, VBSS_ERROR_DATA_VERSION,
+                         "%s: snapshot format %u, this library reads up to %u", what, format,
+                         (unsigned)FORMAT_DESCRIBED);
     }
-    uint64_t length = load_little_endian(bytes + 8, 8);
-    if (length != count - ENVELOPE_HEADER_BYTES - ENVELOPE_TRAILER_BYTES) {
-        return vbss_fail(
-            slot->context, VBSS_ERROR_TRUNCATED,
-            "%s restore: %llu bytes where the snapshot says %llu", name,
-            (unsigned long long)(count - ENVELOPE_HEADER_BYTES - ENVELOPE_TRAILER_BYTES),
-            (unsigned long long)length);
+    const size_t header = header_bytes(format);
+    const uint64_t room =
+        count >= header + ENVELOPE_TRAILER_BYTES ? count - header - ENVELOPE_TRAILER_BYTES : 0;
+    const uint64_t state = load_little_endian(bytes + 8, 8);
+    const uint64_t description = format == FORMAT_DESCRIBED ? load_little_endian(bytes + 16, 8) : 0;
+    if (state > room || description != room - state) {
+        return vbss_fail(context, VBSS_ERROR_TRUNCATED,
+                         "%s: %llu bytes where the snapshot says %llu and %llu", what,
+                         (unsigned long long)room, (unsigned long long)state,
+                         (unsigned long long)description);
     }
-    size_t covered = ENVELOPE_HEADER_BYTES + (size_t)length;
+    const size_t covered = header + (size_t)room;
     if (checksum(bytes, covered) != load_little_endian(bytes + covered, 8)) {
-        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: the checksum differs",
-                         name);
+        return vbss_fail(context, VBSS_ERROR_CORRUPT, "%s: the checksum differs", what);
     }
-    *payload = (size_t)length;
+    *parts = (vbss_snapshot_parts){.state = bytes + header,
+                                   .state_bytes = (size_t)state,
+                                   .description = bytes + header + (size_t)state,
+                                   .description_bytes = (size_t)description};
     return VBSS_OK;
 }
 
 vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t count)
 {
     vbss_context *context = slot->context;
-    size_t payload = 0;
+    vbss_snapshot_parts parts;
+    char what[48];
     VBSS_TRY(vbss_context_edit(context));
     VBSS_TRY(vbss_check_pointer(context, bytes, "snapshot"));
-    VBSS_TRY(open_envelope(slot, bytes, count, &payload));
+    snprintf(what, sizeof what, "%s restore", slot->kind->name);
+    VBSS_TRY(vbss_snapshot_open(context, what, bytes, count, &parts));
 
     /* A valid envelope can still hold the state of another object, which shows only halfway
      * through. A backup of the present state allows the object to return to it. The backup is
@@ -145,9 +177,9 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
     vbss_result result = report_result(slot, &stream, "restore");
 
     if (result == VBSS_OK) {
-        vbss_stream_begin_read(&stream, bytes + ENVELOPE_HEADER_BYTES, payload);
+        vbss_stream_begin_read(&stream, parts.state, parts.state_bytes);
         visit(&stream, slot);
-        if (stream.position != payload) {
+        if (stream.position != parts.state_bytes) {
             vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "data follow the state");
         }
         const vbss_stream found = stream;

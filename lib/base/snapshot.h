@@ -18,6 +18,15 @@ vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t cap
  * VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY,
  * VBSS_ERROR_BUSY inside a callback. */
 vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t count);
+/* The parts of a snapshot; the description may be missing. */
+typedef struct vbss_snapshot_parts {
+    const uint8_t *state, *description;
+    size_t state_bytes, description_bytes;
+} vbss_snapshot_parts;
+/* Checks the envelope, and finds the parts in it. `what` begins the error text.
+ * VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION. */
+vbss_result vbss_snapshot_open(vbss_context *context, const char *what, const uint8_t *bytes,
+                               size_t count, vbss_snapshot_parts *parts);
 /* XXH64 of the state, without the envelope. */
 vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash);
 /* Bodies of the public functions: they check the host's arguments and work for any kind of object.

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/fields.h"
 #include "base/hash.h"
 #include "base/little_endian.h"
 #include "base/stream.h"
@@ -355,4 +356,21 @@ void vbss_stream_expect_f64(vbss_stream *stream, uint16_t tag, double value)
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
     vbss_stream_expect(stream, tag, bits);
+}
+
+/* ---- structs */
+
+void vbss_stream_fields(vbss_stream *stream, const vbss_field *fields, size_t count, void *object)
+{
+    for (size_t i = 0; i < count; i++) {
+        void *value = (char *)object + fields[i].offset;
+        if (fields[i].since > stream->version) {
+            continue;
+        }
+        if (fields[i].type == VBSS_FIELD_U32) {
+            vbss_stream_u32(stream, (uint16_t)i, value, fields[i].count);
+        } else {
+            vbss_stream_f64(stream, (uint16_t)i, value, fields[i].count);
+        }
+    }
 }

@@ -243,7 +243,7 @@ static vec3 displace(const feature *f, const double displacement[6], double h)
 static vbss_result meet(scene_object *s, const contact_key *key, const feature *a, const feature *b,
                         double h)
 {
-    double thickness = a->radius + b->radius + s->config.paper_thickness;
+    double thickness = a->radius + b->radius + s->config.baseline->scene_thickness;
     vbss_collision_response response;
     vbss_collision_impact impact = ask(s, a, b, thickness);
     s->baseline->counts.tested_pairs++;
@@ -288,7 +288,7 @@ static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
     for (uint32_t i = 0; i < count; i++) {
         feature f = {.radius = 0.0};
         set_node(&f, 0, b, i);
-        double thickness = f.radius + s->config.paper_thickness;
+        double thickness = f.radius + s->config.baseline->scene_thickness;
         double depth = thickness - height_of(s, *f.end[0]);
         if (depth <= BASELINE_MIN_DEPTH_RATIO * thickness || f.mobility[0] == 0.0) {
             continue;

@@ -25,13 +25,13 @@ static void prepare_masses(drain_object *d)
 static uint32_t count_parts(const drain_object *d, double h)
 {
     double rate = 0.0;
-    if (d->config.paper_substeps > 0) {
-        return d->config.paper_substeps;
+    if (d->config.baseline->drain_substeps > 0) {
+        return d->config.baseline->drain_substeps;
     }
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         if (d->baseline->free_mass[i] > 0.0) {
-            rate =
-                vbss_max_or_nan(0.25 * d->config.paper_stiffness / d->baseline->free_mass[i], rate);
+            rate = vbss_max_or_nan(
+                0.25 * d->config.baseline->drain_stiffness / d->baseline->free_mass[i], rate);
         }
     }
     return vbss_baseline_substep_count(h, rate);
@@ -60,8 +60,8 @@ static void prepare_mobilities(drain_object *d, double dt)
 static void pull_back(drain_object *d)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        d->internal_forces[i] =
-            vec3_scale(vec3_sub(d->baseline->rest[i], d->x[i]), d->config.paper_stiffness);
+        d->internal_forces[i] = vec3_scale(vec3_sub(d->baseline->rest[i], d->x[i]),
+                                           d->config.baseline->drain_stiffness);
     }
 }
 
@@ -89,9 +89,9 @@ static void set_velocities(drain_object *d, double dt, const vec3 *sums)
         vec3 impulse = vec3_add_scaled(vec3_scale(d->v[i], d->mass[i]), dt, sums[i]);
         d->v[i] = vec3_scale(impulse, d->baseline->mobility[i]);
     }
-    if (d->config.paper_damping > 0.0) {
+    if (d->config.baseline->drain_damping > 0.0) {
         vbss_damp_relative_motion(d->baseline->free_mass, d->x, d->v, 0, d->mesh.node_count - 1,
-                                  d->config.paper_damping);
+                                  d->config.baseline->drain_damping);
     }
 }
 
@@ -173,7 +173,7 @@ static void add_energies(drain_object *d, vbss_drain_energies *energies)
     double sum = 0.0;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         vec3 displacement = vec3_sub(d->x[i], d->baseline->rest[i]);
-        sum += 0.5 * d->config.paper_stiffness * vec3_norm_squared(displacement);
+        sum += 0.5 * d->config.baseline->drain_stiffness * vec3_norm_squared(displacement);
     }
     energies->springs = sum;
 }

@@ -28,17 +28,17 @@ static void lead(scene_object *s, scene_thread_grasp *g)
 {
     if (leader_of(s, g->thread, g->segment) == NULL &&
         vbss_scene_pin_node(s, g->thread, g->segment, g->tool, NULL, pin_of(s, g)) == VBSS_OK) {
-        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
+        vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
     }
 }
 
-/* Finds the node nearest to the point between the tips of the jaws, within paper_distance.
+/* Finds the node nearest to the point between the tips of the jaws, within grasper_distance.
  * Returns false if there is none. */
 static bool nearest_node(const scene_object *s, const scene_body *tool, scene_thread_grasp *found)
 {
     const grasper_object *g = tool->rigid.grasper;
     pose at = pose_mul(tool->rigid.body.now.pose, pose_inverse(tool->rigid.frame));
-    double nearest = g->config.paper_distance;
+    double nearest = g->config.baseline->grasper_distance;
     found->thread = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
@@ -70,14 +70,19 @@ static void take(scene_object *s, const scene_body *tool)
             return;
         }
     }
-    vbss_scene_add_event(s, VBSS_SCENE_EVENT_GRASP_LOST, found.thread, tool->number, 0);
+    const thread_object *t = vbss_scene_body(s, found.thread)->thread.thread;
+    vbss_scene_event event = {.kind = VBSS_SCENE_EVENT_GRASP_LOST,
+                              .body_a = found.thread,
+                              .body_b = tool->number,
+                              .arc_length = vbss_thread_arc_length(t, found.segment)};
+    vbss_scene_add_event_at(s, &event, t->now.x[found.segment], 0);
 }
 
 static void let_go(scene_object *s, scene_thread_grasp *g)
 {
     uint32_t *pin = pin_of(s, g);
     if (*pin != 0) {
-        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
+        vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
         (void)vbss_scene_unpin_node(s, *pin); /* the host may have removed the pin */
         *pin = 0;
     }
@@ -154,7 +159,7 @@ static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness
 /* Sums the forces of nodes that the tool carries, and of nodes pinned to its needle. */
 vec3 vbss_baseline_hand_force(const scene_object *s, const scene_body *tool)
 {
-    double stiffness = tool->rigid.grasper->config.paper_stiffness;
+    double stiffness = tool->rigid.grasper->config.baseline->grasper_stiffness;
     uint32_t needle =
         vbss_scene_has_needle_grasp(s, tool->number) ? tool->rigid.needle_grasp.needle : 0;
     vec3 force = vec3_zero();

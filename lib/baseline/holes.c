@@ -145,7 +145,7 @@ static void find_punctures(scene_object *s, const scene_body *needle, const scen
     while (vbss_baseline_find_puncture(&probe, toggles, &made)) {
         made.arc = vbss_suture_nearest_point(&line, 0.0, vbss_hole_point(&made, d, d->x)).arc;
         made.max_arc = vbss_max(made.arc, 0.0);
-        vbss_scene_add_hole(s, &made);
+        vbss_scene_add_hole(s, &made, 0.0);
     }
     vbss_baseline_update_toggles(&probe, toggles);
 }

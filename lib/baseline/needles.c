@@ -5,6 +5,7 @@
 #include "baseline/scene.h"
 
 #include "collision/closest.h"
+#include "scene/tools/tools.h"
 #include "scene/tuning.h"
 
 /* Jaws hold a needle that lies across them: cosine of the largest angle, 45 degrees, between the
@@ -77,7 +78,8 @@ static void begin_landing(landing *l, pose at, uint32_t count)
 
 static void land(const scene_object *s, const scene_rigid *r, pose *at)
 {
-    double thickness = r->needle->config.wire_radius + s->config.paper_thickness, below = 0.0;
+    double thickness = r->needle->config.wire_radius + s->config.baseline->scene_thickness,
+           below = 0.0;
     uint32_t count = r->needle->config.segment_count + 1;
     landing l;
     l.needle = r;
@@ -160,12 +162,6 @@ void vbss_baseline_set_needle_targets(scene_object *s, double h)
 
 /* ---- after a step: leaders */
 
-static void emit_grasp_event(scene_object *s, vbss_scene_event_kind kind, const scene_body *tool)
-{
-    const scene_needle_grasp *hold = &tool->rigid.needle_grasp;
-    vbss_scene_add_event(s, kind, hold->needle, tool->number, (uint32_t)(1e6 * hold->arc));
-}
-
 static const scene_body *needle_of(const scene_object *s, const scene_body *tool)
 {
     return vbss_scene_body(s, tool->rigid.needle_grasp.needle);
@@ -184,7 +180,7 @@ static void lead(scene_object *s, scene_body *tool)
     baseline_body_of(s, needle)->leader = tool->number;
     tool->rigid.needle_grasp.pose_in_jaws =
         pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->rigid.body.now.pose);
-    emit_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
+    vbss_scene_emit_needle_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
 }
 
 static void let_go(scene_object *s, scene_body *tool)
@@ -192,7 +188,7 @@ static void let_go(scene_object *s, scene_body *tool)
     baseline_body *needle = baseline_body_of(s, needle_of(s, tool));
     if (needle->leader == tool->number) {
         needle->leader = 0;
-        emit_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
+        vbss_scene_emit_needle_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
     }
     tool->rigid.needle_grasp = (scene_needle_grasp){0};
 }
@@ -245,7 +241,7 @@ static void find_needle_grasp(const scene_body *tool, const scene_body *b,
 static void take(scene_object *s, scene_body *tool)
 {
     scene_needle_grasp found = {0};
-    double nearest = tool->rigid.grasper->config.paper_distance;
+    double nearest = tool->rigid.grasper->config.baseline->grasper_distance;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
             find_needle_grasp(tool, &s->bodies[i], &found, &nearest);

@@ -40,7 +40,7 @@ static void destroy_state(scene_object *s)
 static void configure_collision(const scene_object *s, vbss_collision_config *config)
 {
     config->method = VBSS_COLLISION_METHOD_VBLAST;
-    config->thickness = s->config.paper_thickness;
+    config->thickness = s->config.baseline->scene_thickness;
     config->margin = 0.0;
 }
 

@@ -51,7 +51,8 @@ static void go_back(scene_object *s)
     vbss_scene_rollback_pin_targets(s);
     s->report.statistics = s->checkpoint.statistics;
     s->baseline->contact_count = 0;
-    vbss_scene_clear_events(s);
+    vbss_scene_clear_logged_events(s);
+    s->events.pending_count = s->events.pending_lost = 0;
     s->report.generation++;
 }
 
@@ -120,7 +121,7 @@ static vbss_result make_passes(scene_object *s, double h)
     baseline_scene_counts *counts = &s->baseline->counts;
     *counts = (baseline_scene_counts){0};
     s->baseline->contact_count = 0;
-    while (!counts->has_converged && counts->passes < s->config.paper_pass_limit) {
+    while (!counts->has_converged && counts->passes < s->config.baseline->scene_pass_limit) {
         VBSS_TRY(search(s));
         VBSS_TRY(vbss_baseline_run_pass(s, h));
         counts->passes++;
@@ -209,7 +210,7 @@ vbss_result vbss_baseline_scene_step(scene_object *s, double h)
     const scene_substep whole = {
         .step_length = h, .start_fraction = 0.0, .end_fraction = 1.0, .h = h};
     VBSS_TRY(keep(s));
-    vbss_scene_clear_events(s);
+    vbss_scene_clear_logged_events(s);
     vbss_scene_record_holes_before_step(s);
     vbss_scene_apply_tool_targets(s, h);
     vbss_baseline_set_carried_targets(s);
@@ -230,8 +231,10 @@ vbss_result vbss_baseline_scene_step(scene_object *s, double h)
     vbss_scene_update_cut_exclusions(s);
     vbss_scene_update_touching_pairs(s);
     vbss_scene_collect_forces(s);
+    vbss_scene_locate_touch_events(s);
     note_hands(s);
     vbss_baseline_update_holes(s);
     update_tools(s, h);
+    vbss_scene_publish_events(s, 0, h);
     return VBSS_OK;
 }

@@ -87,11 +87,11 @@ bool vbss_baseline_project_section(thread_object *t, uint32_t first, uint32_t la
     }
     for (uint32_t k = 0;; k++) {
         double error = measure(t, first, last);
-        bool good = error <= t->config.paper_tolerance;
+        bool good = error <= t->config.baseline->thread_tolerance;
         if (good && k > 0) { /* at least one iteration: its multipliers are the tensions */
             break;
         }
-        bool more = k < t->config.paper_iteration_limit && error < 1e100;
+        bool more = k < t->config.baseline->thread_iteration_limit && error < 1e100;
         if (!more || !solve(t, first, last,
                             good ? BASELINE_UNSOUND_PIVOT_RATIO : BASELINE_SINGULAR_PIVOT_RATIO)) {
             if (good) { /* no node can move */

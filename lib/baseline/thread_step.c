@@ -10,8 +10,8 @@
 
 static uint32_t count_parts(thread_object *t, double h)
 {
-    if (t->config.paper_substeps > 0) {
-        return t->config.paper_substeps;
+    if (t->config.baseline->thread_substeps > 0) {
+        return t->config.baseline->thread_substeps;
     }
     return vbss_baseline_substep_count(h, vbss_baseline_thread_rate(t));
 }
@@ -49,7 +49,7 @@ static void prepare_springs(thread_object *t, double dt)
 {
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         double mobility = t->baseline->rows[i].inverse_mass + t->baseline->rows[i + 1].inverse_mass;
-        double stiffness = t->config.paper_stiffness;
+        double stiffness = t->config.baseline->thread_stiffness;
         if (stiffness == 0.0 && mobility > 0.0) {
             double max_stiffness = t->config.axial_stiffness / t->rest[i];
             stiffness = 2.0 * BASELINE_SPRING_FRACTION / (dt * dt * mobility);
@@ -91,8 +91,8 @@ static void move_nodes(thread_object *t, double dt, double end, const vec3 *forc
             m->v[i] = vec3_scale(impulse, t->baseline->rows[i].inverse_mass);
         }
     }
-    if (t->config.paper_damping > 0.0) {
-        vbss_thread_damp_sections(t, t->config.paper_damping);
+    if (t->config.baseline->thread_damping > 0.0) {
+        vbss_thread_damp_sections(t, t->config.baseline->thread_damping);
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
         vec3 to = vec3_add_scaled(m->x[i], dt, m->v[i]);

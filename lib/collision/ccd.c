@@ -1,5 +1,6 @@
 /* Public CCD of one query: configuration, argument checks, and results. */
 #include "base/api_call.h"
+#include "base/baseline_config.h"
 #include "base/check.h"
 #include "base/compiler.h"
 #include "base/error.h"
@@ -8,7 +9,9 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_collision_config) == 72, "published size");
+_Static_assert(sizeof(vbss_collision_config) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_collision_config, 56u, 1u),
+               "published size");
 _Static_assert(sizeof(vbss_collision_impact) == 136, "published size");
 
 static const vbss_collision_config defaults = {
@@ -20,10 +23,8 @@ static const vbss_collision_config defaults = {
     .pair_capacity = 16384,
     .impact_capacity = 4096,
     .exclusion = 1.6,
-    .paper_parallel = 1e-6,
-    .paper_unit = 1e-3,
 };
-static const uint32_t config_sizes[] = {72, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_collision_config, 56u, 1u), 0};
 const vbss_layout vbss_collision_config_layout = {"vbss_collision_config", &defaults, config_sizes};
 static const uint32_t impact_sizes[] = {136, 0};
 static const vbss_layout impact_layout = {"vbss_collision_impact", NULL, impact_sizes};
@@ -48,9 +49,7 @@ vbss_result vbss_collision_check_ccd_options(vbss_context *context, const vbss_c
                               VBSS_COLLISION_METHOD_VBLAST, "method"));
     VBSS_TRY(vbss_collision_check_thickness(context, c->thickness));
     VBSS_TRY(vbss_check_range(context, c->tolerance, 1e-12, 1.0, "tolerance"));
-    VBSS_TRY(vbss_check_range(context, c->pass_limit, 1.0, 1000000.0, "pass_limit"));
-    VBSS_TRY(vbss_check_range(context, c->paper_parallel, 0.0, 1.0, "paper_parallel"));
-    return vbss_check_range(context, c->paper_unit, 1e-9, 1e3, "paper_unit");
+    return vbss_check_range(context, c->pass_limit, 1.0, 1000000.0, "pass_limit");
 }
 
 static const collision_ccd_method *method_of(const vbss_collision_config *config)
@@ -69,8 +68,8 @@ collision_ccd_options vbss_collision_ccd_options_of(const vbss_collision_config 
     collision_ccd_options options = {method_of(config),
                                      config->pass_limit,
                                      config->tolerance,
-                                     config->paper_parallel,
-                                     config->paper_unit,
+                                     config->baseline->collision_parallel,
+                                     config->baseline->collision_unit,
                                      NULL,
                                      0};
     return options;
@@ -171,6 +170,8 @@ static vbss_result run_test(const vbss_collision_config *config, vbss_collision_
         VBSS_TRY(vbss_config_read(NULL, &vbss_collision_config_layout, config, &own));
         VBSS_TRY(vbss_collision_check_ccd_options(NULL, &own));
     }
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_baseline_read_config(NULL, &own.baseline, &baseline));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
     collision_ccd_options options = vbss_collision_ccd_options_of(&own);

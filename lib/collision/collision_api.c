@@ -1,5 +1,6 @@
 /* The functions that hosts call on a whole collision object. */
 #include "base/api_call.h"
+#include "base/baseline_config.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
@@ -34,6 +35,8 @@ vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_co
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &vbss_collision_config_layout, config, &own));
     }
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_baseline_read_config(context, &own.baseline, &baseline));
     VBSS_TRY(vbss_collision_check_ccd_options(context, &own));
     VBSS_TRY(check_capacities(context, &own));
 

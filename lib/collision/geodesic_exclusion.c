@@ -204,7 +204,7 @@ static vbss_result check_arguments(const collision_object *c, uint32_t id, const
     VBSS_TRY(vbss_collision_find_shape(c, id, shape));
     const collision_shape *s = *shape;
     if (s->kind != COLLISION_SHAPE_MESH) {
-        return vbss_fail(c->context, VBSS_ERROR_OUT_OF_RANGE, "shape %u is no mesh", id);
+        return vbss_fail(c->context, VBSS_ERROR_INCOMPATIBLE, "shape %u is no mesh", id);
     }
     VBSS_TRY(vbss_check_range(c->context, distance, 0.0, COLLISION_MAX_COORDINATE, "distance"));
     VBSS_TRY(vbss_collision_check_coordinates(c->context, &at[0].x, 3 * (size_t)s->node_count,

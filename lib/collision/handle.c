@@ -3,8 +3,8 @@
 #include "base/stream.h"
 #include "collision/shapes.h"
 
-const vbss_kind vbss_collision_kind = {"collision object", VBSS_CODE('C', 'O', 'L', 'L'), 1,
-                                       vbss_collision_free, vbss_collision_serialise};
+const vbss_kind vbss_collision_kind = {"collision object",  VBSS_CODE('C', 'O', 'L', 'L'), 1,
+                                       vbss_collision_free, vbss_collision_serialise,      NULL};
 
 vbss_result vbss_collision_open(const vbss_collision *handle, collision_object **collision)
 {

@@ -79,6 +79,8 @@ vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_
     }
     c->context = context;
     c->config = *config;
+    c->baseline_config = *config->baseline;
+    c->config.baseline = &c->baseline_config;
     c->ccd_options = vbss_collision_ccd_options_of(config);
     c->ccd_options.limb_count = COLLISION_LIMBS;
     c->wide = vbss_wide_is_available();
@@ -108,9 +110,6 @@ vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,
                                       collision_shape **shape)
 {
     *shape = id < c->shape_count ? c->shapes[id] : NULL;
-    if (*shape == NULL) {
-        vbss_fail(c->context, VBSS_ERROR_OUT_OF_RANGE, "there is no shape %u", id);
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    return VBSS_OK;
+    return *shape != NULL ? VBSS_OK
+                          : vbss_fail(c->context, VBSS_ERROR_NOT_FOUND, "there is no shape %u", id);
 }

@@ -22,6 +22,11 @@ static void register_shape(collision_object *c, collision_shape *s, uint32_t *id
     c->generation++;
 }
 
+void vbss_collision_skip_shapes(collision_object *c, uint32_t next)
+{
+    c->shape_count = next > c->shape_count ? next : c->shape_count;
+}
+
 /* Checks that apply to all kinds of shapes. */
 static vbss_result check_new(const collision_object *c, double radius, const uint32_t *id)
 {

@@ -138,6 +138,9 @@ typedef struct collision_shape {
     bool edge_offsets_used, point_offsets_used;
 } collision_shape;
 
+/* Lets the next shape have the id `next`, at most shape_capacity: those before it never exist. */
+void vbss_collision_skip_shapes(collision_object *c, uint32_t next);
+
 /* Chains with a variable number of nodes. A disabled chain only reserves memory. Resizing sets a
  * number of nodes, up to its capacity, and rest lengths; it enables the chain and does not
  * allocate. Disabling keeps the memory. */
@@ -339,6 +342,7 @@ typedef struct collision_block {
 struct collision_object {
     vbss_context *context;
     vbss_collision_config config;
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     collision_ccd_options ccd_options;
     bool wide;        /* use the AVX2 copies of the hot loops */
     double thickness; /* thickness of the configuration, m */
@@ -400,7 +404,7 @@ vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_
                                     uint32_t active_capacity, bool caches_separation,
                                     collision_object **collision);
 void vbss_collision_free(vbss_context *context, void *object);
-/* The shape with this id, or VBSS_ERROR_OUT_OF_RANGE. */
+/* The shape with this id, or VBSS_ERROR_NOT_FOUND. */
 vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,
                                       collision_shape **shape);
 /* Contact distance D of two shapes, m. */

@@ -9,8 +9,12 @@
 /* The configuration must equal the saved one, except for capacities. */
 static void visit_config(vbss_stream *stream, const collision_object *c)
 {
-    const double numbers[] = {c->thickness,     c->ccd_options.tolerance, c->config.exclusion,
-                              c->config.margin, c->config.paper_parallel, c->config.paper_unit};
+    const double numbers[] = {c->thickness,
+                              c->ccd_options.tolerance,
+                              c->config.exclusion,
+                              c->config.margin,
+                              c->config.baseline->collision_parallel,
+                              c->config.baseline->collision_unit};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);
     }

@@ -68,7 +68,7 @@ vbss_result vbss_device_recentre(vbss_device *device, const double *position,
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     if (!d->pose_reading.is_known) {
-        return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "there was no pose yet");
+        return vbss_fail(d->context, VBSS_ERROR_WRONG_STATE, "there was no pose yet");
     }
     if (position != NULL) {
         VBSS_TRY(vbss_check_finite(d->context, position, 3, "position"));
@@ -97,7 +97,7 @@ vbss_result vbss_device_hold_jaw(vbss_device *device, double opening)
     VBSS_TRY(vbss_device_edit(device, &d));
     VBSS_TRY(vbss_check_range(d->context, opening, 0.0, 1.0, "opening"));
     if (d->config.jaw_takeover == 0) {
-        return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "the device has no jaw_takeover");
+        return vbss_fail(d->context, VBSS_ERROR_INCOMPATIBLE, "the device has no jaw_takeover");
     }
     vbss_device_hold_opening(d, opening);
     return VBSS_OK;

@@ -23,8 +23,8 @@ static void destroy_device(vbss_context *context, void *object)
     vbss_device_free(context, d);
 }
 
-const vbss_kind vbss_device_kind = {"device", VBSS_CODE('D', 'E', 'V', 'I'), 1, destroy_device,
-                                    vbss_device_serialise};
+const vbss_kind vbss_device_kind = {"device",       VBSS_CODE('D', 'E', 'V', 'I'), 1,
+                                    destroy_device, vbss_device_serialise,         NULL};
 
 vbss_result vbss_device_open(const vbss_device *handle, device_object **device)
 {

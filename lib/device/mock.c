@@ -59,7 +59,8 @@ static void visit_mock(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 2, &m->statistics.writes, 1);
 }
 
-static const vbss_kind kind = {"mock", VBSS_CODE('M', 'O', 'C', 'K'), 1, free_mock, visit_mock};
+static const vbss_kind kind = {"mock", VBSS_CODE('M', 'O', 'C', 'K'), 1, free_mock, visit_mock,
+                               NULL};
 
 static vbss_result allocate_mock(vbss_context *context, const mock_object *wanted,
                                  mock_object **mock)
@@ -284,7 +285,7 @@ vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault, double f
     VBSS_TRY(edit_mock(mock, &m));
     VBSS_TRY(vbss_mock_check_fault(m->context, &own));
     if (m->config.measure == NULL && vbss_mock_needs_function(fault)) {
-        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "fault %d needs a function of time",
+        return vbss_fail(m->context, VBSS_ERROR_INCOMPATIBLE, "fault %d needs a function of time",
                          fault);
     }
     if (m->fault_count == m->config.fault_capacity) {

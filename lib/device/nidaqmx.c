@@ -73,8 +73,8 @@ static void visit_lines(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, o->handle_count);
 }
 
-static const vbss_kind kind = {"handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_lines,
-                               visit_lines};
+static const vbss_kind kind = {
+    "handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_lines, visit_lines, NULL};
 
 /* The slot of an instrument handle owns nothing: the lines free the handle. */
 static void release_nothing(vbss_context *context, void *object)
@@ -89,8 +89,8 @@ static void visit_handle(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, h->handle_index);
 }
 
-static const vbss_kind handle_kind = {"handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1,
-                                      release_nothing, visit_handle};
+static const vbss_kind handle_kind = {
+    "handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1, release_nothing, visit_handle, NULL};
 
 /* ---- opening */
 
@@ -365,7 +365,7 @@ vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
     nidaqmx_object *o;
     VBSS_TRY(open_daq(nidaqmx, &o));
     if (which >= o->handle_count) {
-        return vbss_fail(o->context, VBSS_ERROR_OUT_OF_RANGE, "there is no handle %u", which);
+        return vbss_fail(o->context, VBSS_ERROR_NOT_FOUND, "there is no handle %u", which);
     }
     const vbss_device_adapter own = {
         .struct_size = sizeof own,
@@ -391,7 +391,10 @@ vbss_result vbss_nidaqmx_poll(vbss_nidaqmx *nidaqmx, double now)
     if (!isfinite(now)) {
         return VBSS_ERROR_NOT_FINITE;
     }
-    if (o->has_thread || fabs(now) > 1e9) {
+    if (o->has_thread) {
+        return VBSS_ERROR_WRONG_STATE;
+    }
+    if (fabs(now) > 1e9) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     vbss_nidaqmx_cycle(o, now);

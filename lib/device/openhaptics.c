@@ -90,8 +90,8 @@ static void visit_arms(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, o->arm_count);
 }
 
-static const vbss_kind kind = {"haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_arms,
-                               visit_arms};
+static const vbss_kind kind = {
+    "haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_arms, visit_arms, NULL};
 
 /* The slot of an arm owns nothing: the arms are freed together. */
 static void release_nothing(vbss_context *context, void *object)
@@ -106,8 +106,8 @@ static void visit_arm(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 1, a->device);
 }
 
-static const vbss_kind arm_kind = {"haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, release_nothing,
-                                   visit_arm};
+static const vbss_kind arm_kind = {
+    "haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, release_nothing, visit_arm, NULL};
 
 /* ---- opening */
 
@@ -315,12 +315,9 @@ static vbss_result open_arm_at(const void *handle, uint32_t which, openhaptics_o
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
     *o = slot->object;
-    if (which >= (*o)->arm_count) {
-        vbss_fail((*o)->context, VBSS_ERROR_OUT_OF_RANGE, "there is no arm %u", which);
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    *a = &(*o)->arms[which];
-    return VBSS_OK;
+    *a = which < (*o)->arm_count ? &(*o)->arms[which] : NULL;
+    return *a != NULL ? VBSS_OK
+                      : vbss_fail((*o)->context, VBSS_ERROR_NOT_FOUND, "there is no arm %u", which);
 }
 
 /* ---- adapters

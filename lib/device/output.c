@@ -183,8 +183,8 @@ static void visit_output(vbss_stream *stream, void *object)
     vbss_output_visit_state(stream, &o->config, &o->state);
 }
 
-const vbss_kind vbss_output_kind = {"output stage", VBSS_CODE('O', 'U', 'T', 'S'), 1, free_output,
-                                    visit_output};
+const vbss_kind vbss_output_kind = {
+    "output stage", VBSS_CODE('O', 'U', 'T', 'S'), 1, free_output, visit_output, NULL};
 
 vbss_result vbss_output_create(vbss_context *context, const vbss_output_config *config,
                                vbss_output **output)

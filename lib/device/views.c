@@ -37,7 +37,7 @@ vbss_result vbss_device_get_capabilities(vbss_device *device, uint32_t which,
     device_object *d;
     VBSS_TRY(vbss_device_open(device, &d));
     if (which != 2 && which >= d->source_count) {
-        return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "adapter %u of %u", which,
+        return vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "adapter %u of %u", which,
                          d->source_count);
     }
     vbss_device_capabilities own =
@@ -53,7 +53,7 @@ vbss_result vbss_device_get_error(vbss_device *device, uint32_t which, vbss_resu
     device_object *d;
     VBSS_TRY(vbss_device_open(device, &d));
     if (which >= d->source_count) {
-        return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "adapter %u of %u", which,
+        return vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "adapter %u of %u", which,
                          d->source_count);
     }
     if (result != NULL) {

@@ -2,6 +2,7 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "drain/drain.h"
 
@@ -28,23 +29,24 @@ static vbss_result check(const drain_object *d, const vbss_drain_attachment *a)
     VBSS_TRY(vbss_check_vector(context, a->force, 1e6, "force"));
     VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
     if (d->anchored[a->node]) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", a->node);
+        return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is anchored", a->node);
     }
     if (a->kind == VBSS_DRAIN_ATTACHMENT_PIN && vbss_drain_find_pin(d, a->node) != NULL) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is pinned already", a->node);
+        return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is pinned already", a->node);
     }
     return VBSS_OK;
 }
 
-static drain_attachment *find_attachment(drain_object *d, uint32_t id)
+static vbss_result find_attachment(drain_object *d, uint32_t id, drain_attachment **found)
 {
     for (uint32_t i = 0; id != 0 && i < d->config.attachment_capacity; i++) {
         if (d->attachments[i].id == id) {
-            return &d->attachments[i];
+            *found = &d->attachments[i];
+            return VBSS_OK;
         }
     }
-    vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "the drain has no attachment %u", id);
-    return NULL;
+    *found = NULL;
+    return vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "the drain has no attachment %u", id);
 }
 
 vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *attachment,
@@ -64,6 +66,11 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
     if (free_index == d->config.attachment_capacity || d->last_id == UINT32_MAX) {
         return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "more than %u attachments", free_index);
     }
+    vbss_edit input = {.kind = VBSS_EDIT_DRAIN_ATTACH, .words = {0, (uint32_t)own.kind, own.node}};
+    vbss_edit_set_numbers(&input, 0, own.position, 3);
+    vbss_edit_set_numbers(&input, 3, own.force, 3);
+    input.numbers[6] = own.stiffness;
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     drain_attachment *a = &d->attachments[free_index];
     *a = (drain_attachment){.id = ++d->last_id,
                             .kind = own.kind,
@@ -78,7 +85,7 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
     a->alternate_force = a->force;
     *id = a->id;
     vbss_drain_invalidate(d);
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id, const double target[3])
@@ -87,15 +94,16 @@ vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id, con
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, target, "target"));
-    drain_attachment *a = find_attachment(d, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    drain_attachment *a;
+    VBSS_TRY(find_attachment(d, id, &a));
     bool force = a->kind == VBSS_DRAIN_ATTACHMENT_FORCE;
     VBSS_TRY(vbss_check_vector(d->context, target, force ? 1e6 : 1e3, "target"));
+    vbss_edit input = {.kind = VBSS_EDIT_DRAIN_TARGET, .words = {0, id}};
+    vbss_edit_set_numbers(&input, 0, target, 3);
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     *(force ? &a->force : &a->target) = vec3_load(target);
     d->generation++;
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
@@ -103,13 +111,13 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
     VBSS_ENTER(drain);
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
-    drain_attachment *a = find_attachment(d, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    drain_attachment *a;
+    VBSS_TRY(find_attachment(d, id, &a));
+    vbss_edit input = {.kind = VBSS_EDIT_DRAIN_DETACH, .words = {0, id}};
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     *a = (drain_attachment){0};
     vbss_drain_invalidate(d);
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force[3])
@@ -118,10 +126,8 @@ vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, force, "force"));
-    const drain_attachment *a = find_attachment(d, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    drain_attachment *a;
+    VBSS_TRY(find_attachment(d, id, &a));
     vec3_store(force, a->reaction);
     return VBSS_OK;
 }

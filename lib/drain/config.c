@@ -1,10 +1,12 @@
 /* Configuration of a drain: defaults and checks. */
+#include "base/baseline_config.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == 304, "published size");
+_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u),
+               "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
@@ -28,8 +30,6 @@ static const vbss_drain_config defaults = {
     .tear_stress = 5e4,
     .position_tolerance = 1e-6,
     .move_limit = 1e-3,
-    .paper_stiffness = 125.0,
-    .paper_damping = 0.7,
     .friction = 0.3,
     .puncture_force = 1.0,
     .hole_force = 0.25,
@@ -39,7 +39,7 @@ static const vbss_drain_config defaults = {
     .tip_length = 0.5e-3,
     .thread_force = 0.02,
 };
-static const uint32_t config_sizes[] = {240, 248, 296, 304, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u), 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
@@ -81,10 +81,6 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         {"tear_stress", c->tear_stress, 1.0, 1e12},
         {"position_tolerance", c->position_tolerance, 1e-15, 1.0},
         {"move_limit", c->move_limit, 1e-9, 1.0},
-        {"paper_stiffness", c->paper_stiffness, 0.0, 1e9},
-        {"paper_damping", c->paper_damping, 0.0, 1.0},
-        {"paper_substeps", c->paper_substeps, 0.0, 100000.0},
-        {"reserved2", c->reserved2, 0.0, 0.0},
         {"friction", c->friction, 0.0, 10.0},
         {"puncture_force", c->puncture_force, 1e-3, 1e3},
         {"hole_force", c->hole_force, 1e-6, 1e3},
@@ -105,11 +101,12 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
 }
 
 vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
-                                   vbss_drain_config *own)
+                                   vbss_drain_config *own, vbss_baseline_config *baseline)
 {
-    if (config == NULL) {
-        return vbss_config_init(&config_layout, own, sizeof *own);
+    *own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
     }
-    VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
+    VBSS_TRY(vbss_baseline_read_config(context, &own->baseline, baseline));
     return check(context, own);
 }

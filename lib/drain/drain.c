@@ -93,6 +93,8 @@ vbss_result vbss_drain_build(drain_object *d, const vbss_drain_config *config)
     quat orientation;
     d->method = config->method == VBSS_METHOD_VBLAST ? &vbss_baseline_drain : &vbss_drain_implicit;
     d->config = *config;
+    d->baseline_config = *config->baseline;
+    d->config.baseline = &d->baseline_config;
     VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &orientation));
     d->frame = pose_make(vec3_load(config->position), orientation);
     d->gravity = vec3_load(config->gravity);

@@ -76,6 +76,7 @@ struct drain_object {
     const drain_method *method;
     vbss_context *context;
     vbss_drain_config config;
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     pose frame;
     vec3 gravity;
     uint64_t generation;
@@ -141,10 +142,10 @@ void vbss_drain_free(vbss_context *context, void *object);
 
 /* ---- config.c */
 
-/* Reads a configuration of any known size, fills in defaults and checks ranges. Lengths of the mesh
- * are checked by vbss_drain_mesh_plan. */
+/* Reads a configuration of any known size, fills in defaults and checks ranges. `baseline` receives
+ * what own->baseline points to. Lengths of the mesh are checked by vbss_drain_mesh_plan. */
 vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
-                                   vbss_drain_config *own);
+                                   vbss_drain_config *own, vbss_baseline_config *baseline);
 
 /* Options of the mesh for a configuration. */
 drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *config,
@@ -288,6 +289,12 @@ static inline vec3 vbss_drain_point(const drain_object *d, const vec3 *x, uint32
     point = vec3_add_scaled(point, barycentric[1], x[node[1]]);
     return vec3_add_scaled(point, barycentric[2], x[node[2]]);
 }
+
+/* ---- config_fields.c */
+
+/* Visits the configuration and its parameters of the baseline, to which it points afterwards. */
+void vbss_drain_visit_config(vbss_stream *stream, vbss_drain_config *config,
+                             vbss_baseline_config *baseline);
 
 /* ---- snapshot.c */
 

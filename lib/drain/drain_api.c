@@ -1,6 +1,7 @@
 /* The functions that hosts call on a whole drain. */
 #include "base/api_call.h"
 #include "base/check.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "base/snapshot.h"
 #include "drain/drain.h"
@@ -18,7 +19,8 @@ vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *co
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_drain_config own;
-    VBSS_TRY(vbss_drain_read_config(context, config, &own));
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_drain_read_config(context, config, &own, &baseline));
     vbss_warn_if_unlikely(context, vbss_max_abs(own.gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
                           "m/s^2", "mm/s^2");
     drain_object *d = vbss_allocate(context, 1, sizeof *d, "drain");
@@ -85,7 +87,7 @@ static vbss_result check_state(const drain_object *d, const double *positions,
         VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(v, 3), 0.0, 1e5, "a velocity"));
         bool moves = vec3_distance(vec3_load(x), d->x[i]) > 0.0 || vbss_max_abs(v, 3) > 0.0;
         if (d->anchored[i] && moves) {
-            return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", i);
+            return vbss_fail(d->context, VBSS_ERROR_IN_USE, "node %u is anchored", i);
         }
     }
     return VBSS_OK;
@@ -106,12 +108,14 @@ vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
     double nodes = d->mesh.node_count;
     VBSS_TRY(vbss_check_range(d->context, node_count, nodes, nodes, "node_count"));
     VBSS_TRY(check_state(d, positions, velocities));
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_edit_begin(drain, &input));
     for (uint32_t i = 0; i < node_count; i++) {
         d->x[i] = positions != NULL ? vec3_load(positions + 3 * (size_t)i) : d->x[i];
         d->v[i] = velocities != NULL ? vec3_load(velocities + 3 * (size_t)i) : d->v[i];
     }
     vbss_drain_invalidate(d);
-    return VBSS_OK;
+    return vbss_edit_end(drain, &input, VBSS_OK);
 }
 
 vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity, uint64_t *written)

@@ -3,8 +3,8 @@
 #include "base/stream.h"
 #include "drain/drain.h"
 
-const vbss_kind vbss_drain_kind = {"drain", VBSS_CODE('D', 'R', 'A', 'N'), 1, vbss_drain_free,
-                                   vbss_drain_serialise};
+const vbss_kind vbss_drain_kind = {"drain",         VBSS_CODE('D', 'R', 'A', 'N'), 1,
+                                   vbss_drain_free, vbss_drain_serialise,          NULL};
 
 vbss_result vbss_drain_open(const vbss_drain *handle, drain_object **drain)
 {

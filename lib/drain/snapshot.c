@@ -32,11 +32,11 @@ static void visit_config(vbss_stream *stream, const drain_object *d)
                               c->tear_stress,
                               c->position_tolerance,
                               c->move_limit,
-                              c->paper_stiffness,
-                              c->paper_damping};
-    const uint32_t choices[] = {(uint32_t)c->method,    (uint32_t)c->mesh,  c->mesh_divisions,
-                                c->attachment_capacity, c->iteration_limit, c->halving_limit,
-                                c->paper_substeps};
+                              c->baseline->drain_stiffness,
+                              c->baseline->drain_damping};
+    const uint32_t choices[] = {(uint32_t)c->method,        (uint32_t)c->mesh,  c->mesh_divisions,
+                                c->attachment_capacity,     c->iteration_limit, c->halving_limit,
+                                c->baseline->drain_substeps};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);
     }

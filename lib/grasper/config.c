@@ -1,11 +1,14 @@
 /* Configuration of a grasper: defaults, presets, and range checks. */
 #include "base/api_call.h"
+#include "base/baseline_config.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
 #include "grasper/grasper.h"
 
-_Static_assert(sizeof(vbss_grasper_config) == 320, "published size");
+_Static_assert(sizeof(vbss_grasper_config) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_grasper_config, 304u, 1u),
+               "published size");
 
 static const vbss_grasper_config defaults = {
     .struct_size = sizeof(vbss_grasper_config),
@@ -32,14 +35,12 @@ static const vbss_grasper_config defaults = {
     .damping = 5.0,
     .turning_stiffness = 5.0,
     .turning_damping = 0.05,
-    .paper_stiffness = 50.0,
-    .paper_distance = 2e-3,
     .needle_stiffness = 3e4,
     .needle_turning_stiffness = 0.5,
     .needle_torque = 0.03,
     .solenoid_opening = 0.2,
 };
-static const uint32_t config_sizes[] = {288, 320, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_grasper_config, 304u, 1u), 0};
 static const vbss_layout config_layout = {"vbss_grasper_config", &defaults, config_sizes};
 
 vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size)
@@ -127,8 +128,6 @@ static vbss_result check_strength(vbss_context *context, const vbss_grasper_conf
         {"exchange_centre", c->exchange_centre[1], -1e3, 1e3},
         {"exchange_centre", c->exchange_centre[2], -1e3, 1e3},
         {"exchange_distance", c->exchange_distance, 0.0, 1e3},
-        {"paper_stiffness", c->paper_stiffness, 0.0, 1e6},
-        {"paper_distance", c->paper_distance, 0.0, 0.1},
         {"needle_stiffness", c->needle_stiffness, 1.0, 1e7},
         {"needle_turning_stiffness", c->needle_turning_stiffness, 1e-6, 1e4},
         {"needle_torque", c->needle_torque, 0.0, 1e2},
@@ -138,13 +137,13 @@ static vbss_result check_strength(vbss_context *context, const vbss_grasper_conf
 }
 
 vbss_result vbss_grasper_read_config(vbss_context *context, const vbss_grasper_config *config,
-                                     vbss_grasper_config *own)
+                                     vbss_grasper_config *own, vbss_baseline_config *baseline)
 {
-    if (config == NULL) {
-        *own = defaults;
-        return VBSS_OK;
+    *own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
     }
-    VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
+    VBSS_TRY(vbss_baseline_read_config(context, &own->baseline, baseline));
     VBSS_TRY(check_shape(context, own));
     return check_strength(context, own);
 }

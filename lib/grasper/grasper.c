@@ -4,6 +4,7 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/stream.h"
@@ -20,8 +21,8 @@ static void free_grasper(vbss_context *context, void *object)
     vbss_release(context, object, 1, sizeof(grasper_object));
 }
 
-const vbss_kind vbss_grasper_kind_of_slot = {"grasper", VBSS_CODE('G', 'R', 'S', 'P'), 2,
-                                             free_grasper, vbss_grasper_serialise};
+const vbss_kind vbss_grasper_kind_of_slot = {"grasper",    VBSS_CODE('G', 'R', 'S', 'P'), 2,
+                                             free_grasper, vbss_grasper_serialise,        NULL};
 
 /* Target pose of the tool. Falls back to the commanded pose if no shaft through the trocar can
  * reach it. */
@@ -56,6 +57,8 @@ static void init_grasper(grasper_object *g, const vbss_grasper_config *c)
     const grasper_jaws shears = {c->shears_length, c->shears_radius, c->shears_bend,
                                  c->shears_opening, c->shears_neck};
     g->config = *c;
+    g->baseline_config = *c->baseline;
+    g->config.baseline = &g->baseline_config;
     g->driver = driver;
     g->shears = shears;
     g->kind = g->commanded_kind = c->kind;
@@ -76,7 +79,8 @@ vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_grasper_config own;
-    VBSS_TRY(vbss_grasper_read_config(context, config, &own));
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_grasper_read_config(context, config, &own, &baseline));
     grasper_object *g = vbss_allocate(context, 1, sizeof *g, "grasper");
     if (g == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
@@ -135,6 +139,10 @@ vbss_result vbss_grasper_set_target(vbss_grasper *grasper, const double position
         return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the tip is too near to its trocar for the shaft to go through it");
     }
+    vbss_edit input = {.kind = VBSS_EDIT_GRASPER_TARGET, .words = {0, orientation != NULL}};
+    vbss_edit_set_numbers(&input, 0, position, 3);
+    vbss_edit_set_numbers(&input, 3, orientation, 4);
+    VBSS_TRY(vbss_edit_begin(grasper, &input));
     const double jump = vec3_distance(commanded.position, g->commanded_pose.position);
     if (((const vbss_slot *)grasper)->owner != NULL && !g->has_jumped && jump > VBSS_LIKELY_JUMP) {
         g->has_jumped = true; /* a host with the wrong unit is warned once, not each step */
@@ -142,7 +150,7 @@ vbss_result vbss_grasper_set_target(vbss_grasper *grasper, const double position
     }
     g->commanded_pose = commanded;
     move_to_target(g);
-    return VBSS_OK;
+    return vbss_edit_end(grasper, &input, VBSS_OK);
 }
 
 vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening)
@@ -151,9 +159,11 @@ vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening)
     grasper_object *g;
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_range(g->context, opening, 0.0, 1.0, "opening"));
+    vbss_edit input = {.kind = VBSS_EDIT_OPENING, .numbers = {opening}};
+    VBSS_TRY(vbss_edit_begin(grasper, &input));
     g->opening = opening;
     g->generation++;
-    return VBSS_OK;
+    return vbss_edit_end(grasper, &input, VBSS_OK);
 }
 
 vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
@@ -163,9 +173,11 @@ vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_range(g->context, kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER,
                               VBSS_GRASPER_KIND_SHEARS, "kind"));
+    vbss_edit input = {.kind = VBSS_EDIT_EXCHANGE, .words = {0, (uint32_t)kind}};
+    VBSS_TRY(vbss_edit_begin(grasper, &input));
     g->commanded_kind = kind;
     g->generation++;
-    return VBSS_OK;
+    return vbss_edit_end(grasper, &input, VBSS_OK);
 }
 
 /* ---- queries */

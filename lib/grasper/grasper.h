@@ -34,6 +34,7 @@ typedef struct grasper_capsule {
 typedef struct grasper_object {
     vbss_context *context;
     vbss_grasper_config config;
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     grasper_jaws driver, shears;
     uint64_t generation;
 
@@ -64,7 +65,10 @@ void vbss_grasper_detach(grasper_object *g);
 /* Fills `own` with the defaults and copies the caller's config over them (config.c).
  * VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE and the errors of vbss_config_read. */
 vbss_result vbss_grasper_read_config(vbss_context *context, const vbss_grasper_config *config,
-                                     vbss_grasper_config *own);
+                                     vbss_grasper_config *own, vbss_baseline_config *baseline);
+/* Visits the configuration and its parameters of the baseline (config_fields.c). */
+void vbss_grasper_visit_config(vbss_stream *stream, vbss_grasper_config *config,
+                               vbss_baseline_config *baseline);
 /* Visits state and query results; the configuration must equal the saved one (snapshot.c). */
 void vbss_grasper_serialise(vbss_stream *stream, void *object);
 

@@ -3,8 +3,8 @@
 #include "base/stream.h"
 #include "knot/knot.h"
 
-const vbss_kind vbss_knot_kind = {"knot detector", VBSS_CODE('K', 'N', 'O', 'T'), 1, vbss_knot_free,
-                                  vbss_knot_serialise};
+const vbss_kind vbss_knot_kind = {"knot detector", VBSS_CODE('K', 'N', 'O', 'T'), 1,
+                                  vbss_knot_free,  vbss_knot_serialise,           NULL};
 
 vbss_result vbss_knot_open(const vbss_knot_detector *handle, knot_detector **detector)
 {

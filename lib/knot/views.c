@@ -38,7 +38,7 @@ vbss_result vbss_knot_detector_get_throw(vbss_knot_detector *detector, uint32_t 
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
     if (number >= d->classification.throw_count) {
-        return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "throw %u of %u", number,
+        return vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "throw %u of %u", number,
                          d->classification.throw_count);
     }
     return vbss_struct_write(d->context, &throw_layout, &d->classification.throws[number],
@@ -52,7 +52,7 @@ vbss_result vbss_knot_detector_get_winding(vbss_knot_detector *detector, uint32_
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
     if (tool >= d->input.tool_count) {
-        return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "tool %u of %u", tool,
+        return vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "tool %u of %u", tool,
                          d->input.tool_count);
     }
     const knot_winding *w = &d->tools[tool].winding;

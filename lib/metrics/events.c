@@ -133,7 +133,7 @@ static vbss_result fail_full(const metrics_object *m, const char *what, uint32_t
 
 static vbss_result fail_inactive(const metrics_object *m, const vbss_metrics_event *e)
 {
-    return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
+    return vbss_fail(m->context, VBSS_ERROR_NOT_FOUND,
                      "event %d with number %u is undone, but does not stand", e->kind, e->number);
 }
 

@@ -48,8 +48,8 @@ static void free_metrics(vbss_context *context, void *object)
     vbss_release(context, m, 1, sizeof *m);
 }
 
-const vbss_kind vbss_metrics_kind = {"metrics", VBSS_CODE('M', 'E', 'T', 'R'), 2, free_metrics,
-                                     vbss_metrics_serialise};
+const vbss_kind vbss_metrics_kind = {"metrics",    VBSS_CODE('M', 'E', 'T', 'R'), 2,
+                                     free_metrics, vbss_metrics_serialise,        NULL};
 
 static vbss_result allocate_metrics(vbss_context *context, const vbss_metrics_config *config,
                                     metrics_object **metrics)

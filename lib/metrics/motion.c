@@ -23,8 +23,7 @@ static vbss_result find_window(const metrics_object *m, int32_t phase, tick_wind
 {
     uint64_t begin = 0, end = m->tick_capacity;
     if (phase != VBSS_METRICS_PHASE_ALL && (phase < 0 || (uint32_t)phase >= m->phase_count)) {
-        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "phase %d of %u", phase,
-                         m->phase_count);
+        return vbss_fail(m->context, VBSS_ERROR_NOT_FOUND, "phase %d of %u", phase, m->phase_count);
     }
     const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
     if (phase >= 0) {

@@ -176,7 +176,7 @@ static vbss_result check_index(const metrics_object *m, const char *what, uint32
 {
     return index < count
                ? VBSS_OK
-               : vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "%s %u of %u", what, index, count);
+               : vbss_fail(m->context, VBSS_ERROR_NOT_FOUND, "%s %u of %u", what, index, count);
 }
 
 vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,

@@ -48,7 +48,7 @@ static const uint32_t force_flags[METRICS_HANDS] = {VBSS_METRICS_HAS_LEFT_FORCE,
 static vbss_result check_sample(const metrics_object *m, const vbss_metrics_sample *s)
 {
     if (m->is_finished) {
-        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(m->context, VBSS_ERROR_WRONG_STATE,
                          "a sample at %s: the measurement is finished",
                          vbss_format_number(s->time, 9).text);
     }

@@ -41,6 +41,22 @@ vbss_result vbss_needle_config_preset(vbss_needle_config *config, vbss_needle_pr
     return VBSS_OK;
 }
 
+vbss_result vbss_needle_config_shape(vbss_needle_config *config, double circle, double length,
+                                     double wire_diameter)
+{
+    VBSS_ENTER(NULL);
+    vbss_needle_config own; /* only for the check of struct_size */
+    VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
+    VBSS_TRY(vbss_check_range(NULL, circle, 0.05, 0.9, "circle"));
+    VBSS_TRY(vbss_check_range(NULL, length, 1e-3, 1.0, "length"));
+    double arc = 2.0 * VBSS_PI * circle, radius = length / arc;
+    VBSS_TRY(vbss_check_range(NULL, wire_diameter, 1e-5, 0.4 * radius, "wire_diameter"));
+    config->radius = radius;
+    config->wire_radius = 0.5 * wire_diameter;
+    config->arc = arc;
+    return VBSS_OK;
+}
+
 static vbss_result check(vbss_context *context, const vbss_needle_config *c)
 {
     const struct {

@@ -58,8 +58,8 @@ static void free_needle(vbss_context *context, void *object)
     vbss_release(context, object, 1, sizeof(needle_object));
 }
 
-const vbss_kind vbss_needle_kind = {"needle", VBSS_CODE('N', 'E', 'E', 'D'), 1, free_needle,
-                                    vbss_needle_serialise};
+const vbss_kind vbss_needle_kind = {"needle",    VBSS_CODE('N', 'E', 'E', 'D'), 1,
+                                    free_needle, vbss_needle_serialise,         NULL};
 
 static void init_needle(needle_object *n, const vbss_needle_config *config, quat orientation)
 {

@@ -58,6 +58,9 @@ double vbss_needle_vertex_arc(const needle_object *n, uint32_t i);
 /* Exact mass properties of a round wire with the arc as its middle line. */
 vbss_rigid_mass vbss_needle_mass_properties(const vbss_needle_config *config);
 
+/* Visits the configuration, without the initial motion (config_fields.c). */
+void vbss_needle_visit_config(vbss_stream *stream, vbss_needle_config *config);
+
 /* Visits the state; the configuration must equal the saved one (snapshot.c). */
 void vbss_needle_serialise(vbss_stream *stream, void *object);
 

@@ -199,7 +199,7 @@ vbss_result vbss_log_next(log_reader *log, log_record *found)
     while (!known) {
         VBSS_TRY(vbss_log_next_any(&next, found));
         known = found->code == LOG_HEADER || found->code == LOG_SNAPSHOT ||
-                found->code == LOG_STEP || found->code == LOG_END;
+                found->code == LOG_STEP || found->code == LOG_REPLACEMENT || found->code == LOG_END;
         if (!known && (found->code & OPTIONAL_RECORD) == 0) {
             return fail_at(log, VBSS_ERROR_DATA_VERSION, found->position,
                            "a record of a kind that this library does not know");

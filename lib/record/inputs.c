@@ -2,9 +2,12 @@
 #include "base/error.h"
 #include "record/record.h"
 
+#include <vblast_ss/drain.h>
+#include <vblast_ss/scene_query.h>
 #include <vblast_ss/scene_settings.h>
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");
+_Static_assert(sizeof(vbss_drain_attachment) == 72, "new fields must be inputs too");
 
 const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
     [VBSS_RECORD_INPUT_RIGID_TARGET] = {2, 7},
@@ -18,17 +21,12 @@ const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
     [VBSS_RECORD_INPUT_EXCHANGE] = {2, 0},
     [VBSS_RECORD_INPUT_CUT] = {1, 1},
     [VBSS_RECORD_INPUT_SETTING] = {4, 9},
+    [VBSS_RECORD_INPUT_HOLE] = {3, 4},
+    [VBSS_RECORD_INPUT_REMOVE] = {1, 0},
+    [VBSS_RECORD_INPUT_DRAIN_ATTACH] = {3, 7},
+    [VBSS_RECORD_INPUT_DRAIN_TARGET] = {2, 3},
+    [VBSS_RECORD_INPUT_DRAIN_DETACH] = {2, 0},
 };
-
-vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper)
-{
-    scene_info info;
-    VBSS_TRY(vbss_scene_inspect(scene, &info));
-    *grasper = vbss_scene_inspect_body(scene, body).grasper;
-    return *grasper != NULL ? VBSS_OK
-                            : vbss_fail(info.context, VBSS_ERROR_OUT_OF_RANGE,
-                                        "body %u is no grasper of this scene", body);
-}
 
 static vbss_result attach(vbss_thread *thread, const vbss_record_input *input, uint32_t *id)
 {
@@ -44,6 +42,19 @@ static vbss_result attach(vbss_thread *thread, const vbss_record_input *input, u
     a.damping = n[10];
     a.mass = n[11];
     return vbss_thread_attach(thread, &a, id);
+}
+
+static vbss_result attach_drain(vbss_drain *drain, const vbss_record_input *input, uint32_t *id)
+{
+    const double *n = input->numbers;
+    vbss_drain_attachment a;
+    VBSS_TRY(vbss_drain_attachment_init(&a, sizeof a));
+    a.kind = (vbss_drain_attachment_kind)input->words[1];
+    a.node = input->words[2];
+    vec3_store(a.position, vec3_load(n));
+    vec3_store(a.force, vec3_load(n + 3));
+    a.stiffness = n[6];
+    return vbss_drain_attach(drain, &a, id);
 }
 
 static vbss_result apply_setting(vbss_scene *scene, const vbss_record_input *input)
@@ -85,12 +96,16 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_rec
     const double *n = input->numbers;
     vbss_thread *thread = NULL;
     vbss_grasper *grasper = NULL;
+    vbss_drain *drain = NULL;
     uint32_t ignored, *new_id = id != NULL ? id : &ignored;
     if (kind >= VBSS_RECORD_INPUT_ATTACH && kind <= VBSS_RECORD_INPUT_DETACH) {
         VBSS_TRY(vbss_scene_get_thread(scene, w[0], &thread));
     }
     if (kind >= VBSS_RECORD_INPUT_GRASPER_TARGET && kind <= VBSS_RECORD_INPUT_EXCHANGE) {
-        VBSS_TRY(vbss_log_find_grasper(scene, w[0], &grasper));
+        VBSS_TRY(vbss_scene_get_grasper(scene, w[0], &grasper));
+    }
+    if (kind >= VBSS_RECORD_INPUT_DRAIN_ATTACH && kind <= VBSS_RECORD_INPUT_DRAIN_DETACH) {
+        VBSS_TRY(vbss_scene_get_drain(scene, w[0], &drain));
     }
     switch (kind) {
     case VBSS_RECORD_INPUT_RIGID_TARGET:
@@ -113,6 +128,16 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_rec
         return vbss_grasper_set_opening(grasper, n[0]);
     case VBSS_RECORD_INPUT_EXCHANGE:
         return vbss_grasper_exchange(grasper, (vbss_grasper_kind)w[1]);
+    case VBSS_RECORD_INPUT_HOLE:
+        return vbss_scene_make_hole(scene, w[0], n[0], w[1], w[2], n + 1, new_id);
+    case VBSS_RECORD_INPUT_REMOVE:
+        return vbss_scene_remove(scene, w[0]);
+    case VBSS_RECORD_INPUT_DRAIN_ATTACH:
+        return attach_drain(drain, input, new_id);
+    case VBSS_RECORD_INPUT_DRAIN_TARGET:
+        return vbss_drain_set_attachment_target(drain, w[1], n);
+    case VBSS_RECORD_INPUT_DRAIN_DETACH:
+        return vbss_drain_detach(drain, w[1]);
     default: /* VBSS_RECORD_INPUT_SETTING */
         return apply_setting(scene, input);
     }

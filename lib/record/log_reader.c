@@ -18,7 +18,8 @@ _Static_assert(sizeof(vbss_replay_logged_step) ==
                        VBSS_SIZE_WITH_POINTERS(vbss_replay_logged_step, 64u, 2u) &&
                    sizeof(vbss_record_input) == 128,
                "published sizes");
-static const uint32_t scene_config_sizes[] = {160, 168, 176, 192, 0};
+static const uint32_t scene_config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u),
+                                              0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
 /* ---- creation and destruction */
@@ -37,8 +38,8 @@ static void visit_replay(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 1, &p->report.step, 1);
 }
 
-static const vbss_kind kind = {"replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_replay,
-                               visit_replay};
+static const vbss_kind kind = {
+    "replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_replay, visit_replay, NULL};
 
 /* Finds the next record and begins a stream that reads its payload. */
 static vbss_result next_record(log_reader *log, log_record *found, vbss_stream *stream)
@@ -64,6 +65,7 @@ vbss_result vbss_replay_open_log(replay_object *p)
     vbss_stream stream;
     VBSS_TRY(vbss_log_read_preamble(&p->log));
     VBSS_TRY(next_record(&p->log, &found, &stream));
+    p->header.baseline = vbss_baseline_config_default();
     vbss_log_visit_header(&stream, &p->header);
     VBSS_TRY(vbss_log_check_all_read(&p->log, &found, &stream));
     VBSS_TRY(next_record(&p->log, &found, &stream));
@@ -178,6 +180,7 @@ vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config 
     VBSS_TRY(vbss_check_pointer(p->context, config, "config"));
     vbss_scene_config own = p->header.scene;
     own.struct_size = sizeof own;
+    own.baseline = &p->header.baseline;
     return vbss_struct_write(p->context, &scene_config_layout, &own, config, config->struct_size);
 }
 
@@ -216,6 +219,10 @@ vbss_result vbss_log_read_record(log_reader *log, uint64_t steps_before, log_ste
         VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
         vbss_log_reset_coder(log->coder);
         number = snapshot->number;
+    } else if (found->code == LOG_REPLACEMENT) {
+        vbss_log_visit_replacement(&stream, snapshot);
+        VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
+        number = snapshot->number;
     } else if (found->code == LOG_END) {
         vbss_log_visit_end(&stream, step);
         VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
@@ -239,9 +246,11 @@ vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step 
     log_reader next = *log;
     log_snapshot skipped;
     log_record found;
+    step->replacement = (log_snapshot){.bytes = NULL};
     do {
         VBSS_TRY(vbss_log_read_record(&next, steps_before, step, &skipped, &found));
-    } while (found.code == LOG_SNAPSHOT);
+        step->replacement = found.code == LOG_REPLACEMENT ? skipped : step->replacement;
+    } while (found.code == LOG_SNAPSHOT || found.code == LOG_REPLACEMENT);
     *end = found.code == LOG_END;
     *log = next;
     return VBSS_OK;
@@ -289,7 +298,7 @@ vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_replay_l
         p->inspected_time += p->step.h;
     }
     if (end || number == 0) {
-        return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+        return vbss_fail(p->context, VBSS_ERROR_NOT_FOUND, "the log has no step %llu",
                          (unsigned long long)number);
     }
     own.position = p->inspection.position;

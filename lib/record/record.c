@@ -60,6 +60,7 @@ static vbss_result fill_header(const scene_info *scene, const vbss_record_config
     header->hash_interval = c->hash_interval;
     header->input_capacity = c->input_capacity;
     header->scene = *scene->config;
+    header->baseline = *scene->config->baseline;
     VBSS_TRY(
         vbss_log_make_blob(scene->context, &header->build_info, build_info, strlen(build_info)));
     return vbss_log_make_blob(scene->context, &header->note, c->note, c->note_bytes);
@@ -103,6 +104,9 @@ static size_t measure_end(log_step *step)
 static void free_record(vbss_context *context, void *object)
 {
     record_object *r = object;
+    if (r->scene != NULL) {
+        vbss_record_detach_hook(r);
+    }
     vbss_log_free_inputs(context, &r->step);
     vbss_log_free_coder(context, r->coder);
     vbss_release(context, r->log.bytes, r->log.capacity, 1);
@@ -116,8 +120,8 @@ static void visit_record(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 1, &r->step.number, 1);
 }
 
-static const vbss_kind kind = {"record", VBSS_CODE('R', 'E', 'C', 'O'), 1, free_record,
-                               visit_record};
+static const vbss_kind kind = {
+    "record", VBSS_CODE('R', 'E', 'C', 'O'), 1, free_record, visit_record, NULL};
 
 vbss_result vbss_record_make(vbss_scene *scene, uint32_t hash_interval, uint32_t input_capacity,
                              record_object **record)
@@ -230,12 +234,12 @@ static bool knows_all_edits(const record_object *r)
 vbss_result vbss_record_check_ready(const record_object *r)
 {
     if (r->ended) {
-        return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended");
+        return vbss_fail(r->context, VBSS_ERROR_WRONG_STATE, "the record has ended");
     }
     scene_info info;
     VBSS_TRY(vbss_scene_inspect(r->scene, &info));
     return knows_all_edits(r) ? VBSS_OK
-                              : vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE,
+                              : vbss_fail(r->context, VBSS_ERROR_WRONG_STATE,
                                           "the scene was changed past the record after step %llu",
                                           (unsigned long long)r->step.number);
 }
@@ -245,7 +249,8 @@ vbss_result vbss_record_check_ready(const record_object *r)
 static bool fits_coded(const record_object *r, const log_step *step, size_t *max_bytes)
 {
     *max_bytes = vbss_log_max_coded_bytes(step, step->event_count);
-    return r->log.format >= LOG_FORMAT_COMPRESSED && *max_bytes <= LOG_MAX_CODED_BYTES;
+    return r->log.format >= LOG_FORMAT_COMPRESSED && *max_bytes <= LOG_MAX_CODED_BYTES &&
+           vbss_log_can_encode(step);
 }
 
 /* Largest size of a step in either form, without its events: they are not known yet, and decide the
@@ -298,23 +303,78 @@ static void write_due_snapshot(record_object *r)
     }
 }
 
-vbss_result vbss_record_step(vbss_record *record, double h)
+/* ---- replacements */
+
+static vbss_result reserve(record_object *r, size_t need)
 {
-    VBSS_ENTER(record);
-    record_object *r;
-    scene_info info;
-    VBSS_TRY(vbss_record_edit(record, &r));
-    VBSS_TRY(vbss_record_check_ready(r));
+    log_writer *log = &r->log;
+    const size_t used = log->is_handed_out ? 0 : log->used;
+    if (need <= log->capacity - used) {
+        return VBSS_OK;
+    }
+    const size_t capacity = used + need;
+    uint8_t *bytes = vbss_allocate(r->context, capacity, 1, "log");
+    if (bytes == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    memcpy(bytes, log->bytes, used);
+    vbss_release(r->context, log->bytes, log->capacity, 1);
+    log->bytes = bytes;
+    log->capacity = capacity;
+    return VBSS_OK;
+}
+
+static vbss_result reserve_for(record_object *r, size_t snapshot)
+{
+    if (snapshot > LOG_MAX_SNAPSHOT_BYTES) {
+        return vbss_fail(r->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
+    }
+    return reserve(r,
+                   2 * vbss_log_max_snapshot_bytes(snapshot) + r->max_event_bytes + r->end_bytes);
+}
+
+vbss_result vbss_record_reserve_replacement(record_object *r)
+{
+    /* Room for the growth of the state by an edit. Unit: bytes. Origin: a drain of its finest mesh has
+     * 10 kB, a thread of the largest scene 2 MB. */
+    const size_t growth = (size_t)4 << 20;
+    size_t now = 0;
+    VBSS_TRY(vbss_snapshot_size((const vbss_slot *)r->scene, &now));
+    return reserve_for(r, now + growth);
+}
+
+vbss_result vbss_record_append_replacement(record_object *r)
+{
+    size_t now = 0;
+    VBSS_TRY(vbss_snapshot_size((const vbss_slot *)r->scene, &now));
+    VBSS_TRY(reserve_for(r, now));
+    VBSS_TRY(vbss_log_write_snapshot(r, LOG_REPLACEMENT, (const vbss_slot *)r->scene, now));
+    r->step.input_count = 0;
+    r->snapshot_is_last = false;
+    r->is_replaced = true;
+    return VBSS_OK;
+}
+
+/* ---- appended steps */
+
+static log_step next_step(const record_object *r, double h)
+{
     log_step next = r->step;
     next.number++;
     next.h = h;
-    VBSS_TRY(check_capacity(r, &next));
-    vbss_result result = vbss_scene_step(r->scene, h);
-    r->known_edits =
-        vbss_scene_inspect_edits(r->scene); /* a step that was undone may have left its mark */
-    if (result != VBSS_OK) {
-        return result;
-    }
+    return next;
+}
+
+vbss_result vbss_record_check_step(const record_object *r, double h)
+{
+    log_step next = next_step(r, h);
+    return check_capacity(r, &next);
+}
+
+vbss_result vbss_record_append_step(record_object *r, double h)
+{
+    scene_info info;
+    log_step next = next_step(r, h);
     next.has_hash = next.number % r->hash_interval == 0;
     next.hash = 0;
     if (next.has_hash) {
@@ -323,6 +383,7 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     VBSS_TRY(vbss_scene_inspect(r->scene, &info));
     vbss_log_borrow_events(&next, &info);
     VBSS_TRY(write_step(r, &next));
+    r->is_replaced = false;
     next.input_count = next.event_count = 0;
     next.events = NULL; /* the scene may be destroyed before the record */
     r->step = next;
@@ -340,13 +401,14 @@ vbss_result vbss_record_end(vbss_record *record)
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     if (r->ended) {
-        return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended before");
+        return vbss_fail(r->context, VBSS_ERROR_WRONG_STATE, "the record has ended before");
     }
     /* The end has the hash of the scene if it still is in the state after the last step. */
     const vbss_slot *scene = (const vbss_slot *)r->scene;
     log_step last = r->step;
     last.hash = 0;
-    last.has_hash = scene->object != NULL && last.input_count == 0 && knows_all_edits(r);
+    last.has_hash =
+        scene->object != NULL && last.input_count == 0 && !r->is_replaced && knows_all_edits(r);
     if (last.has_hash) {
         VBSS_TRY(vbss_snapshot_hash(scene, &last.hash));
     }
@@ -355,6 +417,7 @@ vbss_result vbss_record_end(vbss_record *record)
     vbss_log_visit_end(&stream, &last);
     VBSS_TRY(vbss_log_end_record(&r->log, &stream));
     r->ended = true;
+    vbss_record_detach_hook(r);
     return VBSS_OK;
 }
 

@@ -36,6 +36,7 @@ enum {
 };
 #define LOG_HEADER VBSS_CODE('H', 'E', 'A', 'D')
 #define LOG_SNAPSHOT VBSS_CODE('S', 'N', 'A', 'P')
+#define LOG_REPLACEMENT VBSS_CODE('R', 'E', 'P', 'L')
 #define LOG_STEP VBSS_CODE('S', 'T', 'E', 'P')
 #define LOG_END VBSS_CODE('E', 'N', 'D', 'S')
 #define LOG_SESSION_HASH VBSS_CODE('s', 'e', 's', 's')
@@ -122,6 +123,7 @@ typedef struct log_header {
     uint32_t library_version, hash_interval, input_capacity;
     log_blob build_info, note; /* a zero follows the text, but is not counted */
     vbss_scene_config scene;
+    vbss_baseline_config baseline; /* what scene.baseline points to */
 } log_header;
 
 /* A reading stream allocates the blobs; vbss_log_free_header frees them. */
@@ -138,6 +140,9 @@ typedef struct log_snapshot {
     uint8_t *destination;      /* where to save it in the log; set by a writing stream */
 } log_snapshot;
 
+/* Visits the snapshot of a scene after an edit that no input can describe, such as the addition of a
+ * body. It replaces the state before the inputs of the next step. */
+void vbss_log_visit_replacement(vbss_stream *stream, log_snapshot *snapshot);
 /* Visits the snapshot of a scene. */
 void vbss_log_visit_snapshot(vbss_stream *stream, log_snapshot *snapshot);
 /* Visits the snapshot of a session. */
@@ -158,7 +163,8 @@ typedef struct log_snapshot_data {
 vbss_result vbss_log_decompress_snapshot(vbss_context *context, const log_snapshot *snapshot,
                                          log_snapshot_data *data);
 void vbss_log_release_snapshot(vbss_context *context, log_snapshot_data *data);
-vbss_result vbss_log_restore_scene(vbss_context *context, vbss_scene *scene,
+/* Restores a snapshot. A scene that was loaded from the log is loaded again if it has other bodies. */
+vbss_result vbss_log_restore_scene(vbss_context *context, vbss_scene *scene, bool is_loaded,
                                    const log_snapshot *snapshot);
 
 /* Copies bytes into an allocated blob; NULL: leaves them zero. Returns VBSS_OK or
@@ -172,7 +178,7 @@ vbss_result vbss_log_compare_config(const log_header *header, const scene_info *
 
 /* ---- inputs.c: inputs, which are the calls of a host between steps */
 
-enum { LOG_INPUT_KINDS = VBSS_RECORD_INPUT_SETTING + 1 };
+enum { LOG_INPUT_KINDS = VBSS_RECORD_INPUT_DRAIN_DETACH + 1 };
 /* How many words and numbers an input of a kind has. */
 typedef struct log_input_shape {
     uint32_t words, numbers;
@@ -182,7 +188,6 @@ extern const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS];
  * NULL. Returns the result of the scene's function. */
 vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_record_input *input,
                                  uint32_t *id);
-vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper);
 
 /* ---- step_record.c */
 
@@ -193,7 +198,8 @@ typedef struct log_step {
     uint8_t *kinds;
     vbss_record_input *inputs;
     uint32_t event_count, event_capacity;
-    uint32_t (*events)[4]; /* four words each; borrowed from the scene for writing */
+    uint32_t (*events)[4];    /* four words each; borrowed from the scene for writing */
+    log_snapshot replacement; /* read before the step: replaces the state; bytes NULL: none */
 } log_step;
 
 void vbss_log_visit_step(vbss_stream *stream, log_step *step);
@@ -222,6 +228,7 @@ typedef struct record_object {
     scene_edit_counts known_edits; /* edits that the record knows */
     size_t max_event_bytes;        /* reserved for the events of a step */
     uint32_t snapshot_interval;
+    bool is_replaced; /* a replacement was written since the last step */
     bool snapshot_due, ended;
     bool snapshot_is_last; /* the last record of the scene is a snapshot */
 } record_object;
@@ -244,6 +251,23 @@ vbss_result vbss_record_create_handle(record_object *r, vbss_result result, vbss
 /* Returns VBSS_OK if the scene exists and all its changes were recorded. */
 vbss_result vbss_record_check_ready(const record_object *r);
 
+/* Returns VBSS_OK if the log has room for a step of `h` seconds with the inputs so far. */
+vbss_result vbss_record_check_step(const record_object *r, double h);
+/* Makes room for a replacement, before the edit. It may allocate. */
+vbss_result vbss_record_reserve_replacement(record_object *r);
+/* Writes a replacement with the scene as it is now. The inputs since the last step are part of it. */
+vbss_result vbss_record_append_replacement(record_object *r);
+/* Writes the step that the scene has just made. */
+vbss_result vbss_record_append_step(record_object *r, double h);
+
+/* ---- recorder.c: the hook of the scene */
+
+/* Attaches the record to its scene, and returns what was attached before. */
+vbss_edit_hook vbss_record_attach_hook(record_object *r);
+void vbss_record_restore_hook(record_object *r, const vbss_edit_hook *before);
+/* Detaches the record if it is attached. */
+void vbss_record_detach_hook(record_object *r);
+
 /* ---- log_reader.c and replay.c: reading */
 
 typedef struct replay_object {
@@ -258,6 +282,7 @@ typedef struct replay_object {
     uint64_t inspected_steps;
     double inspected_time;
     vbss_scene *scene; /* a handle; NULL before vbss_replay_begin */
+    bool is_loaded;    /* the scene was loaded from the log */
     vbss_replay_report report;
     vbss_result stop_result; /* VBSS_OK unless the outcome is VBSS_REPLAY_OUTCOME_STOPPED */
 } replay_object;

@@ -6,31 +6,27 @@
 #include "base/error.h"
 #include "record/record.h"
 
-static vbss_result check_input_capacity(const record_object *r)
-{
-    return r->step.input_count < r->step.input_capacity
-               ? VBSS_OK
-               : vbss_fail(r->context, VBSS_ERROR_CAPACITY, "more than %u inputs before a step",
-                           r->step.input_capacity);
-}
-
-static void record_input(record_object *r, uint8_t kind, const vbss_record_input *input)
-{
-    uint32_t next = r->step.input_count++;
-    r->step.kinds[next] = kind;
-    r->step.inputs[next] = *input;
-    r->step.inputs[next].kind = kind;
-    r->known_edits = vbss_scene_inspect_edits(r->scene);
-}
-
+/* Applies an input while the record is attached. */
 static vbss_result apply_and_record(record_object *r, uint8_t kind, const vbss_record_input *input,
                                     uint32_t *id)
 {
     VBSS_TRY(vbss_record_check_ready(r));
-    VBSS_TRY(check_input_capacity(r));
-    VBSS_TRY(vbss_log_apply_input(r->scene, kind, input, id));
-    record_input(r, kind, input);
-    return VBSS_OK;
+    const vbss_edit_hook before = vbss_record_attach_hook(r);
+    const vbss_result result = vbss_log_apply_input(r->scene, kind, input, id);
+    vbss_record_restore_hook(r, &before);
+    return result;
+}
+
+vbss_result vbss_record_step(vbss_record *record, double h)
+{
+    VBSS_ENTER(record);
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_record_check_ready(r));
+    const vbss_edit_hook before = vbss_record_attach_hook(r);
+    const vbss_result result = vbss_scene_step(r->scene, h);
+    vbss_record_restore_hook(r, &before);
+    return result;
 }
 
 static vbss_result move_body(vbss_record *record, uint8_t kind, uint32_t body,
@@ -62,7 +58,7 @@ vbss_result vbss_record_apply_input(vbss_record *record, const vbss_record_input
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, input, "input"));
     VBSS_TRY(vbss_check_range(r->context, input->kind, VBSS_RECORD_INPUT_RIGID_TARGET,
-                              VBSS_RECORD_INPUT_SETTING, "kind of the input"));
+                              VBSS_RECORD_INPUT_DRAIN_DETACH, "kind of the input"));
     const uint32_t numbers = vbss_log_input_shapes[input->kind].numbers;
     VBSS_TRY(vbss_check_finite(r->context, input->numbers, numbers, "numbers of the input"));
     return apply_and_record(r, (uint8_t)input->kind, input, id);
@@ -102,7 +98,6 @@ vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double 
     return apply_and_record(r, VBSS_RECORD_INPUT_CUT, &input, piece);
 }
 
-/* The fields are read after vbss_thread_attach, which checks the struct and its version. */
 vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
                                const vbss_thread_attachment *attachment, uint32_t *id)
 {
@@ -111,18 +106,11 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
     vbss_thread *handle;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_record_check_ready(r));
-    VBSS_TRY(check_input_capacity(r));
     VBSS_TRY(vbss_scene_get_thread(r->scene, thread, &handle));
-    VBSS_TRY(vbss_thread_attach(handle, attachment, id));
-    vbss_record_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
-    memcpy(input.numbers, attachment->position, 3 * sizeof(double));
-    memcpy(input.numbers + 3, attachment->direction, 3 * sizeof(double));
-    memcpy(input.numbers + 6, attachment->force, 3 * sizeof(double));
-    input.numbers[9] = attachment->stiffness;
-    input.numbers[10] = attachment->damping;
-    input.numbers[11] = attachment->mass;
-    record_input(r, VBSS_RECORD_INPUT_ATTACH, &input);
-    return VBSS_OK;
+    const vbss_edit_hook before = vbss_record_attach_hook(r);
+    const vbss_result result = vbss_thread_attach(handle, attachment, id);
+    vbss_record_restore_hook(r, &before);
+    return result;
 }
 
 vbss_result vbss_record_set_attachment_target(vbss_record *record, uint32_t thread, uint32_t id,

@@ -19,13 +19,15 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
     VBSS_TRY(vbss_slot_check_other(p->context, scene, "scene"));
     VBSS_TRY(vbss_scene_inspect_for_edit(scene, &info));
     VBSS_TRY(vbss_log_compare_config(&p->header, &info));
-    VBSS_TRY(vbss_log_restore_scene(p->context, scene, &p->first_snapshot));
+    const bool is_loaded = p->is_loaded && scene == p->scene;
+    VBSS_TRY(vbss_log_restore_scene(p->context, scene, is_loaded, &p->first_snapshot));
     if (p->header.library_version != vbss_version()) {
         vbss_message(p->context, VBSS_LOG_WARNING,
                      "the log is of library version %u, this is %u: other bits are no surprise",
                      p->header.library_version, vbss_version());
     }
     p->scene = scene;
+    p->is_loaded = is_loaded;
     p->log = vbss_log_reader_at(&p->start, p->log.coder);
     p->stop_result = VBSS_OK;
     const vbss_replay_report initial = {.outcome = VBSS_REPLAY_OUTCOME_STEPPED,
@@ -34,7 +36,42 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
     return VBSS_OK;
 }
 
+vbss_result vbss_replay_load_scene(vbss_replay *replay, vbss_scene **scene)
+{
+    VBSS_ENTER_WITH_RESULT(replay, scene);
+    replay_object *p;
+    log_snapshot_data data;
+    vbss_scene *loaded = NULL;
+    VBSS_TRY(vbss_replay_edit(replay, &p));
+    VBSS_TRY(vbss_check_pointer(p->context, scene, "scene"));
+    VBSS_TRY(vbss_log_decompress_snapshot(p->context, &p->first_snapshot, &data));
+    vbss_result result = vbss_scene_load(p->context, data.bytes, data.count, &loaded);
+    vbss_log_release_snapshot(p->context, &data);
+    if (result == VBSS_OK) {
+        result = vbss_replay_begin(replay, loaded);
+    }
+    if (result != VBSS_OK) {
+        (void)vbss_scene_destroy(loaded);
+        return result;
+    }
+    p->is_loaded = true;
+    *scene = loaded;
+    return VBSS_OK;
+}
+
 /* ---- a step */
+
+static vbss_result replace_state(replay_object *p, const log_snapshot *replacement)
+{
+    const vbss_result result =
+        vbss_log_restore_scene(p->context, p->scene, p->is_loaded, replacement);
+    return result != VBSS_ERROR_CORRUPT || p->is_loaded
+               ? result
+               : vbss_fail(p->context, result,
+                           "after step %llu the host has changed the bodies of the scene: only a "
+                           "scene of vbss_replay_load_scene follows",
+                           (unsigned long long)p->report.step);
+}
 
 static vbss_result compare_hash(replay_object *p)
 {
@@ -56,6 +93,9 @@ static vbss_result compare_hash(replay_object *p)
 static vbss_result replay_step(replay_object *p)
 {
     const log_step *step = &p->step;
+    if (step->replacement.bytes != NULL) {
+        VBSS_TRY(replace_state(p, &step->replacement));
+    }
     for (uint32_t i = 0; i < step->input_count; i++) {
         VBSS_TRY(vbss_log_apply_input(p->scene, step->kinds[i], &step->inputs[i], NULL));
     }
@@ -95,7 +135,7 @@ static vbss_result open_started(vbss_replay *replay, vbss_replay_report *report,
     *opened = p;
     return p->scene != NULL
                ? VBSS_OK
-               : vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
+               : vbss_fail(p->context, VBSS_ERROR_WRONG_STATE, "the replay has not begun");
 }
 
 vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size)
@@ -131,7 +171,7 @@ static vbss_result find_seek_point(replay_object *p, uint64_t step, place *found
         log_record record;
         VBSS_TRY(vbss_log_read_record(&log, number, &p->step, &next.snapshot, &record));
         if (record.code == LOG_END) {
-            return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+            return vbss_fail(p->context, VBSS_ERROR_NOT_FOUND, "the log has no step %llu",
                              (unsigned long long)step);
         }
         if (record.code == LOG_SNAPSHOT) {
@@ -179,7 +219,7 @@ vbss_result vbss_replay_seek_step(replay_object *p, uint64_t step)
 {
     place from;
     VBSS_TRY(find_seek_point(p, step, &from));
-    VBSS_TRY(vbss_log_restore_scene(p->context, p->scene, &from.snapshot));
+    VBSS_TRY(vbss_log_restore_scene(p->context, p->scene, p->is_loaded, &from.snapshot));
     return set_outcome(p, replay_from(p, &from, step));
 }
 

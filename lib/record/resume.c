@@ -8,7 +8,7 @@
 /* Finds the number of complete steps, and the position after the last of them. */
 static vbss_result find_last_step(replay_object *p, uint64_t *steps, log_reader *end)
 {
-    log_record found = {.code = LOG_STEP};
+    log_record found = {.code = LOG_STEP}; /* a replacement without its step is cut off */
     log_snapshot snapshot;
     log_reader log = vbss_log_reader_at(&p->start, p->scan_coder);
     log_fault fault;
@@ -17,7 +17,7 @@ static vbss_result find_last_step(replay_object *p, uint64_t *steps, log_reader 
     *steps = 0;
     *end = log;
     while (result == VBSS_OK && found.code != LOG_END) {
-        *end = log;
+        *end = found.code != LOG_REPLACEMENT ? log : *end;
         result = vbss_log_read_record(&log, *steps, &p->step, &snapshot, &found);
         *steps += result == VBSS_OK && found.code == LOG_STEP;
     }
@@ -77,7 +77,7 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     VBSS_TRY(vbss_check_pointer(p->context, position, "position"));
     VBSS_TRY(vbss_record_read_config(p->context, config, &own));
     if (p->scene == NULL) {
-        return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
+        return vbss_fail(p->context, VBSS_ERROR_WRONG_STATE, "the replay has not begun");
     }
     VBSS_TRY(vbss_scene_inspect_for_edit(p->scene, &info));
     VBSS_TRY(check_compatible(p, &info));

@@ -111,7 +111,7 @@ vbss_result vbss_log_find_session_snapshot(const replay_object *p, uint64_t step
         }
         VBSS_TRY(result);
         if (!has_more) {
-            return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+            return vbss_fail(p->context, VBSS_ERROR_NOT_FOUND, "the log has no step %llu",
                              (unsigned long long)step);
         }
         steps += found.code == LOG_STEP;

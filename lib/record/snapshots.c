@@ -7,7 +7,12 @@
 #include "record/record.h"
 
 /* Versions of plain ones; a packed one has the next. */
-enum { SCENE_SNAPSHOT_VERSION = 2, SESSION_SNAPSHOT_VERSION = 1, SECTION_END_BYTES = 8 };
+enum {
+    SCENE_SNAPSHOT_VERSION = 2,
+    SESSION_SNAPSHOT_VERSION = 1,
+    REPLACEMENT_VERSION = 1,
+    SECTION_END_BYTES = 8
+};
 
 static void visit_snapshot_record(vbss_stream *stream, uint32_t code, uint16_t plain_version,
                                   log_snapshot *snapshot)
@@ -46,11 +51,17 @@ void vbss_log_visit_session_snapshot(vbss_stream *stream, log_snapshot *snapshot
     visit_snapshot_record(stream, LOG_SESSION_SNAPSHOT, SESSION_SNAPSHOT_VERSION, snapshot);
 }
 
+void vbss_log_visit_replacement(vbss_stream *stream, log_snapshot *snapshot)
+{
+    visit_snapshot_record(stream, LOG_REPLACEMENT, REPLACEMENT_VERSION, snapshot);
+}
+
 static void visit_by_code(vbss_stream *stream, uint32_t code, log_snapshot *snapshot)
 {
-    visit_snapshot_record(stream, code,
-                          code == LOG_SNAPSHOT ? SCENE_SNAPSHOT_VERSION : SESSION_SNAPSHOT_VERSION,
-                          snapshot);
+    const uint16_t version = code == LOG_SNAPSHOT      ? SCENE_SNAPSHOT_VERSION
+                             : code == LOG_REPLACEMENT ? REPLACEMENT_VERSION
+                                                       : SESSION_SNAPSHOT_VERSION;
+    visit_snapshot_record(stream, code, version, snapshot);
 }
 
 /* ---- writing */
@@ -136,12 +147,15 @@ void vbss_log_release_snapshot(vbss_context *context, log_snapshot_data *data)
     vbss_release(context, data->allocated, (size_t)data->count + 1, 1);
 }
 
-vbss_result vbss_log_restore_scene(vbss_context *context, vbss_scene *scene,
+vbss_result vbss_log_restore_scene(vbss_context *context, vbss_scene *scene, bool is_loaded,
                                    const log_snapshot *snapshot)
 {
     log_snapshot_data data;
     VBSS_TRY(vbss_log_decompress_snapshot(context, snapshot, &data));
     vbss_result result = vbss_scene_restore(scene, data.bytes, data.count);
+    if (result == VBSS_ERROR_CORRUPT && is_loaded) {
+        result = vbss_scene_inspect_reload(scene, data.bytes, data.count);
+    }
     vbss_log_release_snapshot(context, &data);
     return result;
 }

@@ -88,7 +88,10 @@ void vbss_log_reset_coder(log_coder *coder)
 static void key_of(const vbss_record_input *input, uint32_t key[2])
 {
     key[0] = input->words[0];
-    key[1] = input->kind == VBSS_RECORD_INPUT_ATTACHMENT_TARGET ? input->words[1] : 0;
+    key[1] = input->kind == VBSS_RECORD_INPUT_ATTACHMENT_TARGET ||
+                     input->kind == VBSS_RECORD_INPUT_DRAIN_TARGET
+                 ? input->words[1]
+                 : 0;
 }
 
 /* Index of the channel, or MAX_CHANNELS if there is none. */
@@ -179,6 +182,15 @@ static void put_events(log_bits *bits, const log_step *step)
             vbss_log_put_varint(bits, step->events[i][n]);
         }
     }
+}
+
+bool vbss_log_can_encode(const log_step *step)
+{
+    bool can = true;
+    for (uint32_t i = 0; i < step->input_count; i++) {
+        can = can && step->kinds[i] < 1u << KIND_BITS;
+    }
+    return can;
 }
 
 size_t vbss_log_max_coded_bytes(const log_step *step, uint32_t event_count)

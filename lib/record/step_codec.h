@@ -18,6 +18,8 @@ void vbss_log_free_coder(vbss_context *context, log_coder *coder); /* NULL does 
 void vbss_log_reset_coder(log_coder *coder);
 /* Bytes of an event in either form, at most. */
 enum { LOG_MAX_EVENT_BYTES = 4 * LOG_MAX_VARINT_BITS / 8 };
+/* Whether all kinds of inputs fit into their bits. */
+bool vbss_log_can_encode(const log_step *step);
 /* Largest size of the coded step with this number of events, bytes. */
 size_t vbss_log_max_coded_bytes(const log_step *step, uint32_t event_count);
 /* Codes a step and adds it to the history. Returns the number of bytes. */

@@ -2,6 +2,10 @@
 #include "base/memory.h"
 #include "record/record.h"
 
+_Static_assert((int)VBSS_RECORD_EVENT_TIME_LOST == (int)SCENE_INSPECT_TIME_LOST &&
+                   (int)VBSS_RECORD_EVENT_LOST == (int)SCENE_INSPECT_LOST,
+               "the kinds of logged events");
+
 /* Inputs follow one another as they were told; tags of words from 16 on, of numbers from 32. */
 enum { WORD_TAGS = 16, NUMBER_TAGS = 32 };
 
@@ -47,9 +51,20 @@ static void visit_hash(vbss_stream *stream, log_step *step)
     }
 }
 
+/* Older libraries read steps whose inputs they know. */
+static uint16_t version_of(const vbss_stream *stream, const log_step *step)
+{
+    enum { SETTINGS = 3, ALL_EDITS = 4 };
+    bool is_new = stream->mode == VBSS_STREAM_READ;
+    for (uint32_t i = 0; !is_new && i < step->input_count; i++) {
+        is_new = step->kinds[i] > VBSS_RECORD_INPUT_SETTING;
+    }
+    return is_new ? ALL_EDITS : SETTINGS;
+}
+
 void vbss_log_visit_step(vbss_stream *stream, log_step *step)
 {
-    vbss_section outer = vbss_stream_open(stream, LOG_STEP, 3);
+    vbss_section outer = vbss_stream_open(stream, LOG_STEP, version_of(stream, step));
     visit_hash(stream, step);
     vbss_stream_f64(stream, 2, &step->h, 1);
     visit_inputs(stream, step);

@@ -82,8 +82,8 @@ static void visit_nothing(vbss_stream *stream, void *object)
     (void)object;
 }
 
-const vbss_kind vbss_replica_kind_of_slot = {"replica", VBSS_CODE('R', 'E', 'P', 'L'), 1,
-                                             free_replica, visit_nothing};
+const vbss_kind vbss_replica_kind_of_slot = {
+    "replica", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_replica, visit_nothing, NULL};
 
 static vbss_result allocate_replica(vbss_context *context, const replica_capacities *capacities,
                                     replica_object **replica)

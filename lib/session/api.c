@@ -106,7 +106,7 @@ vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_s
     VBSS_TRY(vbss_session_open(session, &s));
     uint64_t capacity = s->config.event_capacity;
     if (index >= s->event_count || s->event_count - index > capacity) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_NOT_FOUND,
                          "event %llu is not kept: there were %llu, with room for %llu",
                          (unsigned long long)index, (unsigned long long)s->event_count,
                          (unsigned long long)capacity);

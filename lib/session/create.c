@@ -9,37 +9,41 @@
 
 /* ---- checks */
 
-static vbss_result require_body(vbss_context *context, uint32_t number, bool is_valid,
-                                const char *name)
+/* `handle` is the one that the body has if it is of the right kind. */
+static vbss_result require_body(vbss_context *context, uint32_t number, const scene_body_info *body,
+                                const void *handle, const char *name)
 {
-    return is_valid
+    if (body->number == 0) {
+        return vbss_fail(context, VBSS_ERROR_NOT_FOUND, "%s: the scene has no body %u", name,
+                         number);
+    }
+    return handle != NULL
                ? VBSS_OK
-               : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s: body %u is none", name, number);
+               : vbss_fail(context, VBSS_ERROR_INCOMPATIBLE, "%s: body %u is none", name, number);
 }
 
 static vbss_result check_tool(vbss_context *context, const vbss_scene *scene, uint32_t number,
                               const char *name)
 {
-    return require_body(context, number, vbss_scene_inspect_body(scene, number).grasper != NULL,
-                        name);
+    const scene_body_info b = vbss_scene_inspect_body(scene, number);
+    return require_body(context, number, &b, b.grasper, name);
 }
 
 static vbss_result check_bodies(vbss_context *context, const vbss_scene *scene,
                                 const vbss_session_config *c)
 {
-    VBSS_TRY(require_body(context, c->thread,
-                          vbss_scene_inspect_body(scene, c->thread).thread != NULL, "thread"));
-    VBSS_TRY(require_body(context, c->needle,
-                          vbss_scene_inspect_body(scene, c->needle).needle != NULL, "needle"));
-    VBSS_TRY(require_body(context, c->drain, vbss_scene_inspect_body(scene, c->drain).drain != NULL,
-                          "drain"));
+    const scene_body_info thread = vbss_scene_inspect_body(scene, c->thread);
+    const scene_body_info needle = vbss_scene_inspect_body(scene, c->needle);
+    const scene_body_info drain = vbss_scene_inspect_body(scene, c->drain);
+    VBSS_TRY(require_body(context, c->thread, &thread, thread.thread, "thread"));
+    VBSS_TRY(require_body(context, c->needle, &needle, needle.needle, "needle"));
+    VBSS_TRY(require_body(context, c->drain, &drain, drain.drain, "drain"));
     VBSS_TRY(check_tool(context, scene, c->tools[0], "left tool"));
     VBSS_TRY(check_tool(context, scene, c->tools[1], "right tool"));
     VBSS_TRY(c->shears == 0 ? VBSS_OK : check_tool(context, scene, c->shears, "shears"));
     bool is_repeated =
         c->tools[0] == c->tools[1] || c->shears == c->tools[0] || c->shears == c->tools[1];
-    return is_repeated ? vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "a tool is given twice")
-                       : VBSS_OK;
+    return is_repeated ? vbss_fail(context, VBSS_ERROR_IN_USE, "a tool is given twice") : VBSS_OK;
 }
 
 /* A component that the session does not have is NULL. */
@@ -67,11 +71,11 @@ static vbss_result check_replay(const session_object *s)
     replay_object *p;
     VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
     if (s->config.record != NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "both a record and a replay");
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "both a record and a replay");
     }
     return p->scene == s->scene
                ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "the replay is of another scene");
 }
 
 static vbss_result check_components(const session_object *s)

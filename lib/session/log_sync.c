@@ -13,7 +13,7 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
     VBSS_TRY(vbss_record_edit(record, &r));
     return r->scene == s->scene
                ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the record is of another scene");
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "the record is of another scene");
 }
 
 /* ---- the step of the scene */
@@ -24,12 +24,12 @@ static vbss_result replay_scene_step(session_object *s)
     replay_object *p;
     VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
     if (p->scene != s->scene) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "the replay is of another scene");
     }
     VBSS_TRY(vbss_replay_step(s->config.replay, &report, sizeof report));
     s->h = p->step.h;
     if (report.outcome == VBSS_REPLAY_OUTCOME_ENDED) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the log has ended");
+        return vbss_fail(s->context, VBSS_ERROR_WRONG_STATE, "the log has ended");
     }
     return report.outcome == VBSS_REPLAY_OUTCOME_STEPPED
                ? VBSS_OK

@@ -124,7 +124,8 @@ static vbss_result feed_events(session_object *s, const session_observation *obs
             continue;
         }
         vbss_result result = feed_event(s, observed, vbss_session_event_at(s, i));
-        if (result == VBSS_ERROR_CAPACITY || result == VBSS_ERROR_OUT_OF_RANGE) {
+        if (result == VBSS_ERROR_CAPACITY || result == VBSS_ERROR_OUT_OF_RANGE ||
+            result == VBSS_ERROR_NOT_FOUND) {
             s->metrics_lost++;
         } else {
             VBSS_TRY(result);

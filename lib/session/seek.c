@@ -11,7 +11,7 @@ static vbss_result check_scene(const session_object *s, const replay_object *p)
     VBSS_TRY(vbss_scene_inspect(s->scene, &scene));
     return p->scene == s->scene
                ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "the replay is of another scene");
 }
 
 static vbss_result restore_snapshot(const vbss_slot *slot, const session_object *s,
@@ -60,13 +60,13 @@ vbss_result vbss_session_seek_step(const vbss_slot *slot, session_object *s, uin
     replay_object *p;
     log_snapshot snapshot;
     if (s->config.replay == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the session follows no replay");
+        return vbss_fail(s->context, VBSS_ERROR_WRONG_STATE, "the session follows no replay");
     }
     VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
     VBSS_TRY(check_scene(s, p));
     VBSS_TRY(vbss_log_find_session_snapshot(p, step, &snapshot));
     if (snapshot.bytes == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_NOT_FOUND,
                          "the log has no state of a session before step %llu",
                          (unsigned long long)step);
     }

@@ -37,8 +37,8 @@ vbss_result vbss_session_allocate(vbss_context *context, const vbss_session_conf
     return VBSS_OK;
 }
 
-const vbss_kind vbss_session_kind = {"session", VBSS_CODE('S', 'E', 'S', 'S'), 2, vbss_session_free,
-                                     vbss_session_serialise};
+const vbss_kind vbss_session_kind = {"session",         VBSS_CODE('S', 'E', 'S', 'S'), 2,
+                                     vbss_session_free, vbss_session_serialise,        NULL};
 
 vbss_result vbss_session_open(const vbss_session *handle, session_object **session)
 {

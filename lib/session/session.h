@@ -231,10 +231,10 @@ vbss_result vbss_session_seek_step(const vbss_slot *slot, session_object *s, uin
 /* ---- log_sync.c */
 
 /* Checks that a record belongs to the session's scene; NULL is allowed. VBSS_ERROR_INVALID_HANDLE,
- * VBSS_ERROR_BUSY, or VBSS_ERROR_OUT_OF_RANGE for another scene. */
+ * VBSS_ERROR_BUSY, or VBSS_ERROR_INCOMPATIBLE for another scene. */
 vbss_result vbss_session_check_record(const session_object *s, vbss_record *record);
 /* Steps the scene: from the replay, through the record, or directly. In a replay,
- * VBSS_ERROR_OUT_OF_RANGE at the end of the log, and VBSS_ERROR_CORRUPT if the scene differs from
+ * VBSS_ERROR_WRONG_STATE at the end of the log, and VBSS_ERROR_CORRUPT if the scene differs from
  * the recorded one. */
 vbss_result vbss_session_step_scene(session_object *s, double h);
 /* After a step: writes the session hash and a snapshot to the record if they are due. In a replay,

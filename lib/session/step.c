@@ -11,7 +11,7 @@ static vbss_result check_scene_step(const session_object *s)
     VBSS_TRY(vbss_scene_inspect(s->scene, &scene));
     return scene.steps == s->scene_steps
                ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+               : vbss_fail(s->context, VBSS_ERROR_WRONG_STATE,
                            "the scene was stepped or restored past the session: it is after step "
                            "%llu, not %llu",
                            (unsigned long long)scene.steps, (unsigned long long)s->scene_steps);

@@ -254,13 +254,13 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
 void vbss_system_use_natural_order(vbss_system *system);
 void vbss_system_set_role(vbss_system *system, uint32_t block, vbss_role role);
 /* Couples two different blocks of a body; each pair only once, and after all roles are set.
- * *coupling is VBSS_NO_COUPLING if one of them is prescribed. VBSS_ERROR_OUT_OF_RANGE if the blocks
- * belong to two chains and are not both separators, or after a call of
+ * *coupling is VBSS_NO_COUPLING if one of them is prescribed. VBSS_ERROR_INCOMPATIBLE if the blocks
+ * belong to two chains and are not both separators, VBSS_ERROR_WRONG_STATE after a call of
  * vbss_system_couple_separators. */
 vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling);
 /* Makes room in the separators' system for the blocks of a pair of different separators, for
  * contacts, which only add there. A repeated call does nothing, nor does a call with a prescribed
- * block. Requires that all calls of vbss_system_couple are done. VBSS_ERROR_OUT_OF_RANGE if a block
+ * block. Requires that all calls of vbss_system_couple are done. VBSS_ERROR_INCOMPATIBLE if a block
  * is interior. */
 vbss_result vbss_system_couple_separators(vbss_system *system, uint32_t a, uint32_t b);
 /* Finds elimination order, fill and product lists of the pattern. */

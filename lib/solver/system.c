@@ -227,12 +227,12 @@ vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint
         return VBSS_OK;
     }
     if (system->chain_of[a] != system->chain_of[b] && !are_separators(system, a, b)) {
-        return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(system->context, VBSS_ERROR_INCOMPATIBLE,
                          "system: blocks %u and %u are of two chains, and not both separators", a,
                          b);
     }
     if (system->body_coupling_count != system->coupling_count) {
-        return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(system->context, VBSS_ERROR_WRONG_STATE,
                          "system: bodies couple blocks %u and %u after others coupled", a, b);
     }
     VBSS_TRY(add_coupling(system, a, b));
@@ -278,7 +278,7 @@ vbss_result vbss_system_couple_separators(vbss_system *system, uint32_t a, uint3
         return VBSS_OK;
     }
     if (!are_separators(system, a, b)) {
-        return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(system->context, VBSS_ERROR_INCOMPATIBLE,
                          "system: blocks %u and %u are not both separators", a, b);
     }
     hash_new_couplings(system);

@@ -14,15 +14,16 @@ bool vbss_thread_is_clamped(const thread_object *t, uint32_t node)
            t->attachments[prescribed_by - 1].kind == VBSS_THREAD_ATTACHMENT_CLAMP;
 }
 
-thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id)
+vbss_result vbss_thread_find_attachment(thread_object *t, uint32_t id, thread_attachment **found)
 {
     for (uint32_t i = 0; id != 0 && i < t->config.attachment_capacity; i++) {
         if (t->attachments[i].id == id) {
-            return &t->attachments[i];
+            *found = &t->attachments[i];
+            return VBSS_OK;
         }
     }
-    vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "the thread has no attachment %u", id);
-    return NULL;
+    *found = NULL;
+    return vbss_fail(t->context, VBSS_ERROR_NOT_FOUND, "the thread has no attachment %u", id);
 }
 
 void vbss_thread_save_target(thread_attachment *a)

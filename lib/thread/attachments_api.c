@@ -2,6 +2,7 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/config.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "thread/thread.h"
 
@@ -45,14 +46,14 @@ static vbss_result check_attachment(const thread_object *t, const vbss_thread_at
     VBSS_TRY(vbss_check_range(context, a->damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
     if (t->welded[a->node] != 0 && vbss_thread_prescribes_motion(a->kind)) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by a body of its scene",
+        return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is held by a body of its scene",
                          a->node);
     }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *other = &t->attachments[i];
         if (other->id != 0 && other->node == a->node &&
             vbss_thread_prescribes_motion(other->kind) && vbss_thread_prescribes_motion(a->kind)) {
-            return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by attachment %u",
+            return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is held by attachment %u",
                              a->node, other->id);
         }
     }
@@ -89,6 +90,14 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     if (free_index == t->config.attachment_capacity || t->last_id == UINT32_MAX) {
         return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "more than %u attachments", free_index);
     }
+    vbss_edit input = {.kind = VBSS_EDIT_ATTACH, .words = {0, (uint32_t)own.kind, own.node}};
+    vbss_edit_set_numbers(&input, 0, own.position, 3);
+    vbss_edit_set_numbers(&input, 3, own.direction, 3);
+    vbss_edit_set_numbers(&input, 6, own.force, 3);
+    input.numbers[9] = own.stiffness;
+    input.numbers[10] = own.damping;
+    input.numbers[11] = own.mass;
+    VBSS_TRY(vbss_edit_begin(thread, &input));
     thread_attachment *a = &t->attachments[free_index];
     a->id = *id = ++t->last_id;
     a->kind = own.kind;
@@ -106,7 +115,7 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     a->mass = own.mass;
     vbss_thread_save_target(a);
     vbss_thread_invalidate(t);
-    return VBSS_OK;
+    return vbss_edit_end(thread, &input, VBSS_OK);
 }
 
 vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
@@ -116,22 +125,26 @@ vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
     VBSS_TRY(vbss_check_pointer(t->context, target, "target"));
-    thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
     if (a->kind == VBSS_THREAD_ATTACHMENT_MASS) {
-        return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "attachment %u is a mass", id);
+        return vbss_fail(t->context, VBSS_ERROR_INCOMPATIBLE, "attachment %u is a mass", id);
     }
     bool force = a->kind == VBSS_THREAD_ATTACHMENT_FORCE;
     VBSS_TRY(vbss_check_vector(t->context, target, force ? 1e6 : 1e3, "target"));
     if (direction != NULL) {
         VBSS_TRY(check_direction(t->context, direction));
+    }
+    vbss_edit input = {.kind = VBSS_EDIT_ATTACHMENT_TARGET, .words = {0, id, direction != NULL}};
+    vbss_edit_set_numbers(&input, 0, target, 3);
+    vbss_edit_set_numbers(&input, 3, direction, 3);
+    VBSS_TRY(vbss_edit_begin(thread, &input));
+    if (direction != NULL) {
         a->target_direction = load_unit(direction);
     }
     *(force ? &a->force : &a->target) = vec3_load(target);
     t->generation++;
-    return VBSS_OK;
+    return vbss_edit_end(thread, &input, VBSS_OK);
 }
 
 vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
@@ -139,13 +152,13 @@ vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
     VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_edit(thread, &t));
-    thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
+    vbss_edit input = {.kind = VBSS_EDIT_DETACH, .words = {0, id}};
+    VBSS_TRY(vbss_edit_begin(thread, &input));
     *a = (thread_attachment){0};
     vbss_thread_invalidate(t);
-    return VBSS_OK;
+    return vbss_edit_end(thread, &input, VBSS_OK);
 }
 
 vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
@@ -154,10 +167,8 @@ vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
     VBSS_ENTER(thread);
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
-    const thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
     vbss_thread_reaction own = {.struct_size = sizeof own, .node = a->node};
     vec3_store(own.force, a->reaction);
     vec3_store(own.torque, a->reaction_torque);

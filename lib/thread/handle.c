@@ -3,8 +3,8 @@
 #include "base/stream.h"
 #include "thread/thread.h"
 
-const vbss_kind vbss_thread_kind = {"thread", VBSS_CODE('T', 'H', 'R', 'D'), 1, vbss_thread_free,
-                                    vbss_thread_serialise};
+const vbss_kind vbss_thread_kind = {"thread",         VBSS_CODE('T', 'H', 'R', 'D'), 1,
+                                    vbss_thread_free, vbss_thread_serialise,         NULL};
 
 vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread)
 {

@@ -22,13 +22,15 @@ static void visit_config(vbss_stream *stream, const thread_object *t)
         c->spectral_radius,
         c->stretch_tolerance,
         c->position_tolerance,
-        c->paper_stiffness,
-        c->paper_damping,
-        c->paper_tolerance,
+        c->baseline->thread_stiffness,
+        c->baseline->thread_damping,
+        c->baseline->thread_tolerance,
     };
     const uint32_t choices[] = {
-        (uint32_t)c->method, (uint32_t)c->bending,     c->iteration_limit,     c->halving_limit,
-        c->paper_substeps,   c->paper_iteration_limit, c->attachment_capacity, c->segment_count,
+        (uint32_t)c->method,          (uint32_t)c->bending,
+        c->iteration_limit,           c->halving_limit,
+        c->baseline->thread_substeps, c->baseline->thread_iteration_limit,
+        c->attachment_capacity,       c->segment_count,
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);

@@ -1,5 +1,6 @@
 /* Configurations and memory of threads. */
 #include "base/api_call.h"
+#include "base/baseline_config.h"
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -8,7 +9,7 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 2u),
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
                "published size");
 
 /* ---- configurations */
@@ -37,9 +38,6 @@ static const vbss_thread_config defaults = {
     .position_tolerance = 1e-6,
     .iteration_limit = 40,
     .halving_limit = 5,
-    .paper_damping = 0.0,
-    .paper_iteration_limit = 50,
-    .paper_tolerance = 1e-6,
     .mesh = VBSS_THREAD_MESH_FIXED,
     .finest_length = 3e-4,
     .coarsest_length = 2e-3,
@@ -49,8 +47,7 @@ static const vbss_thread_config defaults = {
     .clear_distance = 3e-3,
     .mesh_operations = 4,
 };
-static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 224u, 2u),
-                                        VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 2u), 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u), 0};
 static const vbss_layout config_layout = {"vbss_thread_config", &defaults, config_sizes};
 
 vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size)
@@ -58,11 +55,16 @@ vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
+vbss_result vbss_thread_check_config_size(const vbss_thread_config *config)
+{
+    vbss_thread_config own;
+    return vbss_config_read(NULL, &config_layout, config, &own);
+}
+
 vbss_result vbss_thread_config_preset(vbss_thread_config *config, vbss_thread_preset preset)
 {
     VBSS_ENTER(NULL);
-    vbss_thread_config own; /* only to check struct_size */
-    VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
+    VBSS_TRY(vbss_thread_check_config_size(config));
     switch (preset) {
     case VBSS_THREAD_PRESET_SILK_2_0:
         config->radius = 0.16e-3;
@@ -105,8 +107,6 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
         {"cut_capacity", c->cut_capacity, 0.0, 64.0},
         {"iteration_limit", c->iteration_limit, 1.0, 100.0},
         {"halving_limit", c->halving_limit, 0.0, 10.0},
-        {"paper_substeps", c->paper_substeps, 0.0, 100000.0},
-        {"paper_iteration_limit", c->paper_iteration_limit, 1.0, 1000.0},
         {"radius", c->radius, 1e-7, 0.1},
         {"linear_density", c->linear_density, 1e-9, 1e3},
         {"axial_stiffness", c->axial_stiffness, 1e-6, 1e9},
@@ -117,9 +117,6 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
         {"spectral_radius", c->spectral_radius, 0.0, 1.0},
         {"stretch_tolerance", c->stretch_tolerance, 1e-12, 1e-2},
         {"position_tolerance", c->position_tolerance, 1e-12, 1.0},
-        {"paper_stiffness", c->paper_stiffness, 0.0, 1e9},
-        {"paper_damping", c->paper_damping, 0.0, 1.0},
-        {"paper_tolerance", c->paper_tolerance, 1e-14, 1.0},
         {"mesh", c->mesh, VBSS_THREAD_MESH_FIXED, VBSS_THREAD_MESH_ADAPTIVE},
         {"reserved", c->reserved, 0.0, 0.0},
     };
@@ -142,7 +139,7 @@ static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c
     };
     VBSS_TRY(check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]));
     if (c->mesh == VBSS_THREAD_MESH_ADAPTIVE && c->method != VBSS_METHOD_IMPLICIT) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
                          "VBSS_METHOD_VBLAST has no adaptive mesh");
     }
     return VBSS_OK;
@@ -175,12 +172,13 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
 }
 
 vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_config *config,
-                                    vbss_thread_config *own)
+                                    vbss_thread_config *own, vbss_baseline_config *baseline)
 {
-    if (config == NULL) {
-        return vbss_config_init(&config_layout, own, sizeof *own);
+    *own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
     }
-    VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
+    VBSS_TRY(vbss_baseline_read_config(context, &own->baseline, baseline));
     VBSS_TRY(check_choices(context, own));
     VBSS_TRY(check_mesh(context, own));
     return check_shape(context, own);
@@ -241,6 +239,8 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     t->context = context;
     t->config = *config;
     t->config.rest_lengths = t->config.positions = NULL;
+    t->baseline_config = *config->baseline;
+    t->config.baseline = &t->baseline_config;
     t->node_capacity = node_capacity;
     t->gravity = vec3_load(config->gravity);
     vbss_array arrays[ARRAY_COUNT];

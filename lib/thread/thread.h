@@ -130,7 +130,8 @@ extern const thread_method vbss_baseline_thread; /* defined in lib/baseline */
 struct thread_object {
     const thread_method *method;
     vbss_context *context;
-    vbss_thread_config config; /* pointers are NULL; equal for all pieces */
+    vbss_thread_config config;            /* pointers are NULL; equal for all pieces */
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     uint32_t node_capacity, node_count;
     uint64_t generation;
     uint64_t edit_generation; /* counts edits by hosts, except new targets */
@@ -201,10 +202,13 @@ vbss_result vbss_thread_edit_unowned(vbss_thread *handle, thread_object **thread
 
 /* ---- thread.c */
 
-/* Copies the configuration of a host into `own`, sets defaults for fields that it lacks, and checks
- * the copy. */
+/* Refuses a configuration that is NULL or of a size that no version has. */
+vbss_result vbss_thread_check_config_size(const vbss_thread_config *config);
+
+/* Copies the configuration of a host into `own` and its parameters of the baseline into `baseline`,
+ * to which own->baseline points. Sets defaults for fields that it lacks, and checks the copies. */
 vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_config *config,
-                                    vbss_thread_config *own);
+                                    vbss_thread_config *own, vbss_baseline_config *baseline);
 
 /* Allocates a thread without a handle. VBSS_ERROR_OUT_OF_MEMORY: `*thread` is NULL. */
 vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config *config,
@@ -248,6 +252,12 @@ void vbss_thread_return_piece(thread_object *piece, vbss_slot *slot);
 /* Finishes a step of `h` seconds, alone or in a scene: attachments, reactions, statistics. */
 void vbss_thread_finish_step(thread_object *t, double h);
 
+/* ---- config_fields.c */
+
+/* Visits the configuration and its parameters of the baseline, to which it points afterwards. */
+void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
+                              vbss_baseline_config *baseline);
+
 /* ---- snapshot.c */
 
 /* Saves, hashes or restores the thread. */
@@ -264,8 +274,8 @@ bool vbss_thread_prescribes_motion(vbss_thread_attachment_kind kind);
 /* Whether a clamp prescribes the node. */
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);
 
-/* Finds an attachment by its id. NULL: there is no such attachment; sets the error text. */
-thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id);
+/* Finds an attachment by its id. VBSS_ERROR_NOT_FOUND if there is none. */
+vbss_result vbss_thread_find_attachment(thread_object *t, uint32_t id, thread_attachment **found);
 
 /* Position of an attachment at a fraction 0..1 of the step, m. */
 vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction);

@@ -1,6 +1,7 @@
 /* The functions that hosts call on a whole thread. */
 #include "base/api_call.h"
 #include "base/check.h"
+#include "base/edit_hook.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/number_text.h"
@@ -79,7 +80,8 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_thread_config own;
-    VBSS_TRY(vbss_thread_read_config(context, config, &own));
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_thread_read_config(context, config, &own, &baseline));
     warn_of_units(context, &own);
 
     thread_object *t;
@@ -120,6 +122,8 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
             VBSS_TRY(vbss_check_range(t->context, velocities[i], -1e5, 1e5, "a velocity"));
         }
     }
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_edit_begin(thread, &input));
     for (uint32_t i = 0; i < node_count; i++) {
         if (positions != NULL) {
             t->now.x[i] = vec3_load(positions + 3 * (size_t)i);
@@ -132,7 +136,7 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
     }
     vbss_thread_invalidate(t);
     t->is_in_setup = t->is_in_setup || positions != NULL;
-    return VBSS_OK;
+    return vbss_edit_end(thread, &input, VBSS_OK);
 }
 
 vbss_result vbss_thread_step(vbss_thread *thread, double h)

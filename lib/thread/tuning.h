@@ -87,6 +87,36 @@
  * Unit: 1, relative to the largest diagonal entry. Origin: chosen. Test: scene-mesh. */
 #define REMESH_REGULARISATION VBSS_TUNE(REMESH_REGULARISATION, 1e-3)
 
+/* ---- Materials of sutures (sutures.c); docs/sutures.md has the sources and uncertainties. */
+
+/* Density of a solid silk braid.
+ * Unit: kg/m^3. Origin: published, as that of silk fibre. Test: none known. */
+#define SUTURE_SILK_DENSITY VBSS_TUNE(SUTURE_SILK_DENSITY, 1305.0)
+/* Modulus of braided silk, size 3-0.
+ * Unit: Pa. Origin: published. Test: none known. */
+#define SUTURE_SILK_MODULUS VBSS_TUNE(SUTURE_SILK_MODULUS, 8.70e9)
+/* Density of polyglactin.
+ * Unit: kg/m^3. Origin: chosen. Test: none known. */
+#define SUTURE_POLYGLACTIN_DENSITY VBSS_TUNE(SUTURE_POLYGLACTIN_DENSITY, 1500.0)
+/* Modulus of rapid polyglactin 910, size 3-0.
+ * Unit: Pa. Origin: published. Test: none known. */
+#define SUTURE_POLYGLACTIN_MODULUS VBSS_TUNE(SUTURE_POLYGLACTIN_MODULUS, 9.32e9)
+/* Modulus of bending of a braid: that of the published thread, EI = 1e-8 N m^2 at a radius of 0.125 mm.
+ * Unit: Pa. Origin: derived. Test: none known. */
+#define SUTURE_BRAID_BENDING_MODULUS VBSS_TUNE(SUTURE_BRAID_BENDING_MODULUS, 5.215e7)
+/* Density of polypropylene.
+ * Unit: kg/m^3. Origin: published. Test: none known. */
+#define SUTURE_POLYPROPYLENE_DENSITY VBSS_TUNE(SUTURE_POLYPROPYLENE_DENSITY, 905.0)
+/* Modulus of a drawn polypropylene filament.
+ * Unit: Pa. Origin: chosen. Test: none known. */
+#define SUTURE_POLYPROPYLENE_MODULUS VBSS_TUNE(SUTURE_POLYPROPYLENE_MODULUS, 3.0e9)
+/* Density of nylon.
+ * Unit: kg/m^3. Origin: published. Test: none known. */
+#define SUTURE_NYLON_DENSITY VBSS_TUNE(SUTURE_NYLON_DENSITY, 1140.0)
+/* Modulus of a drawn nylon filament.
+ * Unit: Pa. Origin: chosen. Test: none known. */
+#define SUTURE_NYLON_MODULUS VBSS_TUNE(SUTURE_NYLON_MODULUS, 2.5e9)
+
 /* ---- Baseline (baseline/divergence.c, thread_forces.c, thread_projection.c, thread_step.c) */
 
 /* The bending energy is linear in the cosine beyond this turn.

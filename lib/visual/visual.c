@@ -58,8 +58,8 @@ static void visit_nothing(vbss_stream *stream, void *object)
     (void)object;
 }
 
-const vbss_kind vbss_visual_kind_of_slot = {"visual", VBSS_CODE('V', 'I', 'S', 'U'), 1, free_visual,
-                                            visit_nothing};
+const vbss_kind vbss_visual_kind_of_slot = {
+    "visual", VBSS_CODE('V', 'I', 'S', 'U'), 1, free_visual, visit_nothing, NULL};
 
 static vbss_result allocate_visual(vbss_context *context, const vbss_visual_config *config,
                                    visual_object **visual)
@@ -195,7 +195,7 @@ vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
             return VBSS_OK;
         }
     }
-    return vbss_fail(v->context, VBSS_ERROR_OUT_OF_RANGE, "the visual has no source %u", source);
+    return vbss_fail(v->context, VBSS_ERROR_NOT_FOUND, "the visual has no source %u", source);
 }
 
 /* ---- views and statistics */

@@ -25,6 +25,10 @@ static void result_numbers_are_pinned(void **state)
     assert_int_equal(VBSS_ERROR_CLOCK_STOPPED, -16);
     assert_int_equal(VBSS_ERROR_CLOCK_JUMPED, -17);
     assert_int_equal(VBSS_ERROR_CLOCK_COARSE, -18);
+    assert_int_equal(VBSS_ERROR_NOT_FOUND, -19);
+    assert_int_equal(VBSS_ERROR_WRONG_STATE, -20);
+    assert_int_equal(VBSS_ERROR_INCOMPATIBLE, -21);
+    assert_int_equal(VBSS_ERROR_IN_USE, -22);
     assert_int_equal(VBSS_LOG_NONE, 0);
     assert_int_equal(VBSS_LOG_ERROR, 1);
     assert_int_equal(VBSS_LOG_WARNING, 2);

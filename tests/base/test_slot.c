@@ -100,8 +100,8 @@ static void visit_nothing(vbss_stream *stream, void *object)
 static void context_end_destroys_youngest_first(void **state)
 {
     (void)state;
-    static const vbss_kind kind = {"noted", VBSS_CODE('N', 'O', 'T', 'E'), 1, note_end,
-                                   visit_nothing};
+    static const vbss_kind kind = {
+        "noted", VBSS_CODE('N', 'O', 'T', 'E'), 1, note_end, visit_nothing, NULL};
     int numbers[LEFT];
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
@@ -133,8 +133,8 @@ static void inspect_youngest(vbss_context *context, void *object)
 static void handles_are_checked_until_context_end(void **state)
 {
     (void)state;
-    static const vbss_kind kind = {"looker", VBSS_CODE('L', 'O', 'O', 'K'), 1, inspect_youngest,
-                                   visit_nothing};
+    static const vbss_kind kind = {
+        "looker", VBSS_CODE('L', 'O', 'O', 'K'), 1, inspect_youngest, visit_nothing, NULL};
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     vbss_slot *slot;
@@ -150,8 +150,8 @@ static void handles_are_checked_until_context_end(void **state)
 /* While an object ends, its own handle is told already. */
 static vbss_slot *ending;
 static void open_the_ending(vbss_context *context, void *object);
-static const vbss_kind ending_kind = {"ending", VBSS_CODE('E', 'N', 'D', ' '), 1, open_the_ending,
-                                      visit_nothing};
+static const vbss_kind ending_kind = {
+    "ending", VBSS_CODE('E', 'N', 'D', ' '), 1, open_the_ending, visit_nothing, NULL};
 static void open_the_ending(vbss_context *context, void *object)
 {
     vbss_slot *found;

@@ -114,8 +114,8 @@ static void serialise_broken(vbss_stream *stream, void *object)
     vbss_stream_expect(stream, 2, b->configuration);
 }
 
-static const vbss_kind broken_kind = {"broken", VBSS_CODE('B', 'R', 'K', 'N'), 1, keep_broken,
-                                      serialise_broken};
+static const vbss_kind broken_kind = {
+    "broken", VBSS_CODE('B', 'R', 'K', 'N'), 1, keep_broken, serialise_broken, NULL};
 
 static void rollback_keeps_invalid_state(void **state)
 {
@@ -154,8 +154,8 @@ static void serialise_picky(vbss_stream *stream, void *object)
     vbss_stream_f64(stream, 2, values + 2, 1);
 }
 
-static const vbss_kind picky_kind = {"picky", VBSS_CODE('P', 'I', 'C', 'K'), 1, keep_broken,
-                                     serialise_picky};
+static const vbss_kind picky_kind = {
+    "picky", VBSS_CODE('P', 'I', 'C', 'K'), 1, keep_broken, serialise_picky, NULL};
 
 static void state_rejected_by_its_visitor_cannot_be_saved(void **state)
 {
@@ -268,7 +268,7 @@ static void other_format_is_rejected(void **state)
     small_life life;
     double values[3] = {1.0, 2.0, 3.0};
     begin_small(&life, &picky_kind, values);
-    const uint8_t formats[] = {0, 2}; /* older and newer */
+    const uint8_t formats[] = {0, 3}; /* older and newer */
     for (int i = 0; i < 2; i++) {
         life.bytes[4] = formats[i];
         harness_seal_snapshot(life.bytes, life.written);
@@ -291,8 +291,8 @@ static void serialise_crowded(vbss_stream *stream, void *object)
     vbss_stream_f64(stream, 2, c->values, c->count);
 }
 
-static const vbss_kind crowded_kind = {"crowded", VBSS_CODE('C', 'R', 'W', 'D'), 1, keep_broken,
-                                       serialise_crowded};
+static const vbss_kind crowded_kind = {
+    "crowded", VBSS_CODE('C', 'R', 'W', 'D'), 1, keep_broken, serialise_crowded, NULL};
 
 static void count_above_capacity_stops_restore(void **state)
 {

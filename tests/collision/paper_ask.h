@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "fixtures/baseline_of.h"
 #include "collision/collision.h"
 #include "harness/harness.h"
 
@@ -25,7 +26,7 @@ static inline vbss_collision_config rules_for(vbss_collision_method method, doub
     expect_ok(vbss_collision_config_init(&config, sizeof config));
     config.method = method;
     config.thickness = thickness;
-    config.paper_unit = 1.0;
+    baseline_of(&config.baseline)->collision_unit = 1.0;
     return config;
 }
 

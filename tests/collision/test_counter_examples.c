@@ -1,5 +1,6 @@
 /* Counter-examples to the paper's test, each with what the paper and the cubic say and what is true.
  * Lengths in mm: with D = 0.25 two threads of radius 0.125. */
+#include "fixtures/baseline_of.h"
 #include "collision/paper_ask.h"
 
 enum { MISS = 0, HIT = 1 };
@@ -120,7 +121,8 @@ static void parallel_constant_depends_on_unit(void **state)
         vbss_collision_config config = rules_for(VBSS_COLLISION_METHOD_VBLAST, 1e-3 * thickness);
         expect_paper(HIT, thickness, &mm);
         assert_int_equal(MISS, ask_with(&config, &m).impact.hit);
-        config.paper_unit = 1e-3; /* metres are given, and taken to the paper's mm */
+        baseline_of(&config.baseline)->collision_unit =
+            1e-3; /* metres are given, and taken to the paper's mm */
         assert_int_equal(HIT, ask_with(&config, &m).impact.hit);
         expect_cubic(HIT, 1e-3 * thickness, &m);
         expect_truth_hit(0.5, thickness, &mm);

@@ -148,9 +148,9 @@ static void filter_needs_a_shape(void **state)
     begin(&f);
     vbss_collision *c = f.scene.collision;
     expect_ok(vbss_collision_get_hash(c, &before));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_set_filter(c, SHAPES, 1, 1));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_collision_set_filter(c, SHAPES, 1, 1));
     expect_ok(vbss_collision_remove(c, MOVING_CAPSULES));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_set_filter(c, MOVING_CAPSULES, 1, 1));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_collision_set_filter(c, MOVING_CAPSULES, 1, 1));
     expect_ok(vbss_collision_get_hash(c, &after));
     assert_true(before != after); /* the removal */
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_collision_set_filter(NULL, 0, 1, 1));

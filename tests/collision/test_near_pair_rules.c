@@ -86,8 +86,8 @@ static void invalid_rules_are_rejected(void **state)
     vec3 *at = calloc(MAX_COUNT, sizeof *at);
     assert_non_null(at);
     collision_object *c = f.object;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_exclude_near(c, 3, at, 1.0));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_exclude_near(c, 1, at, 1.0));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_collision_exclude_near(c, 3, at, 1.0));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_collision_exclude_near(c, 1, at, 1.0));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_exclude_near(c, 0, at, -1.0));
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_collision_exclude_near(c, 0, at, (double)NAN));
     expect_result(VBSS_ERROR_CAPACITY, vbss_collision_exclude_near(c, name, at, 1.0));

@@ -136,12 +136,9 @@ static void expect_refused(object_fixture *f, vbss_collision *other, const uint8
 static void snapshot_of_other_config_is_rejected(void **state)
 {
     (void)state;
-    static const size_t numbers[] = {offsetof(vbss_collision_config, thickness),
-                                     offsetof(vbss_collision_config, tolerance),
-                                     offsetof(vbss_collision_config, exclusion),
-                                     offsetof(vbss_collision_config, margin),
-                                     offsetof(vbss_collision_config, paper_parallel),
-                                     offsetof(vbss_collision_config, paper_unit)};
+    static const size_t numbers[] = {
+        offsetof(vbss_collision_config, thickness), offsetof(vbss_collision_config, tolerance),
+        offsetof(vbss_collision_config, exclusion), offsetof(vbss_collision_config, margin)};
     object_fixture f;
     uint8_t bytes[4096];
     vbss_collision_config config, kept;

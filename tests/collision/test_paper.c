@@ -2,6 +2,7 @@
  * invents: test_counter_examples.c. */
 #include <stdlib.h>
 
+#include "fixtures/baseline_of.h"
 #include "collision/closest.h"
 #include "collision/paper_ask.h"
 
@@ -181,20 +182,24 @@ static void does_what_is_printed(harness_source *source, void *user)
     vbss_collision_config config = rules_for(VBSS_COLLISION_METHOD_VBLAST, 0.0);
     double thickness = harness_draw_below(source, 2) != 0 ? harness_draw_real(source, 0, .5) : 0.0;
     const double units[] = {1.0, 1e-3, 25.4e-3, 1e3};
-    config.paper_unit = units[harness_draw_below(source, 4)];
-    config.thickness = thickness * config.paper_unit;
-    config.paper_parallel = harness_draw_below(source, 2) != 0 ? 1e-6 : 1.0;
-    question in_metres = scaled(&q, config.paper_unit);
+    baseline_of(&config.baseline)->collision_unit = units[harness_draw_below(source, 4)];
+    config.thickness = thickness * baseline_of(&config.baseline)->collision_unit;
+    baseline_of(&config.baseline)->collision_parallel =
+        harness_draw_below(source, 2) != 0 ? 1e-6 : 1.0;
+    question in_metres = scaled(&q, baseline_of(&config.baseline)->collision_unit);
     reported t = ask_with(&config, &in_metres);
-    double distance = printed_distance_at_end(&q, config.paper_parallel);
-    printed_steps steps = printed_crossing(&q, config.paper_parallel, 1.0);
+    double distance =
+        printed_distance_at_end(&q, baseline_of(&config.baseline)->collision_parallel);
+    printed_steps steps =
+        printed_crossing(&q, baseline_of(&config.baseline)->collision_parallel, 1.0);
     if (fabs(distance - thickness) < 1e-9 || !(steps.margin > 1e-9)) {
         return; /* rounding decides */
     }
     if (distance < thickness) {
         assert_int_equal(1, t.impact.hit);
         assert_true(t.impact.time == 1.0);
-        expect_near(distance, t.impact.distance / config.paper_unit, 1e-9);
+        expect_near(distance, t.impact.distance / baseline_of(&config.baseline)->collision_unit,
+                    1e-9);
         assert_int_equal(0, t.counters.sign_tests_ended);
     } else {
         assert_int_equal(steps.hit, t.impact.hit);
@@ -222,7 +227,7 @@ static void answers_are_whole(harness_source *source, void *user)
     vbss_collision_config config =
         rules_for(VBSS_COLLISION_METHOD_VBLAST, harness_draw_below(source, 3));
     const double constants[] = {0.0, 1e-6, 1.0};
-    config.paper_parallel = constants[harness_draw_below(source, 3)];
+    baseline_of(&config.baseline)->collision_parallel = constants[harness_draw_below(source, 3)];
     ask_with(&config, &q);
 }
 
@@ -234,7 +239,7 @@ static void degenerate_features_give_no_nan(void **state)
     question q = {
         VBSS_COLLISION_PAIR_EDGE_EDGE, {EDGE, 0, -1, 3, 0, 1, 3}, {EDGE, 0, -1, -3, 0, 1, -3}};
     vbss_collision_config config = rules_for(VBSS_COLLISION_METHOD_VBLAST, 0.25);
-    config.paper_unit = 1e3;
+    baseline_of(&config.baseline)->collision_unit = 1e3;
     assert_int_equal(0, ask_with(&config, &q).impact.hit);
 }
 

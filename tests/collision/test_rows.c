@@ -1,4 +1,5 @@
 /* Questions in rows have the bits of single ones: every field, in both copies of the lanes. */
+#include "fixtures/baseline_of.h"
 #include "collision/ccd_batch.h"
 #include "query.h"
 
@@ -26,6 +27,7 @@ static collision_ccd_options rules_of(vbss_collision_method method, uint32_t pas
 {
     vbss_collision_config config;
     expect_ok(vbss_collision_config_init(&config, sizeof config));
+    (void)baseline_of(&config.baseline);
     config.method = method;
     config.pass_limit = pass_limit;
     collision_ccd_options rules = vbss_collision_ccd_options_of(&config);

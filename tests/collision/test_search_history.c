@@ -175,7 +175,7 @@ static void removed_and_added_again(harness_source *source, void *user)
     model_check(&f.m, collision, 0);
 
     for (uint32_t i = 0; i < shapes; i++) {
-        vbss_result wanted = i == gone ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK;
+        vbss_result wanted = i == gone ? VBSS_ERROR_NOT_FOUND : VBSS_OK;
         expect_result(wanted, vbss_collision_remove(collision, i));
         f.m.shapes[i].removed = false;
     }
@@ -184,7 +184,7 @@ static void removed_and_added_again(harness_source *source, void *user)
     model_add_to(&f.m, collision); /* with names from `shapes` on */
     for (uint32_t i = 0; i < shapes; i++) {
         const model_shape *s = &f.m.shapes[i];
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_NOT_FOUND,
                       vbss_collision_set_motion(collision, i, NULL, &s->end[0].x, s->node_count));
         expect_ok(vbss_collision_set_motion(collision, shapes + i, &s->start[0].x, &s->end[0].x,
                                             s->node_count));

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "fixtures/baseline_of.h"
 #include "collision/closest.h"
 #include "collision/shapes.h"
 #include "collision/shapes_model.h"
@@ -28,6 +29,7 @@ static void begin(fixture *f)
     f->m.config.pair_capacity = 100000;
     f->m.config.impact_capacity = 0;
     f->m.config.margin = 1.0;
+    (void)baseline_of(&f->m.config.baseline);
 }
 
 static void make(fixture *f)

@@ -10,19 +10,21 @@ typedef struct event_counts {
     uint32_t of[64]; /* by kind */
 } event_counts;
 
-/* Adds the events of the last step; how many of them are cuts that made a piece. */
+/* Takes the events and counts them; how many of them are cuts that made a piece. */
 static inline uint32_t count_events(vbss_scene *scene, event_counts *counts)
 {
-    vbss_view view;
-    uint32_t cuts = 0;
-    expect_ok(vbss_scene_get_view(scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
-    for (uint64_t i = 0; i < view.count; i++) {
-        uint32_t words[4];
-        memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
-        assert_in_range(words[0], 0, 63);
-        counts->of[words[0]]++;
-        cuts += words[0] == VBSS_SCENE_EVENT_CUT && words[2] != 0;
-    }
+    vbss_scene_event events[64];
+    uint32_t count, cuts = 0;
+    uint64_t lost;
+    do {
+        expect_ok(vbss_scene_take_events(scene, events, sizeof *events, 64, &count, &lost));
+        assert_int_equal(lost, 0);
+        for (uint32_t i = 0; i < count; i++) {
+            assert_in_range(events[i].kind, 1, 63);
+            counts->of[events[i].kind]++;
+            cuts += events[i].kind == VBSS_SCENE_EVENT_CUT && events[i].body_b != 0;
+        }
+    } while (count == 64);
     return cuts;
 }
 

@@ -78,7 +78,7 @@ static void object_belongs_to_scene_until_removed(void **state)
         const uint64_t before = hash_of(m, handle);
         if (by_destroy == 0) {
             expect_ok(vbss_scene_remove(s.scene, number));
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(s.scene, number));
+            expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_remove(s.scene, number));
         } else {
             expect_ok(vbss_scene_destroy(s.scene));
         }
@@ -104,14 +104,14 @@ static void expect_rejected(const contract_member *m, const small *s, vbss_resul
     uint32_t body = NO_BODY;
     const char *text;
     const uint64_t hash = small_hash(s), blocks = s->memory.blocks;
-    const uint64_t generation = small_view(s, VBSS_SCENE_VIEW_EVENTS).generation;
+    const uint64_t generation = small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation;
     expect_result(wanted, m->add(s->scene, handle, &body));
     expect_ok(vbss_context_get_last_error(s->context, NULL, &text));
     assert_true(strlen(text) > 0);
     assert_int_equal(body, NO_BODY);
     assert_int_equal(s->memory.blocks, blocks);
     assert_true(small_hash(s) == hash);
-    assert_true(small_view(s, VBSS_SCENE_VIEW_EVENTS).generation == generation);
+    assert_true(small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation == generation);
 }
 
 static void invalid_object_is_rejected(void **state)
@@ -149,7 +149,7 @@ static void object_of_other_method_is_rejected(void **state)
         small_create(&s);
         expect_ok(
             m->create(s.context, 0, VBSS_METHOD_IMPLICIT + VBSS_METHOD_VBLAST - method, &other));
-        expect_rejected(m, &s, VBSS_ERROR_OUT_OF_RANGE, other);
+        expect_rejected(m, &s, VBSS_ERROR_INCOMPATIBLE, other);
         expect_ok(m->step(other));
         small_end(&s);
     }

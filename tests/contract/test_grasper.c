@@ -174,7 +174,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return create_and_destroy(context, NULL);
 }
 
-static const uint32_t config_sizes[] = {288, 320, 0};
+static const uint32_t config_sizes[] = {312, 0};
 
 static const contract_object object = {
     .name = "grasper",
@@ -205,8 +205,11 @@ static void usual_config(void *config)
 }
 
 enum {
+    /* Before and after the parameters of the baseline. */
     FIRST_NUMBER = offsetof(vbss_grasper_config, trocar),
-    NUMBERS = (sizeof(vbss_grasper_config) - FIRST_NUMBER) / sizeof(double)
+    SECOND_NUMBER = offsetof(vbss_grasper_config, needle_stiffness),
+    NUMBERS = (offsetof(vbss_grasper_config, baseline) - FIRST_NUMBER) / sizeof(double),
+    LAST_NUMBERS = (sizeof(vbss_grasper_config) - SECOND_NUMBER) / sizeof(double)
 };
 
 /* All numbers, to the last bit. */
@@ -218,6 +221,7 @@ static const contract_snapshot snapshot = {
     .create = create_from,
     .destroy = destroy,
     .fields = {{FIRST_NUMBER, NUMBERS, 1.0 + DBL_EPSILON},
+               {SECOND_NUMBER, LAST_NUMBERS, 1.0 + DBL_EPSILON},
                {offsetof(vbss_grasper_config, method), 0, 1},
                {offsetof(vbss_grasper_config, kind), 0,
                 VBSS_GRASPER_KIND_SHEARS - VBSS_GRASPER_KIND_NEEDLE_DRIVER},

@@ -110,7 +110,7 @@ static vbss_result write_rigid(void *handle, void *out, uint32_t size)
 }
 static vbss_result write_view(void *handle, void *out, uint32_t size)
 {
-    return vbss_scene_get_view(handle, VBSS_SCENE_VIEW_EVENTS, out, size);
+    return vbss_scene_get_view(handle, VBSS_SCENE_VIEW_CONTACTS, out, size);
 }
 static vbss_result write_statistics(void *handle, void *out, uint32_t size)
 {
@@ -272,7 +272,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_thread_destroy(spare_thread);
 }
 
-static const uint32_t scene_sizes[] = {160, 168, 176, 192, 0}, rigid_sizes[] = {200, 0};
+static const uint32_t scene_sizes[] = {192, 0}, rigid_sizes[] = {200, 0};
 
 static const contract_object object = {
     .name = "scene",

@@ -338,7 +338,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_thread_destroy(piece);
 }
 
-static const uint32_t config_sizes[] = {240, 304, 0}, attachment_sizes[] = {112, 0};
+static const uint32_t config_sizes[] = {280, 0}, attachment_sizes[] = {112, 0};
 
 static const contract_object object = {
     .name = "thread",

@@ -1,17 +1,18 @@
 """The same performance everywhere: seeds of the scripted surgeon (C) and of the scripted throw (Python), hashed on this
-processor, on it with features masked (tests/masked.sh), and, of the surgeon, built for another machine and emulated.
+processor, on it with features masked (tests/masked.sh), and built for another machine and emulated.
 
     performances.py --work FOLDER --program vbss_performance --library libvblast_ss.so [--python FILE]
-                    [--seeds N] [--hashes N] [--emulated N] [--machine NAME]
+                    [--seeds N] [--hashes N] [--emulated N] [--machine NAME] [--root FOLDER]
 
 --seeds     seeds 0 to N - 1
 --hashes    hashes of a native performance: one after each second, and one at its end; 600 is always the whole
 --emulated  hashes of an emulated one, which are the first of these; 0: nothing is emulated
 --machine   a row of matrix.py's table for another machine
 --python    an interpreter with numpy; default: this one or, if it has none, the system's
+--root      the root of a system of the other machine with Python and numpy, which make-root.sh makes: throws are emulated
+            too, each as a whole
 
-There is no Python interpreter for the other machine here, so the throw runs natively only. Prints a table; fails if a
-hash differs, or if the masking hides nothing although the processor has something to hide.
+Prints a table; fails if a hash differs, or if the masking hides nothing although the processor has something to hide.
 """
 import argparse
 import hashlib
@@ -58,6 +59,16 @@ def surgeon(program, seed, limit, before=()):
 
 def throw(arguments, seed, before=()):
     return run([*before, arguments.python, "-B", "-c", THROW, seed], env=python_environment(arguments)).split()
+
+
+def emulated_throw(arguments, emulator, library, seed):
+    # Debian keeps BLAS and LAPACK in folders of their own.
+    libraries = [str(path.parent) for name in ("libblas", "liblapack") for path in arguments.root.rglob(name + ".so.3")]
+    variables = {"PYTHONPATH": f"{BINDING}:{arguments.root / 'usr/lib/python3/dist-packages'}",
+                 "LD_LIBRARY_PATH": ":".join(libraries), "VBLAST_SS_LIBRARY": library}
+    settings = [word for name, value in variables.items() for word in ("-E", f"{name}={value}")]
+    return run([*emulator, "-L", arguments.root, *settings, arguments.root / "usr/bin/python3", "-B", "-c", THROW,
+                seed]).split()
 
 
 def python_environment(arguments):
@@ -114,14 +125,16 @@ def main():
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--hashes", type=int, default=600)
     parser.add_argument("--emulated", type=int, default=3)
+    parser.add_argument("--root", type=pathlib.Path)
     parser.add_argument("--machine", default="aarch64", choices=[name for name, row in BUILDS.items() if row[2]])
     arguments = parser.parse_args()
     arguments.python = arguments.python or with_numpy()
     bad = masks_something(arguments)
     emulated = None
-    if arguments.emulated:
+    if arguments.emulated or arguments.root:
         compiler, flags, machine = BUILDS[arguments.machine]
-        folder = build(arguments.work, arguments.machine, compiler, flags, machine, targets=["vbss_performance"])
+        folder = build(arguments.work, arguments.machine, compiler, flags, machine,
+                       targets=["vbss_performance", "vblast_ss_shared"])
         emulated = [f"qemu-{machine}"], folder / "vbss_performance"
     print_row("who", "seed", "how", "hashes", "digest", "verdict", "s")
     for seed in range(arguments.seeds):
@@ -130,13 +143,17 @@ def main():
         bad += wrong
         bad += compare("surgeon", seed, "native, masked",
                        lambda: surgeon(arguments.program, seed, arguments.hashes, [MASKED]), plain)[1]
-        if emulated:
+        if arguments.emulated:
             bad += compare("surgeon", seed, f"emulated {arguments.machine}",
                            lambda: surgeon(emulated[1], seed, arguments.emulated, emulated[0]), plain)[1]
     for seed in range(arguments.seeds):
         plain, wrong = compare("throw", seed, "native", lambda: throw(arguments, seed), None)
         bad += wrong
         bad += compare("throw", seed, "native, masked", lambda: throw(arguments, seed, [MASKED]), plain)[1]
+        if arguments.root:
+            bad += compare("throw", seed, f"emulated {arguments.machine}",
+                           lambda: emulated_throw(arguments, emulated[0], folder / "vblast_ss/lib/libvblast_ss.so", seed),
+                           plain)[1]
     for problem in bad:
         print("  " + problem)
     print(f"performances: {'FAIL, ' + str(len(bad)) + ' complaint(s)' if bad else 'pass'}")

@@ -1,3 +1,4 @@
+#include "fixtures/baseline_of.h"
 #include "determinism/scenes.h"
 
 #include <stdlib.h>
@@ -183,7 +184,7 @@ static void create_askers(vbss_context *context, vbss_collision *askers[ASKERS])
         must(vbss_collision_config_init(&config, sizeof config));
         config.method = (vbss_collision_method)(k / 2);
         config.thickness = k % 2 == 0 ? 0.0 : 0.25;
-        config.paper_unit = 1.0;
+        baseline_of(&config.baseline)->collision_unit = 1.0;
         must(vbss_collision_create(context, &config, &askers[k]));
     }
 }

@@ -218,9 +218,9 @@ static void function_table_without_functions_is_rejected(void **state)
     assert_int_equal(r.input.status, VBSS_DEVICE_STATUS_READY);
     assert_int_equal(r.flags, 0);
     assert_true(r.result.force[0] == 0.0);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_device_get_capabilities(r.device, 1, &all, sizeof all));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_device_get_error(r.device, 1, NULL, NULL));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_device_get_error(r.device, 1, NULL, NULL));
     device_rig_end(&r);
 }
 

@@ -137,7 +137,7 @@ static void invalid_pose_is_rejected(void **state)
     begin(&r);
     device_rig_open(&r, 1);
     const double zero[4] = {0.0, 0.0, 0.0, 0.0}, far[3] = {0.0, 1001.0, 0.0};
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_device_recentre(r.device, zero, NULL));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_device_recentre(r.device, zero, NULL));
     device_rig_steps(&r, 2);
     uint64_t before = device_rig_hash(&r);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_device_recentre(r.device, far, NULL));

@@ -128,7 +128,7 @@ static void pump_requires_lines_without_thread(void **state)
     expect_ok(vbss_nidaqmx_destroy(r.nidaqmx));
     r.lines.own_thread = 1;
     expect_ok(vbss_nidaqmx_create(r.context, &r.lines, &r.nidaqmx));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_nidaqmx_poll(r.nidaqmx, 1.0));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_nidaqmx_poll(r.nidaqmx, 1.0));
     hardware_rig_end(&r);
 }
 
@@ -224,9 +224,8 @@ static void every_call_rejects_invalid_handles(void **state)
     hardware_rig_begin(&r, false);
     hardware_rig_open(&r, 0);
     expect_ok(vbss_device_adapter_init(&adapter, sizeof adapter));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_openhaptics_get_adapter(r.openhaptics, 2, &adapter));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_nidaqmx_get_adapter(r.nidaqmx, 2, &adapter));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_openhaptics_get_adapter(r.openhaptics, 2, &adapter));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_nidaqmx_get_adapter(r.nidaqmx, 2, &adapter));
     vbss_openhaptics *no_arms = r.openhaptics;
     vbss_nidaqmx *no_lines = r.nidaqmx;
     expect_ok(vbss_openhaptics_destroy(no_arms));

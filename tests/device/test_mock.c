@@ -91,7 +91,7 @@ static void host_sample_is_passed_through(void **state)
     const vbss_mock_fault timed[] = {VBSS_MOCK_FAULT_STALL, VBSS_MOCK_FAULT_RATE,
                                      VBSS_MOCK_FAULT_LATE, VBSS_MOCK_FAULT_SHUFFLE};
     for (int i = 0; i < 4; i++) {
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_INCOMPATIBLE,
                       vbss_mock_add_fault(r.mock, timed[i], 0.0, 1.0, 0.5));
     }
     end(&r);

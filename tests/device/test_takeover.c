@@ -98,7 +98,7 @@ static void option_is_off_by_default(void **state)
     device_rig_begin(&r);
     device_rig_open(&r, 1);
     device_rig_steps(&r, 5);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_device_hold_jaw(r.device, 0.1));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_device_hold_jaw(r.device, 0.1));
     expect_ok(vbss_device_set_clutch(r.device, 1));
     device_rig_fault(&r, 0, VBSS_MOCK_FAULT_JAW, 1000.0, 1.0);
     device_rig_steps(&r, 200);

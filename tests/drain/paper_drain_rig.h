@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "fixtures/baseline_of.h"
 #include "harness/harness.h"
 
 #include "drain/drain.h"
@@ -24,7 +25,7 @@ static inline vbss_drain_config paper_config(void)
     vbss_drain_config config;
     expect_ok(vbss_drain_config_init(&config, sizeof config));
     config.method = VBSS_METHOD_VBLAST;
-    config.paper_damping = 0.0;
+    baseline_of(&config.baseline)->drain_damping = 0.0;
     config.drag = 0.0;
     return config;
 }

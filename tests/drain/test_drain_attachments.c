@@ -22,8 +22,8 @@ static void ids_increase_and_are_never_reused(void **state)
         if (id >= 2) {
             double force[3];
             drain_rig_detach(&r, id - 1);
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_drain_detach(r.drain, id - 1));
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_drain_get_reaction(r.drain, id - 1, force));
+            expect_result(VBSS_ERROR_NOT_FOUND, vbss_drain_detach(r.drain, id - 1));
+            expect_result(VBSS_ERROR_NOT_FOUND, vbss_drain_get_reaction(r.drain, id - 1, force));
         }
     }
     drain_rig_end(&r);
@@ -68,7 +68,7 @@ static void node_takes_one_pin_and_many_loads(void **state)
     uint32_t node = r.places.marks[0], pin = drain_rig_pin_here(&r, node);
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
     a.node = node;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_drain_attach(r.drain, &a, &id));
+    expect_result(VBSS_ERROR_IN_USE, vbss_drain_attach(r.drain, &a, &id));
     assert_int_equal(id, 77);
     vec3 kept = drain_rig_position(&r, node), pull = vec3_make(0.0, 0.01, 0.02);
     for (int i = 0; i < 3; i++) {

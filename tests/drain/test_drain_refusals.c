@@ -61,8 +61,6 @@ static const number numbers[] = {
     NUMBER(tear_stress, 1.0, 1e12, true),
     NUMBER(position_tolerance, 1e-15, 1.0, true),
     NUMBER(move_limit, 1e-9, 1.0, true),
-    NUMBER(paper_stiffness, 0.0, 1e9, true),
-    NUMBER(paper_damping, 0.0, 1.0, true),
     NUMBER(friction, 0.0, 10.0, true),
     NUMBER(puncture_force, 1e-3, 1e3, true),
     NUMBER(hole_force, 1e-6, 1e3, true),
@@ -151,8 +149,6 @@ static void bad_config_choices_are_rejected(void **state)
         {offsetof(vbss_drain_config, halving_limit), 11},
         {offsetof(vbss_drain_config, halving_limit), UINT32_MAX},
         {offsetof(vbss_drain_config, reserved), 1},
-        {offsetof(vbss_drain_config, paper_substeps), 100001},
-        {offsetof(vbss_drain_config, reserved2), 1},
     };
     drain_rig r;
     drain_rig_begin(&r);
@@ -218,7 +214,8 @@ static void bad_attachments_are_rejected(void **state)
     for (int k = 0; k < 4; k++) {
         a = good;
         a.node = nodes[k];
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_attach(r.drain, &a, &id));
+        unchanged(&r, hash, k < 2 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_IN_USE,
+                  vbss_drain_attach(r.drain, &a, &id));
     }
     const int32_t kinds[] = {-1, 3, INT32_MIN, INT32_MAX};
     for (int k = 0; k < 4; k++) {
@@ -259,11 +256,10 @@ static void bad_moves_are_rejected(void **state)
     }
     const uint32_t none[] = {0, 4, UINT32_MAX};
     for (int k = 0; k < 3; k++) {
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&r, hash, VBSS_ERROR_NOT_FOUND,
                   vbss_drain_set_attachment_target(r.drain, none[k], zero));
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE, vbss_drain_detach(r.drain, none[k]));
-        unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_drain_get_reaction(r.drain, none[k], force));
+        unchanged(&r, hash, VBSS_ERROR_NOT_FOUND, vbss_drain_detach(r.drain, none[k]));
+        unchanged(&r, hash, VBSS_ERROR_NOT_FOUND, vbss_drain_get_reaction(r.drain, none[k], force));
     }
     unchanged(&r, hash, VBSS_ERROR_NULL_ARGUMENT, vbss_drain_get_reaction(r.drain, 1, NULL));
     drain_rig_end(&r);
@@ -308,11 +304,9 @@ static void bad_steps_states_and_fields_are_rejected(void **state)
     memcpy(x, kept, sizeof x);
     memset(v, 0, sizeof v);
     x[anchor].y += 1e-9;
-    unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
-              vbss_drain_set_state(r.drain, &x[0].x, NULL, nodes));
+    unchanged(&r, hash, VBSS_ERROR_IN_USE, vbss_drain_set_state(r.drain, &x[0].x, NULL, nodes));
     v[anchor].z = 1e-9;
-    unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,
-              vbss_drain_set_state(r.drain, NULL, &v[0].x, nodes));
+    unchanged(&r, hash, VBSS_ERROR_IN_USE, vbss_drain_set_state(r.drain, NULL, &v[0].x, nodes));
     const uint32_t wrong_counts[] = {0, nodes - 1, nodes + 1, UINT32_MAX};
     for (int i = 0; i < 4; i++) {
         unchanged(&r, hash, VBSS_ERROR_OUT_OF_RANGE,

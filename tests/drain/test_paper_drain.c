@@ -1,4 +1,5 @@
 /* Method VBLAST: its mesh, what it does when it is pulled, and what it cannot do. */
+#include "fixtures/baseline_of.h"
 #include "drain/paper_drain_rig.h"
 
 #include <math.h>
@@ -99,8 +100,8 @@ static void pulled_particle_moves_force_over_stiffness_alone(void **state)
     (void)state;
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_damping = 0.5;
-    config.paper_stiffness = 80.0;
+    baseline_of(&config.baseline)->drain_damping = 0.5;
+    baseline_of(&config.baseline)->drain_stiffness = 80.0;
     paper_begin(&r, &config);
     const uint32_t node = PAPER_MIDDLE + 2;
     vec3 force = vec3_make(0.02, -0.05, 0.11);
@@ -142,7 +143,7 @@ static void closing_lips_closes_slit(void **state)
     (void)state;
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_damping = 0.5;
+    baseline_of(&config.baseline)->drain_damping = 0.5;
     paper_begin(&r, &config);
     vbss_drain_places p = paper_places(&r);
     double force = 0.1;

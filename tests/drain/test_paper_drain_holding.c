@@ -1,4 +1,5 @@
 /* Method VBLAST: what is attached to its particles. */
+#include "fixtures/baseline_of.h"
 #include "drain/paper_drain_rig.h"
 
 static void pinned_particles_move_linearly_to_targets(void **state)
@@ -34,7 +35,7 @@ static void reaction_equals_momentum_change(void **state)
     (void)state;
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_substeps = 1;
+    baseline_of(&config.baseline)->drain_substeps = 1;
     config.drag = 30.0;
     config.gravity[1] = -9.81;
     paper_begin(&r, &config);
@@ -65,7 +66,7 @@ static void attached_springs_need_no_shorter_steps(void **state)
     for (int k = 0; k < 3; k++) {
         paper_rig r;
         vbss_drain_config config = paper_config();
-        config.paper_damping = 0.3;
+        baseline_of(&config.baseline)->drain_damping = 0.3;
         paper_begin(&r, &config);
         const uint32_t node = PAPER_DOUBLE;
         vec3 displacement = vec3_make(0.0, 2e-3, 1e-3),
@@ -86,7 +87,7 @@ static void fully_pinned_drain_stays(void **state)
     paper_rig r;
     vbss_drain_config config = paper_config();
     config.attachment_capacity = PAPER_NODES;
-    config.paper_damping = 0.5;
+    baseline_of(&config.baseline)->drain_damping = 0.5;
     config.gravity[0] = 3.0;
     paper_begin(&r, &config);
     for (uint32_t i = 0; i < PAPER_NODES; i++) {

@@ -1,4 +1,5 @@
 /* Method VBLAST in motion: its oscillator, its damping, the length of its explicit steps. */
+#include "fixtures/baseline_of.h"
 #include "drain/paper_drain_rig.h"
 
 #include <math.h>
@@ -21,9 +22,9 @@ static void expect_oscillation(double damping, double drag, uint32_t substeps)
 {
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_damping = damping;
+    baseline_of(&config.baseline)->drain_damping = damping;
     config.drag = drag;
-    config.paper_substeps = substeps;
+    baseline_of(&config.baseline)->drain_substeps = substeps;
     paper_begin(&r, &config);
     double mass = r.object->mass[pair[0]], dt = 1e-3 / substeps, amplitude = 1e-3;
     double q = (1.0 - damping) / (1.0 + dt * drag), s = dt * dt * 125.0 / mass;
@@ -57,7 +58,7 @@ static double error_of(uint32_t substeps)
     paper_rig r;
     vbss_drain_config config = paper_config();
     config.drag = 100.0;
-    config.paper_substeps = substeps;
+    baseline_of(&config.baseline)->drain_substeps = substeps;
     paper_begin(&r, &config);
     double omega = sqrt(125.0 / r.object->mass[pair[0]]), largest = 0.0;
     double damped = sqrt(omega * omega - 50.0 * 50.0);
@@ -87,8 +88,8 @@ static void damping_conserves_momentum(void **state)
     (void)state;
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_damping = 1.0;
-    config.paper_stiffness = 0.0;
+    baseline_of(&config.baseline)->drain_damping = 1.0;
+    baseline_of(&config.baseline)->drain_stiffness = 0.0;
     paper_begin(&r, &config);
     vec3 v[PAPER_NODES] = {{0.0, 0.0, 0.0}};
     v[7] = vec3_make(0.3, -0.2, 0.5);
@@ -115,7 +116,7 @@ static void undamped_energy_is_conserved(void **state)
     (void)state;
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_substeps = 64;
+    baseline_of(&config.baseline)->drain_substeps = 64;
     paper_begin(&r, &config);
     displace_pair(&r, 1e-3);
     double begin = paper_energies(&r).total;
@@ -133,7 +134,7 @@ static uint32_t parts_of(double stiffness, double h)
 {
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_stiffness = stiffness;
+    baseline_of(&config.baseline)->drain_stiffness = stiffness;
     paper_begin(&r, &config);
     paper_run(&r, h, 1);
     uint32_t parts = (uint32_t)paper_statistics(&r).parts;
@@ -172,8 +173,8 @@ static double growth(uint32_t substeps, uint32_t steps)
 {
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_stiffness = 2e4;
-    config.paper_substeps = substeps;
+    baseline_of(&config.baseline)->drain_stiffness = 2e4;
+    baseline_of(&config.baseline)->drain_substeps = substeps;
     paper_begin(&r, &config);
     const uint32_t node = lightest(&r);
     const vec3 displacement = {1e-6, 0.0, 0.0};
@@ -205,8 +206,8 @@ static void diverged_step_is_reported_and_undone(void **state)
     (void)state;
     paper_rig r;
     vbss_drain_config config = paper_config();
-    config.paper_substeps = 1000;
-    config.paper_stiffness = 1e9;
+    baseline_of(&config.baseline)->drain_substeps = 1000;
+    baseline_of(&config.baseline)->drain_stiffness = 1e9;
     paper_begin(&r, &config);
     displace_pair(&r, 1e-3);
     uint64_t hash = paper_hash(&r);

@@ -57,6 +57,17 @@ static void restore_and_step(const table *t, const uint8_t *bytes, size_t count)
     }
 }
 
+static void load_and_step(const table *t, const uint8_t *bytes, size_t count)
+{
+    vbss_scene *scene;
+    const vbss_result result = vbss_scene_load(t->context, bytes, count, &scene);
+    MUST((scene == NULL) == (result != VBSS_OK));
+    if (result == VBSS_OK) {
+        (void)vbss_scene_step(scene, 1e-3);
+    }
+    MUST(vbss_scene_destroy(scene) == VBSS_OK);
+}
+
 /* ---- without a scene */
 
 static void read_steps(vbss_replay *replay, uint64_t steps, const vbss_record_log_report *report)
@@ -125,6 +136,18 @@ static void follow(const table *t, vbss_replay *replay, uint64_t steps)
     MUST(vbss_session_destroy(session) == VBSS_OK);
 }
 
+/* A scene from the log alone replays some steps, or is refused. */
+static void replay_loaded(vbss_replay *replay, uint64_t steps)
+{
+    vbss_scene *scene;
+    const vbss_result result = vbss_replay_load_scene(replay, &scene);
+    MUST((scene == NULL) == (result != VBSS_OK));
+    if (result == VBSS_OK) {
+        replay_some(replay, steps);
+    }
+    MUST(vbss_scene_destroy(scene) == VBSS_OK);
+}
+
 static void try_log(const table *t, const uint8_t *bytes, size_t count)
 {
     vbss_record_log_report report;
@@ -153,6 +176,7 @@ static void try_log(const table *t, const uint8_t *bytes, size_t count)
             go_on(replay, steps);
         }
     }
+    replay_loaded(replay, steps);
     MUST(vbss_replay_destroy(replay) == VBSS_OK);
 }
 
@@ -178,6 +202,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             seal_snapshot(bytes, count);
         }
         restore_and_step(t, bytes, count);
+        load_and_step(t, bytes, count);
     } else {
         if ((data[0] & SEALED) != 0) {
             seal_log(bytes, count);

@@ -10,11 +10,20 @@
 
 void seal_snapshot(uint8_t *bytes, size_t count)
 {
+    enum { DESCRIBED_FORMAT = 2, HEADER = 16, DESCRIBED_HEADER = 24, CHECKSUM = 8 };
     vbss_hash hash;
-    if (count < 24) {
+    const size_t header = count > 4 && bytes[4] == DESCRIBED_FORMAT ? DESCRIBED_HEADER : HEADER;
+    if (count < header + CHECKSUM) {
         return;
     }
-    store_little_endian(bytes + 8, count - 24, 8);
+    const uint64_t room = count - header - CHECKSUM;
+    if (header == DESCRIBED_HEADER) { /* both parts fill the room, wherever the border is */
+        const uint64_t state = load_little_endian(bytes + 8, 8) % (room + 1);
+        store_little_endian(bytes + 8, state, 8);
+        store_little_endian(bytes + 16, room - state, 8);
+    } else {
+        store_little_endian(bytes + 8, room, 8);
+    }
     vbss_hash_begin(&hash);
     vbss_hash_add(&hash, bytes, count - 8);
     store_little_endian(bytes + count - 8, vbss_hash_end(&hash), 8);

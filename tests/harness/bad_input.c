@@ -90,8 +90,8 @@ static void visit_nothing(vbss_stream *stream, void *object)
     (void)object;
 }
 
-static const vbss_kind decoy_kind = {"decoy", VBSS_CODE('D', 'C', 'O', 'Y'), 1, destroy_nothing,
-                                     visit_nothing};
+static const vbss_kind decoy_kind = {
+    "decoy", VBSS_CODE('D', 'C', 'O', 'Y'), 1, destroy_nothing, visit_nothing, NULL};
 
 void harness_refuses_bad_handles(vbss_context *context, void *destroyed,
                                  const harness_handle_call *calls, size_t count)

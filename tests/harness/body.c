@@ -220,16 +220,24 @@ void harness_seal_snapshot(uint8_t *bytes, size_t count)
     store_little_endian(bytes + count - 8, vbss_hash_end(&hash), 8);
 }
 
-/* Damage under a right checksum, one bit at a time over the whole payload: the visitor refuses it,
+size_t harness_state_end(const uint8_t *bytes, size_t count)
+{
+    enum { STATE_FORMAT = 1, DESCRIBED_HEADER = 24, CHECKSUM = 8 };
+    return bytes[4] == STATE_FORMAT ? count - CHECKSUM
+                                    : DESCRIBED_HEADER + (size_t)load_little_endian(bytes + 8, 8);
+}
+
+/* Damage under a right checksum, one bit at a time over the whole state: the visitor refuses it,
  * or it is a state like another, which is then saved as it was read. */
 static void try_sealed_damage(const living *life, const uint8_t *good, size_t count)
 {
-    enum { FRONT = 16, BACK = 8 };
+    enum { FRONT = 16 };
+    const size_t end = harness_state_end(good, count);
     uint64_t hash = hash_of(life);
     uint8_t *bad = malloc(count), *again = malloc(count);
     assert_non_null(bad);
     assert_non_null(again);
-    for (size_t at = FRONT; at < count - BACK; at += 1 + at / 256) {
+    for (size_t at = FRONT; at < end; at += 1 + at / 256) {
         size_t written = 0;
         memcpy(bad, good, count);
         bad[at] ^= (uint8_t)(1u << (at % 8));
@@ -240,7 +248,7 @@ static void try_sealed_damage(const living *life, const uint8_t *good, size_t co
         }
         expect_ok(vbss_snapshot_save(life->slot, again, count, &written));
         assert_int_equal(written, count);
-        assert_memory_equal(again, bad, count);
+        assert_memory_equal(again, bad, end); /* a description follows the state */
         hash = hash_of(life);
     }
     free(again);
@@ -259,8 +267,8 @@ static void keep_foreign(vbss_context *context, void *object)
     (void)object;
 }
 
-static const vbss_kind foreign_kind = {"foreign", VBSS_CODE('F', 'R', 'G', 'N'), 1, keep_foreign,
-                                       visit_foreign};
+static const vbss_kind foreign_kind = {
+    "foreign", VBSS_CODE('F', 'R', 'G', 'N'), 1, keep_foreign, visit_foreign, NULL};
 
 static void refuse_foreign(const living *life, uint64_t hash)
 {

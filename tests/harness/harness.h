@@ -126,6 +126,8 @@ uint64_t harness_step_allocations(const harness_body *body, size_t steps);
 void harness_refuses_bad_snapshots(const harness_body *body, size_t steps);
 /* Writes the checksum of a changed snapshot anew, so that only the visitor can see the change. */
 void harness_seal_snapshot(uint8_t *bytes, size_t count);
+/* Byte of a snapshot just after its state; a description may follow. */
+size_t harness_state_end(const uint8_t *bytes, size_t count);
 
 /* ---- bad input (bad_input.c) */
 extern const double harness_bad_numbers[3]; /* NaN, +infinity, -infinity */

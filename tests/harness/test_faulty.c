@@ -50,8 +50,8 @@ static void faulty_serialise(vbss_stream *stream, void *object)
     }
 }
 
-static const vbss_kind faulty_kind = {"faulty", VBSS_CODE('F', 'L', 'T', 'Y'), 1, faulty_free,
-                                      faulty_serialise};
+static const vbss_kind faulty_kind = {
+    "faulty", VBSS_CODE('F', 'L', 'T', 'Y'), 1, faulty_free, faulty_serialise, NULL};
 
 static vbss_result faulty_create(vbss_context *context, void *user, void **handle)
 {

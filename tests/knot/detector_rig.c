@@ -339,13 +339,13 @@ static vbss_result call_throw(void *detector)
 {
     vbss_knot_throw t;
     vbss_result result = vbss_knot_detector_get_throw(detector, 99, &t, sizeof t);
-    return result == VBSS_ERROR_OUT_OF_RANGE ? VBSS_OK : result;
+    return result == VBSS_ERROR_NOT_FOUND ? VBSS_OK : result;
 }
 static vbss_result call_winding(void *detector)
 {
     vbss_knot_winding winding;
     vbss_result result = vbss_knot_detector_get_winding(detector, 99, &winding, sizeof winding);
-    return result == VBSS_ERROR_OUT_OF_RANGE ? VBSS_OK : result;
+    return result == VBSS_ERROR_NOT_FOUND ? VBSS_OK : result;
 }
 
 const harness_handle_call detector_calls[DETECTOR_CALLS] = {

@@ -77,8 +77,7 @@ static void throws_are_counted_from_tissue_outward(void **state)
     vbss_knot_throw t = {0};
     detector_rig_begin(&r);
     detector_rig_create(&r);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_knot_detector_get_throw(r.detector, 0, &t, sizeof t));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_knot_detector_get_throw(r.detector, 0, &t, sizeof t));
     detector_rig_tie(&r, "2=1x1", 200);
     detector_rig_judge(&r);
     double inside[2] = {r.line.tissue_place, r.line.tissue_place};
@@ -107,7 +106,7 @@ static void throws_are_counted_from_tissue_outward(void **state)
     }
     const uint32_t none[] = {3, KNOT_THROWS, UINT32_MAX};
     for (int i = 0; i < 3; i++) {
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_NOT_FOUND,
                       vbss_knot_detector_get_throw(r.detector, none[i], &t, sizeof t));
     }
     detector_rig_end(&r);

@@ -62,7 +62,7 @@ static void winding_is_of_shown_tools(void **state)
     vbss_knot_winding w;
     detector_rig_begin(&r);
     detector_rig_create(&r);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_knot_detector_get_winding(r.detector, 0, &w, sizeof w));
     detector_rig_wind(&r, 1.6);
     detector_rig_steps(&r, 1);
@@ -74,12 +74,12 @@ static void winding_is_of_shown_tools(void **state)
     assert_int_equal(s.next_tool, 0);
     const uint32_t none[] = {1, RIG_TOOLS, UINT32_MAX};
     for (int i = 0; i < 3; i++) {
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_NOT_FOUND,
                       vbss_knot_detector_get_winding(r.detector, none[i], &w, sizeof w));
     }
     r.input.tool_count = 0;
     detector_rig_steps(&r, 1);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_knot_detector_get_winding(r.detector, 0, &w, sizeof w));
     s = detector_rig_state(&r);
     assert_int_equal(s.next_verdict, VBSS_KNOT_VERDICT_NONE);

@@ -111,7 +111,7 @@ static void throw_type_and_order_are_reported(void **state)
     assert_int_equal(t.relation, VBSS_METRICS_RELATION_SQUARE);
     expect_same_bits(20.0, t.time);
     assert_int_equal(t.step, 20000);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_throw(f.metrics, 3, &t, sizeof t));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_metrics_get_throw(f.metrics, 3, &t, sizeof t));
     end(&f);
 }
 

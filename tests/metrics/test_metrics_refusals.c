@@ -77,7 +77,7 @@ static void time_is_monotonic(void **state)
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_add_pull(f.metrics, &p));
     expect_ok(vbss_metrics_finish(f.metrics));
     s.time = 2.0;
-    expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
+    expect_sample(&f, &s, VBSS_ERROR_WRONG_STATE);
     report(&f, VBSS_METRICS_EVENT_DROP, 0, 2.0, 0.0);
     end(&f);
 }
@@ -165,9 +165,9 @@ static void unknown_tools_phases_and_fields_are_rejected(void **state)
     vbss_view v;
     begin_and_make(&f);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_motion(f.metrics, 2, -1, &m, sizeof m));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_motion(f.metrics, 0, 0, &m, sizeof m));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_bimanual(f.metrics, -2, &b, sizeof b));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_phase(f.metrics, 0, &p, sizeof p));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_metrics_get_motion(f.metrics, 0, 0, &m, sizeof m));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_metrics_get_bimanual(f.metrics, -2, &b, sizeof b));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_metrics_get_phase(f.metrics, 0, &p, sizeof p));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_view(f.metrics, 6, &v, sizeof v));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_view(f.metrics, -1, &v, sizeof v));
     expect_ok(vbss_metrics_get_view(f.metrics, 5, &v, sizeof v));

@@ -140,7 +140,7 @@ static void zero_weight_faults_are_reported(void **state)
     assert_int_equal(penalty_of(&f, 0).kind, VBSS_METRICS_PENALTY_GRANNY);
     expect_same_bits(0.0, penalty_of(&f, 0).amount);
     vbss_metrics_penalty p;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_penalty(f.metrics, 1, &p, sizeof p));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_metrics_get_penalty(f.metrics, 1, &p, sizeof p));
     end(&f);
 }
 

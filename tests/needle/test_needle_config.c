@@ -49,6 +49,42 @@ static void presets_change_shape_only(void **state)
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_needle_config_preset(&c, VBSS_NEEDLE_PRESET_SH));
 }
 
+static void shape_of_a_catalogue_has_its_length(void **state)
+{
+    (void)state;
+    vbss_needle_config c, usual;
+    expect_ok(vbss_needle_config_init(&usual, sizeof usual));
+    const double circles[] = {0.05, 0.375, 0.5, 0.625, 0.9};
+    for (int k = 0; k < 5; k++) {
+        c = usual;
+        expect_ok(vbss_needle_config_shape(&c, circles[k], 26e-3, 0.6e-3));
+        expect_near(26e-3, c.radius * c.arc, 1e-17);
+        expect_near(2.0 * PI * circles[k], c.arc, 1e-15);
+        expect_same_bits(0.3e-3, c.wire_radius);
+        c.radius = usual.radius;
+        c.arc = usual.arc;
+        c.wire_radius = usual.wire_radius;
+        assert_memory_equal(&c, &usual, sizeof c);
+    }
+    const struct {
+        double circle, length, wire;
+    } bad[] = {{0.049, 26e-3, 0.6e-3}, {0.91, 26e-3, 0.6e-3}, {0.5, 0.9e-3, 0.1e-3},
+               {0.5, 1.1, 0.6e-3},     {0.5, 26e-3, 0.9e-5},  {0.5, 26e-3, 3.32e-3},
+               {0.5, 26e-3, -1.0}};
+    for (int k = 0; k < 7; k++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_needle_config_shape(&c, bad[k].circle, bad[k].length, bad[k].wire));
+    }
+    for (int k = 0; k < 3; k++) {
+        double x = harness_bad_numbers[k];
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_needle_config_shape(&c, x, 26e-3, 0.6e-3));
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_needle_config_shape(&c, 0.5, x, 0.6e-3));
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_needle_config_shape(&c, 0.5, 26e-3, x));
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_config_shape(NULL, 0.5, 26e-3, 0.6e-3));
+    assert_memory_equal(&c, &usual, sizeof c);
+}
+
 /* ---- bad numbers */
 
 static void expect_config(const fixture *f, vbss_result wanted)
@@ -203,8 +239,11 @@ static void bad_choices_are_rejected(void **state)
 int test_needle_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(null_config_is_default),   harness_test(presets_change_shape_only),
-        harness_test(bad_numbers_are_rejected), harness_test(bad_orientations_are_rejected),
+        harness_test(null_config_is_default),
+        harness_test(presets_change_shape_only),
+        harness_test(shape_of_a_catalogue_has_its_length),
+        harness_test(bad_numbers_are_rejected),
+        harness_test(bad_orientations_are_rejected),
         harness_test(bad_choices_are_rejected),
     };
     return cmocka_run_group_tests_name("needle.needle_config", tests, NULL, NULL);

@@ -27,7 +27,7 @@ def test_a_drain_rests_and_is_pulled(context):
     drain.set_state(velocities=[[0.0] * 3] * 137)
     with pytest.raises(ValueError):
         drain.set_state(positions=[[0.0] * 3], velocities=[[0.0] * 3] * 2)
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.InUseError):
         drain.attach("pin", drain.anchors[0], position=(0, 0, 0))
     assert "137 nodes" in repr(drain)
 

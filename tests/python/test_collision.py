@@ -73,7 +73,7 @@ def test_shapes_are_searched(context):
     collision.restore(saved)
     assert collision.state_hash == wanted
     collision.remove(sheet)
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.NotFoundError):
         collision.remove(sheet)
     with pytest.raises(vb.OutOfRangeError):
         collision.add_mesh(3, [[0, 1, 7]])

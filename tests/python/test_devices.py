@@ -167,7 +167,7 @@ def test_a_mock_without_a_function_gives_its_sample(context):
     mock.set_sample(time=1.0, position=(0.01, 0.02, 0.03))
     device = vb.Device(mock)
     assert device.read(1.0).position == (0.01, 0.02, 0.03)
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.IncompatibleError):
         mock.add_fault("late", 0.0, 1.0, 0.1)
 
 

@@ -43,9 +43,9 @@ def test_winding_about_a_tool_is_counted(context):
     detector.step(helix(), tools=[tool], holes=[(0.0, 0.0, 0.0)], hole_places=[0.0], reversed=False)
     assert abs(detector.winding(0).turns) == pytest.approx(0.3 * 59 / (2 * math.pi), rel=0.02)
     assert detector.winding(0).wrapped == 1
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.NotFoundError):
         detector.winding(1)
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.NotFoundError):
         detector.throw(0)
 
 

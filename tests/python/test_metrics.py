@@ -116,11 +116,11 @@ def test_an_offset_is_seen_from_the_mark():
 
 @pytest.mark.parametrize("use, error", [
     (lambda m: m.add_event("sneeze", 11.0), vb.OutOfRangeError), (lambda m: m.add_event("throw", 1.0), vb.OutOfRangeError),
-    (lambda m: m.add_event("throw", 11.0, number=2, undone=1), vb.OutOfRangeError),
+    (lambda m: m.add_event("throw", 11.0, number=2, undone=1), vb.NotFoundError),
     (lambda m: m.add_event("throw", 11.0, wrap=1), TypeError), (lambda m: m.add_sample(math.nan), vb.NotFiniteError),
     (lambda m: m.add_sample(11.0, (0.0, 0.0)), ValueError), (lambda m: m.add_pull(11.0, tied=2), vb.OutOfRangeError),
-    (lambda m: m.motion("no_tool"), vb.OutOfRangeError), (lambda m: m.motion("left", 7), vb.OutOfRangeError),
-    (lambda m: m.bimanual(-2), vb.OutOfRangeError), (lambda m: m.speed("no_tool"), vb.OutOfRangeError)])
+    (lambda m: m.motion("no_tool"), vb.OutOfRangeError), (lambda m: m.motion("left", 7), vb.NotFoundError),
+    (lambda m: m.bimanual(-2), vb.NotFoundError), (lambda m: m.speed("no_tool"), vb.OutOfRangeError)])
 def test_what_is_refused_changes_nothing(context, use, error):
     metrics = vb.Metrics(context)
     metrics.add_event("needle_appears", 10.0)

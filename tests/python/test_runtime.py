@@ -34,7 +34,7 @@ def test_settings_are_those_that_were_set(stage):
     info = scene.body_info(ball)
     assert (info.friction, info.category, info.mask) == (0.7, 2, 0xfffffffe)
     assert scene.body_info(0).kind == vb.SceneBodyKind.FLOOR and scene.body_info(0).friction == 0.2
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.IncompatibleError):
         scene.set_coupling(ball, 1.0, 1.0, 1.0, 1.0)
 
 
@@ -57,7 +57,7 @@ def test_bodies_are_found_by_number(context):
     kinds = [scene.body_info(body).kind for body in scene.bodies]
     assert kinds == [vb.SceneBodyKind.RIGID, vb.SceneBodyKind.DRAIN, vb.SceneBodyKind.NEEDLE, vb.SceneBodyKind.GRASPER]
     assert len({scene.drain_handle(drain), scene.needle_handle(needle), scene.grasper_handle(grasper)}) == 3
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.IncompatibleError):
         scene.needle_handle(ball)
     assert scene.user_data(ball) == 0
     scene.set_user_data(ball, 12345)

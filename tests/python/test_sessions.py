@@ -37,7 +37,7 @@ def test_the_task_begins_with_the_needle(context):
     assert heard == session.events
     assert metrics.report.flags & vb.MetricsFlagBits.STARTED and metrics.report.samples == 5
     assert "LOADING" in repr(session)
-    with pytest.raises(vb.errors.OutOfRangeError):
+    with pytest.raises(vb.errors.NotFoundError):
         session.event(2)
 
 
@@ -111,7 +111,7 @@ def test_devices_move_the_tools(context):
 
 def test_what_does_not_fit_is_refused(context):
     rig = Rig(context)
-    with pytest.raises(vb.errors.OutOfRangeError):
+    with pytest.raises(vb.errors.IncompatibleError):
         vb.Session(rig.scene, thread=1, needle=1, drain=1, tools=(1, 1))
     with pytest.raises(TypeError):
         rig.session(knots=rig.scene)

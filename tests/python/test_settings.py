@@ -54,6 +54,37 @@ def test_bad_settings_of_a_thread_are_refused(context, settings, error):
     assert context.statistics.objects_alive == 0
 
 
+def test_sutures_and_needles_by_size(context):
+    braid = vb.Thread(context, suture=("silk", "2-0"), length=0.1)
+    rod = vb.Thread(context, suture=(vb.ThreadMaterial.NYLON, vb.ThreadUspSize.USP_2_0), length=0.1)
+    assert braid.momentum.mass == pytest.approx(1305.0 * math.pi * 0.16e-3**2 * 0.1)
+    assert rod.momentum.mass == pytest.approx(1140.0 * math.pi * 0.16e-3**2 * 0.1)
+    half = vb.Needle(context, shape=(0.5, 26e-3, 0.6e-3))
+    assert math.dist(half.state.tip, half.state.swage) == pytest.approx(2.0 * 26e-3 / math.pi)
+    with pytest.raises(vb.OutOfRangeError):
+        vb.Thread(context, suture=("wool", "2-0"))
+    with pytest.raises(vb.OutOfRangeError):
+        vb.Thread(context, suture=("silk", "1-0"))
+    with pytest.raises(vb.OutOfRangeError):
+        vb.Needle(context, shape=(1.0, 26e-3, 0.6e-3))
+
+
+@pytest.mark.parametrize("kind, name, bad", [
+    (vb.Thread, "thread_damping", 1.1), (vb.Drain, "drain_stiffness", -1.0), (vb.Grasper, "grasper_distance", 0.2),
+    (vb.Scene, "scene_pass_limit", 0), (vb.Collision, "collision_unit", 0.0)])
+def test_parameters_of_the_baseline_are_a_mapping(context, kind, name, bad):
+    defaults = vb.baseline_defaults()
+    assert name in defaults
+    kind(context, method="vblast", baseline=defaults).close()
+    kind(context, method="vblast", baseline={}).close()
+    with pytest.raises(vb.OutOfRangeError, match=name):
+        kind(context, method="vblast", baseline={name: bad})
+    with pytest.raises(TypeError, match="no setting 'paper'"):
+        kind(context, baseline={"paper": 1})
+    with pytest.raises(TypeError, match="not a mapping"):
+        kind(context, baseline=7)
+
+
 @pytest.mark.parametrize("points", [[[0.0, 1.0], [0.0, 1.0], [0.0, 1.0]], [[0.0] * 6, [1.0] * 6], [[0.0] * 3, [1.0] * 2, [2.0] * 4]])
 def test_rows_of_another_length_are_refused(context, points):
     with pytest.raises(ValueError, match="rows of 3"):

@@ -50,7 +50,7 @@ def test_wrong_uses_are_reported(context):
     visual.add(vb.Needle(context))
     with pytest.raises(vb.CapacityError):
         visual.add(vb.Needle(context))
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.NotFoundError):
         visual.remove(3)
     with pytest.raises(vb.OutOfRangeError):
         vb.Visual(context, side_limit=3)

@@ -8,6 +8,9 @@
 #include "record/step_codec.h"
 #include "record/compression.h"
 
+/* Kinds of inputs that coded steps can have. */
+enum { CODED_KINDS = 15 };
+
 enum { ROOM = 1 << 16, INPUTS = 40 };
 
 /* ---- numbers */
@@ -113,7 +116,7 @@ static void draw_step(harness_source *source, log_step *step)
     if (harness_draw_below(source, 3) == 0) {
         step->input_count = harness_draw_below(source, INPUTS + 1);
         for (uint32_t i = 0; i < step->input_count; i++) {
-            step->kinds[i] = (uint8_t)(1 + harness_draw_below(source, LOG_INPUT_KINDS - 1));
+            step->kinds[i] = (uint8_t)(1 + harness_draw_below(source, CODED_KINDS));
             step->inputs[i] = (vbss_record_input){.kind = step->kinds[i]};
             for (uint32_t n = 0; n < vbss_log_input_shapes[step->kinds[i]].words; n++) {
                 step->inputs[i].words[n] = harness_draw_below(source, 8) == 0

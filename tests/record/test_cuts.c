@@ -103,7 +103,7 @@ static void rejected_cuts_are_not_recorded(void **state)
     begin(&c, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(c.scene, NULL, &record));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_cut_thread(record, 1, 0.01, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_cut_thread(record, 2, 0.01, &piece));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_cut_thread(record, 2, 0.01, &piece));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_cut_thread(record, 1, 0.0, &piece));
     expect_result(VBSS_ERROR_NOT_FINITE,
                   vbss_record_cut_thread(record, 1, harness_bad_numbers[0], &piece));
@@ -111,7 +111,7 @@ static void rejected_cuts_are_not_recorded(void **state)
     assert_int_equal(piece, 77);
     expect_ok(vbss_record_step(record, 1e-3));
     expect_ok(vbss_scene_cut_thread(c.scene, 1, 0.01, &piece)); /* past the record */
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(record, 1e-3));
     harness_context_end(c.context, &c.memory);
 }
 

@@ -155,19 +155,18 @@ static void rejected_commands_are_not_recorded(void **state)
     tools_make(&s, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(s.scene, NULL, &record));
     uint64_t hash = stage_hash(&s);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 9, tip, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 1, tip, NULL));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_set_grasper_target(record, 9, tip, NULL));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_set_grasper_target(record, 1, tip, NULL));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_set_grasper_target(record, 2, NULL, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 2, far, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 2, tip, none));
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_set_grasper_target(record, 2, odd, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_opening(record, 2, 1.5));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_opening(record, 1, 0.5));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_set_opening(record, 1, 0.5));
     expect_result(VBSS_ERROR_NOT_FINITE,
                   vbss_record_set_opening(record, 2, harness_bad_numbers[1]));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_exchange(record, 2, 3));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_record_exchange(record, 0, VBSS_GRASPER_KIND_SHEARS));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_exchange(record, 0, VBSS_GRASPER_KIND_SHEARS));
     assert_true(stage_hash(&s) == hash);
     expect_ok(vbss_record_step(record, 1e-3));
     expect_ok(vbss_record_destroy(record));

@@ -170,7 +170,7 @@ static void null_pointers_are_rejected(void **state)
     assert_null(replay);
     replay = replay_of(&s, &log);
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_replay_check(replay, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_replay_step(replay, &report, sizeof report));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_replay_step(replay, &report, sizeof report));
     assert_non_null(strstr(last_text(s.context), "not begun"));
     stage_end(&s);
     log_free(&log);

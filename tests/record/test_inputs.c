@@ -31,27 +31,27 @@ static void inputs_rejected_by_scene_are_not_recorded(void **state)
     const uint32_t tool = r.s.tools[0], body = r.s.body, force = r.s.force;
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_set_rigid_target(record, tool, NULL, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_rigid_target(record, tool, far, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_INCOMPATIBLE,
                   vbss_record_set_rigid_target(record, body, somewhere, NULL));
     far[1] = harness_bad_numbers[0];
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_set_rigid_target(record, tool, far, NULL));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_pin_thread(record, body, 9, 0, NULL, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_IN_USE,
                   vbss_record_pin_thread(record, body, 0, tool, NULL, &id)); /* held */
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_unpin_thread(record, 9));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_unpin_thread(record, 9));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_attach(record, body, NULL, &id));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_attach(record, body, &bad, NULL));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_attach(record, body, &bad, &id));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_attach(record, tool, &bad, &id));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_attach(record, tool, &bad, &id));
     bad.struct_size = 111;
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_record_attach(record, body, &bad, &id));
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
                   vbss_record_set_attachment_target(record, body, force, NULL, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_record_set_attachment_target(record, body, 999, somewhere, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_INCOMPATIBLE,
                   vbss_record_set_attachment_target(record, tool, force, somewhere, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_detach(record, body, 999));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_detach(record, body, 999));
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_step(record, harness_bad_numbers[1]));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 0.2));
     assert_int_equal(id, 77);
@@ -227,9 +227,9 @@ static void after_end_only_taking_is_allowed(void **state)
     recorder_begin(&r, NULL);
     stage_step(&r.s, r.record);
     expect_ok(vbss_record_end(r.record));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_end(r.record));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(r.record, 1e-3));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_end(r.record));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(r.record, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE,
                   vbss_record_pin_thread(r.record, r.s.body, 5, 0, NULL, &id));
     recorder_end(&r, 1);
 }

@@ -196,7 +196,7 @@ static vbss_result begin_in(const log_bytes *log, const stage_options *options, 
         vbss_replay_report report;
         assert_non_null(strstr(last_text(s.context), named));
         assert_true(stage_hash(&s) == hash);
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_replay_step(replay, &report, sizeof report));
+        expect_result(VBSS_ERROR_WRONG_STATE, vbss_replay_step(replay, &report, sizeof report));
     }
     stage_end(&s);
     return result;

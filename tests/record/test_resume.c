@@ -203,7 +203,7 @@ static void bad_resume_arguments_are_rejected(void **state)
     stage_begin(&s, NULL);
     log_bytes log = first_part(3);
     vbss_replay *replay = replay_of(&s, &log);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_resume(replay, NULL, &record, &position));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_resume(replay, NULL, &record, &position));
     assert_non_null(strstr(last_text(s.context), "not begun"));
     expect_ok(vbss_replay_begin(replay, s.scene));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_resume(replay, NULL, NULL, &position));
@@ -215,7 +215,7 @@ static void bad_resume_arguments_are_rejected(void **state)
     vbss_replay_report report;
     expect_ok(vbss_record_resume(replay, NULL, &record, &position));
     expect_ok(vbss_replay_seek(replay, 1, &report, sizeof report));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(record, 1e-3));
     stage_end(&s);
     log_free(&log);
 }

@@ -156,7 +156,7 @@ static void missing_step_is_rejected_and_nothing_moves(void **state)
     vbss_replay_report report;
     sought_begin(&p, INTERVAL);
     (void)seek(&p, 21);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_replay_seek(p.replay, LENGTH + 1, &report, sizeof report));
     assert_int_equal(report.step, 21);
     assert_true(stage_hash(&p.s) == p.hashes[21]);
@@ -168,7 +168,7 @@ static void missing_step_is_rejected_and_nothing_moves(void **state)
     expect_result(VBSS_ERROR_CORRUPT, vbss_replay_step(p.replay, &report, sizeof report));
     (void)seek(&p, 22); /* and it can be left again */
     vbss_replay *fresh = replay_of(&p.s, &p.log);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_replay_seek(fresh, 1, &report, sizeof report));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_replay_seek(fresh, 1, &report, sizeof report));
     assert_non_null(strstr(last_text(p.s.context), "not begun"));
     sought_end(&p);
 }

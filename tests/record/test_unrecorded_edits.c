@@ -80,7 +80,7 @@ static void unrecorded_edit_is_detected(void **state)
             vbss_record_attach(r.record, r.s.body, &a, &id),
         };
         for (int k = 0; k < 4; k++) {
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, results[k]);
+            expect_result(VBSS_ERROR_WRONG_STATE, results[k]);
         }
         assert_non_null(strstr(last_text(r.s.context), "past the record after step 2"));
         assert_true(stage_hash(&r.s) == hash);
@@ -112,7 +112,7 @@ static void unrecorded_drain_edit_is_detected(void **state)
     expect_ok(vbss_record_step(record, 1e-3)); /* its own steps are no edits */
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
     expect_ok(vbss_drain_attach(drain, &a, &id));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(record, 1e-3));
     assert_non_null(strstr(last_text(context), "past the record after step 2"));
     harness_context_end(context, &memory);
 }
@@ -133,7 +133,7 @@ static void refused_call_leaves_record_alive(void **state)
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_cut_thread(r.record, r.s.body, 5.0, &id));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_record_pin_thread(r.record, r.s.body, 999, 0, NULL, &id));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_unpin_thread(r.record, 77));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_unpin_thread(r.record, 77));
     thread_object *t = ((vbss_slot *)r.s.thread)->object;
     const uint32_t last_id = t->last_id;
     t->last_id = UINT32_MAX; /* no room for the attachment, which the pin finds last */

@@ -112,9 +112,10 @@ static inline void cut_follow(contact_scene *c, const scene_object *s, uint32_t 
     for (uint32_t i = 0; i < c->hand_count; i++) {
         contact_hand *hand = &c->hands[i];
         const vbss_slot *slot = (const vbss_slot *)hand->thread;
-        if (hand->id != 0 && vbss_thread_find_attachment(slot->object, hand->id) == NULL) {
-            thread_attachment *a = vbss_thread_find_attachment(piece->thread.thread, hand->id);
-            assert_non_null(a);
+        thread_attachment *a;
+        if (hand->id != 0 &&
+            vbss_thread_find_attachment(slot->object, hand->id, &a) == VBSS_ERROR_NOT_FOUND) {
+            expect_ok(vbss_thread_find_attachment(piece->thread.thread, hand->id, &a));
             hand->thread = (vbss_thread *)piece->thread.slot;
             hand->node = a->node;
         }

@@ -1,6 +1,7 @@
 #include "scene/cut_throw.h"
 
 #include "base/elementary.h"
+#include "fixtures/step_events.h"
 
 enum { SHUTTING = 150, MAX_SHUTTING = 400 }; /* steps that blades take; what waits shuts later */
 
@@ -11,10 +12,9 @@ static void follow(contact_scene *c, const scene_object *s)
         contact_hand *hand = &c->hands[i];
         for (uint32_t k = 0; k < s->body_count; k++) {
             const scene_body *b = &s->bodies[k];
-            thread_attachment *a = b->kind == SCENE_BODY_THREAD && hand->id != 0
-                                       ? vbss_thread_find_attachment(b->thread.thread, hand->id)
-                                       : NULL;
-            if (a != NULL) {
+            thread_attachment *a;
+            if (b->kind == SCENE_BODY_THREAD && hand->id != 0 &&
+                vbss_thread_find_attachment(b->thread.thread, hand->id, &a) == VBSS_OK) {
                 hand->thread = (vbss_thread *)b->thread.slot;
                 hand->node = a->node;
             }
@@ -24,14 +24,12 @@ static void follow(contact_scene *c, const scene_object *s)
 
 static uint32_t cuts_of_step(const contact_scene *c)
 {
-    vbss_view view;
+    const step_events events = step_events_of(c->scene);
     uint32_t cuts = 0;
-    expect_ok(vbss_scene_get_view(c->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
-    for (uint64_t i = 0; i < view.count; i++) {
-        uint32_t words[4];
-        memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
-        cuts += words[0] == VBSS_SCENE_EVENT_CUT;
-        assert_true(words[0] != VBSS_SCENE_EVENT_CUT || words[2] != 0);
+    for (uint32_t i = 0; i < events.count; i++) {
+        const vbss_scene_event *e = &events.of[i];
+        cuts += e->kind == VBSS_SCENE_EVENT_CUT;
+        assert_true(e->kind != VBSS_SCENE_EVENT_CUT || e->body_b != 0);
     }
     return cuts;
 }

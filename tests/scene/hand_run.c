@@ -5,6 +5,7 @@
 #include "base/rotation.h"
 #include "scene/api/inspect.h"
 #include "fixtures/scene_build.h"
+#include "fixtures/step_events.h"
 
 enum { SEGMENTS = 90 };
 static const double fastest = 50.0; /* m/s */
@@ -189,13 +190,8 @@ void hand_run_start(hand_run *r, double speed)
 
 static void count_grasps(hand_run *r)
 {
-    vbss_view view;
-    expect_ok(vbss_scene_get_view(r->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
-    for (uint64_t i = 0; i < view.count; i++) {
-        uint32_t kind;
-        memcpy(&kind, (const char *)view.data + i * view.stride_bytes, sizeof kind);
-        r->grasps += kind == (uint32_t)VBSS_SCENE_EVENT_GRASP;
-    }
+    vbss_scene_event last;
+    r->grasps += step_events_find(r->scene, VBSS_SCENE_EVENT_GRASP, &last);
 }
 
 void hand_run_steps(hand_run *r, uint32_t count)

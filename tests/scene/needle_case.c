@@ -247,10 +247,10 @@ void needle_case_step(needle_case *c)
         vbss_scene_set_tool_target(small_object(&c->d.s), r, pose_mul(c->hand, r->frame));
     }
     drain_case_step(&c->d);
-    vbss_view events = small_view(&c->d.s, VBSS_SCENE_VIEW_EVENTS);
+    const step_events events = step_events_of(c->d.s.scene);
     memset(c->happened, 0, sizeof c->happened);
-    for (uint64_t i = 0; i < events.count; i++) {
-        uint32_t kind = *(const uint32_t *)((const char *)events.data + i * events.stride_bytes);
+    for (uint32_t i = 0; i < events.count; i++) {
+        const uint32_t kind = (uint32_t)events.of[i].kind;
         assert_true(kind < NEEDLE_CASE_EVENTS);
         c->happened[kind]++;
         c->counts[kind]++;

@@ -5,7 +5,7 @@
 
 #include "scene/drain_case.h"
 
-enum { NEEDLE_CASE_HOLES = 16, NEEDLE_CASE_EVENTS = VBSS_SCENE_EVENT_UNBLOCKED + 1 };
+enum { NEEDLE_CASE_HOLES = 16, NEEDLE_CASE_EVENTS = VBSS_SCENE_EVENT_OVERDUE + 1 };
 
 typedef struct needle_case {
     drain_case d; /* change it and the needle's configuration before what they make */

@@ -77,7 +77,7 @@ static const double middle[3] = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
 /* One step, after which the tip is so far beyond the middle of the wall at rest. */
 static inline void go(prick *p, double depth)
 {
-    uint32_t event[4];
+    vbss_scene_event event;
     double tip[3], turn[4];
     pose needle = p->first;
     needle.position = vec3_add_scaled(needle.position, depth - START, p->into);
@@ -85,9 +85,9 @@ static inline void go(prick *p, double depth)
     pose_store(pose_mul(needle, p->hold), tip, turn);
     expect_ok(vbss_grasper_set_target(p->r.tools.tools[0], tip, turn));
     tools_steps(&p->r.tools, 1);
-    p->in += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_PUNCTURE, event);
-    p->out += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_WITHDRAWN, event);
-    p->lost += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_HOLE_LOST, event);
+    p->in += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_PUNCTURE, &event);
+    p->out += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_WITHDRAWN, &event);
+    p->lost += tools_happened(&p->r.tools, VBSS_SCENE_EVENT_HOLE_LOST, &event);
     p->depth = depth;
 }
 

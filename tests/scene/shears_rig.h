@@ -15,7 +15,7 @@ typedef struct shears_rig {
     tools_rig tools;
     /* Of all steps. */
     uint32_t cuts, failed_cuts, steps;
-    uint32_t first[4], last[4]; /* events */
+    vbss_scene_event first, last; /* cuts */
 } shears_rig;
 
 /* No scene yet: change tools.s.config and tools.s.thread, then small_create. */
@@ -84,18 +84,17 @@ static inline uint32_t shears_tool(shears_rig *r, vbss_grasper_kind kind, double
 
 static inline void shears_note(shears_rig *r)
 {
-    vbss_view view = small_view(&r->tools.s, VBSS_SCENE_VIEW_EVENTS);
+    const step_events events = step_events_of(r->tools.s.scene);
     r->steps++;
-    for (uint64_t i = 0; i < view.count; i++) {
-        uint32_t words[4];
-        memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
-        if (words[0] == VBSS_SCENE_EVENT_CUT) {
+    for (uint32_t i = 0; i < events.count; i++) {
+        const vbss_scene_event *e = &events.of[i];
+        if (e->kind == VBSS_SCENE_EVENT_CUT) {
             if (r->cuts + r->failed_cuts == 0) {
-                memcpy(r->first, words, sizeof words);
+                r->first = *e;
             }
-            memcpy(r->last, words, sizeof words);
-            r->cuts += words[2] != 0;
-            r->failed_cuts += words[2] == 0;
+            r->last = *e;
+            r->cuts += e->body_b != 0;
+            r->failed_cuts += e->body_b == 0;
         }
     }
 }

@@ -213,17 +213,7 @@ scene_object *small_object(const small *s)
     return object;
 }
 
-uint32_t small_events(const small *s, vbss_scene_event_kind kind, uint32_t event[4])
+uint32_t small_events(const small *s, vbss_scene_event_kind kind, vbss_scene_event *event)
 {
-    vbss_view view = small_view(s, VBSS_SCENE_VIEW_EVENTS);
-    uint32_t count = 0;
-    for (uint64_t i = 0; i < view.count; i++) {
-        uint32_t words[4];
-        memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
-        if (words[0] == (uint32_t)kind) {
-            memcpy(event, words, sizeof words);
-            count++;
-        }
-    }
-    return count;
+    return step_events_find(s->scene, kind, event);
 }

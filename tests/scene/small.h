@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "fixtures/step_events.h"
 #include "harness/harness.h"
 #include "scene/api/api.h"
 #include "scene/world/world.h"
@@ -63,6 +64,6 @@ double small_thread_energy(vbss_thread *thread, double axial_stiffness);
 /* The inside. */
 scene_object *small_object(const small *s);
 /* How many events of that kind the last step had, and the last of them. */
-uint32_t small_events(const small *s, vbss_scene_event_kind kind, uint32_t event[4]);
+uint32_t small_events(const small *s, vbss_scene_event_kind kind, vbss_scene_event *event);
 
 #endif

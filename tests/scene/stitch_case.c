@@ -316,10 +316,10 @@ void stitch_case_step(stitch_case *c)
 {
     small_steps(&c->s, 1, c->h);
     c->steps++;
-    vbss_view events = small_view(&c->s, VBSS_SCENE_VIEW_EVENTS);
+    const step_events events = step_events_of(c->s.scene);
     memset(c->happened, 0, sizeof c->happened);
-    for (uint64_t i = 0; i < events.count; i++) {
-        uint32_t kind = *(const uint32_t *)((const char *)events.data + i * events.stride_bytes);
+    for (uint32_t i = 0; i < events.count; i++) {
+        const uint32_t kind = (uint32_t)events.of[i].kind;
         assert_true(kind < STITCH_CASE_EVENTS);
         c->happened[kind]++;
         c->counts[kind]++;

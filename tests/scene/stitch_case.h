@@ -6,7 +6,7 @@
 #include "scene/stitch_watch.h"
 #include "fixtures/stitch_scenes.h"
 
-enum { STITCH_CASE_EVENTS = VBSS_SCENE_EVENT_UNBLOCKED + 1 };
+enum { STITCH_CASE_EVENTS = VBSS_SCENE_EVENT_OVERDUE + 1 };
 
 typedef struct stitch_case_hand {
     vbss_thread *thread; /* NULL: it holds nothing */

@@ -59,7 +59,8 @@ static void cut_above_capacity_only_emits_event(void **state)
     (void)state;
     small s;
     vbss_thread *thread;
-    uint32_t piece = 77, event[4];
+    vbss_scene_event event;
+    uint32_t piece = 77;
     small_begin_scene(&s);
     s.thread.cut_capacity = 1;
     uint32_t body = small_thread(&s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 20, &thread);
@@ -70,15 +71,15 @@ static void cut_above_capacity_only_emits_event(void **state)
     for (int k = 0; k < 2; k++) {
         expect_result(VBSS_ERROR_CAPACITY,
                       vbss_scene_cut_thread(s.scene, bodies[k], 4.5e-3, &piece));
-        assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_CUT, event), k + 1);
-        assert_int_equal(event[1], bodies[k]);
-        assert_int_equal(event[2], 0);
-        assert_int_equal(event[3], 4500);
+        assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_CUT, &event), k + 1);
+        assert_int_equal(event.body_a, bodies[k]);
+        assert_int_equal(event.body_b, 0);
+        expect_near(4.5e-3, event.arc_length, 1e-9);
     }
     assert_int_equal(piece, 77);
     assert_true(small_hash(&s) == hash);
     small_steps(&s, 2, 1e-3);
-    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_CUT, event), 0);
+    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_CUT, &event), 0);
     small_end(&s);
 }
 
@@ -90,14 +91,12 @@ static void cut_events_above_capacity_are_counted(void **state)
     s.config.event_capacity = 2;
     small_create(&s);
     s.thread.cut_capacity = 5;
-    uint32_t body = small_thread(&s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 20, NULL), event[4];
+    vbss_scene_event event;
+    uint32_t body = small_thread(&s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 20, NULL);
     for (uint32_t k = 1; k <= 5; k++) {
         (void)cut_at(&s, body, 0.0185 - 2e-3 * k, NULL);
-        assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_CUT, event), k <= 2 ? k : 1);
-        if (k > 2) {
-            assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_LOST, event), 1);
-            assert_int_equal(event[3], k - 1);
-        }
+        assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_CUT, &event), k <= 2 ? k : 2);
+        assert_int_equal(small_object(&s)->events.lost, k <= 2 ? 0 : k - 2);
     }
     small_end(&s);
 }

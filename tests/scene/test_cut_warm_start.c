@@ -138,10 +138,10 @@ static void distant_cut_does_not_disturb_resting_thread(void **state)
     vec3 rested = small_node(thread, 5);
     (void)cut_at(&s, body, 0.035, NULL);
     small_steps(&s, 1, 1e-3);
-    uint32_t event[4];
-    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_TOUCH, event),
+    vbss_scene_event event;
+    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_TOUCH, &event),
                      1); /* the piece and its tool */
-    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_PART, event), 1);
+    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_PART, &event), 1);
     small_steps(&s, 100, 1e-3);
     assert_true(vec3_distance(rested, small_node(thread, 5)) < 2e-5);
     small_end(&s);

@@ -40,7 +40,7 @@ static void piece_lives_as_long_as_its_cut(void **state)
                       vbss_thread_get_statistics(first, &statistics, sizeof statistics));
         expect_result(k >= 2 ? VBSS_OK : VBSS_ERROR_INVALID_HANDLE,
                       vbss_thread_get_statistics(second, &statistics, sizeof statistics));
-        expect_result(k >= 1 ? VBSS_OK : VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(k >= 1 ? VBSS_OK : VBSS_ERROR_NOT_FOUND,
                       vbss_scene_get_thread(s.scene, 2, &found));
         assert_ptr_equal(found, k >= 1 ? first : NULL);
         assert_int_equal(cut_nodes(thread), k == 0 ? 21 : 12);

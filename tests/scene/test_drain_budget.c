@@ -31,7 +31,8 @@ static void steps_over_budget_pause(void **state)
     const uint32_t limits[] = {1, 20000, 60000};
     for (int k = 0; k < 3; k++) {
         limited l;
-        uint32_t event[4], paused = 0;
+        vbss_scene_event event;
+        uint32_t paused = 0;
         const drain_object *d = begin(&l, VBSS_SCENE_MODE_REAL_TIME, limits[k]);
         for (int i = 0; i < STEPS; i++) {
             vbss_scene_statistics now = step(&l);
@@ -40,8 +41,9 @@ static void steps_over_budget_pause(void **state)
             assert_true(waits ? now.time_paused > l.before.time_paused
                               : now.time_paused == l.before.time_paused);
             assert_true(now.operations > l.before.operations);
-            assert_int_equal(small_events(&l.s, VBSS_SCENE_EVENT_CLAMPED, event),
-                             waits + now.clamped - l.before.clamped);
+            assert_int_equal(small_events(&l.s, VBSS_SCENE_EVENT_PAUSED, &event), waits);
+            assert_int_equal(small_events(&l.s, VBSS_SCENE_EVENT_TRUNCATED, &event),
+                             now.clamped - l.before.clamped);
             assert_int_equal(now.steps, l.before.steps + 1);
         }
         vbss_scene_statistics s = small_statistics(&l.s);

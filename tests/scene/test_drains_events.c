@@ -9,18 +9,17 @@ typedef struct story {
 /* Events of a pair of bodies come in turn, and tell what the contacts show. */
 static void listen(const small *s, uint32_t a, uint32_t b, story *y)
 {
-    vbss_view events = small_view(s, VBSS_SCENE_VIEW_EVENTS);
+    const step_events events = step_events_of(s->scene);
     vbss_view contacts = small_view(s, VBSS_SCENE_VIEW_CONTACTS);
     bool shown = false;
-    for (uint64_t i = 0; i < events.count; i++) {
-        uint32_t e[4];
-        memcpy(e, (const char *)events.data + i * events.stride_bytes, sizeof e);
-        if (e[1] != a || e[2] != b) {
+    for (uint32_t i = 0; i < events.count; i++) {
+        const vbss_scene_event *e = &events.of[i];
+        if (e->body_a != a || e->body_b != b) {
             continue;
         }
-        assert_true(e[0] == VBSS_SCENE_EVENT_TOUCH || e[0] == VBSS_SCENE_EVENT_PART);
-        assert_int_equal(e[0] == VBSS_SCENE_EVENT_PART, y->touches);
-        assert_int_equal(e[3], 0);
+        assert_true(e->kind == VBSS_SCENE_EVENT_TOUCH || e->kind == VBSS_SCENE_EVENT_PART);
+        assert_int_equal(e->kind == VBSS_SCENE_EVENT_PART, y->touches);
+        assert_int_equal(e->id, 0);
         y->touches = !y->touches;
         y->touched += y->touches;
         y->parted += !y->touches;

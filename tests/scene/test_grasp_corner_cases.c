@@ -14,13 +14,13 @@ static void closing_on_nothing_holds_nothing(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4];
+    vbss_scene_event event;
     tools_begin_scene(&r);
     tools_add(&r, home);
     tools_open(&r, 0, 0.0);
     for (int i = 0; i < 200; i++) {
         tools_steps(&r, 1);
-        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event), 0);
+        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, &event), 0);
     }
     vbss_grasper_state tool = tools_state(&r, 0);
     expect_near(0.0, tool.jaw_angle, 0.0);
@@ -176,7 +176,8 @@ static void instant_close_and_open_grasps_and_releases(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4], taken = 0, released = 0;
+    vbss_scene_event event;
+    uint32_t taken = 0, released = 0;
     tools_begin_scene(&r);
     tools_thread(&r, TOOLS_BOTH, 2e-4);
     double length = tools_length(&r);
@@ -186,8 +187,8 @@ static void instant_close_and_open_grasps_and_releases(void **state)
         tools_open(&r, 0, i % 7 < 3 ? 0.4 : 0.0);
         tools_move(&r, 0, vec3_make(5e-4 * (i % 7) / 7.0, 0.0, -2e-3));
         tools_steps(&r, 1);
-        taken += tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event);
-        released += tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event);
+        taken += tools_happened(&r, VBSS_SCENE_EVENT_GRASP, &event);
+        released += tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, &event);
     }
     assert_true(taken > 200);
     assert_true(released == taken || released == taken + 1);
@@ -219,16 +220,16 @@ static void grasp_above_capacity_is_reported(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4];
+    vbss_scene_event event;
     tools_begin(&r);
     r.s.config.grasp_capacity = 0;
     small_create(&r.s);
     tools_thread(&r, TOOLS_BOTH, 0.0);
     tools_add(&r, home);
     tools_close(&r, 0);
-    assert_true(tools_happened(&r, VBSS_SCENE_EVENT_GRASP_LOST, event) == 1);
-    assert_int_equal(event[1], r.body);
-    assert_int_equal(event[2], r.bodies[0]);
+    assert_true(tools_happened(&r, VBSS_SCENE_EVENT_GRASP_LOST, &event) == 1);
+    assert_int_equal(event.body_a, r.body);
+    assert_int_equal(event.body_b, r.bodies[0]);
     assert_int_equal(tools_state(&r, 0).grasp_count, 0);
     assert_true(tools_state(&r, 0).jaw_angle > 0.01);
     tools_end(&r);

@@ -101,7 +101,8 @@ static void weaker_of_two_tools_slips(void **state)
     (void)state;
     for (int weak = 0; weak < 2; weak++) {
         tools_rig r;
-        uint32_t event[4], slips[2] = {0, 0};
+        vbss_scene_event event;
+        uint32_t slips[2] = {0, 0};
         tools_begin(&r);
         r.config.stiffness = 2000.0;
         r.config.turning_stiffness = 200.0;
@@ -116,8 +117,8 @@ static void weaker_of_two_tools_slips(void **state)
         for (uint32_t i = 1; i <= 2000; i++) {
             tools_move(&r, 1, vec3_make(0.0, 5e-3 + 2e-6 * i, -2e-3));
             tools_steps(&r, 1);
-            if (tools_happened(&r, VBSS_SCENE_EVENT_SLIP, event) > 0) {
-                slips[event[2] == r.bodies[1]]++;
+            if (tools_happened(&r, VBSS_SCENE_EVENT_SLIP, &event) > 0) {
+                slips[event.body_b == r.bodies[1]]++;
             }
             /* At every moment one bears what the other does. */
             expect_near(-tools_grasp(&r, 0, 0).force[1], tools_grasp(&r, 1, 0).force[1], 2e-3);
@@ -177,7 +178,8 @@ static void jaws_are_pried_open_above_closing_force(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4], torn = 0;
+    vbss_scene_event event;
+    uint32_t torn = 0;
     tools_begin(&r);
     r.config.closing_force = 0.5;
     r.config.turning_stiffness = 200.0;
@@ -188,7 +190,7 @@ static void jaws_are_pried_open_above_closing_force(void **state)
     for (uint32_t i = 1; i <= 4000 && torn == 0; i++) {
         tools_move(&r, 0, vec3_make(2e-6 * i, 0.0, -2e-3));
         tools_steps(&r, 1);
-        torn = tools_happened(&r, VBSS_SCENE_EVENT_TORN, event);
+        torn = tools_happened(&r, VBSS_SCENE_EVENT_TORN, &event);
         if (torn == 0) {
             assert_true(fabs(tools_grasp(&r, 0, 0).force[0]) <= 0.5 + 64.0 * 3000.0 * 2.5e-6);
         }
@@ -204,7 +206,8 @@ static void thread_is_torn_out_over_its_end(void **state)
     (void)state;
     for (int up = 0; up < 2; up++) {
         tools_rig r;
-        uint32_t event[4], count[VBSS_SCENE_EVENT_NOT_EXCHANGED + 1] = {0};
+        vbss_scene_event event;
+        uint32_t count[VBSS_SCENE_EVENT_NOT_EXCHANGED + 1] = {0};
         tools_begin(&r);
         r.config.closing_force = 0.5;
         small_create(&r.s);
@@ -218,7 +221,7 @@ static void thread_is_torn_out_over_its_end(void **state)
             tools_move(&r, 0, vec3_make(0.0, sign * 1e-5 * i, -2e-3));
             tools_steps(&r, 1);
             for (uint32_t k = VBSS_SCENE_EVENT_GRASP; k <= VBSS_SCENE_EVENT_SLIP; k++) {
-                count[k] += tools_happened(&r, (vbss_scene_event_kind)k, event);
+                count[k] += tools_happened(&r, (vbss_scene_event_kind)k, &event);
             }
         }
         assert_int_equal(count[VBSS_SCENE_EVENT_GRASP], 0); /* not again */

@@ -80,7 +80,7 @@ static void thread_through_a_tool_is_reported(void **state)
     expect_near(2e-3 + s.thread.radius, o.depth, 1e-9);
     assert_int_equal(overlap_of(&s, stick).body, body);
     vbss_scene_overlap none;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_overlap(s.scene, 99, &none, sizeof none));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_get_overlap(s.scene, 99, &none, sizeof none));
     small_end(&s);
 }
 

@@ -365,7 +365,7 @@ static uint32_t count_blockers(small *s)
     while (vbss_scene_get_blocker(s->scene, count, &found, sizeof found) == VBSS_OK) {
         count++;
     }
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_blocker(s->scene, count, &found, sizeof found));
     return count;
 }
@@ -381,14 +381,15 @@ static void blocked_pair_is_reported_once_until_it_is_free(void **state)
     s.config.mode = VBSS_SCENE_MODE_OFFLINE;
     small_create(&s);
     press p = add_press(&s);
-    uint32_t begun = 0, ended = 0, event[4];
+    vbss_scene_event event;
+    uint32_t begun = 0, ended = 0;
     double lost = 0.0;
     assert_int_equal(count_blockers(&s), 0);
     for (uint32_t i = 1; i <= SHUT + 2 * FREE_AFTER; i++) {
         close_press(&s, &p, i <= SHUT ? i : 0);
         small_steps(&s, 1, STEP);
-        begun += small_events(&s, VBSS_SCENE_EVENT_BLOCKED, event);
-        ended += small_events(&s, VBSS_SCENE_EVENT_UNBLOCKED, event);
+        begun += small_events(&s, VBSS_SCENE_EVENT_BLOCKED, &event);
+        ended += small_events(&s, VBSS_SCENE_EVENT_UNBLOCKED, &event);
         if (i != SHUT) {
             continue;
         }

@@ -8,7 +8,8 @@ static void jaws_grasp_needle_in_place(void **state)
     (void)state;
     for (int k = 0; k < 3; k++) {
         needles_rig r;
-        uint32_t event[4] = {0}, begun = 0;
+        vbss_scene_event event = {0};
+        uint32_t begun = 0;
         needles_begin_scene(&r);
         double arc = (0.25 + 0.25 * k) * r.config.arc * r.config.radius;
         needles_add_across(&r, arc, vec3_make(2e-4 * k, 0.0, 0.0));
@@ -17,12 +18,12 @@ static void jaws_grasp_needle_in_place(void **state)
         tools_open(&r.tools, 0, 0.0);
         for (uint32_t i = 0; i < 300; i++) {
             tools_steps(&r.tools, 1);
-            begun += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event);
+            begun += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event);
         }
         assert_int_equal(begun, 1);
-        assert_int_equal(event[1], r.body);
-        assert_int_equal(event[2], r.tools.bodies[0]);
-        expect_near(1e6 * arc, event[3], 300.0); /* a jaw may have pushed it before */
+        assert_int_equal(event.body_a, r.body);
+        assert_int_equal(event.body_b, r.tools.bodies[0]);
+        expect_near(arc, event.arc_length, 300e-6); /* a jaw may have pushed it before */
         pose after = pose_mul(pose_inverse(needles_jaws(&r, 0)), needles_pose(&r));
         double turned = fabs(quat_dot(before.orientation, after.orientation));
         expect_near(1.0, turned, 1e-4);
@@ -45,14 +46,14 @@ static void jaws_ignore_near_needle(void **state)
     const vec3 tips[] = {{0.0, 0.0, 1.5e-3}, {0.0, 30e-3, -2e-3}};
     for (int k = 0; k < 2; k++) {
         needles_rig r;
-        uint32_t event[4];
+        vbss_scene_event event;
         needles_begin_scene(&r);
         needles_add_across(&r, 10e-3, vec3_zero());
         tools_add(&r.tools, tips[k]);
         tools_open(&r.tools, 0, 0.0);
         for (uint32_t i = 0; i < 100; i++) {
             tools_steps(&r.tools, 1);
-            assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
+            assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 0);
         }
         expect_near(0.0, tools_state(&r.tools, 0).jaw_angle, 0.0);
         needles_end(&r);
@@ -96,7 +97,8 @@ static void needle_slides_above_friction_of_both_faces(void **state)
     (void)state;
     for (int k = 0; k < 2; k++) {
         needles_rig r;
-        uint32_t event[4], slips = 0, torn = 0;
+        vbss_scene_event event;
+        uint32_t slips = 0, torn = 0;
         needles_begin_scene(&r);
         r.tools.config.stiffness = r.tools.config.turning_stiffness = 1e7;
         r.tools.config.needle_torque = 100.0;
@@ -115,8 +117,8 @@ static void needle_slides_above_friction_of_both_faces(void **state)
         for (uint32_t i = 0; i < 200; i++) {
             b->rigid.body.gravity = vec3_make(0.0, 0.0, -gravity * vbss_min(1.0, (i + 1) / 20.0));
             tools_steps(&r.tools, 1);
-            slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, event);
-            torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
+            slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, &event);
+            torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, &event);
         }
         double fallen = before.z - needles_place(&r, middle, NULL).z;
         if (k == 0) {
@@ -139,7 +141,8 @@ static void needle_turns_above_torque_limit(void **state)
     (void)state;
     for (int k = 0; k < 2; k++) {
         needles_rig r;
-        uint32_t event[4], slips = 0;
+        vbss_scene_event event;
+        uint32_t slips = 0;
         needles_begin_scene(&r);
         r.tools.config.stiffness = r.tools.config.turning_stiffness = 1e7;
         r.tools.config.grip_friction = 10.0;
@@ -154,7 +157,7 @@ static void needle_turns_above_torque_limit(void **state)
             double share = vbss_min(1.0, (i + 1) / 20.0);
             b->rigid.body.gravity = vec3_make(0.0, -share * weight / b->rigid.body.mass, 0.0);
             tools_steps(&r.tools, 1);
-            slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, event);
+            slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, &event);
         }
         double cosine = fabs(quat_dot(before, needles_pose(&r).orientation));
         if (k == 0) {
@@ -229,7 +232,8 @@ static void needle_is_handed_over(void **state)
 {
     (void)state;
     needles_rig r;
-    uint32_t event[4], let_go = 0;
+    vbss_scene_event event;
+    uint32_t let_go = 0;
     needles_begin_scene(&r);
     r.config.gravity[1] = -9.81;
     needles_hold(&r);
@@ -238,11 +242,11 @@ static void needle_is_handed_over(void **state)
     tools_open(&r.tools, 0, 1.0);
     for (uint32_t i = 0; i < 300; i++) {
         tools_steps(&r.tools, 1);
-        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event);
+        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event);
     }
     assert_int_equal(let_go, 1);
-    assert_int_equal(event[1], r.body);
-    assert_int_equal(event[2], r.tools.bodies[0]);
+    assert_int_equal(event.body_a, r.body);
+    assert_int_equal(event.body_b, r.tools.bodies[0]);
     assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
     assert_int_equal(tools_state(&r.tools, 1).grasp_count, 1);
     expect_near(0.0, vec3_distance(before, vec3_load(needles_state(&r).tip)), 0.2e-3);

@@ -87,7 +87,8 @@ static uint32_t add_brush(needles_rig *r)
 static void expect_nothing_changed(uint32_t contacts, uint32_t candidates)
 {
     needles_rig r;
-    uint32_t holding = 0, taken = 0, let_go = 0, event[4];
+    vbss_scene_event event;
+    uint32_t holding = 0, taken = 0, let_go = 0;
     needles_begin(&r);
     r.tools.s.config.contact_capacity = contacts;
     r.tools.s.config.candidate_capacity = candidates;
@@ -108,8 +109,8 @@ static void expect_nothing_changed(uint32_t contacts, uint32_t candidates)
         assert_memory_equal(&before, &after, sizeof before);
         small_move(&r.tools.s, brush, vec3_make(0.0, 0.0, -5e-3));
         tools_steps(&r.tools, 1);
-        taken += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event);
-        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event);
+        taken += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event);
+        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event);
         holding += before.has_grasp;
     }
     assert_int_equal(taken, 1);

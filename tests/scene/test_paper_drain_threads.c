@@ -1,5 +1,6 @@
 /* Method VBLAST of scenes: threads, the floor and a drain. Both sides of such a pair are deformable: they share a response
  * as two threads do, by how far each came. */
+#include "fixtures/baseline_of.h"
 #include "scene/paper_drains.h"
 
 #define TOUCHING (HALF_WALL + RADIUS)
@@ -12,7 +13,7 @@ static hands place_across(stage *s, double height, uint32_t segments)
     memcpy(c.start, start, sizeof start);
     memcpy(c.direction, direction, sizeof direction);
     c.length = 0.06;
-    c.paper_damping = 0.01;
+    baseline_of(&c.baseline)->drain_damping = 0.01;
     add(s, 0, &c);
     return hold_ends(s, 0);
 }
@@ -101,7 +102,7 @@ static void moving_particle_yields_to_resting_thread(void **state)
     stage s;
     uint32_t n;
     vbss_drain_config c = paper_drain();
-    c.paper_damping = c.drag = 0.0;
+    baseline_of(&c.baseline)->drain_damping = c.drag = 0.0;
     begin(&s);
     make(&s);
     stage_drain d = add_drain(&s, &c);
@@ -161,7 +162,7 @@ static void two_drains_touch(void **state)
     make(&s);
     stage_drain d = add_drain(&s, &c);
     c.position[2] = 2.0 * RING_RADIUS + 1.2e-3;
-    c.paper_damping = c.drag = 0.0;
+    baseline_of(&c.baseline)->drain_damping = c.drag = 0.0;
     stage_drain e = add_drain(&s, &c);
     wait_for(&s, 2);
     assert_int_equal(0, statistics_of(&s).contacts);

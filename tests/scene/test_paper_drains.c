@@ -1,4 +1,5 @@
 /* Method VBLAST of scenes: tools and a drain, which yields where its edges are touched, and lets through what they miss. */
+#include "fixtures/step_events.h"
 #include "scene/paper_drains.h"
 
 /* ---- what collides */
@@ -56,13 +57,13 @@ static void expect_poked(stage *s, const stage_drain *d, uint32_t tool)
     assert_true(hand.z > 0.02 && hand.z < 0.05); /* not the 0.3 N of the spring: docs */
 }
 
-static uint32_t count_events(stage *s, uint32_t kind, uint32_t a, uint32_t b)
+static uint32_t count_events(stage *s, vbss_scene_event_kind kind, uint32_t a, uint32_t b)
 {
-    vbss_view v = view_of(s, VBSS_SCENE_VIEW_EVENTS);
-    const uint32_t *events = v.data;
+    const step_events events = step_events_of(s->scene);
     uint32_t count = 0;
-    for (uint64_t i = 0; i < v.count; i++) {
-        count += events[4 * i] == kind && events[4 * i + 1] == a && events[4 * i + 2] == b;
+    for (uint32_t i = 0; i < events.count; i++) {
+        const vbss_scene_event *e = &events.of[i];
+        count += e->kind == kind && e->body_a == a && e->body_b == b;
     }
     return count;
 }

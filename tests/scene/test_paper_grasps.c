@@ -1,6 +1,7 @@
 /* Grasping by method VBLAST: jaws that close near a node carry it exactly, and the first tool that has it leads. */
 #include <stdlib.h>
 
+#include "fixtures/baseline_of.h"
 #include "scene/tools_rig.h"
 
 static void begin(tools_rig *r, tools_ends ends)
@@ -10,21 +11,21 @@ static void begin(tools_rig *r, tools_ends ends)
     r->s.thread.bending_stiffness *= 0.1; /* a soft thread takes a third of the explicit steps */
     r->s.config.candidate_capacity = 16384;
     small_create(&r->s);
-    r->s.thread.paper_damping = 0.01;
+    baseline_of(&r->s.thread.baseline)->thread_damping = 0.01;
     tools_thread(r, ends, 0.0);
 }
 
 /* Closes and waits for what that brings; true: it has taken something then. */
-static bool close_jaws(tools_rig *r, uint32_t tool, uint32_t event[4])
+static bool close_jaws(tools_rig *r, uint32_t tool, vbss_scene_event *event)
 {
     uint32_t taken = 0;
     tools_open(r, tool, 0.0);
     for (int i = 0; i < 60; i++) {
-        uint32_t last[4];
+        vbss_scene_event last;
         tools_steps(r, 1);
-        if (tools_happened(r, VBSS_SCENE_EVENT_GRASP, last) > 0) {
+        if (tools_happened(r, VBSS_SCENE_EVENT_GRASP, &last) > 0) {
             taken++;
-            memcpy(event, last, sizeof last);
+            *event = last;
         }
     }
     return taken == 1;
@@ -34,14 +35,14 @@ static void closed_jaws_carry_nearest_node(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4] = {0}, released[4] = {0};
+    vbss_scene_event event = {0}, released = {0};
     begin(&r, TOOLS_FIRST);
     tools_add(&r, vec3_make(0.0, 5.1e-3, -0.5e-3));
-    assert_true(close_jaws(&r, 0, event));
-    assert_int_equal(event[1], r.body);
-    assert_int_equal(event[2], r.bodies[0]);
+    assert_true(close_jaws(&r, 0, &event));
+    assert_int_equal(event.body_a, r.body);
+    assert_int_equal(event.body_b, r.bodies[0]);
     assert_int_equal(tools_state(&r, 0).grasp_count, 1);
-    uint32_t node = (uint32_t)(event[3] / 500.0 + 0.5);
+    uint32_t node = (uint32_t)(event.arc_length / 500e-6 + 0.5);
     vbss_scene_grasp grasp = tools_grasp(&r, 0, 0);
     expect_near(5e-4 * node, grasp.arc_length, 1e-12);
     vec3 tip = vec3_make(0.0, 5.1e-3, -0.5e-3);
@@ -57,8 +58,8 @@ static void closed_jaws_carry_nearest_node(void **state)
     vec3 before = tools_node(&r, node);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, released), 1);
-    assert_int_equal(released[3], event[3]);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, &released), 1);
+    assert_true(released.arc_length == event.arc_length);
     expect_near(0.0, vec3_distance(before, tools_node(&r, node)), 1e-12); /* it goes from here */
     assert_int_equal(tools_state(&r, 0).grasp_count, 0);
     tools_end(&r);
@@ -70,10 +71,10 @@ static void jaws_ignore_nodes_beyond_reach(void **state)
     const vec3 tips[] = {{0.0, 0.0, 2.2e-3}, {0.0, 0.0176, 0.0}, {6e-3, 0.0, -1e-3}};
     for (int k = 0; k < 3; k++) {
         tools_rig r;
-        uint32_t event[4];
+        vbss_scene_event event;
         begin(&r, TOOLS_BOTH);
         tools_add(&r, tips[k]);
-        assert_false(close_jaws(&r, 0, event));
+        assert_false(close_jaws(&r, 0, &event));
         assert_int_equal(tools_state(&r, 0).grasp_count, 0);
         /* Nor when closed jaws come near: only closing takes. */
         tools_move_along(&r, 0, tips[k], vec3_scale(tips[k], 0.3), 50);
@@ -87,23 +88,23 @@ static void first_tool_leads_and_second_takes_over(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4] = {0}, taken[4] = {0};
+    vbss_scene_event event = {0}, taken = {0};
     begin(&r, TOOLS_BOTH);
-    r.config.paper_distance = 0.1;
+    baseline_of(&r.config.baseline)->grasper_distance = 0.1;
     tools_add(&r, vec3_make(0.0, 0.0, -3e-3));
     tools_add(&r, vec3_make(0.0, 0.0, 20e-3));
-    assert_true(close_jaws(&r, 0, event));
+    assert_true(close_jaws(&r, 0, &event));
     vec3 first = tools_node(&r, 30);
-    (void)close_jaws(&r, 1, event);
+    (void)close_jaws(&r, 1, &event);
     assert_int_equal(tools_state(&r, 1).grasp_count, 0);
     tools_move_along(&r, 1, vec3_make(0.0, 0.0, 20e-3), vec3_make(2e-3, 0.0, 22e-3), 100);
     expect_near(0.0, vec3_distance(first, tools_node(&r, 30)), 1e-12);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event), 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, taken), 1);
-    assert_int_equal(taken[2], r.bodies[1]);
-    assert_int_equal(taken[3], event[3]);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, &event), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, &taken), 1);
+    assert_int_equal(taken.body_b, r.bodies[1]);
+    assert_true(taken.arc_length == event.arc_length);
     expect_near(0.0, vec3_distance(first, tools_node(&r, 30)), 1e-12);
     assert_int_equal(tools_state(&r, 0).grasp_count, 0);
     assert_int_equal(tools_state(&r, 1).grasp_count, 1);
@@ -115,26 +116,26 @@ static void waiting_tool_holds_nothing(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4] = {0};
+    vbss_scene_event event = {0};
     vbss_scene_grasp grasp;
     begin(&r, TOOLS_BOTH);
-    r.config.paper_distance = 0.1;
+    baseline_of(&r.config.baseline)->grasper_distance = 0.1;
     tools_add(&r, vec3_make(0.0, 0.0, -3e-3));
     tools_add(&r, vec3_make(0.0, 0.0, 20e-3));
-    assert_true(close_jaws(&r, 0, event));
-    assert_false(close_jaws(&r, 1, event));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    assert_true(close_jaws(&r, 0, &event));
+    assert_false(close_jaws(&r, 1, &event));
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_grasp(r.s.scene, r.bodies[1], 0, &grasp, sizeof grasp));
     expect_ok(vbss_grasper_exchange(r.tools[1], VBSS_GRASPER_KIND_SHEARS));
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, &event), 1);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event), 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, &event), 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_GRASP, &event), 0);
     tools_open(&r, 1, 1.0);
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, event), 0);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_RELEASE, &event), 0);
     tools_end(&r);
 }
 
@@ -143,11 +144,11 @@ static void hand_feels_section_stretch(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4] = {0};
+    vbss_scene_event event = {0};
     begin(&r, TOOLS_BOTH);
     tools_add(&r, vec3_make(0.0, 0.0, -0.5e-3));
-    assert_true(close_jaws(&r, 0, event));
-    uint32_t node = (uint32_t)(event[3] / 500.0 + 0.5);
+    assert_true(close_jaws(&r, 0, &event));
+    uint32_t node = (uint32_t)(event.arc_length / 500e-6 + 0.5);
     expect_near(0.0, vec3_norm(tools_hand_force(&r, 0)), 0.02);
     tools_move_along(&r, 0, vec3_make(0.0, 0.0, -0.5e-3), vec3_make(3e-3, 1e-3, -0.5e-3), 200);
     vec3 wanted = vec3_zero();
@@ -159,8 +160,9 @@ static void hand_feels_section_stretch(void **state)
         }
         vec3 offset = vec3_sub(tools_node(&r, side == 0 ? from : to), tools_node(&r, node));
         double stretch = vbss_max(length - 5e-4 * (to - from), 0.0);
-        wanted = vec3_add_scaled(wanted, r.config.paper_stiffness * stretch,
-                                 vec3_unit_or(offset, vec3_zero()));
+        wanted =
+            vec3_add_scaled(wanted, baseline_of(&r.config.baseline)->grasper_stiffness * stretch,
+                            vec3_unit_or(offset, vec3_zero()));
     }
     assert_true(vec3_norm(wanted) > 1e-3);
     expect_near(0.0, vec3_distance(wanted, tools_hand_force(&r, 0)), 1e-9);
@@ -174,10 +176,10 @@ static void carried_node_is_restored(void **state)
     const double y[] = {0.0, 0.0149, -0.0149};
     for (int k = 0; k < 3; k++) {
         tools_rig r;
-        uint32_t event[4] = {0};
+        vbss_scene_event event = {0};
         begin(&r, k == 0 ? TOOLS_BOTH : TOOLS_NEITHER);
         tools_add(&r, vec3_make(0.0, y[k], -0.5e-3));
-        assert_true(close_jaws(&r, 0, event));
+        assert_true(close_jaws(&r, 0, &event));
         small_state kept = small_save(&r.s);
         uint64_t hashes[20];
         for (int life = 0; life < 2; life++) {

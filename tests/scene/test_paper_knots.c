@@ -1,5 +1,6 @@
 /* Method VBLAST of scenes: knots, which it holds by pins and not by contact. What becomes of a
  * knot is pinned down here as docs/paper-scene.md tells it, where it is bad as well. */
+#include "fixtures/baseline_of.h"
 #include "base/check.h"
 #include "collision/closest.h"
 #include "harness/harness.h"
@@ -42,7 +43,7 @@ static void begin(throw *t, const knot_shape *shape)
     c.rest_lengths = t->rest;
     c.positions = &x[0].x;
     c.gravity[1] = 0.0;
-    c.paper_damping = 0.01;
+    baseline_of(&c.baseline)->thread_damping = 0.01;
     expect_ok(vbss_thread_create(t->context, &c, &t->thread));
     expect_ok(vbss_scene_config_init(&s, sizeof s));
     s.method = VBSS_METHOD_VBLAST;

@@ -1,4 +1,5 @@
 /* Free needles of method VBLAST: they fly as they do alone, come down on the floor without a bounce, and stay there. */
+#include "fixtures/baseline_of.h"
 #include "base/rotation.h"
 #include "scene/needles_rig.h"
 
@@ -148,7 +149,7 @@ static void floor_keeps_distance(void **state)
     needles_begin(&r);
     r.tools.s.config.method = r.config.method = VBSS_METHOD_VBLAST;
     r.tools.s.config.floor = 1;
-    r.tools.s.config.paper_thickness = 1e-3;
+    baseline_of(&r.tools.s.config.baseline)->scene_thickness = 1e-3;
     small_create(&r.tools.s);
     r.config.gravity[1] = -GRAVITY;
     r.config.wire_radius = 0.5e-3;

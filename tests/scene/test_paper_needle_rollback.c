@@ -59,7 +59,7 @@ static void removed_leader_releases_needle(void **state)
     expect_ok(vbss_scene_remove(s.scene, PAPER_NEEDLE_SCENE_NEEDLE));
     expect_ok(vbss_scene_step(s.scene, 1e-3));
     vbss_scene_hole hole;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_hole(s.scene, 0, &hole, sizeof hole));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_get_hole(s.scene, 0, &hole, sizeof hole));
     small_end(&s);
 }
 

@@ -2,6 +2,7 @@
  * that lets go. And when a solenoid is wanted. */
 #include <vblast_ss/device.h>
 
+#include "fixtures/baseline_of.h"
 #include "scene/needles_rig.h"
 
 #define MIDDLE (0.5 * 3.14159265358979323846 * 10.5e-3)
@@ -13,7 +14,7 @@ static void begin(needles_rig *r)
     r->tools.s.config.capsule_capacity = 64;
     r->tools.config.jaw_speed = 1e3; /* closed in one step */
     r->tools.s.thread.method = VBSS_METHOD_VBLAST;
-    r->tools.s.thread.paper_damping = 0.01;
+    baseline_of(&r->tools.s.thread.baseline)->thread_damping = 0.01;
     small_create(&r->tools.s);
 }
 
@@ -71,15 +72,15 @@ static void needle_follows_tool_exactly(void **state)
 {
     (void)state;
     needles_rig r;
-    uint32_t event[4] = {0};
+    vbss_scene_event event = {0};
     const vec3 home = vec3_make(0.0, 0.0, -2e-3);
     begin_across(&r);
     tools_add(&r.tools, home);
     close_jaws(&r, 0);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 1);
-    assert_int_equal(event[1], r.body);
-    assert_int_equal(event[2], r.tools.bodies[0]);
-    expect_near(1e6 * MIDDLE, event[3], 1.0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 1);
+    assert_int_equal(event.body_a, r.body);
+    assert_int_equal(event.body_b, r.tools.bodies[0]);
+    expect_near(MIDDLE, event.arc_length, 1e-6);
     assert_int_equal(tools_state(&r.tools, 0).needle, r.body);
     assert_int_equal(tools_state(&r.tools, 0).grasp_count, 1);
     const pose held = offset(&r, 0);
@@ -100,7 +101,7 @@ static void second_tool_waits_and_takes_over(void **state)
 {
     (void)state;
     needles_rig r;
-    uint32_t event[4] = {0};
+    vbss_scene_event event = {0};
     const vec3 home = vec3_make(0.0, 0.0, -2e-3);
     begin_across(&r);
     for (int k = 0; k < 3; k++) {
@@ -110,12 +111,12 @@ static void second_tool_waits_and_takes_over(void **state)
     const pose held = offset(&r, 2);
     close_jaws(&r, 1); /* in this order, against that of their numbers */
     close_jaws(&r, 0);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 0);
     for (uint32_t waiting = 0; waiting < 2; waiting++) {
         vbss_scene_grasp grasp;
         assert_int_equal(tools_state(&r.tools, waiting).needle, 0);
         assert_int_equal(tools_state(&r.tools, waiting).grasp_count, 0);
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_NOT_FOUND,
                       vbss_scene_get_grasp(r.tools.s.scene, r.tools.bodies[waiting], 0, &grasp,
                                            sizeof grasp));
         wander(&r, waiting, home, 40, waiting);
@@ -127,10 +128,10 @@ static void second_tool_waits_and_takes_over(void **state)
         const pose before = needles_pose(&r);
         tools_open(&r.tools, next + 1, 1.0);
         tools_steps(&r.tools, 1);
-        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 1);
-        assert_int_equal(event[2], r.tools.bodies[next + 1]);
-        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 1);
-        assert_int_equal(event[2], r.tools.bodies[next]);
+        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event), 1);
+        assert_int_equal(event.body_b, r.tools.bodies[next + 1]);
+        assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 1);
+        assert_int_equal(event.body_b, r.tools.bodies[next]);
         assert_int_equal(tools_state(&r.tools, next).needle, r.body);
         expect_same_pose(before, needles_pose(&r));
         const pose taken = offset(&r, next);
@@ -144,7 +145,7 @@ static void leaving_waiter_does_not_take_over(void **state)
 {
     (void)state;
     needles_rig r;
-    uint32_t event[4];
+    vbss_scene_event event;
     begin_across(&r);
     tools_add(&r.tools, vec3_make(0.0, 0.0, -2e-3));
     tools_add(&r.tools, vec3_make(0.0, 0.0, -2e-3));
@@ -152,11 +153,11 @@ static void leaving_waiter_does_not_take_over(void **state)
     close_jaws(&r, 1);
     tools_open(&r.tools, 1, 1.0);
     tools_steps(&r.tools, 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event), 0);
     tools_open(&r.tools, 0, 1.0);
     tools_steps(&r.tools, 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event), 1);
-    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event), 0);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event), 1);
+    assert_int_equal(tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event), 0);
     needles_end(&r);
 }
 
@@ -241,8 +242,8 @@ static void swaged_thread_follows_needle(void **state)
         length += vec3_distance(tools_node(&r.tools, i), tools_node(&r.tools, i + 1));
     }
     vec3 chord = vec3_sub(tools_node(&r.tools, 15), tools_node(&r.tools, 0));
-    vec3 wanted =
-        vec3_scale(chord, r.tools.config.paper_stiffness * (length - 0.03) / vec3_norm(chord));
+    vec3 wanted = vec3_scale(chord, baseline_of(&r.tools.config.baseline)->grasper_stiffness *
+                                        (length - 0.03) / vec3_norm(chord));
     assert_true(length > 0.0301);
     expect_near(0.0, vec3_distance(wanted, tools_hand_force(&r.tools, 0)), 1e-9);
     needles_end(&r);

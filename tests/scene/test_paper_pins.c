@@ -80,12 +80,12 @@ static void impossible_pins_are_rejected(void **state)
         uint32_t thread, node, body;
         const double *point;
     } refused[] = {{VBSS_ERROR_OUT_OF_RANGE, body, 11, 0, NULL},
-                   {VBSS_ERROR_OUT_OF_RANGE, tool, 0, 0, NULL},
-                   {VBSS_ERROR_OUT_OF_RANGE, body, 0, body, NULL},
+                   {VBSS_ERROR_INCOMPATIBLE, tool, 0, 0, NULL},
+                   {VBSS_ERROR_INCOMPATIBLE, body, 0, body, NULL},
                    {VBSS_ERROR_OUT_OF_RANGE, body, 0, tool, far},
                    {VBSS_ERROR_NOT_FINITE, body, 0, tool, bad},
-                   {VBSS_ERROR_OUT_OF_RANGE, body, 10, 0, NULL},    /* held by the host */
-                   {VBSS_ERROR_OUT_OF_RANGE, body, 3, tool, NULL}}; /* pinned */
+                   {VBSS_ERROR_IN_USE, body, 10, 0, NULL},    /* held by the host */
+                   {VBSS_ERROR_IN_USE, body, 3, tool, NULL}}; /* pinned */
     vbss_thread_attachment a;
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
     a.node = 10;
@@ -101,7 +101,7 @@ static void impossible_pins_are_rejected(void **state)
     expect_ok(vbss_scene_pin_thread(s.scene, body, 5, tool, NULL, &other));
     expect_result(VBSS_ERROR_CAPACITY, vbss_scene_pin_thread(s.scene, body, 7, 0, NULL, &other));
     expect_ok(vbss_scene_unpin_thread(s.scene, pin));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(s.scene, pin));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_unpin_thread(s.scene, pin));
     expect_ok(vbss_scene_remove(s.scene, tool)); /* with its pin */
     expect_ok(vbss_scene_pin_thread(s.scene, body, 5, 0, NULL, &other));
     end(&s);

@@ -71,7 +71,7 @@ static void withdrawn_needle_leaves_and_reenters(void **state)
         assert_int_equal(p.out, round - 1);
         drive(&p, START);
         assert_int_equal(p.out, round);
-        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+        expect_result(VBSS_ERROR_NOT_FOUND,
                       vbss_scene_get_hole(p.r.tools.s.scene, 0, &hole, sizeof hole));
     }
     for (int i = 0; i < 200; i++) {
@@ -127,7 +127,7 @@ static void hole_above_capacity_is_reported(void **state)
     drive(&p, 17e-3);
     assert_int_equal(p.in, 1);
     assert_int_equal(p.lost, 1);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_hole(p.r.tools.s.scene, 1, &hole, sizeof hole));
     needles_end(&p.r);
 }

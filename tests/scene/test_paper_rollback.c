@@ -1,4 +1,5 @@
 /* Method VBLAST of scenes: a step that fails is undone, and options of the other method are rejected. */
+#include "fixtures/baseline_of.h"
 #include "scene/paper_fixture.h"
 
 static void expect_undone(stage *s, vbss_result wanted)
@@ -50,8 +51,8 @@ static void diverged_thread_fails_step_and_changes_nothing(void **state)
     begin(&s);
     make(&s);
     vbss_thread_config c = paper_thread(SEGMENTS);
-    c.paper_stiffness = 100.0;
-    c.paper_substeps = 4;
+    baseline_of(&c.baseline)->thread_stiffness = 100.0;
+    baseline_of(&c.baseline)->thread_substeps = 4;
     add(&s, 0, &c);
     hands h = hold_ends(&s, 0);
     vbss_result result = VBSS_OK;
@@ -85,11 +86,11 @@ static void options_of_other_method_are_rejected(void **state)
     begin(&s);
     for (int k = 0; k < 5; k++) {
         vbss_scene_config bad = s.config;
-        bad.paper_pass_limit = k == 0 ? 0 : k == 1 ? 1001 : 4;
-        bad.paper_thickness = k == 2   ? -1e-9
-                              : k == 3 ? 0.02
-                              : k == 4 ? harness_bad_numbers[0]
-                                       : 0.0;
+        baseline_of(&bad.baseline)->scene_pass_limit = k == 0 ? 0 : k == 1 ? 1001 : 4;
+        baseline_of(&bad.baseline)->scene_thickness = k == 2   ? -1e-9
+                                                      : k == 3 ? 0.02
+                                                      : k == 4 ? harness_bad_numbers[0]
+                                                               : 0.0;
         expect_result(k == 4 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE,
                       vbss_scene_create(s.context, &bad, &s.scene));
     }
@@ -97,7 +98,7 @@ static void options_of_other_method_are_rejected(void **state)
     vbss_thread_config ours = paper_thread(4);
     ours.method = VBSS_METHOD_IMPLICIT;
     expect_ok(vbss_thread_create(s.context, &ours, &s.threads[0]));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(s.scene, s.threads[0], &body));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_scene_add_thread(s.scene, s.threads[0], &body));
     place_over(&s, 0.0);
     expect_result(VBSS_ERROR_IN_SCENE, vbss_thread_step(s.threads[0], 1e-3));
     for (int k = 0; k < 3; k++) {

@@ -1,4 +1,5 @@
 /* Method VBLAST of scenes: rules where the paper is silent, and what is told of contacts. */
+#include "fixtures/baseline_of.h"
 #include "scene/paper_fixture.h"
 
 /* ---- rules where the paper is silent */
@@ -91,7 +92,7 @@ static void thickness_keeps_features_beyond_radii(void **state)
     (void)state;
     stage s;
     begin(&s);
-    s.config.paper_thickness = 2e-4;
+    baseline_of(&s.config.baseline)->scene_thickness = 2e-4;
     make(&s);
     vec3 axis[2] = {vec3_make(0, 0, -0.02), vec3_make(0, 0, 0.02)};
     add_capsule(s.scene, VBSS_SCENE_RIGID_DRIVEN, axis[0], axis[1], 2.5e-3);
@@ -130,7 +131,7 @@ static void segment_driven_through_tool_reports_depth(void **state)
     (void)state;
     stage s;
     begin(&s);
-    s.config.paper_pass_limit = 1;
+    baseline_of(&s.config.baseline)->scene_pass_limit = 1;
     make(&s);
     const double radius[2] = {1e-3, 3e-3}, to[2] = {-0.2e-3, 1.5e-3};
     place_segment(&s);
@@ -163,7 +164,7 @@ static void segment_pushed_into_tool_reports_depth(void **state)
     (void)state;
     stage s;
     begin(&s);
-    s.config.paper_pass_limit = 1;
+    baseline_of(&s.config.baseline)->scene_pass_limit = 1;
     make(&s);
     place_segment(&s);
     add_jaw(&s, 1e-3, -2e-3, -2e-3);

@@ -1,5 +1,6 @@
 /* Method VBLAST of scenes: what is stopped and carried. Knots: test_paper_knots.c. */
 #include "base/elementary.h"
+#include "fixtures/step_events.h"
 #include "scene/paper_fixture.h"
 
 /* ---- two threads */
@@ -168,12 +169,12 @@ static void thread_falls_and_rests_on_floor(void **state)
     int touches = 0, parts = 0;
     for (int i = 0; i < 400; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
-        vbss_view events = view_of(&s, VBSS_SCENE_VIEW_EVENTS);
-        for (uint64_t k = 0; k < events.count; k++) {
-            const uint32_t *e = (const uint32_t *)events.data + 4 * k;
-            assert_true(e[1] == s.bodies[0] && e[2] == 0);
-            touches += e[0] == VBSS_SCENE_EVENT_TOUCH;
-            parts += e[0] == VBSS_SCENE_EVENT_PART;
+        const step_events events = step_events_of(s.scene);
+        for (uint32_t k = 0; k < events.count; k++) {
+            const vbss_scene_event *e = &events.of[k];
+            assert_true(e->body_a == s.bodies[0] && e->body_b == 0);
+            touches += e->kind == VBSS_SCENE_EVENT_TOUCH;
+            parts += e->kind == VBSS_SCENE_EVENT_PART;
         }
     }
     const vec3 *x = places(s.threads[0], &n);

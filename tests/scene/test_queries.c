@@ -64,10 +64,10 @@ static void bodies_are_listed_with_kinds_and_handles(void **state)
     expect_near(0.15, info.friction, 0.0);
     expect_ok(vbss_scene_get_drain(s.scene, b, &found));
     assert_ptr_equal(found, drain);
-    assert_int_equal(vbss_scene_get_drain(s.scene, a, &found), VBSS_ERROR_OUT_OF_RANGE);
+    assert_int_equal(vbss_scene_get_drain(s.scene, a, &found), VBSS_ERROR_INCOMPATIBLE);
     assert_null(found);
     assert_int_equal(vbss_scene_get_body(s.scene, removed, &info, sizeof info),
-                     VBSS_ERROR_OUT_OF_RANGE);
+                     VBSS_ERROR_NOT_FOUND);
     small_end(&s);
 }
 
@@ -88,7 +88,7 @@ static void user_data_stays_with_body_and_is_no_state(void **state)
     expect_ok(vbss_scene_get_user_data(s.scene, a, &data));
     assert_ptr_equal(data, &mark);
     expect_ok(vbss_scene_remove(s.scene, a));
-    assert_int_equal(vbss_scene_get_user_data(s.scene, a, &data), VBSS_ERROR_OUT_OF_RANGE);
+    assert_int_equal(vbss_scene_get_user_data(s.scene, a, &data), VBSS_ERROR_NOT_FOUND);
     const uint32_t b = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
     expect_ok(vbss_scene_get_user_data(s.scene, b, &data));
     assert_null(data);

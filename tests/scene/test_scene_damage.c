@@ -1,6 +1,7 @@
 /* Snapshots that were damaged: refused, or taken as the states that they are. */
 #include <stdlib.h>
 
+#include "fixtures/baseline_of.h"
 #include "scene/small.h"
 
 /* Pins of each kind, contacts, events; small, so that each bit can be turned over. */
@@ -9,7 +10,8 @@ static void small_life(small *s, vbss_method method)
     small_begin(s);
     bool ours = method == VBSS_METHOD_IMPLICIT;
     s->config.method = s->thread.method = method;
-    s->thread.paper_substeps = 20; /* else as many as absurd tensions ask for */
+    baseline_of(&s->thread.baseline)->thread_substeps =
+        20; /* else as many as absurd tensions ask for */
     s->config.floor = ours;
     s->config.pin_capacity = 4;
     s->thread.attachment_capacity = 3;

@@ -4,15 +4,28 @@
 
 static const vec3 half = {0.0, 0.0, 3e-3};
 
+/* Bodies that begin to touch press on each other at a place; those that part do not. */
+static void expect_place(const small *s, const vbss_scene_event *event, bool is_touch)
+{
+    const vbss_scene_statistics now = small_statistics(s);
+    assert_int_equal(event->struct_size, sizeof *event);
+    assert_int_equal(event->step, now.steps);
+    assert_true(event->time == now.time);
+    assert_int_equal(event->flags, is_touch ? VBSS_SCENE_EVENT_FLAG_POSITION : 0);
+    assert_int_equal(event->value > 0.0, is_touch);
+    assert_int_equal(event->position[1] != 0.0, is_touch);
+}
+
 static void expect_event(const small *s, vbss_scene_event_kind kind, uint32_t count, uint32_t a,
                          uint32_t b)
 {
-    uint32_t event[4] = {0};
-    assert_int_equal(small_events(s, kind, event), count);
+    vbss_scene_event event = {0};
+    assert_int_equal(small_events(s, kind, &event), count);
     if (count > 0) {
-        assert_int_equal(event[1], a);
-        assert_int_equal(event[2], b);
-        assert_int_equal(event[3], 0);
+        assert_int_equal(event.body_a, a);
+        assert_int_equal(event.body_b, b);
+        assert_int_equal(event.id, 0);
+        expect_place(s, &event, kind == VBSS_SCENE_EVENT_TOUCH);
     }
 }
 
@@ -28,14 +41,15 @@ static void touch_and_separate_events_pair(void **state)
                                 vec3_make(3e-3, 0.0, 0.0), 1e-3);
     for (int i = 0; i < 200; i++) {
         double down = i < 60 ? 1e-5 * i : i < 100 ? 6e-4 : 6e-4 - 1e-5 * (i - 100);
-        uint32_t event[4], contacts = small_statistics(&s).contacts;
+        vbss_scene_event event;
+        uint32_t contacts = small_statistics(&s).contacts;
         small_move(&s, tool, vec3_make(0.0, 2.3e-3 - down, 0.0));
         small_steps(&s, 1, 1e-3);
         bool now = small_statistics(&s).contacts > 0, before = contacts > 0;
         expect_event(&s, VBSS_SCENE_EVENT_TOUCH, now && !before, below, tool);
         expect_event(&s, VBSS_SCENE_EVENT_PART, before && !now, below, tool);
-        touched += small_events(&s, VBSS_SCENE_EVENT_TOUCH, event);
-        parted += small_events(&s, VBSS_SCENE_EVENT_PART, event);
+        touched += small_events(&s, VBSS_SCENE_EVENT_TOUCH, &event);
+        parted += small_events(&s, VBSS_SCENE_EVENT_PART, &event);
     }
     assert_int_equal(touched, 1);
     assert_int_equal(parted, 1);
@@ -81,17 +95,16 @@ static void contact_event_is_per_body_pair(void **state)
     uint32_t body = drop_eight(&s);
     for (int i = 0; i < 100; i++) {
         small_steps(&s, 1, 1e-3);
-        vbss_view v = small_view(&s, VBSS_SCENE_VIEW_EVENTS);
-        for (uint64_t k = 0; k < v.count; k++) {
-            uint32_t words[4];
-            memcpy(words, (const char *)v.data + k * v.stride_bytes, sizeof words);
-            if (words[0] == VBSS_SCENE_EVENT_TOUCH) {
-                assert_int_equal(words[1], body);
-                floor = floor || words[2] == 0;
-                itself = itself || words[2] == body;
+        const step_events events = step_events_of(s.scene);
+        for (uint32_t k = 0; k < events.count; k++) {
+            const vbss_scene_event *e = &events.of[k];
+            if (e->kind == VBSS_SCENE_EVENT_TOUCH) {
+                assert_int_equal(e->body_a, body);
+                floor = floor || e->body_b == 0;
+                itself = itself || e->body_b == body;
             }
         }
-        assert_true(v.count <= 2);
+        assert_true(events.count <= 2);
     }
     assert_true(floor && itself);
     assert_true(small_statistics(&s).contacts > 10);
@@ -114,34 +127,30 @@ static void removed_body_emits_separate(void **state)
     small_steps(&s, 1, 1e-3);
     expect_event(&s, VBSS_SCENE_EVENT_PART, 1, below, top);
     small_steps(&s, 1, 1e-3);
-    assert_int_equal(small_view(&s, VBSS_SCENE_VIEW_EVENTS).count, 0);
+    assert_int_equal(step_events_of(s.scene).count, 0);
     small_end(&s);
 }
 
-static void truncated_step_reports_fraction(void **state)
+static void truncated_and_paused_parts_report_their_time(void **state)
 {
     (void)state;
     small s;
-    uint32_t event[4];
+    vbss_scene_event event;
     small_begin_scene(&s);
     uint32_t wall = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
     uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.0, 5e-3, 0.0),
                                 vec3_make(3e-3, 0.0, 0.0), 1e-3);
-    (void)wall;
     small_move(&s, tool, vec3_make(0.0, -5e-3, 0.0)); /* through the other in one step */
     small_steps(&s, 1, 1e-3);
-    uint32_t cuts = small_events(&s, VBSS_SCENE_EVENT_CLAMPED, event);
-    assert_true(cuts > 0);
-    vbss_scene_statistics found = small_statistics(&s);
-    assert_int_equal(found.clamped + found.paused, cuts); /* a rest that is left out has one, too */
-    double lost = 0.0;
-    vbss_view v = small_view(&s, VBSS_SCENE_VIEW_EVENTS);
-    for (uint64_t k = 0; k < v.count; k++) {
-        uint32_t words[4];
-        memcpy(words, (const char *)v.data + k * v.stride_bytes, sizeof words);
-        lost += words[0] == VBSS_SCENE_EVENT_CLAMPED ? words[3] / 65536.0 : 0.0;
-    }
-    assert_true(lost > 0.1 && lost < 1.0);
+    const vbss_scene_statistics found = small_statistics(&s);
+    assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_PAUSED, &event), found.paused);
+    assert_true(found.paused == 0 || event.value == found.time_paused);
+    const uint32_t truncated = small_events(&s, VBSS_SCENE_EVENT_TRUNCATED, &event);
+    assert_true(truncated > 0);
+    assert_int_equal(found.clamped, truncated);
+    assert_true(event.body_a == wall && event.body_b == tool);
+    const double lost = step_events_lost_time(s.scene);
+    assert_true(lost > 0.1e-3 && lost < 1e-3);
     assert_true(small_position(&s, tool).y > 0.0);
     small_end(&s);
 }
@@ -160,7 +169,7 @@ static uint32_t drop(small *s, uint32_t capacity)
         small_stick(s, VBSS_SCENE_RIGID_FREE, at, vec3_zero(), 1e-3);
     }
     small_steps(s, 1, 1e-3);
-    return (uint32_t)small_view(s, VBSS_SCENE_VIEW_EVENTS).count;
+    return (uint32_t)step_events_of(s->scene).count;
 }
 
 static void events_above_capacity_are_counted(void **state)
@@ -168,16 +177,13 @@ static void events_above_capacity_are_counted(void **state)
     (void)state;
     for (uint32_t capacity = 0; capacity <= 8; capacity++) {
         small s;
-        uint32_t event[4] = {0};
+        vbss_scene_event event = {0};
         assert_int_equal(drop(&s, capacity), capacity < 6 ? capacity : 6);
-        uint32_t lost = small_events(&s, VBSS_SCENE_EVENT_LOST, event);
-        assert_int_equal(lost, capacity > 0 && capacity < 6);
-        if (lost > 0) {
-            assert_int_equal(event[3], 6 - capacity + 1);
-            assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_TOUCH, event), capacity - 1);
-        }
-        small_steps(&s, 1, 1e-3); /* and they are gone */
-        assert_int_equal(small_view(&s, VBSS_SCENE_VIEW_EVENTS).count, 0);
+        assert_int_equal(small_events(&s, VBSS_SCENE_EVENT_TOUCH, &event),
+                         capacity < 6 ? capacity : 6);
+        assert_int_equal(small_object(&s)->events.lost, capacity < 6 ? 6 - capacity : 0);
+        small_steps(&s, 1, 1e-3); /* and there is no other */
+        assert_int_equal(step_events_of(s.scene).count, 0);
         small_end(&s);
     }
 }
@@ -203,7 +209,7 @@ int test_scene_events(void)
         cmocka_unit_test(touch_and_separate_events_pair),
         cmocka_unit_test(contact_event_is_per_body_pair),
         cmocka_unit_test(removed_body_emits_separate),
-        cmocka_unit_test(truncated_step_reports_fraction),
+        cmocka_unit_test(truncated_and_paused_parts_report_their_time),
         cmocka_unit_test(events_above_capacity_are_counted),
         cmocka_unit_test(event_capacity_changes_nothing_else),
     };

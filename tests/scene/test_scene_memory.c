@@ -190,7 +190,7 @@ static void removed_bodies_free_capacity(void **state)
         expect_ok(vbss_scene_remove(s.scene, t));
         small_steps(&s, 1, 1e-3);
         expect_ok(vbss_scene_remove(s.scene, i % 2 == 0 ? b : a));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(s.scene, a));
+        expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_remove(s.scene, a));
         expect_ok(vbss_thread_destroy(thread));
     }
     small_end(&s);

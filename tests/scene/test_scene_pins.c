@@ -156,7 +156,7 @@ static void unpinned_node_is_free(void **state)
         small_pin(&l.s, l.number, 12, 0);
         small_steps(&l.s, 3, 1e-3);
         expect_ok(vbss_scene_unpin_thread(l.s.scene, l.pin));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(l.s.scene, l.pin));
+        expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_unpin_thread(l.s.scene, l.pin));
         double v[39] = {0.0};
         v[2] = 0.5;
         expect_ok(vbss_thread_set_state(l.thread, NULL, v, 13));
@@ -192,14 +192,14 @@ static void removed_body_removes_pins(void **state)
         uint32_t world = small_pin(&l.s, l.number, 12, 0);
         small_steps(&l.s, 2, 1e-3);
         expect_ok(vbss_scene_remove(l.s.scene, l.stick));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(l.s.scene, l.pin));
+        expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_unpin_thread(l.s.scene, l.pin));
         assert_int_equal(holders(l.thread), k == VBSS_SCENE_RIGID_DRIVEN ? 2 : 1);
         small_steps(&l.s, 2, 1e-3);
         small_pin(&l.s, l.number, 0, other); /* its node is free again */
         small_steps(&l.s, 2, 1e-3);
         expect_ok(vbss_scene_remove(l.s.scene, l.number)); /* and the thread all of them */
         assert_int_equal(holders(l.thread), 0);
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(l.s.scene, world));
+        expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_unpin_thread(l.s.scene, world));
         expect_ok(vbss_thread_step(l.thread, 1e-3));
         small_steps(&l.s, 2, 1e-3);
         assert_int_equal(small_object(&l.s)->pins[0].id, 0);
@@ -218,9 +218,9 @@ static void body_pin_excludes_other_holders(void **state)
         uint32_t id;
         begin_line(&l, k);
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(l.thread, &a, &id));
+        expect_result(VBSS_ERROR_IN_USE, vbss_thread_attach(l.thread, &a, &id));
         a.kind = VBSS_THREAD_ATTACHMENT_CLAMP;
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(l.thread, &a, &id));
+        expect_result(VBSS_ERROR_IN_USE, vbss_thread_attach(l.thread, &a, &id));
         small_steps(&l.s, 2, 1e-3);
         a.kind = VBSS_THREAD_ATTACHMENT_MASS; /* which is carried along */
         a.mass = 1e-3;

@@ -22,7 +22,7 @@ static const number scene_numbers[] = {
     SCENE(floor_height, -1e3, 1e3),          SCENE(floor_friction, 0.0, 10.0),
     SCENE(thread_friction, 0.0, 10.0),       SCENE(contact_stiffness, 1e3, 1e9),
     SCENE(contact_margin, 0.0, 0.1),         SCENE(stretch_tolerance, 1e-9, 0.1),
-    SCENE(penetration_tolerance, 1e-3, 0.5), SCENE(paper_thickness, 0.0, 1e-2),
+    SCENE(penetration_tolerance, 1e-3, 0.5),
 };
 
 static const number rigid_numbers[] = {
@@ -61,8 +61,6 @@ static const choice scene_choices[] = {
     {offsetof(vbss_scene_config, halving_limit), 10, 11},
     {offsetof(vbss_scene_config, attempt_limit), 1000, 1001},
     {offsetof(vbss_scene_config, attempt_limit), 1, 0},
-    {offsetof(vbss_scene_config, paper_pass_limit), 1000, 1001},
-    {offsetof(vbss_scene_config, paper_pass_limit), 1, 0},
     {offsetof(vbss_scene_config, grasp_capacity), 256, 257},
     {offsetof(vbss_scene_config, drain_capacity), 16, 17},
     {offsetof(vbss_scene_config, hole_capacity), 256, 257},
@@ -186,7 +184,7 @@ static void expect_rigid(small *s, vbss_result wanted)
     expect_ok(result);
     expect_ok(vbss_scene_remove(s->scene, body));
     t->hash = small_hash(s);
-    t->generation = small_view(s, VBSS_SCENE_VIEW_EVENTS).generation;
+    t->generation = small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation;
 }
 
 static void bad_rigid_bodies_are_rejected(void **state)

@@ -17,7 +17,7 @@ static void bad_threads_are_rejected(void **state)
     t.s.thread.method = VBSS_METHOD_IMPLICIT;
     t.s.thread.segment_count = 7; /* of 20 nodes 13 are taken */
     expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &large));
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(t.s.scene, paper, &body));
+    unchanged(&t, VBSS_ERROR_INCOMPATIBLE, vbss_scene_add_thread(t.s.scene, paper, &body));
     unchanged(&t, VBSS_ERROR_CAPACITY, vbss_scene_add_thread(t.s.scene, large, &body));
     unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_add_thread(t.s.scene, good, NULL));
     unchanged(&t, VBSS_ERROR_IN_SCENE, vbss_scene_add_thread(t.s.scene, t.thread, &body));
@@ -46,20 +46,20 @@ static void bad_names_and_moves_are_rejected(void **state)
     const uint32_t no_body[] = {0, t.free + 1, UINT32_MAX};
     for (int k = 0; k < 3; k++) {
         vbss_scene_rigid_state state_of;
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(t.s.scene, no_body[k]));
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&t, VBSS_ERROR_NOT_FOUND, vbss_scene_remove(t.s.scene, no_body[k]));
+        unchanged(&t, VBSS_ERROR_NOT_FOUND,
                   vbss_scene_set_rigid_target(t.s.scene, no_body[k], zero, NULL));
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&t, VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_rigid(t.s.scene, no_body[k], &state_of, sizeof state_of));
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&t, VBSS_ERROR_NOT_FOUND,
                   vbss_scene_unpin_thread(t.s.scene, k == 1 ? t.weld + 1 : no_body[k]));
     }
     vbss_scene_rigid_state state_of;
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+    unchanged(&t, VBSS_ERROR_INCOMPATIBLE,
               vbss_scene_get_rigid(t.s.scene, t.line, &state_of, sizeof state_of));
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+    unchanged(&t, VBSS_ERROR_INCOMPATIBLE,
               vbss_scene_set_rigid_target(t.s.scene, t.line, zero, NULL));
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+    unchanged(&t, VBSS_ERROR_INCOMPATIBLE,
               vbss_scene_set_rigid_target(t.s.scene, t.free, zero, NULL));
     unchanged(&t, VBSS_ERROR_NULL_ARGUMENT,
               vbss_scene_set_rigid_target(t.s.scene, t.driven, NULL, NULL));
@@ -89,20 +89,20 @@ static void bad_pins_are_rejected(void **state)
     scene = t.s.scene;
     const uint32_t no_body[] = {0, t.driven, 99};
     for (int k = 0; k < 3; k++) {
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&t, k == 1 ? VBSS_ERROR_INCOMPATIBLE : VBSS_ERROR_NOT_FOUND,
                   vbss_scene_pin_thread(scene, no_body[k], 3, 0, NULL, &pin));
     }
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(scene, t.line, 3, 99, NULL, &pin));
-    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+    unchanged(&t, VBSS_ERROR_NOT_FOUND, vbss_scene_pin_thread(scene, t.line, 3, 99, NULL, &pin));
+    unchanged(&t, VBSS_ERROR_INCOMPATIBLE,
               vbss_scene_pin_thread(scene, t.line, 3, t.line, NULL, &pin));
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(scene, t.line, 13, 0, NULL, &pin));
     unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
               vbss_scene_pin_thread(scene, t.line, UINT32_MAX, 0, NULL, &pin));
     const uint32_t bodies[] = {0, t.driven, t.free};
     for (int k = 0; k < 3; k++) { /* held by a pin, and by a weld */
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&t, VBSS_ERROR_IN_USE,
                   vbss_scene_pin_thread(scene, t.line, 0, bodies[k], NULL, &pin));
-        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&t, VBSS_ERROR_IN_USE,
                   vbss_scene_pin_thread(scene, t.line, 12, bodies[k], NULL, &pin));
     }
     for (int c = 0; c < 3; c++) {
@@ -117,7 +117,7 @@ static void bad_pins_are_rejected(void **state)
     assert_int_equal(pin, 77);
     expect_ok(vbss_scene_pin_thread(scene, t.line, 5, 0, NULL, &pin));
     t.hash = small_hash(&t.s);
-    t.generation = small_view(&t.s, VBSS_SCENE_VIEW_EVENTS).generation;
+    t.generation = small_view(&t.s, VBSS_SCENE_VIEW_CONTACTS).generation;
     unchanged(&t, VBSS_ERROR_CAPACITY, vbss_scene_pin_thread(scene, t.line, 7, 0, NULL, &pin));
     small_end(&t.s);
 }
@@ -179,15 +179,15 @@ static void calls_about_other_bodies_are_rejected(void **state)
     uint32_t drain = small_drain(&s, NULL);
     uint32_t line = small_thread(&s, vec3_make(0.0, 0.1, 0.0), vec3_make(0.01, 0.1, 0.0), 5, NULL);
     uint64_t hash = small_hash(&s);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_INCOMPATIBLE,
                   vbss_scene_get_rigid(s.scene, drain, &rigid, sizeof rigid));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_set_rigid_target(s.scene, drain, zero, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_get_thread(s.scene, drain, &thread));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(s.scene, drain, 5e-3, &pin));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(s.scene, drain, 0, 0, NULL, &pin));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_scene_set_rigid_target(s.scene, drain, zero, NULL));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_scene_get_thread(s.scene, drain, &thread));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_scene_cut_thread(s.scene, drain, 5e-3, &pin));
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_scene_pin_thread(s.scene, drain, 0, 0, NULL, &pin));
+    expect_result(VBSS_ERROR_INCOMPATIBLE,
                   vbss_scene_pin_thread(s.scene, line, 0, drain, NULL, &pin));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_scene_get_grasp(s.scene, drain, 0, &grasp, sizeof grasp));
     assert_int_equal(pin, 77);
     assert_true(small_hash(&s) == hash);

@@ -24,10 +24,10 @@ static void expect_alike(const small *x, const small *y)
 
 static void expect_events_alike(const small *x, const small *y)
 {
-    vbss_view a = small_view(x, VBSS_SCENE_VIEW_EVENTS), b = small_view(y, VBSS_SCENE_VIEW_EVENTS);
+    const step_events a = step_events_of(x->scene), b = step_events_of(y->scene);
     assert_int_equal(a.count, b.count);
     if (a.count > 0) {
-        assert_memory_equal(a.data, b.data, a.count * a.stride_bytes);
+        assert_memory_equal(a.of, b.of, a.count * sizeof a.of[0]);
     }
 }
 

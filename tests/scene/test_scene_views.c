@@ -13,9 +13,7 @@ static void expect_shape(const small *s, vbss_scene_field field, vbss_view_type 
     assert_int_equal(v.components, components);
     assert_true(v.stride_bytes >= item);
     assert_non_null(v.data);
-    if (field != VBSS_SCENE_VIEW_EVENTS) {
-        assert_int_equal(v.count, small_statistics(s).contacts);
-    }
+    assert_int_equal(v.count, small_statistics(s).contacts);
 }
 
 static void expect_shapes(const small *s)
@@ -25,7 +23,6 @@ static void expect_shapes(const small *s)
     expect_shape(s, VBSS_SCENE_VIEW_CONTACT_NORMALS, VBSS_VIEW_TYPE_F64, 3);
     expect_shape(s, VBSS_SCENE_VIEW_CONTACT_FORCES, VBSS_VIEW_TYPE_F64, 3);
     expect_shape(s, VBSS_SCENE_VIEW_CONTACT_GAPS, VBSS_VIEW_TYPE_F64, 1);
-    expect_shape(s, VBSS_SCENE_VIEW_EVENTS, VBSS_VIEW_TYPE_U32, 4);
 }
 
 /* ---- one scene with a contact of each kind */
@@ -257,8 +254,9 @@ static void near_thread_is_damped(void **state)
 
 static uint64_t generation(const small *s)
 {
-    uint64_t g = small_view(s, VBSS_SCENE_VIEW_EVENTS).generation;
-    for (vbss_scene_field k = VBSS_SCENE_VIEW_CONTACTS; k < VBSS_SCENE_VIEW_EVENTS; k++) {
+    uint64_t g = small_view(s, VBSS_SCENE_VIEW_CONTACTS).generation;
+    for (vbss_scene_field k = VBSS_SCENE_VIEW_CONTACT_POINTS; k <= VBSS_SCENE_VIEW_CONTACT_GAPS;
+         k++) {
         assert_true(small_view(s, k).generation == g);
     }
     return g;

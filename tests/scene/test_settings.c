@@ -395,9 +395,9 @@ static void refused_change_leaves_step_suspended(void **state)
     small s;
     const changed c = begin_suspended(&s);
     const uint64_t before = small_hash(&s);
-    assert_int_equal(vbss_scene_set_friction(s.scene, c.thread, 0.1), VBSS_ERROR_OUT_OF_RANGE);
+    assert_int_equal(vbss_scene_set_friction(s.scene, c.thread, 0.1), VBSS_ERROR_INCOMPATIBLE);
     assert_int_equal(vbss_scene_set_coupling(s.scene, c.body, 1.0, 1.0, 1.0, 1.0),
-                     VBSS_ERROR_OUT_OF_RANGE);
+                     VBSS_ERROR_INCOMPATIBLE);
     assert_true(small_object(&s)->cursor.is_suspended);
     assert_true(small_hash(&s) == before);
     small_end(&s);
@@ -421,32 +421,37 @@ static void refused_changes_change_nothing_and_say_why(void **state)
     const uint32_t driven =
         small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(0.2, 0.02, 0.0), half, RADIUS);
     const uint64_t before = small_hash(&s);
-    const vbss_result results[] = {
-        vbss_scene_set_gravity(s.scene, 77, g),
+    const vbss_result numbers[] = {
         vbss_scene_set_gravity(s.scene, c.body, big),
         vbss_scene_set_friction(s.scene, c.body, -0.1),
-        vbss_scene_set_friction(s.scene, c.thread, 0.1),
         vbss_scene_set_thread_friction(s.scene, 11.0),
-        vbss_scene_set_coupling(s.scene, c.body, 1.0, 1.0, 1.0, 1.0),
         vbss_scene_set_coupling(s.scene, c.tool, -1.0, 1.0, 1.0, 1.0),
         vbss_scene_set_speed_limit(s.scene, -1.0),
-        vbss_scene_set_filter(s.scene, 77, 1u, 1u),
+        vbss_scene_set_rigid_pose(s.scene, c.body, inside, NULL),
+    };
+    const vbss_result kinds[] = {
+        vbss_scene_set_friction(s.scene, c.thread, 0.1),
+        vbss_scene_set_coupling(s.scene, c.body, 1.0, 1.0, 1.0, 1.0),
         vbss_scene_apply_force(s.scene, driven, g, NULL, NULL),
         vbss_scene_apply_force(s.scene, c.thread, g, NULL, NULL),
         vbss_scene_set_rigid_velocity(s.scene, c.tool, g, NULL),
         vbss_scene_set_rigid_pose(s.scene, c.tool, g, NULL),
-        vbss_scene_set_rigid_pose(s.scene, c.body, inside, NULL),
     };
-    for (size_t i = 0; i < sizeof results / sizeof results[0]; i++) {
-        assert_int_equal(results[i], VBSS_ERROR_OUT_OF_RANGE);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        assert_int_equal(numbers[i], VBSS_ERROR_OUT_OF_RANGE);
     }
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        assert_int_equal(kinds[i], VBSS_ERROR_INCOMPATIBLE);
+    }
+    assert_int_equal(vbss_scene_set_gravity(s.scene, 77, g), VBSS_ERROR_NOT_FOUND);
+    assert_int_equal(vbss_scene_set_filter(s.scene, 77, 1u, 1u), VBSS_ERROR_NOT_FOUND);
     assert_int_equal(vbss_scene_set_gravity(s.scene, 0, bad), VBSS_ERROR_NOT_FINITE);
     assert_int_equal(vbss_scene_set_gravity(s.scene, 0, NULL), VBSS_ERROR_NULL_ARGUMENT);
     assert_int_equal(vbss_scene_apply_force(s.scene, c.body, bad, NULL, NULL),
                      VBSS_ERROR_NOT_FINITE);
     assert_true(small_hash(&s) == before);
     const uint32_t pin = small_pin(&s, c.thread, 0, c.body);
-    assert_int_equal(vbss_scene_set_rigid_pose(s.scene, c.body, g, NULL), VBSS_ERROR_OUT_OF_RANGE);
+    assert_int_equal(vbss_scene_set_rigid_pose(s.scene, c.body, g, NULL), VBSS_ERROR_IN_USE);
     const char *text = NULL;
     vbss_result result;
     expect_ok(vbss_context_get_last_error(s.context, &result, &text));

@@ -9,8 +9,8 @@ static void expect_cut_at(const shears_rig *r, double arc, double tolerance)
 {
     const scene_object *o = small_object(&r->tools.s);
     assert_int_equal(r->cuts, 1);
-    assert_int_equal(r->first[1], r->tools.body);
-    expect_near(arc, 1e-6 * r->first[3], tolerance + TOLERANCE);
+    assert_int_equal(r->first.body_a, r->tools.body);
+    expect_near(arc, r->first.arc_length, tolerance + TOLERANCE);
     expect_near(arc, cut_length(cut_thread(o, r->tools.body)), tolerance + TOLERANCE);
 }
 
@@ -111,7 +111,7 @@ static void cut_at_node_splits_node(void **state)
             shears_line(&r, true);
             shears_tool(&r, VBSS_GRASPER_KIND_SHEARS, 4.0 * SHEARS_SEGMENT + beside[k], 0.0);
             assert_true(shears_cut(&r, 0));
-            expect_ok(vbss_scene_get_thread(r.tools.s.scene, r.first[2], &piece));
+            expect_ok(vbss_scene_get_thread(r.tools.s.scene, r.first.body_b, &piece));
             assert_int_equal(cut_nodes(r.tools.thread), k < 3 ? 35 : 36);
             assert_int_equal(cut_nodes(piece), 27);
             expect_near(2e-3 + beside[k], small_node(piece, 0).y, 6e-6);
@@ -139,7 +139,7 @@ static void blades_close_on_nothing(void **state)
             shears_steps(&r, 1);
             angle = vbss_max(angle - largest, 0.0);
             expect_near(angle, tools_state(&r.tools, 0).jaw_angle, 1e-14);
-            assert_int_equal(small_view(&r.tools.s, VBSS_SCENE_VIEW_EVENTS).count, 0);
+            assert_int_equal(step_events_of(r.tools.s.scene).count, 0);
         }
         assert_int_equal(cut_nodes(r.tools.thread), nodes);
         expect_near(0.0, vec3_norm(vec3_load(tools_state(&r.tools, 0).hand_force)), 1e-9);
@@ -230,16 +230,11 @@ static void two_strands_are_cut_in_one_step(void **state)
             assert_true(shears_cut(&r, 0));
             assert_int_equal(r.cuts, 2);
             uint32_t far = r.tools.bodies[0] + 1, middle = r.tools.bodies[0] + 2;
-            const uint32_t wanted[2][3] = {{r.tools.body, far}, {r.tools.body, middle}};
-            for (int i = 0; i < 3; i++) {
-                assert_int_equal((i < 2 ? wanted[0][i] : VBSS_SCENE_EVENT_CUT),
-                                 r.first[i < 2 ? i + 1 : 0]);
-                assert_int_equal((i < 2 ? wanted[1][i] : VBSS_SCENE_EVENT_CUT),
-                                 r.last[i < 2 ? i + 1 : 0]);
-            }
+            assert_true(r.first.body_a == r.tools.body && r.first.body_b == far);
+            assert_true(r.last.body_a == r.tools.body && r.last.body_b == middle);
             double first = -2.23e-3 + 0.01;
-            expect_near(length - first, 1e-6 * r.first[3], 0.02e-3);
-            expect_near(first, 1e-6 * r.last[3], 0.02e-3);
+            expect_near(length - first, r.first.arc_length, 0.02e-3);
+            expect_near(first, r.last.arc_length, 0.02e-3);
             expect_near(first, cut_length(cut_thread(o, r.tools.body)), 0.02e-3);
             expect_near(first, cut_length(cut_thread(o, far)), 0.02e-3);
             expect_near(length - 2.0 * first, cut_length(cut_thread(o, middle)), 0.04e-3);
@@ -257,7 +252,7 @@ static void two_strands_are_cut_in_one_step(void **state)
 
 /* ---- exchange */
 
-static uint32_t exchanges(const shears_rig *r, vbss_scene_event_kind kind, uint32_t event[4])
+static uint32_t exchanges(const shears_rig *r, vbss_scene_event_kind kind, vbss_scene_event *event)
 {
     return small_events(&r->tools.s, kind, event);
 }
@@ -268,7 +263,7 @@ static void driver_exchanged_for_shears_cuts(void **state)
     (void)state;
     for (int method = 0; method < 2; method++) {
         shears_rig r;
-        uint32_t event[4];
+        vbss_scene_event event;
         shears_begin(&r, method);
         r.tools.config.exchange_distance = 0.06;
         r.tools.config.shears_opening = 0.3;
@@ -285,16 +280,16 @@ static void driver_exchanged_for_shears_cuts(void **state)
         assert_int_equal(tools_state(&r.tools, 0).grasp_count, 1);
         expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_KIND_SHEARS));
         shears_steps(&r, 1); /* it holds something, and is within */
-        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 1);
-        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_KIND_SHEARS);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, &event), 1);
+        assert_true(event.body_a == r.tools.bodies[0] && event.id == VBSS_GRASPER_KIND_SHEARS);
         shears_steps(&r, 10); /* what was refused is forgotten */
-        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 0);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, &event), 0);
         assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
         tools_open(&r.tools, 0, 1.0);
         shears_steps(&r, 100);
         expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_KIND_SHEARS));
         shears_steps(&r, 1); /* with empty jaws, but still within */
-        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 1);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, &event), 1);
         for (int i = 1; i <= 200; i++) {
             tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));
             shears_steps(&r, 1);
@@ -302,8 +297,8 @@ static void driver_exchanged_for_shears_cuts(void **state)
         shears_steps(&r, 50);
         expect_ok(vbss_grasper_exchange(r.tools.tools[0], VBSS_GRASPER_KIND_SHEARS));
         shears_steps(&r, 1);
-        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_EXCHANGED, event), 1);
-        assert_true(event[1] == r.tools.bodies[0] && event[3] == VBSS_GRASPER_KIND_SHEARS);
+        assert_int_equal(exchanges(&r, VBSS_SCENE_EVENT_EXCHANGED, &event), 1);
+        assert_true(event.body_a == r.tools.bodies[0] && event.id == VBSS_GRASPER_KIND_SHEARS);
         assert_int_equal(tools_state(&r.tools, 0).kind, VBSS_GRASPER_KIND_SHEARS);
         for (int i = 200; i >= 0; i--) {
             tools_move(&r.tools, 0, vec3_make(0.0, 3.3e-3, -SHEARS_BELOW + 3.5e-4 * i));

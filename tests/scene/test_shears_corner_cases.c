@@ -41,7 +41,7 @@ static void grasped_part_moves_with_its_piece(void **state)
         expect_grasp(&r, 0, r.tools.body, 6.5e-3, left);
         expect_grasp(&r, 1, r.tools.body, 22.9e-3, right);
         assert_true(shears_cut(&r, 2));
-        uint32_t piece = r.first[2];
+        uint32_t piece = r.first.body_b;
         double arc = cut_length(cut_thread(small_object(&r.tools.s), r.tools.body));
         expect_near(0.015 + planes[k], arc, 0.1e-3);
         expect_grasp(&r, 0, r.tools.body, 6.5e-3, left);
@@ -107,7 +107,7 @@ static void thread_is_cut_under_five_newtons(void **state)
     assert_true(shears_cut(&r, 2));
     const double waited = small_statistics(&r.tools.s).time_paused;
     /* As it was before it stretched. */
-    expect_near(16.3e-3, 1e-6 * r.first[3], 0.1e-3);
+    expect_near(16.3e-3, r.first.arc_length, 0.1e-3);
     for (int i = 1; i <= 150; i++) {
         shears_steps(&r, 1);
         /* What the thread had, and what its ends get from the tools that fly apart at up to half a metre
@@ -184,8 +184,8 @@ static void blades_close_without_cut_capacity(void **state)
             shears_steps(&r, 200);
             assert_int_equal(r.cuts, 0);
             assert_int_equal(r.failed_cuts, closed);
-            assert_true(r.last[1] == r.tools.body && r.last[2] == 0);
-            expect_near(16.23e-3, 1e-6 * r.last[3], 1e-6);
+            assert_true(r.last.body_a == r.tools.body && r.last.body_b == 0);
+            expect_near(16.23e-3, r.last.arc_length, 1e-6);
             shears_expect_shut(&r, 0);
             expect_one_uncuttable(&r.tools.s);
             assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);

@@ -76,8 +76,7 @@ static void without_thread_slit_reopens(void **state)
     tie(2.0, 0);
     expect_ok(vbss_scene_remove(c.s.scene, c.s.thread_body));
     vbss_scene_hole hole;
-    assert_int_equal(vbss_scene_get_hole(c.s.scene, 0, &hole, sizeof hole),
-                     VBSS_ERROR_OUT_OF_RANGE);
+    assert_int_equal(vbss_scene_get_hole(c.s.scene, 0, &hole, sizeof hole), VBSS_ERROR_NOT_FOUND);
     for (int i = 0; i < 2000; i++) {
         expect_ok(vbss_scene_step(c.s.scene, c.h));
     }

@@ -53,13 +53,13 @@ static void impossible_hole_is_rejected_and_changes_nothing(void **state)
     const uint32_t bodies[] = {0, 4000, c.stitch.drain_body, stick, two_body};
     for (int i = 0; i < 5; i++) {
         a.body = bodies[i];
-        expect_refused(VBSS_ERROR_OUT_OF_RANGE, a);
+        expect_refused(i < 2 ? VBSS_ERROR_NOT_FOUND : VBSS_ERROR_INCOMPATIBLE, a);
     }
     a = good;
     const uint32_t drains[] = {0, 4000, c.stitch.thread_body, stick};
     for (int i = 0; i < 4; i++) {
         a.drain = drains[i];
-        expect_refused(VBSS_ERROR_OUT_OF_RANGE, a);
+        expect_refused(i < 2 ? VBSS_ERROR_NOT_FOUND : VBSS_ERROR_INCOMPATIBLE, a);
     }
     a = good;
     a.triangle = 240;
@@ -108,9 +108,8 @@ static void hole_at_the_place_of_a_hole_is_refused(void **state)
         expect_ok(vbss_scene_get_hole(c.s.scene, i, &hole, sizeof hole));
         const double shift = 1e-4;
         for (int k = -1; k <= 1; k++) {
-            expect_refused(VBSS_ERROR_OUT_OF_RANGE,
-                           (asked){hole.thread, hole.arc_length + k * shift, hole.drain,
-                                   hole.triangle, hole.weights});
+            expect_refused(VBSS_ERROR_IN_USE, (asked){hole.thread, hole.arc_length + k * shift,
+                                                      hole.drain, hole.triangle, hole.weights});
         }
     }
     stitch_case_end(&c);

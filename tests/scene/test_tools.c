@@ -201,7 +201,7 @@ static void tools_are_exchanged_only_empty_and_outside(void **state)
 {
     (void)state;
     tools_rig r;
-    uint32_t event[4];
+    vbss_scene_event event;
     tools_begin(&r);
     r.config.exchange_distance = 0.05;
     r.config.shears_length = 20e-3;
@@ -213,12 +213,12 @@ static void tools_are_exchanged_only_empty_and_outside(void **state)
         expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS));
         assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
         tools_steps(&r, 1);
-        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event), 1);
-        assert_int_equal(event[1], r.bodies[0]);
-        assert_int_equal(event[3], VBSS_GRASPER_KIND_SHEARS);
+        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, &event), 1);
+        assert_int_equal(event.body_a, r.bodies[0]);
+        assert_int_equal(event.id, VBSS_GRASPER_KIND_SHEARS);
         assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_KIND_NEEDLE_DRIVER);
         tools_steps(&r, 1);
-        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, event),
+        assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_NOT_EXCHANGED, &event),
                          0); /* forgotten */
         tools_close(&r, 0);
         assert_int_equal(tools_state(&r, 0).grasp_count, 1);
@@ -228,13 +228,13 @@ static void tools_are_exchanged_only_empty_and_outside(void **state)
     bool holds = tools_state(&r, 0).grasp_count > 0;
     expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS));
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), holds ? 0 : 1);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, &event), holds ? 0 : 1);
     tools_open(&r, 0, 1.0);
     tools_steps(&r, 100);
     expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS));
     tools_steps(&r, 1);
     assert_int_equal(tools_state(&r, 0).kind, VBSS_GRASPER_KIND_SHEARS);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), holds ? 1 : 0);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, &event), holds ? 1 : 0);
     capsules c = capsules_of(&r, 0);
     vec3 begin = vec3_load(c.at[1]), end = vec3_load(c.at[1] + 3);
     tools_steps(&r, 100);
@@ -242,7 +242,7 @@ static void tools_are_exchanged_only_empty_and_outside(void **state)
     expect_near(r.config.shears_opening, tools_state(&r, 0).jaw_angle, 1e-15);
     expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_KIND_SHEARS)); /* what it is */
     tools_steps(&r, 1);
-    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, event), 0);
+    assert_int_equal(tools_happened(&r, VBSS_SCENE_EVENT_EXCHANGED, &event), 0);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_exchange(r.tools[0], 3));
     tools_end(&r);
 }

@@ -18,14 +18,7 @@ static void begin_hasty(small *s)
 
 static double share_lost(const small *s)
 {
-    vbss_view v = small_view(s, VBSS_SCENE_VIEW_EVENTS);
-    double lost = 0.0;
-    for (uint64_t k = 0; k < v.count; k++) {
-        uint32_t words[4];
-        memcpy(words, (const char *)v.data + k * v.stride_bytes, sizeof words);
-        lost += words[0] == VBSS_SCENE_EVENT_CLAMPED ? words[3] / 65536.0 : 0.0;
-    }
-    return lost;
+    return step_events_lost_time(s->scene) / 1e-3;
 }
 
 /* Two sticks that are driven into each other stop before they meet. Bodies of other islands go on. */

@@ -80,17 +80,18 @@ static void jaws_grasp_wall(void **state)
 {
     (void)state;
     wall_rig r;
-    uint32_t event[4] = {0}, begun = 0;
+    vbss_scene_event event = {0};
+    uint32_t begun = 0;
     begin(&r);
     vec3 before = node_at(&r, r.lip);
     tools_open(&r.tools, 0, 0.0);
     for (uint32_t i = 0; i < 300; i++) {
         tools_steps(&r.tools, 1);
-        begun += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, event);
+        begun += tools_happened(&r.tools, VBSS_SCENE_EVENT_GRASP, &event);
     }
     assert_int_equal(begun, 1);
-    assert_int_equal(event[1], r.body);
-    assert_int_equal(event[2], r.tools.bodies[0]);
+    assert_int_equal(event.body_a, r.body);
+    assert_int_equal(event.body_b, r.tools.bodies[0]);
     vbss_grasper_state tool = tools_state(&r.tools, 0);
     assert_int_equal(tool.grasp_count, 1);
     expect_near(r.tools.config.closing_force, tool.pressure, 1e-12);
@@ -128,7 +129,8 @@ static void released_wall_springs_back(void **state)
 {
     (void)state;
     wall_rig r;
-    uint32_t event[4], let_go = 0;
+    vbss_scene_event event;
+    uint32_t let_go = 0;
     drain_object *d;
     begin(&r);
     expect_ok(vbss_drain_open(r.drain, &d));
@@ -138,7 +140,7 @@ static void released_wall_springs_back(void **state)
     tools_open(&r.tools, 0, OPENING);
     for (uint32_t i = 0; i < 200; i++) {
         tools_steps(&r.tools, 1);
-        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, event);
+        let_go += tools_happened(&r.tools, VBSS_SCENE_EVENT_RELEASE, &event);
     }
     assert_int_equal(let_go, 1);
     vec3 back = vec3_add_scaled(vec3_add(r.tip, vec3_make(0.0, 2e-3, 0.0)), -15e-3, r.ahead);
@@ -154,7 +156,8 @@ static void wall_slides_out_of_overloaded_jaws(void **state)
 {
     (void)state;
     wall_rig r;
-    uint32_t event[4], slips = 0, torn = 0;
+    vbss_scene_event event;
+    uint32_t slips = 0, torn = 0;
     begin(&r);
     scene_body *tool = vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0]);
     tool->rigid.grasper->config.closing_force = 0.2; /* bears 0.2 N */
@@ -163,8 +166,8 @@ static void wall_slides_out_of_overloaded_jaws(void **state)
     for (uint32_t i = 1; i <= 600; i++) {
         tools_move(&r.tools, 0, vec3_lerp(r.tip, back, i / 600.0));
         tools_steps(&r.tools, 1);
-        slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, event);
-        torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
+        slips += tools_happened(&r.tools, VBSS_SCENE_EVENT_SLIP, &event);
+        torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, &event);
         if (tools_state(&r.tools, 0).grasp_count > 0) {
             vbss_scene_grasp grasp = tools_grasp(&r.tools, 0, 0);
             /* And what the clamp gains in a step. */
@@ -183,7 +186,8 @@ static void torn_out_wall_collides_with_jaws(void **state)
 {
     (void)state;
     wall_rig r;
-    uint32_t event[4], torn = 0;
+    vbss_scene_event event;
+    uint32_t torn = 0;
     begin(&r);
     scene_body *tool = vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0]);
     tool->rigid.grasper->config.closing_force = 0.2;
@@ -192,7 +196,7 @@ static void torn_out_wall_collides_with_jaws(void **state)
     for (uint32_t i = 1; i <= 600; i++) {
         tools_move(&r.tools, 0, vec3_lerp(r.tip, back, i / 600.0));
         tools_steps(&r.tools, 1);
-        torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, event);
+        torn += tools_happened(&r.tools, VBSS_SCENE_EVENT_TORN, &event);
     }
     assert_int_equal(torn, 1);
     vec3 lip = node_at(&r, r.lip);

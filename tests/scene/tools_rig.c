@@ -107,7 +107,7 @@ vbss_scene_grasp tools_grasp(const tools_rig *r, uint32_t tool, uint32_t index)
     return grasp;
 }
 
-uint32_t tools_happened(const tools_rig *r, vbss_scene_event_kind kind, uint32_t event[4])
+uint32_t tools_happened(const tools_rig *r, vbss_scene_event_kind kind, vbss_scene_event *event)
 {
     return small_events(&r->s, kind, event);
 }

@@ -40,7 +40,7 @@ vbss_grasper_state tools_state(const tools_rig *r, uint32_t tool);
 vec3 tools_hand_force(const tools_rig *r, uint32_t tool);
 vbss_scene_grasp tools_grasp(const tools_rig *r, uint32_t tool, uint32_t index);
 /* How many events of that kind since the last look, and the last of them; every step is looked at. */
-uint32_t tools_happened(const tools_rig *r, vbss_scene_event_kind kind, uint32_t event[4]);
+uint32_t tools_happened(const tools_rig *r, vbss_scene_event_kind kind, vbss_scene_event *event);
 vec3 tools_node(const tools_rig *r, uint32_t node);
 vec3 tools_node_velocity(const tools_rig *r, uint32_t node);
 double tools_length(const tools_rig *r); /* of the thread, at rest */

@@ -93,7 +93,7 @@ static uint64_t replay(const log_bytes *log)
     for (int i = 0; i < STEPS; i++) {
         expect_ok(vbss_session_step(r.session, 0.0, 0.0));
     }
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_step(r.session, 0.0, 0.0));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_session_step(r.session, 0.0, 0.0));
     expect_events(&r);
     uint64_t hash = hash_of(&r);
     rig_end(&r);

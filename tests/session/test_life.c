@@ -61,6 +61,17 @@ static void expect_refused(rig *r, vbss_result wanted, const vbss_session_config
     assert_null(session);
 }
 
+/* The status for a tool or another body of a session that has the number of a wrong body. */
+static vbss_result refusal_of(const rig *r, uint32_t number, bool is_tool)
+{
+    vbss_scene_body_info info;
+    if (number == 0 || vbss_scene_get_body(r->scene.scene, number, &info, sizeof info) != VBSS_OK) {
+        return VBSS_ERROR_NOT_FOUND;
+    }
+    return is_tool && info.kind == VBSS_SCENE_BODY_GRASPER ? VBSS_ERROR_IN_USE
+                                                           : VBSS_ERROR_INCOMPATIBLE;
+}
+
 static void bodies_must_have_their_kind(void **state)
 {
     (void)state;
@@ -74,7 +85,7 @@ static void bodies_must_have_their_kind(void **state)
         for (uint32_t number = 0; number < 8; number++) {
             *fields[i] = number;
             if (number != good) {
-                expect_refused(&r, VBSS_ERROR_OUT_OF_RANGE, &r.scene.config);
+                expect_refused(&r, refusal_of(&r, number, i >= 3), &r.scene.config);
             }
         }
         *fields[i] = good;
@@ -183,8 +194,8 @@ static void scene_stepped_outside_session_is_detected(void **state)
     expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
     const uint64_t events = r.s->event_count;
     expect_ok(vbss_scene_step(r.scene.scene, 1e-3));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_step(r.session, 0.0, 1e-3));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_step(r.session, 0.0, -1.0));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_session_step(r.session, 0.0, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_session_step(r.session, 0.0, -1.0));
     assert_int_equal(r.s->event_count, events);
     rig_end(&r);
 }
@@ -317,9 +328,9 @@ static void lost_events_are_reported(void **state)
     const vbss_session_status status = rig_status(&r);
     assert_true(status.event_count > 40);
     assert_int_equal(status.first_event, status.event_count - 8);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_session_get_event(r.session, status.first_event - 1, &e, sizeof e));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+    expect_result(VBSS_ERROR_NOT_FOUND,
                   vbss_session_get_event(r.session, status.event_count, &e, sizeof e));
     for (uint64_t i = status.first_event; i < status.event_count; i++) {
         expect_ok(vbss_session_get_event(r.session, i, &e, sizeof e));

@@ -80,7 +80,7 @@ static void log_replays_to_same_task(void **state)
     uint64_t hash = record(&log, &position);
     begin_replay(&t, &log, log.count);
     start(&t);
-    assert_int_equal(replay(&t, VBSS_ERROR_OUT_OF_RANGE), STEPS);
+    assert_int_equal(replay(&t, VBSS_ERROR_WRONG_STATE), STEPS);
     assert_true(end(&t) == hash);
     free(log.bytes);
 }
@@ -142,7 +142,7 @@ static void session_resumes_truncated_log(void **state)
     assert_true(end(&t) == hash);
     begin_replay(&t, &log, log.count); /* and all of it replays */
     start(&t);
-    assert_int_equal(replay(&t, VBSS_ERROR_OUT_OF_RANGE), STEPS);
+    assert_int_equal(replay(&t, VBSS_ERROR_WRONG_STATE), STEPS);
     assert_true(end(&t) == hash);
     free(log.bytes);
 }

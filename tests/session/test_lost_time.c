@@ -1,4 +1,5 @@
 /* Simulated time that a scene leaves out is in the status, an event, the metrics and the score. */
+#include "fixtures/step_events.h"
 #include "rig.h"
 
 typedef struct slow {
@@ -24,16 +25,9 @@ static vbss_metrics_report report_of(const slow *t)
     return report;
 }
 
-static double clamped_share(const slow *t)
+static double lost_time_of_step(const slow *t)
 {
-    vbss_view view;
-    double share = 0.0;
-    expect_ok(vbss_scene_get_view(t->scene.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
-    const uint32_t *event = view.data;
-    for (uint64_t i = 0; i < view.count; i++, event += 4) {
-        share += event[0] == VBSS_SCENE_EVENT_CLAMPED ? event[3] / 65536.0 : 0.0;
-    }
-    return share;
+    return step_events_lost_time(t->scene.scene);
 }
 
 static stitch_scene_options double_throw(void)
@@ -57,7 +51,7 @@ static uint64_t tie(slow *t, const stitch_scene_options *options)
         expect_ok(session_scene_tie(&t->scene, t->session, NULL));
         expect_ok(vbss_scene_get_statistics(t->scene.scene, &after, sizeof after));
         t->paused += i > 0 ? after.time_paused - before.time_paused : 0.0;
-        t->clamped += i > 0 ? SESSION_SCENE_STEP * clamped_share(t) : 0.0;
+        t->clamped += i > 0 ? lost_time_of_step(t) : 0.0;
     }
     return after.clamped;
 }

@@ -33,7 +33,7 @@ static void seek_to_any_step_is_bit_equal(void **state)
         expect_ok(vbss_session_step(t.session, 0.0, 0.0));
         trial_expect_at(&t, &was, i);
     }
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_step(t.session, 0.0, 0.0));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_session_step(t.session, 0.0, 0.0));
     trial_end(&t);
     free(was.log.bytes);
 }
@@ -168,12 +168,12 @@ static void impossible_seek_changes_nothing(void **state)
     trial_record(&was);
     trial_follow(&t, &was.log);
     expect_ok(vbss_session_seek(t.session, 33));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_seek(t.session, TRIAL_STEPS + 1));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_session_seek(t.session, TRIAL_STEPS + 1));
     trial_expect_at(&t, &was, 33);
     expect_ok(vbss_session_step(t.session, 0.0, 0.0));
     trial_expect_at(&t, &was, 34);
     expect_ok(vbss_session_set_record(t.session, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_seek(t.session, 1)); /* follows nothing */
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_session_seek(t.session, 1)); /* follows nothing */
     trial_end(&t);
     free(was.log.bytes);
 }
@@ -192,7 +192,7 @@ static void log_without_snapshots_is_reported(void **state)
     log_take(&log, t.scene.config.record);
     trial_end(&t);
     trial_follow(&t, &log);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_seek(t.session, 3));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_session_seek(t.session, 3));
     expect_ok(vbss_session_step(t.session, 0.0, 0.0)); /* it still follows from the begin */
     trial_end(&t);
     free(log.bytes);

@@ -29,8 +29,8 @@ static void visit_body(vbss_stream *stream, void *object)
     visit(stream, &vbss_session_kind, ((vbss_slot *)b->session)->object);
 }
 
-static const vbss_kind tied_kind = {"tied body", VBSS_CODE('T', 'I', 'E', 'D'), 1, free_body,
-                                    visit_body};
+static const vbss_kind tied_kind = {
+    "tied body", VBSS_CODE('T', 'I', 'E', 'D'), 1, free_body, visit_body, NULL};
 
 static vbss_result create(vbss_context *context, void *user, void **handle)
 {

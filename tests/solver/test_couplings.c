@@ -149,7 +149,7 @@ static void bodies_couple_before_others(void **state)
     uint32_t coupling = 77;
     begin(&f, 8);
     expect_ok(vbss_system_couple_separators(f.system, 1, 9));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_system_couple(f.system, 2, 3, &coupling));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_system_couple(f.system, 2, 3, &coupling));
     expect_text(f.context, "blocks 2 and 3");
     assert_int_equal(coupling, VBSS_NO_COUPLING);
     vbss_system_reset_separator_couplings(f.system); /* nobody has coupled any more */
@@ -173,7 +173,7 @@ static void run_does_not_couple_with_other_chain(void **state)
         vbss_system_set_role(f.system, 8,
                              (roles & 2) != 0 ? VBSS_ROLE_INTERIOR : VBSS_ROLE_SEPARATOR);
         expect_ok(vbss_system_couple(f.system, 6, 7, &coupling)); /* of one chain: as they are */
-        vbss_result wanted = roles != 0 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK;
+        vbss_result wanted = roles != 0 ? VBSS_ERROR_INCOMPATIBLE : VBSS_OK;
         expect_result(wanted, vbss_system_couple(f.system, 7, 8, &coupling));
         if (roles != 0) {
             expect_text(f.context, "blocks 7 and 8");

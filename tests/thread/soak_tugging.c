@@ -106,7 +106,8 @@ static void attach_one(tug *t)
         t->stores[t->count] =
             a.kind == VBSS_THREAD_ATTACHMENT_FORCE || a.kind == VBSS_THREAD_ATTACHMENT_SPRING;
         t->ids[t->count++] = id;
-    } else if (result != VBSS_ERROR_OUT_OF_RANGE) { /* held already, or cut off */
+    } else if (result != VBSS_ERROR_OUT_OF_RANGE && result != VBSS_ERROR_IN_USE) {
+        /* the node was neither cut off nor held already */
         must(t, result, "attach");
     }
 }

@@ -88,7 +88,7 @@ static void bad_mesh_choices_are_rejected(void **state)
     with_word(&f, operations, 65, VBSS_ERROR_OUT_OF_RANGE);
     with_word(&f, operations, 64, VBSS_OK);
     f.config.method = VBSS_METHOD_VBLAST;
-    expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
+    expect_config(&f, VBSS_ERROR_INCOMPATIBLE);
     f.config.mesh = VBSS_THREAD_MESH_FIXED;
     expect_config(&f, VBSS_OK);
     end(&f);

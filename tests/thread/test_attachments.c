@@ -16,8 +16,8 @@ static void ids_increase_and_are_never_reused(void **state)
         if (id >= 2) {
             vbss_thread_reaction r;
             expect_ok(vbss_thread_detach(thread, id - 1));
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(thread, id - 1));
-            expect_result(VBSS_ERROR_OUT_OF_RANGE,
+            expect_result(VBSS_ERROR_NOT_FOUND, vbss_thread_detach(thread, id - 1));
+            expect_result(VBSS_ERROR_NOT_FOUND,
                           vbss_thread_get_reaction(thread, id - 1, &r, sizeof r));
         }
     }
@@ -64,7 +64,7 @@ static void node_takes_one_hold_and_many_loads(void **state)
             vbss_thread *thread = make(&f);
             uint32_t held = hold(thread, kinds[first], 6, vec3_zero());
             vbss_thread_attachment a = plain(kinds[second], 6);
-            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(thread, &a, &id));
+            expect_result(VBSS_ERROR_IN_USE, vbss_thread_attach(thread, &a, &id));
             assert_int_equal(id, 77);
             for (int i = 0; i < 6; i++) {
                 hold(thread, VBSS_THREAD_ATTACHMENT_FORCE + i % 3, 6, vec3_zero());

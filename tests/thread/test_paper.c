@@ -1,6 +1,7 @@
 /* Method VBLAST: its forces, the elastica, its steps. Its sections: test_paper_sections.c. */
 #include <math.h>
 
+#include "fixtures/baseline_of.h"
 #include "baseline/thread.h"
 #include "thread/paper_rig.h"
 #include "thread/reference.h"
@@ -104,7 +105,7 @@ static double static_error(uint32_t segments, double stiffness)
     rig r;
     vbss_thread_config config = paper(segments);
     config.drag = 8.0;
-    config.paper_stiffness = stiffness;
+    baseline_of(&config.baseline)->thread_stiffness = stiffness;
     rig_begin(&r, &config);
     rig_clamp_here(&r, 0, along);
     rig_run(&r, 1e-3, 6000);
@@ -130,8 +131,8 @@ static vec3 released_tip(uint32_t segments, uint32_t substeps)
 {
     rig r;
     vbss_thread_config config = paper(segments);
-    config.paper_substeps = substeps;
-    config.paper_tolerance = 1e-11;
+    baseline_of(&config.baseline)->thread_substeps = substeps;
+    baseline_of(&config.baseline)->thread_tolerance = 1e-11;
     rig_begin(&r, &config);
     rig_clamp_here(&r, 0, along);
     rig_run(&r, 1e-3, 100);
@@ -234,7 +235,7 @@ static void held_nodes_move_linearly_to_targets(void **state)
     (void)state;
     rig r;
     vbss_thread_config config = paper(12);
-    config.paper_substeps = 4;
+    baseline_of(&config.baseline)->thread_substeps = 4;
     rig_begin(&r, &config);
     uint32_t clamp = rig_clamp_here(&r, 0, along);
     rig_pin(&r, 6, vec3_make(0.07, 0.0, 0.0));

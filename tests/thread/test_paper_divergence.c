@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "fixtures/baseline_of.h"
 #include "thread/paper_rig.h"
 
 enum { SEGMENTS = 30, STEPS = 3000 };
@@ -56,8 +57,8 @@ static void divergence_is_reported_and_undone(void **state)
     for (int k = 0; k < 12; k++) {
         rig r;
         vbss_thread_config config = paper(SEGMENTS);
-        config.paper_stiffness = stiffness[k % 4];
-        config.paper_substeps = substeps[k / 4];
+        baseline_of(&config.baseline)->thread_stiffness = stiffness[k % 4];
+        baseline_of(&config.baseline)->thread_substeps = substeps[k / 4];
         rig_begin(&r, &config);
         /* Springs are stable below mass / dt^2: 0.32 N/m in 1 ms, 82 N/m in a sixteenth of it. */
         double limit = 0.32 * substeps[k / 4] * substeps[k / 4];

@@ -1,6 +1,7 @@
 /* Method VBLAST: projection, damping and fallback of sections, forces at held nodes, promises. */
 #include <math.h>
 
+#include "fixtures/baseline_of.h"
 #include "thread/paper_rig.h"
 #include "thread/thread.h"
 
@@ -23,8 +24,8 @@ static double tumble(uint32_t substeps)
     rig r;
     vbss_thread_config config = paper(NODES - 1);
     config.gravity[1] = 0.0;
-    config.paper_substeps = substeps;
-    config.paper_damping = 0.02;
+    baseline_of(&config.baseline)->thread_substeps = substeps;
+    baseline_of(&config.baseline)->thread_damping = 0.02;
     rig_begin(&r, &config);
     vec3 velocities[NODES];
     vbss_random random;
@@ -40,8 +41,9 @@ static double tumble(uint32_t substeps)
     expect_near(0.0, change(before.linear, after.linear), 1e-12);
     vbss_thread_statistics s = rig_statistics(&r);
     /* |e|^2 / l^2 - 1, which is within the tolerance, is twice the stretch. */
-    expect_near(0.0, s.stretch_error, 0.5 * config.paper_tolerance);
-    assert_true(config.paper_tolerance <= 1e-6 && s.iterations >= s.substeps);
+    expect_near(0.0, s.stretch_error, 0.5 * baseline_of(&config.baseline)->thread_tolerance);
+    assert_true(baseline_of(&config.baseline)->thread_tolerance <= 1e-6 &&
+                s.iterations >= s.substeps);
     assert_int_equal(0, s.fallbacks);
     rig_end(&r);
     return change(before.angular, after.angular);
@@ -63,7 +65,7 @@ static void damping_is_per_section(void **state)
     rig r;
     vbss_thread_config config = paper(NODES - 1);
     config.gravity[1] = 0.0;
-    config.paper_damping = 1.0;
+    baseline_of(&config.baseline)->thread_damping = 1.0;
     rig_begin(&r, &config);
     rig_pin_here(&r, MIDDLE);
     vec3 velocities[NODES], rigid[NODES];
@@ -129,7 +131,8 @@ static void overstretched_section_falls_back_to_points(void **state)
     fallbacks = rig_statistics(&r).fallbacks;
     rig_run(&r, 1e-3, 100);
     assert_int_equal(fallbacks, rig_statistics(&r).fallbacks);
-    expect_near(0.0, rig_statistics(&r).last_stretch_error, config.paper_tolerance);
+    expect_near(0.0, rig_statistics(&r).last_stretch_error,
+                baseline_of(&config.baseline)->thread_tolerance);
     rig_end(&r);
 }
 
@@ -142,7 +145,8 @@ static void coincident_nodes_recover_length(void **state)
     config.positions = positions[0];
     rig_begin(&r, &config);
     rig_run(&r, 1e-3, 100);
-    expect_near(0.0, rig_statistics(&r).last_stretch_error, config.paper_tolerance);
+    expect_near(0.0, rig_statistics(&r).last_stretch_error,
+                baseline_of(&config.baseline)->thread_tolerance);
     rig_end(&r);
 }
 
@@ -154,7 +158,8 @@ static void clamp_carries_weight_and_moment(void **state)
     rig r;
     vbss_thread_config config = paper(30);
     config.drag = 8.0;
-    config.paper_tolerance = 1e-2; /* met before: there is one iteration all the same */
+    baseline_of(&config.baseline)->thread_tolerance =
+        1e-2; /* met before: there is one iteration all the same */
     rig_begin(&r, &config);
     uint32_t clamp = rig_clamp_here(&r, 0, along);
     rig_relax(&r, 1e-3, 1e-10, 12000);
@@ -178,7 +183,7 @@ static void reactions_equal_momentum_change(void **state)
     (void)state;
     rig r;
     vbss_thread_config config = paper(30);
-    config.paper_substeps = 1;
+    baseline_of(&config.baseline)->thread_substeps = 1;
     rig_begin(&r, &config);
     uint32_t ids[3] = {rig_clamp_here(&r, 0, along), rig_pin(&r, 12, at(0.055)),
                        rig_spring(&r, 30, at(0.12), 200.0, 0.01)};

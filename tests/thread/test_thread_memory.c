@@ -81,16 +81,16 @@ static void bad_moves_are_rejected(void **state)
     const uint32_t none[] = {0, 5, UINT32_MAX};
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
               vbss_thread_set_attachment_target(s.thread, s.clamp, zero, zero));
-    unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+    unchanged(&s, VBSS_ERROR_INCOMPATIBLE,
               vbss_thread_set_attachment_target(s.thread, s.mass, zero, NULL));
     unchanged(&s, VBSS_ERROR_NULL_ARGUMENT,
               vbss_thread_set_attachment_target(s.thread, s.pin, NULL, zero));
     for (int i = 0; i < 3; i++) {
         vbss_thread_reaction r;
-        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&s, VBSS_ERROR_NOT_FOUND,
                   vbss_thread_set_attachment_target(s.thread, none[i], zero, NULL));
-        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(s.thread, none[i]));
-        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+        unchanged(&s, VBSS_ERROR_NOT_FOUND, vbss_thread_detach(s.thread, none[i]));
+        unchanged(&s, VBSS_ERROR_NOT_FOUND,
                   vbss_thread_get_reaction(s.thread, none[i], &r, sizeof r));
     }
     end_subject(&s);

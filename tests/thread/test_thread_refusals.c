@@ -29,9 +29,6 @@ static const number numbers[] = {
     NUMBER(spectral_radius, 0.0, 1.0),
     NUMBER(stretch_tolerance, 1e-12, 1e-2),
     NUMBER(position_tolerance, 1e-12, 1.0),
-    NUMBER(paper_stiffness, 0.0, 1e9),
-    NUMBER(paper_damping, 0.0, 1.0),
-    NUMBER(paper_tolerance, 1e-14, 1.0),
     NUMBER(gravity[0], -1e6, 1e6),
     NUMBER(gravity[2], -1e6, 1e6),
     NUMBER(start[1], -1e3, 1e3),
@@ -114,9 +111,6 @@ static void bad_config_choices_are_rejected(void **state)
         {offsetof(vbss_thread_config, iteration_limit), 0},
         {offsetof(vbss_thread_config, iteration_limit), 101},
         {offsetof(vbss_thread_config, halving_limit), 11},
-        {offsetof(vbss_thread_config, paper_substeps), 100001},
-        {offsetof(vbss_thread_config, paper_iteration_limit), 0},
-        {offsetof(vbss_thread_config, paper_iteration_limit), 1001},
     };
     fixture f;
     begin(&f);

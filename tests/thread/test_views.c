@@ -139,7 +139,7 @@ static void the_generation_changes_with_every_step_and_edit_once(int variant)
         (void)energies_of(thread);
         (void)hash_of(thread);
         expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_step(thread, 1.0));
-        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(thread, 99));
+        expect_result(VBSS_ERROR_NOT_FOUND, vbss_thread_detach(thread, 99));
         assert_true(generation(thread) == g);
     }
     end(&f);

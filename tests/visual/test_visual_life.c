@@ -140,7 +140,7 @@ static void calls_inside_callback_are_rejected(void **state)
     expect_ok(vbss_context_create(&config, &l.context));
     make_bodies(l.context);
     expect_ok(vbss_visual_create(l.context, NULL, &l.visual));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_visual_remove(l.visual, 7));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_visual_remove(l.visual, 7));
     assert_int_equal(l.heard, 1);
     for (int i = 0; i < CALLS; i++) {
         expect_result(i < EDITS ? VBSS_ERROR_BUSY : VBSS_OK, l.results[i]);
@@ -235,8 +235,8 @@ static void sources_can_be_added_and_removed(void **state)
     assert_int_equal(d.parts[2].kind, VBSS_VISUAL_KIND_DRAIN);
     assert_int_equal(d.parts[2].source, 3);
     expect_ok(vbss_visual_remove(f.visual, 2));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_visual_remove(f.visual, 2));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_visual_remove(f.visual, 0));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_visual_remove(f.visual, 2));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_visual_remove(f.visual, 0));
     expect_ok(vbss_visual_add_grasper(f.visual, grasper, &numbers[1]));
     assert_int_equal(numbers[1], 4); /* numbers are not used again */
     expect_ok(vbss_thread_destroy(thread));

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from . import collision, errors, views
 from ._library import lib
+from ._values import baseline_defaults  # noqa: F401
 from .budget import *  # noqa: F401,F403
 from .collision import *  # noqa: F401,F403
 from .context import *  # noqa: F401,F403

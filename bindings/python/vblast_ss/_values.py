@@ -5,6 +5,8 @@ import ctypes
 import operator
 from typing import Any, Callable, Iterable, Mapping, Optional, TypeVar
 
+from ._api.baseline import vbss_baseline_config
+from ._library import lib
 from .errors import OutOfRangeError, check
 
 V = TypeVar("V")
@@ -169,8 +171,23 @@ def initialised(struct_type: Any, function: Any, settings: Mapping[str, Any], no
     check(function(ctypes.byref(struct), ctypes.sizeof(struct)))
     if prepare is not None:
         prepare(struct)
+    if "baseline" in settings and hasattr(struct, "baseline"):
+        settings = dict(settings)
+        struct.baseline = ctypes.pointer(_baseline(settings.pop("baseline")))
     fill(struct, settings, noun)
     return struct
+
+
+def _baseline(settings: Mapping[str, Any]) -> Any:
+    if not isinstance(settings, Mapping):
+        raise TypeError(f"baseline is {type(settings).__name__}, not a mapping")
+    return initialised(vbss_baseline_config, lib.vbss_baseline_config_init, settings, "the baseline")
+
+
+def baseline_defaults() -> dict[str, Any]:
+    """The parameters of the method "vblast", with their defaults: what the mapping ``baseline`` of a thread, a drain, a
+    grasper, a scene or a collision may set."""
+    return defaults(vbss_baseline_config, lib.vbss_baseline_config_init)
 
 
 # ---- structs out

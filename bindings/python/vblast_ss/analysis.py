@@ -50,7 +50,7 @@ class SceneMoment(NamedTuple):
     """Something that happened in the scene."""
     time: float
     kind: str
-    """Of EventKind."""
+    """Of SceneEventKind or RecordEventKind."""
     body: int
     other: int
     number: int

@@ -10,7 +10,8 @@ from ._library import lib
 __all__ = ["Error", "NullArgumentError", "OutOfRangeError", "NotFiniteError", "StructSizeError",
            "UnknownFieldError", "InvalidHandleError", "OutOfMemoryError", "CapacityError", "BusyError",
            "ArithmeticModeError", "TruncatedError", "CorruptError", "DataVersionError", "InSceneError",
-           "DeviceError", "ClockStoppedError", "ClockJumpedError", "ClockCoarseError", "StaleViewError"]
+           "DeviceError", "ClockStoppedError", "ClockJumpedError", "ClockCoarseError", "NotFoundError",
+           "WrongStateError", "IncompatibleError", "InUseError", "StaleViewError"]
 
 
 class Error(Exception):
@@ -116,6 +117,26 @@ class ClockJumpedError(Error, RuntimeError):
 class ClockCoarseError(Error, RuntimeError):
     """The clock of a measurement is too coarse."""
     status = Result.ERROR_CLOCK_COARSE
+
+
+class NotFoundError(Error, LookupError):
+    """The object, entry or step that an argument names does not exist."""
+    status = Result.ERROR_NOT_FOUND
+
+
+class WrongStateError(Error, RuntimeError):
+    """The object is not in a state that allows the call."""
+    status = Result.ERROR_WRONG_STATE
+
+
+class IncompatibleError(Error, ValueError):
+    """An object or a setting does not fit the others of the call."""
+    status = Result.ERROR_INCOMPATIBLE
+
+
+class InUseError(Error, RuntimeError):
+    """Something else already uses what an argument names."""
+    status = Result.ERROR_IN_USE
 
 
 class StaleViewError(Error, RuntimeError):

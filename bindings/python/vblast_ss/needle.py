@@ -17,15 +17,19 @@ __all__ = ["Needle", "NeedleEnergies", "NeedleField", "NeedleMass", "NeedlePrese
 
 
 class Needle(Configured, Viewed, Saved):
-    """A rigid arc of round wire, in free flight or as a body of a scene. `preset` is "vblast" or "sh"; other
+    """A rigid arc of round wire, in free flight or as a body of a scene. `preset` is "vblast" or "sh"; `shape` is the
+    share of a circle, the length along the arc and the diameter of the wire, m, as catalogues have them: (0.5, 26e-3, 0.7e-3). Other
     keywords are the settings of vbss_needle_config (Needle.settings_help(), Needle.defaults())."""
     _prefix, _noun = "vbss_needle", "needle"
     _config, _init, _fields = vbss_needle_config, "vbss_needle_config_init", NeedleField
 
-    def __init__(self, context: Optional[Context] = None, *, preset: Any = None, **settings: Any) -> None:
+    def __init__(self, context: Optional[Context] = None, *, preset: Any = None, shape: Any = None, **settings: Any) -> None:
         def prepare(config: Any) -> None:
             if preset is not None:
                 check(lib.vbss_needle_config_preset(ctypes.byref(config), constant(preset, NeedlePreset, "preset")))
+            if shape is not None:
+                circle, length, wire_diameter = shape
+                check(lib.vbss_needle_config_shape(ctypes.byref(config), circle, length, wire_diameter))
 
         context = context_or_new(context)
         config = initialised(vbss_needle_config, lib.vbss_needle_config_init, settings, "a needle", prepare)

@@ -6,17 +6,17 @@ from typing import Any, NamedTuple, Optional, Sequence, Union
 
 from ._api.base import Result
 from ._api.grasper import GrasperKind
-from ._api.record import (RecordInputKind, ReplayOutcome, ReplayReport, SceneSetting, vbss_record_input, vbss_record_log_report,
+from ._api.record import (RecordEventKind, RecordInputKind, ReplayOutcome, ReplayReport, SceneSetting, vbss_record_input, vbss_record_log_report,
                           vbss_replay_logged_step, vbss_record, vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
-from ._api.scene import vbss_scene_config
+from ._api.scene import vbss_scene, vbss_scene_config
 from ._library import lib
 from ._objects import Configured, Object, context_or_new, created
 from ._values import constant, constant_of, data_of, doubles, index, initialised, integer, optional, settable
 from .context import Context
-from .scene import Event, SceneEventKind, Scene
+from .scene import SceneEventKind, Scene
 from .thread import attachment_of
 
-__all__ = ["RecordInputKind", "LogFault", "LogInput", "LogReport", "LogStep", "Record", "Replay", "ReplayOutcome",
+__all__ = ["RecordEventKind", "RecordInputKind", "LogFault", "LogInput", "LogReport", "LogStep", "LoggedEvent", "Record", "Replay", "ReplayOutcome",
            "ReplayReport", "SceneSetting", "check_log"]
 
 
@@ -67,6 +67,15 @@ class Record(Configured, Object):
         with self._context._lock:
             self._call(lib.vbss_record_take, ctypes.byref(data), ctypes.byref(count))
             return ctypes.string_at(data, count.value)
+
+    def attach_to_scene(self) -> None:
+        """From now on the record logs all edits and steps of its scene, made by functions of the scene and its
+        bodies. end() and close() detach it, and detach_from_scene()."""
+        self._scene._call(lib.vbss_scene_set_recorder, self._handle)
+
+    def detach_from_scene(self) -> None:
+        """Detaches the record that is attached to the scene."""
+        self._scene._call(lib.vbss_scene_set_recorder, None)
 
     def step(self, h: float = 1e-3) -> None:
         """Steps the scene."""
@@ -149,6 +158,18 @@ class LogInput(NamedTuple):
     numbers: tuple[float, ...]
 
 
+class LoggedEvent(NamedTuple):
+    """An event as a log stores it: RecordEventKind says what number is."""
+    kind: Union[RecordEventKind, SceneEventKind]
+    body_a: int
+    body_b: int
+    number: int
+
+
+def _logged_kind(kind: int) -> Any:
+    return constant_of(RecordEventKind if kind in [int(own) for own in RecordEventKind] else SceneEventKind)(kind)
+
+
 class LogStep(NamedTuple):
     """What a log says of a step: fields as in vbss_replay_logged_step; no hash: None."""
     number: int
@@ -157,7 +178,7 @@ class LogStep(NamedTuple):
     h: float
     time: float
     inputs: tuple[LogInput, ...]
-    events: tuple[Event, ...]
+    events: tuple[LoggedEvent, ...]
 
 
 class LogFault(NamedTuple):
@@ -240,6 +261,11 @@ class Replay(Object):
         self._call(lib.vbss_replay_begin, scene._handle)
         self._scene = scene
 
+    def load_scene(self) -> Scene:
+        """Makes the recorded scene from the log alone, and begins in it."""
+        self._scene = Scene._of(self._context, created(self._context, vbss_scene, lib.vbss_replay_load_scene, self._handle))
+        return self._scene
+
     def step(self) -> ReplayReport:
         """Replays the next step and compares the hash."""
         return self._read("step", ReplayReport, vbss_replay_report)
@@ -251,14 +277,13 @@ class Replay(Object):
     def read(self, number: int) -> LogStep:
         """What the log says of a step, from 1 on; the replay stays where it is."""
         step, kind = vbss_replay_logged_step(), constant_of(RecordInputKind)
-        happened = constant_of(SceneEventKind)
         with self._context._lock:  # the arrays are good until the next call
             self._call(lib.vbss_replay_read, integer(number, ctypes.c_uint64, "number"), ctypes.byref(step),
                        ctypes.sizeof(step))
             inputs = tuple(LogInput(kind(one.kind), tuple(one.words[:one.word_count]),
                                     tuple(one.numbers[:one.number_count])) for one in step.inputs[:step.input_count])
             words = step.events[:4 * step.event_count]
-        events = tuple(Event(happened(words[i]), *words[i + 1:i + 4]) for i in range(0, len(words), 4))
+        events = tuple(LoggedEvent(_logged_kind(words[i]), *words[i + 1:i + 4]) for i in range(0, len(words), 4))
         return LogStep(step.number, step.hash if step.hashed else None, step.position, step.h, step.time, inputs, events)
 
     def run(self) -> ReplayReport:

@@ -2,24 +2,25 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union, cast
 
 from ._api.base import Method
-from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneEventKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
+from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
                          SceneRigidState, SceneField, SceneMode, SceneStatistics, vbss_scene_blocker, vbss_scene_capsule, vbss_scene_grasp, vbss_scene_hole,
                          vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config,
                          vbss_scene_statistics)
 from ._api.drain import vbss_drain
 from ._api.grasper import vbss_grasper
 from ._api.needle import vbss_needle
+from ._api.scene_event import SceneEventFlagBits, SceneEventKind, vbss_scene_event
 from ._api.scene_query import SceneBodyInfo, SceneBodyKind, SceneNearest, SceneRayHit, vbss_scene_body_info, vbss_scene_nearest, vbss_scene_ray_hit
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
-from ._values import doubles, index, initialised, optional
+from ._values import constant_of, data_of, doubles, index, initialised, optional
 from .context import Context
 from .drain import Drain
-from .errors import OutOfRangeError
+from .errors import NotFoundError
 from .grasper import Grasper
 from .needle import Needle
 from .thread import Thread
@@ -39,11 +40,31 @@ class Capsule(NamedTuple):
 
 
 class Event(NamedTuple):
-    """What happened in the last step; EventKind says what body, other and number are."""
+    """Something that happened in a scene. SceneEventKind and scene_event.h say what each kind has."""
     kind: SceneEventKind
-    body: int
-    other: int
-    number: int
+    body_a: int
+    body_b: int
+    id: int
+    step: int
+    """Statistics.steps after the step that reported it."""
+    time: float
+    """s."""
+    value: float
+    """In the unit of the kind: N, s or m."""
+    arc_length: float
+    """m."""
+    position: Optional[tuple[float, float, float]]
+    """m; None: the event has no position."""
+
+
+_EVENTS_AT_A_TIME = 256
+
+
+def _event(kind: Callable[[int], Any], found: vbss_scene_event) -> Event:
+    has_position = found.flags & SceneEventFlagBits.POSITION
+    x, y, z = found.position
+    return Event(kind(found.kind), found.body_a, found.body_b, found.id, found.step, found.time, found.value,
+                 found.arc_length, (x, y, z) if has_position else None)
 
 
 class Contact(NamedTuple):
@@ -74,8 +95,23 @@ class Scene(Configured, Viewed, Saved):
         context = context_or_new(context)
         config = initialised(vbss_scene_config, lib.vbss_scene_config_init, settings, "a scene")
         self._bodies: dict[int, Object] = {}
+        self._lost_events = 0
         super().__init__(context, created(context, vbss_scene, lib.vbss_scene_create, context._handle,
                                           ctypes.byref(config)))
+
+    @classmethod
+    def load(cls, state: Any, context: Optional[Context] = None) -> Scene:
+        """The scene of saved bytes (save()), with its bodies, which belong to it and end with it."""
+        context = context_or_new(context)
+        data = data_of(state, "state")
+        return cls._of(context, created(context, vbss_scene, lib.vbss_scene_load, context._handle, data, len(data)))
+
+    @classmethod
+    def _of(cls, context: Context, handle: Any) -> Scene:
+        scene = cls.__new__(cls)
+        scene._bodies = {}
+        Object.__init__(scene, context, handle)
+        return scene
 
     def close(self) -> None:
         super().close()
@@ -292,9 +328,8 @@ class Scene(Configured, Viewed, Saved):
 
     def grasps(self, tool: int) -> list[SceneGrasp]:
         """All of them."""
-        grasper = self._bodies.get(tool)
-        if not isinstance(grasper, Grasper):
-            raise OutOfRangeError(f"body {tool} is no grasper")
+        self.grasper_handle(tool)  # fails unless the body is a grasper
+        grasper = cast(Grasper, self._bodies[tool])
         return [self.grasp(tool, number) for number in range(grasper.state.grasp_count)]
 
     def overlap(self, body: int) -> SceneOverlap:
@@ -327,7 +362,7 @@ class Scene(Configured, Viewed, Saved):
             try:
                 while True:
                     found.append(read(len(found)))
-            except OutOfRangeError:
+            except NotFoundError:
                 return found
             finally:
                 self._context._quiet = False
@@ -362,10 +397,24 @@ class Scene(Configured, Viewed, Saved):
         """n, m: distance of the surfaces, negative when they overlap."""
         return self._array(SceneField.CONTACT_GAPS)
 
+    def take_events(self) -> list[Event]:
+        """Takes all events since the last call, oldest first. At most event_capacity are kept between two calls;
+        lost_events counts the older ones that were lost."""
+        found: list[Event] = []
+        events, count, lost = (vbss_scene_event * _EVENTS_AT_A_TIME)(), ctypes.c_uint32(), ctypes.c_uint64()
+        kind = constant_of(SceneEventKind)
+        while True:
+            self._call(lib.vbss_scene_take_events, events, ctypes.sizeof(vbss_scene_event), _EVENTS_AT_A_TIME,
+                       ctypes.byref(count), ctypes.byref(lost))
+            self._lost_events += lost.value
+            found += [_event(kind, event) for event in events[:count.value]]
+            if count.value < _EVENTS_AT_A_TIME:
+                return found
+
     @property
-    def events(self) -> list[Event]:
-        """What happened in the last step."""
-        return [Event(SceneEventKind(kind), *rest) for kind, *rest in _rows(self._array(SceneField.EVENTS))]
+    def lost_events(self) -> int:
+        """Events that were lost so far because more than event_capacity had not been taken."""
+        return self._lost_events
 
     @property
     def statistics(self) -> SceneStatistics:

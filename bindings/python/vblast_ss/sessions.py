@@ -90,7 +90,7 @@ class Session(Configured, Saved):
         return self._read("get_status", SessionStatus, vbss_session_status)
 
     def event(self, number: int) -> SessionEvent:
-        """The event of that index; OutOfRangeError when it is lost."""
+        """The event of that index; NotFoundError when it is lost."""
         return self._read("get_event", SessionEvent, vbss_session_event, integer(number, ctypes.c_uint64, "number"))
 
     @property

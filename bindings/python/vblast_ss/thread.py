@@ -5,7 +5,7 @@ import ctypes
 import operator
 from typing import Any, Iterable, Optional, Sequence
 
-from ._api.thread import (ThreadAttachmentKind, ThreadBending, ThreadMesh, ThreadEnergies, ThreadField, ThreadMomentum, ThreadPreset,
+from ._api.thread import (ThreadAttachmentKind, ThreadBending, ThreadMesh, ThreadEnergies, ThreadField, ThreadMaterial, ThreadMomentum, ThreadPreset, ThreadUspSize,
                           ThreadReaction, ThreadStatistics, vbss_thread, vbss_thread_attachment, vbss_thread_config,
                           vbss_thread_energies, vbss_thread_momentum, vbss_thread_reaction, vbss_thread_statistics)
 from ._library import lib
@@ -16,7 +16,7 @@ from .errors import check
 from .views import Array
 
 __all__ = ["ThreadAttachmentKind", "ThreadBending", "ThreadMesh", "Thread", "ThreadEnergies", "ThreadField", "ThreadMomentum",
-           "ThreadPreset", "ThreadReaction", "ThreadStatistics", "grade_lengths"]
+           "ThreadMaterial", "ThreadPreset", "ThreadReaction", "ThreadStatistics", "ThreadUspSize", "grade_lengths"]
 
 
 def attachment_of(kind: Any, settings: dict[str, Any]) -> vbss_thread_attachment:
@@ -37,7 +37,8 @@ def grade_lengths(length: float, centre: float, finest: float, coarsest: float, 
 class Thread(Configured, Viewed, Saved):
     """An elastic rod without twist: a chain of nodes, numbered from 0.
 
-        preset        a material to start from: "silk_2_0" or "vblast"
+        preset        a thread to start from: "silk_2_0" or "vblast"
+        suture        material and USP size to start from: ("silk", "2-0"); ThreadMaterial and ThreadUspSize list them
         positions     of the nodes, n x 3, m: sets segment_count to n - 1; default straight
         rest_lengths  of the segments, m: sets segment_count; default equal
 
@@ -47,11 +48,17 @@ class Thread(Configured, Viewed, Saved):
     _prefix, _noun = "vbss_thread", "thread"
     _config, _init, _fields = vbss_thread_config, "vbss_thread_config_init", ThreadField
 
-    def __init__(self, context: Optional[Context] = None, *, preset: Any = None, positions: Any = None,
+    def __init__(self, context: Optional[Context] = None, *, preset: Any = None, suture: Any = None, positions: Any = None,
                  rest_lengths: Any = None, **settings: Any) -> None:
         def prepare(config: Any) -> None:
             if preset is not None:
                 check(lib.vbss_thread_config_preset(ctypes.byref(config), constant(preset, ThreadPreset, "preset")))
+            if suture is not None:
+                material, size = suture
+                if isinstance(size, str):
+                    size = "usp_" + size.replace("-", "_")
+                check(lib.vbss_thread_config_suture(ctypes.byref(config), constant(material, ThreadMaterial, "material"),
+                                                    constant(size, ThreadUspSize, "size")))
 
         context = context_or_new(context)
         places = None if positions is None else doubles(positions, "positions", row=3)

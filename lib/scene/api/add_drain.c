@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
+#include "scene/api/place.h"
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
@@ -17,10 +18,11 @@ static vbss_result check_drain(scene_object *s, vbss_drain *drain, const uint32_
     const drain_object *d = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (d->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the drain's method is not the scene's");
     }
-    return vbss_scene_find_free_body(s, SCENE_BODY_DRAIN) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    scene_body *entry;
+    return vbss_scene_find_free_body(s, SCENE_BODY_DRAIN, &entry);
 }
 
 static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
@@ -74,16 +76,9 @@ static vbss_result create_drain_data(scene_object *s, scene_drain *b, uint32_t *
     return result;
 }
 
-static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
+vbss_result vbss_scene_place_drain(scene_object *s, vbss_slot *slot, scene_body *b, uint32_t *body)
 {
-    vbss_slot *slot;
     uint32_t shape = 0;
-    VBSS_TRY(check_drain(s, drain, body, &slot));
-    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
     scene_drain own = {.slot = slot, .drain = slot->object};
     own.friction = own.drain->config.friction;
     vbss_result result = create_drain_data(s, &own, &shape);
@@ -94,9 +89,19 @@ static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
         return result;
     }
     *b = (scene_body){.drain = own};
-    slot->owner = s;
+    vbss_slot_set_owner(slot, s, &s->hook);
     vbss_scene_register_body(s, b, SCENE_BODY_DRAIN, shape, body);
     return VBSS_OK;
+}
+
+static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
+{
+    vbss_slot *slot;
+    VBSS_TRY(check_drain(s, drain, body, &slot));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_DRAIN, &b));
+    return vbss_scene_place_drain(s, slot, b, body);
 }
 
 vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body)
@@ -107,6 +112,7 @@ vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t 
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_drain(s, drain, body, &slot));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, add_drain(s, drain, body));
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, add_drain(s, drain, body));
 }

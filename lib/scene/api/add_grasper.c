@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
+#include "scene/api/place.h"
 #include "scene/tools/tools.h"
 #include "scene/tuning.h"
 #include "scene/world/method.h"
@@ -46,7 +47,7 @@ static vbss_result check_grasper(scene_object *s, vbss_grasper *grasper, const u
     const grasper_object *g = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (g->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the grasper's method is not the scene's");
     }
     if (GRASPER_CAPSULES > s->config.capsule_capacity - s->capsule_count) {
@@ -57,8 +58,7 @@ static vbss_result check_grasper(scene_object *s, vbss_grasper *grasper, const u
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the trocar is nearer to the tip than the jaws reach aside");
     }
-    found->body = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    return found->body != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    return vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &found->body);
 }
 
 /* A proxy has the mass that its coupling needs, at the tip, where the hand is to feel what acts. */
@@ -70,19 +70,16 @@ static vbss_rigid_mass proxy_mass(const grasper_object *g)
     return mass;
 }
 
-static vbss_result add_grasper(scene_object *s, vbss_grasper *grasper, uint32_t *body)
+static vbss_scene_rigid_kind motion_of_tools(const scene_object *s)
 {
-    new_grasper found;
+    return s->method->drives_tools ? VBSS_SCENE_RIGID_DRIVEN : VBSS_SCENE_RIGID_COUPLED;
+}
+
+vbss_result vbss_scene_place_grasper(scene_object *s, vbss_slot *slot, pose target, scene_body *b,
+                                     uint32_t *body)
+{
     uint32_t shape = 0;
-    VBSS_TRY(check_grasper(s, grasper, body, &found));
-    vbss_slot *slot = found.slot;
-    scene_body *b = found.body;
     const grasper_object *g = slot->object;
-    const vbss_scene_rigid_kind kind =
-        s->method->drives_tools ? VBSS_SCENE_RIGID_DRIVEN : VBSS_SCENE_RIGID_COUPLED;
-    const scene_outline outline = {
-        .grasper = g, .at = found.target, .is_prescribed = kind == VBSS_SCENE_RIGID_DRIVEN};
-    VBSS_TRY(vbss_scene_check_overlap(s, &outline, "grasper"));
     const vbss_rigid_mass mass = proxy_mass(g);
     VBSS_TRY(vbss_collision_add_capsules(
         scene_collision(s), GRASPER_CAPSULES,
@@ -91,7 +88,7 @@ static vbss_result add_grasper(scene_object *s, vbss_grasper *grasper, uint32_t 
         &shape));
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
-    init_rigid(&b->rigid, kind, g, slot, &mass, found.target);
+    init_rigid(&b->rigid, motion_of_tools(s), g, slot, &mass, target);
     b->rigid.first_capsule = s->capsule_count;
     b->rigid.capsule_count = GRASPER_CAPSULES;
     s->capsule_count += GRASPER_CAPSULES;
@@ -99,10 +96,21 @@ static vbss_result add_grasper(scene_object *s, vbss_grasper *grasper, uint32_t 
     for (uint32_t i = 0; i < GRASPER_CAPSULES; i++) {
         vbss_scene_snap_capsule_to_target(&s->capsules[b->rigid.first_capsule + i]);
     }
-    slot->owner = s;
+    vbss_slot_set_owner(slot, s, &s->hook);
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     vbss_scene_publish_grasper(s, b);
     return VBSS_OK;
+}
+
+static vbss_result add_grasper(scene_object *s, vbss_grasper *grasper, uint32_t *body)
+{
+    new_grasper found;
+    VBSS_TRY(check_grasper(s, grasper, body, &found));
+    const scene_outline outline = {.grasper = found.slot->object,
+                                   .at = found.target,
+                                   .is_prescribed = motion_of_tools(s) == VBSS_SCENE_RIGID_DRIVEN};
+    VBSS_TRY(vbss_scene_check_overlap(s, &outline, "grasper"));
+    return vbss_scene_place_grasper(s, found.slot, found.target, found.body, body);
 }
 
 vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uint32_t *body)
@@ -113,6 +121,7 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_grasper(s, grasper, body, &found));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, add_grasper(s, grasper, body));
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, add_grasper(s, grasper, body));
 }

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
+#include "scene/api/place.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
@@ -17,14 +18,15 @@ static vbss_result check_needle(scene_object *s, vbss_needle *needle, const uint
     const needle_object *n = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (n->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the needle's method is not the scene's");
     }
     if (n->config.segment_count > s->config.capsule_capacity - s->capsule_count) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
                          s->config.capsule_capacity);
     }
-    return vbss_scene_find_free_body(s, SCENE_BODY_RIGID) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    scene_body *entry;
+    return vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &entry);
 }
 
 static void add_capsules(scene_object *s, scene_rigid *r)
@@ -44,16 +46,9 @@ static void add_capsules(scene_object *s, scene_rigid *r)
     }
 }
 
-static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *body)
+vbss_result vbss_scene_place_needle(scene_object *s, vbss_slot *slot, scene_body *b, uint32_t *body)
 {
-    vbss_slot *slot;
     uint32_t shape = 0;
-    VBSS_TRY(check_needle(s, needle, body, &slot));
-    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.needle = slot->object}, "needle"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
     needle_object *n = slot->object;
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), n->config.segment_count,
                                          n->config.wire_radius, &shape));
@@ -68,10 +63,20 @@ static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *bo
                                 .needle = n}};
     b->rigid.body.target_start = b->rigid.body.target_end = n->body.now.pose;
     add_capsules(s, &b->rigid);
-    slot->owner = s;
+    vbss_slot_set_owner(slot, s, &s->hook);
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     vbss_scene_publish_needle(b);
     return VBSS_OK;
+}
+
+static vbss_result add_needle(scene_object *s, vbss_needle *needle, uint32_t *body)
+{
+    vbss_slot *slot;
+    VBSS_TRY(check_needle(s, needle, body, &slot));
+    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.needle = slot->object}, "needle"));
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &b));
+    return vbss_scene_place_needle(s, slot, b, body);
 }
 
 vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32_t *body)
@@ -82,6 +87,7 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_needle(s, needle, body, &slot));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, add_needle(s, needle, body));
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, add_needle(s, needle, body));
 }

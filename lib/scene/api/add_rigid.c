@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
+#include "scene/api/place.h"
 #include "scene/world/world.h"
 
 _Static_assert(sizeof(vbss_scene_rigid_config) ==
@@ -108,6 +109,7 @@ static void init_rigid(scene_rigid *r, const vbss_scene_rigid_config *c,
     vec3 arm = quat_rotate(orientation, mass->frame.position);
     *r = (scene_rigid){.kind = c->kind,
                        .frame = mass->frame,
+                       .capsule_count = c->capsule_count,
                        .friction = c->friction,
                        .created_friction = c->friction};
     r->body.mass = mass->mass;
@@ -125,19 +127,38 @@ static void init_rigid(scene_rigid *r, const vbss_scene_rigid_config *c,
     }
 }
 
-static void add_capsules(scene_object *s, scene_body *b, const vbss_scene_rigid_config *c)
+/* Writes the capsules of a new body behind those of the others. */
+static void write_capsules(scene_object *s, const scene_rigid *r, const vbss_scene_rigid_config *c)
 {
-    scene_rigid *r = &b->rigid;
-    r->first_capsule = s->capsule_count;
-    r->capsule_count = c->capsule_count;
     for (uint32_t i = 0; i < c->capsule_count; i++) {
-        scene_capsule *to = &s->capsules[s->capsule_count++];
+        scene_capsule *to = &s->capsules[s->capsule_count + i];
         to->local_end[0] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].begin));
         to->local_end[1] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].end));
-        vbss_scene_snap_capsule_to_target(to);
         to->radius = c->capsules[i].radius;
-        vbss_scene_transform_capsule(to, r->body.now.pose, to->now);
     }
+}
+
+vbss_result vbss_scene_place_rigid(scene_object *s, const scene_rigid *rigid, scene_body *b,
+                                   uint32_t *body)
+{
+    uint32_t shape = 0;
+    double radius = 0.0;
+    scene_capsule *capsules = &s->capsules[s->capsule_count];
+    for (uint32_t i = 0; i < rigid->capsule_count; i++) {
+        radius = vbss_max(capsules[i].radius, radius);
+    }
+    VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), rigid->capsule_count, radius, &shape));
+    s->collision->shapes[shape]->is_rigid = true;
+    *b = (scene_body){.rigid = *rigid};
+    b->rigid.first_capsule = s->capsule_count;
+    for (uint32_t i = 0; i < rigid->capsule_count; i++) {
+        vbss_scene_snap_capsule_to_target(&capsules[i]);
+        vbss_scene_transform_capsule(&capsules[i], rigid->body.now.pose, capsules[i].now);
+    }
+    s->capsule_count += rigid->capsule_count;
+    vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
+    vbss_scene_list_overlaps_of(s, b);
+    return VBSS_OK;
 }
 
 /* Everything that a new body needs, computed before anything changes. */
@@ -145,7 +166,6 @@ typedef struct new_rigid {
     vbss_scene_rigid_config config;
     vbss_rigid_mass mass;
     quat orientation;
-    double radius; /* of its thickest capsule, m */
 } new_rigid;
 
 static vbss_result read_rigid(const scene_object *s, const vbss_scene_rigid_config *config,
@@ -155,34 +175,22 @@ static vbss_result read_rigid(const scene_object *s, const vbss_scene_rigid_conf
     VBSS_TRY(check_rigid(s, &read->config));
     VBSS_TRY(vbss_read_orientation(s->context, read->config.orientation, &read->orientation));
     VBSS_TRY(distribute_mass(s, &read->config, &read->mass));
-    read->radius = 0.0;
-    for (uint32_t i = 0; i < read->config.capsule_count; i++) {
-        read->radius = vbss_max(read->config.capsules[i].radius, read->radius);
-    }
     return VBSS_OK;
 }
 
 static vbss_result add_rigid(scene_object *s, const new_rigid *added, uint32_t *body)
 {
     const vbss_scene_rigid_config *c = &added->config;
-    uint32_t shape = 0;
     const scene_outline outline = {.capsules = c,
                                    .at = pose_make(vec3_load(c->position), added->orientation),
                                    .is_prescribed = c->kind == VBSS_SCENE_RIGID_DRIVEN};
     VBSS_TRY(vbss_scene_check_overlap(s, &outline, "rigid body"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
-    VBSS_TRY(
-        vbss_collision_add_capsules(scene_collision(s), c->capsule_count, added->radius, &shape));
-    s->collision->shapes[shape]->is_rigid = true;
-    *b = (scene_body){0};
-    init_rigid(&b->rigid, c, &added->mass, added->orientation);
-    add_capsules(s, b, c);
-    vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
-    vbss_scene_list_overlaps_of(s, b);
-    return VBSS_OK;
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &b));
+    scene_rigid rigid;
+    init_rigid(&rigid, c, &added->mass, added->orientation);
+    write_capsules(s, &rigid, c);
+    return vbss_scene_place_rigid(s, &rigid, b, body);
 }
 
 vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_rigid_config *config,
@@ -195,10 +203,10 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_rigid_confi
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
     VBSS_TRY(read_rigid(s, config, &added));
-    if (vbss_scene_find_free_body(s, SCENE_BODY_RIGID) == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    scene_body *entry;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &entry));
     warn_of_units(s->context, &added.config);
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, add_rigid(s, &added, body));
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, add_rigid(s, &added, body));
 }

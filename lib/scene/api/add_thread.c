@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
+#include "scene/api/place.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
@@ -17,15 +18,15 @@ static vbss_result check_thread(scene_object *s, vbss_thread *thread, const uint
     const thread_object *t = slot->object;
     VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
     if (t->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "the thread's method is not the scene's");
     }
     VBSS_TRY(vbss_scene_check_thread_capacity(s, t));
-    return vbss_scene_find_free_body(s, SCENE_BODY_THREAD) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    scene_body *entry;
+    return vbss_scene_find_free_body(s, SCENE_BODY_THREAD, &entry);
 }
 
-/* The shape of an adaptive thread has room for all nodes that its mesh may get. */
-static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *shape)
+vbss_result vbss_scene_create_thread_shape(scene_object *s, const thread_object *t, uint32_t *shape)
 {
     if (t->config.mesh == VBSS_THREAD_MESH_FIXED) {
         return vbss_collision_add_chain(scene_collision(s), t->node_count, t->rest,
@@ -37,24 +38,28 @@ static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *
     return VBSS_OK;
 }
 
+void vbss_scene_place_thread(scene_object *s, vbss_slot *slot, scene_body *b, uint32_t shape,
+                             uint32_t *body)
+{
+    *b = (scene_body){0};
+    b->thread.slot = slot;
+    b->thread.thread = slot->object;
+    vbss_slot_set_owner(slot, s, &s->hook);
+    vbss_scene_register_body(s, b, SCENE_BODY_THREAD, shape, body);
+}
+
 static vbss_result add_thread(scene_object *s, vbss_thread *thread, uint32_t *body)
 {
     vbss_slot *slot;
     uint32_t shape = 0;
     VBSS_TRY(check_thread(s, thread, body, &slot));
     VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.thread = slot->object}, "thread"));
-    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
-    if (b == NULL) {
-        return VBSS_ERROR_CAPACITY;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_THREAD, &b));
     thread_object *t = slot->object;
-    VBSS_TRY(add_shape(s, t, &shape));
+    VBSS_TRY(vbss_scene_create_thread_shape(s, t, &shape));
     VBSS_TRY(vbss_scene_create_piece_shapes(s, t, shape));
-    *b = (scene_body){0};
-    b->thread.slot = slot;
-    b->thread.thread = t;
-    slot->owner = s;
-    vbss_scene_register_body(s, b, SCENE_BODY_THREAD, shape, body);
+    vbss_scene_place_thread(s, slot, b, shape, body);
     vbss_scene_add_spares(s, t, shape + 1);
     vbss_scene_number_nodes(s);
     return VBSS_OK;
@@ -68,6 +73,7 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_thread(s, thread, body, &slot));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, add_thread(s, thread, body));
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, add_thread(s, thread, body));
 }

@@ -52,7 +52,7 @@ vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene);
 
 /* ---- loads_api.c */
 
-/* Sets the error and returns VBSS_ERROR_OUT_OF_RANGE if hosts cannot change the scene at run time:
+/* Sets the error and returns VBSS_ERROR_INCOMPATIBLE if hosts cannot change the scene at run time:
  * its method is the baseline's. */
 vbss_result vbss_scene_check_settable(const scene_object *s);
 
@@ -60,18 +60,20 @@ vbss_result vbss_scene_check_settable(const scene_object *s);
 
 /* An edit under way, with the state before it. */
 typedef struct scene_edit {
+    vbss_scene *scene;
+    vbss_edit *input; /* as records of the scene see the edit */
     uint8_t
         *backup;  /* NULL: no step is suspended, and the edit itself changes nothing on failure */
     size_t count; /* bytes */
 } scene_edit;
 
 /* Begins an edit, for which a suspended step ends. The caller has checked its arguments, and must
- * call vbss_scene_end_edit. Returns VBSS_ERROR_OUT_OF_MEMORY, without any change, if there is no
- * room for the way back. */
-vbss_result vbss_scene_begin_edit(scene_object *s, scene_edit *edit);
+ * call vbss_scene_end_edit unless this call fails. Returns VBSS_ERROR_OUT_OF_MEMORY, without any
+ * change, if there is no room for the way back, or the refusal of a record. */
+vbss_result vbss_scene_begin_edit(vbss_scene *scene, vbss_edit *input, scene_edit *edit);
 
 /* Ends an edit with its result, which it returns. On failure the scene returns to the suspended
  * step. */
-vbss_result vbss_scene_end_edit(scene_object *s, scene_edit *edit, vbss_result result);
+vbss_result vbss_scene_end_edit(scene_edit *edit, vbss_result result);
 
 #endif

@@ -13,7 +13,7 @@ vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index, vbss_scene
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     if (index >= s->report.blocker_count) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has %u blockers, not %u",
+        return vbss_fail(s->context, VBSS_ERROR_NOT_FOUND, "the scene has %u blockers, not %u",
                          s->report.blocker_count, index + 1);
     }
     const scene_blocker *b = &s->report.blockers[index];

@@ -12,15 +12,6 @@ _Static_assert(sizeof(vbss_scene_body_info) == 56, "published size");
 static const uint32_t info_sizes[] = {56, 0};
 static const vbss_layout info_layout = {"vbss_scene_body_info", NULL, info_sizes};
 
-static scene_body *find_body(const scene_object *s, uint32_t number)
-{
-    scene_body *b = vbss_scene_body(s, number);
-    if (b == NULL) {
-        (void)vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u", number);
-    }
-    return b;
-}
-
 /* ---- enumeration and properties */
 
 vbss_result vbss_scene_get_bodies(vbss_scene *scene, uint32_t *numbers, uint32_t capacity,
@@ -88,9 +79,9 @@ vbss_result vbss_scene_get_body(vbss_scene *scene, uint32_t body, vbss_scene_bod
     VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
-    const scene_body *b = body != 0 ? find_body(s, body) : NULL;
-    if (body != 0 && b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
+    scene_body *b = NULL;
+    if (body != 0) {
+        VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
     }
     const scene_filter *filter = vbss_scene_filter_of(s, b);
     vbss_scene_body_info own = {.struct_size = sizeof own,
@@ -109,10 +100,8 @@ vbss_result vbss_scene_get_drain(vbss_scene *scene, uint32_t body, vbss_drain **
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, drain, "drain"));
-    const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_DRAIN);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_DRAIN, &b));
     *drain = (vbss_drain *)b->drain.slot;
     return VBSS_OK;
 }
@@ -123,10 +112,10 @@ vbss_result vbss_scene_get_needle(vbss_scene *scene, uint32_t body, vbss_needle 
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, needle, "needle"));
-    const scene_body *b = vbss_scene_body(s, body);
-    if (b == NULL || b->kind != SCENE_BODY_RIGID || b->rigid.needle == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no needle of this scene",
-                         body);
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
+    if (b->kind != SCENE_BODY_RIGID || b->rigid.needle == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u is no needle", body);
     }
     *needle = (vbss_needle *)b->rigid.slot;
     return VBSS_OK;
@@ -138,10 +127,10 @@ vbss_result vbss_scene_get_grasper(vbss_scene *scene, uint32_t body, vbss_graspe
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, grasper, "grasper"));
-    const scene_body *b = vbss_scene_body(s, body);
-    if (b == NULL || b->kind != SCENE_BODY_RIGID || b->rigid.grasper == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no grasper of this scene",
-                         body);
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
+    if (b->kind != SCENE_BODY_RIGID || b->rigid.grasper == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u is no grasper", body);
     }
     *grasper = (vbss_grasper *)b->rigid.slot;
     return VBSS_OK;
@@ -154,10 +143,8 @@ vbss_result vbss_scene_set_user_data(vbss_scene *scene, uint32_t body, void *dat
     VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    scene_body *b = find_body(s, body);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
     b->user_data = data;
     return VBSS_OK;
 }
@@ -168,10 +155,8 @@ vbss_result vbss_scene_get_user_data(vbss_scene *scene, uint32_t body, void **da
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, data, "data"));
-    const scene_body *b = find_body(s, body);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
     *data = b->user_data;
     return VBSS_OK;
 }

@@ -1,9 +1,11 @@
 /* Creates scenes: default configuration, checks of the configuration, and memory. */
 #include "base/api_call.h"
+#include "base/baseline_config.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/stream.h"
 #include "scene/api/api.h"
+#include "scene/snapshot/describe.h"
 #include "scene/snapshot/snapshot.h"
 #include "scene/topology/topology.h"
 #include "scene/world/method.h"
@@ -11,7 +13,8 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_scene_config) == 192, "published size");
+_Static_assert(sizeof(vbss_scene_config) == VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u),
+               "published size");
 _Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
 
 static const vbss_scene_config defaults = {
@@ -38,14 +41,13 @@ static const vbss_scene_config defaults = {
     .active_set_limit = 36,
     .halving_limit = 5,
     .attempt_limit = 3,
-    .paper_pass_limit = 4,
     .step_budget = SCENE_DEFAULT_STEP_BUDGET,
     .call_budget = SCENE_DEFAULT_CALL_BUDGET,
     .drain_capacity = 1,
     .hole_capacity = 16,
     .speed_limit = SCENE_DEFAULT_SPEED_LIMIT,
 };
-static const uint32_t config_sizes[] = {160, 168, 176, 192, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u), 0};
 const vbss_layout vbss_scene_config_layout = {"vbss_scene_config", &defaults, config_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
@@ -86,11 +88,10 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
         {"drain_capacity", c->drain_capacity, 0.0, 16.0},
         {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
         {"hole_capacity", c->hole_capacity, 0.0, 256.0},
-        {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
-        {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
         {"speed_limit", c->speed_limit, 0.0, 1e6},
         {"overlap", c->overlap, VBSS_SCENE_OVERLAP_WARN, VBSS_SCENE_OVERLAP_ALLOW},
         {"matrix_capacity", c->matrix_capacity, 0.0, 1e7},
+        {"reserved", c->reserved, 0.0, 0.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         const range *r = &ranges[i];
@@ -103,7 +104,7 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 29 };
+enum { ARRAY_COUNT = 31 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
@@ -132,7 +133,9 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->scratch.mass_capsules, capsules, sizeof *s->scratch.mass_capsules},
         {&s->report.touching_pairs, contacts, sizeof *s->report.touching_pairs},
         {&s->report.previous_touching_pairs, contacts, sizeof *s->report.previous_touching_pairs},
-        {&s->report.events, s->config.event_capacity, sizeof *s->report.events},
+        {&s->report.logged_events, s->config.event_capacity, sizeof *s->report.logged_events},
+        {&s->events.ring, s->config.event_capacity, sizeof *s->events.ring},
+        {&s->events.pending, s->config.event_capacity, sizeof *s->events.pending},
         {&s->report.contact_features, contacts, sizeof *s->report.contact_features},
         {&s->report.contact_points, contacts, sizeof *s->report.contact_points},
         {&s->report.contact_normals, contacts, sizeof *s->report.contact_normals},
@@ -167,6 +170,12 @@ static void free_object(vbss_context *context, void *object)
             vbss_scene_return_spare(&s->bodies[i]);
         }
     }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        vbss_slot *slot = vbss_scene_slot_of_body(&s->bodies[i]);
+        if (slot != NULL) {
+            vbss_slot_destroy_owned(slot);
+        }
+    }
     if (s->collision != NULL) {
         vbss_collision_free(context, s->collision);
     }
@@ -175,13 +184,15 @@ static void free_object(vbss_context *context, void *object)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 6, free_object,
-                                   vbss_scene_serialise};
+const vbss_kind vbss_scene_kind = {"scene",     VBSS_CODE('S', 'C', 'E', 'N'), 6,
+                                   free_object, vbss_scene_serialise,          vbss_scene_describe};
 
 static vbss_result make_collision(scene_object *s)
 {
+    const vbss_baseline_config baseline = vbss_baseline_config_default();
     vbss_collision_config c;
     VBSS_TRY(vbss_collision_config_init(&c, sizeof c));
+    c.baseline = &baseline;
     c.shape_capacity = SCENE_MAX_SHAPES;
     c.pair_capacity = s->config.candidate_capacity;
     c.impact_capacity = 0; /* unused: the CCD and the baseline method run their own tests */
@@ -210,6 +221,8 @@ static vbss_result create_object(vbss_context *context, const vbss_scene_config 
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &vbss_scene_config_layout, config, &own));
     }
+    vbss_baseline_config baseline;
+    VBSS_TRY(vbss_baseline_read_config(context, &own.baseline, &baseline));
     VBSS_TRY(check_config(context, &own));
     scene_object *s = vbss_allocate(context, 1, sizeof *s, "scene");
     if (s == NULL) {
@@ -218,6 +231,8 @@ static vbss_result create_object(vbss_context *context, const vbss_scene_config 
     s->method = own.method == VBSS_METHOD_VBLAST ? &vbss_baseline_scene : &vbss_scene_implicit;
     s->context = context;
     s->config = own;
+    s->baseline_config = baseline;
+    s->config.baseline = &s->baseline_config;
     s->settings = vbss_scene_created_settings(s);
     s->cursor.group_count = 1;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
@@ -250,6 +265,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
         free_object(context, s);
         return result;
     }
+    slot->hook = &s->hook;
     *scene = (vbss_scene *)slot;
     return VBSS_OK;
 }

@@ -33,9 +33,11 @@ static vbss_result back_up(scene_object *s, scene_edit *edit)
     return stream.result;
 }
 
-vbss_result vbss_scene_begin_edit(scene_object *s, scene_edit *edit)
+vbss_result vbss_scene_begin_edit(vbss_scene *scene, vbss_edit *input, scene_edit *edit)
 {
-    *edit = (scene_edit){.backup = NULL};
+    scene_object *s = ((vbss_slot *)scene)->object;
+    *edit = (scene_edit){.scene = scene, .input = input};
+    VBSS_TRY(vbss_edit_begin(scene, input));
     if (!s->cursor.is_suspended) {
         return VBSS_OK;
     }
@@ -43,11 +45,12 @@ vbss_result vbss_scene_begin_edit(scene_object *s, scene_edit *edit)
     if (result == VBSS_OK) {
         result = vbss_scene_abandon_suspended_step(s);
     }
-    return result == VBSS_OK ? VBSS_OK : vbss_scene_end_edit(s, edit, result);
+    return result == VBSS_OK ? VBSS_OK : vbss_scene_end_edit(edit, result);
 }
 
-vbss_result vbss_scene_end_edit(scene_object *s, scene_edit *edit, vbss_result result)
+vbss_result vbss_scene_end_edit(scene_edit *edit, vbss_result result)
 {
+    scene_object *s = ((vbss_slot *)edit->scene)->object;
     if (edit->backup != NULL) {
         if (result != VBSS_OK) {
             vbss_stream stream;
@@ -56,5 +59,5 @@ vbss_result vbss_scene_end_edit(scene_object *s, scene_edit *edit, vbss_result r
         }
         vbss_release(s->context, edit->backup, edit->count, 1);
     }
-    return result;
+    return vbss_edit_end(edit->scene, edit->input, result);
 }

@@ -22,15 +22,8 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
             left -= !other;
             continue;
         }
-        const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
-        vbss_scene_grasp own = {.struct_size = sizeof own,
-                                .body = g->thread,
-                                .arc_length = vbss_scene_grasp_arc(s, g),
-                                .limit = g->limit,
-                                .slid = g->slid};
-        const vec3 position = s->method->grasp_position(t, g);
-        vec3_store(own.position, position);
-        vec3_store(own.force, g->force);
+        vbss_scene_grasp own = {.struct_size = sizeof own};
+        vbss_scene_describe_thread_grasp(s, g, &own);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }
     if (left == 0 && vbss_scene_has_needle_grasp(s, tool)) {
@@ -44,6 +37,6 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
         vbss_scene_describe_wall_grasp(s, vbss_scene_body(s, tool), &own);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }
-    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u does not hold %u places", tool,
+    return vbss_fail(s->context, VBSS_ERROR_NOT_FOUND, "body %u does not hold %u places", tool,
                      index + 1);
 }

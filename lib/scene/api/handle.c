@@ -12,6 +12,7 @@ vbss_result vbss_scene_destroy(vbss_scene *scene)
         return VBSS_OK;
     }
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    s->hook.data = NULL; /* the end of a scene is no edit of its bodies */
     /* Threads lose their pins, as when a thread is removed from a scene. */
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {

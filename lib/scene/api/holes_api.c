@@ -24,17 +24,19 @@ static vbss_result check_weights(vbss_context *context, const double *weights)
                             "the sum of weights");
 }
 
-static vbss_result check_suture(const scene_object *s, const scene_body *suture, uint32_t body,
-                                double arc_length)
+static vbss_result check_suture(const scene_object *s, uint32_t body, double arc_length,
+                                scene_body **found)
 {
-    if (suture == NULL || !vbss_scene_is_suture(suture)) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no needle or thread",
+    VBSS_TRY(vbss_scene_require_any_body(s, body, found));
+    const scene_body *suture = *found;
+    if (!vbss_scene_is_suture(suture)) {
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u is no needle or thread",
                          body);
     }
     bool thread = suture->kind == SCENE_BODY_THREAD;
     const thread_object *t = suture->thread.thread;
     if (thread && !suture_is_curve(t)) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "a thread of two nodes has no curve");
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "a thread of two nodes has no curve");
     }
     double length = thread ? vbss_thread_arc_length(t, t->node_count - 1)
                            : vbss_needle_length(suture->rigid.needle);
@@ -87,7 +89,7 @@ static vbss_result check_place(const scene_object *s, const suture_hole *made,
         if (is_same_suture && fabs(q.arc - p.arc) < diameter &&
             vec3_distance(vbss_hole_point(other, d, d->x), vbss_hole_point(made, d, d->x)) <
                 diameter) {
-            return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+            return vbss_fail(s->context, VBSS_ERROR_IN_USE,
                              "hole %u of this suture is at the same place", other->id);
         }
     }
@@ -98,16 +100,13 @@ static vbss_result check_place(const scene_object *s, const suture_hole *made,
 static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_length,
                                 uint32_t body, const double *weights)
 {
-    const scene_body *suture = vbss_scene_body(s, body);
-    const scene_body *d = vbss_scene_require_body(s, made->drain, SCENE_BODY_DRAIN);
+    scene_body *suture, *d;
     if (!s->method->accepts_holes) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "holes are made by hosts in scenes of method IMPLICIT");
     }
-    VBSS_TRY(check_suture(s, suture, body, arc_length));
-    if (d == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    VBSS_TRY(check_suture(s, body, arc_length, &suture));
+    VBSS_TRY(vbss_scene_require_body(s, made->drain, SCENE_BODY_DRAIN, &d));
     VBSS_TRY(vbss_check_range(s->context, made->triangle, 0.0,
                               d->drain.drain->mesh.triangle_count - 1.0, "triangle"));
     VBSS_TRY(check_weights(s->context, weights));
@@ -126,6 +125,16 @@ static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_l
     return VBSS_OK;
 }
 
+static vbss_result add_hole(scene_object *s, suture_hole *made, double arc_length, uint32_t body,
+                            const double *weights)
+{
+    VBSS_TRY(prepare_hole(s, made, arc_length, body, weights));
+    *vbss_scene_find_free_hole(s) = *made;
+    s->last_hole_id = made->id;
+    s->report.generation++;
+    return VBSS_OK;
+}
+
 vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
                                  uint32_t drain, uint32_t triangle, const double *weights,
                                  uint32_t *id)
@@ -137,12 +146,12 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     suture_hole made = place;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(prepare_hole(s, &made, arc_length, body, weights));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
+    vbss_edit input = {
+        .kind = VBSS_EDIT_HOLE, .words = {body, drain, triangle}, .numbers = {arc_length}};
+    vbss_edit_set_numbers(&input, 1, weights, 3);
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
     made = place;
-    VBSS_TRY(vbss_scene_end_edit(s, &edit, prepare_hole(s, &made, arc_length, body, weights)));
-    *vbss_scene_find_free_hole(s) = made;
-    s->last_hole_id = made.id;
-    s->report.generation++;
+    VBSS_TRY(vbss_scene_end_edit(&edit, add_hole(s, &made, arc_length, body, weights)));
     if (id != NULL) {
         *id = made.id;
     }
@@ -185,5 +194,5 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_ho
                    vec3_add_scaled(h->transverse_force, h->friction_force, curve_point.tangent));
         return vbss_struct_write(s->context, &layout, &own, hole, struct_size);
     }
-    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no %u holes", index + 1);
+    return vbss_fail(s->context, VBSS_ERROR_NOT_FOUND, "the scene has no %u holes", index + 1);
 }

@@ -12,11 +12,14 @@
 
 #include <vblast_ss/scene.h>
 
+#include "base/edit_hook.h"
 #include "base/linear.h"
 #include "base/slot.h"
 
 /* No node, triangle or edge of a drain. */
 #define SCENE_INSPECT_NONE UINT32_MAX
+/* Kinds of logged events: lost time; more events than there is room for. Chosen with the format of logs. */
+enum { SCENE_INSPECT_TIME_LOST = 3, SCENE_INSPECT_LOST = 4 };
 
 /* ---- handles */
 
@@ -40,9 +43,9 @@ typedef struct scene_info {
     uint64_t steps;       /* calls of vbss_scene_step that succeeded */
     double time;          /* simulated time, s */
     uint32_t entry_count; /* entries in the table of bodies, for vbss_scene_inspect_entry */
-    uint32_t event_count; /* events that the last step emitted */
-    /* Items of VBSS_SCENE_VIEW_EVENTS. Callers must not change them; they are not const because
-     * streams take no const pointers. */
+    uint32_t event_count; /* events of the last call, as logs store them */
+    /* Kind, two bodies, and a number that depends on the kind (record.h). Callers must not change
+     * them; they are not const because streams take no const pointers. */
     uint32_t (*events)[4];
 } scene_info;
 
@@ -52,13 +55,22 @@ vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info);
  * callback of the context. */
 vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info);
 
-/* Simulated time that a step of length `h` lost, by its VBSS_SCENE_EVENT_CLAMPED events, s. The events are
- * not const for the reason given above. */
+/* Visits the configuration of a scene and its parameters of the baseline; scene/snapshot/config_fields.c has
+ * the versions. */
+void vbss_scene_inspect_visit_config(vbss_stream *stream, vbss_scene_config *config,
+                                     vbss_baseline_config *baseline);
+/* Name of a field that keeps two scenes from accepting each other's states, or NULL. Both configurations
+ * point to their parameters of the baseline. */
+const char *vbss_scene_inspect_config_difference(const vbss_scene_config *a,
+                                                 const vbss_scene_config *b);
+
+/* Simulated time that a step of length `h` lost, by its events, s: truncated and paused parts have kind 3
+ * and a share in 65536ths. The events are not const for the reason given above. */
 static inline double vbss_scene_inspect_lost_time(uint32_t (*events)[4], uint32_t count, double h)
 {
     double lost = 0.0;
     for (uint32_t i = 0; i < count; i++) {
-        lost += events[i][0] == VBSS_SCENE_EVENT_CLAMPED ? h * events[i][3] / 65536.0 : 0.0;
+        lost += events[i][0] == SCENE_INSPECT_TIME_LOST ? h * events[i][3] / 65536.0 : 0.0;
     }
     return lost;
 }
@@ -69,6 +81,14 @@ typedef struct scene_edit_counts {
     uint64_t scene, threads, graspers, drains;
 } scene_edit_counts;
 scene_edit_counts vbss_scene_inspect_edits(const vbss_scene *scene);
+
+/* Loads a scene from its bytes into an existing handle. The bodies of before leave the scene, as when
+ * it is destroyed. Returns the errors of vbss_scene_load; the scene is then unchanged. */
+vbss_result vbss_scene_inspect_reload(vbss_scene *scene, const uint8_t *bytes, uint64_t count);
+
+/* Who hears of the edits of the scene; NULL if the scene was destroyed. Callers change the data and
+ * the functions, but not the depth. */
+vbss_edit_hook *vbss_scene_inspect_hook(const vbss_scene *scene);
 
 /* ---- bodies of a scene */
 
@@ -86,6 +106,8 @@ typedef struct scene_body_info {
 } scene_body_info;
 /* Reads the body with a number; the number may be one that no body has. */
 scene_body_info vbss_scene_inspect_body(const vbss_scene *scene, uint32_t number);
+/* Number of the body that has a handle; 0: no body has it. */
+uint32_t vbss_scene_inspect_number(const vbss_scene *scene, const void *handle);
 /* Reads the body at an entry of the table of bodies, 0 to entry_count - 1. */
 scene_body_info vbss_scene_inspect_entry(const vbss_scene *scene, uint32_t entry);
 

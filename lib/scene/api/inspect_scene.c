@@ -2,7 +2,12 @@
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/api/inspect.h"
+#include "scene/snapshot/snapshot.h"
 #include "scene/world/world.h"
+
+_Static_assert((int)SCENE_INSPECT_TIME_LOST == (int)SCENE_LOGGED_TIME_LOST &&
+                   (int)SCENE_INSPECT_LOST == (int)SCENE_LOGGED_LOST,
+               "the kinds of logged events");
 
 static const scene_object *object_of(const vbss_scene *scene)
 {
@@ -19,8 +24,8 @@ static scene_info describe_scene(const scene_object *s)
                         .steps = s->report.statistics.steps,
                         .time = s->report.statistics.time,
                         .entry_count = s->body_count,
-                        .event_count = s->report.event_count,
-                        .events = s->report.events};
+                        .event_count = s->report.logged_event_count,
+                        .events = s->report.logged_events};
 }
 
 vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info)
@@ -29,6 +34,18 @@ vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info)
     VBSS_TRY(vbss_scene_open(scene, &s));
     *info = describe_scene(s);
     return VBSS_OK;
+}
+
+void vbss_scene_inspect_visit_config(vbss_stream *stream, vbss_scene_config *config,
+                                     vbss_baseline_config *baseline)
+{
+    vbss_scene_visit_config(stream, config, baseline);
+}
+
+const char *vbss_scene_inspect_config_difference(const vbss_scene_config *a,
+                                                 const vbss_scene_config *b)
+{
+    return vbss_scene_find_config_difference(a, b);
 }
 
 vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info)
@@ -41,6 +58,22 @@ vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info)
 
 /* The sums never repeat: no generation decreases, and that of the scene increases when a body comes
  * or goes. */
+vbss_edit_hook *vbss_scene_inspect_hook(const vbss_scene *scene)
+{
+    scene_object *s = ((const vbss_slot *)scene)->object;
+    return s != NULL ? &s->hook : NULL;
+}
+
+uint32_t vbss_scene_inspect_number(const vbss_scene *scene, const void *handle)
+{
+    const scene_object *s = object_of(scene);
+    uint32_t number = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        number = vbss_scene_slot_of_body(&s->bodies[i]) == handle ? s->bodies[i].number : number;
+    }
+    return number;
+}
+
 scene_edit_counts vbss_scene_inspect_edits(const vbss_scene *scene)
 {
     const scene_object *s = object_of(scene);

@@ -13,7 +13,7 @@ vbss_result vbss_scene_check_settable(const scene_object *s)
 {
     return s->config.method == VBSS_METHOD_IMPLICIT
                ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                            "a scene of this method cannot be changed at run time");
 }
 
@@ -38,15 +38,19 @@ vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, const doubl
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(check_load(s, force, point, torque));
     VBSS_TRY(vbss_scene_check_settable(s));
-    scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_RIGID, &b));
     scene_rigid *r = &b->rigid;
     if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "body %u is driven: no force moves it", body);
     }
+    vbss_edit input = {.kind = VBSS_EDIT_SETTING,
+                       .words = {VBSS_EDIT_SETTING_FORCE, body, point != NULL, torque != NULL}};
+    vbss_edit_set_numbers(&input, 0, force, 3);
+    vbss_edit_set_numbers(&input, 3, point, 3);
+    vbss_edit_set_numbers(&input, 6, torque, 3);
+    VBSS_TRY(vbss_edit_begin(scene, &input));
     const vec3 f = vec3_load(force);
     r->pending_load.force = vec3_add(r->pending_load.force, f);
     if (point != NULL) {
@@ -57,19 +61,19 @@ vbss_result vbss_scene_apply_force(vbss_scene *scene, uint32_t body, const doubl
         r->pending_load.torque = vec3_add(r->pending_load.torque, vec3_load(torque));
     }
     s->report.generation++;
-    return VBSS_OK;
+    return vbss_edit_end(scene, &input, VBSS_OK);
 }
 
 /* ---- motion of free bodies */
 
-static scene_rigid *find_free(const scene_object *s, uint32_t body)
+static vbss_result find_free(const scene_object *s, uint32_t body, scene_rigid **rigid)
 {
-    scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_RIGID);
-    if (b != NULL && b->rigid.kind != VBSS_SCENE_RIGID_FREE) {
-        (void)vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is not free", body);
-        return NULL;
-    }
-    return b != NULL ? &b->rigid : NULL;
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_RIGID, &b));
+    *rigid = &b->rigid;
+    return b->rigid.kind == VBSS_SCENE_RIGID_FREE
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u is not free", body);
 }
 
 static void publish(scene_object *s, uint32_t body)
@@ -84,10 +88,8 @@ static void publish(scene_object *s, uint32_t body)
 static vbss_result set_velocity(scene_object *s, uint32_t body, const double velocity[3],
                                 const double *angular_velocity)
 {
-    scene_rigid *r = find_free(s, body);
-    if (r == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_rigid *r;
+    VBSS_TRY(find_free(s, body, &r));
     const pose origin = pose_mul(r->body.now.pose, pose_inverse(r->frame));
     const vec3 arm = vec3_sub(r->body.now.pose.position, origin.position);
     if (angular_velocity != NULL) {
@@ -103,6 +105,7 @@ vbss_result vbss_scene_set_rigid_velocity(vbss_scene *scene, uint32_t body,
 {
     VBSS_ENTER(scene);
     scene_object *s;
+    scene_rigid *r;
     scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, velocity, "velocity"));
@@ -111,11 +114,13 @@ vbss_result vbss_scene_set_rigid_velocity(vbss_scene *scene, uint32_t body,
         VBSS_TRY(vbss_check_vector(s->context, angular_velocity, 1e6, "angular_velocity"));
     }
     VBSS_TRY(vbss_scene_check_settable(s));
-    if (find_free(s, body) == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, set_velocity(s, body, velocity, angular_velocity));
+    VBSS_TRY(find_free(s, body, &r));
+    vbss_edit input = {.kind = VBSS_EDIT_SETTING,
+                       .words = {VBSS_EDIT_SETTING_VELOCITY, body, angular_velocity != NULL}};
+    vbss_edit_set_numbers(&input, 0, velocity, 3);
+    vbss_edit_set_numbers(&input, 3, angular_velocity, 3);
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, set_velocity(s, body, velocity, angular_velocity));
 }
 
 /* What holds a body where it is; NULL: nothing. */
@@ -145,13 +150,11 @@ static const char *holder_of(const scene_object *s, uint32_t body)
 static vbss_result check_pose(const scene_object *s, uint32_t body, const double position[3],
                               const quat *orientation, pose *at)
 {
-    const scene_rigid *r = find_free(s, body);
-    if (r == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_rigid *r;
+    VBSS_TRY(find_free(s, body, &r));
     const char *holder = holder_of(s, body);
     if (holder != NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "%s holds body %u", holder, body);
+        return vbss_fail(s->context, VBSS_ERROR_IN_USE, "%s holds body %u", holder, body);
     }
     const pose origin = pose_mul(r->body.now.pose, pose_inverse(r->frame));
     *at = pose_mul(
@@ -202,10 +205,13 @@ vbss_result vbss_scene_set_rigid_pose(vbss_scene *scene, uint32_t body, const do
     }
     const quat *wanted = orientation != NULL ? &turned : NULL;
     VBSS_TRY(vbss_scene_check_settable(s));
-    if (!s->cursor.is_suspended) {
-        return set_pose(s, body, position, wanted);
+    vbss_edit input = {.kind = VBSS_EDIT_SETTING,
+                       .words = {VBSS_EDIT_SETTING_POSE, body, orientation != NULL}};
+    vbss_edit_set_numbers(&input, 0, position, 3);
+    vbss_edit_set_numbers(&input, 3, orientation, 4);
+    if (s->cursor.is_suspended) {
+        VBSS_TRY(check_pose(s, body, position, wanted, &at));
     }
-    VBSS_TRY(check_pose(s, body, position, wanted, &at));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, set_pose(s, body, position, wanted));
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, set_pose(s, body, position, wanted));
 }

@@ -245,11 +245,8 @@ vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_scene_
     static const vbss_layout layout = {"vbss_scene_overlap", NULL, sizes};
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
-    const scene_body *b = vbss_scene_body(s, body);
-    if (b == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is none of this scene",
-                         body);
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
     const scene_outline o = vbss_scene_outline_of(b);
     const vbss_scene_overlap own = find_deepest(s, &o);
     return vbss_struct_write(s->context, &layout, &own, overlap, struct_size);

@@ -25,16 +25,11 @@ static void remove_capsules(scene_object *s, const scene_rigid *gone)
     }
 }
 
-vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
+static vbss_result remove_body(scene_object *s, scene_body *b)
 {
-    VBSS_ENTER(scene);
-    scene_object *s;
-    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    scene_body *b = vbss_scene_body(s, body);
-    if (b == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u", body);
-    }
+    const uint32_t body = b->number;
     VBSS_TRY(vbss_scene_abandon_suspended_step(s)); /* which removes no body */
+    vbss_slot *slot = vbss_scene_slot_of_body(b);
     vbss_scene_remove_pins_of(s, body);
     vbss_scene_remove_thread_grasps_of(s, body);
     vbss_scene_remove_needle_grasps_of(s, body);
@@ -64,5 +59,20 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     vbss_scene_number_nodes(s);
     s->step.pattern_hash = 0;
     s->report.generation++;
+    if (slot != NULL) {
+        vbss_slot_destroy_owned(slot);
+    }
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    vbss_edit input = {.kind = VBSS_EDIT_REMOVE, .words = {body}};
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
+    VBSS_TRY(vbss_edit_begin(scene, &input));
+    return vbss_edit_end(scene, &input, remove_body(s, b));
 }

@@ -10,11 +10,6 @@ _Static_assert(sizeof(vbss_scene_rigid_state) == 264, "published size");
 static const uint32_t state_sizes[] = {264, 0};
 static const vbss_layout state_layout = {"vbss_scene_rigid_state", NULL, state_sizes};
 
-static scene_body *find_rigid(const scene_object *s, uint32_t number)
-{
-    return vbss_scene_require_body(s, number, SCENE_BODY_RIGID);
-}
-
 vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body, const double position[3],
                                         const double *orientation)
 {
@@ -22,24 +17,26 @@ vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body, const 
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, position, "position"));
-    scene_body *b = find_rigid(s, body);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_RIGID, &b));
     scene_rigid *r = &b->rigid;
     pose previous = r->has_pending_target ? r->pending_target : r->body.target_end,
          target = pose_mul(previous, pose_inverse(r->frame));
     if (r->grasper != NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "body %u is a grasper: it goes where vbss_grasper_set_target says", body);
     }
     if (r->kind == VBSS_SCENE_RIGID_FREE) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is free", body);
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u is free", body);
     }
     VBSS_TRY(vbss_check_vector(s->context, position, 1e3, "position"));
     if (orientation != NULL) {
         VBSS_TRY(vbss_read_orientation(s->context, orientation, &target.orientation));
     }
+    vbss_edit input = {.kind = VBSS_EDIT_RIGID_TARGET, .words = {body, orientation != NULL}};
+    vbss_edit_set_numbers(&input, 0, position, 3);
+    vbss_edit_set_numbers(&input, 3, orientation, 4);
+    VBSS_TRY(vbss_edit_begin(scene, &input));
     const double jump = vec3_distance(vec3_load(position), target.position);
     if (!r->has_jumped && jump > VBSS_LIKELY_JUMP) {
         r->has_jumped = true; /* a host with the wrong unit is warned once, not each step */
@@ -52,7 +49,7 @@ vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body, const 
     }
     vbss_scene_set_tool_target(s, r, target);
     s->report.generation++;
-    return VBSS_OK;
+    return vbss_edit_end(scene, &input, VBSS_OK);
 }
 
 vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_scene_rigid_state *state,
@@ -61,10 +58,8 @@ vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_scene_ri
     VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
-    const scene_body *b = find_rigid(s, body);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_RIGID, &b));
     const scene_rigid *r = &b->rigid;
     vbss_scene_rigid_state own = {.struct_size = sizeof own, .kind = r->kind};
     pose back = pose_inverse(r->frame), at = pose_mul(r->body.now.pose, back);

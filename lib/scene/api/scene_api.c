@@ -29,18 +29,25 @@ vbss_result vbss_scene_prepare(vbss_scene *scene)
     return s->config.method == VBSS_METHOD_IMPLICIT ? vbss_scene_prepare_step(s) : VBSS_OK;
 }
 
-vbss_result vbss_scene_step(vbss_scene *scene, double h)
+static vbss_result step(scene_object *s, double h)
 {
-    VBSS_ENTER(scene);
-    scene_object *s;
-    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
     const vbss_result result = s->method->step_scene(s, h);
     VBSS_TRY(result);
     s->report.generation++;
     s->report.statistics.steps++;
     s->report.statistics.time += h;
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_step(vbss_scene *scene, double h)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    vbss_edit input = {.kind = VBSS_EDIT_STEP, .numbers = {h}};
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
+    VBSS_TRY(vbss_edit_begin(scene, &input));
+    return vbss_edit_end(scene, &input, step(s, h));
 }
 
 vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t capacity, uint64_t *written)
@@ -52,7 +59,11 @@ vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t capacity
 vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count)
 {
     VBSS_ENTER(scene);
-    return vbss_object_restore(scene, &vbss_scene_kind, bytes, count);
+    scene_object *s;
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_edit_begin(scene, &input));
+    return vbss_edit_end(scene, &input, vbss_object_restore(scene, &vbss_scene_kind, bytes, count));
 }
 
 vbss_result vbss_scene_get_hash(vbss_scene *scene, uint64_t *hash)

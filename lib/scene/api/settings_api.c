@@ -9,9 +9,7 @@
 
 /* A change under way: the values and where they go. */
 typedef struct setting {
-    uint32_t body;
-    double numbers[4];
-    scene_filter filter;
+    vbss_edit input; /* words: setting, body, and two of the filter */
     /* Checks that the scene can take the change. Sets the error. */
     vbss_result (*check)(const scene_object *s, const struct setting *setting);
     void (*apply)(scene_object *s, const struct setting *setting);
@@ -26,12 +24,14 @@ static vbss_result check_and_apply(scene_object *s, const setting *wanted)
     return VBSS_OK;
 }
 
-static vbss_result set(scene_object *s, const setting *wanted)
+static vbss_result set(vbss_scene *scene, setting *wanted)
 {
     scene_edit edit;
+    scene_object *s = ((vbss_slot *)scene)->object;
+    wanted->input.kind = VBSS_EDIT_SETTING;
     VBSS_TRY(wanted->check(s, wanted));
-    VBSS_TRY(vbss_scene_begin_edit(s, &edit));
-    return vbss_scene_end_edit(s, &edit, check_and_apply(s, wanted));
+    VBSS_TRY(vbss_scene_begin_edit(scene, &wanted->input, &edit));
+    return vbss_scene_end_edit(&edit, check_and_apply(s, wanted));
 }
 
 static vbss_result check_method(const scene_object *s, const setting *wanted)
@@ -44,10 +44,9 @@ static vbss_result check_method(const scene_object *s, const setting *wanted)
 static vbss_result check_body(const scene_object *s, const setting *wanted)
 {
     VBSS_TRY(vbss_scene_check_settable(s));
-    return wanted->body == 0 || vbss_scene_body(s, wanted->body) != NULL
-               ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u",
-                           wanted->body);
+    scene_body *b;
+    return wanted->input.words[1] == 0 ? VBSS_OK
+                                       : vbss_scene_require_any_body(s, wanted->input.words[1], &b);
 }
 
 /* ---- gravity */
@@ -74,8 +73,8 @@ static void apply_gravity(scene_object *s, const setting *wanted)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (wanted->body == 0 ? !is_carried(b) : b->number == wanted->body) {
-            set_gravity_of(b, vec3_load(wanted->numbers));
+        if (wanted->input.words[1] == 0 ? !is_carried(b) : b->number == wanted->input.words[1]) {
+            set_gravity_of(b, vec3_load(wanted->input.numbers));
         }
     }
 }
@@ -87,11 +86,11 @@ vbss_result vbss_scene_set_gravity(vbss_scene *scene, uint32_t body, const doubl
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, gravity, "gravity"));
     VBSS_TRY(vbss_check_vector(s->context, gravity, 1e6, "gravity"));
-    const setting wanted = {.body = body,
-                            .numbers = {gravity[0], gravity[1], gravity[2]},
-                            .check = check_body,
-                            .apply = apply_gravity};
-    return set(s, &wanted);
+    setting wanted = {.input = {.words = {VBSS_EDIT_SETTING_GRAVITY, body},
+                                .numbers = {gravity[0], gravity[1], gravity[2]}},
+                      .check = check_body,
+                      .apply = apply_gravity};
+    return set(scene, &wanted);
 }
 
 /* ---- friction */
@@ -99,23 +98,23 @@ vbss_result vbss_scene_set_gravity(vbss_scene *scene, uint32_t body, const doubl
 static vbss_result check_friction(const scene_object *s, const setting *wanted)
 {
     VBSS_TRY(check_body(s, wanted));
-    const scene_body *b = vbss_scene_body(s, wanted->body);
+    const scene_body *b = vbss_scene_body(s, wanted->input.words[1]);
     if (b != NULL && b->kind == SCENE_BODY_THREAD) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "body %u is a thread: vbss_scene_set_thread_friction sets the friction "
                          "of all threads",
-                         wanted->body);
+                         wanted->input.words[1]);
     }
     return VBSS_OK;
 }
 
 static void apply_friction(scene_object *s, const setting *wanted)
 {
-    scene_body *b = vbss_scene_body(s, wanted->body);
+    scene_body *b = vbss_scene_body(s, wanted->input.words[1]);
     double *friction = b == NULL                     ? &s->settings.floor_friction
                        : b->kind == SCENE_BODY_DRAIN ? &b->drain.friction
                                                      : &b->rigid.friction;
-    *friction = wanted->numbers[0];
+    *friction = wanted->input.numbers[0];
 }
 
 vbss_result vbss_scene_set_friction(vbss_scene *scene, uint32_t body, double friction)
@@ -124,14 +123,15 @@ vbss_result vbss_scene_set_friction(vbss_scene *scene, uint32_t body, double fri
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, friction, 0.0, 10.0, "friction"));
-    const setting wanted = {
-        .body = body, .numbers = {friction}, .check = check_friction, .apply = apply_friction};
-    return set(s, &wanted);
+    setting wanted = {.input = {.words = {VBSS_EDIT_SETTING_FRICTION, body}, .numbers = {friction}},
+                      .check = check_friction,
+                      .apply = apply_friction};
+    return set(scene, &wanted);
 }
 
 static void apply_thread_friction(scene_object *s, const setting *wanted)
 {
-    s->settings.thread_friction = wanted->numbers[0];
+    s->settings.thread_friction = wanted->input.numbers[0];
 }
 
 vbss_result vbss_scene_set_thread_friction(vbss_scene *scene, double friction)
@@ -140,9 +140,11 @@ vbss_result vbss_scene_set_thread_friction(vbss_scene *scene, double friction)
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, friction, 0.0, 10.0, "friction"));
-    const setting wanted = {
-        .numbers = {friction}, .check = check_method, .apply = apply_thread_friction};
-    return set(s, &wanted);
+    setting wanted = {
+        .input = {.words = {VBSS_EDIT_SETTING_THREAD_FRICTION}, .numbers = {friction}},
+        .check = check_method,
+        .apply = apply_thread_friction};
+    return set(scene, &wanted);
 }
 
 /* ---- tools */
@@ -150,20 +152,18 @@ vbss_result vbss_scene_set_thread_friction(vbss_scene *scene, double friction)
 static vbss_result check_coupling(const scene_object *s, const setting *wanted)
 {
     VBSS_TRY(vbss_scene_check_settable(s));
-    const scene_body *b = vbss_scene_require_body(s, wanted->body, SCENE_BODY_RIGID);
-    if (b == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
+    scene_body *b;
+    VBSS_TRY(vbss_scene_require_body(s, wanted->input.words[1], SCENE_BODY_RIGID, &b));
     return b->rigid.kind == VBSS_SCENE_RIGID_COUPLED
                ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u has no coupling",
-                           wanted->body);
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u has no coupling",
+                           wanted->input.words[1]);
 }
 
 static void apply_coupling(scene_object *s, const setting *wanted)
 {
-    const double *n = wanted->numbers;
-    vbss_scene_body(s, wanted->body)->rigid.body.coupling =
+    const double *n = wanted->input.numbers;
+    vbss_scene_body(s, wanted->input.words[1])->rigid.body.coupling =
         (vbss_rigid_coupling){n[0], n[1], n[2], n[3]};
 }
 
@@ -178,16 +178,17 @@ vbss_result vbss_scene_set_coupling(vbss_scene *scene, uint32_t body, double sti
     VBSS_TRY(vbss_check_range(s->context, damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(s->context, turning_stiffness, 0.0, 1e9, "turning_stiffness"));
     VBSS_TRY(vbss_check_range(s->context, turning_damping, 0.0, 1e6, "turning_damping"));
-    const setting wanted = {.body = body,
-                            .numbers = {stiffness, damping, turning_stiffness, turning_damping},
-                            .check = check_coupling,
-                            .apply = apply_coupling};
-    return set(s, &wanted);
+    setting wanted = {
+        .input = {.words = {VBSS_EDIT_SETTING_COUPLING, body},
+                  .numbers = {stiffness, damping, turning_stiffness, turning_damping}},
+        .check = check_coupling,
+        .apply = apply_coupling};
+    return set(scene, &wanted);
 }
 
 static void apply_speed_limit(scene_object *s, const setting *wanted)
 {
-    s->settings.speed_limit = wanted->numbers[0];
+    s->settings.speed_limit = wanted->input.numbers[0];
 }
 
 vbss_result vbss_scene_set_speed_limit(vbss_scene *scene, double limit)
@@ -196,16 +197,19 @@ vbss_result vbss_scene_set_speed_limit(vbss_scene *scene, double limit)
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, limit, 0.0, 1e6, "limit"));
-    const setting wanted = {.numbers = {limit}, .check = check_method, .apply = apply_speed_limit};
-    return set(s, &wanted);
+    setting wanted = {.input = {.words = {VBSS_EDIT_SETTING_SPEED_LIMIT}, .numbers = {limit}},
+                      .check = check_method,
+                      .apply = apply_speed_limit};
+    return set(scene, &wanted);
 }
 
 /* ---- filters */
 
 static void apply_filter(scene_object *s, const setting *wanted)
 {
-    scene_body *b = vbss_scene_body(s, wanted->body);
-    *(b == NULL ? &s->settings.floor_filter : &b->filter) = wanted->filter;
+    scene_body *b = vbss_scene_body(s, wanted->input.words[1]);
+    *(b == NULL ? &s->settings.floor_filter : &b->filter) =
+        (scene_filter){wanted->input.words[2], wanted->input.words[3]};
 }
 
 vbss_result vbss_scene_set_filter(vbss_scene *scene, uint32_t body, uint32_t category,
@@ -214,7 +218,8 @@ vbss_result vbss_scene_set_filter(vbss_scene *scene, uint32_t body, uint32_t cat
     VBSS_ENTER(scene);
     scene_object *s;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    const setting wanted = {
-        .body = body, .filter = {category, mask}, .check = check_body, .apply = apply_filter};
-    return set(s, &wanted);
+    setting wanted = {.input = {.words = {VBSS_EDIT_SETTING_FILTER, body, category, mask}},
+                      .check = check_body,
+                      .apply = apply_filter};
+    return set(scene, &wanted);
 }

@@ -1,4 +1,4 @@
-/* Views of a scene's contacts and events. */
+/* Views of a scene's contacts. */
 #include "base/api_call.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -31,12 +31,6 @@ vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_
     case VBSS_SCENE_VIEW_CONTACT_GAPS:
         own.components = 1;
         own.data = s->report.contact_gaps;
-        break;
-    case VBSS_SCENE_VIEW_EVENTS:
-        own.type = VBSS_VIEW_TYPE_U32;
-        own.components = 4;
-        own.count = s->report.event_count;
-        own.data = s->report.events;
         break;
     default:
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "a scene has no array %d", field);

@@ -13,13 +13,15 @@
 static void visit_config(vbss_stream *stream, const scene_object *s)
 {
     const vbss_scene_config *c = &s->config;
-    const double numbers[] = {c->floor_normal[0],       c->floor_normal[1], c->floor_normal[2],
-                              c->floor_height,          c->floor_friction,  c->thread_friction,
-                              c->contact_stiffness,     c->contact_margin,  c->stretch_tolerance,
-                              c->penetration_tolerance, c->paper_thickness};
-    const uint32_t choices[] = {(uint32_t)c->method, (uint32_t)c->mode,   (uint32_t)c->floor,
-                                c->iteration_limit,  c->active_set_limit, c->halving_limit,
-                                c->attempt_limit,    c->paper_pass_limit, c->pin_capacity};
+    const double numbers[] = {
+        c->floor_normal[0],       c->floor_normal[1],          c->floor_normal[2],
+        c->floor_height,          c->floor_friction,           c->thread_friction,
+        c->contact_stiffness,     c->contact_margin,           c->stretch_tolerance,
+        c->penetration_tolerance, c->baseline->scene_thickness};
+    const uint32_t choices[] = {
+        (uint32_t)c->method, (uint32_t)c->mode, (uint32_t)c->floor, c->iteration_limit,
+        c->active_set_limit, c->halving_limit,  c->attempt_limit,   c->baseline->scene_pass_limit,
+        c->pin_capacity};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
@@ -595,7 +597,8 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     if (stream->mode == VBSS_STREAM_READ) {
         set_welded_flags(s);
         s->step.pattern_hash = 0;
-        s->report.event_count = 0;
+        s->report.logged_event_count = 0;
+        s->events = (scene_events){.ring = s->events.ring, .pending = s->events.pending};
         s->report.generation++;
     }
     if (stream->trusted) {

@@ -6,6 +6,18 @@
 
 #include "scene/world/scene_data.h"
 
+/* ---- config_fields.c */
+
+/* Visits a configuration and its parameters of the baseline, to which it points afterwards. Reading one
+ * of an older version sets the missing fields to what scenes of that version had. */
+void vbss_scene_visit_config(vbss_stream *stream, vbss_scene_config *config,
+                             vbss_baseline_config *baseline);
+
+/* Name of the first field that must be equal in scenes that accept each other's states, and is not;
+ * NULL: there is none. */
+const char *vbss_scene_find_config_difference(const vbss_scene_config *a,
+                                              const vbss_scene_config *b);
+
 /* ---- snapshot_suspended.c */
 
 /* Visits the cursor, and the rest of a suspended step if there is one. */

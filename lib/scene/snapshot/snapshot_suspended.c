@@ -352,22 +352,61 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     vbss_scene_visit_settings(stream, s, (words[0] & HAS_SETTINGS) != 0);
     if (reads) {
         vbss_scene_set_substep_limits(s);
-        s->report.has_pending_events = false;
+        s->report.keeps_logged_events = false;
         /* Another count than that of the bodies ends the suspended step. */
         cursor->edit_count = vbss_scene_count_edits(s) - ((words[0] & IS_EDITED) != 0);
     }
 }
 
+static void visit_event(vbss_stream *stream, vbss_scene_event *e)
+{
+    uint32_t words[] = {(uint32_t)e->kind, e->body_a, e->body_b, e->id, e->flags};
+    double numbers[] = {e->time,        e->value,       e->arc_length,
+                        e->position[0], e->position[1], e->position[2]};
+    vbss_stream_u32(stream, 196, words, sizeof words / sizeof words[0]);
+    vbss_stream_u64(stream, 197, &e->step, 1);
+    vbss_stream_f64(stream, 198, numbers, sizeof numbers / sizeof numbers[0]);
+    *e = (vbss_scene_event){.struct_size = sizeof *e,
+                            .kind = (vbss_scene_event_kind)words[0],
+                            .body_a = words[1],
+                            .body_b = words[2],
+                            .id = words[3],
+                            .flags = words[4],
+                            .step = e->step,
+                            .time = numbers[0],
+                            .value = numbers[1],
+                            .arc_length = numbers[2],
+                            .position = {numbers[3], numbers[4], numbers[5]}};
+}
+
+/* Events that hosts have not taken, and those of a suspended step. */
+static void visit_events(vbss_stream *stream, scene_object *s)
+{
+    scene_events *events = &s->events;
+    const uint32_t capacity = s->config.event_capacity;
+    vbss_stream_count(stream, 199, &events->count, capacity);
+    for (uint32_t i = 0; i < events->count; i++) {
+        visit_event(stream, &events->ring[(uint32_t)(((uint64_t)events->first + i) % capacity)]);
+    }
+    vbss_stream_u64(stream, 200, &events->lost, 1);
+    vbss_stream_count(stream, 201, &events->pending_count, capacity);
+    for (uint32_t i = 0; i < events->pending_count; i++) {
+        visit_event(stream, &events->pending[i]);
+    }
+    vbss_stream_u32(stream, 202, &events->pending_lost, 1);
+}
+
 void vbss_scene_visit_report(vbss_stream *stream, scene_object *s)
 {
     scene_report *r = &s->report;
-    vbss_stream_bool(stream, 190, &r->has_pending_events);
-    vbss_stream_count(stream, 191, &r->event_count, s->config.event_capacity);
-    const size_t count = stream->result == VBSS_OK ? r->event_count : 0;
+    vbss_stream_bool(stream, 190, &r->keeps_logged_events);
+    vbss_stream_count(stream, 191, &r->logged_event_count, s->config.event_capacity);
+    const size_t count = stream->result == VBSS_OK ? r->logged_event_count : 0;
     if (count > 0) {
-        vbss_stream_u32(stream, 192, r->events[0], 4 * count);
+        vbss_stream_u32(stream, 192, r->logged_events[0], 4 * count);
     }
-    vbss_stream_u32(stream, 193, &r->lost_events, 1);
+    vbss_stream_u32(stream, 193, &r->lost_logged_events, 1);
+    visit_events(stream, s);
     visit_contact_views(stream, r, 0, s->config.contact_capacity);
     vbss_stream_u32(stream, 195, &r->old_contact_count, 1);
     vbss_stream_u64(stream, 194, &r->generation, 1);

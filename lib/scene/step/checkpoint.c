@@ -27,8 +27,10 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
     }
     vbss_scene_checkpoint_tools(s);
     vbss_scene_checkpoint_statistics(s);
-    s->checkpoint.event_count = s->report.event_count;
-    s->checkpoint.lost_events = s->report.lost_events;
+    s->checkpoint.logged_event_count = s->report.logged_event_count;
+    s->checkpoint.lost_logged_events = s->report.lost_logged_events;
+    s->checkpoint.pending_event_count = s->events.pending_count;
+    s->checkpoint.lost_pending_events = s->events.pending_lost;
     s->checkpoint.cursor = s->cursor;
     s->checkpoint.blocker_count = s->report.blocker_count;
     memcpy(s->checkpoint.blockers, s->report.blockers,
@@ -97,8 +99,10 @@ void vbss_scene_rollback(scene_object *s)
     memcpy(s->overlaps, s->checkpoint.overlaps, s->overlap_count * sizeof *s->overlaps);
     vbss_scene_rollback_pin_targets(s);
     vbss_contact_rollback(s->contacts);
-    s->report.event_count = s->checkpoint.event_count;
-    s->report.lost_events = s->checkpoint.lost_events;
+    s->report.logged_event_count = s->checkpoint.logged_event_count;
+    s->report.lost_logged_events = s->checkpoint.lost_logged_events;
+    s->events.pending_count = s->checkpoint.pending_event_count;
+    s->events.pending_lost = s->checkpoint.lost_pending_events;
     s->report.generation++;
 }
 

@@ -150,6 +150,7 @@ void vbss_scene_finish_step(scene_object *s)
     vbss_scene_update_cut_exclusions(s);
     vbss_scene_update_touching_pairs(s);
     vbss_scene_collect_forces(s);
+    vbss_scene_locate_touch_events(s);
     vbss_scene_update_holes(s);
     vbss_scene_release_groups(s);
     update_tools(s, h);

@@ -74,6 +74,10 @@ bool vbss_scene_is_substep_size(const scene_object *s, double size);
 
 /* ---- touch_events.c */
 
+/* Gives the events of pairs that began to touch the place and the force of their strongest contact, when
+ * the views have the contacts of the step. */
+void vbss_scene_locate_touch_events(scene_object *s);
+
 /* Emits an event for each pair of bodies that began or ceased to touch in the step. */
 void vbss_scene_update_touching_pairs(scene_object *s);
 

@@ -162,7 +162,11 @@ static void pause_step(scene_object *s, scene_step_cursor *cursor, scene_substep
                        scene_touching_pair blamed, double size)
 {
     double fraction_left = 1.0 - cursor->substep.start_fraction;
-    vbss_scene_add_event(s, VBSS_SCENE_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
+    const vbss_scene_event event = {.kind = VBSS_SCENE_EVENT_PAUSED,
+                                    .body_a = blamed.body_a,
+                                    .body_b = blamed.body_b,
+                                    .value = fraction_left * cursor->substep.step_length};
+    vbss_scene_add_event(s, &event, (uint32_t)(65536.0 * fraction_left));
     record_pause(s, cursor, fraction_left);
     vbss_scene_record_blocker(s, cause_of(outcome), blamed,
                               fraction_left * cursor->substep.step_length);
@@ -192,7 +196,11 @@ static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
         lost_fraction * (cursor->substep.end_fraction - cursor->substep.start_fraction);
     vbss_scene_record_blocker(s, cause_of(outcome), blamed,
                               lost_of_step * cursor->substep.step_length);
-    vbss_scene_add_event(s, VBSS_SCENE_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
+    const vbss_scene_event event = {.kind = VBSS_SCENE_EVENT_TRUNCATED,
+                                    .body_a = blamed.body_a,
+                                    .body_b = blamed.body_b,
+                                    .value = lost_of_step * cursor->substep.step_length};
+    vbss_scene_add_event(s, &event, (uint32_t)(65536.0 * lost_of_step));
     vbss_scene_request_damping(s);
     cursor->is_behind_targets = true;
     cursor->truncations++;

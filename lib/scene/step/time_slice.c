@@ -63,7 +63,8 @@ vbss_result vbss_scene_abandon_suspended_step(scene_object *s)
     vbss_scene_abandon_step(s);
     vbss_scene_finish_step(s);
     swap_targets(s);
-    s->report.has_pending_events = true;
+    vbss_scene_publish_events(s, 0, 0.0);
+    s->report.keeps_logged_events = true;
     s->cursor.unsliced_steps_left = SCENE_UNSLICED_STEPS;
     return VBSS_OK;
 }
@@ -115,6 +116,10 @@ static vbss_result run_slice(scene_object *s, double h, bool is_sliced)
         /* after a replay, which restores statistics */
         cursor->was_overdue = is_overdue && *limit == 0;
         s->report.statistics.overdue += cursor->was_overdue;
+        if (cursor->was_overdue) {
+            vbss_scene_add_event(s, &(vbss_scene_event){.kind = VBSS_SCENE_EVENT_OVERDUE}, 0);
+        }
+        vbss_scene_publish_events(s, 0, h);
     }
     if (was_suspended) {
         swap_targets(s);
@@ -135,20 +140,38 @@ static vbss_result run_slice_or_rollback(scene_object *s, double h, bool is_slic
     return result;
 }
 
+/* Tells hosts when more steps wait than before, and when none waits any more. */
+static void emit_backlog_event(scene_object *s, uint32_t behind, double h)
+{
+    const uint32_t behind_before = s->report.statistics.behind;
+    if (behind > behind_before) {
+        const vbss_scene_event event = {
+            .kind = VBSS_SCENE_EVENT_DEFERRED, .id = behind, .value = behind * h};
+        vbss_scene_add_event(s, &event, 0);
+    } else if (behind == 0 && behind_before > 0) {
+        vbss_scene_add_event(s, &(vbss_scene_event){.kind = VBSS_SCENE_EVENT_CAUGHT_UP}, 0);
+    }
+}
+
+/* What the call itself reports is published at once, while a suspended step keeps its events. */
 static void drop_overdue_steps(scene_object *s, double h)
 {
+    const uint32_t pending_before = s->events.pending_count;
     scene_step_cursor *cursor = &s->cursor;
     vbss_scene_statistics *c = &s->report.statistics;
     c->deferred += cursor->is_suspended || cursor->steps_behind > 0;
     while (cursor->steps_behind > 0 &&
            cursor->steps_behind + cursor->is_suspended > SCENE_MAX_STEPS_BEHIND) {
         cursor->steps_behind--;
-        vbss_scene_add_event(s, VBSS_SCENE_EVENT_CLAMPED, 0, 0, 65536);
+        vbss_scene_add_event(s, &(vbss_scene_event){.kind = VBSS_SCENE_EVENT_PAUSED, .value = h},
+                             65536);
         c->paused++;
         c->time_paused += h;
         vbss_scene_record_blocker(s, VBSS_SCENE_BLOCKER_WORK, (scene_touching_pair){0, 0}, h);
     }
+    emit_backlog_event(s, cursor->steps_behind + cursor->is_suspended, h);
     c->behind = cursor->steps_behind + cursor->is_suspended;
+    vbss_scene_publish_events(s, pending_before, h);
 }
 
 vbss_result vbss_scene_implicit_step(scene_object *s, double h)
@@ -156,8 +179,8 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
     scene_step_cursor *cursor = &s->cursor;
     const bool ends_suspended =
         cursor->is_suspended && vbss_scene_count_edits(s) != cursor->edit_count;
-    if (!s->report.has_pending_events) {
-        vbss_scene_clear_events(s);
+    if (!s->report.keeps_logged_events) {
+        vbss_scene_clear_logged_events(s);
     }
     if (ends_suspended) {
         VBSS_TRY(vbss_scene_abandon_suspended_step(s));
@@ -183,6 +206,6 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
     }
     drop_overdue_steps(s, h);
     cursor->edit_count = vbss_scene_count_edits(s);
-    s->report.has_pending_events = false;
+    s->report.keeps_logged_events = false;
     return VBSS_OK;
 }

@@ -35,6 +35,34 @@ void vbss_scene_list_touching_pairs(scene_object *s)
     }
 }
 
+static void emit_pair_event(scene_object *s, vbss_scene_event_kind kind, scene_touching_pair pair)
+{
+    const vbss_scene_event event = {.kind = kind, .body_a = pair.body_a, .body_b = pair.body_b};
+    vbss_scene_add_event(s, &event, 0);
+}
+
+static void locate_touch_event(const scene_report *r, vbss_scene_event *event)
+{
+    for (uint32_t i = 0; i < r->contact_count; i++) {
+        const uint32_t *features = r->contact_features[i];
+        const double force = vec3_norm(r->contact_forces[i]);
+        if (features[1] == event->body_a && features[3] == event->body_b && force > event->value) {
+            event->value = force;
+            event->flags |= VBSS_SCENE_EVENT_FLAG_POSITION;
+            vec3_store(event->position, r->contact_points[i]);
+        }
+    }
+}
+
+void vbss_scene_locate_touch_events(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->events.pending_count; i++) {
+        if (s->events.pending[i].kind == VBSS_SCENE_EVENT_TOUCH) {
+            locate_touch_event(&s->report, &s->events.pending[i]);
+        }
+    }
+}
+
 void vbss_scene_update_touching_pairs(scene_object *s)
 {
     uint32_t count = s->report.touching_pair_count;
@@ -50,14 +78,12 @@ void vbss_scene_update_touching_pairs(scene_object *s)
         bool has_begun =
             !has_ended && (o == count || precedes(s->report.touching_pairs[n], previous[o]));
         if (has_ended) {
-            vbss_scene_add_event(s, VBSS_SCENE_EVENT_PART, previous[o].body_a, previous[o].body_b,
-                                 0);
+            emit_pair_event(s, VBSS_SCENE_EVENT_PART, previous[o]);
         } else if (has_begun) {
-            vbss_scene_add_event(s, VBSS_SCENE_EVENT_TOUCH, s->report.touching_pairs[n].body_a,
-                                 s->report.touching_pairs[n].body_b, 0);
+            emit_pair_event(s, VBSS_SCENE_EVENT_TOUCH, s->report.touching_pairs[n]);
         }
         o += !has_begun;
         n += !has_ended;
     }
-    vbss_scene_write_lost_event(s);
+    vbss_scene_log_lost_events(s);
 }

@@ -73,7 +73,7 @@ static void pierce(scene_object *s, const scene_body *needle, const scene_body *
     made.is_outward = vbss_suture_is_outward(d, c->at.triangle, direction);
     made.arc = c->arc;
     made.max_arc = vbss_max(c->arc, d->config.tip_length); /* the hole is open */
-    vbss_scene_add_hole(s, &made);
+    vbss_scene_add_hole(s, &made, 0.0);
 }
 
 /* The crossing nearest to the hole is that of the hole itself. */

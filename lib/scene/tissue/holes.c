@@ -2,10 +2,23 @@
 #include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
 
-static void emit_hole_event(scene_object *s, vbss_scene_event_kind kind, const suture_hole *hole)
+static void emit_event_of_body(scene_object *s, vbss_scene_event_kind kind, uint32_t body,
+                               const suture_hole *hole, double force)
 {
-    uint32_t body = hole->needle != 0 ? hole->needle : hole->thread;
-    vbss_scene_add_event(s, kind, body, hole->drain, hole->id);
+    const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
+    vbss_scene_event event = {.kind = kind,
+                              .body_a = body,
+                              .body_b = hole->drain,
+                              .id = hole->id,
+                              .value = force,
+                              .arc_length = hole->arc};
+    vbss_scene_add_event_at(s, &event, vbss_hole_point(hole, d, d->x), hole->id);
+}
+
+static void emit_hole_event(scene_object *s, vbss_scene_event_kind kind, const suture_hole *hole,
+                            double force)
+{
+    emit_event_of_body(s, kind, hole->needle != 0 ? hole->needle : hole->thread, hole, force);
 }
 
 void vbss_scene_record_holes_before_step(scene_object *s)
@@ -22,7 +35,7 @@ static void emit_swage_event(scene_object *s, const scene_previous_hole *before,
         vbss_scene_event_kind kind =
             hole->needle == 0 ? VBSS_SCENE_EVENT_PASSED : VBSS_SCENE_EVENT_RETURNED;
         uint32_t needle = hole->needle == 0 ? before->needle : hole->needle;
-        vbss_scene_add_event(s, kind, needle, hole->drain, hole->id);
+        emit_event_of_body(s, kind, needle, hole, 0.0);
     }
 }
 
@@ -97,7 +110,7 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates)
         emit_swage_event(s, &s->step.previous_holes[i], hole);
         bool stays = relocates && out == VBSS_SCENE_EVENT_WITHDRAWN && relocate_hole(s, &p, hole);
         if (out != 0 && !stays) {
-            emit_hole_event(s, out, hole);
+            emit_hole_event(s, out, hole, 0.0);
             *hole = (suture_hole){0};
         }
     }
@@ -139,16 +152,16 @@ suture_hole *vbss_scene_find_free_hole(scene_object *s)
     return NULL;
 }
 
-void vbss_scene_add_hole(scene_object *s, suture_hole *made)
+void vbss_scene_add_hole(scene_object *s, suture_hole *made, double force)
 {
     suture_hole *hole = vbss_scene_find_free_hole(s);
     if (hole == NULL) {
-        emit_hole_event(s, VBSS_SCENE_EVENT_HOLE_LOST, made);
+        emit_hole_event(s, VBSS_SCENE_EVENT_HOLE_LOST, made, 0.0);
         return;
     }
     made->id = ++s->last_hole_id;
     *hole = *made;
-    emit_hole_event(s, VBSS_SCENE_EVENT_PUNCTURE, hole);
+    emit_hole_event(s, VBSS_SCENE_EVENT_PUNCTURE, hole, force);
 }
 
 void vbss_scene_remove_holes_of(scene_object *s, uint32_t number)
@@ -178,7 +191,7 @@ void vbss_scene_close_holes_of_short_threads(scene_object *s)
         suture_hole *hole = &s->holes[i];
         if (hole->id != 0 && hole->thread != 0 &&
             !suture_is_curve(vbss_scene_body(s, hole->thread)->thread.thread)) {
-            emit_hole_event(s, VBSS_SCENE_EVENT_UNTHREADED, hole);
+            emit_hole_event(s, VBSS_SCENE_EVENT_UNTHREADED, hole, 0.0);
             *hole = (suture_hole){0};
         }
     }

@@ -68,7 +68,7 @@ static void puncture_wall(scene_object *s, const scene_body *needle, const scene
     }
     made.needle = needle->number;
     made.drain = drain->number;
-    vbss_scene_add_hole(s, &made);
+    vbss_scene_add_hole(s, &made, -vec3_dot(tip.force, tip.direction));
 }
 
 void vbss_scene_update_holes(scene_object *s)

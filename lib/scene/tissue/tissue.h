@@ -59,9 +59,9 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates);
  * hole of the same drain. */
 bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc);
 
-/* Adds a hole and its event. Sets the id of `made`. If the list is full, adds
- * VBSS_SCENE_EVENT_HOLE_LOST and no hole. */
-void vbss_scene_add_hole(scene_object *s, suture_hole *made);
+/* Adds a hole and its event, with the force along the tip that made it, N. Sets the id of `made`. If the
+ * list is full, adds VBSS_SCENE_EVENT_HOLE_LOST and no hole. */
+void vbss_scene_add_hole(scene_object *s, suture_hole *made, double force);
 
 /* Removes all holes of a needle, thread or drain, given by its number. Adds no event. */
 void vbss_scene_remove_holes_of(scene_object *s, uint32_t number);

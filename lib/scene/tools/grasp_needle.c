@@ -26,11 +26,13 @@ static pose held_frame(const scene_rigid *needle, const scene_needle_grasp *gras
                     arc_frame(needle->needle, grasp->arc));
 }
 
-static void emit_needle_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                    const scene_body *tool)
+void vbss_scene_emit_needle_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_body *tool)
 {
-    const scene_needle_grasp *grasp = &tool->rigid.needle_grasp;
-    vbss_scene_add_event(s, kind, grasp->needle, tool->number, (uint32_t)(1e6 * grasp->arc));
+    scene_grasp_event of = {.tool = tool->number};
+    vbss_scene_describe_needle_grasp(s, tool, &of.grasp);
+    of.logged_number = (uint32_t)(1e6 * of.grasp.arc_length);
+    vbss_scene_emit_grasp_event(s, kind, &of);
 }
 
 /* ---- grasping */
@@ -118,7 +120,7 @@ bool vbss_scene_find_needle_in_jaws(const scene_object *s, const scene_body *too
 void vbss_scene_grasp_needle(scene_object *s, scene_body *tool, const scene_needle_grasp *found)
 {
     tool->rigid.needle_grasp = *found;
-    emit_needle_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
+    vbss_scene_emit_needle_grasp_event(s, VBSS_SCENE_EVENT_GRASP, tool);
 }
 
 /* ---- exclusion from contact */
@@ -174,7 +176,7 @@ void vbss_scene_release_needle_grasp(scene_object *s, scene_body *tool)
     }
     grasp->needs_reopening = false;
     if (!grasp->is_released) {
-        emit_needle_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
+        vbss_scene_emit_needle_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, tool);
         grasp->is_released = true;
         grasp->force = grasp->torque = vec3_zero();
         if (is_needle_clear(s, tool, SCENE_RELEASE_CLEARANCE_RATIO)) {
@@ -267,14 +269,14 @@ static void update_needle_grasp(scene_object *s, scene_body *tool, double h)
         vbss_grasper_yield_needle(r->grasper, &grasp->pose_in_jaws, &grasp->age, &load);
     bool is_sliding = change.slip > 0.0 || change.rotation > 0.0;
     if (is_sliding && !grasp->is_sliding) {
-        emit_needle_grasp_event(s, VBSS_SCENE_EVENT_SLIP, tool);
+        vbss_scene_emit_needle_grasp_event(s, VBSS_SCENE_EVENT_SLIP, tool);
     }
     grasp->is_sliding = is_sliding;
     grasp->slid += change.slip;
     grasp->turned += change.rotation;
     if (change.has_escaped || !recentre_grasp(needle->needle, r->grasper, grasp)) {
         grasp->arc = vbss_max(0.0, vbss_min(grasp->arc, vbss_needle_length(needle->needle)));
-        emit_needle_grasp_event(s, VBSS_SCENE_EVENT_TORN, tool);
+        vbss_scene_emit_needle_grasp_event(s, VBSS_SCENE_EVENT_TORN, tool);
         grasp->is_released = grasp->needs_reopening = true;
         grasp->force = grasp->torque = vec3_zero();
     }

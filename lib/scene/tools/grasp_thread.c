@@ -6,6 +6,7 @@
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
 #include "scene/tuning.h"
+#include "scene/world/method.h"
 #include "scene/world/world.h"
 
 /* ---- the list of grasps */
@@ -27,11 +28,26 @@ double vbss_scene_grasp_arc(const scene_object *s, const scene_thread_grasp *g)
     return vbss_thread_arc_length(t, g->segment) + g->segment_offset;
 }
 
-void vbss_scene_emit_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                 const scene_thread_grasp *g)
+void vbss_scene_describe_thread_grasp(const scene_object *s, const scene_thread_grasp *g,
+                                      vbss_scene_grasp *grasp)
 {
-    double arc = 1e6 * vbss_scene_grasp_arc(s, g);
-    vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)vbss_max(arc, 0.0));
+    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+    grasp->body = g->thread;
+    grasp->arc_length = vbss_scene_grasp_arc(s, g);
+    grasp->limit = g->limit;
+    grasp->slid = g->slid;
+    const vec3 position = s->method->grasp_position(t, g);
+    vec3_store(grasp->position, position);
+    vec3_store(grasp->force, g->force);
+}
+
+void vbss_scene_emit_thread_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_thread_grasp *g)
+{
+    scene_grasp_event of = {.tool = g->tool};
+    vbss_scene_describe_thread_grasp(s, g, &of.grasp);
+    of.logged_number = (uint32_t)vbss_max(1e6 * of.grasp.arc_length, 0.0);
+    vbss_scene_emit_grasp_event(s, kind, &of);
 }
 
 /* ---- grasping */
@@ -136,8 +152,13 @@ void vbss_scene_grasp_strand(scene_object *s, const scene_body *tool, const scen
     }
     scene_thread_grasp *g = vbss_scene_find_free_grasp(s);
     if (g == NULL) {
-        vbss_scene_add_event(s, VBSS_SCENE_EVENT_GRASP_LOST, found->thread->number, tool->number,
-                             0);
+        const vec3 *x = &t->now.x[found->segment];
+        vbss_scene_event event = {.kind = VBSS_SCENE_EVENT_GRASP_LOST,
+                                  .body_a = found->thread->number,
+                                  .body_b = tool->number,
+                                  .arc_length = vbss_thread_arc_length(t, found->segment) +
+                                                found->at.fraction * t->rest[found->segment]};
+        vbss_scene_add_event_at(s, &event, vec3_lerp(x[0], x[1], found->at.fraction), 0);
         return;
     }
     *g = (scene_thread_grasp){.id = ++s->last_grasp_id,
@@ -151,7 +172,7 @@ void vbss_scene_grasp_strand(scene_object *s, const scene_body *tool, const scen
     for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
         g->grip.anchor[k] = pose_apply_inverse(m->jaws, vbss_scene_grip_point(g, t, t->now.x, k));
     }
-    vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
+    vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_GRASP, g);
 }
 
 /* ---- releasing */
@@ -212,7 +233,7 @@ void vbss_scene_release_thread_grasps(scene_object *s, const scene_body *tool)
         }
         g->needs_reopening = false;
         if (scene_holds_strand(g)) {
-            vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
+            vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_RELEASE, g);
             g->is_released = true;
             g->force = vec3_zero();
             if (is_strand_clear(s, g, SCENE_RELEASE_CLEARANCE_RATIO)) {
@@ -237,7 +258,7 @@ static void slide_grasp(scene_object *s, scene_thread_grasp *g, double slip)
     }
     bool sliding = slip != 0.0;
     if (sliding && !g->is_sliding) {
-        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_SLIP, g);
+        vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_SLIP, g);
     }
     g->is_sliding = sliding;
 }
@@ -288,7 +309,7 @@ static void update_thread_grasp(scene_object *s, scene_thread_grasp *g, double h
     grasper_thread_slip change = vbss_grasper_yield_thread(r->grasper, &g->grip, &load);
     slide_grasp(s, g, change.slip);
     if (change.has_escaped || is_past_end(s, g)) {
-        vbss_scene_emit_grasp_event(s, VBSS_SCENE_EVENT_TORN, g);
+        vbss_scene_emit_thread_grasp_event(s, VBSS_SCENE_EVENT_TORN, g);
         g->is_released = g->needs_reopening = true;
         g->force = vec3_zero();
     }

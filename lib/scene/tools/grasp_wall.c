@@ -159,7 +159,10 @@ static void emit_wall_grasp_event(scene_object *s, vbss_scene_event_kind kind,
                                   const scene_body *tool)
 {
     const scene_wall_grasp *p = &tool->rigid.wall_grasp;
-    vbss_scene_add_event(s, kind, p->drain, tool->number, p->triangle[p->point_count / 2]);
+    scene_grasp_event of = {.tool = tool->number, .triangle = p->triangle[p->point_count / 2]};
+    vbss_scene_describe_wall_grasp(s, tool, &of.grasp);
+    of.logged_number = of.triangle;
+    vbss_scene_emit_grasp_event(s, kind, &of);
 }
 
 void vbss_scene_grasp_wall(scene_object *s, scene_body *tool, const scene_wall_grasp *found)

@@ -54,7 +54,8 @@ bool vbss_scene_exclude_uncuttable(scene_object *s, uint32_t tool, const scene_s
                               .is_uncuttable = true,
                               .needs_reopening = true};
     if (!at_end) {
-        vbss_scene_emit_cut_event(s, at->thread, NULL, arc);
+        const vec3 *x = &t->now.x[at->segment];
+        vbss_scene_emit_cut_event(s, at->thread, NULL, arc, vec3_lerp(x[0], x[1], at->fraction));
     }
     return true;
 }

@@ -27,8 +27,11 @@ static void exchange_instrument(scene_object *s, scene_body *b)
         vbss_scene_remove_needle_grasps_of(s, b->number);
         vbss_scene_remove_wall_grasps_of(s, b->number);
     }
-    vbss_scene_add_event(s, allowed ? VBSS_SCENE_EVENT_EXCHANGED : VBSS_SCENE_EVENT_NOT_EXCHANGED,
-                         b->number, 0, (uint32_t)wanted);
+    vbss_scene_event event = {.kind = allowed ? VBSS_SCENE_EVENT_EXCHANGED
+                                              : VBSS_SCENE_EVENT_NOT_EXCHANGED,
+                              .body_a = b->number,
+                              .id = (uint32_t)wanted};
+    vbss_scene_add_event_at(s, &event, tool.position, event.id);
 }
 
 void vbss_scene_move_jaws(scene_object *s, scene_body *tool, double h)

@@ -35,6 +35,19 @@ typedef struct scene_clamp_corner {
     vec3 jaw_point, needle_point;
 } scene_clamp_corner;
 
+/* ---- grasp_events.c */
+
+/* What an event says of a grasp. */
+typedef struct scene_grasp_event {
+    vbss_scene_grasp grasp;
+    uint32_t tool;          /* body number */
+    uint32_t triangle;      /* of a drain; 0: another body */
+    uint32_t logged_number; /* last word of the event in logs */
+} scene_grasp_event;
+/* Adds an event of this kind with the bodies, the place and the force of a grasp. */
+void vbss_scene_emit_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                 const scene_grasp_event *of);
+
 /* ---- grasp_query.c */
 
 /* Returns an unused entry in the list of thread grasps, or NULL. */
@@ -81,10 +94,6 @@ void vbss_scene_update_thread_grasps(scene_object *s, double h);
 /* Removes the grasps of released threads that are clear of the jaws. */
 void vbss_scene_remove_clear_thread_grasps(scene_object *s);
 
-/* Adds an event of this kind with the thread, the tool and the arc length of the grasp in um. */
-void vbss_scene_emit_grasp_event(scene_object *s, vbss_scene_event_kind kind,
-                                 const scene_thread_grasp *g);
-
 /* Removes all grasps of a thread, or of a tool, given by its number. */
 void vbss_scene_remove_thread_grasps_of(scene_object *s, uint32_t number);
 
@@ -92,6 +101,14 @@ void vbss_scene_remove_thread_grasps_of(scene_object *s, uint32_t number);
  * excluded from contact with the jaws. `contact_distance` is that of the thread and a jaw, m. */
 bool vbss_scene_is_segment_in_grasp(const scene_object *s, const scene_thread_grasp *g,
                                     uint32_t segment, double contact_distance);
+
+/* Adds an event of this kind of a thread's grasp. */
+void vbss_scene_emit_thread_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_thread_grasp *g);
+
+/* Describes a thread's grasp for hosts, in all fields but the size. */
+void vbss_scene_describe_thread_grasp(const scene_object *s, const scene_thread_grasp *g,
+                                      vbss_scene_grasp *grasp);
 
 /* Returns the arc length of the middle of a grasp, from the thread's first node at rest, m. */
 double vbss_scene_grasp_arc(const scene_object *s, const scene_thread_grasp *g);
@@ -124,6 +141,10 @@ void vbss_scene_update_needle_grasps(scene_object *s, double h);
 
 /* Removes all grasps of a needle, or of a tool, given by its number. */
 void vbss_scene_remove_needle_grasps_of(scene_object *s, uint32_t number);
+
+/* Adds an event of this kind of the needle in the jaws of a tool. */
+void vbss_scene_emit_needle_grasp_event(scene_object *s, vbss_scene_event_kind kind,
+                                        const scene_body *tool);
 
 /* Describes a needle's grasp for hosts, in all fields but the size. */
 void vbss_scene_describe_needle_grasp(const scene_object *s, const scene_body *tool,

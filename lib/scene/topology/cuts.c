@@ -196,7 +196,9 @@ static vbss_result prepare_cut(scene_object *s, const scene_body *thread, double
     }
     *spare = vbss_scene_find_spare(s, thread);
     if (*spare == NULL || s->last_body_number == UINT32_MAX) {
-        vbss_scene_emit_cut_event(s, thread, NULL, *arc_length);
+        const vec3 *x = &thread->thread.thread->now.x[cut->segment];
+        vbss_scene_emit_cut_event(s, thread, NULL, *arc_length,
+                                  vec3_lerp(x[0], x[1], cut->fraction));
         return VBSS_ERROR_CAPACITY;
     }
     return VBSS_OK;
@@ -223,7 +225,7 @@ vbss_result vbss_scene_apply_cut(scene_object *s, scene_body *thread, double arc
     renumber_warm_start(s, &r);
     request_damping(thread);
     request_damping(b);
-    vbss_scene_emit_cut_event(s, thread, b, arc_length);
+    vbss_scene_emit_cut_event(s, thread, b, arc_length, b->thread.thread->now.x[0]);
     vbss_scene_close_holes_of_short_threads(s);
     s->step.pattern_hash = 0;
     s->report.generation++;

@@ -117,7 +117,7 @@ void vbss_scene_activate_piece(scene_object *s, scene_body *piece)
 {
     piece->kind = SCENE_BODY_THREAD;
     vbss_slot_fill(piece->thread.slot, piece->thread.thread);
-    piece->thread.slot->owner = s;
+    vbss_slot_set_owner(piece->thread.slot, s, &s->hook);
 }
 
 void vbss_scene_deactivate_piece(scene_object *s, scene_body *piece)

@@ -52,8 +52,12 @@ void vbss_scene_record_blocker(scene_object *s, vbss_scene_blocker_cause cause,
         }
         b = &r->blockers[r->blocker_count++];
         *b = (scene_blocker){.bodies = bodies, .since = r->statistics.time};
-        vbss_scene_add_event(s, VBSS_SCENE_EVENT_BLOCKED, bodies.body_a, bodies.body_b,
-                             (uint32_t)cause);
+        const vbss_scene_event event = {.kind = VBSS_SCENE_EVENT_BLOCKED,
+                                        .body_a = bodies.body_a,
+                                        .body_b = bodies.body_b,
+                                        .id = (uint32_t)cause,
+                                        .value = lost_time};
+        vbss_scene_add_event(s, &event, event.id);
         vbss_message(s->context, VBSS_LOG_WARNING, "scene: bodies %u and %u are held back: %s",
                      bodies.body_a, bodies.body_b, describe_cause(cause));
     }
@@ -73,8 +77,12 @@ void vbss_scene_end_blockers(scene_object *s)
             r->blockers[count++] = *b;
             continue;
         }
-        vbss_scene_add_event(s, VBSS_SCENE_EVENT_UNBLOCKED, b->bodies.body_a, b->bodies.body_b,
-                             (uint32_t)b->cause);
+        const vbss_scene_event event = {.kind = VBSS_SCENE_EVENT_UNBLOCKED,
+                                        .body_a = b->bodies.body_a,
+                                        .body_b = b->bodies.body_b,
+                                        .id = (uint32_t)b->cause,
+                                        .value = b->lost_time};
+        vbss_scene_add_event(s, &event, event.id);
     }
     r->blocker_count = count;
 }

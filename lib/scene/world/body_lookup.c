@@ -19,6 +19,20 @@ void vbss_scene_set_body_number(scene_object *s, scene_body *b, uint32_t number)
     s->body_of_number[number - 1] = (uint32_t)(b - s->bodies);
 }
 
+vbss_slot *vbss_scene_slot_of_body(const scene_body *b)
+{
+    switch (b->kind) {
+    case SCENE_BODY_THREAD:
+        return b->thread.slot;
+    case SCENE_BODY_DRAIN:
+        return b->drain.slot;
+    case SCENE_BODY_RIGID:
+        return b->rigid.slot;
+    default:
+        return NULL;
+    }
+}
+
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind)
 {
     bool any = false;
@@ -28,22 +42,27 @@ bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind)
     return any;
 }
 
-scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind)
+vbss_result vbss_scene_require_any_body(const scene_object *s, uint32_t number, scene_body **body)
 {
-    scene_body *b = vbss_scene_body(s, number);
-    if (b == NULL || b->kind != kind) {
-        static const char *const names[] = {[SCENE_BODY_NONE] = "body",
-                                            [SCENE_BODY_THREAD] = "thread",
-                                            [SCENE_BODY_RIGID] = "rigid body",
-                                            [SCENE_BODY_DRAIN] = "drain"};
-        vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no %s of this scene", number,
-                  names[kind]);
-        return NULL;
-    }
-    return b;
+    *body = vbss_scene_body(s, number);
+    return *body != NULL
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_NOT_FOUND, "the scene has no body %u", number);
 }
 
-scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind)
+vbss_result vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind,
+                                    scene_body **body)
+{
+    static const char *const names[] = {[SCENE_BODY_THREAD] = "thread",
+                                        [SCENE_BODY_RIGID] = "rigid body",
+                                        [SCENE_BODY_DRAIN] = "drain"};
+    VBSS_TRY(vbss_scene_require_any_body(s, number, body));
+    return (*body)->kind == kind ? VBSS_OK
+                                 : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
+                                             "body %u is no %s", number, names[kind]);
+}
+
+vbss_result vbss_scene_find_free_body(scene_object *s, scene_body_kind kind, scene_body **body)
 {
     const uint32_t capacities[] = {[SCENE_BODY_THREAD] = s->config.thread_capacity,
                                    [SCENE_BODY_RIGID] = s->config.rigid_capacity,
@@ -57,11 +76,12 @@ scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind)
         body_index = b->kind == SCENE_BODY_NONE && !b->is_reserved ? i - 1 : body_index;
     }
     if (alive == capacity || s->last_body_number == SCENE_MAX_SHAPES) {
-        vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u such bodies",
-                  capacity);
-        return NULL;
+        *body = NULL;
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u such bodies",
+                         capacity);
     }
-    return &s->bodies[body_index];
+    *body = &s->bodies[body_index];
+    return VBSS_OK;
 }
 
 void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind kind, uint32_t shape,

@@ -6,7 +6,7 @@
 void vbss_scene_disown_thread(scene_body *b)
 {
     thread_object *t = b->thread.thread;
-    b->thread.slot->owner = NULL;
+    vbss_slot_set_owner(b->thread.slot, NULL, NULL);
     if (b->thread.slot->object == t) { /* the context may have destroyed it */
         t->is_sparsity_valid = false;
         t->gravity = vec3_load(t->config.gravity);
@@ -17,7 +17,7 @@ void vbss_scene_disown_thread(scene_body *b)
 void vbss_scene_disown_grasper(scene_body *b)
 {
     grasper_object *g = b->rigid.slot->object;
-    b->rigid.slot->owner = NULL;
+    vbss_slot_set_owner(b->rigid.slot, NULL, NULL);
     if (g != NULL) { /* the context may have destroyed it */
         vbss_grasper_detach(g);
     }
@@ -26,7 +26,7 @@ void vbss_scene_disown_grasper(scene_body *b)
 void vbss_scene_disown_needle(scene_body *b)
 {
     needle_object *n = b->rigid.slot->object;
-    b->rigid.slot->owner = NULL;
+    vbss_slot_set_owner(b->rigid.slot, NULL, NULL);
     if (n != NULL) { /* the context may have destroyed it */
         vbss_needle_set_motion(n, &b->rigid.body.now, 0);
     }
@@ -53,7 +53,7 @@ void vbss_scene_disown_drain(scene_object *s, scene_body *b)
     vbss_array arrays[SCENE_DRAIN_ARRAYS];
     scene_drain *own = &b->drain;
     uint32_t nodes = s->collision->shapes[b->shape]->node_count;
-    own->slot->owner = NULL;
+    vbss_slot_set_owner(own->slot, NULL, NULL);
     if (own->slot->object == own->drain) { /* the context may have destroyed it */
         own->drain->is_sparsity_valid = false;
         own->drain->gravity = vec3_load(own->drain->config.gravity);

@@ -15,24 +15,25 @@ static vbss_result check_node(const scene_object *s, const scene_body *thread, u
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *a = &t->attachments[i];
         if (a->id != 0 && a->node == node && vbss_thread_prescribes_motion(a->kind)) {
-            return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held already", node);
+            return vbss_fail(s->context, VBSS_ERROR_IN_USE, "node %u is held already", node);
         }
     }
     if (vbss_scene_find_weld(s, thread->number, node) != NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is pinned already", node);
+        return vbss_fail(s->context, VBSS_ERROR_IN_USE, "node %u is pinned already", node);
     }
     return VBSS_OK;
 }
 
-static scene_pin *find_free_pin(const scene_object *s)
+static vbss_result find_free_pin(const scene_object *s, scene_pin **pin)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         if (s->pins[i].id == 0) {
-            return &s->pins[i];
+            *pin = &s->pins[i];
+            return VBSS_OK;
         }
     }
-    vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u pins", s->config.pin_capacity);
-    return NULL;
+    *pin = NULL;
+    return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u pins", s->config.pin_capacity);
 }
 
 /* Returns NULL if the host has detached the attachment. */
@@ -75,16 +76,18 @@ static vbss_result attach(const scene_body *thread, uint32_t node, vec3 position
 vbss_result vbss_scene_check_pin(const scene_object *s, uint32_t thread, uint32_t node,
                                  uint32_t body, const double *point)
 {
-    const scene_body *t = vbss_scene_require_body(s, thread, SCENE_BODY_THREAD);
-    if (t == NULL || (body != 0 && vbss_scene_require_body(s, body, SCENE_BODY_RIGID) == NULL)) {
-        return VBSS_ERROR_OUT_OF_RANGE;
+    scene_body *t, *rigid;
+    VBSS_TRY(vbss_scene_require_body(s, thread, SCENE_BODY_THREAD, &t));
+    if (body != 0) {
+        VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_RIGID, &rigid));
     }
     VBSS_TRY(check_node(s, t, node));
     if (point != NULL) {
         VBSS_TRY(vbss_check_finite(s->context, point, 3, "point"));
         VBSS_TRY(vbss_check_range(s->context, vbss_max_abs(point, 3), 0.0, 1e3, "point"));
     }
-    return find_free_pin(s) != NULL ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    scene_pin *entry;
+    return find_free_pin(s, &entry);
 }
 
 vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
@@ -93,7 +96,8 @@ vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node,
     VBSS_TRY(vbss_scene_check_pin(s, thread, node, body, point));
     scene_body *t = vbss_scene_body(s, thread);
     scene_body *b = vbss_scene_body(s, body);
-    scene_pin *p = find_free_pin(s);
+    scene_pin *p;
+    VBSS_TRY(find_free_pin(s, &p));
     vec3 current = t->thread.thread->now.x[node];
     vec3 at = point != NULL ? vec3_load(point) : current;
     if (b != NULL) {

@@ -15,7 +15,9 @@
 #define VBSS_SCENE_SCENE_DATA_H
 
 #include <vblast_ss/scene.h>
+#include <vblast_ss/scene_event.h>
 
+#include "base/edit_hook.h"
 #include "collision/shapes.h"
 #include "contact/contact.h"
 #include "drain/drain.h"
@@ -473,7 +475,7 @@ typedef struct scene_checkpoint {
     suture_hole *holes;
     uint32_t last_grasp_id, last_hole_id;
     scene_step_cursor cursor;
-    uint32_t event_count, lost_events;
+    uint32_t logged_event_count, lost_logged_events, pending_event_count, lost_pending_events;
     scene_blocker blockers[SCENE_MAX_BLOCKERS];
     uint32_t blocker_count;
     scene_touching_pair overlaps[SCENE_MAX_OVERLAPS];
@@ -488,12 +490,13 @@ typedef struct scene_report {
     /* In ascending order. The next step compares its own pairs with the first list. */
     scene_touching_pair *touching_pairs, *previous_touching_pairs;
     uint32_t touching_pair_count;
-    uint32_t (
-        *events)[4]; /* vbss_scene_event_kind, two bodies, a number that depends on the kind */
-    uint32_t event_count, lost_events;          /* in the list; beyond config.event_capacity */
+    /* Events of the last call as logs store them: kind, two bodies, a number that depends on the kind.
+     * Their number; the number of those beyond config.event_capacity. */
+    uint32_t (*logged_events)[4];
+    uint32_t logged_event_count, lost_logged_events;
     scene_blocker blockers[SCENE_MAX_BLOCKERS]; /* snapshots save them */
     uint32_t blocker_count;
-    bool has_pending_events; /* events were emitted after the last call; the next keeps them */
+    bool keeps_logged_events; /* some were added after the last call; the next keeps them */
     /* The contact views: contact_count entries, in the order of the features. */
     uint32_t contact_count;
     /* The first entries are those of the step before, of groups that wait. A restored scene has none. */
@@ -505,6 +508,17 @@ typedef struct scene_report {
     double *contact_gaps; /* m; negative where surfaces overlap */
 } scene_report;
 
+/* Events (world/events.c). Persistent, but no part of the state: a snapshot has none. */
+typedef struct scene_events {
+    /* Events that hosts have not taken: a ring of config.event_capacity entries. */
+    vbss_scene_event *ring;
+    uint32_t first, count;
+    uint64_t lost; /* since hosts took events last */
+    /* Events of the step that is not complete, without step and time: config.event_capacity entries. */
+    vbss_scene_event *pending;
+    uint32_t pending_count, pending_lost;
+} scene_events;
+
 /* The scene: persistent state, then one member for each other lifetime. */
 typedef struct scene_object scene_object;
 typedef struct scene_method scene_method;
@@ -512,7 +526,9 @@ struct scene_object {
     const scene_method *method;
     struct baseline_scene *baseline; /* state of lib/baseline; NULL by the implicit method */
     vbss_context *context;
+    vbss_edit_hook hook;      /* hears of all edits of the scene and its bodies */
     vbss_scene_config config; /* as the scene was created; `settings` has values that changed */
+    vbss_baseline_config baseline_config; /* what config.baseline points to */
     scene_settings settings;
     vec3 floor_normal; /* unit */
 
@@ -546,6 +562,7 @@ struct scene_object {
     scene_scratch scratch;
     scene_checkpoint checkpoint;
     scene_report report;
+    scene_events events;
 
     /* Tests set this hook. It is called after an accepted substep is solved and before it is
      * committed, so that start and trial states are both available. NULL: none. */

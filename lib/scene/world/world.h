@@ -77,9 +77,13 @@ static inline vbss_collision *scene_collision(scene_object *s)
 
 /* ---- body_lookup.c */
 
-/* Returns the body with a number if it is of this kind. Otherwise returns NULL and sets the error
- * VBSS_ERROR_OUT_OF_RANGE. */
-scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind);
+/* Finds the body with a number, of any kind. VBSS_ERROR_NOT_FOUND if there is none. */
+vbss_result vbss_scene_require_any_body(const scene_object *s, uint32_t number, scene_body **body);
+
+/* Finds the body with a number and a kind. VBSS_ERROR_NOT_FOUND if there is no body with the
+ * number, VBSS_ERROR_INCOMPATIBLE if it is of another kind. */
+vbss_result vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind,
+                                    scene_body **body);
 
 /* Returns the body with a number, of any kind, or NULL. Sets no error. */
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
@@ -90,10 +94,12 @@ void vbss_scene_set_body_number(scene_object *s, scene_body *b, uint32_t number)
 /* Whether the scene has a body of this kind. */
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind);
 
-/* Returns a free entry for a body of this kind. Returns NULL and sets the error VBSS_ERROR_CAPACITY
- * if the scene has as many as its configuration allows, pieces of threads that may yet be cut
- * included. */
-scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind);
+/* Slot of the handle of a body; NULL if it has none. */
+vbss_slot *vbss_scene_slot_of_body(const scene_body *b);
+
+/* Finds a free entry for a body of this kind. VBSS_ERROR_CAPACITY if the scene has as many as its
+ * configuration allows, pieces of threads that may yet be cut included. */
+vbss_result vbss_scene_find_free_body(scene_object *s, scene_body_kind kind, scene_body **body);
 
 /* Makes the entry `b` a body of this kind with a new number, which is stored in `number` as well.
  * `shape` is its shape in the collision object. */
@@ -230,21 +236,37 @@ void vbss_scene_limit_rigid_targets(scene_object *s, double h);
 
 /* ---- events.c */
 
+/* Kinds of events in logs that hosts get in another form: a step was truncated or paused, with the lost
+ * share of the step in 65536ths; events exceeded the capacity, with their number. Chosen with the format
+ * of logs: VBSS_RECORD_EVENT_TIME_LOST and VBSS_RECORD_EVENT_LOST. */
+enum { SCENE_LOGGED_TIME_LOST = 3, SCENE_LOGGED_LOST = 4 };
+
+/* Adds an event of the present step, or of an edit. `logged_number` is the last of its four words in
+ * logs: the id, the arc length in um, or the lost share of the step in 65536ths. An event beyond
+ * config.event_capacity is counted as lost. */
+void vbss_scene_add_event(scene_object *s, const vbss_scene_event *event, uint32_t logged_number);
+
+/* Adds an event with a position. */
+void vbss_scene_add_event_at(scene_object *s, vbss_scene_event *event, vec3 position,
+                             uint32_t logged_number);
+
 /* Adds VBSS_SCENE_EVENT_CUT at an arc length of a thread, m from its first node. `piece` is the body that
  * was cut off; NULL: the thread was not cut, as no piece was left. */
 void vbss_scene_emit_cut_event(scene_object *s, const scene_body *thread, const scene_body *piece,
-                               double arc_length);
+                               double arc_length, vec3 position);
 
-/* Clears the list of events. */
-void vbss_scene_clear_events(scene_object *s);
+/* Moves the events of the present step, from index `from` on, to the list that hosts take from. `h` is
+ * the length of the call of vbss_scene_step that has not been counted yet, s; 0: between two calls. */
+void vbss_scene_publish_events(scene_object *s, uint32_t from, double h);
 
-/* Adds an event with two body numbers and a number that depends on the kind. If the list is
- * full, the event is counted as lost. */
-void vbss_scene_add_event(scene_object *s, vbss_scene_event_kind kind, uint32_t a, uint32_t b,
-                          uint32_t number);
+/* Takes the oldest event out of the list that hosts take from. Returns false if there is none. */
+bool vbss_scene_take_event(scene_object *s, vbss_scene_event *event);
 
-/* If events were lost, replaces the last event by VBSS_SCENE_EVENT_LOST with their number. */
-void vbss_scene_write_lost_event(scene_object *s);
+/* Clears the events that the last call has for the log. */
+void vbss_scene_clear_logged_events(scene_object *s);
+
+/* If events for the log were lost, replaces the last one by SCENE_LOGGED_LOST with their number. */
+void vbss_scene_log_lost_events(scene_object *s);
 
 /* ---- filters.c */
 

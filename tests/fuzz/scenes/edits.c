@@ -154,7 +154,7 @@ static void make_hole_where_possible(fuzz_scene *f)
     }
     for (uint32_t i = 0; i < 240 && !f->has_failed; i++) {
         FUZZ_CALL(f, vbss_scene_make_hole(side->scene, suture, arc, drain, i, weights, NULL));
-        if (f->results[0] != VBSS_ERROR_OUT_OF_RANGE) {
+        if (f->results[0] != VBSS_ERROR_OUT_OF_RANGE && f->results[0] != VBSS_ERROR_IN_USE) {
             return;
         }
     }

@@ -51,6 +51,14 @@ class Result(IntEnum):
     """the host's clock runs backwards or jumps"""
     ERROR_CLOCK_COARSE = -18
     """the host's clock is too coarse"""
+    ERROR_NOT_FOUND = -19
+    """the object, entry or step that an argument names does not exist"""
+    ERROR_WRONG_STATE = -20
+    """the object is not in a state that allows the call"""
+    ERROR_INCOMPATIBLE = -21
+    """an object or a setting does not fit the others of the call"""
+    ERROR_IN_USE = -22
+    """something else already uses what an argument names"""
 
 
 class LogLevel(IntEnum):

@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import vbss_context, vbss_view
+from .baseline import vbss_baseline_config
 
 
 class CollisionMethod(IntEnum):
@@ -216,10 +217,7 @@ class vbss_collision_config(ctypes.Structure):
 
     margin: Added to D in the search for candidates, m, 0 to 1e3; default 0.
 
-    paper_parallel: VBLAST: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in
-    paper_unit^4; 0 to 1; default 1e-6.
-
-    paper_unit: VBLAST: unit of length, m, 1e-9 to 1e3; default 1e-3."""
+    baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them."""
     struct_size: int
     method: int
     thickness: float
@@ -230,8 +228,7 @@ class vbss_collision_config(ctypes.Structure):
     impact_capacity: int
     exclusion: float
     margin: float
-    paper_parallel: float
-    paper_unit: float
+    baseline: Any
     _kinds_: ClassVar[dict[str, Any]] = {"method": CollisionMethod}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -244,8 +241,7 @@ class vbss_collision_config(ctypes.Structure):
         ("impact_capacity", c_uint32),
         ("exclusion", c_double),
         ("margin", c_double),
-        ("paper_parallel", c_double),
-        ("paper_unit", c_double),
+        ("baseline", POINTER(vbss_baseline_config)),
     ]
 
 

@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
+from .baseline import vbss_baseline_config
 
 
 class DrainMesh(IntEnum):
@@ -125,14 +126,8 @@ class vbss_drain_config(ctypes.Structure):
     more linearisation. A step in which it would move four times as far is halved. m, 1e-9 to 1;
     default 1e-3.
 
-    paper_stiffness: Method VBLAST: stiffness of the spring that ties a particle to its rest
-    position, N/m, 0 to 1e9; default 125.
-
-    paper_damping: Method VBLAST: share of the velocity relative to the rigid motion of the
-    drain that each explicit step removes, 0 to 1; default 0.7.
-
-    paper_substeps: Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many
-    as stability needs.
+    baseline: Method VBLAST: its parameters; NULL (default): their defaults. The library copies
+    them.
 
     friction: In a scene: coefficient of friction with threads, 0 to 10. Friction with other
     bodies, the floor and the drain itself uses the geometric mean of both coefficients. Default
@@ -181,10 +176,7 @@ class vbss_drain_config(ctypes.Structure):
     tear_stress: float
     position_tolerance: float
     move_limit: float
-    paper_stiffness: float
-    paper_damping: float
-    paper_substeps: int
-    reserved2: int
+    baseline: Any
     friction: float
     puncture_force: float
     hole_force: float
@@ -219,10 +211,7 @@ class vbss_drain_config(ctypes.Structure):
         ("tear_stress", c_double),
         ("position_tolerance", c_double),
         ("move_limit", c_double),
-        ("paper_stiffness", c_double),
-        ("paper_damping", c_double),
-        ("paper_substeps", c_uint32),
-        ("reserved2", c_uint32),
+        ("baseline", POINTER(vbss_baseline_config)),
         ("friction", c_double),
         ("puncture_force", c_double),
         ("hole_force", c_double),

@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
+from .baseline import vbss_baseline_config
 
 
 class GrasperKind(IntEnum):
@@ -114,12 +115,7 @@ class vbss_grasper_config(ctypes.Structure):
 
     exchange_distance: Distance, m, 0 to 1e3; default 0: no limit.
 
-    paper_stiffness: VBLAST: factor k_s of the force on the hand, k_s (stretched length -
-    length), N/m, 0 to 1e6; default 50.
-
-    paper_distance: VBLAST: largest distance from the tip at which closing jaws take a node, and
-    from the centre line of the jaws at which they take a needle, m, 0 to 0.1; default 2e-3 (the
-    paper gives no number).
+    baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them.
 
     needle_stiffness: Stiffness of the clamp on either, equal in all directions, N/m, 1 to 1e7;
     default 3e4.
@@ -164,8 +160,7 @@ class vbss_grasper_config(ctypes.Structure):
     turning_damping: float
     exchange_centre: Any
     exchange_distance: float
-    paper_stiffness: float
-    paper_distance: float
+    baseline: Any
     needle_stiffness: float
     needle_turning_stiffness: float
     needle_torque: float
@@ -204,8 +199,7 @@ class vbss_grasper_config(ctypes.Structure):
         ("turning_damping", c_double),
         ("exchange_centre", c_double * 3),
         ("exchange_distance", c_double),
-        ("paper_stiffness", c_double),
-        ("paper_distance", c_double),
+        ("baseline", POINTER(vbss_baseline_config)),
         ("needle_stiffness", c_double),
         ("needle_turning_stiffness", c_double),
         ("needle_torque", c_double),

@@ -224,6 +224,8 @@ class NeedleEnergies(NamedTuple):
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_needle_config_init": (c_int32, (POINTER(vbss_needle_config), c_uint32)),
     "vbss_needle_config_preset": (c_int32, (POINTER(vbss_needle_config), c_int32)),
+    "vbss_needle_config_shape": (c_int32, (POINTER(vbss_needle_config), c_double, c_double,
+        c_double)),
     "vbss_needle_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_needle_config),
         POINTER(POINTER(vbss_needle)))),
     "vbss_needle_destroy": (c_int32, (POINTER(vbss_needle),)),

@@ -38,6 +38,16 @@ class RecordInputKind(IntEnum):
     SETTING = 11
     """A change of scene_settings.h. Words: vbss_scene_setting, body (0 where the setting has
     none), and two words of the setting. Numbers: those of the setting."""
+    HOLE = 12
+    """vbss_scene_make_hole. Words: body, drain, triangle. Numbers: arc length, weights (3)."""
+    REMOVE = 13
+    """vbss_scene_remove. Words: body."""
+    DRAIN_ATTACH = 14
+    """vbss_drain_attach. Words: drain, kind, node. Numbers: position (3), force (3), stiffness."""
+    DRAIN_TARGET = 15
+    """vbss_drain_set_attachment_target. Words: drain, attachment. Numbers: target (3)."""
+    DRAIN_DETACH = 16
+    """vbss_drain_detach. Words: drain, attachment."""
 
 
 class SceneSetting(IntEnum):
@@ -63,6 +73,14 @@ class SceneSetting(IntEnum):
     (3)."""
     POSE = 9
     """vbss_scene_set_rigid_pose. Words: 1 if turned. Numbers: position (3), orientation (4)."""
+
+
+class RecordEventKind(IntEnum):
+    """The constants of vbss_record_event_kind that are no vbss_scene_event_kind."""
+    TIME_LOST = 3
+    """TRUNCATED or PAUSED: 0, 0, and the share of the step that was left out, in 65536ths."""
+    LOST = 4
+    """Events of a step exceeded event_capacity: 0, 0, and the number of lost events."""
 
 
 class ReplayOutcome(IntEnum):
@@ -172,14 +190,14 @@ class vbss_replay_logged_step(ctypes.Structure):
 
     inputs: Inputs before the step, in their order.
 
-    events: x 4: the events of the step, as in VBSS_SCENE_VIEW_EVENTS.
+    events: x 4: the events of the step, as vbss_record_event_kind describes them.
 
     input_count: Number of inputs.
 
     event_count: Number of events; each has four words.
 
-    time_lost: Part of `h` that the scene has left out, s, by VBSS_SCENE_EVENT_CLAMPED. Each
-    such event is up to h / 65536 too small. A step may report the time of an earlier paused
+    time_lost: Part of `h` that the scene has left out, s, by its VBSS_RECORD_EVENT_TIME_LOST
+    events. Each is up to h / 65536 too small. A step may report the time of an earlier paused
     step."""
     struct_size: int
     hashed: int
@@ -413,6 +431,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(POINTER(vbss_record)), POINTER(c_uint64))),
     "vbss_record_take": (c_int32, (POINTER(vbss_record), POINTER(POINTER(c_uint8)),
         POINTER(c_uint64))),
+    "vbss_scene_set_recorder": (c_int32, (POINTER(vbss_scene), POINTER(vbss_record))),
     "vbss_record_set_rigid_target": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
         POINTER(c_double))),
     "vbss_record_set_grasper_target": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
@@ -440,6 +459,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_replay_get_scene_config": (c_int32, (POINTER(vbss_replay), POINTER(vbss_scene_config))),
     "vbss_replay_check": (c_int32, (POINTER(vbss_replay), POINTER(c_uint64))),
     "vbss_replay_begin": (c_int32, (POINTER(vbss_replay), POINTER(vbss_scene))),
+    "vbss_replay_load_scene": (c_int32, (POINTER(vbss_replay), POINTER(POINTER(vbss_scene)))),
     "vbss_replay_step": (c_int32, (POINTER(vbss_replay), POINTER(vbss_replay_report), c_uint32)),
     "vbss_replay_seek": (c_int32, (POINTER(vbss_replay), c_uint64, POINTER(vbss_replay_report),
         c_uint32)),

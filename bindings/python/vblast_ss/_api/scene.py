@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
+from .baseline import vbss_baseline_config
 from .drain import vbss_drain
 from .grasper import vbss_grasper
 from .needle import vbss_needle
@@ -67,8 +68,6 @@ class SceneField(IntEnum):
     and may pull."""
     CONTACT_GAPS = 4
     """x 1: distance of the surfaces, m; negative when they overlap."""
-    EVENTS = 5
-    """x 4 uint32_t: vbss_scene_event_kind, two bodies, a number."""
 
 
 class SceneContactKind(IntEnum):
@@ -100,57 +99,6 @@ class SceneContactKind(IntEnum):
     """A needle or a thread in a hole of a drain. The feature of the suture is the index of the
     hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
     particles were moved."""
-
-
-class SceneEventKind(IntEnum):
-    """The constants of vbss_scene_event_kind. Each comment lists the three numbers after its
-    colon."""
-    TOUCH = 1
-    """Two bodies have come into contact, or a body with itself: body, body, 0."""
-    PART = 2
-    """Two bodies in contact have separated: body, body, 0."""
-    CLAMPED = 3
-    """A step was truncated or paused; the third number is the lost share of the step in 1/65536."""
-    LOST = 4
-    """Events exceeded the capacity; the third number is the number of lost events."""
-    GRASP = 5
-    """Jaws have grasped a body: thread, needle or drain; grasper; arc length in um, or for a drain
-    a held triangle."""
-    RELEASE = 6
-    """Jaws have opened and released a body: numbers as for GRASP."""
-    TORN = 7
-    """A body was pulled out of the jaws: numbers as for GRASP."""
-    SLIP = 8
-    """A body begins to slide through the jaws, or to turn in them: numbers as for GRASP."""
-    GRASP_LOST = 9
-    """A grasp exceeded grasp_capacity, so the body is not held: thread, grasper, 0."""
-    CUT = 10
-    """A thread was cut: thread, its new piece, arc length of the cut in um. The second number is 0
-    if the thread had no cuts left and stayed whole."""
-    EXCHANGED = 11
-    """An instrument was exchanged: grasper, 0, new kind."""
-    NOT_EXCHANGED = 12
-    """An instrument was not exchanged: grasper, 0, wanted kind."""
-    PUNCTURE = 13
-    """A needle's tip has entered a wall (VBLAST: has gone through it): needle, drain, id of the
-    hole (vbss_scene_get_hole)."""
-    WITHDRAWN = 14
-    """The tip has left the hole backwards: needle, drain, id of the hole."""
-    PASSED = 15
-    """The needle and its swage have passed through the hole, and the thread follows: needle,
-    drain, id of the hole."""
-    HOLE_LOST = 16
-    """A hole exceeded hole_capacity, so the wall is not pierced: needle, drain, 0."""
-    RETURNED = 17
-    """The swage has come back through the hole, and the needle is in it again: needle, drain, id
-    of the hole."""
-    UNTHREADED = 18
-    """An end of a thread has left the hole: thread, drain, id of the hole."""
-    BLOCKED = 19
-    """Two bodies hold each other back: both bodies of vbss_scene_blocker, its cause. Reported once
-    until they have moved freely again."""
-    UNBLOCKED = 20
-    """Two bodies have moved freely for 0.1 s after BLOCKED: both bodies, cause."""
 
 
 class SceneBlockerCause(IntEnum):
@@ -193,7 +141,8 @@ class vbss_scene_config(ctypes.Structure):
 
     candidate_capacity: Largest number of candidate pairs, 0 to 1e7; default 16384.
 
-    event_capacity: Largest number of events of a step that are kept, 0 to 65536; default 256.
+    event_capacity: Largest number of events that are kept until the host takes them
+    (scene_event.h), and of those of a step, 0 to 65536; default 256.
 
     floor: 1: a floor fills the half-space below a plane; default 0.
 
@@ -230,15 +179,9 @@ class vbss_scene_config(ctypes.Structure):
     left out, 1 to 1000; default 3. Without a step_budget each remaining part is tried once, and
     truncated if necessary; after eight truncated parts the rest is left out.
 
-    paper_pass_limit: VBLAST: number of passes of detection and response in a step, 1 to 1000;
-    default 4.
-
     grasp_capacity: Largest number of grasped places of threads at a time, 0 to 256; default 8.
     Places that jaws have released but not cleared count too, and so do the two ends at each cut
     of blades. Without capacity the jaws stay open.
-
-    paper_thickness: VBLAST: distance kept beyond contact (the paper's eps_D), m, 0 to 1e-2;
-    default 0.
 
     step_budget: REAL_TIME, method IMPLICIT: operations of a step after which the search for
     contact states stops; 0: no limit; default 250000. An operation costs about as much as a
@@ -274,6 +217,8 @@ class vbss_scene_config(ctypes.Structure):
     completed by the third, whatever it takes, and counted in `overdue`. So bodies that touch
     nothing never miss more than three calls.
 
+    overlap: Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN.
+
     speed_limit: Largest speed of any point of a driven or coupled body, or of a grasper, on the
     way to its target, m/s, 0 to 1e6; 0: no limit; default 20. A body approaches a target that
     is farther away at this speed, over several steps. A pose in the wrong unit, or a jump of a
@@ -281,13 +226,13 @@ class vbss_scene_config(ctypes.Structure):
     snapshots store the limit, and a scene with another one rejects them. One exception: scenes
     without a limit and with the default limit accept each other's snapshots.
 
-    overlap: Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN.
-
     matrix_capacity: Method IMPLICIT: capacity of the linear system's matrix and its factor for
     threads and rigid bodies, in blocks of 3 x 3 numbers of 96 bytes, 0 to 1e7; 0 (default):
     4096, and 20 for each node of node_capacity and 40 for each body of rigid_capacity. A node
     without contact takes up to 12 blocks, one of a tight knot 42; each drain adds its own. A
-    step that needs more returns VBSS_ERROR_CAPACITY. See docs/memory.md."""
+    step that needs more returns VBSS_ERROR_CAPACITY. See docs/memory.md.
+
+    baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them."""
     struct_size: int
     method: int
     mode: int
@@ -312,16 +257,16 @@ class vbss_scene_config(ctypes.Structure):
     active_set_limit: int
     halving_limit: int
     attempt_limit: int
-    paper_pass_limit: int
     grasp_capacity: int
-    paper_thickness: float
     step_budget: int
     drain_capacity: int
     hole_capacity: int
     call_budget: int
-    speed_limit: float
     overlap: int
+    speed_limit: float
     matrix_capacity: int
+    reserved: int
+    baseline: Any
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode, "overlap": SceneOverlapPolicy}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -348,16 +293,16 @@ class vbss_scene_config(ctypes.Structure):
         ("active_set_limit", c_uint32),
         ("halving_limit", c_uint32),
         ("attempt_limit", c_uint32),
-        ("paper_pass_limit", c_uint32),
         ("grasp_capacity", c_uint32),
-        ("paper_thickness", c_double),
         ("step_budget", c_uint32),
         ("drain_capacity", c_uint32),
         ("hole_capacity", c_uint32),
         ("call_budget", c_uint32),
-        ("speed_limit", c_double),
         ("overlap", c_int32),
+        ("speed_limit", c_double),
         ("matrix_capacity", c_uint32),
+        ("reserved", c_uint32),
+        ("baseline", POINTER(vbss_baseline_config)),
     ]
 
 
@@ -959,5 +904,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_save": (c_int32, (POINTER(vbss_scene), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),
     "vbss_scene_restore": (c_int32, (POINTER(vbss_scene), POINTER(c_uint8), c_uint64)),
+    "vbss_scene_load": (c_int32, (POINTER(vbss_context), POINTER(c_uint8), c_uint64,
+        POINTER(POINTER(vbss_scene)))),
     "vbss_scene_get_hash": (c_int32, (POINTER(vbss_scene), POINTER(c_uint64))),
 }

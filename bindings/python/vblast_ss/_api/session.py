@@ -423,8 +423,8 @@ class vbss_session_status(ctypes.Structure):
     deviation_mm: Deviation of each hole from its mark, mm.
 
     time_lost: Part of `time` that the scene has left out, s. It counts paused steps
-    (vbss_scene_statistics::time_paused) and truncated substeps (VBSS_SCENE_EVENT_CLAMPED), from
-    the second step on.
+    (vbss_scene_statistics::time_paused) and truncated substeps (VBSS_SCENE_EVENT_TRUNCATED),
+    from the second step on.
 
     time_simulated: Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it
     may still be deferred (vbss_scene_statistics::behind).

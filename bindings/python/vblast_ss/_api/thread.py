@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
+from .baseline import vbss_baseline_config
 
 
 class ThreadBending(IntEnum):
@@ -37,6 +38,46 @@ class ThreadPreset(IntEnum):
     with the fourth power of the radius, and uncertain by a factor of five."""
     VBLAST = 1
     """The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2."""
+
+
+class ThreadMaterial(IntEnum):
+    """The constants of vbss_thread_material. docs/sutures.md has sources and uncertainties."""
+    SILK = 0
+    """Braided silk."""
+    POLYGLACTIN = 1
+    """Braided polyglactin 910, absorbable."""
+    POLYPROPYLENE = 2
+    """Polypropylene monofilament."""
+    NYLON = 3
+    """Nylon monofilament."""
+
+
+class ThreadUspSize(IntEnum):
+    """The constants of vbss_thread_usp_size, with the middle of the range of the diameter, mm."""
+    USP_10_0 = -10
+    """0.025 (0.020 to 0.029)."""
+    USP_9_0 = -9
+    """0.035 (0.030 to 0.039)."""
+    USP_8_0 = -8
+    """0.045 (0.040 to 0.049)."""
+    USP_7_0 = -7
+    """0.06 (0.050 to 0.069)."""
+    USP_6_0 = -6
+    """0.085 (0.070 to 0.099)."""
+    USP_5_0 = -5
+    """0.125 (0.100 to 0.149)."""
+    USP_4_0 = -4
+    """0.175 (0.150 to 0.199)."""
+    USP_3_0 = -3
+    """0.225 (0.200 to 0.249)."""
+    USP_2_0 = -2
+    """0.32 (0.300 to 0.339)."""
+    USP_0 = 0
+    """0.375 (0.350 to 0.399)."""
+    USP_1 = 1
+    """0.45 (0.400 to 0.499)."""
+    USP_2 = 2
+    """0.55 (0.500 to 0.599)."""
 
 
 class ThreadAttachmentKind(IntEnum):
@@ -145,19 +186,8 @@ class vbss_thread_config(ctypes.Structure):
     halving_limit: Method IMPLICIT: how often a step is halved before its state is accepted
     unconverged, 0 to 10; default 5. `forced` counts such states and should stay zero.
 
-    paper_stiffness: Method VBLAST: spring constant of a segment, N/m, 0 to 1e9; default 0:
-    derived from mass and step by docs/paper-thread.md.
-
-    paper_damping: Method VBLAST: share of the velocity relative to the section's rigid motion
-    that is removed at each explicit step, 0 to 1; default 0.
-
-    paper_substeps: Method VBLAST: explicit steps in one step, 1 to 100000; 0 (default): as many
-    as the stiffest bending mode and the tension need.
-
-    paper_iteration_limit: Method VBLAST: largest number of iterations of the projection, 1 to
-    1000; default 50.
-
-    paper_tolerance: Method VBLAST: largest |C| / l of a section, 1e-14 to 1; default 1e-6.
+    baseline: Method VBLAST: its parameters; NULL (default): their defaults. The library copies
+    them.
 
     mesh: Default VBSS_THREAD_MESH_FIXED, which ignores the following fields.
 
@@ -212,11 +242,7 @@ class vbss_thread_config(ctypes.Structure):
     position_tolerance: float
     iteration_limit: int
     halving_limit: int
-    paper_stiffness: float
-    paper_damping: float
-    paper_substeps: int
-    paper_iteration_limit: int
-    paper_tolerance: float
+    baseline: Any
     mesh: int
     node_capacity: int
     finest_length: float
@@ -253,11 +279,7 @@ class vbss_thread_config(ctypes.Structure):
         ("position_tolerance", c_double),
         ("iteration_limit", c_uint32),
         ("halving_limit", c_uint32),
-        ("paper_stiffness", c_double),
-        ("paper_damping", c_double),
-        ("paper_substeps", c_uint32),
-        ("paper_iteration_limit", c_uint32),
-        ("paper_tolerance", c_double),
+        ("baseline", POINTER(vbss_baseline_config)),
         ("mesh", c_int32),
         ("node_capacity", c_uint32),
         ("finest_length", c_double),
@@ -550,6 +572,7 @@ class ThreadStatistics(NamedTuple):
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_thread_config_init": (c_int32, (POINTER(vbss_thread_config), c_uint32)),
     "vbss_thread_config_preset": (c_int32, (POINTER(vbss_thread_config), c_int32)),
+    "vbss_thread_config_suture": (c_int32, (POINTER(vbss_thread_config), c_int32, c_int32)),
     "vbss_thread_grade_lengths": (c_int32, (c_double, c_double, c_double, c_double, c_double,
         POINTER(c_double), c_uint32, POINTER(c_uint32))),
     "vbss_thread_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_thread_config),

@@ -1,0 +1,65 @@
+/* The configuration of a drain as fields, for descriptions of scenes. */
+#include "base/config.h"
+#include "base/fields.h"
+#include "drain/drain.h"
+
+_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u),
+               "new fields must be listed, with a new version");
+
+typedef struct values {
+    vbss_drain_config config;
+    vbss_baseline_config baseline;
+} values;
+
+#define WORD(name) VBSS_WORD(values, config.name)
+#define NUMBER(name) VBSS_NUMBER(values, config.name)
+#define BASELINE_WORD(name) VBSS_WORD(values, baseline.name)
+#define BASELINE_NUMBER(name) VBSS_NUMBER(values, baseline.name)
+
+static const vbss_field fields[] = {
+    WORD(method),
+    WORD(mesh),
+    WORD(mesh_divisions),
+    WORD(attachment_capacity),
+    WORD(iteration_limit),
+    WORD(halving_limit),
+    NUMBER(radius),
+    NUMBER(length),
+    NUMBER(thickness),
+    NUMBER(slit_length),
+    NUMBER(slit_opening),
+    NUMBER(mark_arc),
+    NUMBER(young_modulus),
+    NUMBER(poisson_ratio),
+    NUMBER(density),
+    NUMBER(drag),
+    VBSS_NUMBERS(values, config.gravity, 3),
+    VBSS_NUMBERS(values, config.position, 3),
+    VBSS_NUMBERS(values, config.orientation, 4),
+    NUMBER(tear_stress),
+    NUMBER(position_tolerance),
+    NUMBER(move_limit),
+    BASELINE_NUMBER(drain_stiffness),
+    BASELINE_NUMBER(drain_damping),
+    BASELINE_WORD(drain_substeps),
+    NUMBER(friction),
+    NUMBER(puncture_force),
+    NUMBER(hole_force),
+    NUMBER(hole_friction),
+    NUMBER(hole_stiffness),
+    NUMBER(hole_damping),
+    NUMBER(tip_length),
+    NUMBER(thread_force),
+};
+
+void vbss_drain_visit_config(vbss_stream *stream, vbss_drain_config *config,
+                             vbss_baseline_config *baseline)
+{
+    values v = {*config, *baseline};
+    vbss_section outer = vbss_stream_open(stream, VBSS_CODE('D', 'C', 'F', 'G'), 1);
+    vbss_stream_fields(stream, fields, sizeof fields / sizeof fields[0], &v);
+    vbss_stream_close(stream, outer);
+    *config = v.config;
+    *baseline = v.baseline;
+    config->baseline = baseline;
+}

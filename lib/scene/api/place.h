@@ -1,0 +1,31 @@
+/* Places a body at an entry of a scene. The callers have found the entry, and checked the body: they
+ * add a body of the host (add_*.c) or create a scene from its description (load.c). Each function
+ * gives the body the next number and the next shape, and changes nothing when it fails. */
+#ifndef VBSS_SCENE_PLACE_H
+#define VBSS_SCENE_PLACE_H
+
+#include "scene/world/scene_data.h"
+
+/* Creates the shape of a thread. That of an adaptive thread has room for all nodes that its mesh may
+ * get. */
+vbss_result vbss_scene_create_thread_shape(scene_object *s, const thread_object *t,
+                                           uint32_t *shape);
+
+/* Places a thread that has a shape. The caller numbers the nodes of the scene. */
+void vbss_scene_place_thread(scene_object *s, vbss_slot *slot, scene_body *b, uint32_t shape,
+                             uint32_t *body);
+
+vbss_result vbss_scene_place_drain(scene_object *s, vbss_slot *slot, scene_body *b, uint32_t *body);
+vbss_result vbss_scene_place_needle(scene_object *s, vbss_slot *slot, scene_body *b,
+                                    uint32_t *body);
+
+/* `target`: pose of the tool, through its trocar. */
+vbss_result vbss_scene_place_grasper(scene_object *s, vbss_slot *slot, pose target, scene_body *b,
+                                     uint32_t *body);
+
+/* Places another rigid body. The caller has written radius and `local_end` of its capsules behind the
+ * capsules of the scene. */
+vbss_result vbss_scene_place_rigid(scene_object *s, const scene_rigid *rigid, scene_body *b,
+                                   uint32_t *body);
+
+#endif

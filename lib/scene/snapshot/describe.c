@@ -1,0 +1,200 @@
+/* Describes a scene: its configuration, and what is needed to create each body at its place. */
+#include "base/stream.h"
+#include "scene/snapshot/describe.h"
+#include "scene/snapshot/snapshot.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
+
+/* ---- one body */
+
+static void visit_thread(vbss_stream *stream, scene_body_description *d)
+{
+    vbss_thread_visit_config(stream, &d->thread, &d->baseline);
+    vbss_stream_u32(stream, 10, &d->rest_count, 1);
+    if (d->rest_count != 0 && d->rest_count != d->thread.segment_count) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another number of segments");
+        d->rest_count = 0;
+    }
+}
+
+static void visit_rigid(vbss_stream *stream, scene_body_description *d)
+{
+    vbss_stream_i32(stream, 20, &d->rigid.kind, 1);
+    vbss_stream_u32(stream, 21, &d->rigid.capsule_count, 1);
+    vbss_stream_f64(stream, 22, &d->rigid.friction, 1);
+    vbss_stream_f64(stream, 23, &d->rigid.mass, 1);
+    vbss_stream_f64(stream, 24, &d->rigid.inertia.x, 3);
+    vbss_stream_f64(stream, 25, &d->rigid.frame.position.x, 3);
+    vbss_stream_f64(stream, 26, &d->rigid.frame.orientation.w, 4);
+}
+
+void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_description *d)
+{
+    vbss_stream_u32(stream, 1, &d->type, 1);
+    vbss_stream_u32(stream, 2, &d->entry, 1);
+    vbss_stream_u32(stream, 3, &d->shape, 1);
+    vbss_stream_u32(stream, 4, &d->number, 1);
+    switch (d->type) {
+    case SCENE_DESCRIBED_THREAD:
+    case SCENE_DESCRIBED_GONE_THREAD:
+        visit_thread(stream, d);
+        break;
+    case SCENE_DESCRIBED_PIECE:
+        break;
+    case SCENE_DESCRIBED_DRAIN:
+        vbss_drain_visit_config(stream, &d->drain, &d->baseline);
+        break;
+    case SCENE_DESCRIBED_NEEDLE:
+        vbss_needle_visit_config(stream, &d->needle);
+        break;
+    case SCENE_DESCRIBED_GRASPER:
+        vbss_grasper_visit_config(stream, &d->grasper, &d->baseline);
+        break;
+    case SCENE_DESCRIBED_RIGID:
+        visit_rigid(stream, d);
+        break;
+    default:
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such type of body");
+    }
+}
+
+void vbss_scene_visit_described_capsule(vbss_stream *stream, scene_capsule *capsule)
+{
+    vbss_stream_f64(stream, 30, &capsule->local[0].x, 3);
+    vbss_stream_f64(stream, 31, &capsule->local[1].x, 3);
+    vbss_stream_f64(stream, 32, &capsule->radius, 1);
+}
+
+void vbss_scene_visit_described_rest(vbss_stream *stream, double *rest_lengths, uint32_t count)
+{
+    if (count > 0) {
+        vbss_stream_f64(stream, 11, rest_lengths, count);
+    }
+}
+
+/* ---- writing */
+
+static scene_body_description describe_thread(const thread_object *t, uint32_t type)
+{
+    const bool is_of_its_lengths = !scene_thread_resizes(t) && type == SCENE_DESCRIBED_THREAD;
+    return (scene_body_description){.type = type,
+                                    .thread = t->config,
+                                    .baseline = t->baseline_config,
+                                    .rest_count = is_of_its_lengths ? t->config.segment_count : 0};
+}
+
+static scene_body_description describe_rigid(const scene_rigid *r)
+{
+    scene_body_description d = {.type = SCENE_DESCRIBED_RIGID};
+    if (r->grasper != NULL) {
+        d.type = SCENE_DESCRIBED_GRASPER;
+        d.grasper = r->grasper->config;
+        d.baseline = r->grasper->baseline_config;
+    } else if (r->needle != NULL) {
+        d.type = SCENE_DESCRIBED_NEEDLE;
+        d.needle = r->needle->config;
+    } else {
+        d.rigid = (scene_rigid_description){.kind = r->kind,
+                                            .capsule_count = r->capsule_count,
+                                            .friction = r->created_friction,
+                                            .mass = r->body.mass,
+                                            .inertia = r->body.inertia,
+                                            .frame = r->frame};
+    }
+    return d;
+}
+
+static scene_body_description describe_body(const scene_body *b)
+{
+    switch (b->kind) {
+    case SCENE_BODY_THREAD:
+        return describe_thread(b->thread.thread, SCENE_DESCRIBED_THREAD);
+    case SCENE_BODY_DRAIN:
+        return (scene_body_description){.type = SCENE_DESCRIBED_DRAIN,
+                                        .drain = b->drain.drain->config,
+                                        .baseline = b->drain.drain->baseline_config};
+    default:
+        return describe_rigid(&b->rigid);
+    }
+}
+
+void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
+{
+    scene_body *b = &s->bodies[entry];
+    scene_body_description d = describe_body(b);
+    d.entry = entry;
+    d.shape = b->shape;
+    d.number = b->number;
+    vbss_scene_visit_body_description(stream, &d);
+    if (d.type == SCENE_DESCRIBED_THREAD) {
+        vbss_scene_visit_described_rest(stream, b->thread.thread->rest, d.rest_count);
+    }
+    for (uint32_t i = 0; d.type == SCENE_DESCRIBED_RIGID && i < d.rigid.capsule_count; i++) {
+        vbss_scene_visit_described_capsule(stream, &s->capsules[b->rigid.first_capsule + i]);
+    }
+}
+
+/* Pieces follow their thread. If that has left the scene, a description without a body stands in
+ * for it. */
+static void visit_piece(vbss_stream *stream, const scene_object *s, uint32_t entry,
+                        const thread_piece_pool **family)
+{
+    const scene_body *b = &s->bodies[entry];
+    const thread_object *t = b->thread.thread;
+    if (t->piece_pool != *family) {
+        scene_body_description gone = describe_thread(t, SCENE_DESCRIBED_GONE_THREAD);
+        vbss_scene_visit_body_description(stream, &gone);
+        *family = t->piece_pool;
+    }
+    scene_body_description d = {
+        .type = SCENE_DESCRIBED_PIECE, .entry = entry, .shape = b->shape, .number = b->number};
+    vbss_scene_visit_body_description(stream, &d);
+}
+
+static uint32_t count_records(const scene_object *s)
+{
+    const thread_piece_pool *family = NULL;
+    uint32_t count = 0;
+    for (uint32_t shape = 0; shape < s->collision->shape_count; shape++) {
+        if (s->collision->shapes[shape] == NULL) {
+            continue;
+        }
+        const scene_body *b = &s->bodies[s->body_of_shape[shape]];
+        const bool is_thread = b->kind == SCENE_BODY_THREAD || b->is_reserved;
+        count += b->is_reserved && b->thread.thread->piece_pool != family ? 2 : 1;
+        family = is_thread ? b->thread.thread->piece_pool : family;
+    }
+    return count;
+}
+
+void vbss_scene_describe(vbss_stream *stream, void *object)
+{
+    scene_object *s = object;
+    const thread_piece_pool *family = NULL;
+    scene_table_description table = {s->body_count, s->collision->shape_count, count_records(s)};
+    vbss_section outer = vbss_stream_open(stream, SCENE_DESCRIPTION, SCENE_DESCRIPTION_VERSION);
+    vbss_scene_visit_config(stream, &s->config, &s->baseline_config);
+    vbss_scene_visit_table(stream, &table);
+    for (uint32_t shape = 0; shape < table.shape_count; shape++) {
+        const uint32_t entry = s->body_of_shape[shape];
+        if (s->collision->shapes[shape] == NULL) {
+            continue;
+        }
+        if (s->bodies[entry].is_reserved) {
+            visit_piece(stream, s, entry, &family);
+            continue;
+        }
+        vbss_scene_visit_body(stream, s, entry);
+        if (s->bodies[entry].kind == SCENE_BODY_THREAD) {
+            family = s->bodies[entry].thread.thread->piece_pool;
+        }
+    }
+    vbss_stream_close(stream, outer);
+}
+
+void vbss_scene_visit_table(vbss_stream *stream, scene_table_description *table)
+{
+    vbss_stream_u32(stream, 5, &table->entry_count, 1);
+    vbss_stream_u32(stream, 6, &table->shape_count, 1);
+    vbss_stream_u32(stream, 7, &table->record_count, 1);
+}

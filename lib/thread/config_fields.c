@@ -1,0 +1,65 @@
+/* The configuration of a thread as fields, for descriptions of scenes. */
+#include "base/config.h"
+#include "base/fields.h"
+#include "thread/thread.h"
+
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
+               "new fields must be listed, with a new version");
+
+typedef struct values {
+    vbss_thread_config config;
+    vbss_baseline_config baseline;
+} values;
+
+#define WORD(name) VBSS_WORD(values, config.name)
+#define NUMBER(name) VBSS_NUMBER(values, config.name)
+#define BASELINE_WORD(name) VBSS_WORD(values, baseline.name)
+#define BASELINE_NUMBER(name) VBSS_NUMBER(values, baseline.name)
+
+/* Without the initial shape, which is part of the state. */
+static const vbss_field fields[] = {
+    WORD(method),
+    WORD(bending),
+    WORD(segment_count),
+    WORD(attachment_capacity),
+    WORD(cut_capacity),
+    NUMBER(radius),
+    NUMBER(linear_density),
+    NUMBER(axial_stiffness),
+    NUMBER(bending_stiffness),
+    NUMBER(rest_curvature),
+    VBSS_NUMBERS(values, config.gravity, 3),
+    NUMBER(drag),
+    NUMBER(damping),
+    NUMBER(spectral_radius),
+    NUMBER(stretch_tolerance),
+    NUMBER(position_tolerance),
+    WORD(iteration_limit),
+    WORD(halving_limit),
+    BASELINE_NUMBER(thread_stiffness),
+    BASELINE_NUMBER(thread_damping),
+    BASELINE_WORD(thread_substeps),
+    BASELINE_WORD(thread_iteration_limit),
+    BASELINE_NUMBER(thread_tolerance),
+    WORD(mesh),
+    WORD(node_capacity),
+    NUMBER(finest_length),
+    NUMBER(coarsest_length),
+    NUMBER(refine_angle),
+    NUMBER(coarsen_angle),
+    NUMBER(near_distance),
+    NUMBER(clear_distance),
+    WORD(mesh_operations),
+};
+
+void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
+                              vbss_baseline_config *baseline)
+{
+    values v = {*config, *baseline};
+    vbss_section outer = vbss_stream_open(stream, VBSS_CODE('T', 'C', 'F', 'G'), 1);
+    vbss_stream_fields(stream, fields, sizeof fields / sizeof fields[0], &v);
+    vbss_stream_close(stream, outer);
+    *config = v.config;
+    *baseline = v.baseline;
+    config->baseline = baseline;
+}
