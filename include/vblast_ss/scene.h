@@ -816,10 +816,11 @@ VBSS_API vbss_result vbss_scene_config_get_memory(vbss_context *context,
 VBSS_API vbss_result vbss_scene_prepare(vbss_scene *scene);
 
 /**
- * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged. With method VBLAST the step of a thread or drain that has
- * diverged fails; see #vbss_thread_step and #vbss_drain_step for the bounds. If a call has ended a
- * suspended step, or some islands of a step, and the rest fails, that result stays: the call
- * returns VBSS_OK, `behind` counts the rest, and the next call returns the failure.
+ * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged.
+ * With method VBLAST the step of a thread or drain that has diverged fails; see #vbss_thread_step
+ * and #vbss_drain_step for the bounds. If a call has ended a suspended step, or some islands of a
+ * step, and the rest fails, that result stays: the call returns VBSS_OK, `behind` counts the rest,
+ * and the next call returns the failure.
  *
  * @param scene  the scene
  * @param h      length of the step, s, 1e-7 to 0.1
