@@ -85,7 +85,7 @@ def test_a_record_with_missed_edits_is_refused(context):
     scene.step()
     record.detach_from_scene()
     scene.step()
-    with pytest.raises(vb.OutOfRangeError):
+    with pytest.raises(vb.WrongStateError):
         record.attach_to_scene()
 
 
