@@ -164,6 +164,13 @@ typedef struct vbss_scene_config {
      * snapshots store the limit, and a scene with another one rejects them. One exception:
      * scenes without a limit and with the default limit accept each other's snapshots. */
     double speed_limit;
+    /** Method IMPLICIT: capacity of the linear system's matrix and its factor for threads and rigid
+     * bodies, in blocks of 3 x 3 numbers of 96 bytes, 0 to 1e7; 0 (default): 4096, and 20 for each
+     * node of node_capacity and 40 for each body of rigid_capacity. A node without contact takes up
+     * to 12 blocks, one of a tight knot 42; each drain adds its own. A step that needs more returns
+     * VBSS_ERROR_CAPACITY. See docs/memory.md. */
+    uint32_t matrix_capacity;
+    uint32_t reserved; /**< Zero. */
     /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
     const vbss_baseline_config *baseline;
 } vbss_scene_config;
@@ -776,16 +783,50 @@ VBSS_API vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, d
 VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread);
 
 /**
- * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged. With method VBLAST the step of a thread or drain that has
- * diverged fails; see #vbss_thread_step and #vbss_drain_step for the bounds. If a call has ended a
- * suspended step, or some islands of a step, and the rest fails, that result stays: the call
- * returns VBSS_OK, `behind` counts the rest, and the next call returns the failure.
+ * Returns the memory that #vbss_scene_create allocates for a configuration. Bodies and drains add
+ * their own: see docs/memory.md. The call creates such a scene and destroys it again, so that the
+ * number is exact; a host then knows what to reserve on another machine with the same sizes of
+ * pointers.
+ *
+ * @param context     the context, whose allocator must have this memory
+ * @param config      configuration; NULL for the defaults
+ * @param[out] bytes  memory of the scene, bytes, without the slots of handles, which a context
+ *         allocates 64 at a time
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, the failures of
+ *         #vbss_scene_create or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_config_get_memory(vbss_context *context,
+                                                  const vbss_scene_config *config, uint64_t *bytes);
+
+/**
+ * Does the work of the next step that does not depend on contacts, so that this step takes no
+ * longer than those after it: the search for close bodies begins, and the pattern of the linear system is
+ * analysed. Call it when all bodies are in the scene, before the first step or after bodies were
+ * added. The state does not change, and a scene steps with the same bits without the call. A suspended step stays
+ * as it is. The call allocates nothing. Method IMPLICIT; with method VBLAST the call does nothing.
+ *
+ * @param scene  the scene
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (candidates or matrix) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_prepare(vbss_scene *scene);
+
+/**
+ * Advances the scene by one step. The call allocates nothing. On failure the scene is unchanged.
+ * With method VBLAST the step of a thread or drain that has diverged fails; see #vbss_thread_step
+ * and #vbss_drain_step for the bounds. If a call has ended a suspended step, or some islands of a
+ * step, and the rest fails, that result stays: the call returns VBSS_OK, `behind` counts the rest,
+ * and the next call returns the failure.
  *
  * @param scene  the scene
  * @param h      length of the step, s, 1e-7 to 0.1
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
- *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (contacts or candidates), VBSS_ERROR_ARITHMETIC_MODE
- *         or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (contacts, candidates or matrix),
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -140,7 +140,7 @@ vbss_result vbss_config_read(vbss_context *context, const vbss_layout *layout, c
     return VBSS_OK;
 }
 
-static const uint32_t view_sizes[] = {32u + (uint32_t)sizeof(void *), 0};
+static const uint32_t view_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_view, 32u, 1u), 0};
 const vbss_layout vbss_view_layout = {"vbss_view", NULL, view_sizes};
 
 vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, const void *own,

@@ -15,6 +15,12 @@ typedef struct vbss_layout {
      * size */
     const uint32_t *sizes;
 } vbss_layout;
+/* Size of a public struct, or of an earlier version of it, whose fields take `bytes` beside this number
+ * of pointers. Where pointers have four bytes, doubles are aligned to four (i386) or eight (armhf, wasm32),
+ * and the end is padded to that. */
+#define VBSS_SIZE_WITH_POINTERS(type, bytes, pointers)                                         \
+    (uint32_t)(((bytes) + (pointers) * sizeof(void *) + _Alignof(type) - 1) / _Alignof(type) * \
+               _Alignof(type))
 /* Fills a config of `struct_size` bytes with the defaults and sets its struct_size.
  * VBSS_ERROR_NULL_ARGUMENT, or VBSS_ERROR_STRUCT_SIZE for a size that no version has; without an
  * error text. */

@@ -102,6 +102,11 @@ void vbss_release(vbss_context *context, void *block, size_t count, size_t size)
     }
 }
 
+uint64_t vbss_bytes_allocated(const vbss_context *context)
+{
+    return context->bytes_allocated;
+}
+
 vbss_result vbss_allocate_arrays(vbss_context *context, const vbss_array *arrays, size_t count,
                                  const char *what)
 {

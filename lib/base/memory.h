@@ -14,6 +14,8 @@
 void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char *what);
 /* Frees a block that was allocated with this count and size. */
 void vbss_release(vbss_context *context, void *block, size_t count, size_t size);
+/* Bytes of the context that are allocated now. */
+uint64_t vbss_bytes_allocated(const vbss_context *context);
 /* Several arrays of one object, described by a table. The object must be zeroed first: after a
  * failure the arrays not allocated are NULL, and the caller releases the whole table. */
 typedef struct vbss_array {

@@ -4,9 +4,11 @@
 #include "base/error.h"
 #include "collision/shapes.h"
 
-_Static_assert(sizeof(vbss_collision_batch) == 80, "published size");
+_Static_assert(sizeof(vbss_collision_batch) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_collision_batch, 16u, 8u),
+               "published size");
 static const vbss_collision_batch batch_defaults = {.struct_size = sizeof(vbss_collision_batch)};
-static const uint32_t batch_sizes[] = {80, 0};
+static const uint32_t batch_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_collision_batch, 16u, 8u), 0};
 static const vbss_layout batch_layout = {"vbss_collision_batch", &batch_defaults, batch_sizes};
 
 static const double max_queries = 1e8;

@@ -95,10 +95,11 @@ static void insertion_sort(collision_pair *pairs, uint32_t count)
     }
 }
 
-/* Sorts by b, which is below `features`. Pairs with equal b may come in any order. */
+/* Sorts by b, which is below `features`. Pairs with equal b may come in any order. Candidates are
+ * written when all pairs are sorted, so their memory serves as the second buffer. */
 static void radix_sort(collision_object *c, uint32_t first, uint32_t features)
 {
-    collision_pair *pairs = c->search.pairs + first, *spare = c->sort_buffer;
+    collision_pair *pairs = c->search.pairs + first, *spare = (void *)c->candidates;
     uint32_t count = c->search.pair_count - first, *offsets = c->buckets;
     if (count <= COLLISION_INSERTION_SORT_LIMIT) {
         insertion_sort(pairs, count);

@@ -9,7 +9,9 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_collision_config) == 64, "published size");
+_Static_assert(sizeof(vbss_collision_config) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_collision_config, 56u, 1u),
+               "published size");
 _Static_assert(sizeof(vbss_collision_impact) == 136, "published size");
 
 static const vbss_collision_config defaults = {
@@ -22,7 +24,7 @@ static const vbss_collision_config defaults = {
     .impact_capacity = 4096,
     .exclusion = 1.6,
 };
-static const uint32_t config_sizes[] = {64, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_collision_config, 56u, 1u), 0};
 const vbss_layout vbss_collision_config_layout = {"vbss_collision_config", &defaults, config_sizes};
 static const uint32_t impact_sizes[] = {136, 0};
 static const vbss_layout impact_layout = {"vbss_collision_impact", NULL, impact_sizes};

@@ -42,7 +42,7 @@ vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_co
 
     collision_object *c;
     vbss_slot *slot = NULL;
-    VBSS_TRY(vbss_collision_allocate(context, &own, false, &c));
+    VBSS_TRY(vbss_collision_allocate(context, &own, own.shape_capacity, false, &c));
     vbss_result result = vbss_slot_create(context, &vbss_collision_kind, c, &slot);
     if (result != VBSS_OK) {
         vbss_collision_free(context, c);

@@ -8,26 +8,24 @@
 
 /* ---- memory: one table lists all arrays */
 
-enum { ARRAY_COUNT = 27 };
+enum { ARRAY_COUNT = 26 };
 
 static size_t list_arrays(collision_object *c, vbss_array arrays[ARRAY_COUNT])
 {
     size_t shapes = c->config.shape_capacity, pairs = c->config.pair_capacity;
+    size_t active = c->active_capacity, groups = vbss_collision_bvh_group_count(c->active_capacity);
     size_t impacts = c->config.impact_capacity, separations = c->caches_separation ? pairs : 0;
     const vbss_array all[] = {
         {&c->shapes, shapes, sizeof(collision_shape *)},
-        {&c->active_shapes, shapes, sizeof *c->active_shapes},
-        {&c->overlapping, shapes, sizeof *c->overlapping},
-        {&c->shape_bvh.boxes, shapes, sizeof *c->shape_bvh.boxes},
-        {&c->shape_bvh.order, shapes, sizeof *c->shape_bvh.order},
-        {&c->shape_bvh.group_boxes, vbss_collision_bvh_group_count(c->config.shape_capacity),
-         sizeof *c->shape_bvh.group_boxes},
-        {&c->shape_bvh.groups, vbss_collision_bvh_group_count(c->config.shape_capacity),
-         sizeof *c->shape_bvh.groups},
+        {&c->active_shapes, active, sizeof *c->active_shapes},
+        {&c->overlapping, active, sizeof *c->overlapping},
+        {&c->shape_bvh.boxes, active, sizeof *c->shape_bvh.boxes},
+        {&c->shape_bvh.order, active, sizeof *c->shape_bvh.order},
+        {&c->shape_bvh.group_boxes, groups, sizeof *c->shape_bvh.group_boxes},
+        {&c->shape_bvh.groups, groups, sizeof *c->shape_bvh.groups},
         {&c->search.parents_a, COLLISION_SEARCH_PARENTS, sizeof *c->search.parents_a},
         {&c->search.parents_b, COLLISION_SEARCH_PARENTS, sizeof *c->search.parents_b},
         {&c->search.pairs, pairs + COLLISION_BVH_WIDTH, sizeof *c->search.pairs},
-        {&c->sort_buffer, pairs, sizeof *c->sort_buffer},
         {&c->buckets, COLLISION_SORT_BUCKETS, sizeof *c->buckets},
         {&c->runs, (size_t)c->run_capacity + 1, sizeof *c->runs},
         {&c->candidates, pairs + 1, sizeof *c->candidates}, /* one for the filter of near pairs */
@@ -64,14 +62,15 @@ void vbss_collision_free(vbss_context *context, void *object)
 }
 
 /* Two kinds of pairs for any two shapes, but no more runs than candidates. */
-static uint32_t max_runs(const vbss_collision_config *config)
+static uint32_t max_runs(uint64_t shapes, uint32_t pairs)
 {
-    uint64_t shapes = config->shape_capacity, runs = 2 * shapes * shapes;
-    return runs < config->pair_capacity ? (uint32_t)runs : config->pair_capacity;
+    uint64_t runs = 2 * shapes * shapes;
+    return runs < pairs ? (uint32_t)runs : pairs;
 }
 
 vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
-                                    bool caches_separation, collision_object **collision)
+                                    uint32_t active_capacity, bool caches_separation,
+                                    collision_object **collision)
 {
     collision_object *c = vbss_allocate(context, 1, sizeof *c, "collision object");
     vbss_array arrays[ARRAY_COUNT];
@@ -87,7 +86,8 @@ vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_
     c->wide = vbss_wide_is_available();
     c->thickness = config->thickness;
     c->caches_separation = caches_separation;
-    c->run_capacity = max_runs(config);
+    c->active_capacity = active_capacity;
+    c->run_capacity = max_runs(active_capacity, config->pair_capacity);
     c->search.pair_capacity = config->pair_capacity;
     vbss_result result =
         vbss_allocate_arrays(context, arrays, list_arrays(c, arrays), "collision object");

@@ -351,13 +351,12 @@ struct collision_object {
     collision_shape **shapes; /* indexed by id; NULL once removed */
     uint32_t shape_count;     /* number of shapes ever added */
     uint32_t *active_shapes;  /* ids of the shapes in use, ascending */
-    uint32_t active_count;
+    uint32_t active_count, active_capacity;
     bool active_valid;       /* active_shapes is up to date */
     collision_bvh shape_bvh; /* BVH over the root boxes of the active shapes */
     uint32_t *overlapping;   /* shapes that overlap one shape, as indices of active_shapes */
     collision_search search;
-    collision_pair *sort_buffer; /* scratch of the sort of pairs, with buckets */
-    uint32_t *buckets;
+    uint32_t *buckets; /* scratch of the sort of pairs, with the memory of candidates */
     collision_run *runs;
     uint32_t run_count, run_capacity;
     collision_candidate *candidates;
@@ -399,9 +398,11 @@ vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **colli
 
 /* ---- memory and results of objects (object.c), snapshots (snapshot.c) */
 
-/* Creates and destroys an object without a handle, from a checked configuration. */
+/* Creates and destroys an object without a handle, from a checked configuration. A search may find at
+ * most active_capacity shapes in use, of all that were ever added. */
 vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
-                                    bool caches_separation, collision_object **collision);
+                                    uint32_t active_capacity, bool caches_separation,
+                                    collision_object **collision);
 void vbss_collision_free(vbss_context *context, void *object);
 /* The shape with this id, or VBSS_ERROR_NOT_FOUND. */
 vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,

@@ -13,7 +13,8 @@
 #include "base/stream.h"
 #include "device/tuning.h"
 
-_Static_assert(sizeof(vbss_nidaqmx_config) == 56 + 5 * sizeof(void *), "no hidden padding");
+_Static_assert(sizeof(vbss_nidaqmx_config) == VBSS_SIZE_WITH_POINTERS(vbss_nidaqmx_config, 56u, 5u),
+               "no hidden padding");
 _Static_assert(sizeof(vbss_nidaqmx_status) == 104, "published size");
 
 static const vbss_nidaqmx_config config_defaults = {
@@ -30,7 +31,7 @@ static const vbss_nidaqmx_config config_defaults = {
     .high = 10.0,
     .period = 0.002,
 };
-static const uint32_t config_sizes[] = {56u + 5u * (uint32_t)sizeof(void *), 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_nidaqmx_config, 56u, 5u), 0};
 static const vbss_layout config_layout = {"vbss_nidaqmx_config", &config_defaults, config_sizes};
 static const uint32_t status_sizes[] = {104, 0};
 static const vbss_layout status_layout = {"vbss_nidaqmx_status", NULL, status_sizes};

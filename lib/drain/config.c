@@ -5,7 +5,8 @@
 #include "base/error.h"
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == 288, "published size");
+_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u),
+               "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
@@ -38,7 +39,7 @@ static const vbss_drain_config defaults = {
     .tip_length = 0.5e-3,
     .thread_force = 0.02,
 };
-static const uint32_t config_sizes[] = {288, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u), 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)

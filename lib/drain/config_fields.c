@@ -1,8 +1,10 @@
 /* The configuration of a drain as fields, for descriptions of scenes. */
+#include "base/config.h"
 #include "base/fields.h"
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == 288, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u),
+               "new fields must be listed, with a new version");
 
 typedef struct values {
     vbss_drain_config config;

@@ -19,7 +19,8 @@ static vbss_result create_drain(drain_object *d)
     const vbss_system_capacity capacity = {.blocks = d->mesh.node_count,
                                            .couplings = d->order.pair_count,
                                            .entries = d->order.factor_entries,
-                                           .products = d->order.factor_products};
+                                           .products = d->order.factor_products,
+                                           .arena = 1 + 2 * d->order.factor_entries};
     return vbss_system_create_with_capacity(d->context, &capacity, &d->system);
 }
 

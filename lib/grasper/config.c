@@ -6,7 +6,9 @@
 #include "base/error.h"
 #include "grasper/grasper.h"
 
-_Static_assert(sizeof(vbss_grasper_config) == 312, "published size");
+_Static_assert(sizeof(vbss_grasper_config) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_grasper_config, 304u, 1u),
+               "published size");
 
 static const vbss_grasper_config defaults = {
     .struct_size = sizeof(vbss_grasper_config),
@@ -38,7 +40,7 @@ static const vbss_grasper_config defaults = {
     .needle_torque = 0.03,
     .solenoid_opening = 0.2,
 };
-static const uint32_t config_sizes[] = {312, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_grasper_config, 304u, 1u), 0};
 static const vbss_layout config_layout = {"vbss_grasper_config", &defaults, config_sizes};
 
 vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size)

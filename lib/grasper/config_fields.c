@@ -1,8 +1,11 @@
 /* The configuration of a grasper as fields, for descriptions of scenes. */
+#include "base/config.h"
 #include "base/fields.h"
 #include "grasper/grasper.h"
 
-_Static_assert(sizeof(vbss_grasper_config) == 312, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_grasper_config) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_grasper_config, 304u, 1u),
+               "new fields must be listed, with a new version");
 
 typedef struct values {
     vbss_grasper_config config;

@@ -5,8 +5,9 @@
 
 #include <string.h>
 
-static const uint32_t input_sizes[] = {136, 0};
-_Static_assert(sizeof(vbss_knot_input) == 136, "published size");
+static const uint32_t input_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_knot_input, 120u, 2u), 0};
+_Static_assert(sizeof(vbss_knot_input) == VBSS_SIZE_WITH_POINTERS(vbss_knot_input, 120u, 2u),
+               "published size");
 _Static_assert(sizeof(vbss_knot_tool) == 136, "no padding, part of the interface");
 static const vbss_knot_input input_defaults = {
     .struct_size = sizeof(vbss_knot_input), .stride_bytes = 24, .hole_places = {-1.0, -1.0}};

@@ -9,10 +9,12 @@
 _Static_assert(sizeof(vbss_metrics_report) == 232, "published size");
 _Static_assert(sizeof(vbss_metrics_throw) == 104, "published size");
 _Static_assert(sizeof(vbss_metrics_phase) == 40, "published size");
-_Static_assert(sizeof(vbss_metrics_penalty) == 96 + sizeof(void *), "no hidden padding");
+_Static_assert(sizeof(vbss_metrics_penalty) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_metrics_penalty, 96u, 1u),
+               "no hidden padding");
 static const uint32_t report_sizes[] = {192, 232, 0}, throw_sizes[] = {104, 0},
                       phase_sizes[] = {40, 0},
-                      penalty_sizes[] = {96u + (uint32_t)sizeof(void *), 0};
+                      penalty_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_metrics_penalty, 96u, 1u), 0};
 static const vbss_layout report_layout = {"vbss_metrics_report", NULL, report_sizes};
 static const vbss_layout throw_layout = {"vbss_metrics_throw", NULL, throw_sizes};
 static const vbss_layout phase_layout = {"vbss_metrics_phase", NULL, phase_sizes};

@@ -9,9 +9,13 @@
 #include "base/memory.h"
 #include "record/record.h"
 
-_Static_assert(sizeof(vbss_record_log_report) == 240, "published size");
+_Static_assert(sizeof(vbss_record_log_report) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_record_log_report, 176u, 8u),
+               "published size");
 
-static const uint32_t report_sizes[] = {232, 240, 0};
+static const uint32_t report_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_record_log_report, 168u, 8u),
+                                        VBSS_SIZE_WITH_POINTERS(vbss_record_log_report, 176u, 8u),
+                                        0};
 static const vbss_layout report_layout = {"vbss_record_log_report", NULL, report_sizes};
 
 enum { MAX_FAULTS = sizeof((vbss_record_log_report *)0)->fault_positions / sizeof(uint64_t) };

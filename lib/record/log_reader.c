@@ -6,15 +6,20 @@
 #include "base/memory.h"
 #include "record/step_codec.h"
 
-_Static_assert(sizeof(vbss_replay_info) == 48, "published size");
+_Static_assert(sizeof(vbss_replay_info) == VBSS_SIZE_WITH_POINTERS(vbss_replay_info, 32u, 2u),
+               "published size");
 
-static const uint32_t info_sizes[] = {48, 0};
+static const uint32_t info_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_replay_info, 32u, 2u), 0};
 static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
-static const uint32_t step_sizes[] = {72, 80, 0};
+static const uint32_t step_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_replay_logged_step, 56u, 2u),
+                                      VBSS_SIZE_WITH_POINTERS(vbss_replay_logged_step, 64u, 2u), 0};
 static const vbss_layout step_layout = {"vbss_replay_logged_step", NULL, step_sizes};
-_Static_assert(sizeof(vbss_replay_logged_step) == 80 && sizeof(vbss_record_input) == 128,
+_Static_assert(sizeof(vbss_replay_logged_step) ==
+                       VBSS_SIZE_WITH_POINTERS(vbss_replay_logged_step, 64u, 2u) &&
+                   sizeof(vbss_record_input) == 128,
                "published sizes");
-static const uint32_t scene_config_sizes[] = {184, 0};
+static const uint32_t scene_config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u),
+                                              0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
 /* ---- creation and destruction */

@@ -10,7 +10,8 @@
 #include "base/error.h"
 #include "base/snapshot.h"
 
-_Static_assert(sizeof(vbss_record_config) == 40, "published size");
+_Static_assert(sizeof(vbss_record_config) == VBSS_SIZE_WITH_POINTERS(vbss_record_config, 32u, 1u),
+               "published size");
 
 static const vbss_record_config defaults = {
     .struct_size = sizeof(vbss_record_config),
@@ -19,7 +20,8 @@ static const vbss_record_config defaults = {
     .buffer_bytes = 1u << 20,
     .snapshot_interval = 2000,
 };
-static const uint32_t config_sizes[] = {32, 40, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_record_config, 24u, 1u),
+                                        VBSS_SIZE_WITH_POINTERS(vbss_record_config, 32u, 1u), 0};
 static const vbss_layout config_layout = {"vbss_record_config", &defaults, config_sizes};
 
 vbss_result vbss_record_config_init(vbss_record_config *config, uint32_t struct_size)

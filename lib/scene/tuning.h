@@ -271,12 +271,25 @@
 
 /* ---- Capacity of the system (solve/system_capacity.c); a scene that needs more reports CAPACITY */
 
-/* Coupled pairs of blocks per separator, with fill-in.
- * Unit: pairs. Origin: chosen. Test: none known. */
-#define SCENE_PAIRS_PER_SEPARATOR VBSS_TUNE(SCENE_PAIRS_PER_SEPARATOR, 24u)
+/* Default of matrix_capacity for each block of a thread or rigid body. A node without contact takes up to 12, and a
+ * node of a tight knot 42.
+ * Unit: blocks. Origin: fitted: docs/memory.md. Test: scene.matrix_capacity. */
+#define SCENE_MATRIX_PER_BLOCK VBSS_TUNE(SCENE_MATRIX_PER_BLOCK, 20u)
+/* Default of matrix_capacity beside that, for knots on short threads.
+ * Unit: blocks. Origin: fitted: docs/memory.md. Test: scene.matrix_capacity. */
+#define SCENE_MATRIX_BASE VBSS_TUNE(SCENE_MATRIX_BASE, 4096u)
+/* There is room for the indices of one pair of separators for each of this number of blocks of matrix_capacity.
+ * Unit: blocks. Origin: fitted: 7 on the floor, 10 in a knot. Test: scene.matrix_capacity. */
+#define SCENE_MATRIX_PER_PAIR VBSS_TUNE(SCENE_MATRIX_PER_PAIR, 6u)
+/* The same for one pair of the separators' factor.
+ * Unit: blocks. Origin: fitted: 4 in a knot. Test: scene.matrix_capacity. */
+#define SCENE_MATRIX_PER_FACTOR_PAIR VBSS_TUNE(SCENE_MATRIX_PER_FACTOR_PAIR, 3u)
 /* Coupled pairs of blocks per node of a drain, with fill-in.
  * Unit: pairs. Origin: chosen. Test: none known. */
 #define SCENE_PAIRS_PER_DRAIN_NODE VBSS_TUNE(SCENE_PAIRS_PER_DRAIN_NODE, 128u)
+/* Blocks of the matrix for each block of the factor of a drain alone, which takes two.
+ * Unit: blocks. Origin: fitted: docs/memory.md. Test: none known. */
+#define SCENE_MATRIX_PER_DRAIN_ENTRY VBSS_TUNE(SCENE_MATRIX_PER_DRAIN_ENTRY, 8u)
 /* Entries of the factor when separators are eliminated late.
  * Unit: 1, relative to the factor of the drain alone. Origin: chosen. Test: none known. */
 #define SCENE_FILL_IN_ENTRY_RATIO VBSS_TUNE(SCENE_FILL_IN_ENTRY_RATIO, 4u)

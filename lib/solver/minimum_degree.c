@@ -165,9 +165,10 @@ static vbss_result find_elimination_order(vbss_system *s, const graph *g)
     for (uint32_t k = 0; k < g->count; k++) {
         uint32_t eliminated = (uint32_t)(min_key(e->keys, g->count) & ((1 << KEY_INDEX_BITS) - 1));
         uint32_t degree = e->degrees[eliminated].neighbours;
-        if (degree > s->pair_capacity - entries) {
+        if (degree > s->factor_capacity - entries) {
             return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
-                             "system: more than %u separator pairs", s->pair_capacity);
+                             "system: more than %u separator pairs with fill-in",
+                             s->factor_capacity);
         }
         e->order[k] = eliminated;
         e->position[eliminated] = k;

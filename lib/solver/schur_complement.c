@@ -71,24 +71,27 @@ void vbss_system_store_schur_rhs(vbss_system *s)
 void vbss_system_store_schur_complement(vbss_system *s)
 {
     static const block none; /* value of pairs that only vbss_system_couple_separators coupled */
+    block *pair = s->schur_complement, *diagonal = pair + s->pair_count;
     vbss_system_store_schur_rhs(s);
     for (uint32_t k = s->interior_count; k < s->unknown_count; k++) {
-        s->schur_complement[diagonal_index(s, k - s->interior_count)] = s->diagonal[s->order[k]];
+        *diagonal++ = s->diagonal[s->order[k]];
         for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
             uint32_t index = s->entries[e].index;
-            const block *lower = index != VBSS_NO_COUPLING ? &s->off_diagonal[index] : &none;
-            block *pair = &s->schur_complement[2 * (size_t)(e - s->separator_first_entry)];
-            pair[0] = *lower;
-            block_transpose(&pair[1], lower);
+            *pair++ = index != VBSS_NO_COUPLING ? s->off_diagonal[index] : none;
         }
     }
 }
 
 void vbss_system_load_schur_complement(vbss_system *s)
 {
-    size_t separators = s->unknown_count - s->interior_count,
-           blocks = 2 * (size_t)s->pair_count + separators;
-    memcpy(s->separator_blocks, s->schur_complement, blocks * sizeof *s->separator_blocks);
+    const size_t separators = s->unknown_count - s->interior_count;
+    const block *pair = s->schur_complement;
+    block *to = s->separator_blocks;
+    for (uint32_t p = 0; p < s->pair_count; p++, to += 2) {
+        to[0] = pair[p];
+        block_transpose(&to[1], &pair[p]);
+    }
+    memcpy(to, pair + s->pair_count, separators * sizeof *to);
     memcpy(s->separator_rhs, s->schur_rhs, separators * sizeof *s->separator_rhs);
 }
 

@@ -126,7 +126,7 @@ typedef struct vbss_elimination {
     vbss_row_entry *row_entries; /* entries sorted by row, then by column */
     uint32_t *pair_start;        /* position -> first pair of its column; one extra at the end */
     vbss_pair *pairs;            /* the pattern without fill */
-    /* blocks of L times the pivots, and transposed blocks of U without them */
+    /* blocks of L times the pivots, and transposed blocks of U without them; in the arena */
     block *lower, *upper;
     uint64_t product_count; /* block products to compute all entries of L and U */
     lanes *x;               /* right-hand sides, then increments, by position */
@@ -142,8 +142,8 @@ typedef struct vbss_elimination {
 
 typedef struct vbss_system {
     vbss_context *context;
-    uint32_t block_capacity, coupling_capacity, separator_capacity, pair_capacity, entry_capacity,
-        product_capacity;
+    uint32_t block_capacity, coupling_capacity, separator_capacity, pair_capacity, factor_capacity,
+        entry_capacity, product_capacity, arena_capacity;
 
     /* registered pattern */
     uint32_t block_count, coupling_count, body_coupling_count, chain_count;
@@ -188,17 +188,23 @@ typedef struct vbss_system {
 
     /* numbers: diagonal, rhs and solution by block, off_diagonal by coupling, pivots by position */
     block *diagonal;
-    /* couplings of bodies, then fill; the block's column is the one eliminated first */
+    /* off_diagonal, scaled, schur_complement, separator_blocks, lower and upper, in this order and as
+     * long as the pattern needs them. A block is interior or a separator, so they never need their largest
+     * lengths together. */
+    block *arena;
+    /* couplings of bodies, then fill; the block's column is the one eliminated first; in the arena */
     block *off_diagonal;
-    block *scaled; /* entry -> off_diagonal of the factor times D^-1 */
+    block *scaled; /* entry -> off_diagonal of the factor times D^-1; in the arena */
     vec3 *rhs;
     vec3 *solution; /* increments; zero for prescribed blocks */
     vbss_pivot *pivots;
 
-    /* the separators' system: both blocks of each pair, then the diagonals; the Schur complement of
-     * condensation, and the copy to which contacts add */
     uint32_t separator_first_entry, pair_count;
-    block *schur_complement, *separator_blocks;
+    /* the Schur complement of condensation, which is symmetric: one block of each pair, then the
+     * diagonals; in the arena */
+    block *schur_complement;
+    /* the copy to which contacts add: both blocks of each pair, then the diagonals; in the arena */
+    block *separator_blocks;
     vec3 *schur_rhs, *separator_rhs;
     vec3 *line_search_increments; /* their increments at the current point of the line search */
     vbss_elimination elimination;
@@ -206,10 +212,19 @@ typedef struct vbss_system {
     bool wide;            /* use the AVX2 copies of the hot loops */
 } vbss_system;
 
-/* Capacities of a system. Entries and products belong to the interior blocks: blocks of their
- * factor, and block updates of their elimination. For pairs see vbss_system_create. */
+/* Capacities of a system. */
 typedef struct vbss_system_capacity {
-    uint32_t blocks, couplings, entries, products, separators, pairs;
+    uint32_t blocks;
+    uint32_t couplings; /* of bodies */
+    /* of the interior blocks: blocks of their factor, and block updates of their elimination */
+    uint32_t entries, products;
+    uint32_t separators;
+    uint32_t pairs;  /* of separators that are coupled, or joined by condensation */
+    uint32_t factor; /* pairs with those that the separators' own elimination fills in */
+    /* Blocks of numbers. A pattern takes one, and one for each coupling of bodies and each fill, one
+     * for each entry, three for each pair, two for each separator, and two for each pair of the
+     * factor. */
+    uint32_t arena;
 } vbss_system_capacity;
 /* Capacities that vbss_system_create uses; its arguments are explained there. */
 vbss_system_capacity vbss_system_capacity_of_chains(uint32_t blocks, uint32_t half_bandwidth,
@@ -307,8 +322,8 @@ bool vbss_system_solve(vbss_system *system);
 
 /* Analysis: pairs of separators, their elimination order and fill. */
 vbss_result vbss_system_order_separators(vbss_system *system);
-/* Condensation: stores blocks and right-hand sides of the Schur complement by index, or the
- * right-hand sides alone. */
+/* Condensation: stores blocks and right-hand sides of the Schur complement, or the right-hand sides
+ * alone. */
 void vbss_system_store_schur_complement(vbss_system *system);
 void vbss_system_store_schur_rhs(vbss_system *system);
 /* Back substitution: increments of the interior blocks from those of the separators. */

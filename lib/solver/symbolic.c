@@ -343,11 +343,34 @@ static vbss_result analyse_bodies(vbss_system *s)
     return VBSS_OK;
 }
 
+/* Places the arrays of numbers one after another. */
+static vbss_result divide_arena(vbss_system *s)
+{
+    const uint64_t off_diagonals = UINT64_C(1) + s->body_coupling_count + s->fill_count;
+    const uint64_t separators = s->unknown_count - s->interior_count;
+    const uint64_t schur_blocks = s->pair_count + separators;
+    const uint64_t separator_blocks = schur_blocks + s->pair_count;
+    const uint64_t factor = s->elimination.column_start[separators];
+    if (off_diagonals + s->separator_first_entry + schur_blocks + separator_blocks + 2 * factor >
+        s->arena_capacity) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u blocks of numbers",
+                         s->arena_capacity);
+    }
+    s->off_diagonal = s->arena;
+    s->scaled = s->off_diagonal + off_diagonals;
+    s->schur_complement = s->scaled + s->separator_first_entry;
+    s->separator_blocks = s->schur_complement + schur_blocks;
+    s->elimination.lower = s->separator_blocks + separator_blocks;
+    s->elimination.upper = s->elimination.lower + factor;
+    return VBSS_OK;
+}
+
 vbss_result vbss_system_analyse(vbss_system *s)
 {
     if (!s->has_body_pattern) {
         VBSS_TRY(analyse_bodies(s));
         s->has_body_pattern = true;
     }
-    return vbss_system_order_separators(s);
+    VBSS_TRY(vbss_system_order_separators(s));
+    return divide_arena(s);
 }

@@ -7,15 +7,14 @@
 
 /* ---- memory: one table lists all arrays */
 
-enum { PARTS = 46 };
+enum { PARTS = 41 };
 #define MAX_SEPARATORS 16384u /* the adjacency matrix takes the square of this in bits */
 
 static void list_arrays(vbss_system *s, vbss_array arrays[PARTS])
 {
     size_t blocks = s->block_capacity, entries = s->entry_capacity;
-    size_t off_diagonals = entries + s->coupling_capacity + 1, separators = s->separator_capacity;
-    size_t pairs = s->pair_capacity, words = (separators + 63) / 64;
-    size_t schur_blocks = 2 * pairs + separators;
+    size_t separators = s->separator_capacity, words = (separators + 63) / 64;
+    size_t pairs = s->pair_capacity, factor = s->factor_capacity;
     vbss_elimination *e = &s->elimination;
     const vbss_array all[PARTS] = {
         {&s->roles, blocks, sizeof *s->roles},
@@ -38,26 +37,21 @@ static void list_arrays(vbss_system *s, vbss_array arrays[PARTS])
         {&s->row_bits, 2 * (blocks / 64 + 1), sizeof *s->row_bits},
         {&s->symbolic_scratch, 9 * blocks, sizeof *s->symbolic_scratch},
         {&s->diagonal, blocks, sizeof *s->diagonal},
-        {&s->off_diagonal, off_diagonals, sizeof *s->off_diagonal},
-        {&s->scaled, entries, sizeof *s->scaled},
+        {&s->arena, s->arena_capacity, sizeof *s->arena},
         {&s->rhs, blocks, sizeof *s->rhs},
         {&s->solution, blocks, sizeof *s->solution},
         {&s->pivots, blocks, sizeof *s->pivots},
-        {&s->schur_complement, schur_blocks, sizeof *s->schur_complement},
-        {&s->separator_blocks, schur_blocks, sizeof *s->separator_blocks},
         {&s->schur_rhs, separators, sizeof *s->schur_rhs},
         {&s->separator_rhs, separators, sizeof *s->separator_rhs},
         {&s->line_search_increments, separators, sizeof *s->line_search_increments},
         {&e->order, separators, sizeof *e->order},
         {&e->position, separators, sizeof *e->position},
         {&e->column_start, separators + 1, sizeof *e->column_start},
-        {&e->rows, pairs, sizeof *e->rows},
+        {&e->rows, factor, sizeof *e->rows},
         {&e->row_start, separators + 1, sizeof *e->row_start},
-        {&e->row_entries, pairs, sizeof *e->row_entries},
+        {&e->row_entries, factor, sizeof *e->row_entries},
         {&e->pair_start, separators + 1, sizeof *e->pair_start},
         {&e->pairs, pairs, sizeof *e->pairs},
-        {&e->lower, pairs, sizeof *e->lower},
-        {&e->upper, pairs, sizeof *e->upper},
         {&e->x, separators, sizeof *e->x},
         {&e->adjacency, separators * words, sizeof *e->adjacency},
         {&e->degrees, separators, sizeof *e->degrees},
@@ -93,10 +87,12 @@ vbss_result vbss_system_create_with_capacity(vbss_context *context,
     s->separator_capacity =
         capacity->separators < MAX_SEPARATORS ? capacity->separators : MAX_SEPARATORS;
     s->pair_capacity = capacity->pairs;
+    s->factor_capacity = capacity->factor;
     s->coupling_capacity = capacity->couplings + capacity->pairs;
     s->entry_capacity = capacity->entries + capacity->pairs;
     s->coupling_hash_capacity = hash_capacity(s->coupling_capacity);
     s->product_capacity = capacity->products;
+    s->arena_capacity = capacity->arena;
     vbss_array arrays[PARTS];
     list_arrays(s, arrays);
     vbss_result result = vbss_allocate_arrays(context, arrays, PARTS, "system");
@@ -112,10 +108,16 @@ vbss_system_capacity vbss_system_capacity_of_chains(uint32_t blocks, uint32_t ha
                                                     uint32_t separators, uint32_t pairs)
 {
     /* rows of an interior column: neighbours ahead, separators behind */
-    uint32_t rows = 2 * half_bandwidth;
-    return (vbss_system_capacity){blocks,        blocks * half_bandwidth,
-                                  blocks * rows, blocks * (rows * (rows - 1) / 2),
-                                  separators,    pairs};
+    uint32_t rows = 2 * half_bandwidth, entries = blocks * rows;
+    /* Couplings and fill are entries or pairs. Entries may take the place of pairs. */
+    return (vbss_system_capacity){.blocks = blocks,
+                                  .couplings = blocks * half_bandwidth,
+                                  .entries = entries,
+                                  .products = blocks * (rows * (rows - 1) / 2),
+                                  .separators = separators,
+                                  .pairs = pairs,
+                                  .factor = pairs,
+                                  .arena = 1 + 2 * entries + 6 * pairs + 2 * separators};
 }
 
 vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t half_bandwidth,

@@ -1,8 +1,10 @@
 /* The configuration of a thread as fields, for descriptions of scenes. */
+#include "base/config.h"
 #include "base/fields.h"
 #include "thread/thread.h"
 
-_Static_assert(sizeof(vbss_thread_config) == 280, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
+               "new fields must be listed, with a new version");
 
 typedef struct values {
     vbss_thread_config config;

@@ -9,7 +9,8 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_thread_config) == 280, "published size");
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
+               "published size");
 
 /* ---- configurations */
 
@@ -46,7 +47,7 @@ static const vbss_thread_config defaults = {
     .clear_distance = 3e-3,
     .mesh_operations = 4,
 };
-static const uint32_t config_sizes[] = {280, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u), 0};
 static const vbss_layout config_layout = {"vbss_thread_config", &defaults, config_sizes};
 
 vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size)

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "thread/remesh.h"
 
-_Static_assert(sizeof(vbss_view) == 32 + sizeof(void *), "published size");
+_Static_assert(sizeof(vbss_view) == VBSS_SIZE_WITH_POINTERS(vbss_view, 32u, 1u), "published size");
 _Static_assert(sizeof(vbss_thread_energies) == 48, "published size");
 _Static_assert(sizeof(vbss_thread_momentum) == 88, "published size");
 _Static_assert(sizeof(vbss_thread_statistics) == 168, "published size");

@@ -34,7 +34,8 @@ static void begin(fixture *f)
 
 static void make(fixture *f)
 {
-    expect_ok(vbss_collision_allocate(f->context, &f->m.config, true, &f->object));
+    expect_ok(vbss_collision_allocate(f->context, &f->m.config, f->m.config.shape_capacity, true,
+                                      &f->object));
     f->slot = vbss_slot_inside(f->context, &vbss_collision_kind, f->object);
     model_add_to(&f->m, handle(f));
 }

@@ -272,7 +272,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_thread_destroy(spare_thread);
 }
 
-static const uint32_t scene_sizes[] = {184, 0}, rigid_sizes[] = {200, 0};
+static const uint32_t scene_sizes[] = {192, 0}, rigid_sizes[] = {200, 0};
 
 static const contract_object object = {
     .name = "scene",

@@ -222,6 +222,24 @@ def test_bad_bodies_are_refused(context):
 
 
 
+def test_memory_of_settings_is_that_of_a_scene(context):
+    vb.Thread(context, segment_count=2)  # its handle takes the slots that handles of scenes use
+    before = context.statistics.bytes_allocated
+    wanted = vb.Scene.memory(context, node_capacity=100)
+    assert context.statistics.bytes_allocated == before
+    scene = vb.Scene(context, node_capacity=100)
+    assert context.statistics.bytes_allocated - before == wanted < vb.Scene.memory(context) <= 8e6
+    scene.close()
+
+
+def test_a_prepared_scene_has_the_same_state(lying):
+    scene, _, _ = lying
+    before = scene.hash
+    scene.prepare()
+    assert scene.hash == before
+    scene.step()
+
+
 def test_events_wait_until_they_are_taken_and_lost_ones_are_counted(context):
     scene = vb.Scene(context, mode="offline", event_capacity=2)
     body = scene.add(vb.Thread(context, segment_count=20, cut_capacity=3))

@@ -303,6 +303,19 @@ class Scene(Configured, Viewed, Saved):
         """The body whose surface is nearest to a point, within a radius."""
         return self._read("find_nearest", SceneNearest, vbss_scene_nearest, doubles(point, "point", 3), radius, index(mask))
 
+    @staticmethod
+    def memory(context: Optional[Context] = None, **settings: Any) -> int:
+        """Bytes that a scene of these settings takes before bodies are added."""
+        config = initialised(vbss_scene_config, lib.vbss_scene_config_init, settings, "a scene")
+        number = ctypes.c_uint64()
+        owner = context_or_new(context)
+        owner._call(lib.vbss_scene_config_get_memory, owner._handle, ctypes.byref(config), ctypes.byref(number))
+        return number.value
+
+    def prepare(self) -> None:
+        """Does the work of the next step that does not depend on contacts."""
+        self._call(lib.vbss_scene_prepare)
+
     def step(self, h: float = 1e-3) -> None:
         """Moves everything forward by h seconds."""
         self._call(lib.vbss_scene_step, h)

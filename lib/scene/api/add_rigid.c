@@ -7,7 +7,9 @@
 #include "scene/api/place.h"
 #include "scene/world/world.h"
 
-_Static_assert(sizeof(vbss_scene_rigid_config) == 200, "published size");
+_Static_assert(sizeof(vbss_scene_rigid_config) ==
+                   VBSS_SIZE_WITH_POINTERS(vbss_scene_rigid_config, 192u, 1u),
+               "published size");
 _Static_assert(sizeof(vbss_scene_capsule) == 56, "published size");
 
 static const vbss_scene_rigid_config rigid_defaults = {
@@ -21,7 +23,8 @@ static const vbss_scene_rigid_config rigid_defaults = {
     .turning_stiffness = 2.0,
     .turning_damping = 0.005,
 };
-static const uint32_t rigid_sizes[] = {200, 0};
+static const uint32_t rigid_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_rigid_config, 192u, 1u),
+                                       0};
 static const vbss_layout rigid_layout = {"vbss_scene_rigid_config", &rigid_defaults, rigid_sizes};
 
 vbss_result vbss_scene_rigid_config_init(vbss_scene_rigid_config *config, uint32_t struct_size)

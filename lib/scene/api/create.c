@@ -13,7 +13,8 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_scene_config) == 184, "published size");
+_Static_assert(sizeof(vbss_scene_config) == VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u),
+               "published size");
 _Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
 
 static const vbss_scene_config defaults = {
@@ -46,7 +47,7 @@ static const vbss_scene_config defaults = {
     .hole_capacity = 16,
     .speed_limit = SCENE_DEFAULT_SPEED_LIMIT,
 };
-static const uint32_t config_sizes[] = {184, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u), 0};
 const vbss_layout vbss_scene_config_layout = {"vbss_scene_config", &defaults, config_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
@@ -89,6 +90,8 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
         {"hole_capacity", c->hole_capacity, 0.0, 256.0},
         {"speed_limit", c->speed_limit, 0.0, 1e6},
         {"overlap", c->overlap, VBSS_SCENE_OVERLAP_WARN, VBSS_SCENE_OVERLAP_ALLOW},
+        {"matrix_capacity", c->matrix_capacity, 0.0, 1e7},
+        {"reserved", c->reserved, 0.0, 0.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         const range *r = &ranges[i];
@@ -194,8 +197,8 @@ static vbss_result make_collision(scene_object *s)
     c.pair_capacity = s->config.candidate_capacity;
     c.impact_capacity = 0; /* unused: the CCD and the baseline method run their own tests */
     s->method->configure_collision(s, &c);
-    VBSS_TRY(
-        vbss_collision_allocate(s->context, &c, s->method->has_separation_cache, &s->collision));
+    VBSS_TRY(vbss_collision_allocate(s->context, &c, s->body_capacity,
+                                     s->method->has_separation_cache, &s->collision));
     s->collision_slot = vbss_slot_inside(s->context, &vbss_collision_kind, s->collision);
     return VBSS_OK;
 }
@@ -210,16 +213,10 @@ static vbss_result create_members(scene_object *s)
 
 /* ---- creation */
 
-vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
-                              vbss_scene **scene)
+/* Creates a scene without a handle, from a configuration or NULL. */
+static vbss_result create_object(vbss_context *context, const vbss_scene_config *config,
+                                 scene_object **scene)
 {
-    VBSS_ENTER_WITH_RESULT(context, scene);
-    if (scene == NULL) {
-        VBSS_TRY(vbss_context_open(context));
-        return vbss_check_pointer(context, scene, "scene");
-    }
-    VBSS_TRY(vbss_context_open(context));
-    VBSS_TRY(vbss_context_edit(context));
     vbss_scene_config own = defaults;
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &vbss_scene_config_layout, config, &own));
@@ -241,16 +238,49 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
     s->node_capacity = own.node_capacity;
     s->body_capacity = own.thread_capacity + own.rigid_capacity + own.drain_capacity;
-    vbss_slot *slot = NULL;
-    vbss_result result = create_members(s);
-    if (result == VBSS_OK) {
-        result = vbss_slot_create(context, &vbss_scene_kind, s, &slot);
+    const vbss_result result = create_members(s);
+    if (result != VBSS_OK) {
+        free_object(context, s);
+        return result;
     }
+    *scene = s;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
+                              vbss_scene **scene)
+{
+    VBSS_ENTER_WITH_RESULT(context, scene);
+    if (scene == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, scene, "scene");
+    }
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    scene_object *s;
+    vbss_slot *slot;
+    VBSS_TRY(create_object(context, config, &s));
+    const vbss_result result = vbss_slot_create(context, &vbss_scene_kind, s, &slot);
     if (result != VBSS_OK) {
         free_object(context, s);
         return result;
     }
     slot->hook = &s->hook;
     *scene = (vbss_scene *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_config_get_memory(vbss_context *context, const vbss_scene_config *config,
+                                         uint64_t *bytes)
+{
+    VBSS_ENTER(context);
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    VBSS_TRY(vbss_check_pointer(context, bytes, "bytes"));
+    const uint64_t before = vbss_bytes_allocated(context);
+    scene_object *s;
+    VBSS_TRY(create_object(context, config, &s));
+    *bytes = vbss_bytes_allocated(context) - before;
+    free_object(context, s);
     return VBSS_OK;
 }

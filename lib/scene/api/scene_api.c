@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/snapshot.h"
 #include "scene/api/api.h"
+#include "scene/step/step.h"
 #include "scene/world/method.h"
 
 static const uint32_t statistics_sizes[] = {200, 232, 248, 0};
@@ -18,6 +19,14 @@ vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *
     vbss_scene_statistics own = s->report.statistics;
     own.struct_size = sizeof own;
     return vbss_struct_write(s->context, &statistics_layout, &own, statistics, struct_size);
+}
+
+vbss_result vbss_scene_prepare(vbss_scene *scene)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    return s->config.method == VBSS_METHOD_IMPLICIT ? vbss_scene_prepare_step(s) : VBSS_OK;
 }
 
 static vbss_result step(scene_object *s, double h)

@@ -94,6 +94,9 @@ bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *need
  * `substep->uses_trial_motion`. Also sets the positions of capsules at the start of the substep. */
 void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep);
 
+/* Sets them to zero for all bodies, as if nothing moved. */
+void vbss_scene_set_bounds_at_rest(scene_object *s);
+
 /* ---- broad_phase.c */
 
 /* Lists all pairs of features that collide and whose swept boxes overlap, for shapes that have been moved already.

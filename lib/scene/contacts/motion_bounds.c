@@ -95,6 +95,13 @@ static void set_no_displacements(scene_object *s, scene_body *b)
     }
 }
 
+void vbss_scene_set_bounds_at_rest(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        set_no_displacements(s, &s->bodies[i]);
+    }
+}
+
 void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {

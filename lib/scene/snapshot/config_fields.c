@@ -1,10 +1,12 @@
 /* The configuration of a scene as fields, for descriptions of scenes and for logs. */
+#include "base/config.h"
 #include "base/fields.h"
 #include "scene/snapshot/snapshot.h"
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_scene_config) == 184, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_scene_config) == VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u),
+               "new fields must be listed, with a new version");
 
 typedef struct values {
     vbss_scene_config config;
@@ -47,6 +49,7 @@ static const vbss_field fields[] = {
     WORD(call_budget, 5),
     VBSS_NUMBERS_SINCE(values, config.speed_limit, 1, 6),
     WORD(overlap, 7),
+    WORD(matrix_capacity, 7),
 };
 enum { FIELD_COUNT = sizeof fields / sizeof fields[0] };
 
@@ -68,7 +71,7 @@ static bool may_differ(const vbss_field *field)
         offsetof(values, config.rigid_capacity),   offsetof(values, config.capsule_capacity),
         offsetof(values, config.contact_capacity), offsetof(values, config.candidate_capacity),
         offsetof(values, config.event_capacity),   offsetof(values, config.drain_capacity),
-        offsetof(values, config.overlap),
+        offsetof(values, config.overlap),          offsetof(values, config.matrix_capacity),
     };
     bool found = false;
     for (size_t i = 0; i < sizeof offsets / sizeof offsets[0]; i++) {
@@ -88,6 +91,7 @@ static void set_missing_fields(vbss_scene_config *config, uint32_t version)
     config->call_budget = version >= 5 ? config->call_budget : 0;
     config->speed_limit = version >= 6 ? config->speed_limit : 0.0;
     config->overlap = version >= 7 ? config->overlap : VBSS_SCENE_OVERLAP_WARN;
+    config->matrix_capacity = version >= 7 ? config->matrix_capacity : 0;
 }
 
 void vbss_scene_visit_config(vbss_stream *stream, vbss_scene_config *config,

@@ -29,6 +29,9 @@ void vbss_scene_number_blocks(scene_object *s);
  * substep. Fails if the system's capacity is exceeded. */
 vbss_result vbss_scene_build_sparsity_pattern(scene_object *s);
 
+/* Builds the pattern of the bodies alone before a step. Nothing else changes. */
+vbss_result vbss_scene_prepare_pattern(scene_object *s);
+
 /* Sets the arms of welds to the orientations of the trial state. */
 void vbss_scene_set_weld_arms(scene_object *s);
 

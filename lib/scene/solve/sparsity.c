@@ -429,3 +429,13 @@ vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
     s->step.pattern_hash = pattern_hash;
     return VBSS_OK;
 }
+
+vbss_result vbss_scene_prepare_pattern(scene_object *s)
+{
+    const uint32_t constraints = s->contacts->count;
+    s->contacts->count = 0;
+    vbss_scene_number_blocks(s);
+    const vbss_result result = vbss_scene_build_sparsity_pattern(s);
+    s->contacts->count = constraints;
+    return result;
+}

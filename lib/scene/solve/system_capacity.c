@@ -3,23 +3,45 @@
 #include "scene/solve/solve.h"
 #include "scene/tuning.h"
 
+static uint32_t smaller(uint64_t a, uint64_t b)
+{
+    return (uint32_t)(a < b ? a : b);
+}
+
+/* Capacity for threads and rigid bodies of `n` blocks, but no more than if all blocks were coupled
+ * with each other. */
+static vbss_system_capacity base_capacity(const scene_object *s, uint32_t n)
+{
+    vbss_system_capacity c = vbss_system_capacity_of_chains(n, THREAD_BANDWIDTH, n, 0);
+    const uint64_t all = (uint64_t)n * (n > 0 ? n - 1 : 0) / 2;
+    const uint64_t matrix = s->config.matrix_capacity > 0
+                                ? s->config.matrix_capacity
+                                : SCENE_MATRIX_BASE + (uint64_t)SCENE_MATRIX_PER_BLOCK * n;
+    c.pairs = smaller(all, matrix / SCENE_MATRIX_PER_PAIR);
+    c.factor = smaller(all, matrix / SCENE_MATRIX_PER_FACTOR_PAIR);
+    c.arena = smaller(7 * all + 2 * n + 1, matrix);
+    return c;
+}
+
 static void add_capacity(vbss_system_capacity *capacity, const drain_object *d)
 {
-    uint32_t n = d->mesh.node_count, all = n * (n - 1) / 2,
-             max_pairs = SCENE_PAIRS_PER_DRAIN_NODE * n;
+    uint32_t n = d->mesh.node_count;
+    uint64_t all = (uint64_t)n * (n - 1) / 2;
+    uint32_t pairs = smaller(all, (uint64_t)SCENE_PAIRS_PER_DRAIN_NODE * n);
     capacity->blocks += n;
     capacity->couplings += d->order.pair_count;
     capacity->entries += SCENE_FILL_IN_ENTRY_RATIO * d->order.factor_entries;
     capacity->products += SCENE_FILL_IN_PRODUCT_RATIO * d->order.factor_products;
     capacity->separators += n;
-    capacity->pairs += all < max_pairs ? all : max_pairs;
+    capacity->pairs += pairs;
+    capacity->factor += pairs;
+    capacity->arena += SCENE_MATRIX_PER_DRAIN_ENTRY * d->order.factor_entries;
 }
 
 vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added)
 {
     uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
-    vbss_system_capacity capacity = vbss_system_capacity_of_chains(
-        blocks, THREAD_BANDWIDTH, blocks, SCENE_PAIRS_PER_SEPARATOR * blocks);
+    vbss_system_capacity capacity = base_capacity(s, blocks);
     vbss_system *new_system;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_DRAIN) {

@@ -39,6 +39,12 @@ void vbss_scene_checkpoint_tools(scene_object *s);
 /* Restores capsules, jaws, grasps and holes from the checkpoint. */
 void vbss_scene_rollback_tools(scene_object *s);
 
+/* ---- prepare.c */
+
+/* Does what the next step would do for the bodies alone, unless a step is suspended or the pattern
+ * of an earlier step is still valid. VBSS_ERROR_CAPACITY: candidates or matrix. */
+vbss_result vbss_scene_prepare_step(scene_object *s);
+
 /* ---- attempt.c */
 
 /* Attempts the cursor's substep, or resumes the attempt that was suspended. Returns any outcome;

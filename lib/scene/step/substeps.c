@@ -334,7 +334,8 @@ static vbss_result run_group(scene_object *s, bool *is_complete)
             if (outcome == SCENE_SUBSTEP_OUT_OF_CAPACITY) {
                 return vbss_fail(
                     s->context, VBSS_ERROR_CAPACITY,
-                    "scene step: more is near than candidate_capacity %u or contact_capacity %u",
+                    "scene step: more is near than candidate_capacity %u, contact_capacity %u or "
+                    "matrix_capacity has room for",
                     s->config.candidate_capacity, s->config.contact_capacity);
             }
             blamed = vbss_scene_find_blamed_pair(s, outcome);

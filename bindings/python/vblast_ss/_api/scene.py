@@ -226,6 +226,12 @@ class vbss_scene_config(ctypes.Structure):
     snapshots store the limit, and a scene with another one rejects them. One exception: scenes
     without a limit and with the default limit accept each other's snapshots.
 
+    matrix_capacity: Method IMPLICIT: capacity of the linear system's matrix and its factor for
+    threads and rigid bodies, in blocks of 3 x 3 numbers of 96 bytes, 0 to 1e7; 0 (default):
+    4096, and 20 for each node of node_capacity and 40 for each body of rigid_capacity. A node
+    without contact takes up to 12 blocks, one of a tight knot 42; each drain adds its own. A
+    step that needs more returns VBSS_ERROR_CAPACITY. See docs/memory.md.
+
     baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them."""
     struct_size: int
     method: int
@@ -258,6 +264,8 @@ class vbss_scene_config(ctypes.Structure):
     call_budget: int
     overlap: int
     speed_limit: float
+    matrix_capacity: int
+    reserved: int
     baseline: Any
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode, "overlap": SceneOverlapPolicy}
     _fields_ = [
@@ -292,6 +300,8 @@ class vbss_scene_config(ctypes.Structure):
         ("call_budget", c_uint32),
         ("overlap", c_int32),
         ("speed_limit", c_double),
+        ("matrix_capacity", c_uint32),
+        ("reserved", c_uint32),
         ("baseline", POINTER(vbss_baseline_config)),
     ]
 
@@ -880,6 +890,9 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(c_uint32))),
     "vbss_scene_get_thread": (c_int32, (POINTER(vbss_scene), c_uint32,
         POINTER(POINTER(vbss_thread)))),
+    "vbss_scene_config_get_memory": (c_int32, (POINTER(vbss_context), POINTER(vbss_scene_config),
+        POINTER(c_uint64))),
+    "vbss_scene_prepare": (c_int32, (POINTER(vbss_scene),)),
     "vbss_scene_step": (c_int32, (POINTER(vbss_scene), c_double)),
     "vbss_scene_get_rigid": (c_int32, (POINTER(vbss_scene), c_uint32,
         POINTER(vbss_scene_rigid_state), c_uint32)),
