@@ -47,7 +47,7 @@ static void input_that_does_not_exist_is_refused(void **state)
     const uint64_t before = stage_hash(&r.s);
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_apply_input(r.record, &input, NULL));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_apply_input(r.record, NULL, NULL));
-    input.kind = 12;
+    input.kind = 17;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_apply_input(r.record, &input, NULL));
     input = (vbss_record_input){.kind = VBSS_RECORD_INPUT_SETTING,
                                 .words = {VBSS_SCENE_SETTING_SPEED_LIMIT},
