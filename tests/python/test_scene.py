@@ -234,9 +234,9 @@ def test_memory_of_settings_is_that_of_a_scene(context):
 
 def test_a_prepared_scene_has_the_same_state(lying):
     scene, _, _ = lying
-    before = scene.hash
+    before = scene.state_hash
     scene.prepare()
-    assert scene.hash == before
+    assert scene.state_hash == before
     scene.step()
 
 
