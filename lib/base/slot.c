@@ -143,13 +143,19 @@ vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *o
     return slot;
 }
 
-static void retire(vbss_slot *slot)
+/* Marks a slot as dead. Returns its object. */
+static void *empty(vbss_slot *slot)
 {
     void *object = slot->object;
     slot->status = SLOT_DEAD;
     slot->object = NULL;
     slot->context->objects_alive--;
-    slot->kind->destroy(slot->context, object);
+    return object;
+}
+
+static void retire(vbss_slot *slot)
+{
+    slot->kind->destroy(slot->context, empty(slot));
 }
 
 vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
@@ -169,8 +175,10 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
 void vbss_slot_destroy_owned(vbss_slot *slot)
 {
     if (slot->is_owned_for_good && slot->status == SLOT_ALIVE) {
+        /* A body owns nothing, so that this is no recursion. */
+        void (*const destroy_body)(vbss_context *, void *) = slot->kind->destroy;
         vbss_slot_set_owner(slot, NULL, NULL);
-        retire(slot);
+        destroy_body(slot->context, empty(slot));
     }
 }
 

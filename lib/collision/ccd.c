@@ -160,22 +160,32 @@ VBSS_NEVER_INLINE void run_on_stack(const collision_ccd_options *options,
     vbss_collision_run_ccd(&own, query, result, &counters);
 }
 
-/* Without an object there is no context that could store an error text. */
-static vbss_result run_test(const vbss_collision_config *config, vbss_collision_pair_kind kind,
-                            const double *start, const double *end, vbss_collision_impact *impact,
-                            uint32_t struct_size)
+/* Reads the options of a test. Not inlined, so that no other call runs with the configurations on the
+ * stack. Without an object there is no context that could store an error text. */
+VBSS_NEVER_INLINE vbss_result read_options(const vbss_collision_config *config,
+                                           collision_ccd_options *options, double *thickness)
 {
     vbss_collision_config own = defaults;
+    vbss_baseline_config baseline;
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(NULL, &vbss_collision_config_layout, config, &own));
         VBSS_TRY(vbss_collision_check_ccd_options(NULL, &own));
     }
-    vbss_baseline_config baseline;
     VBSS_TRY(vbss_baseline_read_config(NULL, &own.baseline, &baseline));
+    *options = vbss_collision_ccd_options_of(&own);
+    *thickness = own.thickness;
+    return VBSS_OK;
+}
+
+static vbss_result run_test(const vbss_collision_config *config, vbss_collision_pair_kind kind,
+                            const double *start, const double *end, vbss_collision_impact *impact,
+                            uint32_t struct_size)
+{
+    collision_ccd_options options;
+    collision_ccd_query query = {.kind = kind};
+    VBSS_TRY(read_options(config, &options, &query.thickness));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
-    collision_ccd_options options = vbss_collision_ccd_options_of(&own);
-    collision_ccd_query query = {.kind = kind, .thickness = own.thickness};
     vbss_collision_set_vertices(&query, start, end);
     collision_ccd_result result;
     run_on_stack(&options, &query, &result);

@@ -23,14 +23,15 @@ def rows(path):
 
 
 def kind_members(source):
-    """Functions in the initialisers of vbss_kind tables: what kind->destroy and kind->serialise are."""
-    members = {"destroy": set(), "serialise": set()}
+    """Functions in the initialisers of vbss_kind tables: what kind->destroy and its like are."""
+    names = ("destroy", "serialise", "serialise_description")  # the last members, in their order
+    members = {name: set() for name in names}
     for path in source.rglob("*.c"):
         for body in re.findall(r"\bvbss_kind\s+\w+\s*=\s*\{([^{}]*)\}", path.read_text()):
             named = dict(re.findall(r"\.(\w+)\s*=\s*(\w+)", body))
-            last = [part.strip() for part in body.rstrip().rstrip(",").split(",")][-2:]
-            members["destroy"].add(named.get("destroy", last[0]))
-            members["serialise"].add(named.get("serialise", last[1]))
+            last = [part.strip() for part in body.rstrip().rstrip(",").split(",")][-len(names):]
+            for name, function in zip(names, last):
+                members[name].add(named.get(name, function))
     return members
 
 
@@ -73,7 +74,7 @@ class Graph:
         targets = []
         for target in self.indirect[name]:
             targets += sorted(self.members[name]) if target == "kinds" else [target]
-        return [target for target in targets if target != "host"]
+        return [target for target in targets if target not in ("host", "NULL")]
 
     def find(self, name):
         """The titles of a function: static ones carry their file's name."""
@@ -175,7 +176,7 @@ CANARIES = [
      version_doing('#include "base/slot.h"\n#include "base/stream.h"\n' + KEEP + "static void fat(vbss_context *c, void *o)\n{\n    char big[65536];\n    (void)c;\n"
                    "    keep(big + *(int *)o);\n}\nstatic void thin(vbss_stream *s, void *o)\n{\n    (void)s;\n"
                    "    keep(o);\n}\nextern const vbss_kind vbss_odd;\n"
-                   "const vbss_kind vbss_odd = {\"odd\", VBSS_CODE('O', 'D', 'D', ' '), 1, fat, thin};\n",
+                   "const vbss_kind vbss_odd = {\"odd\", VBSS_CODE('O', 'D', 'D', ' '), 1, fat, thin, NULL};\n",
                    "", "vbss_context_destroy"),
      r"^vbss_context_destroy needs 65\d\d\d bytes of stack.*vbss_slots_release -> fat$"),
     ("a call out of the library nobody listed",
