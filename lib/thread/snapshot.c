@@ -1,6 +1,7 @@
 /* Snapshot of a thread: one visitor that saves, hashes and restores its state. */
 #include "base/stream.h"
 #include "thread/remesh.h"
+#include "thread/tuning.h"
 
 #include <string.h>
 
@@ -128,7 +129,7 @@ static void check_rest(vbss_stream *stream, const thread_object *t)
 {
     bool is_valid = t->node_count >= 2;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        is_valid = is_valid && t->rest[i] > 0.0 && t->rest[i] <= 1e3;
+        is_valid = is_valid && t->rest[i] >= THREAD_MIN_REST_LENGTH && t->rest[i] <= 1e3;
     }
     if (!is_valid && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such rest lengths");

@@ -87,6 +87,12 @@
  * Unit: 1, relative to the largest diagonal entry. Origin: chosen. Test: scene-mesh. */
 #define REMESH_REGULARISATION VBSS_TUNE(REMESH_REGULARISATION, 1e-3)
 
+/* ---- Snapshots (snapshot.c) */
+
+/* Rest lengths below this are refused. Those of any configuration are longer, and their squares are not zero.
+ * Unit: m. Origin: chosen. Test: fuzz.log with UndefinedBehaviorSanitizer. */
+#define THREAD_MIN_REST_LENGTH VBSS_TUNE(THREAD_MIN_REST_LENGTH, 1e-12)
+
 /* ---- Materials of sutures (sutures.c); docs/sutures.md has the sources and uncertainties. */
 
 /* Density of a solid silk braid.
