@@ -151,7 +151,7 @@ vbss_result vbss_snapshot_open(vbss_context *context, const char *what, const ui
 vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t count)
 {
     vbss_context *context = slot->context;
-    vbss_snapshot_parts parts;
+    vbss_snapshot_parts parts = {0};
     char what[48];
     VBSS_TRY(vbss_context_edit(context));
     VBSS_TRY(vbss_check_pointer(context, bytes, "snapshot"));

@@ -315,9 +315,12 @@ static vbss_result open_arm_at(const void *handle, uint32_t which, openhaptics_o
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
     *o = slot->object;
-    *a = which < (*o)->arm_count ? &(*o)->arms[which] : NULL;
-    return *a != NULL ? VBSS_OK
-                      : vbss_fail((*o)->context, VBSS_ERROR_NOT_FOUND, "there is no arm %u", which);
+    if (which >= (*o)->arm_count) {
+        (void)vbss_fail((*o)->context, VBSS_ERROR_NOT_FOUND, "there is no arm %u", which);
+        return VBSS_ERROR_NOT_FOUND;
+    }
+    *a = &(*o)->arms[which];
+    return VBSS_OK;
 }
 
 /* ---- adapters

@@ -46,7 +46,8 @@ static vbss_result find_attachment(drain_object *d, uint32_t id, drain_attachmen
         }
     }
     *found = NULL;
-    return vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "the drain has no attachment %u", id);
+    (void)vbss_fail(d->context, VBSS_ERROR_NOT_FOUND, "the drain has no attachment %u", id);
+    return VBSS_ERROR_NOT_FOUND;
 }
 
 vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *attachment,

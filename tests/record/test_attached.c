@@ -200,7 +200,8 @@ static void find_pose(const mixed *m, uint32_t triangle, double arc, double posi
     const uint32_t *corner = (const uint32_t *)triangles.data + 3 * (size_t)triangle;
     for (int i = 0; i < 3; i++) {
         const double *x = (const double *)nodes.data + i;
-        const double middle = (x[3 * corner[0]] + x[3 * corner[1]] + x[3 * corner[2]]) / 3.0;
+        const double middle =
+            (x[3 * (size_t)corner[0]] + x[3 * (size_t)corner[1]] + x[3 * (size_t)corner[2]]) / 3.0;
         position[i] = now.position[i] + middle - place[i];
     }
 }
@@ -323,7 +324,7 @@ static void edits_without_an_input_are_logged(void **state)
         stage_step(&s, NULL);
         stage_step(&s, NULL);
     }
-    expect_replays(s.scene, record, 2 * DEEDS);
+    expect_replays(s.scene, record, 2 * (uint64_t)DEEDS);
     stage_end(&s);
 }
 

@@ -24,17 +24,19 @@ typedef struct scene_loader {
 
 static vbss_result refuse(const scene_loader *l, const char *problem)
 {
-    return vbss_fail(l->s->context, VBSS_ERROR_CORRUPT, "scene load: %s (description, byte %llu)",
-                     problem, (unsigned long long)l->stream.position);
+    (void)vbss_fail(l->s->context, VBSS_ERROR_CORRUPT, "scene load: %s (description, byte %llu)",
+                    problem, (unsigned long long)l->stream.position);
+    return VBSS_ERROR_CORRUPT;
 }
 
 static vbss_result check_stream(const scene_loader *l)
 {
-    return l->stream.result == VBSS_OK ? VBSS_OK
-           : l->stream.result == VBSS_ERROR_DATA_VERSION
-               ? vbss_fail(l->s->context, VBSS_ERROR_DATA_VERSION,
-                           "scene load: a newer library wrote the description")
-               : refuse(l, l->stream.problem);
+    if (l->stream.result == VBSS_ERROR_DATA_VERSION) {
+        (void)vbss_fail(l->s->context, VBSS_ERROR_DATA_VERSION,
+                        "scene load: a newer library wrote the description");
+        return VBSS_ERROR_DATA_VERSION;
+    }
+    return l->stream.result == VBSS_OK ? VBSS_OK : refuse(l, l->stream.problem);
 }
 
 /* A body that the library itself refuses to create was described wrongly. */
@@ -371,15 +373,18 @@ static vbss_result create_scene(vbss_context *context, vbss_stream *stream, vbss
     vbss_scene_config config = vbss_scene_config_default();
     vbss_baseline_config baseline = vbss_baseline_config_default();
     vbss_scene_visit_config(stream, &config, &baseline);
-    if (stream->result != VBSS_OK) {
-        return vbss_fail(context, stream->result, "scene load: %s (description, byte %llu)",
-                         stream->problem, (unsigned long long)stream->position);
+    const vbss_result read = stream->result;
+    if (read != VBSS_OK) {
+        (void)vbss_fail(context, read, "scene load: %s (description, byte %llu)", stream->problem,
+                        (unsigned long long)stream->position);
+        return read;
     }
     vbss_result result = vbss_scene_create(context, &config, scene);
-    return result == VBSS_OK || result == VBSS_ERROR_OUT_OF_MEMORY
-               ? result
-               : vbss_fail(context, VBSS_ERROR_CORRUPT,
-                           "scene load: no scene has such a configuration");
+    if (result == VBSS_OK || result == VBSS_ERROR_OUT_OF_MEMORY) {
+        return result;
+    }
+    (void)vbss_fail(context, VBSS_ERROR_CORRUPT, "scene load: no scene has such a configuration");
+    return VBSS_ERROR_CORRUPT;
 }
 
 static vbss_result load_described(vbss_context *context, const vbss_snapshot_parts *parts,
@@ -402,8 +407,11 @@ static vbss_result load_described(vbss_context *context, const vbss_snapshot_par
 vbss_result vbss_scene_inspect_reload(vbss_scene *scene, const uint8_t *bytes, uint64_t count)
 {
     vbss_slot *own = (vbss_slot *)scene, *other;
-    vbss_scene *loaded;
-    VBSS_TRY(vbss_scene_load(own->context, bytes, count, &loaded));
+    vbss_scene *loaded = NULL;
+    const vbss_result result = vbss_scene_load(own->context, bytes, count, &loaded);
+    if (result != VBSS_OK || loaded == NULL) {
+        return result;
+    }
     other = (vbss_slot *)loaded;
     scene_object *before = own->object, *now = other->object;
     now->hook = before->hook;
