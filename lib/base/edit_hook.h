@@ -53,7 +53,7 @@ typedef struct vbss_edit {
 } vbss_edit;
 
 typedef struct vbss_edit_hook {
-    void *data; /* of the recorder; NULL: nobody records */
+    void *data; /* of the recorder; NULL: there is none */
     /* May refuse the edit, with an error text. */
     vbss_result (*begin_edit)(void *data, const vbss_edit *edit);
     /* Returns the result of the edit, or the failure to record it. */

@@ -32,7 +32,7 @@ typedef struct vbss_slot {
     uint64_t ordinal;
     /* NULL if the host owns the object; otherwise the owner, which alone may step or destroy it */
     const void *owner;
-    struct vbss_edit_hook *hook; /* hears of edits of the object; NULL: nobody does */
+    struct vbss_edit_hook *hook; /* called for edits of the object; may be NULL */
     bool is_owned_for_good;      /* the owner destroys the object when it gives the object up */
 } vbss_slot;
 /* Creates a handle for a complete object. On failure the caller still owns the object. */

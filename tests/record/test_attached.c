@@ -377,7 +377,7 @@ static void replay_seeks_across_added_and_removed_bodies(void **state)
     stage_end(&s);
 }
 
-/* A scene that the host has made has no such bodies, and is told so. */
+/* A replay in a scene that the host has made lacks such bodies, and says so. */
 static void scene_of_the_host_cannot_follow_added_bodies(void **state)
 {
     (void)state;
