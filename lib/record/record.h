@@ -262,7 +262,7 @@ vbss_result vbss_record_append_step(record_object *r, double h);
 
 /* ---- recorder.c: the hook of the scene */
 
-/* Attaches the record to its scene, and returns what was attached before. */
+/* Attaches the record to its scene. Returns the hook that was attached before. */
 vbss_edit_hook vbss_record_attach_hook(record_object *r);
 void vbss_record_restore_hook(record_object *r, const vbss_edit_hook *before);
 /* Detaches the record if it is attached. */

@@ -288,7 +288,7 @@
  * Unit: pairs. Origin: chosen. Test: none known. */
 #define SCENE_PAIRS_PER_DRAIN_NODE VBSS_TUNE(SCENE_PAIRS_PER_DRAIN_NODE, 128u)
 /* Blocks of the matrix for each block of the factor of a drain alone, which takes two.
- * Unit: blocks. Origin: chosen, four times what is needed. Test: none known. */
+ * Unit: blocks. Origin: chosen. Test: none known. */
 #define SCENE_MATRIX_PER_DRAIN_ENTRY VBSS_TUNE(SCENE_MATRIX_PER_DRAIN_ENTRY, 8u)
 /* Entries of the factor when separators are eliminated late.
  * Unit: 1, relative to the factor of the drain alone. Origin: chosen. Test: none known. */

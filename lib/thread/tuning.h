@@ -96,7 +96,7 @@
 /* ---- Materials of sutures (sutures.c); docs/sutures.md has the sources and uncertainties. */
 
 /* Density of a solid silk braid.
- * Unit: kg/m^3. Origin: published, as that of silk fibre. Test: none known. */
+ * Unit: kg/m^3. Origin: derived, from the preset of 2-0 silk. Test: none known. */
 #define SUTURE_SILK_DENSITY VBSS_TUNE(SUTURE_SILK_DENSITY, 1305.0)
 /* Modulus of braided silk, size 3-0.
  * Unit: Pa. Origin: published. Test: none known. */
@@ -111,13 +111,13 @@
  * Unit: Pa. Origin: derived. Test: none known. */
 #define SUTURE_BRAID_BENDING_MODULUS VBSS_TUNE(SUTURE_BRAID_BENDING_MODULUS, 5.215e7)
 /* Density of polypropylene.
- * Unit: kg/m^3. Origin: published. Test: none known. */
+ * Unit: kg/m^3. Origin: chosen. Test: none known. */
 #define SUTURE_POLYPROPYLENE_DENSITY VBSS_TUNE(SUTURE_POLYPROPYLENE_DENSITY, 905.0)
 /* Modulus of a drawn polypropylene filament.
  * Unit: Pa. Origin: chosen. Test: none known. */
 #define SUTURE_POLYPROPYLENE_MODULUS VBSS_TUNE(SUTURE_POLYPROPYLENE_MODULUS, 3.0e9)
 /* Density of nylon.
- * Unit: kg/m^3. Origin: published. Test: none known. */
+ * Unit: kg/m^3. Origin: chosen. Test: none known. */
 #define SUTURE_NYLON_DENSITY VBSS_TUNE(SUTURE_NYLON_DENSITY, 1140.0)
 /* Modulus of a drawn nylon filament.
  * Unit: Pa. Origin: chosen. Test: none known. */

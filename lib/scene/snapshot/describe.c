@@ -1,4 +1,4 @@
-/* Describes a scene: its configuration, and what is needed to create each body at its place. */
+/* Describes a scene: its configuration, and the data to create each body again. */
 #include "base/stream.h"
 #include "scene/snapshot/describe.h"
 #include "scene/snapshot/snapshot.h"
