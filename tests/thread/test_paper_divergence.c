@@ -57,13 +57,15 @@ static void divergence_is_reported_and_undone(void **state)
     for (int k = 0; k < 12; k++) {
         rig r;
         vbss_thread_config config = paper(SEGMENTS);
-        baseline_of(&config.baseline)->thread_stiffness = stiffness[k % 4];
-        baseline_of(&config.baseline)->thread_substeps = substeps[k / 4];
+        double k_spring = stiffness[k % 4];
+        uint32_t n = substeps[k / 4];
+        baseline_of(&config.baseline)->thread_stiffness = k_spring;
+        baseline_of(&config.baseline)->thread_substeps = n;
         rig_begin(&r, &config);
         /* Springs are stable below mass / dt^2: 0.32 N/m in 1 ms, 82 N/m in a sixteenth of it. */
-        double limit = 0.32 * substeps[k / 4] * substeps[k / 4];
+        double limit = 0.32 * n * n;
         uint32_t failed = draw_apart(&r, 100);
-        if (stiffness[k % 4] > limit) {
+        if (k_spring > limit) {
             assert_in_range(failed, 0, STEPS - 1);
             expect_text(&r, "the explicit method has diverged: ");
         } else {

@@ -33,7 +33,8 @@ static vbss_result find_free_pin(const scene_object *s, scene_pin **pin)
         }
     }
     *pin = NULL;
-    return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u pins", s->config.pin_capacity);
+    (void)vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u pins", s->config.pin_capacity);
+    return VBSS_ERROR_CAPACITY;
 }
 
 /* Returns NULL if the host has detached the attachment. */
