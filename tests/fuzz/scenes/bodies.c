@@ -71,19 +71,15 @@ static void make_adaptive(fuzz_scene *f, vbss_thread_config *config)
     config->mesh_operations = fuzz_below(f, 5);
 }
 
-/* Through a triangle of a drain, so that a hole can be made there. */
-static void lead_through_drain(fuzz_scene *f, vbss_thread_config *config)
+/* The thread's middle is in the middle of a random triangle of the drain. Returns the triangle's index. */
+static uint32_t lead_through_drain(fuzz_scene *f, uint32_t drain, vbss_thread_config *config)
 {
-    const uint32_t drain = fuzz_choose(f, FUZZ_DRAIN);
     vbss_view x, triangles;
-    if (drain == 0) {
-        return;
-    }
     (void)vbss_drain_get_view(f->sides[0].handles[drain], VBSS_DRAIN_VIEW_POSITIONS, &x, sizeof x);
     (void)vbss_drain_get_view(f->sides[0].handles[drain], VBSS_DRAIN_VIEW_TRIANGLES, &triangles,
                               sizeof triangles);
-    const uint32_t *corner =
-        (const uint32_t *)triangles.data + 3 * (size_t)fuzz_below(f, (uint32_t)triangles.count);
+    const uint32_t triangle = fuzz_below(f, (uint32_t)triangles.count);
+    const uint32_t *corner = (const uint32_t *)triangles.data + 3 * (size_t)triangle;
     const double *nodes = x.data;
     vec3 middle = vec3_zero();
     for (int i = 0; i < 3; i++) {
@@ -92,6 +88,7 @@ static void lead_through_drain(fuzz_scene *f, vbss_thread_config *config)
     vec3 direction = fuzz_direction(f);
     vec3_store(config->direction, direction);
     vec3_store(config->start, vec3_add_scaled(middle, -0.5 * config->length, direction));
+    return triangle;
 }
 
 /* The first node at a needle's swage. Its number; 0: none. */
@@ -137,14 +134,30 @@ void fuzz_add_thread(fuzz_scene *f)
 {
     vbss_thread_config config;
     choose_thread(f, &config);
-    if (fuzz_chance(f, 0.4)) {
-        lead_through_drain(f, &config);
+    const uint32_t drain = fuzz_choose(f, FUZZ_DRAIN);
+    if (drain != 0 && fuzz_chance(f, 0.4)) {
+        (void)lead_through_drain(f, drain, &config);
     }
     const uint32_t needle = lead_to_needle(f, &config), last = f->last_number;
     CREATE_AND_ADD(f, FUZZ_THREAD, thread, &config);
     if (needle != 0 && f->last_number > last) {
         uint32_t pin;
         FUZZ_CALL(f, vbss_scene_pin_thread(side->scene, f->last_number, 0, needle, NULL, &pin));
+    }
+}
+
+/* A thread in a hole of the drain's wall. */
+static void add_stitch(fuzz_scene *f, uint32_t drain)
+{
+    const double third = 1.0 / 3.0, weights[3] = {third, third, 1.0 - 2.0 * third};
+    const uint32_t last = f->last_number;
+    vbss_thread_config config;
+    choose_thread(f, &config);
+    const uint32_t triangle = lead_through_drain(f, drain, &config);
+    CREATE_AND_ADD(f, FUZZ_THREAD, thread, &config);
+    if (f->last_number > last) {
+        FUZZ_CALL(f, vbss_scene_make_hole(side->scene, f->last_number, 0.5 * config.length, drain,
+                                          triangle, weights, NULL));
     }
 }
 
@@ -373,6 +386,10 @@ bool fuzz_build_scene(fuzz_scene *f)
     }
     if (f->config.drain_capacity > 0) {
         fuzz_add_drain(f);
+        const uint32_t drain = fuzz_choose(f, FUZZ_DRAIN);
+        for (uint32_t i = drain != 0 ? fuzz_below(f, 3) : 0; i > 0; i--) {
+            add_stitch(f, drain);
+        }
     }
     if (fuzz_chance(f, 0.25)) {
         fuzz_add_exchange(f);
