@@ -3,6 +3,7 @@
  * A caller that has measured the axes of a candidate stores the distance. Each search reduces it by
  * the motion of the nodes. The cache only saves measurements and never changes a result. It is not
  * part of the state, and the caches of two objects with equal positions may differ. */
+#include "collision/closest.h"
 #include "collision/shapes.h"
 #include "collision/tuning.h"
 
@@ -60,10 +61,11 @@ void vbss_collision_store_separation(collision_object *c, const collision_candid
     c->separations[c->near_index[q - c->candidates]] = (2.0 - COLLISION_ROUNDED_UP) * distance;
 }
 
-bool vbss_collision_stays_separated(const collision_object *c, const collision_candidate *q,
-                                    double distance)
+/* Whether the axes stay farther apart than `distance` if they are at least `separation` apart at the
+ * start. */
+static bool does_separation_suffice(const collision_object *c, const collision_candidate *q,
+                                    double separation, double distance)
 {
-    const double separation = collision_separation(c, q);
     if (!(separation > COLLISION_ROUNDED_UP * distance)) {
         return false;
     }
@@ -75,6 +77,38 @@ bool vbss_collision_stays_separated(const collision_object *c, const collision_c
     double displacement =
         max_of_feature_a(q, a, a->displacement) + max_of_feature_b(q, b, b->displacement);
     return separation > COLLISION_ROUNDED_UP * (distance + displacement);
+}
+
+bool vbss_collision_stays_separated(const collision_object *c, const collision_candidate *q,
+                                    double distance)
+{
+    return does_separation_suffice(c, q, collision_separation(c, q), distance);
+}
+
+static double distance_at_start(const collision_object *c, const collision_candidate *q)
+{
+    const collision_shape *a = c->shapes[q->shape_a], *b = c->shapes[q->shape_b];
+    if (q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE) {
+        const vec3 *p[2] = {&a->start[a->edges[q->a][0]], &a->start[a->edges[q->a][1]]};
+        const vec3 *r[2] = {&b->start[b->edges[q->b][0]], &b->start[b->edges[q->b][1]]};
+        double s, u;
+        return vec3_norm(closest_between_edges(vec3_sub(*p[1], *p[0]), vec3_sub(*r[1], *r[0]),
+                                               vec3_sub(*r[0], *p[0]), &s, &u));
+    }
+    vec3 triangle[3];
+    double weights[3];
+    for (int i = 0; i < 3; i++) {
+        triangle[i] = vec3_sub(b->start[b->triangles[q->b][i]], a->start[q->a]);
+    }
+    return vec3_norm(closest_on_triangle(triangle, weights));
+}
+
+bool vbss_collision_is_separated(const collision_object *c, const collision_candidate *q,
+                                 double distance)
+{
+    return vbss_collision_stays_separated(c, q, distance) ||
+           does_separation_suffice(c, q, (2.0 - COLLISION_ROUNDED_UP) * distance_at_start(c, q),
+                                   distance);
 }
 
 /* ---- from one list of near pairs to the next */

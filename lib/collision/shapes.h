@@ -313,6 +313,10 @@ void vbss_collision_update_displacements(collision_shape *shape);
  * of their nodes between start and end. */
 bool vbss_collision_stays_separated(const collision_object *c, const collision_candidate *candidate,
                                     double distance);
+/* The same for the distance at the start, which is measured if the cache does not suffice. The answer
+ * does not depend on the cache, so the state of a caller may depend on it. */
+bool vbss_collision_is_separated(const collision_object *c, const collision_candidate *candidate,
+                                 double distance);
 /* Updates the motion of all nodes since the last search. */
 void vbss_collision_update_search_displacements(collision_object *c);
 /* Exchanges the near pairs and their separations with the list before. */

@@ -129,8 +129,11 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
         is_feature_prescribed(s, m->b, key->kind, true, key->feature_b)) {
         /* CCD tests neither the floor, nor features at rest, nor overlaps that the host made. */
         s->step.has_unlisted_pairs =
-            s->step.has_unlisted_pairs || (m->b != NULL && largest_relative_motion(m) > 0.0 &&
-                                           !vbss_scene_is_overlap(s, m->a, m->b));
+            s->step.has_unlisted_pairs ||
+            (m->b != NULL && largest_relative_motion(m) > 0.0 &&
+             !vbss_scene_is_overlap(s, m->a, m->b) &&
+             (m->candidate == NULL ||
+              !scene_stays_apart(s, m->candidate, s->config.contact_margin)));
         return true;
     }
     /* A pair that is not near needs no room, whether the separation cache knows that or not. */

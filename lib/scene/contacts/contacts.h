@@ -29,6 +29,14 @@ static inline bool scene_is_known_apart(const scene_object *s, const collision_c
     return vbss_collision_stays_separated(s->collision, q, distance);
 }
 
+/* The same by measurement where the cache does not suffice, for decisions that change the state. */
+static inline bool scene_stays_apart(const scene_object *s, const collision_candidate *q,
+                                     double distance)
+{
+    distance += scene_feature_radius(s, q, false) + scene_feature_radius(s, q, true);
+    return vbss_collision_is_separated(s->collision, q, distance);
+}
+
 /* An interval of a needle capsule's axis outside all holes, and the part of a drain's edge between
  * the planes across its two ends. An interval that is cut off at a hole has no rounded end that
  * could push the wall along the needle. */

@@ -72,7 +72,7 @@ static void connect_pairs(scene_object *s)
     const collision_object *c = s->collision;
     for (uint32_t i = 0; i < c->candidate_count; i++) {
         const collision_candidate *q = &c->candidates[i];
-        if (!scene_is_known_apart(s, q, s->config.contact_margin)) {
+        if (!scene_stays_apart(s, q, s->config.contact_margin)) {
             connect(s, &s->bodies[s->body_of_shape[q->shape_a]],
                     &s->bodies[s->body_of_shape[q->shape_b]]);
         }

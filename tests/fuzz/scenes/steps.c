@@ -66,6 +66,8 @@ void fuzz_step(fuzz_scene *f)
     if (f->results[0] == VBSS_OK) {
         fuzz_check_after_step(f);
         count_what_happens(f);
+    } else if (f->results[0] == VBSS_ERROR_CAPACITY) {
+        f->witness.stationary_steps = 0; /* the status says why nothing moves */
     }
 }
 
