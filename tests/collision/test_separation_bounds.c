@@ -142,6 +142,62 @@ static void check_candidate(fixture *f, const collision_candidate *q, counts *c)
     }
 }
 
+/* The answer with an empty cache. */
+static bool is_separated_by_measurement(const fixture *f, const collision_candidate *q,
+                                        double distance)
+{
+    double *cached = &f->object->separations[f->object->near_index[q - f->object->candidates]];
+    const double kept = *cached;
+    *cached = 0.0;
+    bool is_separated = vbss_collision_is_separated(f->object, q, distance);
+    *cached = kept;
+    return is_separated;
+}
+
+static void check_independence_of_cache(const fixture *f, const collision_candidate *q, counts *c)
+{
+    for (int k = 0; k < 10; k++) {
+        double distance = 0.1 * k;
+        bool is_cached = vbss_collision_stays_separated(f->object, q, distance);
+        bool is_separated = vbss_collision_is_separated(f->object, q, distance);
+        assert_true(is_separated == is_separated_by_measurement(f, q, distance));
+        assert_true(is_separated || !is_cached);
+        c->known += is_cached;
+        c->stays += is_separated && !is_cached;
+        c->near += !is_separated;
+    }
+}
+
+static void search_and_compare(harness_source *source, void *user)
+{
+    fixture f;
+    begin(&f);
+    add_shapes(&f);
+    place(&f, source);
+    for (int move = 0; move < MOVES; move++) {
+        go(&f, source);
+        search(&f);
+        for (uint32_t i = 0; i < f.object->candidate_count; i++) {
+            const collision_candidate *q = &f.object->candidates[i];
+            check_independence_of_cache(&f, q, user);
+            if (harness_draw_below(source, 3) == 0) {
+                note(&f, q);
+            }
+        }
+    }
+    end(&f);
+}
+
+/* The islands of a scene depend on it, and a restored scene has an empty cache. */
+static void measured_separation_does_not_depend_on_the_cache(void **state)
+{
+    (void)state;
+    counts c = {0};
+    harness_property("separation with a cache and without", CASES, search_and_compare, &c);
+    assert_true(getenv("VBSS_PROPERTY_CASE") != NULL ||
+                (c.known > 10000 && c.stays > 10000 && c.near > 10000));
+}
+
 static void wander(harness_source *source, void *user)
 {
     counts *c = user;
@@ -348,6 +404,7 @@ int test_separation_bounds(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(known_separation_is_a_lower_bound),
+        harness_test(measured_separation_does_not_depend_on_the_cache),
         harness_test(separation_of_resting_pairs_persists),
         harness_test(changed_chain_drops_known_separation),
         harness_test(non_candidates_have_no_known_separation),
