@@ -38,6 +38,37 @@ enum {
     VBSS_DRAIN_MESH_225 = 3  /**< 225 nodes, 400 triangles: for walls thinner than 0.6 mm. */
 };
 
+/**
+ * A triangulated sheet or tube, which a drain may be in place of the tube with a slit: a pad of skin, a
+ * vessel, a bowel. Fill it with #vbss_drain_surface_init, then set the arrays. The library copies them
+ * when the drain is created.
+ *
+ * The triangles are those of the middle surface at rest, without stress. Each edge belongs to one
+ * triangle (a free edge) or to two, which list it in opposite directions; where triangles meet in their
+ * interior, more than three meet at a node. Edges are best a few times as long as the wall is thick.
+ */
+typedef struct vbss_drain_surface {
+    uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
+    uint32_t node_count;     /**< Number of nodes, 3 to 2048. */
+    uint32_t triangle_count; /**< Number of triangles, 1 to 4096. */
+    uint32_t anchor_count;   /**< Number of anchored nodes, 0 to node_count; default 0. */
+    /** node_count x 3: positions of the nodes at rest, in the drain's frame, m, each at most 1 in
+     * magnitude. */
+    const double *positions;
+    /** triangle_count x 3: nodes of each triangle, counter-clockwise seen from outside. Needles enter
+     * from either side. */
+    const uint32_t *triangles;
+    /** anchor_count: nodes that are glued to their place at rest, each once; NULL if there are none.
+     * They tear off above vbss_drain_config::tear_stress. */
+    const uint32_t *anchors;
+    /** triangle_count: thickness of the wall that stiffness and mass of each triangle have, m, 1e-6 to
+     * 0.1; NULL (default): vbss_drain_config::thickness. Contacts use that one thickness everywhere. */
+    const double *thickness;
+    /** triangle_count: Young's modulus of each triangle, Pa, 1e3 to 1e12; NULL (default):
+     * vbss_drain_config::young_modulus. */
+    const double *young_modulus;
+} vbss_drain_surface;
+
 /** Configuration of a drain. Fill it with #vbss_drain_config_init, then change fields. */
 typedef struct vbss_drain_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
@@ -54,7 +85,8 @@ typedef struct vbss_drain_config {
     uint32_t reserved;  /**< Zero. */
     double radius;      /**< Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
     double length;      /**< Length of the tube, m, 2 to 7 radii; default 32e-3. */
-    double thickness;   /**< Thickness of the wall, m, 0.01 to 0.3 radii; default 1e-3. */
+    /** Thickness of the wall, m, 0.01 to 0.3 radii, or with a surface 1e-6 to 0.1; default 1e-3. */
+    double thickness;
     double slit_length; /**< Length of the slit, m, one radius to 0.7 lengths; default 10e-3. */
     /** Width of the slit at its middle, along the surface, m, 0 to 0.4 slit lengths and one radius; default
      * 3e-3. */
@@ -108,6 +140,10 @@ typedef struct vbss_drain_config {
     /** Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02 (not verified). A tight
      * thread has capstan friction: docs/stitch.md. */
     double thread_force;
+    /** Method IMPLICIT: sheet or tube in place of the tube with a slit; NULL (default): that tube. With a
+     * surface the fields mesh, mesh_divisions, radius, length, slit_length, slit_opening and mark_arc have
+     * no meaning, and the drain has neither marks nor a slit. The library copies the surface. */
+    const vbss_drain_surface *surface;
 } vbss_drain_config;
 
 /** Kind of an attachment: a VBSS_DRAIN_ATTACHMENT_ constant. */
@@ -252,14 +288,40 @@ static inline vbss_drain_config vbss_drain_config_default(void)
 }
 
 /**
+ * Fills a surface with the defaults: no nodes, and NULL for all arrays.
+ *
+ * @param[out] surface  the surface to fill
+ * @param struct_size   `sizeof *surface` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_drain_surface_init(vbss_drain_surface *surface, uint32_t struct_size);
+
+/**
+ * Returns the surface that #vbss_drain_surface_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_drain_surface vbss_drain_surface_default(void)
+{
+    vbss_drain_surface vbss_filled;
+    (void)vbss_drain_surface_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
  * Creates a drain at rest.
  *
  * @param context     owner
  * @param config      the configuration; NULL for the defaults
  * @param[out] drain  the new drain; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
- *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (a field, or a surface that does not meet
+ *         the rules of #vbss_drain_surface), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_INCOMPATIBLE (a surface
+ *         with method VBLAST), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -409,7 +471,8 @@ VBSS_API vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places 
  * @param drain        the drain
  * @param[out] gap     receives the numbers
  * @param struct_size  `sizeof *gap` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_INCOMPATIBLE (a drain with a surface, which has no slit)
  * @threads one thread at a time per context
  * @since 0.1
  */

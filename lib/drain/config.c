@@ -3,9 +3,9 @@
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
-#include "drain/drain.h"
+#include "drain/surface.h"
 
-_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u),
+_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 2u),
                "published size");
 
 static const vbss_drain_config defaults = {
@@ -39,7 +39,7 @@ static const vbss_drain_config defaults = {
     .tip_length = 0.5e-3,
     .thread_force = 0.02,
 };
-static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 1u), 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 2u), 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
@@ -55,12 +55,15 @@ drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *c, drain_
                                         .length = c->length,
                                         .slit_length = c->slit_length,
                                         .opening = c->slit_opening,
-                                        .mark_arc = c->mark_arc};
+                                        .mark_arc = c->mark_arc,
+                                        .surface = c->surface};
     return options;
 }
 
 static vbss_result check(vbss_context *context, const vbss_drain_config *c)
 {
+    const bool is_tube = c->surface == NULL;
+    const double low = is_tube ? 0.01 * c->radius : 1e-6, high = is_tube ? 0.3 * c->radius : 0.1;
     const struct {
         const char *name;
         double value, low, high;
@@ -73,7 +76,7 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         {"halving_limit", c->halving_limit, 0.0, 10.0},
         {"reserved", c->reserved, 0.0, 0.0},
         {"radius", c->radius, 1e-4, 1.0},
-        {"thickness", c->thickness, 0.01 * c->radius, 0.3 * c->radius},
+        {"thickness", c->thickness, low, high},
         {"young_modulus", c->young_modulus, 1e3, 1e12},
         {"poisson_ratio", c->poisson_ratio, 0.0, 0.49},
         {"density", c->density, 1.0, 1e5},
@@ -101,12 +104,23 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
 }
 
 vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
-                                   vbss_drain_config *own, vbss_baseline_config *baseline)
+                                   vbss_drain_config *own, vbss_baseline_config *baseline,
+                                   vbss_drain_surface *surface)
 {
     *own = defaults;
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
     }
     VBSS_TRY(vbss_baseline_read_config(context, &own->baseline, baseline));
-    return check(context, own);
+    VBSS_TRY(check(context, own));
+    if (own->surface == NULL) {
+        return VBSS_OK;
+    }
+    if (own->method != VBSS_METHOD_IMPLICIT) {
+        return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
+                         "method VBLAST has a drain of its own and takes no surface");
+    }
+    VBSS_TRY(vbss_drain_read_surface(context, own->surface, surface));
+    own->surface = surface;
+    return VBSS_OK;
 }

@@ -1,5 +1,5 @@
 /* Memory of drains, and their construction. */
-#include "drain/drain.h"
+#include "drain/surface.h"
 
 #include "base/check.h"
 #include "base/error.h"
@@ -47,6 +47,7 @@ void vbss_drain_free(vbss_context *context, void *object)
     size_t count = list_arrays(d, arrays);
     vbss_drain_mesh_arrays(&d->mesh, mesh_arrays);
     d->method->destroy_drain(context, d);
+    vbss_drain_free_surface(context, d);
     vbss_release_arrays(context, arrays, count);
     vbss_release_arrays(context, mesh_arrays, DRAIN_MESH_ARRAYS);
     vbss_release(context, d, 1, sizeof *d);
@@ -67,6 +68,8 @@ static vbss_result create_shell(drain_object *d)
         .opposite_node = (const uint32_t(*)[3])m->opposite_node,
         .angular_widths = m->angular_width,
         .young = c->young_modulus,
+        .triangle_young = d->triangle_young_modulus,
+        .triangle_thickness = d->triangle_thickness,
         .thickness = c->thickness,
         .density = c->density,
         .poisson = c->poisson_ratio,
@@ -107,6 +110,7 @@ vbss_result vbss_drain_build(drain_object *d, const vbss_drain_config *config)
     VBSS_TRY(vbss_allocate_arrays(d->context, mesh_arrays, DRAIN_MESH_ARRAYS, "mesh of a drain"));
     VBSS_TRY(vbss_allocate_arrays(d->context, arrays, count, "drain"));
     vbss_drain_mesh_fill(&d->mesh);
+    VBSS_TRY(vbss_drain_copy_surface(d));
     VBSS_TRY(create_shell(d));
     init_positions(d);
     return d->method->create_drain(d);

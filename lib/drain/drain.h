@@ -77,6 +77,9 @@ struct drain_object {
     vbss_context *context;
     vbss_drain_config config;
     vbss_baseline_config baseline_config; /* what config.baseline points to */
+    vbss_drain_surface surface;           /* what config.surface points to, if there is one */
+    double *triangle_thickness, *triangle_young_modulus; /* of the surface; NULL: one for all */
+    uint64_t surface_hash;                               /* of its counts and arrays */
     pose frame;
     vec3 gravity;
     uint64_t generation;
@@ -142,10 +145,12 @@ void vbss_drain_free(vbss_context *context, void *object);
 
 /* ---- config.c */
 
-/* Reads a configuration of any known size, fills in defaults and checks ranges. `baseline` receives
- * what own->baseline points to. Lengths of the mesh are checked by vbss_drain_mesh_plan. */
+/* Reads a configuration of any known size, fills in defaults and checks ranges. `baseline` and
+ * `surface` receive what own->baseline and own->surface point to. Lengths of the mesh are checked by
+ * vbss_drain_mesh_plan. */
 vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
-                                   vbss_drain_config *own, vbss_baseline_config *baseline);
+                                   vbss_drain_config *own, vbss_baseline_config *baseline,
+                                   vbss_drain_surface *surface);
 
 /* Options of the mesh for a configuration. */
 drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *config,

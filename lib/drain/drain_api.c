@@ -20,7 +20,8 @@ vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *co
     VBSS_TRY(vbss_context_edit(context));
     vbss_drain_config own;
     vbss_baseline_config baseline;
-    VBSS_TRY(vbss_drain_read_config(context, config, &own, &baseline));
+    vbss_drain_surface surface;
+    VBSS_TRY(vbss_drain_read_config(context, config, &own, &baseline, &surface));
     vbss_warn_if_unlikely(context, vbss_max_abs(own.gravity, 3), VBSS_LIKELY_GRAVITY, "gravity",
                           "m/s^2", "mm/s^2");
     drain_object *d = vbss_allocate(context, 1, sizeof *d, "drain");

@@ -6,7 +6,7 @@
 static drain_mesh_kind mesh_kind(const vbss_drain_config *config)
 {
     static const drain_mesh_kind kinds[] = {DRAIN_MESH_N, DRAIN_MESH_D, DRAIN_MESH_S, DRAIN_MESH_R};
-    return kinds[config->mesh];
+    return config->surface != NULL ? DRAIN_MESH_SURFACE : kinds[config->mesh];
 }
 
 static vbss_result create_drain(drain_object *d)

@@ -1,5 +1,5 @@
 /* Mesh of a drain: options, checks, counts and arrays. */
-#include "drain/mesh.h"
+#include "drain/surface.h"
 
 #include "base/check.h"
 #include "base/error.h"
@@ -69,8 +69,11 @@ vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options
                                  drain_mesh *m)
 {
     memset(m, 0, sizeof *m);
-    VBSS_TRY(check_options(context, options));
     m->options = *options;
+    if (options->kind == DRAIN_MESH_SURFACE) {
+        return vbss_drain_plan_surface(context, m);
+    }
+    VBSS_TRY(check_options(context, options));
     if (options->kind >= DRAIN_MESH_UNIFORM) {
         VBSS_TRY(vbss_drain_plan_uniform_grid(context, m));
     } else {
@@ -108,11 +111,16 @@ void vbss_drain_mesh_arrays(drain_mesh *m, vbss_array arrays[DRAIN_MESH_ARRAYS])
 
 void vbss_drain_mesh_fill(drain_mesh *m)
 {
-    vbss_drain_compute_nodes(m);
-    vbss_drain_list_triangles(m);
-    vbss_drain_list_edges(m);
-    vbss_drain_list_slit(m);
+    if (m->options.kind == DRAIN_MESH_SURFACE) {
+        vbss_drain_fill_surface(m);
+        vbss_drain_list_edges(m);
+    } else {
+        vbss_drain_compute_nodes(m);
+        vbss_drain_list_triangles(m);
+        vbss_drain_list_edges(m);
+        vbss_drain_list_slit(m);
+        vbss_drain_list_anchors(m);
+    }
     vbss_drain_find_landmarks(m);
-    vbss_drain_list_anchors(m);
     vbss_drain_compute_areas(m);
 }

@@ -20,6 +20,8 @@
 #include "base/memory.h"
 #include "base/pi.h"
 
+struct vbss_drain_surface;
+
 #define DRAIN_NONE UINT32_MAX
 /* From the top to where the fixed strip begins; the strip is 25 degrees to either side of the bottom. Chosen. */
 #define DRAIN_STRIP_ANGLE (155.0 / 180.0 * VBSS_PI)
@@ -32,6 +34,7 @@ typedef enum drain_mesh_kind {
     DRAIN_MESH_R,       /* 225 nodes, 400 triangles */
     DRAIN_MESH_UNIFORM, /* equal cells, with or without a slit */
     DRAIN_MESH_6X12, /* 6 x 12 equal cells, tips and marks on the nearest lines, no fixed strip */
+    DRAIN_MESH_SURFACE, /* nodes, triangles and anchors of a host's surface; no slit, no marks */
     DRAIN_MESH_KINDS
 } drain_mesh_kind;
 
@@ -48,6 +51,8 @@ typedef struct drain_mesh_options {
     /* Arc from the slit to each of the two marks, at mid-length, before the opening. The opening
      * moves the default 4.5 mm to 5.12 mm. */
     double mark_arc;
+    /* SURFACE: checked by vbss_drain_read_surface; no other option is used */
+    const struct vbss_drain_surface *surface;
 } drain_mesh_options;
 
 /* Sides of the slit, as index. */

@@ -33,7 +33,9 @@ typedef struct vbss_shell_input {
      * to that of an ovalling ring; 0 does not. NULL: all 0. */
     const double *angular_widths;
     double young, thickness, density; /* Pa, m, kg/m^3 */
-    double poisson;                   /* 0..0.5 */
+    /* Per triangle, in place of young and thickness; NULL: these. */
+    const double *triangle_young, *triangle_thickness;
+    double poisson;         /* 0..0.5 */
     bool moment_free_edges; /* no bending moment across free edges; false only for comparison */
 } vbss_shell_input;
 

@@ -126,12 +126,22 @@ static double ovalling_ratio(double width)
     return (4.0 * ratio * ratio - 1.0) / 3.0;
 }
 
+static double young_of(const vbss_shell_input *in, uint32_t triangle)
+{
+    return in->triangle_young != NULL ? in->triangle_young[triangle] : in->young;
+}
+
+static double thickness_of(const vbss_shell_input *in, uint32_t triangle)
+{
+    return in->triangle_thickness != NULL ? in->triangle_thickness[triangle] : in->thickness;
+}
+
 static void set_plate(const vbss_shell_input *in, uint32_t triangle, const flat_patch *f,
                       double plate[6])
 {
-    double t = in->thickness, nu = in->poisson;
+    double t = thickness_of(in, triangle), nu = in->poisson;
     double seen = ovalling_ratio(in->angular_widths != NULL ? in->angular_widths[triangle] : 0.0);
-    double d = in->young * t * t * t / (12.0 * (1.0 - nu * nu)) / (seen * seen);
+    double d = young_of(in, triangle) * t * t * t / (12.0 * (1.0 - nu * nu)) / (seen * seen);
     plate[0] = plate[1] = d;
     plate[2] = 0.5 * (1.0 - nu) * d;
     plate[3] = nu * d;
@@ -197,11 +207,12 @@ static void set_patch(const vbss_shell_input *in, uint32_t triangle, const flat_
         }
     }
     double nu = in->poisson;
-    double stiffness = f->area * in->young * in->thickness / (1.0 - nu * nu);
+    double thickness = thickness_of(in, triangle);
+    double stiffness = f->area * young_of(in, triangle) * thickness / (1.0 - nu * nu);
     set_lane(&g->root_sum, lane, sqrt(0.5 * (1.0 + nu) * stiffness));
     set_lane(&g->root_shear, lane, sqrt(0.5 * (1.0 - nu) * stiffness));
     set_lane(&g->area, lane, f->area);
-    set_lane(&g->mass, lane, in->density * in->thickness * f->area / 3.0);
+    set_lane(&g->mass, lane, in->density * thickness * f->area / 3.0);
     set_curvature_operators(in, triangle, f, across, g, lane);
 }
 

@@ -50,6 +50,9 @@ vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t 
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     const drain_mesh *m = &d->mesh;
+    if (m->slit_count == 0) {
+        return vbss_fail(d->context, VBSS_ERROR_INCOMPATIBLE, "a drain with a surface has no slit");
+    }
     vbss_drain_gap own = {.struct_size = sizeof own};
     vec3 lips[2],
         between = vec3_sub(d->x[m->slit_middle[DRAIN_RIGHT]], d->x[m->slit_middle[DRAIN_LEFT]]);

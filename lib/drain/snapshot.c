@@ -43,6 +43,9 @@ static void visit_config(vbss_stream *stream, const drain_object *d)
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         vbss_stream_expect(stream, 2, choices[i]);
     }
+    if (c->surface != NULL) {
+        vbss_stream_expect(stream, 7, d->surface_hash);
+    }
 }
 
 static bool is_untrusted(const vbss_stream *stream)

@@ -38,6 +38,10 @@ static vbss_result check_bodies(vbss_context *context, const vbss_scene *scene,
     VBSS_TRY(require_body(context, c->thread, &thread, thread.thread, "thread"));
     VBSS_TRY(require_body(context, c->needle, &needle, needle.needle, "needle"));
     VBSS_TRY(require_body(context, c->drain, &drain, drain.drain, "drain"));
+    if (vbss_scene_inspect_drain(drain.drain).marks[0] == SCENE_INSPECT_NONE) {
+        return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
+                         "the drain has a surface, and the task needs marks and a slit");
+    }
     VBSS_TRY(check_tool(context, scene, c->tools[0], "left tool"));
     VBSS_TRY(check_tool(context, scene, c->tools[1], "right tool"));
     VBSS_TRY(c->shears == 0 ? VBSS_OK : check_tool(context, scene, c->shears, "shears"));

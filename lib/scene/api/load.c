@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
+#include "drain/surface.h"
 #include "scene/api/api.h"
 #include "scene/api/inspect.h"
 #include "scene/api/place.h"
@@ -183,6 +184,57 @@ static vbss_result load_piece(scene_loader *l, const scene_body_description *d)
 
 /* ---- bodies of other kinds */
 
+/* Reads the arrays of the surface, and creates a drain with it. */
+static vbss_result create_sheet(scene_loader *l, const scene_body_description *d,
+                                vbss_drain **drain)
+{
+    const scene_surface_counts *n = &d->surface;
+    vbss_drain_surface surface;
+    vbss_drain_config config = d->drain;
+    scene_surface_arrays arrays = {0};
+    const bool has_counts = (n->thicknesses == 0 || n->thicknesses == n->triangles) &&
+                            (n->moduli == 0 || n->moduli == n->triangles) &&
+                            n->nodes <= DRAIN_MAX_SURFACE_NODES && n->anchors <= n->nodes &&
+                            n->triangles <= 2 * DRAIN_MAX_SURFACE_NODES;
+    if (!has_counts) {
+        return refuse(l, "no surface has such counts");
+    }
+    const vbss_array table[] = {{&arrays.positions, 3 * (size_t)n->nodes, sizeof(double)},
+                                {&arrays.triangles, 3 * (size_t)n->triangles, sizeof(uint32_t)},
+                                {&arrays.anchors, n->anchors, sizeof(uint32_t)},
+                                {&arrays.thickness, n->thicknesses, sizeof(double)},
+                                {&arrays.young_modulus, n->moduli, sizeof(double)}};
+    const size_t count = sizeof table / sizeof table[0];
+    vbss_result result = vbss_allocate_arrays(l->s->context, table, count, "surface of a drain");
+    if (result == VBSS_OK) {
+        vbss_scene_visit_described_surface(&l->stream, n, &arrays);
+        result = check_stream(l);
+    }
+    if (result == VBSS_OK) {
+        (void)vbss_drain_surface_init(&surface, sizeof surface);
+        surface.node_count = n->nodes;
+        surface.triangle_count = n->triangles;
+        surface.anchor_count = n->anchors;
+        surface.positions = arrays.positions;
+        surface.triangles = arrays.triangles;
+        surface.anchors = arrays.anchors;
+        surface.thickness = n->thicknesses > 0 ? arrays.thickness : NULL;
+        surface.young_modulus = n->moduli > 0 ? arrays.young_modulus : NULL;
+        config.surface = &surface;
+        result = check_created(l, vbss_drain_create(l->s->context, &config, drain));
+    }
+    vbss_release_arrays(l->s->context, table, count);
+    return result;
+}
+
+static vbss_result create_drain(scene_loader *l, const scene_body_description *d,
+                                vbss_drain **drain)
+{
+    return d->type == SCENE_DESCRIBED_SURFACE
+               ? create_sheet(l, d, drain)
+               : check_created(l, vbss_drain_create(l->s->context, &d->drain, drain));
+}
+
 static vbss_result load_drain(scene_loader *l, const scene_body_description *d)
 {
     vbss_drain *drain = NULL;
@@ -192,7 +244,7 @@ static vbss_result load_drain(scene_loader *l, const scene_body_description *d)
     if (d->drain.method != l->s->config.method) {
         return refuse(l, "a drain of another method");
     }
-    VBSS_TRY(check_created(l, vbss_drain_create(l->s->context, &d->drain, &drain)));
+    VBSS_TRY(create_drain(l, d, &drain));
     vbss_slot *slot = (vbss_slot *)drain;
     vbss_result result = vbss_scene_place_drain(l->s, slot, b, &number);
     slot->is_owned_for_good = result == VBSS_OK;
@@ -310,6 +362,7 @@ static vbss_result init_config(const scene_loader *l, scene_body_description *d)
     case SCENE_DESCRIBED_GONE_THREAD:
         return vbss_thread_config_init(&d->thread, sizeof d->thread);
     case SCENE_DESCRIBED_DRAIN:
+    case SCENE_DESCRIBED_SURFACE:
         return vbss_drain_config_init(&d->drain, sizeof d->drain);
     case SCENE_DESCRIBED_NEEDLE:
         return vbss_needle_config_init(&d->needle, sizeof d->needle);
@@ -337,6 +390,7 @@ static vbss_result load_body(scene_loader *l)
     case SCENE_DESCRIBED_PIECE:
         return load_piece(l, &d);
     case SCENE_DESCRIBED_DRAIN:
+    case SCENE_DESCRIBED_SURFACE:
         return load_drain(l, &d);
     case SCENE_DESCRIBED_NEEDLE:
         return load_needle(l, &d);

@@ -44,6 +44,10 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
     case SCENE_DESCRIBED_DRAIN:
         vbss_drain_visit_config(stream, &d->drain, &d->baseline);
         break;
+    case SCENE_DESCRIBED_SURFACE:
+        vbss_drain_visit_config(stream, &d->drain, &d->baseline);
+        vbss_stream_u32(stream, 40, &d->surface.nodes, 5);
+        break;
     case SCENE_DESCRIBED_NEEDLE:
         vbss_needle_visit_config(stream, &d->needle);
         break;
@@ -63,6 +67,16 @@ void vbss_scene_visit_described_capsule(vbss_stream *stream, scene_capsule *caps
     vbss_stream_f64(stream, 30, &capsule->local[0].x, 3);
     vbss_stream_f64(stream, 31, &capsule->local[1].x, 3);
     vbss_stream_f64(stream, 32, &capsule->radius, 1);
+}
+
+void vbss_scene_visit_described_surface(vbss_stream *stream, const scene_surface_counts *counts,
+                                        const scene_surface_arrays *arrays)
+{
+    vbss_stream_f64(stream, 41, arrays->positions, 3 * (size_t)counts->nodes);
+    vbss_stream_u32(stream, 42, arrays->triangles, 3 * (size_t)counts->triangles);
+    vbss_stream_u32(stream, 43, arrays->anchors, counts->anchors);
+    vbss_stream_f64(stream, 44, arrays->thickness, counts->thicknesses);
+    vbss_stream_f64(stream, 45, arrays->young_modulus, counts->moduli);
 }
 
 void vbss_scene_visit_described_rest(vbss_stream *stream, double *rest_lengths, uint32_t count)
@@ -104,15 +118,39 @@ static scene_body_description describe_rigid(const scene_rigid *r)
     return d;
 }
 
+static scene_body_description describe_drain(const drain_object *d)
+{
+    scene_body_description description = {
+        .type = SCENE_DESCRIBED_DRAIN, .drain = d->config, .baseline = d->baseline_config};
+    if (d->config.surface != NULL) {
+        description.type = SCENE_DESCRIBED_SURFACE;
+        description.surface = (scene_surface_counts){
+            .nodes = d->surface.node_count,
+            .triangles = d->surface.triangle_count,
+            .anchors = d->surface.anchor_count,
+            .thicknesses = d->surface.thickness != NULL ? d->surface.triangle_count : 0,
+            .moduli = d->surface.young_modulus != NULL ? d->surface.triangle_count : 0};
+    }
+    return description;
+}
+
+static void visit_surface(vbss_stream *stream, drain_object *d, const scene_surface_counts *counts)
+{
+    const scene_surface_arrays arrays = {.positions = &d->mesh.rest->x,
+                                         .triangles = d->mesh.triangles[0],
+                                         .anchors = d->mesh.anchors,
+                                         .thickness = d->triangle_thickness,
+                                         .young_modulus = d->triangle_young_modulus};
+    vbss_scene_visit_described_surface(stream, counts, &arrays);
+}
+
 static scene_body_description describe_body(const scene_body *b)
 {
     switch (b->kind) {
     case SCENE_BODY_THREAD:
         return describe_thread(b->thread.thread, SCENE_DESCRIBED_THREAD);
     case SCENE_BODY_DRAIN:
-        return (scene_body_description){.type = SCENE_DESCRIBED_DRAIN,
-                                        .drain = b->drain.drain->config,
-                                        .baseline = b->drain.drain->baseline_config};
+        return describe_drain(b->drain.drain);
     default:
         return describe_rigid(&b->rigid);
     }
@@ -128,6 +166,9 @@ void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
     vbss_scene_visit_body_description(stream, &d);
     if (d.type == SCENE_DESCRIBED_THREAD) {
         vbss_scene_visit_described_rest(stream, b->thread.thread->rest, d.rest_count);
+    }
+    if (d.type == SCENE_DESCRIBED_SURFACE) {
+        visit_surface(stream, b->drain.drain, &d.surface);
     }
     for (uint32_t i = 0; d.type == SCENE_DESCRIBED_RIGID && i < d.rigid.capsule_count; i++) {
         vbss_scene_visit_described_capsule(stream, &s->capsules[b->rigid.first_capsule + i]);

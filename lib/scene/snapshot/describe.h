@@ -16,7 +16,8 @@ enum {
     SCENE_DESCRIBED_RIGID = 4,
     SCENE_DESCRIBED_NEEDLE = 5,
     SCENE_DESCRIBED_GRASPER = 6,
-    SCENE_DESCRIBED_GONE_THREAD = 7 /* a thread that has left the scene, but not its pieces */
+    SCENE_DESCRIBED_GONE_THREAD = 7, /* a thread that has left the scene, but not its pieces */
+    SCENE_DESCRIBED_SURFACE = 8      /* a drain with a surface */
 };
 
 /* A rigid body that is neither a needle nor a grasper. */
@@ -28,10 +29,17 @@ typedef struct scene_rigid_description {
     pose frame;            /* principal frame in the frame that hosts see */
 } scene_rigid_description;
 
+/* Numbers of entries of a surface's arrays. */
+typedef struct scene_surface_counts {
+    uint32_t nodes, triangles, anchors;
+    uint32_t thicknesses, moduli; /* as many as triangles, or 0 */
+} scene_surface_counts;
+
 typedef struct scene_body_description {
     uint32_t type;                 /* SCENE_DESCRIBED_ */
     uint32_t entry, shape, number; /* of the body, in their tables; number 0: a spare piece */
     uint32_t rest_count; /* threads: rest lengths in the record; 0: only the state has them */
+    scene_surface_counts surface; /* drains with a surface */
     vbss_baseline_config
         baseline; /* threads, drains, graspers: to which their configuration points */
     union {       /* `type` says which one is in use */
@@ -54,7 +62,16 @@ void vbss_scene_visit_table(vbss_stream *stream, scene_table_description *table)
  * defaults. */
 void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_description *d);
 
-/* The arrays after it: of a thread `rest_count` rest lengths, of a rigid body its capsules. */
+/* Arrays of a surface. An array of a read-only surface is only written. */
+typedef struct scene_surface_arrays {
+    double *positions, *thickness, *young_modulus;
+    uint32_t *triangles, *anchors;
+} scene_surface_arrays;
+
+/* The arrays after it: of a surface its numbers, of a thread `rest_count` rest lengths, of a rigid body
+ * its capsules. */
+void vbss_scene_visit_described_surface(vbss_stream *stream, const scene_surface_counts *counts,
+                                        const scene_surface_arrays *arrays);
 void vbss_scene_visit_described_rest(vbss_stream *stream, double *rest_lengths, uint32_t count);
 void vbss_scene_visit_described_capsule(vbss_stream *stream, scene_capsule *capsule);
 

@@ -64,6 +64,60 @@ class vbss_drain(ctypes.Structure):
     """A drain."""
 
 
+class vbss_drain_surface(ctypes.Structure):
+    """A triangulated sheet or tube, which a drain may be in place of the tube with a slit: a pad
+    of skin, a vessel, a bowel. Fill it with vbss_drain_surface_init, then set the arrays. The
+    library copies them when the drain is created.
+
+    The triangles are those of the middle surface at rest, without stress. Each edge belongs to
+    one triangle (a free edge) or to two, which list it in opposite directions; where triangles
+    meet in their interior, more than three meet at a node. Edges are best a few times as long
+    as the wall is thick.
+
+    node_count: Number of nodes, 3 to 2048.
+
+    triangle_count: Number of triangles, 1 to 4096.
+
+    anchor_count: Number of anchored nodes, 0 to node_count; default 0.
+
+    positions: node_count x 3: positions of the nodes at rest, in the drain's frame, m, each at
+    most 1 in magnitude.
+
+    triangles: triangle_count x 3: nodes of each triangle, counter-clockwise seen from outside.
+    Needles enter from either side.
+
+    anchors: anchor_count: nodes that are glued to their place at rest, each once; NULL if there
+    are none. They tear off above vbss_drain_config::tear_stress.
+
+    thickness: triangle_count: thickness of the wall that stiffness and mass of each triangle
+    have, m, 1e-6 to 0.1; NULL (default): vbss_drain_config::thickness. Contacts use that one
+    thickness everywhere.
+
+    young_modulus: triangle_count: Young's modulus of each triangle, Pa, 1e3 to 1e12; NULL
+    (default): vbss_drain_config::young_modulus."""
+    struct_size: int
+    node_count: int
+    triangle_count: int
+    anchor_count: int
+    positions: Any
+    triangles: Any
+    anchors: Any
+    thickness: Any
+    young_modulus: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("node_count", c_uint32),
+        ("triangle_count", c_uint32),
+        ("anchor_count", c_uint32),
+        ("positions", POINTER(c_double)),
+        ("triangles", POINTER(c_uint32)),
+        ("anchors", POINTER(c_uint32)),
+        ("thickness", POINTER(c_double)),
+        ("young_modulus", POINTER(c_double)),
+    ]
+
+
 class vbss_drain_config(ctypes.Structure):
     """Configuration of a drain. Fill it with vbss_drain_config_init, then change fields.
 
@@ -86,7 +140,8 @@ class vbss_drain_config(ctypes.Structure):
 
     length: Length of the tube, m, 2 to 7 radii; default 32e-3.
 
-    thickness: Thickness of the wall, m, 0.01 to 0.3 radii; default 1e-3.
+    thickness: Thickness of the wall, m, 0.01 to 0.3 radii, or with a surface 1e-6 to 0.1;
+    default 1e-3.
 
     slit_length: Length of the slit, m, one radius to 0.7 lengths; default 10e-3.
 
@@ -151,7 +206,12 @@ class vbss_drain_config(ctypes.Structure):
     hole_force, m, 0 to 0.1; default 0.5e-3.
 
     thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02
-    (not verified). A tight thread has capstan friction: docs/stitch.md."""
+    (not verified). A tight thread has capstan friction: docs/stitch.md.
+
+    surface: Method IMPLICIT: sheet or tube in place of the tube with a slit; NULL (default):
+    that tube. With a surface the fields mesh, mesh_divisions, radius, length, slit_length,
+    slit_opening and mark_arc have no meaning, and the drain has neither marks nor a slit. The
+    library copies the surface."""
     struct_size: int
     method: int
     mesh: int
@@ -185,6 +245,7 @@ class vbss_drain_config(ctypes.Structure):
     hole_damping: float
     tip_length: float
     thread_force: float
+    surface: Any
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mesh": DrainMesh}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -220,6 +281,7 @@ class vbss_drain_config(ctypes.Structure):
         ("hole_damping", c_double),
         ("tip_length", c_double),
         ("thread_force", c_double),
+        ("surface", POINTER(vbss_drain_surface)),
     ]
 
 
@@ -459,6 +521,7 @@ class DrainStatistics(NamedTuple):
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_drain_config_init": (c_int32, (POINTER(vbss_drain_config), c_uint32)),
+    "vbss_drain_surface_init": (c_int32, (POINTER(vbss_drain_surface), c_uint32)),
     "vbss_drain_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_drain_config),
         POINTER(POINTER(vbss_drain)))),
     "vbss_drain_destroy": (c_int32, (POINTER(vbss_drain),)),
