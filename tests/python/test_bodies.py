@@ -32,6 +32,34 @@ def test_a_drain_rests_and_is_pulled(context):
     assert "137 nodes" in repr(drain)
 
 
+def square(cells=4, side=0.02):
+    """Positions and triangles of a flat sheet in the plane y = 0."""
+    at = [(side * i / cells, 0.0, side * j / cells) for i in range(cells + 1) for j in range(cells + 1)]
+    corners = [(i * (cells + 1) + j, (i + 1) * (cells + 1) + j) for i in range(cells) for j in range(cells)]
+    return at, [t for a, b in corners for t in ((a, a + 1, b + 1), (a, b + 1, b))]
+
+
+def test_a_drain_may_be_a_sheet_of_the_host(context):
+    positions, triangles = square()
+    stiff = [2e6] * len(triangles)
+    sheet = vb.Drain(context, surface=dict(positions=positions, triangles=triangles, anchors=range(10), young_modulus=stiff))
+    assert sheet.places.node_count == 25 and len(sheet.triangles) == 32 and list(sheet.anchors) == list(range(10))
+    force = sheet.attach("force", 24, force=(0.0, 0.01, 0.0))
+    for _ in range(20):
+        sheet.step()
+    assert sheet.positions[24][1] > 1e-5 and sheet.reaction(force)[1] == pytest.approx(0.01)
+    assert "25 nodes" in repr(sheet)
+    with pytest.raises(vb.IncompatibleError):
+        sheet.gap
+    with pytest.raises(TypeError, match="a surface has no 'corners'"):
+        vb.Drain(context, surface=dict(positions=positions, corners=triangles))
+    with pytest.raises(ValueError, match="numbers for 32 triangles"):
+        vb.Drain(context, surface=dict(positions=positions, triangles=triangles, thickness=[1e-3]))
+    with pytest.raises(vb.OutOfRangeError, match="is in no triangle"):
+        vb.Drain(context, surface=dict(positions=positions + [(0.1, 0, 0)], triangles=triangles))
+    assert vb.Drain(context).places.node_count == 137  # the tube
+
+
 def test_a_needle_flies(context):
     needle = vb.Needle(context, preset="sh", velocity=(1.0, 0.0, 0.0), gravity=(0, -9.81, 0))
     assert needle.state.tip[0] == pytest.approx(8.28e-3)

@@ -1,31 +1,68 @@
-"""The slit rubber tube."""
+"""The slit rubber tube, and sheets and tubes of the host's triangles."""
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 from ._api.drain import (DrainAttachmentKind, DrainEnergies, DrainField, DrainGap, DrainMesh, DrainPlaces,
                          DrainStatistics, vbss_drain, vbss_drain_attachment, vbss_drain_config, vbss_drain_energies,
-                         vbss_drain_gap, vbss_drain_places, vbss_drain_statistics)
+                         vbss_drain_gap, vbss_drain_places, vbss_drain_statistics, vbss_drain_surface)
 from ._library import lib
 from ._objects import Configured, Saved, Viewed, context_or_new, created
-from ._values import doubles, index, initialised
+from ._values import doubles, index, initialised, numbers
 from .context import Context
+from .errors import check
 from .views import Array
 
 __all__ = ["Drain", "DrainAttachmentKind", "DrainEnergies", "DrainField", "DrainGap", "DrainMesh", "DrainPlaces",
            "DrainStatistics"]
 
 
+def _surface(settings: Mapping[str, Any]) -> Any:
+    """A vbss_drain_surface that keeps its arrays alive."""
+    surface = vbss_drain_surface()
+    check(lib.vbss_drain_surface_init(ctypes.byref(surface), ctypes.sizeof(surface)))
+    arrays: dict[str, Any] = {}
+    for name, value in settings.items():
+        if name not in _SURFACE:
+            raise TypeError(f"a surface has no '{name}', but {', '.join(_SURFACE)}")
+        if value is not None:
+            kind, row = _SURFACE[name]
+            arrays[name] = numbers(value, kind, name, row=row)
+            setattr(surface, name, ctypes.cast(arrays[name], ctypes.POINTER(kind)))
+    surface.node_count = len(arrays.get("positions", ())) // 3
+    surface.triangle_count = len(arrays.get("triangles", ())) // 3
+    surface.anchor_count = len(arrays.get("anchors", ()))
+    for name in ("thickness", "young_modulus"):
+        if name in arrays and len(arrays[name]) != surface.triangle_count:
+            raise ValueError(f"{name} has {len(arrays[name])} numbers for {surface.triangle_count} triangles")
+    surface._arrays = arrays
+    return surface
+
+
+_SURFACE = {"positions": (ctypes.c_double, 3), "triangles": (ctypes.c_uint32, 3), "anchors": (ctypes.c_uint32, 1),
+            "thickness": (ctypes.c_double, 1), "young_modulus": (ctypes.c_double, 1)}
+
+
 class Drain(Configured, Viewed, Saved):
-    """A thin shell with a slit on top, glued at its bottom, alone or as a body of a scene. Keywords are the
-    settings of vbss_drain_config (Drain.settings_help(), Drain.defaults())."""
+    """A thin shell, alone or as a body of a scene: the tube with a slit on top, glued at its bottom, or a surface.
+
+        surface       a mapping of arrays in place of the tube: positions (n x 3, m, at rest), triangles (m x 3 nodes,
+                      counter-clockwise seen from outside), and if wanted anchors (nodes), and thickness, m, and
+                      young_modulus, Pa, of each triangle
+
+    All other keywords are settings of vbss_drain_config (Drain.settings_help(), Drain.defaults()).
+    """
     _prefix, _noun = "vbss_drain", "drain"
     _config, _init, _fields = vbss_drain_config, "vbss_drain_config_init", DrainField
 
-    def __init__(self, context: Optional[Context] = None, **settings: Any) -> None:
+    def __init__(self, context: Optional[Context] = None, *, surface: Optional[Mapping[str, Any]] = None,
+                 **settings: Any) -> None:
         context = context_or_new(context)
         config = initialised(vbss_drain_config, lib.vbss_drain_config_init, settings, "a drain")
+        if surface is not None:
+            own = _surface(surface)
+            config.surface = ctypes.pointer(own)
         super().__init__(context, created(context, vbss_drain, lib.vbss_drain_create, context._handle,
                                           ctypes.byref(config)))
 
@@ -134,6 +171,6 @@ class Drain(Configured, Viewed, Saved):
         return self._read("get_statistics", DrainStatistics, vbss_drain_statistics)
 
     def _describe(self) -> str:
-        places, numbers = self.places, self.statistics
-        return (f"{places.node_count} nodes, {places.triangle_count} triangles, gap {1e3 * self.gap.gap:.3g} mm, "
-                f"t = {numbers.time:.6g} s")
+        places = self.places
+        gap = f"gap {1e3 * self.gap.gap:.3g} mm, " if len(self.slit_left) else ""
+        return f"{places.node_count} nodes, {places.triangle_count} triangles, {gap}t = {self.statistics.time:.6g} s"
