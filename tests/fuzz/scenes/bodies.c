@@ -1,4 +1,5 @@
 /* Random scenes and bodies. They are small, in nodes and in capacities, so that many can be tried. */
+#include "fixtures/pad.h"
 #include "fuzz/scenes/fuzzed_scene.h"
 
 #include <math.h>
@@ -163,6 +164,23 @@ static void add_stitch(fuzz_scene *f, uint32_t drain)
 
 /* ---- drains and rigid bodies */
 
+/* A flat sheet in place of the tube, clamped at one side or nowhere. */
+static void choose_sheet(fuzz_scene *f, vbss_drain_config *config)
+{
+    static pad sheet;
+    const uint32_t columns = 2 + fuzz_below(f, 9), rows = 2 + fuzz_below(f, 9);
+    pad_make(&sheet, columns, rows, fuzz_real(f, 2e-3, 4e-3) * columns,
+             fuzz_real(f, 2e-3, 4e-3) * rows);
+    if (fuzz_chance(f, 0.7)) {
+        pad_clamp_columns(&sheet, 2);
+    }
+    for (uint32_t t = 0; t < sheet.surface.triangle_count; t++) {
+        sheet.values[t] = fuzz_real(f, 0.5e-3, 2e-3);
+    }
+    sheet.surface.thickness = fuzz_chance(f, 0.3) ? sheet.values : NULL;
+    config->surface = &sheet.surface;
+}
+
 void fuzz_add_drain(fuzz_scene *f)
 {
     vbss_drain_config config;
@@ -173,6 +191,9 @@ void fuzz_add_drain(fuzz_scene *f)
     config.tear_stress = fuzz_chance(f, 0.5) ? 5e4 : 1e3;
     if (fuzz_chance(f, 0.3)) {
         store_turn(config.orientation, fuzz_turn(f));
+    }
+    if (config.method == VBSS_METHOD_IMPLICIT && fuzz_chance(f, 0.3)) {
+        choose_sheet(f, &config);
     }
     CREATE_AND_ADD(f, FUZZ_DRAIN, drain, &config);
 }
