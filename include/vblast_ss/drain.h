@@ -81,10 +81,10 @@ typedef struct vbss_drain_config {
      * limit stops at position_tolerance; this serves reference solutions. */
     uint32_t iteration_limit;
     uint32_t
-        halving_limit;  /**< Method IMPLICIT: how often a step may be halved, 0 to 10; default 4. */
-    uint32_t reserved;  /**< Zero. */
-    double radius;      /**< Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
-    double length;      /**< Length of the tube, m, 2 to 7 radii; default 32e-3. */
+        halving_limit; /**< Method IMPLICIT: how often a step may be halved, 0 to 10; default 4. */
+    uint32_t reserved; /**< Zero. */
+    double radius;     /**< Radius of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
+    double length;     /**< Length of the tube, m, 2 to 7 radii; default 32e-3. */
     /** Thickness of the wall, m, 0.01 to 0.3 radii, or with a surface 1e-6 to 0.1; default 1e-3. */
     double thickness;
     double slit_length; /**< Length of the slit, m, one radius to 0.7 lengths; default 10e-3. */
