@@ -45,7 +45,7 @@ enum {
  *
  * The triangles are those of the middle surface at rest, without stress. Each edge belongs to one
  * triangle (a free edge) or to two, which list it in opposite directions; where triangles meet in their
- * interior, more than three meet at a node. Edges are best a few times as long as the wall is thick.
+ * interior, more than three meet at a node.
  */
 typedef struct vbss_drain_surface {
     uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */

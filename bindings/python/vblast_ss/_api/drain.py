@@ -71,8 +71,7 @@ class vbss_drain_surface(ctypes.Structure):
 
     The triangles are those of the middle surface at rest, without stress. Each edge belongs to
     one triangle (a free edge) or to two, which list it in opposite directions; where triangles
-    meet in their interior, more than three meet at a node. Edges are best a few times as long
-    as the wall is thick.
+    meet in their interior, more than three meet at a node.
 
     node_count: Number of nodes, 3 to 2048.
 
