@@ -70,7 +70,7 @@ vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options
 {
     memset(m, 0, sizeof *m);
     m->options = *options;
-    if (options->kind == DRAIN_MESH_SURFACE) {
+    if (options->kind == DRAIN_MESH_SURFACE && options->surface != NULL) {
         return vbss_drain_plan_surface(context, m);
     }
     VBSS_TRY(check_options(context, options));

@@ -33,9 +33,9 @@ typedef enum drain_mesh_kind {
     DRAIN_MESH_S,       /* 181 nodes, 320 triangles */
     DRAIN_MESH_R,       /* 225 nodes, 400 triangles */
     DRAIN_MESH_UNIFORM, /* equal cells, with or without a slit */
-    DRAIN_MESH_6X12, /* 6 x 12 equal cells, tips and marks on the nearest lines, no fixed strip */
-    DRAIN_MESH_SURFACE, /* nodes, triangles and anchors of a host's surface; no slit, no marks */
-    DRAIN_MESH_KINDS
+    DRAIN_MESH_6X12,  /* 6 x 12 equal cells, tips and marks on the nearest lines, no fixed strip */
+    DRAIN_MESH_KINDS, /* of tubes */
+    DRAIN_MESH_SURFACE = DRAIN_MESH_KINDS /* of a host; no slit, no marks */
 } drain_mesh_kind;
 
 /* Lengths in m. */

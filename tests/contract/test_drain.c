@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "fixtures/baseline_of.h"
+#include "base/config.h"
 #include "base/error.h"
 #include "contract/contract.h"
 #include "drain/drain.h"
@@ -440,7 +441,8 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_drain_destroy(drain);
 }
 
-static const uint32_t config_sizes[] = {288, 0}, attachment_sizes[] = {72, 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 2u), 0},
+                      attachment_sizes[] = {72, 0};
 
 static const contract_object object = {
     .name = "drain",

@@ -1,6 +1,7 @@
 /* What names nodes and segments goes on to mean the same places when a mesh changes: contacts, pins, welds, grasps,
  * the ends at a cut. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "scene/cut_contacts.h"
 #include "scene/mesh_rig.h"
@@ -213,6 +214,34 @@ static void no_coarsening_beside_held_nodes(void **state)
     tools_end(&r);
 }
 
+/* The host detaches what a pin has attached; the pin's node goes, and the state is one that can be restored. */
+static void pin_without_attachment_outlives_its_node(void **state)
+{
+    (void)state;
+    tools_rig r;
+    tools_begin(&r);
+    r.s.config.node_capacity = 300;
+    r.s.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
+    r.s.thread.clear_distance = r.s.thread.near_distance = 0.0;
+    small_create(&r.s);
+    tools_thread(&r, TOOLS_BOTH, 0.0);
+    const thread_object *t = mesh_thread(r.thread);
+    const scene_object *o = small_object(&r.s);
+    const uint32_t pin = small_pin(&r.s, r.body, 45, 0);
+    const scene_pin *p = o->pins;
+    while (p->id != pin) {
+        p++;
+    }
+    expect_ok(vbss_thread_detach(r.thread, p->attachment));
+    tools_steps(&r, 100);
+    assert_true(t->statistics.coarsened > 30 && p->node < t->node_count);
+    const small_state saved = small_save(&r.s);
+    expect_ok(vbss_scene_restore(r.s.scene, saved.bytes, saved.count));
+    free(saved.bytes);
+    expect_ok(vbss_scene_unpin_thread(r.s.scene, pin));
+    tools_end(&r);
+}
+
 /* ---- grasps */
 
 static void grasped_thread_stays_at_its_arc(void **state)
@@ -309,6 +338,7 @@ int test_adaptive_holders(void)
         cmocka_unit_test(coarse_tool_contact_becomes_node_contact),
         cmocka_unit_test(pins_and_welds_keep_their_places),
         cmocka_unit_test(no_coarsening_beside_held_nodes),
+        cmocka_unit_test(pin_without_attachment_outlives_its_node),
         cmocka_unit_test(grasped_thread_stays_at_its_arc),
         cmocka_unit_test(both_cut_ends_adapt_after_separating),
     };

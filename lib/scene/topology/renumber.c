@@ -160,14 +160,16 @@ static void renumber_views(scene_object *s, const renumbering *r)
 
 /* ---- pins and grasps */
 
-/* Pinned nodes are never removed, as the mesh does not change beside them. */
+/* Pinned nodes are never removed, as the mesh does not change beside them. The node of a pin whose
+ * attachment the host has detached may be; the pin, which holds nothing, moves to the node before. */
 static void renumber_holders(scene_object *s, const renumbering *r)
 {
     const mesh_change *c = &r->change;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         scene_pin *p = &s->pins[i];
         if (p->id != 0 && p->thread == r->body->number) {
-            p->node = renumber_node(c, p->node);
+            const bool is_removed = c->removes && p->node == c->at;
+            p->node = renumber_node(c, is_removed ? p->node - 1 : p->node);
         }
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
