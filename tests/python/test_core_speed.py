@@ -52,11 +52,11 @@ def test_measured_speed_is_an_option_of_the_solver():
 
 def test_budgets_change_while_a_scene_runs(context):
     scene = vb.Scene(context)
-    before = scene.hash
+    before = scene.state_hash
     scene.set_budgets()
-    assert scene.hash == before
+    assert scene.state_hash == before
     scene.set_budgets(step_budget_us=250.0, operations_per_us=300.0)
-    assert scene.hash != before
+    assert scene.state_hash != before
     scene.step()
     with pytest.raises(vb.OutOfRangeError, match="call_budget_us"):
         scene.set_budgets(call_budget_us=-1.0)

@@ -91,7 +91,8 @@ static void old_log_replays_in_scenes_of_its_options(void **state)
     log_free(&log);
 }
 
-/* A scene that was created with other budgets than those of the log refuses it by name. */
+/* A scene that was created with other budgets than those of the log refuses it by name, but not other microseconds with the
+ * same products. */
 static void scene_of_other_operations_refuses_log(void **state)
 {
     (void)state;
@@ -112,6 +113,14 @@ static void scene_of_other_operations_refuses_log(void **state)
     expect_result(VBSS_ERROR_CORRUPT, vbss_replay_begin(replay, scene));
     expect_ok(vbss_context_get_last_error(context, &result, &text));
     assert_non_null(strstr(text, "call_budget"));
+    other.call_budget_us = 98765.0 / 250.0;
+    other.step_budget_us = 123457.0 / 250.0;
+    other.operations_per_us = 250.0;
+    expect_ok(vbss_scene_create(context, &config, &scene));
+    result = vbss_replay_begin(replay, scene);
+    assert_int_not_equal(result, VBSS_ERROR_OUT_OF_MEMORY);
+    expect_ok(vbss_context_get_last_error(context, &result, &text));
+    assert_null(strstr(text, "is not that of the log"));
     harness_context_end(context, &memory);
     log_free(&log);
 }

@@ -11,8 +11,6 @@ _Static_assert(sizeof(vbss_scene_config) == VBSS_SIZE_WITH_POINTERS(vbss_scene_c
                    sizeof(vbss_solver_options) == 72,
                "new fields must be listed, with a new version");
 
-enum { VERSION = 8, FIRST_VERSION_IN_MICROSECONDS = 8 };
-
 typedef struct values {
     vbss_scene_config config;
     vbss_baseline_config baseline;
@@ -26,7 +24,7 @@ typedef struct values {
 
 #define WORD(name, since) VBSS_WORD_SINCE(values, config.name, since)
 #define NUMBER(name) VBSS_NUMBER(values, config.name)
-#define BUDGET(name) VBSS_NUMBERS_SINCE(values, solver.name, 1, FIRST_VERSION_IN_MICROSECONDS)
+#define BUDGET(name) VBSS_NUMBERS_SINCE(values, solver.name, 1, 8)
 
 static const vbss_field fields[] = {
     WORD(method, 1),
@@ -146,10 +144,10 @@ void vbss_scene_visit_config(vbss_stream *stream, vbss_scene_config *config,
                              vbss_baseline_config *baseline, vbss_solver_options *solver)
 {
     values v = values_of(config, baseline, solver);
-    vbss_section outer = vbss_stream_open(stream, VBSS_CODE('C', 'O', 'N', 'F'), VERSION);
+    vbss_section outer = vbss_stream_open(stream, VBSS_CODE('C', 'O', 'N', 'F'), 8);
     set_missing_fields(&v, stream->version);
     vbss_stream_fields(stream, fields, FIELD_COUNT, &v);
-    if (stream->version < FIRST_VERSION_IN_MICROSECONDS) {
+    if (stream->version < 8) {
         set_microseconds(&v.solver, v.operations);
     } else if (!are_budgets_consistent(&v)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such budgets");
