@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "bench_device.h"
+#include "fixtures/solver_of.h"
 #include "fixtures/stitch_scenes.h"
 #include "harness/clock.h"
 
@@ -130,8 +131,8 @@ static vbss_result tie(vbss_context *context, const rate *r, outcome *out)
     static stitch_scene stitch;
     VBSS_TRY(stitch_scene_init(&options));
     options.crossings = 5;
-    options.scene.step_budget = (uint32_t)(options.scene.step_budget * r->budget);
-    options.scene.call_budget = (uint32_t)(options.scene.call_budget * r->budget);
+    set_step_operations(&options.scene, (uint32_t)(step_operations(&options.scene) * r->budget));
+    set_call_operations(&options.scene, (uint32_t)(call_operations(&options.scene) * r->budget));
     step_count = 0;
     operations_before = 0;
     VBSS_TRY(stitch_scene_create(context, &options, &stitch));

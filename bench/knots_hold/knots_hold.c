@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "base/error.h"
+#include "fixtures/solver_of.h"
 #include "oracle/knot_type.h"
 #include "fixtures/held_knot.h"
 
@@ -38,8 +39,8 @@ static bool set_option(held_knot_options *o, const char *text)
     if (strcmp(text, "limited") == 0) { /* as scenes are by default */
         vbss_scene_config scene;
         (void)vbss_scene_config_init(&scene, sizeof scene);
-        o->tied.scene.step_budget = scene.step_budget;
-        o->tied.scene.attempt_limit = scene.attempt_limit;
+        set_step_operations(&o->tied.scene, step_operations(&scene));
+        solver_of(&o->tied.scene)->attempt_limit = solver_values(&scene).attempt_limit;
         return true;
     }
     const char *equals = strchr(text, '=');

@@ -16,8 +16,7 @@ static vbss_result make_scene(site *s, const site_plan *plan)
     c.contact_capacity = 4096;
     c.candidate_capacity = 65536;
     c.thread_capacity = 1 + CUTS;
-    c.step_budget = plan->work < 0 ? 0 : plan->work > 0 ? (uint32_t)plan->work : c.step_budget;
-    c.call_budget = plan->slot < 0 ? 0 : plan->slot > 0 ? (uint32_t)plan->slot : c.call_budget;
+    c.solver = plan->solver;
     c.floor = 1;
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;

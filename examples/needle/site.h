@@ -22,10 +22,9 @@ typedef struct site {
 enum { SITE_NO_THREAD = 1, SITE_NO_DRAIN = 2, SITE_NO_NEEDLE = 4 };
 
 typedef struct site_plan {
-    uint32_t segments; /* of the thread */
-    int32_t work;      /* limit of a step; 0: the default, below 0: none */
-    int32_t slot;      /* limit of a call, likewise */
-    uint32_t without;  /* SITE_NO_ bits; who stitches needs it all */
+    uint32_t segments;                 /* of the thread */
+    const vbss_solver_options *solver; /* NULL: the defaults */
+    uint32_t without;                  /* SITE_NO_ bits; who stitches needs it all */
 } site_plan;
 
 /* Needle's middle on the floor, and how far it is turned there. */

@@ -1,12 +1,12 @@
 /* A scripted surgeon makes a stitch, through devices alone:
  *
  *     surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
- *             [-w limit of work of a step, -1: none] [-c the same of a call] [-l log] [-p folder for pictures]
+ *             [-w budget of a step in us, 0: none] [-c the same of a call] [-l log] [-p folder for pictures]
  *             [-e seconds between them] [-v]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
  *             [-a folder for pictures of the key stages] [--calibrate]
  *
- * With --calibrate both limits of work come from the speed of this core, so a seed does not do the same everywhere.
+ * With --calibrate both budgets are those of this core, so a seed does not do the same everywhere.
  * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
  * named or, if none was, the session calls the whole task done and the slit is shut, or if their mistake is told, and logs play back to the same;
  * else 1. With -g so many good seeds are enough; no simulation may fail all the same, and each log must play back. */
@@ -22,7 +22,7 @@ static int usage(void)
 {
     fprintf(stderr, "surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-u "
                     "pass|pull|tie|over|second|back|third|cut] "
-                    "[-t most seconds] [-w work] [-c work of a call] [-l log] [-p folder for "
+                    "[-t most seconds] [-w us of a step] [-c us of a call] [-l log] [-p folder for "
                     "pictures] [-e seconds between them] [-k expert|resident|novice] [-m mistake] "
                     "[-a folder for the "
                     "key stages] [--calibrate] [-v]\n");
@@ -45,25 +45,22 @@ typedef struct tally {
     int good, failed;    /* simulations, and logs that do not play back */
 } tally;
 
-static bool calibrate(surgeon_options *o)
+static bool calibrate(vbss_solver_options *solver)
 {
-    core_limits limits;
     char text[CORE_SPEED_WORDS] = "";
-    const bool good = core_speed_fit(0.0, &limits, text) == VBSS_OK;
+    const bool good = core_speed_fit(0.0, solver, text) == VBSS_OK;
     printf("%s\n", text);
-    if (good) {
-        o->work = limits.work;
-        o->slot = limits.slot;
-    }
     return good;
 }
 
-static bool read_options(int count, char **words, watch *w, tally *t, bool *whole)
+static bool read_options(int count, char **words, watch *w, tally *t, bool *whole,
+                         vbss_solver_options *solver)
 {
+    w->options.solver = solver;
     for (int i = 1; i < count; i++) {
         const char *word = words[i];
         if (strcmp(word, "--calibrate") == 0) {
-            if (!calibrate(&w->options)) {
+            if (!calibrate(solver)) {
                 return false;
             }
             continue;
@@ -93,10 +90,10 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
             w->time_limit = strtod(words[i], NULL);
             break;
         case 'w':
-            w->options.work = atoi(words[i]);
+            solver->step_budget_us = strtod(words[i], NULL);
             break;
         case 'c':
-            w->options.slot = atoi(words[i]);
+            solver->call_budget_us = strtod(words[i], NULL);
             break;
         case 'k':
             w->options.skill = skill_named(words[i]);
@@ -169,9 +166,10 @@ int main(int count, char **words)
 {
     use_decimal_point();
     watch w = {.options = {.until = SURGEON_DONE}, .time_limit = 250.0, .every = 1e9};
+    vbss_solver_options solver = vbss_solver_options_default();
     tally t = {.seeds = 1, .smallest = -1};
     bool whole = true; /* until a last stage is named */
-    if (!read_options(count, words, &w, &t, &whole)) {
+    if (!read_options(count, words, &w, &t, &whole, &solver)) {
         return usage();
     }
     for (int i = 0; i < t.seeds; i++, w.options.seed++) {

@@ -48,9 +48,9 @@ typedef struct surgeon {
 
 typedef struct surgeon_options {
     uint64_t seed;
-    surgeon_stage until;     /* ends before this one */
-    int32_t work, slot;      /* of a step and of a call, as site_plan has them */
-    const hand_skill *skill; /* NULL: an expert's */
+    surgeon_stage until;               /* ends before this one */
+    const vbss_solver_options *solver; /* NULL: the defaults */
+    const hand_skill *skill;           /* NULL: an expert's */
     surgeon_mistake mistake;
     const char *log; /* may be NULL */
 } surgeon_options;

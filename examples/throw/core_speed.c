@@ -1,5 +1,6 @@
 #include "throw/core_speed.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <time.h>
 
@@ -13,35 +14,31 @@ double cpu_clock(void *unused)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static vbss_result fit(vbss_context *context, double *speed, vbss_scene_config *scene)
+static vbss_result measure(vbss_context *context, double *operations_per_us)
 {
-    vbss_budget_speed measured;
-    vbss_budget_config budget;
-    if (*speed <= 0.0) {
-        TRY(vbss_budget_measure_speed(context, cpu_clock, NULL, &measured, sizeof measured));
-        *speed = measured.operations_per_microsecond;
-    }
-    TRY(vbss_budget_config_init(&budget, sizeof budget));
-    TRY(vbss_scene_config_init(scene, sizeof *scene));
-    budget.operations_per_microsecond = *speed;
-    return vbss_budget_fit_scene(context, &budget, scene);
+    vbss_core_speed measured;
+    TRY(vbss_core_speed_measure(context, cpu_clock, NULL, &measured, sizeof measured));
+    *operations_per_us = measured.operations_per_us;
+    return VBSS_OK;
 }
 
-vbss_result core_speed_fit(double operations_per_microsecond, core_limits *limits,
+vbss_result core_speed_fit(double operations_per_us, vbss_solver_options *solver,
                            char words[CORE_SPEED_WORDS])
 {
     vbss_context *context;
-    vbss_scene_config scene;
     const char *why = "";
-    double speed = operations_per_microsecond;
+    const bool is_given = operations_per_us > 0.0;
+    const double smallest = 0.2 * vbss_solver_options_default().operations_per_us;
+    double speed = operations_per_us;
     TRY(vbss_context_create(NULL, &context));
-    const vbss_result result = fit(context, &speed, &scene);
+    const vbss_result result = is_given ? VBSS_OK : measure(context, &speed);
     if (result == VBSS_OK) {
-        *limits = (core_limits){(int32_t)scene.step_budget, (int32_t)scene.call_budget};
+        solver->operations_per_us = speed > smallest ? speed : smallest;
         snprintf(words, CORE_SPEED_WORDS,
-                 "%.0f operations per microsecond%s: limits of work %d a step, %d a call", speed,
-                 operations_per_microsecond > 0.0 ? " (given)" : " (measured)", (int)limits->work,
-                 (int)limits->slot);
+                 "%.0f operations per us%s%s: budgets of %.0f us a step, %.0f us a call", speed,
+                 is_given ? " (given)" : " (measured)",
+                 speed < smallest ? ", too few, so calls take longer" : "", solver->step_budget_us,
+                 solver->call_budget_us);
     } else {
         (void)vbss_context_get_last_error(context, NULL, &why);
         snprintf(words, CORE_SPEED_WORDS, "the speed of the core is unknown: %s", why);

@@ -27,7 +27,7 @@ typedef struct grasper_thread_clamp {
 void grip_begin(grip *g, const double at[3]);
 /* False in `known`: there was no pose yet; the tool is to stay where it is. */
 vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *known);
-/* So much bodies are behind after a step of h (vbss_scene_config::call_budget), s. */
+/* So much bodies are behind after a step of h (vbss_solver_options::call_budget_us), s. */
 double grip_late(vbss_scene *scene, double h);
 /* `late`: the tool is where it was so long ago, s; it is put out where it has got to by now with its velocity. */
 vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_grasper_state *tool,

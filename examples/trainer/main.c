@@ -67,15 +67,17 @@ static const char *find_missing_fault(const options *o, const rehearsal *r)
     return NULL;
 }
 
-/* Fixed limits where the option wants them, or where no clock measures. */
-static const core_limits *find_limits(const options *o, core_limits *limits, task *t)
+/* Fixed budgets where the option wants them, or where no clock measures. */
+static const vbss_solver_options *find_budgets(const options *o, vbss_solver_options *solver,
+                                               task *t)
 {
     if (o->core_speed == 0.0) {
         return NULL;
     }
-    const bool good = core_speed_fit(o->core_speed, limits, t->limits) == VBSS_OK;
+    *solver = vbss_solver_options_default();
+    const bool good = core_speed_fit(o->core_speed, solver, t->limits) == VBSS_OK;
     printf("%s\n", t->limits);
-    return good ? limits : NULL;
+    return good ? solver : NULL;
 }
 
 static int run(const options *o, const calibration *c, const score *log, const stage_row *row)
@@ -83,11 +85,11 @@ static int run(const options *o, const calibration *c, const score *log, const s
     static task t;
     const char *missing;
     char why[512];
-    core_limits limits;
+    vbss_solver_options solver;
     t.options = o;
     t.calibration = c;
     t.duration = o->seconds < 0.0 && log != NULL ? log->duration : o->seconds;
-    if (stage_create(&t.stage, row, log != NULL ? log->seed : 0, find_limits(o, &limits, &t)) !=
+    if (stage_create(&t.stage, row, log != NULL ? log->seed : 0, find_budgets(o, &solver, &t)) !=
         VBSS_OK) {
         stage_destroy(&t.stage);
         return refuse(NOT_THERE, row->name, "the scene cannot be made");

@@ -25,7 +25,7 @@ void options_help(void)
         "  --scene NAME                 default: stitch\n"
         "  --seconds N                  default: until Ctrl-C or the end of the log\n"
         "  --simulated                  the clock of stand-ins, mock and log, as fast as it goes\n"
-        "  --core-speed measure|off|N   limits of work: from the measured speed of the core "
+        "  --core-speed measure|off|N   budgets of work: of the core with its measured speed "
         "(default, but\n"
         "                               off with --simulated), fixed, or for N operations per us\n"
         "  --fault NAME@FROM[+TIME]     a fault of stand-ins or mock\n"

@@ -18,7 +18,7 @@ typedef struct fault_plan {
 typedef struct options {
     bool list, calibrate, simulated, mock;
     const char *scene;
-    /* Of the core, operations per microsecond; 0: the limits of work are fixed; below 0: measured at the start. */
+    /* Of the core, operations per us; 0: the budgets of work are fixed; below 0: measured at the start. */
     double core_speed;
     double seconds; /* at most; below 0: until Ctrl-C, or the log's end */
     const char *calibration;

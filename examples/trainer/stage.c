@@ -20,9 +20,9 @@
 #define EVERY 1.25   /* from one to the next: a quarter of the time is what a solenoid bears */
 #define FIRST 1.75   /* closing */
 #define SEGMENTS 300 /* of the thread */
-/* Operations in a call where the core is not measured, less than the default: so that a slot is kept by a core of
+/* Budget of a call where the core is not measured, us, less than the default: so that a slot is kept by a core of
  * 2.6 GHz (docs/trainer.md). */
-enum { FIXED_SLOT = 180000 };
+#define FIXED_CALL 360.0
 
 /* ---- tools */
 
@@ -54,8 +54,7 @@ static vbss_result create_table(stage *s)
     c.floor = 1;
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;
-    c.step_budget = s->limits.work > 0 ? (uint32_t)s->limits.work : c.step_budget;
-    c.call_budget = (uint32_t)s->limits.slot;
+    c.solver = &s->solver;
     TRY(vbss_scene_create(s->context, &c, &s->scene));
     TRY(vbss_needle_config_init(&n, sizeof n));
     n.gravity[2] = GRAVITY;
@@ -114,7 +113,7 @@ static vbss_result add_session(stage *s)
 
 static vbss_result create_stitch(stage *s)
 {
-    const site_plan plan = {.segments = SEGMENTS, .work = s->limits.work, .slot = s->limits.slot};
+    const site_plan plan = {.segments = SEGMENTS, .solver = &s->solver};
     vbss_result result = site_create(&s->site, v3(0.035, -0.005, 0.0), 3.141592653589793, &plan);
     s->context = s->site.rig.context;
     s->scene = s->site.rig.scene;
@@ -157,8 +156,7 @@ static vbss_result create_surgeon(stage *s)
     stitch_plan plan;
     task of_surgeon;
     surgeon_plan(&usual, &plan);
-    plan.site.work = s->limits.work;
-    plan.site.slot = s->limits.slot;
+    plan.site.solver = &s->solver;
     vbss_result result = stitch_create(&s->stitch, s->seed, &plan);
     s->site = s->stitch.site;
     s->context = s->site.rig.context;
@@ -200,11 +198,12 @@ const stage_row *stage_find(const char *name)
 }
 
 vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed,
-                         const core_limits *limits)
+                         const vbss_solver_options *solver)
 {
     memset(s, 0, sizeof *s);
     s->seed = seed;
-    s->limits = limits != NULL ? *limits : (core_limits){.slot = FIXED_SLOT};
+    s->solver = solver != NULL ? *solver : vbss_solver_options_default();
+    s->solver.call_budget_us = solver != NULL ? s->solver.call_budget_us : FIXED_CALL;
     s->row = row;
     return row->create(s);
 }

@@ -15,7 +15,7 @@ typedef struct vertex_motion {
 typedef struct stage {
     const struct stage_row *row;
     unsigned long seed;
-    core_limits limits;
+    vbss_solver_options solver;
     vbss_context *context;
     vbss_scene *scene;
     vbss_session *session; /* of the task; NULL: the scene has none */
@@ -39,9 +39,9 @@ typedef struct stage_row {
 /* NULL: there is none of that name, or number. */
 const stage_row *stage_find(const char *name);
 const stage_row *stage_at(size_t number);
-/* Of a surgeon's scene the seed says which. Limits of work: NULL for those that are fixed. */
+/* Of a surgeon's scene the seed says which. Options of the solver: NULL for fixed budgets. */
 vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed,
-                         const core_limits *limits);
+                         const vbss_solver_options *solver);
 vbss_result stage_step(stage *s, double h);
 /* How far the task is; empty without one. */
 const char *stage_phase(const stage *s);

@@ -110,7 +110,9 @@ enum {
      * (3). */
     VBSS_SCENE_SETTING_VELOCITY = 8,
     /** #vbss_scene_set_rigid_pose. Words: 1 if turned. Numbers: position (3), orientation (4). */
-    VBSS_SCENE_SETTING_POSE = 9
+    VBSS_SCENE_SETTING_POSE = 9,
+    /** #vbss_scene_set_budgets. Numbers: step budget, call budget, operations per us. */
+    VBSS_SCENE_SETTING_BUDGETS = 10
 };
 
 /** One input of the host. */
@@ -572,7 +574,10 @@ VBSS_API vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info 
                                           uint32_t struct_size);
 
 /**
- * Returns the configuration of the recorded scene, with which the host can create an equal one.
+ * Returns the configuration of the recorded scene, with which the host can create an equal one. Its
+ * pointers to the parameters of the baseline and to the options of the solver are valid as long as
+ * the replay lives. A log of an older library has budgets in operations: the returned options give the
+ * same operations at the default of 500 per us.
  *
  * @param replay          the replay
  * @param[in,out] config an initialised configuration; the call sets every field

@@ -36,6 +36,7 @@
 #include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/needle.h>
+#include <vblast_ss/solver_options.h>
 #include <vblast_ss/thread.h>
 
 /** Bodies that touch each other and are stepped together. */
@@ -47,11 +48,11 @@ typedef int32_t vbss_scene_mode;
 /** The constants of #vbss_scene_mode. */
 enum {
     /** The work and the attempts of a step are limited, and the work of a call, so that it ends in
-     * time: see `step_budget` and `call_budget`. Work left over is deferred to the next call. Time
-     * that would be deferred too long is left out and counted in `paused`. As a result tight knots
-     * of many throws slip a little early. */
+     * time: see `step_budget_us` and `call_budget_us` of #vbss_solver_options. Work left over is
+     * deferred to the next call. Time that would be deferred too long is left out and counted in
+     * `paused`. As a result tight knots of many throws slip a little early. */
     VBSS_SCENE_MODE_REAL_TIME = 0,
-    /** A step takes all the work that it needs. It is halved as often as halving_limit allows, and
+    /** A step takes all the work that it needs. It is halved as often as `halving_limit` allows, and
      * only then truncated, which is counted in `clamped`. After eight truncated parts the rest of
      * the step is left out, for the bodies of these parts alone, and counted in `paused`. For
      * experiments. */
@@ -102,59 +103,13 @@ typedef struct vbss_scene_config {
     double thread_friction;
     /** Normal and tangential stiffness of a contact, N/m, 1e3 to 1e9; default 2e5: 5 um at 1 N. */
     double contact_stiffness;
-    /** Distance for the contact search, beyond the contact distance and the possible approach in
-     * the step, m, 0 to 0.1; default 3e-5. A larger margin costs time; a smaller one costs
-     * retries. */
-    double contact_margin;
-    /** Largest stretch error that a step may leave, 1e-9 to 1e-1; default 1e-3. */
-    double stretch_tolerance;
-    /** Largest penetration that a step may leave, as a share of the diameter of the thinner body,
-     * 1e-3 to 0.5; default 0.1. From a state with more penetration a step is accepted if it
-     * reduces it. */
-    double penetration_tolerance;
-    /** Largest number of linearisations of an attempt, 1 to 100; default 12. */
-    uint32_t iteration_limit;
-    /** Largest number of solves for the contact states in a linearisation, 1 to 1000; default 36. */
-    uint32_t active_set_limit;
-    uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
-    /** REAL_TIME: number of attempts in a step after which the rest of the step is left out, 1 to
-     * 1000; default 3. Without a step_budget each remaining part is tried once, and truncated if
-     * necessary; after eight truncated parts the rest is left out. */
-    uint32_t attempt_limit;
     /** Largest number of grasped places of threads at a time, 0 to 256; default 8. Places that jaws
      * have released but not cleared count too, and so do the two ends at each cut of blades.
      * Without capacity the jaws stay open. */
     uint32_t grasp_capacity;
-    /** REAL_TIME, method IMPLICIT: operations of a step after which the search for contact states
-     * stops; 0: no limit; default 250000. An operation costs about as much as a product of two 3x3
-     * blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md). At the limit the
-     * step uses the contact forces found so far. They balance, but miss the contact law by up to
-     * vbss_scene_statistics::last_residual. Lengths still converge, with a few solves beyond the
-     * limit. The rest of the step is left out (vbss_scene_statistics::paused) when lengths do not
-     * converge, after attempt_limit attempts, or when these forces add too much energy without
-     * work: 20 uJ, or 1 mJ in a scene without drains. The next step then begins with smaller
-     * parts, and driven bodies continue from where they stopped. In a scene's first step, whose
-     * bodies may overlap as they were placed, an attempt has no limit. Between its attempts 32
-     * times step_budget and attempt_limit apply, and it is never suspended. The smallest part that
-     * halving_limit allows has no limit. If its contact states are not found, it is tried once
-     * more with the full limit for itself. In a scene with drains the smallest part has the limit
-     * too, and a part that exceeds it is halved up to three more times, after which it has none. */
-    uint32_t step_budget;
     uint32_t drain_capacity; /**< Largest number of drains at a time, 0 to 16; default 1. */
     /** Largest number of holes of needles and threads in drains at a time, 0 to 256; default 16. */
     uint32_t hole_capacity;
-    /** REAL_TIME with a step_budget, method IMPLICIT: operations of a call of #vbss_scene_step; 0: each
-     * call completes its step; default 210000. A step that needs more is suspended. The next call
-     * resumes it, with the bits that it would have had without the suspension. With its remaining
-     * operations that call begins the next step. After a call bodies are therefore up to two steps
-     * behind (vbss_scene_statistics::behind), some of them by a part of a step. Time beyond that
-     * is left out and counted in `paused`. New targets of graspers, driven bodies and attachments
-     * apply to the next step. Any other change by the host abandons the suspended step, which also
-     * counts in `paused`, and the next 1000 steps are not suspended. A call may exceed the limit
-     * by the final work of a step and by attempts that the guard refuses. If other bodies wait for
-     * it, a step that two calls have suspended is completed by the third, whatever it takes, and
-     * counted in `overdue`. So bodies that touch nothing never miss more than three calls. */
-    uint32_t call_budget;
     /** Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN. */
     vbss_scene_overlap_policy overlap;
     /** Largest speed of any point of a driven or coupled body, or of a grasper, on the way to
@@ -173,6 +128,9 @@ typedef struct vbss_scene_config {
     uint32_t reserved; /**< Zero. */
     /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
     const vbss_baseline_config *baseline;
+    /** Options of the solver, with the budgets of steps and calls; NULL (default): their defaults. The
+     * scene copies them. */
+    const vbss_solver_options *solver;
 } vbss_scene_config;
 
 /** The deepest overlap of a body. */
@@ -344,15 +302,16 @@ typedef struct vbss_scene_statistics {
     double last_residual;      /**< Residual of the contact law after the last part, N. */
     double time;               /**< Sum of the lengths of the steps, `time_paused` included, s. */
     uint64_t
-        operations; /**< Operations of all steps, as step_budget counts them; method IMPLICIT. */
+        operations; /**< Operations of all steps, as the step budget counts them; method IMPLICIT. */
     uint64_t most_operations; /**< Largest number of operations of a step. */
     uint64_t paused;          /**< REAL_TIME: steps of which a part, or all, was left out. */
     double time_paused;       /**< Simulated time that these steps have lost, s. */
-    /** Calls after which a step was suspended or had not begun; see call_budget. */
+    /** Calls after which a step was suspended or had not begun; see
+     * vbss_solver_options::call_budget_us. */
     uint64_t deferred;
     uint32_t behind; /**< Number of suspended and unbegun steps after the last call, 0 to 2. */
     /** Steps that two calls had suspended while other bodies waited, so that the third completed
-     * them without call_budget. */
+     * them without the budget of a call. */
     uint32_t overdue;
 } vbss_scene_statistics;
 
@@ -877,7 +836,7 @@ VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_sta
 
 /**
  * Returns the deepest overlap of a body with another body or the floor in their current poses. An
- * overlap counts if it is deeper than `penetration_tolerance` of the scene's configuration allows
+ * overlap counts if it is deeper than `penetration_tolerance` of the solver's options allows
  * after a step. Overlaps of the body with itself do not count, nor do those near a pin of a thread
  * on the other body or at the swage of a needle. Pairs of driven bodies do not count either,
  * because a step does not test them until they have come apart. Contacts in jaws and holes count.

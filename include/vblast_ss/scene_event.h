@@ -109,10 +109,10 @@ enum {
      * such an event; vbss_scene_statistics::time_paused counts the longest. */
     VBSS_SCENE_EVENT_PAUSED = 21,
     /** More steps than after the call before are suspended or have not begun: work waits for a later
-     * call, and no time is left out (vbss_scene_statistics::behind, and `call_budget`). */
+     * call, and no time is left out (vbss_scene_statistics::behind, and `call_budget_us`). */
     VBSS_SCENE_EVENT_DEFERRED = 22,
     VBSS_SCENE_EVENT_CAUGHT_UP = 23, /**< No step waits any more after DEFERRED. */
-    /** A step that two calls had suspended was completed without `call_budget`, because other bodies
+    /** A step that two calls had suspended was completed without the budget of a call, because other bodies
      * waited (vbss_scene_statistics::overdue). This call took longer than it should. */
     VBSS_SCENE_EVENT_OVERDUE = 24
 };

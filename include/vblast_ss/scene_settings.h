@@ -1,12 +1,12 @@
 /**
  * @file scene_settings.h
- * @brief Changes of a running scene: friction, gravity, couplings, limits, contact filters, and
- *   forces on bodies.
+ * @brief Changes of a running scene: friction, gravity, couplings, limits, budgets, contact
+ *   filters, and forces on bodies.
  *
  * Each function checks its arguments before anything changes. A refused call changes nothing. A
  * change is part of the scene's state: snapshots save it, hashes contain it, and a log records it
- * (#vbss_record_apply_input). A change ends a suspended step (see `call_budget` of
- * #vbss_scene_config), except a force, which acts in the next step that begins. A body that leaves
+ * (#vbss_record_apply_input). A change ends a suspended step (see `call_budget_us` of
+ * #vbss_solver_options), except a force, which acts in the next step that begins. A body that leaves
  * the scene has its configured values again.
  *
  * Scenes of method VBLAST have no such changes: all functions return VBSS_ERROR_INCOMPATIBLE.
@@ -104,6 +104,26 @@ VBSS_API vbss_result vbss_scene_set_coupling(vbss_scene *scene, uint32_t body, d
  * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_set_speed_limit(vbss_scene *scene, double limit);
+
+/**
+ * Sets the budgets of a step and of a call, from the next step on. A host that measures the speed of
+ * its core late, or that shares the core with other work, changes them without a new scene. They apply
+ * in mode REAL_TIME. The fields of the same names of #vbss_solver_options describe them; their values
+ * there stay those with which the scene was created.
+ *
+ * @param scene              the scene
+ * @param step_budget_us     budget of a step, us, 0 to 1e7; 0: no limit
+ * @param call_budget_us     budget of a call, us, 0 to 1e7; 0: each call completes its step
+ * @param operations_per_us  speed of the core, operations per us, 1e-3 to 1e6. Its product with a budget
+ *         that is not 0 is 1 to 4294967295 when it is rounded.
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_INCOMPATIBLE (another method),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY (only while a
+ *         step is suspended) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_budgets(vbss_scene *scene, double step_budget_us,
+                                            double call_budget_us, double operations_per_us);
 
 /**
  * Sets the contact filter of a body or of the floor. Two bodies collide if each has a category that

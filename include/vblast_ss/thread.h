@@ -517,7 +517,7 @@ VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
 
 /**
  * Returns the reaction of an attachment in the last step, regardless of later changes; zero before
- * its first step. While a scene has a suspended step (vbss_scene_config::call_budget), the last step
+ * its first step. While a scene has a suspended step (vbss_solver_options::call_budget_us), the last step
  * may be some calls ago. A host that feeds a spring's force back to a hand should then compute it
  * as stiffness times the current distance of both ends; a delayed force lets the hand wind the
  * thread up.

@@ -10,8 +10,8 @@
 #include <vblast_ss/adapter.h>
 #include <vblast_ss/base.h>
 #include <vblast_ss/baseline.h>
-#include <vblast_ss/budget.h>
 #include <vblast_ss/collision.h>
+#include <vblast_ss/core_speed.h>
 #include <vblast_ss/device.h>
 #include <vblast_ss/drain.h>
 #include <vblast_ss/elementary.h>
@@ -30,6 +30,7 @@
 #include <vblast_ss/scene_query.h>
 #include <vblast_ss/scene_settings.h>
 #include <vblast_ss/session.h>
+#include <vblast_ss/solver_options.h>
 #include <vblast_ss/thread.h>
 #include <vblast_ss/visual.h>
 

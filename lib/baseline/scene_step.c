@@ -174,7 +174,7 @@ static void note_errors(scene_object *s, double h)
     c->stretch_error = vbss_max(stretch, c->stretch_error);
     c->last_penetration = depth;
     c->penetration = vbss_max(depth, c->penetration);
-    c->loose_stretch += stretch > s->config.stretch_tolerance;
+    c->loose_stretch += stretch > s->solver.stretch_tolerance;
     c->rows = s->collision->candidate_count;
     c->parts++;
 }

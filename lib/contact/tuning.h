@@ -12,7 +12,7 @@
 /* ---- Work (active_set.c) */
 
 /* Cost of a separator in a solve.
- * Unit: operations of step_budget. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first
+ * Unit: operations of the step budget. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first
  * throw. Test: scene-tools, scene-mesh, graspers, needle-hands, session. */
 #define CONTACT_SEPARATOR_COST VBSS_TUNE(CONTACT_SEPARATOR_COST, 70)
 

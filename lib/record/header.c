@@ -64,7 +64,7 @@ void vbss_log_visit_header(vbss_stream *stream, log_header *header)
     }
     vbss_stream_count(stream, 5, &header->input_capacity, 65536);
     visit_blob(stream, 6, header->context, &header->note);
-    vbss_scene_inspect_visit_config(stream, &header->scene, &header->baseline);
+    vbss_scene_inspect_visit_config(stream, &header->scene, &header->baseline, &header->solver);
     if (header->scene.event_capacity > 65536) { /* a reader allocates room for them */
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no scene keeps so many events");
     }

@@ -82,6 +82,8 @@ static vbss_result apply_setting(vbss_scene *scene, const vbss_record_input *inp
         return vbss_scene_set_rigid_velocity(scene, body, n, w[2] != 0 ? n + 3 : NULL);
     case VBSS_SCENE_SETTING_POSE:
         return vbss_scene_set_rigid_pose(scene, body, n, w[2] != 0 ? n + 3 : NULL);
+    case VBSS_SCENE_SETTING_BUDGETS:
+        return vbss_scene_set_budgets(scene, n[0], n[1], n[2]);
     default:
         VBSS_TRY(vbss_scene_inspect(scene, &info));
         return vbss_fail(info.context, VBSS_ERROR_OUT_OF_RANGE, "no setting has the number %u",

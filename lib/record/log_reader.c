@@ -18,7 +18,7 @@ _Static_assert(sizeof(vbss_replay_logged_step) ==
                        VBSS_SIZE_WITH_POINTERS(vbss_replay_logged_step, 64u, 2u) &&
                    sizeof(vbss_record_input) == 128,
                "published sizes");
-static const uint32_t scene_config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u),
+static const uint32_t scene_config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 136u, 2u),
                                               0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
@@ -66,6 +66,7 @@ vbss_result vbss_replay_open_log(replay_object *p)
     VBSS_TRY(vbss_log_read_preamble(&p->log));
     VBSS_TRY(next_record(&p->log, &found, &stream));
     p->header.baseline = vbss_baseline_config_default();
+    p->header.solver = vbss_solver_options_default();
     vbss_log_visit_header(&stream, &p->header);
     VBSS_TRY(vbss_log_check_all_read(&p->log, &found, &stream));
     VBSS_TRY(next_record(&p->log, &found, &stream));
@@ -181,6 +182,7 @@ vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config 
     vbss_scene_config own = p->header.scene;
     own.struct_size = sizeof own;
     own.baseline = &p->header.baseline;
+    own.solver = &p->header.solver;
     return vbss_struct_write(p->context, &scene_config_layout, &own, config, config->struct_size);
 }
 

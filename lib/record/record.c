@@ -61,6 +61,7 @@ static vbss_result fill_header(const scene_info *scene, const vbss_record_config
     header->input_capacity = c->input_capacity;
     header->scene = *scene->config;
     header->baseline = *scene->config->baseline;
+    header->solver = *scene->config->solver;
     VBSS_TRY(
         vbss_log_make_blob(scene->context, &header->build_info, build_info, strlen(build_info)));
     return vbss_log_make_blob(scene->context, &header->note, c->note, c->note_bytes);

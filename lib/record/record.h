@@ -124,6 +124,7 @@ typedef struct log_header {
     log_blob build_info, note; /* a zero follows the text, but is not counted */
     vbss_scene_config scene;
     vbss_baseline_config baseline; /* what scene.baseline points to */
+    vbss_solver_options solver;    /* what scene.solver points to */
 } log_header;
 
 /* A reading stream allocates the blobs; vbss_log_free_header frees them. */

@@ -26,7 +26,12 @@
  * Test: none known. */
 #define SCENE_MIN_DISTANCE_RATIO VBSS_TUNE(SCENE_MIN_DISTANCE_RATIO, 4e-9)
 
-/* ---- Work in operations of step_budget (world/work_budget.c, solve/newton.c, step/time_slice.c) */
+/* ---- Work in operations of the step budget (world/work_budget.c, solve/newton.c, step/time_slice.c) */
+
+/* Speed of a core without calibration, and of the cores of older logs.
+ * Unit: operations per us, absolute. Origin: chosen: a core of 2.6 GHz, for which the default budgets are 250000
+ * and 210000 operations (docs/contact.md). Test: session. */
+#define SCENE_DEFAULT_OPERATIONS_PER_US 500.0
 
 /* Cost of a candidate pair in an attempt.
  * Unit: operations. Origin: fitted: thread CPU time of the 36000 steps of a surgeon's first throw. Test:
@@ -53,7 +58,7 @@
  * session. */
 #define SCENE_CORRECTION_COST VBSS_TUNE(SCENE_CORRECTION_COST, 12)
 /* A correction of drains begins while a step has used no more than this of its operations.
- * Unit: 1, relative to step_budget. Origin: chosen: docs/notebook/drain-corrections.md. Test: session. */
+ * Unit: 1, relative to the step budget. Origin: chosen: docs/notebook/drain-corrections.md. Test: session. */
 #define SCENE_CORRECTION_BUDGET_RATIO VBSS_TUNE(SCENE_CORRECTION_BUDGET_RATIO, 0.4)
 /* A search leaves this much work for another linearisation and its solve.
  * Unit: halves of a linearisation. Origin: chosen. Test: halved session; doubled scene-tools, session. */

@@ -272,7 +272,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_thread_destroy(spare_thread);
 }
 
-static const uint32_t scene_sizes[] = {192, 0}, rigid_sizes[] = {200, 0};
+static const uint32_t scene_sizes[] = {152, 0}, rigid_sizes[] = {200, 0};
 
 static const contract_object object = {
     .name = "scene",
@@ -367,11 +367,8 @@ static const contract_snapshot snapshot = {
     .save = save,
     .restore = restore,
     .fields = {NUMBER(floor_height), NUMBER(floor_friction), NUMBER(thread_friction),
-               NUMBER(contact_stiffness), NUMBER(contact_margin), NUMBER(stretch_tolerance),
-               NUMBER(penetration_tolerance), NUMBER(floor_normal[0]), NUMBER(speed_limit),
-               CHOICE(mode, 1), CHOICE(floor, 1), CHOICE(active_set_limit, -1),
-               CHOICE(iteration_limit, -1), CHOICE(halving_limit, -1), CHOICE(attempt_limit, -1),
-               CHOICE(pin_capacity, -1)},
+               NUMBER(contact_stiffness), NUMBER(floor_normal[0]), NUMBER(speed_limit),
+               CHOICE(mode, 1), CHOICE(floor, 1), CHOICE(pin_capacity, -1)},
     .reserve_more = reserve_more,
     .step = call_step,
 };

@@ -5,6 +5,7 @@
 #include "contract/contract.h"
 #include "fixtures/adaptive_scene.h"
 #include "fixtures/scene_body.h"
+#include "fixtures/solver_of.h"
 #include "scene/cut_rig.h"
 #include "scene/drains_rig.h"
 #include "fixtures/scene_build.h"
@@ -158,7 +159,7 @@ int test_scene_runs(void)
     other[1] = hands_on(VBSS_DRAIN_MESH_137, 2e3, -9.81, VBSS_SCENE_MODE_REAL_TIME);
     other[2] = hands_on(VBSS_DRAIN_MESH_137, 5e4, 0.0, VBSS_SCENE_MODE_OFFLINE);
     expect_ok(vbss_scene_config_init(&low_budget, sizeof low_budget));
-    low_budget.step_budget = 50000; /* one Newton iteration or two */
+    set_step_operations(&low_budget, 50000); /* one Newton iteration or two */
     const contract_run runs[] = {
         /* The knot is in contact from the first steps on, and tight at 290; the tools press from 20 on. */
         {.name = "knot",

@@ -122,6 +122,7 @@ void try_config(vbss_context *context, uint8_t kind, void *config)
     switch (kind) {
     case SCENE:
         ((vbss_scene_config *)config)->baseline = NULL;
+        ((vbss_scene_config *)config)->solver = NULL;
         if (vbss_scene_create(context, config, &scene) == VBSS_OK) {
             (void)vbss_scene_step(scene, 1e-3);
         }

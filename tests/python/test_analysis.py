@@ -52,7 +52,7 @@ def loop_of(context, note=b""):
     import math
     points = [(1e-3 * (t**3 - 3 * t), 1e-3 * (t**4 - 4 * t**2), 0.2e-3 * (t**5 - 10 * t))
               for t in (-2.2 + 4.4 * i / 160 for i in range(161))]
-    scene = vb.Scene(context, mode="offline", contact_margin=1e-4)
+    scene = vb.Scene(context, mode="offline", solver={"contact_margin": 1e-4})
     thread = vb.Thread(context, positions=points, gravity=(0, 0, 0),
                        rest_lengths=[math.dist(a, b) for a, b in zip(points, points[1:])])
     scene.add(thread)

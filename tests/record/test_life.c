@@ -52,7 +52,7 @@ static vbss_result write_out(vbss_replay *replay, int which, void *out, uint32_t
 static void output_struct_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[5] = {48, 48, 192, 48, 80};
+    const uint32_t sizes[5] = {48, 48, 152, 48, 80};
     stage s;
     stage_begin(&s, NULL);
     log_bytes log = log_of(&s, NULL, 3);

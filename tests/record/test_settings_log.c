@@ -12,6 +12,7 @@ static void change(stage *s, vbss_record *record, uint32_t which)
         {.words = {VBSS_SCENE_SETTING_THREAD_FRICTION}, .numbers = {0.05}},
         {.words = {VBSS_SCENE_SETTING_COUPLING, s->ball}, .numbers = {900.0, 3.0, 1.0, 0.01}},
         {.words = {VBSS_SCENE_SETTING_SPEED_LIMIT}, .numbers = {7.0}},
+        {.words = {VBSS_SCENE_SETTING_BUDGETS}, .numbers = {450.0, 380.0, 262.0}},
         {.words = {VBSS_SCENE_SETTING_FILTER, s->tools[1], 2u, 0xfffffff0u}},
         {.words = {VBSS_SCENE_SETTING_FORCE, s->ball, 1, 1},
          .numbers = {0.1, 0.2, 0.3, 0.01, 0.02, 0.0, 1e-4, 0.0, 0.0}},
@@ -30,12 +31,12 @@ static void replay_repeats_changes_to_the_bit(void **state)
     config.hash_interval = 1;
     config.snapshot_interval = 5;
     recorder_begin(&r, &config);
-    for (uint32_t i = 0; i < 14; i++) {
+    for (uint32_t i = 0; i < 16; i++) {
         change(&r.s, r.record, i);
         stage_step(&r.s, r.record);
     }
     expect_ok(vbss_record_end(r.record));
-    recorder_end(&r, 14); /* which replays the log and compares every hash */
+    recorder_end(&r, 16); /* which replays the log and compares every hash */
 }
 
 static void input_that_does_not_exist_is_refused(void **state)

@@ -125,7 +125,7 @@ static void refused_call_leaves_record_alive(void **state)
     uint32_t id;
     recorder_begin(&r, NULL);
     scene_object *scene = ((vbss_slot *)r.s.scene)->object;
-    scene->config.call_budget = 1;
+    scene->settings.call_budget = 1;
     for (int i = 0; i < 200 || !scene->cursor.is_suspended; i++) {
         stage_step(&r.s, r.record);
     }

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "fixtures/scene_build.h"
+#include "fixtures/solver_of.h"
 #include "fuzz/fuzz.h"
 
 #define TRY(call)                     \
@@ -96,8 +97,8 @@ static vbss_result write(vbss_context *context, const char *note, int is_lossy)
     vbss_record *record;
     uint32_t tools[2], thread;
     TRY(vbss_scene_config_init(&config, sizeof config));
-    config.step_budget = is_lossy ? LOSSY_WORK : config.step_budget;
-    config.call_budget = is_lossy ? LOSSY_SLOT : config.call_budget;
+    set_step_operations(&config, is_lossy ? LOSSY_WORK : step_operations(&config));
+    set_call_operations(&config, is_lossy ? LOSSY_SLOT : call_operations(&config));
     TRY(vbss_scene_create(context, &config, &scene));
     TRY(add_tool(context, scene, 0.05,
                  &tools[1])); /* which is left is for the report to find out */

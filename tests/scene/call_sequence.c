@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "fixtures/scene_build.h"
+#include "fixtures/solver_of.h"
 
 enum { CALLS = 70, MAX_GRASPERS = 3 };
 
@@ -136,10 +137,10 @@ static void draw_config(harness_source *source, vbss_scene_config *c)
     static const uint32_t works[] = {0, 2000, 20000, 250000};
     c->mode =
         harness_draw_below(source, 6) == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
-    c->call_budget = slots[harness_draw_below(source, 7)];
-    c->step_budget = works[harness_draw_below(source, 4)];
-    c->halving_limit = harness_draw_below(source, 6);
-    c->attempt_limit = 1 + harness_draw_below(source, 5);
+    set_call_operations(c, slots[harness_draw_below(source, 7)]);
+    set_step_operations(c, works[harness_draw_below(source, 4)]);
+    solver_of(c)->halving_limit = harness_draw_below(source, 6);
+    solver_of(c)->attempt_limit = 1 + harness_draw_below(source, 5);
     c->contact_capacity = 12 + harness_draw_below(source, 80);
     c->candidate_capacity = 40 + harness_draw_below(source, 1500);
     c->event_capacity = 1 + harness_draw_below(source, 12);

@@ -1,6 +1,7 @@
 #include "scene/cut_throw.h"
 
 #include "base/elementary.h"
+#include "fixtures/solver_of.h"
 #include "fixtures/step_events.h"
 
 enum { SHUTTING = 150, MAX_SHUTTING = 400 }; /* steps that blades take; what waits shuts later */
@@ -65,12 +66,13 @@ cut_outcome cut_throw(const cut_case *t, double share)
     o.pull.force = 2.0;
     o.scene.thread_capacity = 16;
     o.scene.grasp_capacity = 32;
-    o.scene.call_budget = 0; /* what the limit of a step costs; that of a call: docs/contact.md */
+    set_call_operations(&o.scene,
+                        0); /* what the limit of a step costs; that of a call: docs/contact.md */
     if (t->limited) {
-        o.scene.step_budget = (uint32_t)(share * o.scene.step_budget);
+        set_step_operations(&o.scene, (uint32_t)(share * step_operations(&o.scene)));
     } else {
-        o.scene.step_budget = 0;
-        o.scene.attempt_limit = 16;
+        set_step_operations(&o.scene, 0);
+        solver_of(&o.scene)->attempt_limit = 16;
     }
     expect_ok(contact_scene_create(context, &o, &c));
     expect_ok(vbss_scene_open(c.scene, &s));

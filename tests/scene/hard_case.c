@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "collision/closest.h"
+#include "fixtures/solver_of.h"
 #include "scene/small.h"
 
 /* ---- looking */
@@ -273,10 +274,10 @@ void hard_expect_kept(hard_case *c)
             assert_true(vec3_is_finite(hard_nodes(c, t)[i]));
         }
     }
-    double stretch = c->scene.options.scene.stretch_tolerance;
+    double stretch = solver_values(&c->scene.options.scene).stretch_tolerance;
     assert_true(s.stretch_error <= stretch || s.loose_stretch > 0 || s.clamped > 0);
     assert_true(s.last_stretch_error <= stretch);
-    double allowed = c->scene.options.scene.penetration_tolerance;
+    double allowed = solver_values(&c->scene.options.scene).penetration_tolerance;
     assert_true(c->deepest <= allowed + 1e-6 || s.recovering > 0 || s.clamped > 0);
     assert_true(c->deepest < 0.6);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/elementary.h"
+#include "fixtures/solver_of.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scene/watch.h"
@@ -164,8 +165,8 @@ static void add_up(soak *s, const contact_scene *scene)
     s->loose += t.loose_stretch;
     s->deepest = fmax(s->deepest, t.penetration / (2.0 * scene->options.thread.radius));
     s->stretch = fmax(s->stretch, t.stretch_error);
-    if (t.stretch_error > scene->options.scene.stretch_tolerance && t.loose_stretch == 0 &&
-        t.clamped == 0) {
+    if (t.stretch_error > solver_values(&scene->options.scene).stretch_tolerance &&
+        t.loose_stretch == 0 && t.clamped == 0) {
         harness_soak_fail(s->out, "a stretch error of %g, not counted", t.stretch_error);
     }
 }

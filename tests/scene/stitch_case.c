@@ -1,6 +1,7 @@
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"
+#include "fixtures/solver_of.h"
 #include "scene/solve/solve.h"
 #include "thread/thread.h"
 
@@ -52,7 +53,8 @@ void stitch_case_begin(stitch_case *c)
     expect_ok(stitch_scene_init(&c->options));
     c->options.scene.contact_capacity = 4096;
     c->options.scene.candidate_capacity = 65536;
-    c->options.scene.call_budget = 0; /* work of hands and energy are reckoned step by step */
+    set_call_operations(&c->options.scene,
+                        0); /* work of hands and energy are reckoned step by step */
     c->options.thread.cut_capacity = 2;
     c->h = 1e-3;
 }
@@ -369,7 +371,8 @@ void stitch_case_finish(stitch_case *c, const char *name, double share)
                   1e3 * c->jump, stitch_case_fastest(c));
     assert_int_equal(c->watch.away, 0);
     assert_int_equal(c->watch.missed, 0);
-    assert_true(s.stretch_error <= c->options.scene.stretch_tolerance || s.loose_stretch > 0);
+    assert_true(s.stretch_error <= solver_values(&c->options.scene).stretch_tolerance ||
+                s.loose_stretch > 0);
     assert_true(c->excess <= share * c->max_work + MIN_GAIN);
     stitch_case_end(c);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "fixtures/solver_of.h"
 #include "scene/cut_contacts.h"
 #include "scene/mesh_rig.h"
 #include "scene/topology/topology.h"
@@ -22,7 +23,7 @@ static void tight(vbss_context *context, contact_scene *scene)
     o.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     o.thread.mesh_operations = 0;
     o.thread.node_capacity = 700;
-    o.scene.call_budget = 0; /* tight after 250 calls */
+    set_call_operations(&o.scene, 0); /* tight after 250 calls */
     expect_ok(contact_scene_create(context, &o, scene));
     for (int i = 0; i < 250; i++) {
         expect_ok(contact_scene_step(scene, 1e-3));

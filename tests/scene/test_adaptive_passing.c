@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "collision/closest.h"
+#include "fixtures/solver_of.h"
 #include "oracle/passing.h"
 #include "oracle/knot_type.h"
 #include "scene/mesh_rig.h"
@@ -117,7 +118,7 @@ static void pull(const pulled *p)
     o.thread.mesh = VBSS_THREAD_MESH_ADAPTIVE;
     o.thread.mesh_operations = p->at_random ? 0 : 8;
     o.thread.node_capacity = 900;
-    o.scene.call_budget = 0; /* no mesh changes between two steps of a call */
+    set_call_operations(&o.scene, 0); /* no mesh changes between two steps of a call */
     expect_ok(contact_scene_create(context, &o, &scene));
     vbss_random_seed(&random, 3, (uint64_t)p->kind);
     scene_object *s = mesh_scene(scene.scene);

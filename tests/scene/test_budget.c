@@ -2,6 +2,7 @@
  * nothing passes through anything for that. */
 #include <string.h>
 
+#include "fixtures/solver_of.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scene/pulled_surgeons.h"
@@ -27,9 +28,9 @@ static limited *begin(int which, vbss_scene_mode mode, uint32_t limit)
     *l = (limited){0};
     pulled_surgeons_init(&o);
     o.scene.mode = mode;
-    o.scene.step_budget = limit;
-    o.scene.call_budget = 0; /* a call is a step */
-    o.scene.attempt_limit = ATTEMPTS;
+    set_step_operations(&o.scene, limit);
+    set_call_operations(&o.scene, 0); /* a call is a step */
+    solver_of(&o.scene)->attempt_limit = ATTEMPTS;
     expect_ok(vbss_context_create(NULL, &l->context));
     expect_ok(contact_scene_create(l->context, &o, &l->scene));
     return l;
@@ -106,8 +107,8 @@ static void first_step_is_limited(void **state)
     const vec3 half = vec3_make(0.0, 0.0, 0.01);
     small s;
     small_begin(&s);
-    s.config.halving_limit = 10;
-    s.config.step_budget = SMALL_LIMIT;
+    solver_of(&s.config)->halving_limit = 10;
+    set_step_operations(&s.config, SMALL_LIMIT);
     small_create(&s);
     uint32_t line =
         small_thread(&s, vec3_make(-0.02, 0.0, 0.0), vec3_make(0.02, 0.0, 0.0), 40, NULL);
@@ -119,7 +120,7 @@ static void first_step_is_limited(void **state)
     small_steps(&s, 1, STEP);
     const vbss_scene_statistics now = small_statistics(&s);
     assert_in_range(now.operations, 1, (FIRST_STEP_LIMITS + 1) * SMALL_LIMIT);
-    assert_in_range(now.attempts, 1, FIRST_STEP_LIMITS * s.config.attempt_limit);
+    assert_in_range(now.attempts, 1, FIRST_STEP_LIMITS * solver_values(&s.config).attempt_limit);
     assert_int_equal(now.paused, 1);
     small_end(&s);
 }

@@ -1,5 +1,6 @@
 /* Something is made to pass, and does not. */
 #include "base/elementary.h"
+#include "fixtures/solver_of.h"
 #include "scene/small_watch.h"
 
 static const vec3 half = {0.0, 0.0, 5e-3};
@@ -12,8 +13,8 @@ static void set_variant(small *s, int variant)
 {
     s->config.mode = variant == OFFLINE ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
     if (variant == UNLIMITED) {
-        s->config.step_budget = 0;
-        s->config.attempt_limit = 16;
+        set_step_operations(&s->config, 0);
+        solver_of(&s->config)->attempt_limit = 16;
     }
 }
 
@@ -24,12 +25,12 @@ static void guarded_steps(small *s, uint32_t count, double h)
         vbss_scene_statistics before = small_statistics(s);
         small_steps(s, 1, h);
         uint64_t attempts = small_statistics(s).attempts - before.attempts;
-        uint32_t smallest = s->config.attempt_limit;
+        uint32_t smallest = solver_values(&s->config).attempt_limit;
         if (s->config.mode == VBSS_SCENE_MODE_OFFLINE) {
             continue;
         }
-        if (s->config.step_budget == 0) { /* and one each for the parts that are left */
-            assert_true(attempts <= smallest + (1u << s->config.halving_limit));
+        if (step_operations(&s->config) == 0) { /* and one each for the parts that are left */
+            assert_true(attempts <= smallest + (1u << solver_values(&s->config).halving_limit));
         } else if (before.steps > 0) { /* and what finishes the smallest part */
             assert_true(attempts <= smallest + 2);
         }

@@ -25,7 +25,6 @@ static void defaults_of_headers_are_those_of_library(void **state)
     EXPECT_DEFAULTS(vbss_device_capabilities, vbss_device_capabilities);
     EXPECT_DEFAULTS(vbss_device_coupling, vbss_device_coupling);
     EXPECT_DEFAULTS(vbss_context_config, vbss_context_config);
-    EXPECT_DEFAULTS(vbss_budget_config, vbss_budget_config);
     EXPECT_DEFAULTS(vbss_collision_config, vbss_collision_config);
     EXPECT_DEFAULTS(vbss_collision_batch, vbss_collision_batch);
     EXPECT_DEFAULTS(vbss_device_calibration, vbss_device_calibration);
@@ -50,6 +49,7 @@ static void defaults_of_headers_are_those_of_library(void **state)
     EXPECT_DEFAULTS(vbss_scene_config, vbss_scene_config);
     EXPECT_DEFAULTS(vbss_scene_rigid_config, vbss_scene_rigid_config);
     EXPECT_DEFAULTS(vbss_session_config, vbss_session_config);
+    EXPECT_DEFAULTS(vbss_solver_options, vbss_solver_options);
     EXPECT_DEFAULTS(vbss_thread_config, vbss_thread_config);
     EXPECT_DEFAULTS(vbss_thread_attachment, vbss_thread_attachment);
     EXPECT_DEFAULTS(vbss_visual_config, vbss_visual_config);

@@ -66,7 +66,7 @@ static uint32_t count_known(const scene_object *s)
     const collision_object *c = s->collision;
     uint32_t known = 0;
     for (uint32_t i = 0; i < c->candidate_count; i++) {
-        known += scene_is_known_apart(s, &c->candidates[i], s->config.contact_margin);
+        known += scene_is_known_apart(s, &c->candidates[i], s->solver.contact_margin);
     }
     return known;
 }

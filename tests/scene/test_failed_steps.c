@@ -2,6 +2,7 @@
  * with the next call. */
 #include <stdlib.h>
 
+#include "fixtures/solver_of.h"
 #include "scene/small.h"
 
 #define STEP 1e-3
@@ -17,7 +18,7 @@ static void begin(resting *r, uint32_t call_budget)
 {
     const vec3 half = vec3_make(0.0, 0.0, 5e-3);
     small_begin(&r->s);
-    r->s.config.call_budget = call_budget;
+    set_call_operations(&r->s.config, call_budget);
     small_create(&r->s);
     r->s.thread.gravity[1] = -9.81;
     uint32_t line = small_thread(&r->s, vec3_make(-0.01, 1.1e-3, 0.0), vec3_make(0.01, 1.1e-3, 0.0),

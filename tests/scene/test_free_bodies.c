@@ -1,5 +1,6 @@
 /* A body that touches nothing does not wait for an expensive island: in real time it misses at max_missed three calls,
  * however few operations a call has. */
+#include "fixtures/solver_of.h"
 #include "scene/pulled_surgeons.h"
 #include "scene/small.h"
 
@@ -36,7 +37,7 @@ static uint32_t missed_calls(uint32_t call_budget, uint32_t *overdue)
     contact_scene s;
     vbss_scene_statistics statistics;
     pulled_surgeons_init(&options);
-    options.scene.call_budget = call_budget;
+    set_call_operations(&options.scene, call_budget);
     expect_ok(vbss_context_create(NULL, &context));
     expect_ok(contact_scene_create(context, &options, &s));
     const uint32_t ball = add_falling_ball(s.scene);

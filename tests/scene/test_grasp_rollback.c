@@ -1,4 +1,5 @@
 /* Graspers: a step that fails changes nothing, nor do views. */
+#include "fixtures/solver_of.h"
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
@@ -31,8 +32,9 @@ static observation observe(const tools_rig *r)
 static void begin_fall(tools_rig *r, double fall, uint32_t step_budget)
 {
     tools_begin(r);
-    r->s.config.step_budget = step_budget;
-    r->s.config.attempt_limit = step_budget > 0 ? 3 : r->s.config.attempt_limit;
+    set_step_operations(&r->s.config, step_budget);
+    solver_of(&r->s.config)->attempt_limit =
+        step_budget > 0 ? 3 : solver_values(&r->s.config).attempt_limit;
     r->s.config.floor = 1;
     r->s.config.floor_normal[1] = 0.0;
     r->s.config.floor_normal[2] = 1.0;

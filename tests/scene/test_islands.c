@@ -1,6 +1,7 @@
 /* Trouble stays local: an island that cannot move holds back nothing else. */
 #include <stdlib.h>
 
+#include "fixtures/solver_of.h"
 #include "scene/small.h"
 
 #define STEP 1e-3
@@ -114,7 +115,7 @@ static void offline_step_that_gains_nothing_ends_early(void **state)
     small s;
     small_begin(&s);
     s.config.mode = VBSS_SCENE_MODE_OFFLINE;
-    s.config.halving_limit = HALVINGS;
+    solver_of(&s.config)->halving_limit = HALVINGS;
     small_create(&s);
     press p = add_press(&s);
     uint64_t attempts = 0, max_attempts = 0;
@@ -181,8 +182,8 @@ static void pair_that_exhausts_its_attempts_is_known_in_the_next_step(void **sta
     enum { STEPS = 40 };
     small s;
     small_begin(&s);
-    s.config.attempt_limit = 2;
-    s.config.penetration_tolerance = 1e-3;
+    solver_of(&s.config)->attempt_limit = 2;
+    solver_of(&s.config)->penetration_tolerance = 1e-3;
     s.config.floor = 1;
     s.config.floor_height = -0.05;
     small_create(&s);
@@ -205,7 +206,7 @@ static void thread_without_room_for_its_pairs_waits_alone(void **state)
     small s;
     uint32_t pin;
     small_begin(&s);
-    s.config.attempt_limit = 3;
+    solver_of(&s.config)->attempt_limit = 3;
     s.config.candidate_capacity = 12;
     small_create(&s);
     uint32_t line =
@@ -229,7 +230,7 @@ static void state_saved_while_an_island_waits_continues_equally(void **state)
         small s;
         small_begin(&s);
         s.config.drain_capacity = 0;
-        s.config.call_budget = limit;
+        set_call_operations(&s.config, limit);
         small_create(&s);
         press p = add_press(&s);
         for (uint32_t i = 1; i <= 60; i++) {
@@ -270,7 +271,7 @@ static void restore_before_each_call_changes_no_state(void **state)
         press p[2];
         for (int k = 0; k < 2; k++) {
             small_begin(&s[k]);
-            s[k].config.call_budget = limit;
+            set_call_operations(&s[k].config, limit);
             small_create(&s[k]);
             p[k] = add_press(&s[k]);
         }
@@ -299,7 +300,7 @@ static void edit_while_islands_wait_counts_the_lost_step(void **state)
     for (uint32_t limit = 200; limit < 20000; limit = limit * 5 / 4) {
         small s;
         small_begin(&s);
-        s.config.call_budget = limit;
+        set_call_operations(&s.config, limit);
         small_create(&s);
         press p = add_press(&s);
         for (uint32_t i = 1; i <= 60; i++) {

@@ -1,4 +1,5 @@
 /* What is cut is flat, what is not is round: a lip that slides over another wall and off its lip is nowhere suddenly nearer. */
+#include "fixtures/solver_of.h"
 #include "scene/drains_rig.h"
 #include "scene/api/api.h"
 #include "scene/contacts/contacts.h"
@@ -66,7 +67,7 @@ static scene_object *begin(double margin, drain_object **d)
     expect_ok(drain_hands_init(&hands));
     hands.config.contact_capacity = 20000;
     hands.config.candidate_capacity = 200000;
-    hands.config.contact_margin = margin;
+    solver_of(&hands.config)->contact_margin = margin;
     *d = drains_rig_object(drains_rig_begin(&s, &hands));
     expect_ok(vbss_scene_open(s.scene, &o));
     return o;
@@ -130,7 +131,7 @@ static void lip_moving_past_lip_end_has_contact(void **state)
         bring_near(d, over, vec3_zero());
         assert_true(vbss_scene_create_contacts(o, &part));
     } while (min_gap(o, &o->bodies[0], lip) > 0.1e-3);
-    o->config.contact_margin = 30e-6;
+    o->solver.contact_margin = 30e-6;
     assert_true(vbss_scene_create_contacts(o, &part));
     assert_true(min_gap(o, &o->bodies[0], lip) == FAR);
     bring_near(d, over, vec3_make(0.0, 0.3, 0.0));

@@ -1,6 +1,7 @@
 /* Needles in jaws: a step that fails changes nothing; jaws of the greatest length are restored. */
 #include <stdlib.h>
 
+#include "fixtures/solver_of.h"
 #include "scene/needles_rig.h"
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"
@@ -93,7 +94,7 @@ static void expect_nothing_changed(uint32_t contacts, uint32_t candidates)
     r.tools.s.config.contact_capacity = contacts;
     r.tools.s.config.candidate_capacity = candidates;
     r.tools.s.config.capsule_capacity = 64;
-    r.tools.s.config.step_budget = 0;
+    set_step_operations(&r.tools.s.config, 0);
     small_create(&r.tools.s);
     needles_add_across(&r, 0.5 * r.config.arc * r.config.radius, vec3_zero());
     tools_add(&r.tools, vec3_make(0.0, 0.0, -2e-3));

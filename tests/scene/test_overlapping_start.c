@@ -1,4 +1,5 @@
 /* What begins nearer than it may come: it may leave, and not go on. */
+#include "fixtures/solver_of.h"
 #include "scene/small_watch.h"
 
 static const vec3 half = {0.0, 0.0, 5e-3};
@@ -46,8 +47,8 @@ static void overlapping_prescribed_bodies_follow_their_targets(void **state)
         small s;
         vbss_thread *thread;
         small_begin(&s);
-        s.config.halving_limit = 0;
-        s.config.attempt_limit = 1;
+        solver_of(&s.config)->halving_limit = 0;
+        solver_of(&s.config)->attempt_limit = 1;
         small_create(&s);
         s.thread.gravity[1] = -9.81;
         small_thread(&s, vec3_make(0.1, 0.0, 0.0), vec3_make(0.11, 0.0, 0.0), 8, &thread);
@@ -76,8 +77,8 @@ static void driven_tool_stays_out_of_floor(void **state)
         small_watch w;
         small_begin(&s);
         if (!limited) {
-            s.config.step_budget = 0;
-            s.config.attempt_limit = 16;
+            set_step_operations(&s.config, 0);
+            solver_of(&s.config)->attempt_limit = 16;
         }
         s.config.floor = 1;
         small_create(&s);

@@ -19,10 +19,10 @@ typedef struct number {
     }
 
 static const number scene_numbers[] = {
-    SCENE(floor_height, -1e3, 1e3),          SCENE(floor_friction, 0.0, 10.0),
-    SCENE(thread_friction, 0.0, 10.0),       SCENE(contact_stiffness, 1e3, 1e9),
-    SCENE(contact_margin, 0.0, 0.1),         SCENE(stretch_tolerance, 1e-9, 0.1),
-    SCENE(penetration_tolerance, 1e-3, 0.5),
+    SCENE(floor_height, -1e3, 1e3),
+    SCENE(floor_friction, 0.0, 10.0),
+    SCENE(thread_friction, 0.0, 10.0),
+    SCENE(contact_stiffness, 1e3, 1e9),
 };
 
 static const number rigid_numbers[] = {
@@ -54,13 +54,6 @@ static const choice scene_choices[] = {
     {offsetof(vbss_scene_config, candidate_capacity), 0, 10000001},
     {offsetof(vbss_scene_config, event_capacity), 65536, 65537},
     {offsetof(vbss_scene_config, floor), 1, 2},
-    {offsetof(vbss_scene_config, iteration_limit), 100, 101},
-    {offsetof(vbss_scene_config, iteration_limit), 1, 0},
-    {offsetof(vbss_scene_config, active_set_limit), 1000, 1001},
-    {offsetof(vbss_scene_config, active_set_limit), 1, 0},
-    {offsetof(vbss_scene_config, halving_limit), 10, 11},
-    {offsetof(vbss_scene_config, attempt_limit), 1000, 1001},
-    {offsetof(vbss_scene_config, attempt_limit), 1, 0},
     {offsetof(vbss_scene_config, grasp_capacity), 256, 257},
     {offsetof(vbss_scene_config, drain_capacity), 16, 17},
     {offsetof(vbss_scene_config, hole_capacity), 256, 257},

@@ -1,6 +1,7 @@
 /* Changes of a running scene: friction, gravity, couplings, limits, filters, forces and poses. */
 #include <stdlib.h>
 
+#include "fixtures/solver_of.h"
 #include "scene/small.h"
 
 #include <vblast_ss/scene_query.h>
@@ -285,12 +286,15 @@ static void change(small *s, const changed *c, int which)
     case 8:
         expect_ok(vbss_scene_set_rigid_velocity(s->scene, c->body, v, v));
         break;
+    case 9:
+        expect_ok(vbss_scene_set_budgets(s->scene, 400.0, 300.0, 250.0));
+        break;
     default:
         expect_ok(vbss_scene_set_rigid_pose(s->scene, c->body, p, NULL));
         break;
     }
 }
-enum { CHANGES = 10 };
+enum { CHANGES = 11 };
 
 static void each_change_is_in_hash_and_restored_scene_goes_on_with_same_bits(void **state)
 {
@@ -361,7 +365,7 @@ static changed begin_suspended(small *s)
     changed c;
     small_begin(s);
     s->config.floor = 1;
-    s->config.call_budget = 3000;
+    set_call_operations(&s->config, 3000);
     small_create(s);
     s->thread.gravity[1] = -9.81;
     c.body = small_stick(s, VBSS_SCENE_RIGID_FREE, vec3_make(0.0, 0.02, 0.1), half, RADIUS);
@@ -427,6 +431,10 @@ static void refused_changes_change_nothing_and_say_why(void **state)
         vbss_scene_set_thread_friction(s.scene, 11.0),
         vbss_scene_set_coupling(s.scene, c.tool, -1.0, 1.0, 1.0, 1.0),
         vbss_scene_set_speed_limit(s.scene, -1.0),
+        vbss_scene_set_budgets(s.scene, -1.0, 420.0, 500.0),
+        vbss_scene_set_budgets(s.scene, 500.0, 2e7, 500.0),
+        vbss_scene_set_budgets(s.scene, 500.0, 420.0, 0.0),
+        vbss_scene_set_budgets(s.scene, 500.0, 1e-4, 500.0),
         vbss_scene_set_rigid_pose(s.scene, c.body, inside, NULL),
     };
     const vbss_result kinds[] = {
@@ -446,6 +454,7 @@ static void refused_changes_change_nothing_and_say_why(void **state)
     assert_int_equal(vbss_scene_set_gravity(s.scene, 77, g), VBSS_ERROR_NOT_FOUND);
     assert_int_equal(vbss_scene_set_filter(s.scene, 77, 1u, 1u), VBSS_ERROR_NOT_FOUND);
     assert_int_equal(vbss_scene_set_gravity(s.scene, 0, bad), VBSS_ERROR_NOT_FINITE);
+    assert_int_equal(vbss_scene_set_budgets(s.scene, bad[0], 420.0, 500.0), VBSS_ERROR_NOT_FINITE);
     assert_int_equal(vbss_scene_set_gravity(s.scene, 0, NULL), VBSS_ERROR_NULL_ARGUMENT);
     assert_int_equal(vbss_scene_apply_force(s.scene, c.body, bad, NULL, NULL),
                      VBSS_ERROR_NOT_FINITE);

@@ -1,5 +1,6 @@
 /* A throw above a stitch: limbs that are pulled shut the slit, friction keeps it shut, and without the thread it stands open as
  * before. */
+#include "fixtures/solver_of.h"
 #include "scene/stitch_rig.h"
 
 static stitch_rig c;
@@ -12,7 +13,7 @@ static stitch_rig c;
 static void tie(double limit, uint32_t work)
 {
     stitch_rig_begin(&c);
-    c.o.scene.step_budget = work > 0 ? work : c.o.scene.step_budget;
+    set_step_operations(&c.o.scene, work > 0 ? work : step_operations(&c.o.scene));
     c.o.crossings = 5;
     stitch_rig_make(&c);
     stitch_rig_wait(&c, 100);
@@ -128,7 +129,7 @@ static void note(loading *l, int i)
 static void load_and_unload(double friction, uint32_t work, loading *on, loading *back)
 {
     stitch_rig_begin(&c);
-    c.o.scene.step_budget = work > 0 ? work : c.o.scene.step_budget;
+    set_step_operations(&c.o.scene, work > 0 ? work : step_operations(&c.o.scene));
     c.o.rise = 1.5707963267948966;
     c.o.limb = 20e-3;
     c.o.thread.drag = 20.0;

@@ -1,6 +1,7 @@
 /* A scene that is saved and restored while a step is suspended goes on to the same bits. */
 #include <stdlib.h>
 
+#include "fixtures/solver_of.h"
 #include "scene/small.h"
 
 enum { STEPS = 60, POSES = 12, SOUGHT_POSES = 6 };
@@ -41,7 +42,7 @@ static void add_needle_over_drain(small *s, uint64_t seed)
 static void begin(small *s, uint64_t seed)
 {
     small_begin(s);
-    s->config.call_budget = 50000;
+    set_call_operations(&s->config, 50000);
     s->config.contact_capacity = 4096;
     s->config.candidate_capacity = 65536;
     small_create(s);

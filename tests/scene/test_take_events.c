@@ -4,6 +4,7 @@
 #include "fixtures/needle_scenes.h"
 #include "fixtures/puncture_scenes.h"
 #include "fixtures/scene_scenes.h"
+#include "fixtures/solver_of.h"
 #include "scene/pulled_surgeons.h"
 #include "scene/small.h"
 
@@ -266,7 +267,7 @@ static void pull(contact_scene *scene, vbss_context **context, uint32_t call_bud
 {
     contact_scene_options o;
     pulled_surgeons_init(&o);
-    o.scene.call_budget = call_budget;
+    set_call_operations(&o.scene, call_budget);
     o.scene.event_capacity = MAX_EVENTS;
     expect_ok(vbss_context_create(NULL, context));
     expect_ok(contact_scene_create(*context, &o, scene));
@@ -291,7 +292,7 @@ static void deferred_truncated_and_paused_match_statistics(void **state)
     pull(&scene, &context, 30000);
     for (uint32_t i = 0; i < 300; i++) {
         const uint32_t before = t.count;
-        ((scene_object *)((vbss_slot *)scene.scene)->object)->config.call_budget =
+        ((scene_object *)((vbss_slot *)scene.scene)->object)->settings.call_budget =
             i % 20 < 10 ? 30000 : 10000000; /* falls behind, and catches up */
         expect_ok(contact_scene_step(&scene, STEP));
         const vbss_scene_statistics now = statistics_of(scene.scene);

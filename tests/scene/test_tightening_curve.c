@@ -9,6 +9,7 @@
  * pull; in the limit it is the same slope without the offset, so twice too much for n = 1. */
 #include <math.h>
 
+#include "fixtures/solver_of.h"
 #include "scene/rig.h"
 #include "fixtures/knots.h"
 
@@ -175,7 +176,7 @@ static void begin(scene_rig *r, const rod *k)
     vbss_thread_config thread = rig_config(1.0, place(k, x, rest) - 1);
     scene.thread_friction = k->friction;
     scene.contact_stiffness = 5e3;
-    scene.contact_margin = fmin(30e-6, 2.0 * k->radius);
+    solver_of(&scene)->contact_margin = fmin(30e-6, 2.0 * k->radius);
     thread.rest_lengths = rest;
     thread.positions = &x[0].x;
     thread.radius = k->radius;

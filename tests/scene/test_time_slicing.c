@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "fixtures/baseline_of.h"
+#include "fixtures/solver_of.h"
 #include "scene/drains_rig.h"
 #include "scene/pulled_surgeons.h"
 #include "scene/small.h"
@@ -46,7 +47,7 @@ static void begin(pulled *p, uint32_t slot)
     contact_scene_options o;
     *p = (pulled){0};
     pulled_surgeons_init(&o);
-    o.scene.call_budget = slot;
+    set_call_operations(&o.scene, slot);
     expect_ok(vbss_context_create(NULL, &p->context));
     expect_ok(contact_scene_create(p->context, &o, &p->scene));
 }
@@ -110,7 +111,7 @@ static void divided_steps_are_bit_equal(void **state)
             expect_ok(contact_scene_step(&divided.scene, STEP));
         }
         scene_object *s = object_of(divided.scene.scene);
-        s->config.call_budget = slots[k];
+        s->settings.call_budget = slots[k];
         uint64_t reported = 0, calls = 0;
         while (finished(&divided) < PULLED + COMPARED) {
             const uint64_t before = finished(&divided),
@@ -204,7 +205,7 @@ static uint32_t inside_slot;
 static vbss_result create_divided(vbss_context *context, void *user, void **handle)
 {
     VBSS_TRY(inside->create(context, user, handle));
-    object_of(*handle)->config.call_budget = inside_slot;
+    object_of(*handle)->settings.call_budget = inside_slot;
     return VBSS_OK;
 }
 
@@ -377,7 +378,7 @@ static uint64_t hash_of_turned_clamp(bool is_viewed)
     uint32_t id, suspended = 0;
     vbss_thread_attachment a;
     small_begin(&s);
-    s.config.call_budget = 500;
+    set_call_operations(&s.config, 500);
     small_create(&s);
     small_thread(&s, vec3_zero(), vec3_make(0.02, 0.0, 0.0), 10, &thread);
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
@@ -542,7 +543,7 @@ static void commands_during_suspension_apply_to_next_step(void **state)
     (void)state;
     small s;
     small_begin(&s);
-    s.config.call_budget = 1;
+    set_call_operations(&s.config, 1);
     s.config.drain_capacity = 0;
     small_create(&s);
     (void)small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
@@ -582,7 +583,7 @@ static void damaged_suspended_states_are_rejected_or_continue(void **state)
     enum { LAST = 700 }; /* bytes: the step that waits is at the end */
     small s;
     small_begin(&s);
-    s.config.call_budget = 1;
+    set_call_operations(&s.config, 1);
     s.config.drain_capacity = 0;
     small_create(&s);
     uint32_t line =
@@ -655,7 +656,7 @@ static void unlimited_calls_complete_their_step(void **state)
         begin(&p, how == 2 ? 0 : 1);
         scene_object *s = object_of(p.scene.scene);
         s->config.mode = how == 0 ? VBSS_SCENE_MODE_OFFLINE : VBSS_SCENE_MODE_REAL_TIME;
-        s->config.step_budget = how == 1 ? 0 : s->config.step_budget;
+        s->settings.step_budget = how == 1 ? 0 : s->settings.step_budget;
         for (int i = 0; i < 60; i++) {
             expect_ok(contact_scene_step(&p.scene, STEP));
             assert_false(s->cursor.is_suspended);

@@ -3,6 +3,7 @@
 
 #include "base/elementary.h"
 #include "base/rotation.h"
+#include "fixtures/solver_of.h"
 #include "scene/small_watch.h"
 
 static const vec3 half = {0.0, 0.0, 5e-3};
@@ -11,8 +12,8 @@ static const vec3 half = {0.0, 0.0, 5e-3};
 static void begin_hasty(small *s)
 {
     small_begin(s);
-    s->config.halving_limit = 0;
-    s->config.attempt_limit = 1;
+    solver_of(&s->config)->halving_limit = 0;
+    solver_of(&s->config)->attempt_limit = 1;
     small_create(s);
 }
 
@@ -125,8 +126,8 @@ static void offline_mode_retries_before_truncation(void **state)
         small s;
         small_begin(&s);
         s.config.mode = m == 0 ? VBSS_SCENE_MODE_REAL_TIME : VBSS_SCENE_MODE_OFFLINE;
-        s.config.attempt_limit = 3;
-        s.config.step_budget = 0;
+        solver_of(&s.config)->attempt_limit = 3;
+        set_step_operations(&s.config, 0);
         small_create(&s);
         uint32_t line =
             small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 12, NULL);
@@ -198,8 +199,8 @@ static void wild_scenes_end_in_numbers(harness_source *source, void *user)
     s.config.floor = (int32_t)harness_draw_below(source, 2);
     s.config.floor_height = -5e-3;
     s.config.mode = (vbss_scene_mode)harness_draw_below(source, 2);
-    s.config.halving_limit = harness_draw_below(source, 6);
-    s.config.attempt_limit = 1 + harness_draw_below(source, 16);
+    solver_of(&s.config)->halving_limit = harness_draw_below(source, 6);
+    solver_of(&s.config)->attempt_limit = 1 + harness_draw_below(source, 16);
     small_create(&s);
     s.thread.gravity[1] = s.rigid.gravity[1] = -9.81;
     uint32_t line =
@@ -273,9 +274,10 @@ static void expect_felt(uint32_t step_budget)
 {
     small s;
     small_begin(&s);
-    s.config.penetration_tolerance = 1e-3; /* so that pressing is cut short early */
-    s.config.step_budget = step_budget;
-    s.config.attempt_limit = step_budget > 0 ? 3 : s.config.attempt_limit;
+    solver_of(&s.config)->penetration_tolerance = 1e-3; /* so that pressing is cut short early */
+    set_step_operations(&s.config, step_budget);
+    solver_of(&s.config)->attempt_limit =
+        step_budget > 0 ? 3 : solver_values(&s.config).attempt_limit;
     small_create(&s);
     small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
     uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_COUPLED, vec3_make(0.0, 2.1e-3, 0.0),

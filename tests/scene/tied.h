@@ -3,6 +3,7 @@
 #define VBSS_TESTS_SCENE_TIED_H
 
 #include "collision/closest.h"
+#include "fixtures/solver_of.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "fixtures/tied_knot.h"
@@ -126,7 +127,8 @@ static inline void tied_tie(tied *t)
 static inline void tied_expect_tight(tied *t, double extent, double taken_up)
 {
     vbss_scene_statistics s;
-    double deepest = t->options.scene.penetration_tolerance * 2.0 * t->options.thread.radius;
+    double deepest =
+        solver_values(&t->options.scene).penetration_tolerance * 2.0 * t->options.thread.radius;
     for (int i = 0; i < TIED_DAMPING_STEPS; i++) {
         expect_ok(tied_knot_step(&t->knot, TIED_STEP));
     }

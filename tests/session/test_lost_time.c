@@ -1,4 +1,5 @@
 /* Simulated time that a scene leaves out is in the status, an event, the metrics and the score. */
+#include "fixtures/solver_of.h"
 #include "fixtures/step_events.h"
 #include "rig.h"
 
@@ -59,8 +60,8 @@ static uint64_t tie(slow *t, const stitch_scene_options *options)
 static uint64_t tie_with_limits(slow *t, uint32_t factor, uint32_t divisor)
 {
     stitch_scene_options options = double_throw();
-    options.scene.step_budget = options.scene.step_budget * factor / divisor;
-    options.scene.call_budget = options.scene.call_budget * factor / divisor;
+    set_step_operations(&options.scene, step_operations(&options.scene) * factor / divisor);
+    set_call_operations(&options.scene, call_operations(&options.scene) * factor / divisor);
     return tie(t, &options);
 }
 
@@ -122,8 +123,8 @@ static void truncated_substeps_lose_time(void **state)
     static slow t;
     stitch_scene_options options = double_throw();
     options.scene.mode = VBSS_SCENE_MODE_OFFLINE;
-    options.scene.halving_limit = 0;
-    options.scene.iteration_limit = 1;
+    solver_of(&options.scene)->halving_limit = 0;
+    solver_of(&options.scene)->iteration_limit = 1;
     assert_true(tie(&t, &options) > 0);
     expect_same_bits(0.0, t.paused);
     assert_true(t.clamped > 0.02);

@@ -67,7 +67,7 @@ def pull(friction, steps, rows=24):
     rest = [math.dist(a, b) for a, b in zip(points, points[1:])]
     with vb.Context() as context:
         scene = vb.Scene(context, mode="offline", thread_friction=friction, contact_stiffness=5e3,
-                         contact_margin=30e-6, node_capacity=len(points))
+                         solver={"contact_margin": 30e-6}, node_capacity=len(points))
         thread = vb.Thread(context, positions=points, rest_lengths=rest, radius=RADIUS, bending_stiffness=BENDING,
                            axial_stiffness=100.0, gravity=(0, 0, 0), drag=10.0)
         scene.add(thread)

@@ -34,7 +34,7 @@ def main():
     points = overhand()
     rest = [math.dist(a, b) for a, b in zip(points, points[1:])]
     with vb.Context() as context:
-        scene = vb.Scene(context, mode="offline", contact_margin=1e-4)
+        scene = vb.Scene(context, mode="offline", solver={"contact_margin": 1e-4})
         thread = vb.Thread(context, positions=points, rest_lengths=rest, gravity=(0, 0, 0), drag=20.0)
         scene.add(thread)
         detector = vb.KnotDetector(context)

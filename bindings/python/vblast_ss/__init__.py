@@ -17,8 +17,8 @@ from __future__ import annotations
 
 from . import collision, errors, views
 from ._library import lib
-from ._values import baseline_defaults  # noqa: F401
-from .budget import *  # noqa: F401,F403
+from ._values import baseline_defaults, solver_defaults  # noqa: F401
+from .core_speed import *  # noqa: F401,F403
 from .collision import *  # noqa: F401,F403
 from .context import *  # noqa: F401,F403
 from .context import version

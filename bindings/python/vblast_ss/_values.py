@@ -6,6 +6,7 @@ import operator
 from typing import Any, Callable, Iterable, Mapping, Optional, TypeVar
 
 from ._api.baseline import vbss_baseline_config
+from ._api.solver_options import vbss_solver_options
 from ._library import lib
 from .errors import OutOfRangeError, check
 
@@ -171,23 +172,31 @@ def initialised(struct_type: Any, function: Any, settings: Mapping[str, Any], no
     check(function(ctypes.byref(struct), ctypes.sizeof(struct)))
     if prepare is not None:
         prepare(struct)
-    if "baseline" in settings and hasattr(struct, "baseline"):
-        settings = dict(settings)
-        struct.baseline = ctypes.pointer(_baseline(settings.pop("baseline")))
+    settings = dict(settings)
+    for name, (nested_type, initialise, nested_noun) in _NESTED.items():
+        if name in settings and hasattr(struct, name):
+            nested = settings.pop(name)
+            if not isinstance(nested, Mapping):
+                raise TypeError(f"{name} is {type(nested).__name__}, not a mapping")
+            setattr(struct, name, ctypes.pointer(initialised(nested_type, initialise, nested, nested_noun)))
     fill(struct, settings, noun)
     return struct
 
 
-def _baseline(settings: Mapping[str, Any]) -> Any:
-    if not isinstance(settings, Mapping):
-        raise TypeError(f"baseline is {type(settings).__name__}, not a mapping")
-    return initialised(vbss_baseline_config, lib.vbss_baseline_config_init, settings, "the baseline")
+# Keywords that are mappings: structs to which a field of a configuration points.
+_NESTED = {"baseline": (vbss_baseline_config, lib.vbss_baseline_config_init, "the baseline"),
+           "solver": (vbss_solver_options, lib.vbss_solver_options_init, "the solver")}
 
 
 def baseline_defaults() -> dict[str, Any]:
     """The parameters of the method "vblast", with their defaults: what the mapping ``baseline`` of a thread, a drain, a
     grasper, a scene or a collision may set."""
     return defaults(vbss_baseline_config, lib.vbss_baseline_config_init)
+
+
+def solver_defaults() -> dict[str, Any]:
+    """The options of a solver, with their defaults: what the mapping ``solver`` of a scene may set."""
+    return defaults(vbss_solver_options, lib.vbss_solver_options_init)
 
 
 # ---- structs out

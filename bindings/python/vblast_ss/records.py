@@ -217,6 +217,12 @@ def check_log(log: Any, context: Optional[Context] = None) -> LogReport:
                      faults[:found.fault_count])
 
 
+def _settings_of(struct: Any) -> dict[str, Any]:
+    """Keywords that set the fields of a struct as they are."""
+    return {name: value if isinstance(value, (int, float)) else tuple(value)
+            for name in settable(type(struct)) for value in [getattr(struct, name)]}
+
+
 class Replay(Object):
     """Reads a log. begin() brings a scene that was made like the recorded one to where the record began; step()
     does one step of it and compares hashes; run() does all; seek() goes to any step. read() needs no scene."""
@@ -243,8 +249,8 @@ class Replay(Object):
         """Keywords for a Scene like the recorded one."""
         config = initialised(vbss_scene_config, lib.vbss_scene_config_init, {}, "a scene")
         self._call(lib.vbss_replay_get_scene_config, ctypes.byref(config))
-        return {name: value if isinstance(value, (int, float)) else tuple(value)
-                for name in settable(vbss_scene_config) for value in [getattr(config, name)]}
+        return {**_settings_of(config), "baseline": _settings_of(config.baseline.contents),
+                "solver": _settings_of(config.solver.contents)}
 
     def check(self) -> int:
         """Reads the log to its end without a scene; returns the steps in it."""

@@ -227,6 +227,11 @@ class Scene(Configured, Viewed, Saved):
         """Sets the largest speed towards a target, m/s; 0: no limit."""
         self._call(lib.vbss_scene_set_speed_limit, limit)
 
+    def set_budgets(self, step_budget_us: float = 500.0, call_budget_us: float = 420.0,
+                    operations_per_us: float = 500.0) -> None:
+        """Sets the budgets of a step and of a call, us of a core of that speed; 0: no limit."""
+        self._call(lib.vbss_scene_set_budgets, step_budget_us, call_budget_us, operations_per_us)
+
     def set_filter(self, body: int, category: int = 1, mask: int = 0xffffffff) -> None:
         """Sets the contact filter of a body, or of the floor (0): two bodies collide if each has a category that the
         mask of the other contains."""

@@ -9,11 +9,15 @@
  * and serialised. Defined in create.c. */
 extern const vbss_kind vbss_scene_kind;
 
-/* Default configuration and published sizes of vbss_scene_config. Defined in create.c. */
-extern const vbss_layout vbss_scene_config_layout;
+/* ---- solver_options.c */
 
-/* Defaults of step_budget and call_budget. */
-enum { SCENE_DEFAULT_STEP_BUDGET = 250000, SCENE_DEFAULT_CALL_BUDGET = 210000 };
+/* Checks the options at `given`, or takes the defaults if it is NULL, and copies them to *own. */
+vbss_result vbss_solver_options_read(vbss_context *context, const vbss_solver_options *given,
+                                     vbss_solver_options *own);
+
+/* Checks the budgets, us, and the speed of the core, operations per us. */
+vbss_result vbss_solver_options_check_budgets(vbss_context *context, double step_budget_us,
+                                              double call_budget_us, double operations_per_us);
 
 /* ---- reference_scene.c */
 

@@ -4,7 +4,7 @@
  *
  * Quartiles, and no mean, because other programs interrupt some of the steps. The steps of a period
  * take different times, so each has a quartile of its own. */
-#include <vblast_ss/budget.h>
+#include <vblast_ss/core_speed.h>
 
 #include "base/api_call.h"
 #include "base/check.h"
@@ -15,10 +15,10 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_budget_speed) == 32, "published size");
+_Static_assert(sizeof(vbss_core_speed) == 32, "published size");
 
 static const uint32_t speed_sizes[] = {32, 0};
-static const vbss_layout speed_layout = {"vbss_budget_speed", NULL, speed_sizes};
+static const vbss_layout speed_layout = {"vbss_core_speed", NULL, speed_sizes};
 
 /* Timed periods. Chosen: four times as many as must be undisturbed. */
 enum { PERIODS = 12, STEPS = PERIODS * SCENE_REFERENCE_PERIOD };
@@ -31,7 +31,7 @@ enum { PERIODS = 12, STEPS = PERIODS * SCENE_REFERENCE_PERIOD };
 
 typedef struct host_clock {
     vbss_context *context;
-    vbss_budget_clock_fn read_clock;
+    vbss_core_speed_clock_fn read_clock;
     void *user;
     double last; /* the last reading, s */
 } host_clock;
@@ -121,7 +121,7 @@ static vbss_result check_clock(const host_clock *clock, const step_times *t)
                            VBSS_NUMBER(sorted[0]), VBSS_NUMBER(resolution));
 }
 
-static void evaluate(step_times *t, vbss_budget_speed *speed)
+static void evaluate(step_times *t, vbss_core_speed *speed)
 {
     double quartiles = 0.0, medians = 0.0; /* sums over a period, s */
     for (uint32_t i = 0; i < SCENE_REFERENCE_PERIOD; i++) {
@@ -133,11 +133,11 @@ static void evaluate(step_times *t, vbss_budget_speed *speed)
         }
     }
     speed->steps = STEPS;
-    speed->operations_per_microsecond = 1e-6 * (double)t->operations / (PERIODS * quartiles);
+    speed->operations_per_us = 1e-6 * (double)t->operations / (PERIODS * quartiles);
     speed->spread = medians / quartiles;
 }
 
-static vbss_result measure(host_clock *clock, vbss_budget_speed *speed)
+static vbss_result measure(host_clock *clock, vbss_core_speed *speed)
 {
     scene_reference reference;
     step_times times;
@@ -152,8 +152,8 @@ static vbss_result measure(host_clock *clock, vbss_budget_speed *speed)
     return VBSS_OK;
 }
 
-vbss_result vbss_budget_measure_speed(vbss_context *context, vbss_budget_clock_fn clock, void *user,
-                                      vbss_budget_speed *speed, uint32_t struct_size)
+vbss_result vbss_core_speed_measure(vbss_context *context, vbss_core_speed_clock_fn clock,
+                                    void *user, vbss_core_speed *speed, uint32_t struct_size)
 {
     VBSS_ENTER(context);
     VBSS_TRY(vbss_context_open(context));
@@ -162,7 +162,7 @@ vbss_result vbss_budget_measure_speed(vbss_context *context, vbss_budget_clock_f
         return vbss_fail(context, VBSS_ERROR_NULL_ARGUMENT, "clock is NULL");
     }
     VBSS_TRY(vbss_check_pointer(context, speed, "speed"));
-    vbss_budget_speed own = {.struct_size = sizeof own};
+    vbss_core_speed own = {.struct_size = sizeof own};
     host_clock host = {.context = context, .read_clock = clock, .user = user};
     VBSS_TRY(measure(&host, &own));
     return vbss_struct_write(context, &speed_layout, &own, speed, struct_size);

@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_scene_config) == VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u),
+_Static_assert(sizeof(vbss_scene_config) == VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 136u, 2u),
                "published size");
 _Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
 
@@ -34,25 +34,16 @@ static const vbss_scene_config defaults = {
     .floor_friction = 0.3,
     .thread_friction = 0.3,
     .contact_stiffness = 2e5,
-    .contact_margin = 3e-5,
-    .stretch_tolerance = 1e-3,
-    .penetration_tolerance = 0.1,
-    .iteration_limit = 12,
-    .active_set_limit = 36,
-    .halving_limit = 5,
-    .attempt_limit = 3,
-    .step_budget = SCENE_DEFAULT_STEP_BUDGET,
-    .call_budget = SCENE_DEFAULT_CALL_BUDGET,
     .drain_capacity = 1,
     .hole_capacity = 16,
     .speed_limit = SCENE_DEFAULT_SPEED_LIMIT,
 };
-static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 184u, 1u), 0};
-const vbss_layout vbss_scene_config_layout = {"vbss_scene_config", &defaults, config_sizes};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 136u, 2u), 0};
+static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
 {
-    return vbss_config_init(&vbss_scene_config_layout, config, struct_size);
+    return vbss_config_init(&config_layout, config, struct_size);
 }
 
 typedef struct range {
@@ -78,13 +69,6 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
         {"floor_friction", c->floor_friction, 0.0, 10.0},
         {"thread_friction", c->thread_friction, 0.0, 10.0},
         {"contact_stiffness", c->contact_stiffness, 1e3, 1e9},
-        {"contact_margin", c->contact_margin, 0.0, 0.1},
-        {"stretch_tolerance", c->stretch_tolerance, 1e-9, 0.1},
-        {"penetration_tolerance", c->penetration_tolerance, 1e-3, 0.5},
-        {"iteration_limit", c->iteration_limit, 1.0, 100.0},
-        {"active_set_limit", c->active_set_limit, 1.0, 1000.0},
-        {"halving_limit", c->halving_limit, 0.0, 10.0},
-        {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
         {"drain_capacity", c->drain_capacity, 0.0, 16.0},
         {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
         {"hole_capacity", c->hole_capacity, 0.0, 256.0},
@@ -219,10 +203,12 @@ static vbss_result create_object(vbss_context *context, const vbss_scene_config 
 {
     vbss_scene_config own = defaults;
     if (config != NULL) {
-        VBSS_TRY(vbss_config_read(context, &vbss_scene_config_layout, config, &own));
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
     }
     vbss_baseline_config baseline;
     VBSS_TRY(vbss_baseline_read_config(context, &own.baseline, &baseline));
+    vbss_solver_options solver;
+    VBSS_TRY(vbss_solver_options_read(context, own.solver, &solver));
     VBSS_TRY(check_config(context, &own));
     scene_object *s = vbss_allocate(context, 1, sizeof *s, "scene");
     if (s == NULL) {
@@ -233,6 +219,8 @@ static vbss_result create_object(vbss_context *context, const vbss_scene_config 
     s->config = own;
     s->baseline_config = baseline;
     s->config.baseline = &s->baseline_config;
+    s->solver = solver;
+    s->config.solver = &s->solver;
     s->settings = vbss_scene_created_settings(s);
     s->cursor.group_count = 1;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));

@@ -55,12 +55,12 @@ vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info);
  * callback of the context. */
 vbss_result vbss_scene_inspect_for_edit(vbss_scene *scene, scene_info *info);
 
-/* Visits the configuration of a scene and its parameters of the baseline; scene/snapshot/config_fields.c has
- * the versions. */
+/* Visits the configuration of a scene, its parameters of the baseline and its options of the solver;
+ * scene/snapshot/config_fields.c has the versions. */
 void vbss_scene_inspect_visit_config(vbss_stream *stream, vbss_scene_config *config,
-                                     vbss_baseline_config *baseline);
+                                     vbss_baseline_config *baseline, vbss_solver_options *solver);
 /* Name of a field that keeps two scenes from accepting each other's states, or NULL. Both configurations
- * point to their parameters of the baseline. */
+ * point to their parameters of the baseline and options of the solver. */
 const char *vbss_scene_inspect_config_difference(const vbss_scene_config *a,
                                                  const vbss_scene_config *b);
 

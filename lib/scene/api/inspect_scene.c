@@ -37,9 +37,9 @@ vbss_result vbss_scene_inspect(const vbss_scene *scene, scene_info *info)
 }
 
 void vbss_scene_inspect_visit_config(vbss_stream *stream, vbss_scene_config *config,
-                                     vbss_baseline_config *baseline)
+                                     vbss_baseline_config *baseline, vbss_solver_options *solver)
 {
-    vbss_scene_visit_config(stream, config, baseline);
+    vbss_scene_visit_config(stream, config, baseline, solver);
 }
 
 const char *vbss_scene_inspect_config_difference(const vbss_scene_config *a,

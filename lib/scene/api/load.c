@@ -426,7 +426,8 @@ static vbss_result create_scene(vbss_context *context, vbss_stream *stream, vbss
 {
     vbss_scene_config config = vbss_scene_config_default();
     vbss_baseline_config baseline = vbss_baseline_config_default();
-    vbss_scene_visit_config(stream, &config, &baseline);
+    vbss_solver_options solver = vbss_solver_options_default();
+    vbss_scene_visit_config(stream, &config, &baseline, &solver);
     const vbss_result read = stream->result;
     if (read != VBSS_OK) {
         (void)vbss_fail(context, read, "scene load: %s (description, byte %llu)", stream->problem,

@@ -25,7 +25,7 @@ static double depth_of(const scene_object *s, double distance, double radius_a, 
 {
     const double depth = radius_a + radius_b - distance;
     const double thinner = 2.0 * vbss_min(radius_a, radius_b);
-    return depth > s->config.penetration_tolerance * thinner ? depth : 0.0;
+    return depth > s->solver.penetration_tolerance * thinner ? depth : 0.0;
 }
 
 static bool is_near(const scene_segment *g, vec3 point, double distance)
@@ -175,7 +175,7 @@ static double floor_depth(const scene_object *s, const scene_outline *o)
         for (int k = 0; k < 2; k++) {
             const double height = vec3_dot(s->floor_normal, g.ends[k]) - s->config.floor_height;
             const double depth = g.radius - height;
-            const bool is_deep = depth > s->config.penetration_tolerance * 2.0 * g.radius;
+            const bool is_deep = depth > s->solver.penetration_tolerance * 2.0 * g.radius;
             deepest = is_deep ? vbss_max(deepest, depth) : deepest;
         }
     }

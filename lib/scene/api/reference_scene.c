@@ -21,11 +21,13 @@ enum { THREAD_SEGMENTS = 100, DESCENT_STEPS = 8, DAMPED_STEPS = 8 };
 
 static vbss_result create_scene(vbss_context *context, scene_reference *r)
 {
+    vbss_solver_options solver = vbss_solver_options_default();
     vbss_scene_config c;
     VBSS_TRY(vbss_scene_config_init(&c, sizeof c));
     c.thread_capacity = c.rigid_capacity = c.capsule_capacity = 1;
     c.node_capacity = 512;
-    c.call_budget = 0;
+    solver.call_budget_us = 0.0;
+    c.solver = &solver;
     c.floor = 1;
     c.floor_height = FLOOR;
     return vbss_scene_create(context, &c, &r->scene);

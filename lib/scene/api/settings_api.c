@@ -1,4 +1,4 @@
-/* Changes of a running scene: friction, gravity, couplings, limits and contact filters. */
+/* Changes of a running scene: friction, gravity, couplings, limits, budgets and contact filters. */
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
@@ -200,6 +200,30 @@ vbss_result vbss_scene_set_speed_limit(vbss_scene *scene, double limit)
     setting wanted = {.input = {.words = {VBSS_EDIT_SETTING_SPEED_LIMIT}, .numbers = {limit}},
                       .check = check_method,
                       .apply = apply_speed_limit};
+    return set(scene, &wanted);
+}
+
+/* ---- budgets */
+
+static void apply_budgets(scene_object *s, const setting *wanted)
+{
+    const double *n = wanted->input.numbers;
+    s->settings.step_budget = (uint32_t)vbss_scene_count_operations(n[0], n[2]);
+    s->settings.call_budget = (uint32_t)vbss_scene_count_operations(n[1], n[2]);
+}
+
+vbss_result vbss_scene_set_budgets(vbss_scene *scene, double step_budget_us, double call_budget_us,
+                                   double operations_per_us)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_solver_options_check_budgets(s->context, step_budget_us, call_budget_us,
+                                               operations_per_us));
+    setting wanted = {.input = {.words = {VBSS_EDIT_SETTING_BUDGETS},
+                                .numbers = {step_budget_us, call_budget_us, operations_per_us}},
+                      .check = check_method,
+                      .apply = apply_budgets};
     return set(scene, &wanted);
 }
 

@@ -40,7 +40,7 @@ static inline double scene_ccd_min_contact_distance(const scene_object *s,
                                                     const collision_candidate *q)
 {
     return scene_ccd_contact_distance(s, q) -
-           s->config.penetration_tolerance * scene_ccd_thickness(s, q);
+           s->solver.penetration_tolerance * scene_ccd_thickness(s, q);
 }
 
 /* A pair of features, restricted to an interval of both (NULL: whole features), from a fraction of

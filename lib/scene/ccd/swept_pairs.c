@@ -35,7 +35,7 @@ static vertex_motion vertex_motion_of(scene_object *s, const scene_body *b)
  * them meets only features of listed pairs. */
 static bool is_inside_motion_bounds(const scene_object *s, const vertex_motion *m)
 {
-    const double margin = SCENE_CCD_MARGIN_RATIO * s->config.contact_margin;
+    const double margin = SCENE_CCD_MARGIN_RATIO * s->solver.contact_margin;
     for (uint32_t i = 0; i < m->count; i++) {
         vec3 expected = vec3_scale(m->expected[i], SCENE_EXTRAPOLATION_RATIO),
              displacement = vec3_sub(m->end[i], m->start[i]);

@@ -41,7 +41,7 @@ static double time_of_impact(scene_object *s, const ccd_query *query, contact_sc
     double coordinates[3], contact_distance = scene_ccd_contact_distance(s, query->candidate),
                            distance = vbss_scene_distance_at_start(s, query, coordinates);
     double ccd_distance = SCENE_CCD_DISTANCE_RATIO * scales.at_start * contact_distance;
-    if (distance >= contact_distance + s->config.contact_margin) {
+    if (distance >= contact_distance + s->solver.contact_margin) {
         double reduction = (1.0 - scales.during_motion) * contact_distance;
         return time_of_approach(
             s, query,
@@ -169,7 +169,7 @@ static bool stays_beyond_ccd_distance(scene_object *s, const ccd_query *query)
     const double ccd_distance = SCENE_CCD_DISTANCE_RATIO * contact_distance *
                                 (1.0 + 2.0 * s->collision->ccd_options.tolerance);
     vbss_collision_store_separation(s->collision, query->candidate, distance);
-    return distance < contact_distance + s->config.contact_margin &&
+    return distance < contact_distance + s->solver.contact_margin &&
            vbss_collision_stays_separated(s->collision, query->candidate, ccd_distance) &&
            !is_of_needle_and_wall(s, query->candidate);
 }
@@ -189,7 +189,7 @@ double vbss_scene_refine_time_of_impact(scene_object *s, const collision_candida
     if (scale <= 0.0) {
         return 1.0;
     }
-    double listed_distance = scene_ccd_contact_distance(s, q) + s->config.contact_margin;
+    double listed_distance = scene_ccd_contact_distance(s, q) + s->solver.contact_margin;
     return scale >= 1.0 && vbss_scene_distance_at_start(s, &query, coordinates) >= listed_distance
                ? time
                : time_of_impact(s, &query, (contact_scales){scale, scale, false});

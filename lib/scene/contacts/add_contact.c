@@ -80,7 +80,7 @@ static bool compute_geometry(const scene_object *s, contact_constraint *constrai
                              const scene_contact_pair *m)
 {
     uint32_t kind = constraint->key.kind;
-    double margin = s->config.contact_margin, reach = largest_relative_motion(m);
+    double margin = s->solver.contact_margin, reach = largest_relative_motion(m);
     bool near = vbss_scene_run_narrow_phase(s, constraint, m->a, m->b, reach + margin);
     bool is_directional =
         kind == VBSS_SCENE_CONTACT_SEGMENTS ||
@@ -171,7 +171,7 @@ bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const
     /* Only a downward motion can reach the floor. */
     double down = vbss_min(vec3_dot(displacement, s->floor_normal), 0.0);
     double gap = vec3_dot(s->floor_normal, x) - s->config.floor_height - radius;
-    if (gap - s->config.contact_margin >
+    if (gap - s->solver.contact_margin >
         -SCENE_FLOOR_REACH_RATIO * SCENE_EXTRAPOLATION_RATIO * down) {
         return true;
     }

@@ -80,7 +80,7 @@ static bool add_thread_contacts(scene_object *s, const collision_candidate *q,
     double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
     double contact_distance = radius + t->config.radius;
     bool fine = is_fine(t, m->segment, radius); /* a smoothed node may be nearer than the segment */
-    if (!fine && scene_is_known_apart(s, q, s->config.contact_margin)) {
+    if (!fine && scene_is_known_apart(s, q, s->solver.contact_margin)) {
         return true;
     }
     if (vbss_scene_is_excluded_at_pin(s, m->thread, m->segment, m->rigid, m->capsule,
@@ -119,7 +119,7 @@ static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
     if (a->kind == b->kind || a->kind == SCENE_BODY_DRAIN || b->kind == SCENE_BODY_DRAIN) {
-        if (scene_is_known_apart(s, q, s->config.contact_margin)) {
+        if (scene_is_known_apart(s, q, s->solver.contact_margin)) {
             return true;
         }
     }

@@ -101,7 +101,7 @@ static double deferred_overlap(const scene_object *s, const contact_constraint *
     bool is_rigid = constraint->key.kind == VBSS_SCENE_CONTACT_CAPSULES ||
                     constraint->key.kind == VBSS_SCENE_CONTACT_CAPSULE_FLOOR;
     double removable = SCENE_RECOVERY_RATE * geometry->contact_distance * h;
-    bool is_fault = is_rigid && overlap > s->config.penetration_tolerance * constraint->thickness &&
+    bool is_fault = is_rigid && overlap > s->solver.penetration_tolerance * constraint->thickness &&
                     overlap > explained + removable;
     return is_fault ? overlap - vbss_max(explained, removable) : 0.0;
 }

@@ -214,7 +214,7 @@ void vbss_scene_describe(vbss_stream *stream, void *object)
     const thread_piece_pool *family = NULL;
     scene_table_description table = {s->body_count, s->collision->shape_count, count_records(s)};
     vbss_section outer = vbss_stream_open(stream, SCENE_DESCRIPTION, SCENE_DESCRIPTION_VERSION);
-    vbss_scene_visit_config(stream, &s->config, &s->baseline_config);
+    vbss_scene_visit_config(stream, &s->config, &s->baseline_config, &s->solver);
     vbss_scene_visit_table(stream, &table);
     for (uint32_t shape = 0; shape < table.shape_count; shape++) {
         const uint32_t entry = s->body_of_shape[shape];

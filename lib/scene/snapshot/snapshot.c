@@ -13,15 +13,19 @@
 static void visit_config(vbss_stream *stream, const scene_object *s)
 {
     const vbss_scene_config *c = &s->config;
-    const double numbers[] = {
-        c->floor_normal[0],       c->floor_normal[1],          c->floor_normal[2],
-        c->floor_height,          c->floor_friction,           c->thread_friction,
-        c->contact_stiffness,     c->contact_margin,           c->stretch_tolerance,
-        c->penetration_tolerance, c->baseline->scene_thickness};
-    const uint32_t choices[] = {
-        (uint32_t)c->method, (uint32_t)c->mode, (uint32_t)c->floor, c->iteration_limit,
-        c->active_set_limit, c->halving_limit,  c->attempt_limit,   c->baseline->scene_pass_limit,
-        c->pin_capacity};
+    const vbss_solver_options *solver = &s->solver;
+    const scene_settings created = vbss_scene_created_settings(s);
+    const double numbers[] = {c->floor_normal[0],          c->floor_normal[1],
+                              c->floor_normal[2],          c->floor_height,
+                              c->floor_friction,           c->thread_friction,
+                              c->contact_stiffness,        solver->contact_margin,
+                              solver->stretch_tolerance,   solver->penetration_tolerance,
+                              c->baseline->scene_thickness};
+    const uint32_t choices[] = {(uint32_t)c->method,      (uint32_t)c->mode,
+                                (uint32_t)c->floor,       solver->iteration_limit,
+                                solver->active_set_limit, solver->halving_limit,
+                                solver->attempt_limit,    c->baseline->scene_pass_limit,
+                                c->pin_capacity};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
@@ -32,13 +36,13 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
         vbss_stream_expect(stream, 4, c->grasp_capacity);
     }
     if (stream->version >= 3) {
-        vbss_stream_expect(stream, 5, c->step_budget);
+        vbss_stream_expect(stream, 5, created.step_budget);
     }
     if (stream->version >= 4) {
         vbss_stream_expect(stream, 6, c->hole_capacity);
     }
     if (stream->version >= 6) {
-        vbss_stream_expect(stream, 7, c->call_budget);
+        vbss_stream_expect(stream, 7, created.call_budget);
     }
 }
 

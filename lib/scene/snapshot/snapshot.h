@@ -8,10 +8,11 @@
 
 /* ---- config_fields.c */
 
-/* Visits a configuration and its parameters of the baseline, to which it points afterwards. Reading one
- * of an older version sets the missing fields to what scenes of that version had. */
+/* Visits a configuration, its parameters of the baseline and its options of the solver, to which it
+ * points afterwards. Reading one of an older version sets the missing fields to what scenes of that
+ * version had. */
 void vbss_scene_visit_config(vbss_stream *stream, vbss_scene_config *config,
-                             vbss_baseline_config *baseline);
+                             vbss_baseline_config *baseline, vbss_solver_options *solver);
 
 /* Name of the first field that must be equal in scenes that accept each other's states, and is not;
  * NULL: there is none. */
@@ -36,6 +37,12 @@ bool vbss_scene_has_settings(const scene_object *s);
 /* Visits what a host has set at run time. Without settings, reading sets the values with which the
  * scene and its bodies were created. */
 void vbss_scene_visit_settings(vbss_stream *stream, scene_object *s, bool has_settings);
+
+/* Whether a host has set other budgets at run time than the scene was created with. */
+bool vbss_scene_has_budgets(const scene_object *s);
+
+/* Visits the budgets, operations. Without them, reading sets those with which the scene was created. */
+void vbss_scene_visit_budgets(vbss_stream *stream, scene_object *s, bool has_budgets);
 
 /* ---- snapshot_pieces.c */
 

@@ -138,6 +138,25 @@ static void visit_body(vbss_stream *stream, scene_body *b)
     }
 }
 
+bool vbss_scene_has_budgets(const scene_object *s)
+{
+    const scene_settings created = vbss_scene_created_settings(s);
+    return s->settings.step_budget != created.step_budget ||
+           s->settings.call_budget != created.call_budget;
+}
+
+void vbss_scene_visit_budgets(vbss_stream *stream, scene_object *s, bool has_budgets)
+{
+    if (has_budgets) {
+        vbss_stream_u32(stream, 206, &s->settings.step_budget, 1);
+        vbss_stream_u32(stream, 206, &s->settings.call_budget, 1);
+    } else if (stream->mode == VBSS_STREAM_READ) {
+        const scene_settings created = vbss_scene_created_settings(s);
+        s->settings.step_budget = created.step_budget;
+        s->settings.call_budget = created.call_budget;
+    }
+}
+
 void vbss_scene_visit_settings(vbss_stream *stream, scene_object *s, bool has_settings)
 {
     if (stream->mode == VBSS_STREAM_READ) {

@@ -21,7 +21,8 @@ enum {
     HAS_OWN_BUDGETS = 1 << 9, /* groups whose operations count from their start */
     WAS_OVERDUE = 1 << 10,
     IS_FREE_GROUP = 1 << 11,
-    HAS_SETTINGS = 1 << 12 /* something that a host has set at run time */
+    HAS_SETTINGS = 1 << 12, /* something that a host has set at run time */
+    HAS_BUDGETS = 1 << 13   /* budgets that a host has set at run time */
 };
 
 static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
@@ -228,7 +229,8 @@ static uint32_t parts_of(const scene_object *s)
            (cursor->was_overdue ? WAS_OVERDUE : 0) |
            (cursor->is_suspended && cursor->is_free_group ? IS_FREE_GROUP : 0) |
            (s->report.statistics.overdue > 0 ? HAS_OVERDUE : 0) |
-           (vbss_scene_has_settings(s) ? HAS_SETTINGS : 0);
+           (vbss_scene_has_settings(s) ? HAS_SETTINGS : 0) |
+           (vbss_scene_has_budgets(s) ? HAS_BUDGETS : 0);
 }
 
 static uint32_t suspensions_of(uint32_t parts)
@@ -241,7 +243,7 @@ static bool is_valid_state(const scene_object *s, const uint32_t words[3])
     const uint32_t parts = words[0], is_suspended = parts & IS_SUSPENDED;
     const uint32_t of_suspended = HAS_GROUPS | IS_EDITED | IS_FREE_GROUP | 3 * SUSPENDED_AGAIN;
     bool is_implicit = s->contacts != NULL; /* the baseline method never suspends a step */
-    return parts < 2 * HAS_SETTINGS &&
+    return parts < 2 * HAS_BUDGETS &&
            ((parts & HAS_OWN_BUDGETS) == 0 || (parts & HAS_GROUPS) != 0) &&
            ((parts & of_suspended) == 0 || is_suspended) &&
            suspensions_of(parts) <= SCENE_MAX_SUSPENSIONS && words[1] + is_suspended <= 2 &&
@@ -350,6 +352,7 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     visit_speed_limit(stream, s, (words[0] & HAS_LIMIT) != 0);
     visit_overdue(stream, &s->report.statistics, (words[0] & HAS_OVERDUE) != 0);
     vbss_scene_visit_settings(stream, s, (words[0] & HAS_SETTINGS) != 0);
+    vbss_scene_visit_budgets(stream, s, (words[0] & HAS_BUDGETS) != 0);
     if (reads) {
         vbss_scene_set_substep_limits(s);
         s->report.keeps_logged_events = false;

@@ -109,7 +109,7 @@ static scene_substep_outcome solve_active_set(scene_object *s)
         .system = s->system,
         .welds = s->step.welds,
         .weld_count = s->step.weld_count,
-        .max_solves = s->config.active_set_limit,
+        .max_solves = s->solver.active_set_limit,
         .relative_force_tolerance = SCENE_FORCE_TOLERANCE_RATIO,
         .absolute_force_tolerance = SCENE_FORCE_TOLERANCE,
         .overlap_tolerance = SCENE_OVERLAP_TOLERANCE,
@@ -216,7 +216,7 @@ static void advance_trial(scene_object *s)
         /* The residual displacement assumes that a node is free to move, so it says nothing about a
          * thread in contact. */
         bool is_balanced = has_contacts || residual_displacement <= t->config.position_tolerance;
-        double tolerance = has_contacts ? s->config.stretch_tolerance : t->config.stretch_tolerance;
+        double tolerance = has_contacts ? s->solver.stretch_tolerance : t->config.stretch_tolerance;
         newton->is_finite = newton->is_finite && stretch < DIVERGENCE_LIMIT;
         newton->is_converged = newton->is_converged && is_balanced && stretch <= tolerance;
         newton->stretch = vbss_max_or_nan(stretch, newton->stretch);
@@ -285,7 +285,7 @@ static bool is_correction_acceptable(scene_object *s)
             const scene_thread *a = &s->bodies[i].thread;
             double missed =
                 vbss_thread_linearisation_error(a->thread, s->system->solution + a->first_block);
-            all = all && missed <= s->config.stretch_tolerance;
+            all = all && missed <= s->solver.stretch_tolerance;
         }
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
             double correction = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
@@ -454,7 +454,7 @@ static void reset_newton(scene_newton_state *newton)
 static bool needs_iteration(const scene_object *s)
 {
     const scene_newton_state *newton = &s->step.newton;
-    bool has_time = newton->linearisations < s->config.iteration_limit &&
+    bool has_time = newton->linearisations < s->solver.iteration_limit &&
                     newton->over_budget_linearisations < SCENE_OVER_BUDGET_LINEARISATIONS;
     return newton->phase != SCENE_NEWTON_LINEARISE || (has_time && !newton->is_converged);
 }
@@ -473,7 +473,7 @@ static scene_substep_outcome run_newton(scene_object *s, const scene_substep *su
     if (!vbss_scene_passes_energy_check(s, substep)) {
         return SCENE_SUBSTEP_NO_ACTIVE_SET;
     }
-    bool is_converged = newton->is_converged || newton->stretch <= s->config.stretch_tolerance;
+    bool is_converged = newton->is_converged || newton->stretch <= s->solver.stretch_tolerance;
     return is_converged ? SCENE_SUBSTEP_ACCEPTED : SCENE_SUBSTEP_NOT_CONVERGED;
 }
 
@@ -496,7 +496,7 @@ static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
         }
         if (newton->normal_updates ==
                 (substep->has_fixed_normals ? 0u : (uint32_t)SCENE_MAX_NORMAL_UPDATES) ||
-            vbss_scene_is_over_budget(s) || newton->linearisations >= s->config.iteration_limit) {
+            vbss_scene_is_over_budget(s) || newton->linearisations >= s->solver.iteration_limit) {
             /* The next substep counts as recovering and removes the penetration that slip
              * has left. */
             s->step.has_updated_normals = !substep->has_fixed_normals;

@@ -18,7 +18,7 @@ static void set_allowed_penetrations(scene_object *s)
             continue;
         }
         double start_gap = scene_geometry_of(s, constraint)->start_gap;
-        double allowed_penetration = s->config.penetration_tolerance * constraint->thickness;
+        double allowed_penetration = s->solver.penetration_tolerance * constraint->thickness;
         constraint->allowed_penetration = vbss_max(
             allowed_penetration, SCENE_ALLOWED_DEEPENING * allowed_penetration - start_gap);
         s->step.is_recovering = s->step.is_recovering ||

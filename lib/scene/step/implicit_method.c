@@ -21,7 +21,7 @@ static void destroy_state(scene_object *s)
 
 static void configure_collision(const scene_object *s, vbss_collision_config *config)
 {
-    config->margin = s->config.contact_margin;
+    config->margin = s->solver.contact_margin;
 }
 
 static vbss_result prepare_drain(scene_object *s, const drain_object *added, uint32_t shape)

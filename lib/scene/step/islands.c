@@ -72,7 +72,7 @@ static void connect_pairs(scene_object *s)
     const collision_object *c = s->collision;
     for (uint32_t i = 0; i < c->candidate_count; i++) {
         const collision_candidate *q = &c->candidates[i];
-        if (!scene_stays_apart(s, q, s->config.contact_margin)) {
+        if (!scene_stays_apart(s, q, s->solver.contact_margin)) {
             connect(s, &s->bodies[s->body_of_shape[q->shape_a]],
                     &s->bodies[s->body_of_shape[q->shape_b]]);
         }
@@ -135,7 +135,7 @@ static scene_touching_pair find_worst_body(const scene_object *s)
         const scene_body *b = &s->bodies[i];
         double error = 0.0;
         if (scene_active_kind(b) == SCENE_BODY_THREAD) {
-            error = b->thread.thread->statistics.last_stretch_error / s->config.stretch_tolerance;
+            error = b->thread.thread->statistics.last_stretch_error / s->solver.stretch_tolerance;
         } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {
             error = b->drain.max_increment / b->drain.drain->config.move_limit;
         }

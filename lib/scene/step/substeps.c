@@ -16,7 +16,7 @@
 static double find_min_size(const scene_object *s)
 {
     double size = 1.0;
-    for (uint32_t k = 0; k < s->config.halving_limit; k++) {
+    for (uint32_t k = 0; k < s->solver.halving_limit; k++) {
         size *= 0.5;
     }
     return size;
@@ -39,7 +39,7 @@ static void set_step_budget(scene_object *s, const scene_substep *substep, bool 
         substep->has_search_budget ? s->contacts->counters.operations : s->cursor.operations_before;
     bool is_limited =
         vbss_scene_has_step_budget(s) && (substep->has_search_budget || !is_hard_min_size);
-    s->step.budget = is_limited ? operations_before + s->config.step_budget : 0;
+    s->step.budget = is_limited ? operations_before + s->settings.step_budget : 0;
 }
 
 /* ---- substeps */
@@ -59,7 +59,7 @@ static void record_errors(scene_object *s)
     s->report.statistics.stretch_error = vbss_max(stretch, s->report.statistics.stretch_error);
     s->report.statistics.last_penetration = depth;
     s->report.statistics.penetration = vbss_max(depth, s->report.statistics.penetration);
-    s->report.statistics.loose_stretch += stretch > s->config.stretch_tolerance;
+    s->report.statistics.loose_stretch += stretch > s->solver.stretch_tolerance;
     s->report.statistics.last_residual = s->contacts->residual;
 }
 
@@ -76,9 +76,9 @@ static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cu
 static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome)
 {
     bool has_attempt_limit =
-        s->config.mode == VBSS_SCENE_MODE_REAL_TIME && s->config.step_budget == 0;
+        s->config.mode == VBSS_SCENE_MODE_REAL_TIME && s->settings.step_budget == 0;
     bool is_over_limit = has_attempt_limit && outcome != SCENE_SUBSTEP_OUT_OF_CAPACITY &&
-                         cursor->attempts >= s->config.attempt_limit;
+                         cursor->attempts >= s->solver.attempt_limit;
     bool is_min_size = cursor->size <= cursor->min_size;
     if (outcome == SCENE_SUBSTEP_CCD_HIT && !cursor->substep.uses_trial_motion && !is_over_limit) {
         cursor->substep.uses_trial_motion = true;

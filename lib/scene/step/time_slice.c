@@ -185,10 +185,10 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
     if (ends_suspended) {
         VBSS_TRY(vbss_scene_abandon_suspended_step(s));
     }
-    const bool can_slice = vbss_scene_has_step_budget(s) && s->config.call_budget > 0;
+    const bool can_slice = vbss_scene_has_step_budget(s) && s->settings.call_budget > 0;
     const bool is_sliced = can_slice && cursor->unsliced_steps_left == 0;
     s->contacts->call_budget.has_progress = false;
-    cursor->operations_left = s->config.call_budget;
+    cursor->operations_left = s->settings.call_budget;
     cursor->steps_behind++;
     vbss_result result = run_slice_or_rollback(s, h, is_sliced);
     if (result != VBSS_OK && !ends_suspended) {

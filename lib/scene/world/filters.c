@@ -12,6 +12,10 @@ scene_settings vbss_scene_created_settings(const scene_object *s)
     return (scene_settings){.floor_friction = s->config.floor_friction,
                             .thread_friction = s->config.thread_friction,
                             .speed_limit = s->config.speed_limit,
+                            .step_budget = (uint32_t)vbss_scene_count_operations(
+                                s->solver.step_budget_us, s->solver.operations_per_us),
+                            .call_budget = (uint32_t)vbss_scene_count_operations(
+                                s->solver.call_budget_us, s->solver.operations_per_us),
                             .floor_filter = vbss_scene_default_filter()};
 }
 

@@ -194,6 +194,7 @@ typedef struct scene_filter {
 /* Values of the configuration that hosts change at run time. Persistent. */
 typedef struct scene_settings {
     double floor_friction, thread_friction, speed_limit;
+    uint32_t step_budget, call_budget; /* operations; 0: no limit */
     scene_filter floor_filter;
 } scene_settings;
 
@@ -529,6 +530,7 @@ struct scene_object {
     vbss_edit_hook hook;      /* hears of all edits of the scene and its bodies */
     vbss_scene_config config; /* as the scene was created; `settings` has values that changed */
     vbss_baseline_config baseline_config; /* what config.baseline points to */
+    vbss_solver_options solver;           /* what config.solver points to */
     scene_settings settings;
     vec3 floor_normal; /* unit */
 

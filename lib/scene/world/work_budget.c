@@ -2,6 +2,11 @@
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 
+double vbss_scene_count_operations(double budget_us, double operations_per_us)
+{
+    return floor(budget_us * operations_per_us + 0.5);
+}
+
 uint32_t vbss_scene_attempt_cost(const scene_object *s)
 {
     return SCENE_CANDIDATE_COST * s->collision->candidate_count +
@@ -25,7 +30,7 @@ static bool is_first_step(const scene_object *s)
 
 static bool has_limits(const scene_object *s)
 {
-    return s->config.mode == VBSS_SCENE_MODE_REAL_TIME && s->config.step_budget > 0;
+    return s->config.mode == VBSS_SCENE_MODE_REAL_TIME && s->settings.step_budget > 0;
 }
 
 bool vbss_scene_has_step_budget(const scene_object *s)
@@ -36,6 +41,6 @@ bool vbss_scene_has_step_budget(const scene_object *s)
 bool vbss_scene_is_beyond_step_limits(const scene_object *s, uint64_t operations, uint32_t attempts)
 {
     const uint64_t limits = is_first_step(s) ? SCENE_FIRST_STEP_LIMITS : 1;
-    return has_limits(s) && (operations >= limits * s->config.step_budget ||
-                             attempts >= limits * s->config.attempt_limit);
+    return has_limits(s) && (operations >= limits * s->settings.step_budget ||
+                             attempts >= limits * s->solver.attempt_limit);
 }

@@ -311,6 +311,10 @@ void vbss_scene_end_blockers(scene_object *s);
 
 /* ---- work_budget.c */
 
+/* Operations of a budget, us, on a core that does `operations_per_us`: the nearest integer, a number of 32
+ * bits if both are valid (api/solver_options.c). */
+double vbss_scene_count_operations(double budget_us, double operations_per_us);
+
 /* Estimates the operations of an attempt before its first linearisation, from the candidates of the
  * last attempt. */
 uint32_t vbss_scene_attempt_cost(const scene_object *s);

@@ -1,5 +1,6 @@
 /* Random scenes and bodies. They are small, in nodes and in capacities, so that many can be tried. */
 #include "fixtures/pad.h"
+#include "fixtures/solver_of.h"
 #include "fuzz/scenes/fuzzed_scene.h"
 
 #include <math.h>
@@ -351,12 +352,13 @@ static void choose_limits(fuzz_scene *f, vbss_scene_config *config)
 {
     config->mode = fuzz_chance(f, 0.6) ? VBSS_SCENE_MODE_REAL_TIME : VBSS_SCENE_MODE_OFFLINE;
     config->method = fuzz_chance(f, 0.1) ? VBSS_METHOD_VBLAST : VBSS_METHOD_IMPLICIT;
-    config->step_budget = FUZZ_PICK(f, 250000, 250000, 250000, 50000, 10000, 2000, 0);
-    config->call_budget = FUZZ_PICK(f, 210000, 210000, 50000, 20000, 5000, 1000, 0);
-    config->attempt_limit = 1 + fuzz_below(f, 5);
-    config->halving_limit = fuzz_below(f, 6);
-    config->contact_margin = FUZZ_PICK(f, 0, 1, 1, 1, 10) * 3e-5;
-    config->penetration_tolerance = fuzz_chance(f, 0.1) ? 1e-3 : 0.1;
+    set_step_operations(config, FUZZ_PICK(f, 250000, 250000, 250000, 50000, 10000, 2000, 0));
+    set_call_operations(config, FUZZ_PICK(f, 210000, 210000, 50000, 20000, 5000, 1000, 0));
+    vbss_solver_options *solver = solver_of(config);
+    solver->attempt_limit = 1 + fuzz_below(f, 5);
+    solver->halving_limit = fuzz_below(f, 6);
+    solver->contact_margin = FUZZ_PICK(f, 0, 1, 1, 1, 10) * 3e-5;
+    solver->penetration_tolerance = fuzz_chance(f, 0.1) ? 1e-3 : 0.1;
 }
 
 static void choose_capacities(fuzz_scene *f, vbss_scene_config *config, bool has_drain)

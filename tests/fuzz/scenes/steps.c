@@ -1,4 +1,5 @@
 /* Steps, queries, and the life of a fuzzed scene. */
+#include "fixtures/solver_of.h"
 #include "fuzz/scenes/fuzzed_scene.h"
 
 #include <stdlib.h>
@@ -165,9 +166,10 @@ static void print_config(const fuzz_scene *f)
     printf("  %s, method %d, step_budget %u, call_budget %u, attempt_limit %u, halving_limit %u, "
            "contacts %u, "
            "candidates %u, drains %u, floor %d, h %g s\n",
-           c->mode == VBSS_SCENE_MODE_OFFLINE ? "offline" : "real time", c->method, c->step_budget,
-           c->call_budget, c->attempt_limit, c->halving_limit, c->contact_capacity,
-           c->candidate_capacity, c->drain_capacity, c->floor, f->h);
+           c->mode == VBSS_SCENE_MODE_OFFLINE ? "offline" : "real time", c->method,
+           step_operations(c), call_operations(c), solver_values(c).attempt_limit,
+           solver_values(c).halving_limit, c->contact_capacity, c->candidate_capacity,
+           c->drain_capacity, c->floor, f->h);
     for (uint32_t i = 1; i <= f->last_number; i++) {
         static const char *const names[] = {"none",   "thread",  "drain",
                                             "needle", "grasper", "rigid"};

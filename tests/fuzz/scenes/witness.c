@@ -2,6 +2,7 @@
  *
  * The witness falls freely, far above all other bodies, which move within a few metres of the origin. It has no
  * candidates, so nothing may hold it back: at most one step offline, and three calls in real time. */
+#include "fixtures/solver_of.h"
 #include "fuzz/scenes/fuzzed_scene.h"
 
 #define HEIGHT 10.0
@@ -129,7 +130,7 @@ static void check_witness(fuzz_scene *f, bool is_clear)
     if (w->stationary_steps > limit) {
         fuzz_fail(f, FUZZ_CHECK_IS_STALLED, "%s, for %u steps, step_budget %u, call_budget %u",
                   f->config.mode == VBSS_SCENE_MODE_OFFLINE ? "offline" : "real time",
-                  w->stationary_steps, f->config.step_budget, f->config.call_budget);
+                  w->stationary_steps, step_operations(&f->config), call_operations(&f->config));
     }
 }
 

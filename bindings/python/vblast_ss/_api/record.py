@@ -73,6 +73,8 @@ class SceneSetting(IntEnum):
     (3)."""
     POSE = 9
     """vbss_scene_set_rigid_pose. Words: 1 if turned. Numbers: position (3), orientation (4)."""
+    BUDGETS = 10
+    """vbss_scene_set_budgets. Numbers: step budget, call budget, operations per us."""
 
 
 class RecordEventKind(IntEnum):

@@ -11,6 +11,7 @@ from .baseline import vbss_baseline_config
 from .drain import vbss_drain
 from .grasper import vbss_grasper
 from .needle import vbss_needle
+from .solver_options import vbss_solver_options
 from .thread import vbss_thread
 
 
@@ -18,13 +19,13 @@ class SceneMode(IntEnum):
     """The constants of vbss_scene_mode."""
     REAL_TIME = 0
     """The work and the attempts of a step are limited, and the work of a call, so that it ends in
-    time: see `step_budget` and `call_budget`. Work left over is deferred to the next call. Time
-    that would be deferred too long is left out and counted in `paused`. As a result tight knots
-    of many throws slip a little early."""
+    time: see `step_budget_us` and `call_budget_us` of vbss_solver_options. Work left over is
+    deferred to the next call. Time that would be deferred too long is left out and counted in
+    `paused`. As a result tight knots of many throws slip a little early."""
     OFFLINE = 1
-    """A step takes all the work that it needs. It is halved as often as halving_limit allows, and
-    only then truncated, which is counted in `clamped`. After eight truncated parts the rest of
-    the step is left out, for the bodies of these parts alone, and counted in `paused`. For
+    """A step takes all the work that it needs. It is halved as often as `halving_limit` allows,
+    and only then truncated, which is counted in `clamped`. After eight truncated parts the rest
+    of the step is left out, for the bodies of these parts alone, and counted in `paused`. For
     experiments."""
 
 
@@ -158,64 +159,14 @@ class vbss_scene_config(ctypes.Structure):
     contact_stiffness: Normal and tangential stiffness of a contact, N/m, 1e3 to 1e9; default
     2e5: 5 um at 1 N.
 
-    contact_margin: Distance for the contact search, beyond the contact distance and the
-    possible approach in the step, m, 0 to 0.1; default 3e-5. A larger margin costs time; a
-    smaller one costs retries.
-
-    stretch_tolerance: Largest stretch error that a step may leave, 1e-9 to 1e-1; default 1e-3.
-
-    penetration_tolerance: Largest penetration that a step may leave, as a share of the diameter
-    of the thinner body, 1e-3 to 0.5; default 0.1. From a state with more penetration a step is
-    accepted if it reduces it.
-
-    iteration_limit: Largest number of linearisations of an attempt, 1 to 100; default 12.
-
-    active_set_limit: Largest number of solves for the contact states in a linearisation, 1 to
-    1000; default 36.
-
-    halving_limit: How often a step may be halved, 0 to 10; default 5.
-
-    attempt_limit: REAL_TIME: number of attempts in a step after which the rest of the step is
-    left out, 1 to 1000; default 3. Without a step_budget each remaining part is tried once, and
-    truncated if necessary; after eight truncated parts the rest is left out.
-
     grasp_capacity: Largest number of grasped places of threads at a time, 0 to 256; default 8.
     Places that jaws have released but not cleared count too, and so do the two ends at each cut
     of blades. Without capacity the jaws stay open.
-
-    step_budget: REAL_TIME, method IMPLICIT: operations of a step after which the search for
-    contact states stops; 0: no limit; default 250000. An operation costs about as much as a
-    product of two 3x3 blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md).
-    At the limit the step uses the contact forces found so far. They balance, but miss the
-    contact law by up to vbss_scene_statistics::last_residual. Lengths still converge, with a
-    few solves beyond the limit. The rest of the step is left out
-    (vbss_scene_statistics::paused) when lengths do not converge, after attempt_limit attempts,
-    or when these forces add too much energy without work: 20 uJ, or 1 mJ in a scene without
-    drains. The next step then begins with smaller parts, and driven bodies continue from where
-    they stopped. In a scene's first step, whose bodies may overlap as they were placed, an
-    attempt has no limit. Between its attempts 32 times step_budget and attempt_limit apply, and
-    it is never suspended. The smallest part that halving_limit allows has no limit. If its
-    contact states are not found, it is tried once more with the full limit for itself. In a
-    scene with drains the smallest part has the limit too, and a part that exceeds it is halved
-    up to three more times, after which it has none.
 
     drain_capacity: Largest number of drains at a time, 0 to 16; default 1.
 
     hole_capacity: Largest number of holes of needles and threads in drains at a time, 0 to 256;
     default 16.
-
-    call_budget: REAL_TIME with a step_budget, method IMPLICIT: operations of a call of
-    vbss_scene_step; 0: each call completes its step; default 210000. A step that needs more is
-    suspended. The next call resumes it, with the bits that it would have had without the
-    suspension. With its remaining operations that call begins the next step. After a call
-    bodies are therefore up to two steps behind (vbss_scene_statistics::behind), some of them by
-    a part of a step. Time beyond that is left out and counted in `paused`. New targets of
-    graspers, driven bodies and attachments apply to the next step. Any other change by the host
-    abandons the suspended step, which also counts in `paused`, and the next 1000 steps are not
-    suspended. A call may exceed the limit by the final work of a step and by attempts that the
-    guard refuses. If other bodies wait for it, a step that two calls have suspended is
-    completed by the third, whatever it takes, and counted in `overdue`. So bodies that touch
-    nothing never miss more than three calls.
 
     overlap: Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN.
 
@@ -232,7 +183,10 @@ class vbss_scene_config(ctypes.Structure):
     without contact takes up to 12 blocks, one of a tight knot 42; each drain adds its own. A
     step that needs more returns VBSS_ERROR_CAPACITY. See docs/memory.md.
 
-    baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them."""
+    baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them.
+
+    solver: Options of the solver, with the budgets of steps and calls; NULL (default): their
+    defaults. The scene copies them."""
     struct_size: int
     method: int
     mode: int
@@ -250,23 +204,15 @@ class vbss_scene_config(ctypes.Structure):
     floor_friction: float
     thread_friction: float
     contact_stiffness: float
-    contact_margin: float
-    stretch_tolerance: float
-    penetration_tolerance: float
-    iteration_limit: int
-    active_set_limit: int
-    halving_limit: int
-    attempt_limit: int
     grasp_capacity: int
-    step_budget: int
     drain_capacity: int
     hole_capacity: int
-    call_budget: int
     overlap: int
     speed_limit: float
     matrix_capacity: int
     reserved: int
     baseline: Any
+    solver: Any
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode, "overlap": SceneOverlapPolicy}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -286,23 +232,15 @@ class vbss_scene_config(ctypes.Structure):
         ("floor_friction", c_double),
         ("thread_friction", c_double),
         ("contact_stiffness", c_double),
-        ("contact_margin", c_double),
-        ("stretch_tolerance", c_double),
-        ("penetration_tolerance", c_double),
-        ("iteration_limit", c_uint32),
-        ("active_set_limit", c_uint32),
-        ("halving_limit", c_uint32),
-        ("attempt_limit", c_uint32),
         ("grasp_capacity", c_uint32),
-        ("step_budget", c_uint32),
         ("drain_capacity", c_uint32),
         ("hole_capacity", c_uint32),
-        ("call_budget", c_uint32),
         ("overlap", c_int32),
         ("speed_limit", c_double),
         ("matrix_capacity", c_uint32),
         ("reserved", c_uint32),
         ("baseline", POINTER(vbss_baseline_config)),
+        ("solver", POINTER(vbss_solver_options)),
     ]
 
 
@@ -553,7 +491,7 @@ class vbss_scene_statistics(ctypes.Structure):
 
     time: Sum of the lengths of the steps, `time_paused` included, s.
 
-    operations: Operations of all steps, as step_budget counts them; method IMPLICIT.
+    operations: Operations of all steps, as the step budget counts them; method IMPLICIT.
 
     most_operations: Largest number of operations of a step.
 
@@ -561,12 +499,13 @@ class vbss_scene_statistics(ctypes.Structure):
 
     time_paused: Simulated time that these steps have lost, s.
 
-    deferred: Calls after which a step was suspended or had not begun; see call_budget.
+    deferred: Calls after which a step was suspended or had not begun; see
+    vbss_solver_options::call_budget_us.
 
     behind: Number of suspended and unbegun steps after the last call, 0 to 2.
 
     overdue: Steps that two calls had suspended while other bodies waited, so that the third
-    completed them without call_budget."""
+    completed them without the budget of a call."""
     struct_size: int
     contacts: int
     rows: int

@@ -63,12 +63,12 @@ class SceneEventKind(IntEnum):
     such an event; vbss_scene_statistics::time_paused counts the longest."""
     DEFERRED = 22
     """More steps than after the call before are suspended or have not begun: work waits for a
-    later call, and no time is left out (vbss_scene_statistics::behind, and `call_budget`)."""
+    later call, and no time is left out (vbss_scene_statistics::behind, and `call_budget_us`)."""
     CAUGHT_UP = 23
     """No step waits any more after DEFERRED."""
     OVERDUE = 24
-    """A step that two calls had suspended was completed without `call_budget`, because other
-    bodies waited (vbss_scene_statistics::overdue). This call took longer than it should."""
+    """A step that two calls had suspended was completed without the budget of a call, because
+    other bodies waited (vbss_scene_statistics::overdue). This call took longer than it should."""
 
 
 class SceneEventFlagBits(IntFlag):

@@ -15,6 +15,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_set_coupling": (c_int32, (POINTER(vbss_scene), c_uint32, c_double, c_double,
         c_double, c_double)),
     "vbss_scene_set_speed_limit": (c_int32, (POINTER(vbss_scene), c_double)),
+    "vbss_scene_set_budgets": (c_int32, (POINTER(vbss_scene), c_double, c_double, c_double)),
     "vbss_scene_set_filter": (c_int32, (POINTER(vbss_scene), c_uint32, c_uint32, c_uint32)),
     "vbss_scene_apply_force": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_double),
         POINTER(c_double), POINTER(c_double))),
