@@ -92,7 +92,7 @@ extern "C" {
  *         0.05 ms),
  *         VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_budget_measure_speed(vbss_context *context, vbss_budget_clock_fn clock,
                                                void *user, vbss_budget_speed *speed,
@@ -105,7 +105,7 @@ VBSS_API vbss_result vbss_budget_measure_speed(vbss_context *context, vbss_budge
  * @param struct_size  `sizeof *budget` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_budget_config_init(vbss_budget_config *budget, uint32_t struct_size);
 
@@ -137,7 +137,7 @@ static inline vbss_budget_config vbss_budget_config_default(void)
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_budget_fit_scene(vbss_context *context, const vbss_budget_config *budget,
                                            vbss_scene_config *config);

@@ -186,8 +186,9 @@ static void log_without_snapshots_is_reported(void **state)
     log_bytes log = {NULL, 0};
     trial_begin(&t);
     trial_begin_record(&t);
+    expect_ok(vbss_scene_set_recorder(t.scene.scene, t.scene.config.record));
     for (uint32_t i = 0; i < 5; i++) {
-        expect_ok(vbss_record_step(t.scene.config.record, 1e-3));
+        expect_ok(vbss_scene_step(t.scene.scene, 1e-3));
     }
     log_take(&log, t.scene.config.record);
     trial_end(&t);
