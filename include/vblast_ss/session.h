@@ -392,14 +392,14 @@ VBSS_API vbss_result vbss_session_seek(vbss_session *session, uint64_t step);
 /**
  * Sets the record to which the session writes, for example after a replay has ended and
  * #vbss_record_resume was called. The session leaves the replay that it followed. A record that has
- * just begun receives the state of the session, so that later steps can be replayed. The earlier record
- * stays attached to the scene until the next step of the session with another one,
- * #vbss_scene_set_recorder or #vbss_record_end.
+ * just begun receives the state of the session, so that later steps can be replayed. The call attaches
+ * the record to the scene (#vbss_scene_set_recorder) in place of the session's earlier one.
  *
  * @param session  the session
  * @param record   a record of the session's scene; NULL: none
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the record or another object),
- *         VBSS_ERROR_INCOMPATIBLE (the record belongs to another scene) or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_INCOMPATIBLE (the record belongs to another scene), VBSS_ERROR_WRONG_STATE (it has
+ *         ended, or does not know the state of the scene) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */

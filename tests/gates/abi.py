@@ -32,7 +32,7 @@ def headers_text(source):
            "gate.hosts.\nWritten by tests/abi/update-baseline.py.\n"
     for path in sorted((source / "include/vblast_ss").glob("*.h*")) + [source / "lib/vblast_ss.map"]:
         code = c_text.TOKEN.sub(lambda token: " " if token.group()[0] == "/" else token.group(), path.read_text())
-        text += f"==== {path.name}\n" + re.sub(r"[ \t]*\n(?:[ \t]*\n)+", "\n", code)
+        text += f"==== {path.name}\n" + re.sub(r"\s*\n", "\n", code.lstrip())
     return text
 
 

@@ -5,6 +5,7 @@ writes it). The programs of tests/abi/hosts are compiled with them and linked wi
 names and the version nodes of that version, and nothing behind them. They then run with the library of this build."""
 import os
 import re
+import shutil
 
 import abi
 import gate
@@ -55,11 +56,12 @@ def results(g, programs, library):
     return texts, complaints
 
 
-def current(g):
+def current(g, name="today"):
     """Headers of today, in the form of a recorded version."""
     recorded = g.work / "today.headers"
     recorded.write_text(abi.headers_text(g.source))
-    return unpack(recorded, g.work / "today")
+    shutil.rmtree(g.work / name, ignore_errors=True)
+    return unpack(recorded, g.work / name)
 
 
 def compare(g, folders, library):
@@ -116,13 +118,13 @@ def grown_library(g):
 
 
 def later_host(g):
-    folder = current(g).rename(g.work / "later-host")
+    folder = current(g, "later-host")
     grow_headers(folder / "include/vblast_ss")
     return compare(g, [folder], g.library("shared").parent)
 
 
 def reordered_host(g):
-    folder = current(g).rename(g.work / "reordered-host")
+    folder = current(g, "reordered-host")
     header = folder / "include/vblast_ss/thread.h"
     for old, new in (("double length;", "double swap;"), ("double radius;", "double length;"), ("double swap;", "double radius;")):
         text = header.read_text()
@@ -137,12 +139,12 @@ def without_function(g):
     version_map.write_text((g.source / "lib/vblast_ss.map").read_text().replace("    vbss_knot_detector_judge;\n", ""))
     g.run(g.tool("gcc"), "-shared", "-o", folder / "libvblast_ss.so.1", f"-Wl,--version-script={version_map}",
           "-Wl,-soname,libvblast_ss.so.1", "-Wl,--whole-archive", g.library("archive"), "-Wl,--no-whole-archive", "-lm")
-    return compare(g, [current(g).rename(g.work / "host")], folder)
+    return compare(g, [current(g, "host")], folder)
 
 
 CANARIES = [
     ("a library with a field, a function and a status more",
-     lambda g: compare(g, [current(g).rename(g.work / "host-of-before")], grown_library(g)), None),
+     lambda g: compare(g, [current(g, "host-of-before")], grown_library(g)), None),
     ("a program that knows a field, a function and a status that the library does not", later_host, None),
     ("a library without a function", without_function, r"host_c of host ends with 127: .*vbss_knot_detector_judge"),
     ("a program to which two fields changed places", reordered_host, r"of reordered-host (ends with|prints)"),
