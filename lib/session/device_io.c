@@ -80,7 +80,7 @@ static vbss_result follow_hand(const session_object *s, uint32_t hand,
 /* Reads all devices even if one fails: a device whose clock is wrong switches its outputs off. */
 vbss_result vbss_session_read_devices(session_object *s, double now)
 {
-    vbss_device_input inputs[SESSION_HANDS];
+    vbss_device_input inputs[SESSION_HANDS] = {{.struct_size = 0}};
     vbss_result result = VBSS_OK;
     for (uint32_t i = 0; i < SESSION_HANDS; i++) {
         if (has_device(s, i)) {
