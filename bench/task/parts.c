@@ -93,6 +93,7 @@ static vbss_result add_session(parts_case *c)
         TRY(vbss_record_config_init(&record, sizeof record));
         record.hash_interval = has(c, PART_HASHES) ? 1 : HASH_INTERVAL;
         TRY(vbss_record_create(s->rig.scene, &record, &c->record));
+        TRY(vbss_scene_set_recorder(s->rig.scene, c->record));
         config.record = c->record;
     }
     return vbss_session_create(s->rig.scene, &config, &c->session);
@@ -132,8 +133,7 @@ static vbss_result move_tool(const parts_case *c, int tool, double time)
 {
     double at[3];
     tool_place(tool, time, at);
-    return c->record != NULL ? vbss_record_set_grasper_target(c->record, c->bodies[tool], at, NULL)
-                             : vbss_grasper_set_target(c->tools[tool], at, NULL);
+    return vbss_grasper_set_target(c->tools[tool], at, NULL);
 }
 
 /* As a host would that keeps the log in memory. */

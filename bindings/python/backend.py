@@ -25,8 +25,9 @@ def said(key):
 
 def version():
     text = (ROOT / "include" / "vblast_ss" / "base.h").read_text()
-    return ".".join(re.search(rf"#define VBSS_VERSION_{part} (\d+)", text).group(1)
-                    for part in ("MAJOR", "MINOR", "PATCH"))
+    numbers = [re.search(rf"#define VBSS_VERSION_{part} (\d+)", text).group(1) for part in ("MAJOR", "MINOR", "PATCH")]
+    suffix = re.search(r'#define VBSS_VERSION_SUFFIX "(.*)"', text).group(1)
+    return ".".join(numbers) + suffix.replace("-", "")  # 1.0.0rc1 in Python, where the library has 1.0.0-rc1
 
 
 NAME = said("name").replace("-", "_")

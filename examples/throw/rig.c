@@ -167,6 +167,7 @@ vbss_result throw_rig_begin(throw_rig *s, const char *log, const char *note)
     c.note = note;
     c.note_bytes = (uint32_t)strlen(note);
     TRY(vbss_record_create(s->scene, &c, &s->record));
+    TRY(vbss_scene_set_recorder(s->scene, s->record));
     return log_file_open(&s->log, log) ? write_log(s) : VBSS_ERROR_CAPACITY;
 }
 
@@ -179,7 +180,7 @@ vbss_result throw_rig_release_limb(throw_rig *s)
 {
     uint32_t pin = s->support;
     s->support = 0;
-    return pin != 0 ? vbss_record_unpin_thread(s->record, pin) : VBSS_OK;
+    return pin != 0 ? vbss_scene_unpin_thread(s->scene, pin) : VBSS_OK;
 }
 
 /* Off the tail's end, so many nodes. */
@@ -239,7 +240,7 @@ vbss_result throw_rig_step(throw_rig *s, double dt)
 {
     const double begin = cpu_clock(NULL);
     TRY(s->session != NULL ? vbss_session_step(s->session, s->time, dt)
-                           : vbss_record_step(s->record, dt));
+                           : vbss_scene_step(s->scene, dt));
     TRY(throw_rig_follow(s));
     s->time += dt;
     vbss_result result = write_log(s);

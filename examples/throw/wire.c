@@ -50,15 +50,13 @@ vbss_result wire_create(hand *h)
 vbss_result wire_report(hand *h)
 {
     vbss_device_input in;
-    vbss_record *record = h->rig->record;
     TRY(vbss_device_read(h->device, h->time, &in, sizeof in));
-    TRY(vbss_record_set_grasper_target(record, h->body, in.position, in.orientation));
-    TRY(vbss_record_set_opening(record, h->body, in.jaw));
+    TRY(vbss_grasper_set_target(h->grasper, in.position, in.orientation));
+    TRY(vbss_grasper_set_opening(h->grasper, in.jaw));
     return (in.events & VBSS_DEVICE_EVENT_TOOL) != 0
-               ? vbss_record_exchange(record, h->body,
-                                      in.tool == VBSS_DEVICE_TOOL_SHEARS
-                                          ? VBSS_GRASPER_KIND_SHEARS
-                                          : VBSS_GRASPER_KIND_NEEDLE_DRIVER)
+               ? vbss_grasper_exchange(h->grasper, in.tool == VBSS_DEVICE_TOOL_SHEARS
+                                                       ? VBSS_GRASPER_KIND_SHEARS
+                                                       : VBSS_GRASPER_KIND_NEEDLE_DRIVER)
                : VBSS_OK;
 }
 

@@ -91,10 +91,9 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
 static vbss_result report_tool(const live *l, int side, const double at[3], const double turned[4],
                                double opening)
 {
-    vbss_record *record = l->stage.rig->record;
-    const uint32_t body = l->hands[side].body;
-    TRY(vbss_record_set_grasper_target(record, body, at, turned));
-    return vbss_record_set_opening(record, body, opening);
+    vbss_grasper *tool = l->stage.graspers[side];
+    TRY(vbss_grasper_set_target(tool, at, turned));
+    return vbss_grasper_set_opening(tool, opening);
 }
 
 /* Of devices: the begin of the step, as logs have it. */

@@ -233,7 +233,7 @@ extern "C" {
  * @param struct_size   `sizeof *adapter` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_adapter_init(vbss_device_adapter *adapter, uint32_t struct_size);
 
@@ -258,7 +258,7 @@ static inline vbss_device_adapter vbss_device_adapter_default(void)
  * @param struct_size  `sizeof *sample` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_sample_init(vbss_device_sample *sample, uint32_t struct_size);
 
@@ -283,7 +283,7 @@ static inline vbss_device_sample vbss_device_sample_default(void)
  * @param struct_size        `sizeof *capabilities` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_capabilities_init(vbss_device_capabilities *capabilities,
                                                    uint32_t struct_size);
@@ -309,7 +309,7 @@ static inline vbss_device_capabilities vbss_device_capabilities_default(void)
  * @param struct_size    `sizeof *coupling` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_coupling_init(vbss_device_coupling *coupling,
                                                uint32_t struct_size);

@@ -27,12 +27,14 @@
 
 #include <stdint.h>
 
-/** Major version: a change breaks the ABI (from 1.0 on). */
-#define VBSS_VERSION_MAJOR 0
-/** Minor version: new functions; before 1.0 the ABI may change with it. */
-#define VBSS_VERSION_MINOR 1
+/** Major version: a change breaks the ABI. */
+#define VBSS_VERSION_MAJOR 1
+/** Minor version: new functions, fields and constants. */
+#define VBSS_VERSION_MINOR 0
 /** Patch version: fixes only. */
 #define VBSS_VERSION_PATCH 0
+/** Suffix of a pre-release, such as "-rc1"; empty in a release. #VBSS_VERSION_NUM does not contain it. */
+#define VBSS_VERSION_SUFFIX "-rc1"
 /** Version of these headers as one number, 10000 major + 100 minor + patch. */
 #define VBSS_VERSION_NUM \
     (VBSS_VERSION_MAJOR * 10000 + VBSS_VERSION_MINOR * 100 + VBSS_VERSION_PATCH)
@@ -46,6 +48,21 @@
 #define VBSS_API __attribute__((visibility("default")))
 #else
 #define VBSS_API
+#endif
+
+/**
+ * Marks a function that a later major version of the library will not have. A call makes the compiler
+ * warn with `text`, such as "use vbss_scene_step". A program that defines VBSS_NO_DEPRECATED before it
+ * includes the headers gets no such warnings. docs/abi.md has the policy.
+ */
+#if defined(VBSS_NO_DEPRECATED)
+#define VBSS_DEPRECATED(text)
+#elif defined(__GNUC__)
+#define VBSS_DEPRECATED(text) __attribute__((deprecated(text)))
+#elif defined(_MSC_VER)
+#define VBSS_DEPRECATED(text) __declspec(deprecated(text))
+#else
+#define VBSS_DEPRECATED(text)
 #endif
 
 /**
@@ -208,17 +225,17 @@ extern "C" {
  *
  * @return 10000 major + 100 minor + patch
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API uint32_t vbss_version(void);
 
 /**
- * Returns build information: version, source revision, compiler, and the flags that matter for
+ * Returns build information: version with its suffix, source revision, compiler, and the flags that matter for
  * reproducible results.
  *
  * @return a constant text, never NULL
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API const char *vbss_build_info(void);
 
@@ -228,7 +245,7 @@ VBSS_API const char *vbss_build_info(void);
  * @param result  any number
  * @return a constant text, never NULL; "unknown result" for any other number
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API const char *vbss_result_name(vbss_result result);
 
@@ -238,7 +255,7 @@ VBSS_API const char *vbss_result_name(vbss_result result);
  * @param result  any number
  * @return a constant text, never NULL; "unknown result" for any other number
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API const char *vbss_result_string(vbss_result result);
 
@@ -249,7 +266,7 @@ VBSS_API const char *vbss_result_string(vbss_result result);
  *
  * @return VBSS_OK or VBSS_ERROR_ARITHMETIC_MODE
  * @threads any thread, any time; the answer is for the calling thread
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_arithmetic_check(void);
 
@@ -260,7 +277,7 @@ VBSS_API vbss_result vbss_arithmetic_check(void);
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_context_config_init(vbss_context_config *config, uint32_t struct_size);
 
@@ -287,7 +304,7 @@ static inline vbss_context_config vbss_context_config_default(void)
  *         VBSS_ERROR_OUT_OF_RANGE (log_level, or only one of allocate and release) or
  *         VBSS_ERROR_OUT_OF_MEMORY
  * @threads any thread; contexts are independent of each other
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss_context **context);
 
@@ -299,7 +316,7 @@ VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (called from a callback of its own, or
  *         while another thread is inside)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_context_destroy(vbss_context *context);
 
@@ -315,7 +332,7 @@ VBSS_API vbss_result vbss_context_destroy(vbss_context *context);
  *                     NULL
  * @return VBSS_OK or VBSS_ERROR_INVALID_HANDLE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_context_get_last_error(const vbss_context *context, vbss_result *result,
                                                  const char **text);
@@ -329,7 +346,7 @@ VBSS_API vbss_result vbss_context_get_last_error(const vbss_context *context, vb
  *         does not know become zero
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_context_get_statistics(vbss_context *context,
                                                  vbss_context_statistics *statistics,

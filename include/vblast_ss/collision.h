@@ -220,7 +220,7 @@ extern "C" {
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_NOT_FINITE or
  *         VBSS_ERROR_OUT_OF_RANGE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_closest_segments(const double a[6], const double b[6],
                                                      vbss_collision_closest *closest,
@@ -235,7 +235,7 @@ VBSS_API vbss_result vbss_collision_closest_segments(const double a[6], const do
  * @param struct_size   `sizeof *closest` as the caller was compiled
  * @return as #vbss_collision_closest_segments
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_closest_point_triangle(const double point[3],
                                                            const double triangle[9],
@@ -251,7 +251,7 @@ VBSS_API vbss_result vbss_collision_closest_point_triangle(const double point[3]
  * @param struct_size   `sizeof *closest` as the caller was compiled
  * @return as #vbss_collision_closest_segments
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_closest_segment_triangle(const double segment[6],
                                                              const double triangle[9],
@@ -271,7 +271,7 @@ VBSS_API vbss_result vbss_collision_closest_segment_triangle(const double segmen
  * @param struct_size   `sizeof *closest` as the caller was compiled
  * @return as #vbss_collision_closest_segments
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_closest_capsules(const double a[6], double radius_a,
                                                      const double b[6], double radius_b,
@@ -287,7 +287,7 @@ VBSS_API vbss_result vbss_collision_closest_capsules(const double a[6], double r
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_config_init(vbss_collision_config *config,
                                                 uint32_t struct_size);
@@ -318,7 +318,7 @@ static inline vbss_collision_config vbss_collision_config_default(void)
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_ARITHMETIC_MODE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_test_edges(const vbss_collision_config *config,
                                                const double start[12], const double end[12],
@@ -334,7 +334,7 @@ VBSS_API vbss_result vbss_collision_test_edges(const vbss_collision_config *conf
  * @param struct_size  `sizeof *impact` as the caller was compiled
  * @return as #vbss_collision_test_edges
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_test_point_triangle(const vbss_collision_config *config,
                                                         const double start[12],
@@ -365,7 +365,7 @@ VBSS_API vbss_result vbss_collision_test_point_triangle(const vbss_collision_con
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
  *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_OUT_OF_RANGE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_get_vblast_response(
     vbss_collision_pair_kind kind, vbss_collision_response_variant variant,
@@ -385,7 +385,7 @@ VBSS_API vbss_result vbss_collision_get_vblast_response(
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_create(vbss_context *context,
                                            const vbss_collision_config *config,
@@ -397,7 +397,7 @@ VBSS_API vbss_result vbss_collision_create(vbss_context *context,
  * @param collision  the object; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_destroy(vbss_collision *collision);
 
@@ -414,7 +414,7 @@ VBSS_API vbss_result vbss_collision_destroy(vbss_collision *collision);
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_collision_pair_kind kind,
                                          const double start[12], const double end[12],
@@ -427,7 +427,7 @@ VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_collisi
  * @param struct_size  `sizeof *batch` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_batch_init(vbss_collision_batch *batch, uint32_t struct_size);
 
@@ -455,7 +455,7 @@ static inline vbss_collision_batch vbss_collision_batch_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure no answer is written
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_test_batch(vbss_collision *collision,
                                                const vbss_collision_batch *batch);
@@ -476,7 +476,7 @@ VBSS_API vbss_result vbss_collision_test_batch(vbss_collision *collision,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_t node_count,
                                               const double *rest_lengths, double radius,
@@ -492,7 +492,7 @@ VBSS_API vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_
  * @param[out] shape     identifier of the shape, from 0 on, never reused in this object
  * @return as #vbss_collision_add_chain
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint32_t capsule_count,
                                                  double radius, uint32_t *shape);
@@ -510,7 +510,7 @@ VBSS_API vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint
  * @param[out] shape      identifier of the shape, from 0 on, never reused in this object
  * @return as #vbss_collision_add_chain
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_count,
                                              const uint32_t *triangles, uint32_t triangle_count,
@@ -524,7 +524,7 @@ VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such shape) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape);
 
@@ -540,7 +540,7 @@ VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t s
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such shape) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape,
                                                uint32_t category, uint32_t mask);
@@ -556,7 +556,7 @@ VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
  *         such shape), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_set_motion(vbss_collision *collision, uint32_t shape,
                                                const double *start, const double *end,
@@ -573,7 +573,7 @@ VBSS_API vbss_result vbss_collision_set_motion(vbss_collision *collision, uint32
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (pair_capacity: there are no
  *         candidates then), VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_find_candidates(vbss_collision *collision);
 
@@ -587,7 +587,7 @@ VBSS_API vbss_result vbss_collision_find_candidates(vbss_collision *collision);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (impact_capacity: there are no
  *         impacts then), VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_find_impacts(vbss_collision *collision);
 
@@ -601,7 +601,7 @@ VBSS_API vbss_result vbss_collision_find_impacts(vbss_collision *collision);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_get_view(vbss_collision *collision, vbss_collision_field field,
                                              vbss_view *view, uint32_t struct_size);
@@ -616,7 +616,7 @@ VBSS_API vbss_result vbss_collision_get_view(vbss_collision *collision, vbss_col
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
  *         such shape) or VBSS_ERROR_OUT_OF_RANGE (no such edge)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t shape,
                                              uint32_t edge, uint32_t nodes[2]);
@@ -629,7 +629,7 @@ VBSS_API vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_get_statistics(vbss_collision *collision,
                                                    vbss_collision_statistics *statistics,
@@ -644,7 +644,7 @@ VBSS_API vbss_result vbss_collision_get_statistics(vbss_collision *collision,
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes,
                                          uint64_t capacity, uint64_t *written);
@@ -659,7 +659,7 @@ VBSS_API vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *byt
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
  *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *bytes,
                                             uint64_t count);
@@ -671,7 +671,7 @@ VBSS_API vbss_result vbss_collision_restore(vbss_collision *collision, const uin
  * @param[out] hash  receives the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_collision_get_hash(vbss_collision *collision, uint64_t *hash);
 

@@ -226,7 +226,7 @@ extern "C" {
  * @param struct_size       `sizeof *calibration` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_calibration_init(vbss_device_calibration *calibration,
                                                   uint32_t struct_size);
@@ -252,7 +252,7 @@ static inline vbss_device_calibration vbss_device_calibration_default(void)
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_config_init(vbss_device_config *config, uint32_t struct_size);
 
@@ -286,7 +286,7 @@ static inline vbss_device_config vbss_device_config_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE (also in
  *         capabilities), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY; on failure no adapter is open
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_create(vbss_context *context, const vbss_device_adapter *first,
                                         const vbss_device_adapter *second,
@@ -298,7 +298,7 @@ VBSS_API vbss_result vbss_device_create(vbss_context *context, const vbss_device
  * @param device  the device; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_destroy(vbss_device *device);
 
@@ -316,7 +316,7 @@ VBSS_API vbss_result vbss_device_destroy(vbss_device *device);
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_ARITHMETIC_MODE or
  *         VBSS_ERROR_BUSY; after an error no adapter was read
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_read(vbss_device *device, double now, vbss_device_input *input,
                                       uint32_t struct_size);
@@ -337,7 +337,7 @@ VBSS_API vbss_result vbss_device_read(vbss_device *device, double now, vbss_devi
  * @return as #vbss_device_read, or VBSS_ERROR_UNKNOWN_FIELD; after an error nothing was written,
  *         except zeros for a wrong `now`
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_write(vbss_device *device, double now,
                                        const vbss_output_command *command,
@@ -365,7 +365,7 @@ VBSS_API vbss_result vbss_device_write(vbss_device *device, double now,
  * @return as #vbss_device_write (VBSS_ERROR_OUT_OF_RANGE also: the command has a force), or
  *         VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_write_coupled(vbss_device *device, double now,
                                                const vbss_output_command *command,
@@ -379,7 +379,7 @@ VBSS_API vbss_result vbss_device_write_coupled(vbss_device *device, double now,
  * @param device  the device
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_latch_emergency_stop(vbss_device *device);
 
@@ -390,7 +390,7 @@ VBSS_API vbss_result vbss_device_latch_emergency_stop(vbss_device *device);
  * @param device  the device
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_clear_emergency_stop(vbss_device *device);
 
@@ -402,7 +402,7 @@ VBSS_API vbss_result vbss_device_clear_emergency_stop(vbss_device *device);
  * @param held    1: hold, 0: release; no effect if it is already so
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_set_clutch(vbss_device *device, int32_t held);
 
@@ -417,7 +417,7 @@ VBSS_API vbss_result vbss_device_set_clutch(vbss_device *device, int32_t held);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_WRONG_STATE (there is no pose yet),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_recentre(vbss_device *device, const double *position,
                                           const double *orientation);
@@ -432,7 +432,7 @@ VBSS_API vbss_result vbss_device_recentre(vbss_device *device, const double *pos
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (the
  *         configuration has no `jaw_takeover`), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_hold_jaw(vbss_device *device, double opening);
 
@@ -445,7 +445,7 @@ VBSS_API vbss_result vbss_device_hold_jaw(vbss_device *device, double opening);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_set_calibration(vbss_device *device,
                                                  const vbss_device_calibration *calibration);
@@ -461,7 +461,7 @@ VBSS_API vbss_result vbss_device_set_calibration(vbss_device *device,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such adapter)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_get_capabilities(vbss_device *device, uint32_t which,
                                                   vbss_device_capabilities *capabilities,
@@ -477,7 +477,7 @@ VBSS_API vbss_result vbss_device_get_capabilities(vbss_device *device, uint32_t 
  *         restores the device; the argument may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NOT_FOUND (no such adapter)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_get_error(vbss_device *device, uint32_t which, vbss_result *result,
                                            const char **text);
@@ -490,7 +490,7 @@ VBSS_API vbss_result vbss_device_get_error(vbss_device *device, uint32_t which, 
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_get_statistics(vbss_device *device,
                                                 vbss_device_statistics *statistics,
@@ -504,7 +504,7 @@ VBSS_API vbss_result vbss_device_get_statistics(vbss_device *device,
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_get_output_statistics(vbss_device *device,
                                                        vbss_output_statistics *statistics,
@@ -520,7 +520,7 @@ VBSS_API vbss_result vbss_device_get_output_statistics(vbss_device *device,
  * @param[out] written  bytes written, or bytes needed with VBSS_ERROR_CAPACITY
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint64_t capacity,
                                       uint64_t *written);
@@ -537,7 +537,7 @@ VBSS_API vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint6
  *         VBSS_ERROR_CORRUPT (also: the snapshot is of another device), VBSS_ERROR_DATA_VERSION,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY; on failure nothing has changed
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_restore(vbss_device *device, const uint8_t *bytes, uint64_t count);
 
@@ -548,7 +548,7 @@ VBSS_API vbss_result vbss_device_restore(vbss_device *device, const uint8_t *byt
  * @param[out] hash  receives the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_device_get_hash(vbss_device *device, uint64_t *hash);
 

@@ -269,7 +269,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size);
 
@@ -323,7 +323,7 @@ static inline vbss_drain_surface vbss_drain_surface_default(void)
  *         the rules of #vbss_drain_surface), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_INCOMPATIBLE (a surface
  *         with method VBLAST), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *config,
                                        vbss_drain **drain);
@@ -334,7 +334,7 @@ VBSS_API vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_c
  * @param drain  the drain; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
 
@@ -350,7 +350,7 @@ VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_step(vbss_drain *drain, double h);
 
@@ -365,7 +365,7 @@ VBSS_API vbss_result vbss_drain_step(vbss_drain *drain, double h);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_IN_USE (an anchored node would move) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
                                           const double *velocities, uint32_t node_count);
@@ -377,7 +377,7 @@ VBSS_API vbss_result vbss_drain_set_state(vbss_drain *drain, const double *posit
  * @param struct_size      `sizeof *attachment` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachment,
                                                 uint32_t struct_size);
@@ -407,7 +407,7 @@ static inline vbss_drain_attachment vbss_drain_attachment_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is pinned
  *         or anchored already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *attachment,
                                        uint32_t *id);
@@ -422,7 +422,7 @@ VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attac
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
  *         such attachment), VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_t id,
                                                       const double target[3]);
@@ -435,7 +435,7 @@ VBSS_API vbss_result vbss_drain_set_attachment_target(vbss_drain *drain, uint32_
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
 
@@ -448,7 +448,7 @@ VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_NOT_FOUND (no
  *         such attachment)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force[3]);
 
@@ -460,7 +460,7 @@ VBSS_API vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, dou
  * @param struct_size  `sizeof *places` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
                                            uint32_t struct_size);
@@ -474,7 +474,7 @@ VBSS_API vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places 
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_INCOMPATIBLE (a drain with a surface, which has no slit)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap,
                                         uint32_t struct_size);
@@ -489,7 +489,7 @@ VBSS_API vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field field, vbss_view *view,
                                          uint32_t struct_size);
@@ -502,7 +502,7 @@ VBSS_API vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field fie
  * @param struct_size    `sizeof *energies` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *energies,
                                              uint32_t struct_size);
@@ -515,7 +515,7 @@ VBSS_API vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energ
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_get_statistics(vbss_drain *drain, vbss_drain_statistics *statistics,
                                                uint32_t struct_size);
@@ -529,7 +529,7 @@ VBSS_API vbss_result vbss_drain_get_statistics(vbss_drain *drain, vbss_drain_sta
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity,
                                      uint64_t *written);
@@ -545,7 +545,7 @@ VBSS_API vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t
  *         VBSS_ERROR_CORRUPT, VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY
  *         or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_restore(vbss_drain *drain, const uint8_t *bytes, uint64_t count);
 
@@ -557,7 +557,7 @@ VBSS_API vbss_result vbss_drain_restore(vbss_drain *drain, const uint8_t *bytes,
  * @param[out] hash  the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_get_hash(vbss_drain *drain, uint64_t *hash);
 

@@ -24,38 +24,46 @@ extern "C" {
 
 /**
  * Sine; the error is below 0.51 ulp for every argument, however large. Odd to the bit: sin(-x) =
- * -sin(x), and a zero keeps its sign. Thread-safe.
+ * -sin(x), and a zero keeps its sign.
  *
  * @param angle  rad; any double
  * @return the sine, -1 to 1; NaN for an infinite angle
+ * @threads any thread, any time
+ * @since 1.0
  */
 VBSS_API double vbss_sin(double angle);
 
 /**
  * Cosine; the error is below 0.51 ulp for every argument, however large. Even to the bit: cos(-x) =
- * cos(x). Thread-safe.
+ * cos(x).
  *
  * @param angle  rad; any double
  * @return the cosine, -1 to 1; NaN for an infinite angle
+ * @threads any thread, any time
+ * @since 1.0
  */
 VBSS_API double vbss_cos(double angle);
 
 /**
  * The angle of a point in the plane, from the x axis towards the y axis; the error is below 0.52
  * ulp. Zeros and infinities are as in C11 Annex F: atan2(+-0, x) is +-0 for x > 0 or +0, and +-pi
- * for x < 0 or -0; two infinities denote a point on a diagonal. Thread-safe.
+ * for x < 0 or -0; two infinities denote a point on a diagonal.
  *
  * @param y  coordinate on the y axis, any unit; any double
  * @param x  coordinate on the x axis, the same unit; any double
  * @return the angle, rad, -pi to pi
+ * @threads any thread, any time
+ * @since 1.0
  */
 VBSS_API double vbss_atan2(double y, double x);
 
 /**
- * Arc cosine; the error is below 0.51 ulp. acos(1) is +0. Thread-safe.
+ * Arc cosine; the error is below 0.51 ulp. acos(1) is +0.
  *
  * @param cosine  -1 to 1; any other double gives NaN
  * @return the angle, rad, 0 to pi
+ * @threads any thread, any time
+ * @since 1.0
  */
 VBSS_API double vbss_acos(double cosine);
 

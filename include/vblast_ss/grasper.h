@@ -185,7 +185,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size);
 
@@ -211,7 +211,7 @@ static inline vbss_grasper_config vbss_grasper_config_default(void)
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
  *         such preset)
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_config_preset(vbss_grasper_config *config,
                                                 vbss_grasper_preset preset);
@@ -226,7 +226,7 @@ VBSS_API vbss_result vbss_grasper_config_preset(vbss_grasper_config *config,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config *config,
                                          vbss_grasper **grasper);
@@ -237,7 +237,7 @@ VBSS_API vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasp
  * @param grasper  the grasper; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_destroy(vbss_grasper *grasper);
 
@@ -254,7 +254,7 @@ VBSS_API vbss_result vbss_grasper_destroy(vbss_grasper *grasper);
  *         (also: the trocar is nearer to the tip than the lateral reach of the bent jaws),
  *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_set_target(vbss_grasper *grasper, const double position[3],
                                              const double *orientation);
@@ -267,7 +267,7 @@ VBSS_API vbss_result vbss_grasper_set_target(vbss_grasper *grasper, const double
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening);
 
@@ -281,7 +281,7 @@ VBSS_API vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double open
  * @param kind     the new kind; the present kind changes nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind);
 
@@ -293,7 +293,7 @@ VBSS_API vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_k
  * @param struct_size  `sizeof *state` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *state,
                                             uint32_t struct_size);
@@ -308,7 +308,7 @@ VBSS_API vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_grasper_get_view(vbss_grasper *grasper, vbss_grasper_field field,
                                            vbss_view *view, uint32_t struct_size);

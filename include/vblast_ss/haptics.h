@@ -191,7 +191,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config,
                                                   uint32_t struct_size);
@@ -223,7 +223,7 @@ static inline vbss_openhaptics_config vbss_openhaptics_config_default(void)
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY; on failure everything
  *         is closed again
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_openhaptics_create(vbss_context *context,
                                              const vbss_openhaptics_config *config,
@@ -235,7 +235,7 @@ VBSS_API vbss_result vbss_openhaptics_create(vbss_context *context,
  * @param openhaptics  the arms; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_openhaptics_destroy(vbss_openhaptics *openhaptics);
 
@@ -248,7 +248,7 @@ VBSS_API vbss_result vbss_openhaptics_destroy(vbss_openhaptics *openhaptics);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such arm)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics, uint32_t which,
                                                   vbss_device_adapter *adapter);
@@ -263,7 +263,7 @@ VBSS_API vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such arm)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, uint32_t which,
                                                  vbss_openhaptics_status *status,
@@ -280,7 +280,7 @@ VBSS_API vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, 
  *         may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NOT_FOUND (no such arm)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_openhaptics_get_identity(vbss_openhaptics *openhaptics, uint32_t which,
                                                    const char **model, const char **serial);
@@ -292,7 +292,7 @@ VBSS_API vbss_result vbss_openhaptics_get_identity(vbss_openhaptics *openhaptics
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_nidaqmx_config_init(vbss_nidaqmx_config *config, uint32_t struct_size);
 
@@ -322,7 +322,7 @@ static inline vbss_nidaqmx_config vbss_nidaqmx_config_default(void)
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY; on failure everything
  *         is closed again
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_nidaqmx_create(vbss_context *context, const vbss_nidaqmx_config *config,
                                          vbss_nidaqmx **nidaqmx);
@@ -333,7 +333,7 @@ VBSS_API vbss_result vbss_nidaqmx_create(vbss_context *context, const vbss_nidaq
  * @param nidaqmx  the lines; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_nidaqmx_destroy(vbss_nidaqmx *nidaqmx);
 
@@ -346,7 +346,7 @@ VBSS_API vbss_result vbss_nidaqmx_destroy(vbss_nidaqmx *nidaqmx);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such handle)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
                                               vbss_device_adapter *adapter);
@@ -363,7 +363,7 @@ VBSS_API vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t wh
  *         VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE, all without an error text
  * @threads any one thread, also while another uses the context, except during the destruction of
  *   the lines
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_nidaqmx_poll(vbss_nidaqmx *nidaqmx, double now);
 
@@ -375,7 +375,7 @@ VBSS_API vbss_result vbss_nidaqmx_poll(vbss_nidaqmx *nidaqmx, double now);
  * @param struct_size  `sizeof *status` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_nidaqmx_get_status(vbss_nidaqmx *nidaqmx, vbss_nidaqmx_status *status,
                                              uint32_t struct_size);
@@ -391,7 +391,7 @@ VBSS_API vbss_result vbss_nidaqmx_get_status(vbss_nidaqmx *nidaqmx, vbss_nidaqmx
  *         has no list), VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_nidaqmx_list_devices(vbss_context *context, const char *library,
                                                char *text, uint32_t bytes);

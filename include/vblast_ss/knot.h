@@ -348,7 +348,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_config_init(vbss_knot_detector_config *config,
                                                     uint32_t struct_size);
@@ -374,7 +374,7 @@ static inline vbss_knot_detector_config vbss_knot_detector_config_default(void)
  * @param struct_size  `sizeof *input` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_input_init(vbss_knot_input *input, uint32_t struct_size);
 
@@ -402,7 +402,7 @@ static inline vbss_knot_input vbss_knot_input_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_create(vbss_context *context,
                                                const vbss_knot_detector_config *config,
@@ -414,7 +414,7 @@ VBSS_API vbss_result vbss_knot_detector_create(vbss_context *context,
  * @param detector  the detector; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_destroy(vbss_knot_detector *detector);
 
@@ -430,7 +430,7 @@ VBSS_API vbss_result vbss_knot_detector_destroy(vbss_knot_detector *detector);
  *         VBSS_ERROR_CAPACITY (points, tools), VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; after
  *         an error the detector is unchanged
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_step(vbss_knot_detector *detector,
                                              const vbss_knot_input *input);
@@ -443,7 +443,7 @@ VBSS_API vbss_result vbss_knot_detector_step(vbss_knot_detector *detector,
  * @param input     the input
  * @return as #vbss_knot_detector_step
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_judge(vbss_knot_detector *detector,
                                               const vbss_knot_input *input);
@@ -454,7 +454,7 @@ VBSS_API vbss_result vbss_knot_detector_judge(vbss_knot_detector *detector,
  * @param detector  the detector
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_reset(vbss_knot_detector *detector);
 
@@ -467,7 +467,7 @@ VBSS_API vbss_result vbss_knot_detector_reset(vbss_knot_detector *detector);
  *         know become zero
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_get_state(vbss_knot_detector *detector,
                                                   vbss_knot_state *state, uint32_t struct_size);
@@ -482,7 +482,7 @@ VBSS_API vbss_result vbss_knot_detector_get_state(vbss_knot_detector *detector,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such throw)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_get_throw(vbss_knot_detector *detector, uint32_t number,
                                                   vbss_knot_throw *knot_throw,
@@ -498,7 +498,7 @@ VBSS_API vbss_result vbss_knot_detector_get_throw(vbss_knot_detector *detector, 
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such tool)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_get_winding(vbss_knot_detector *detector, uint32_t tool,
                                                     vbss_knot_winding *winding,
@@ -515,7 +515,7 @@ VBSS_API vbss_result vbss_knot_detector_get_winding(vbss_knot_detector *detector
  * @param capacity   size of `text`, bytes; 32 always suffice
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_get_notation(vbss_knot_detector *detector, char *text,
                                                      uint64_t capacity);
@@ -530,7 +530,7 @@ VBSS_API vbss_result vbss_knot_detector_get_notation(vbss_knot_detector *detecto
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_get_view(vbss_knot_detector *detector,
                                                  vbss_knot_field field, vbss_view *view,
@@ -544,7 +544,7 @@ VBSS_API vbss_result vbss_knot_detector_get_view(vbss_knot_detector *detector,
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_get_statistics(vbss_knot_detector *detector,
                                                        vbss_knot_detector_statistics *statistics,
@@ -559,7 +559,7 @@ VBSS_API vbss_result vbss_knot_detector_get_statistics(vbss_knot_detector *detec
  * @param[out] written  bytes written, or bytes needed with VBSS_ERROR_CAPACITY
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8_t *bytes,
                                              uint64_t capacity, uint64_t *written);
@@ -577,7 +577,7 @@ VBSS_API vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8
  *         capacity), VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on
  *         failure nothing has changed
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8_t *bytes,
                                                 uint64_t count);
@@ -589,7 +589,7 @@ VBSS_API vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, co
  * @param[out] hash  receives the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_knot_detector_get_hash(vbss_knot_detector *detector, uint64_t *hash);
 

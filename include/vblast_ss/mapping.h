@@ -55,7 +55,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mapping_config_init(vbss_mapping_config *config, uint32_t struct_size);
 
@@ -89,7 +89,7 @@ static inline vbss_mapping_config vbss_mapping_config_default(void)
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
  *         VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mapping_mouse(const vbss_mapping_config *config, const double motion[3],
                                         uint32_t buttons, double h, vbss_device_sample *sample);
@@ -104,7 +104,7 @@ VBSS_API vbss_result vbss_mapping_mouse(const vbss_mapping_config *config, const
  * @param[in,out] sample  an initialised sample
  * @return as #vbss_mapping_mouse
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mapping_keyboard(const vbss_mapping_config *config,
                                            const double presses[7], double h,
@@ -121,7 +121,7 @@ VBSS_API vbss_result vbss_mapping_keyboard(const vbss_mapping_config *config,
  * @param[in,out] sample  an initialised sample
  * @return as #vbss_mapping_mouse
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mapping_gamepad(const vbss_mapping_config *config, const double axes[6],
                                           double opening, double h, vbss_device_sample *sample);

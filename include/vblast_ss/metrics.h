@@ -429,7 +429,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_config_init(vbss_metrics_config *config, uint32_t struct_size);
 
@@ -454,7 +454,7 @@ static inline vbss_metrics_config vbss_metrics_config_default(void)
  * @param struct_size  `sizeof *sample` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_sample_init(vbss_metrics_sample *sample, uint32_t struct_size);
 
@@ -479,7 +479,7 @@ static inline vbss_metrics_sample vbss_metrics_sample_default(void)
  * @param struct_size  `sizeof *event` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_event_init(vbss_metrics_event *event, uint32_t struct_size);
 
@@ -504,7 +504,7 @@ static inline vbss_metrics_event vbss_metrics_event_default(void)
  * @param struct_size  `sizeof *pull` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_pull_init(vbss_metrics_pull *pull, uint32_t struct_size);
 
@@ -532,7 +532,7 @@ static inline vbss_metrics_pull vbss_metrics_pull_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_create(vbss_context *context, const vbss_metrics_config *config,
                                          vbss_metrics **metrics);
@@ -543,7 +543,7 @@ VBSS_API vbss_result vbss_metrics_create(vbss_context *context, const vbss_metri
  * @param metrics  the measurement; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_destroy(vbss_metrics *metrics);
 
@@ -562,7 +562,7 @@ VBSS_API vbss_result vbss_metrics_destroy(vbss_metrics *metrics);
  *         VBSS_ERROR_WRONG_STATE (the measurement has finished), VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; nothing has changed then
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_add_sample(vbss_metrics *metrics,
                                              const vbss_metrics_sample *sample);
@@ -578,7 +578,7 @@ VBSS_API vbss_result vbss_metrics_add_sample(vbss_metrics *metrics,
  *         VBSS_ERROR_CAPACITY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; nothing has changed
  *         then
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_add_event(vbss_metrics *metrics, const vbss_metrics_event *event);
 
@@ -591,7 +591,7 @@ VBSS_API vbss_result vbss_metrics_add_event(vbss_metrics *metrics, const vbss_me
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: time runs backwards), VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; nothing has changed then
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_add_pull(vbss_metrics *metrics, const vbss_metrics_pull *pull);
 
@@ -602,7 +602,7 @@ VBSS_API vbss_result vbss_metrics_add_pull(vbss_metrics *metrics, const vbss_met
  * @param metrics  the measurement
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_finish(vbss_metrics *metrics);
 
@@ -615,7 +615,7 @@ VBSS_API vbss_result vbss_metrics_finish(vbss_metrics *metrics);
  *         know become zero
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *report,
                                              uint32_t struct_size);
@@ -630,7 +630,7 @@ VBSS_API vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such record)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,
                                             vbss_metrics_throw *record, uint32_t struct_size);
@@ -645,7 +645,7 @@ VBSS_API vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t inde
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such visit)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t index,
                                             vbss_metrics_phase *phase, uint32_t struct_size);
@@ -661,7 +661,7 @@ VBSS_API vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t inde
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such penalty)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t index,
                                               vbss_metrics_penalty *penalty, uint32_t struct_size);
@@ -679,7 +679,7 @@ VBSS_API vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t in
  *         VBSS_ERROR_OUT_OF_RANGE (no such tool), VBSS_ERROR_NOT_FOUND (no such visit) or
  *         VBSS_ERROR_ARITHMETIC_MODE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics_tool tool,
                                              int32_t phase, vbss_metrics_motion *motion,
@@ -695,7 +695,7 @@ VBSS_API vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_NOT_FOUND (no such visit) or VBSS_ERROR_ARITHMETIC_MODE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_bimanual(vbss_metrics *metrics, int32_t phase,
                                                vbss_metrics_bimanual *bimanual,
@@ -711,7 +711,7 @@ VBSS_API vbss_result vbss_metrics_get_bimanual(vbss_metrics *metrics, int32_t ph
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field field,
                                            vbss_view *view, uint32_t struct_size);
@@ -731,7 +731,7 @@ VBSS_API vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_f
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FINITE, or VBSS_ERROR_OUT_OF_RANGE (numbers above 1e3, no
  *         axis, mark or place on it)
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_offset(const double axis[3], const double centre[3],
                                              const double mark[3], const double place[3],
@@ -746,7 +746,7 @@ VBSS_API vbss_result vbss_metrics_get_offset(const double axis[3], const double 
  * @param[out] written  bytes written, or bytes needed with VBSS_ERROR_CAPACITY
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_save(vbss_metrics *metrics, uint8_t *bytes, uint64_t capacity,
                                        uint64_t *written);
@@ -762,7 +762,7 @@ VBSS_API vbss_result vbss_metrics_save(vbss_metrics *metrics, uint8_t *bytes, ui
  *         VBSS_ERROR_DATA_VERSION, VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or
  *         VBSS_ERROR_BUSY; on failure nothing has changed
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_restore(vbss_metrics *metrics, const uint8_t *bytes,
                                           uint64_t count);
@@ -775,7 +775,7 @@ VBSS_API vbss_result vbss_metrics_restore(vbss_metrics *metrics, const uint8_t *
  * @param[out] hash  receives the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_metrics_get_hash(vbss_metrics *metrics, uint64_t *hash);
 

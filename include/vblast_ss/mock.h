@@ -90,7 +90,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_config_init(vbss_mock_config *config, uint32_t struct_size);
 
@@ -118,7 +118,7 @@ static inline vbss_mock_config vbss_mock_config_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_create(vbss_context *context, const vbss_mock_config *config,
                                       vbss_mock **mock);
@@ -129,7 +129,7 @@ VBSS_API vbss_result vbss_mock_create(vbss_context *context, const vbss_mock_con
  * @param mock  the mock; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_destroy(vbss_mock *mock);
 
@@ -140,7 +140,7 @@ VBSS_API vbss_result vbss_mock_destroy(vbss_mock *mock);
  * @param[in,out] adapter an initialised table; the call sets every field
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter *adapter);
 
@@ -153,7 +153,7 @@ VBSS_API vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter 
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sample *sample);
 
@@ -170,7 +170,7 @@ VBSS_API vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sam
  *         (there is no function of time), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault, double from,
                                          double until, double value);
@@ -181,7 +181,7 @@ VBSS_API vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault,
  * @param mock  the mock
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_clear_faults(vbss_mock *mock);
 
@@ -191,7 +191,7 @@ VBSS_API vbss_result vbss_mock_clear_faults(vbss_mock *mock);
  * @param mock  the mock
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_clear_rows(vbss_mock *mock);
 
@@ -205,7 +205,7 @@ VBSS_API vbss_result vbss_mock_clear_rows(vbss_mock *mock);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_get_view(vbss_mock *mock, vbss_mock_field field, vbss_view *view,
                                         uint32_t struct_size);
@@ -218,7 +218,7 @@ VBSS_API vbss_result vbss_mock_get_view(vbss_mock *mock, vbss_mock_field field, 
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_mock_get_statistics(vbss_mock *mock, vbss_mock_statistics *statistics,
                                               uint32_t struct_size);

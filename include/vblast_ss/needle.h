@@ -112,7 +112,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_config_init(vbss_needle_config *config, uint32_t struct_size);
 
@@ -138,7 +138,7 @@ static inline vbss_needle_config vbss_needle_config_default(void)
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
  *         such preset)
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_config_preset(vbss_needle_config *config,
                                                vbss_needle_preset preset);
@@ -169,7 +169,7 @@ VBSS_API vbss_result vbss_needle_config_shape(vbss_needle_config *config, double
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_create(vbss_context *context, const vbss_needle_config *config,
                                         vbss_needle **needle);
@@ -180,7 +180,7 @@ VBSS_API vbss_result vbss_needle_create(vbss_context *context, const vbss_needle
  * @param needle  the needle; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
 
@@ -194,7 +194,7 @@ VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE (h, or
  *         the state would be: nothing has changed), VBSS_ERROR_IN_SCENE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_step(vbss_needle *needle, double h);
 
@@ -211,7 +211,7 @@ VBSS_API vbss_result vbss_needle_step(vbss_needle *needle, double h);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_set_state(vbss_needle *needle, const double position[3],
                                            const double *orientation, const double *velocity,
@@ -225,7 +225,7 @@ VBSS_API vbss_result vbss_needle_set_state(vbss_needle *needle, const double pos
  * @param struct_size  `sizeof *state` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_state *state,
                                            uint32_t struct_size);
@@ -238,7 +238,7 @@ VBSS_API vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_stat
  * @param struct_size  `sizeof *mass` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass *mass,
                                           uint32_t struct_size);
@@ -254,7 +254,7 @@ VBSS_API vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass 
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_NOT_FINITE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_get_place(vbss_needle *needle, double arc_length,
                                            double position[3], double *direction);
@@ -267,7 +267,7 @@ VBSS_API vbss_result vbss_needle_get_place(vbss_needle *needle, double arc_lengt
  * @param struct_size    `sizeof *energies` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_energies *energies,
                                               uint32_t struct_size);
@@ -282,7 +282,7 @@ VBSS_API vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_e
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field field,
                                           vbss_view *view, uint32_t struct_size);
@@ -296,7 +296,7 @@ VBSS_API vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field
  * @param[out] written  bytes written, or bytes needed with VBSS_ERROR_CAPACITY
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint64_t capacity,
                                       uint64_t *written);
@@ -312,7 +312,7 @@ VBSS_API vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint6
  *         VBSS_ERROR_CORRUPT (also of another configuration), VBSS_ERROR_CAPACITY,
  *         VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_restore(vbss_needle *needle, const uint8_t *bytes, uint64_t count);
 
@@ -323,7 +323,7 @@ VBSS_API vbss_result vbss_needle_restore(vbss_needle *needle, const uint8_t *byt
  * @param[out] hash  the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_needle_get_hash(vbss_needle *needle, uint64_t *hash);
 

@@ -132,7 +132,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_config_init(vbss_output_config *config, uint32_t struct_size);
 
@@ -157,7 +157,7 @@ static inline vbss_output_config vbss_output_config_default(void)
  * @param struct_size   `sizeof *command` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_command_init(vbss_output_command *command, uint32_t struct_size);
 
@@ -185,7 +185,7 @@ static inline vbss_output_command vbss_output_command_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_create(vbss_context *context, const vbss_output_config *config,
                                         vbss_output **output);
@@ -196,7 +196,7 @@ VBSS_API vbss_result vbss_output_create(vbss_context *context, const vbss_output
  * @param output  the stage; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_destroy(vbss_output *output);
 
@@ -212,7 +212,7 @@ VBSS_API vbss_result vbss_output_destroy(vbss_output *output);
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE (h), VBSS_ERROR_ARITHMETIC_MODE
  *         or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_step(vbss_output *output, double h,
                                       const vbss_output_command *command,
@@ -224,7 +224,7 @@ VBSS_API vbss_result vbss_output_step(vbss_output *output, double h,
  * @param output  the stage
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_latch_emergency_stop(vbss_output *output);
 
@@ -234,7 +234,7 @@ VBSS_API vbss_result vbss_output_latch_emergency_stop(vbss_output *output);
  * @param output  the stage
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_clear_emergency_stop(vbss_output *output);
 
@@ -246,7 +246,7 @@ VBSS_API vbss_result vbss_output_clear_emergency_stop(vbss_output *output);
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_output_get_statistics(vbss_output *output,
                                                 vbss_output_statistics *statistics,

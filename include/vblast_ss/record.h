@@ -2,10 +2,10 @@
  * @file record.h
  * @brief Records a scene in a log (initial state, inputs of the host, hashes) and replays the log.
  *
- * A *record* writes the log. It begins with a snapshot of the scene. From then on the host moves,
- * pins, cuts and steps the scene by the functions of this header. They call their namesakes of
- * scene.h, thread.h and grasper.h and log the call. The library writes no files: the host takes the
- * new bytes of the log and appends them to its own file.
+ * A *record* writes the log. It begins with a snapshot of the scene. Once it is attached to the scene
+ * (#vbss_scene_set_recorder), it logs every edit and step that functions of the scene and its bodies
+ * make. The library writes no files: the host takes the new bytes of the log and appends them to its
+ * own file.
  *
  * A *replay* reads a log, complete or truncated, with a scene or without. It restores the initial
  * state in a scene of the same configuration, applies the recorded inputs, steps the scene and
@@ -231,7 +231,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_record_config_init(vbss_record_config *config, uint32_t struct_size);
 
@@ -261,7 +261,7 @@ static inline vbss_record_config vbss_record_config_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (a snapshot of 3 GiB),
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *config,
                                         vbss_record **record);
@@ -273,7 +273,7 @@ VBSS_API vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_con
  * @param record  the record; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_record_destroy(vbss_record *record);
 
@@ -294,7 +294,7 @@ VBSS_API vbss_result vbss_record_destroy(vbss_record *record);
  *         VBSS_ERROR_WRONG_STATE (the replay has not begun), or a result of #vbss_replay_step,
  *         #vbss_scene_restore or #vbss_record_create
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *config,
                                         vbss_record **record, uint64_t *position);
@@ -308,7 +308,7 @@ VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_c
  * @param[out] count  number of bytes; 0 when there are no new ones
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_t *count);
 
@@ -339,187 +339,22 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
 VBSS_API vbss_result vbss_scene_set_recorder(vbss_scene *scene, vbss_record *record);
 
 /**
- * Calls #vbss_scene_set_rigid_target of the recorded scene and logs it. An input belongs to the step that
- * follows. Like all logging functions below, it changes nothing when it fails, and has two further
- * errors. VBSS_ERROR_WRONG_STATE: #vbss_record_end was called, or the host has changed the scene
- * or a thread, drain or grasper in it without the record (a new record is needed then).
- * VBSS_ERROR_CAPACITY: input_capacity is exhausted.
- *
- * @param record       the record
- * @param body         a rigid body, neither a free one nor a grasper
- * @param position     position of the origin of its frame, m, each coordinate at most 1e3 in
- *         magnitude
- * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
- *         orientation
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed),
- *         VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such body), VBSS_ERROR_INCOMPATIBLE
- *         (no rigid body, a free one or a grasper), VBSS_ERROR_WRONG_STATE (see above),
- *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_set_rigid_target(vbss_record *record, uint32_t body,
-                                                  const double position[3],
-                                                  const double *orientation);
-
-/**
- * Calls #vbss_grasper_set_target for a grasper of the recorded scene and logs it.
- *
- * @param record       the record
- * @param body         number of the grasper in the scene
- * @param position     position of the tip, m, each coordinate at most 1e3 in magnitude
- * @param orientation  quaternion w, x, y, z, of any length from 1e-100 to 1e100; NULL keeps the
- *         last orientation
- * @return as #vbss_record_set_rigid_target
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_set_grasper_target(vbss_record *record, uint32_t body,
-                                                    const double position[3],
-                                                    const double *orientation);
-
-/**
- * Calls #vbss_grasper_set_opening for a grasper of the recorded scene and logs it.
- *
- * @param record   the record
- * @param body     number of the grasper in the scene
- * @param opening  opening of the handle, 0 (closed) to 1 (open)
- * @return as #vbss_record_set_rigid_target
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening);
-
-/**
- * Calls #vbss_grasper_exchange for a grasper of the recorded scene and logs it.
- *
- * @param record  the record
- * @param body    number of the grasper in the scene
- * @param kind    kind of the new instrument
- * @return as #vbss_record_set_rigid_target
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_exchange(vbss_record *record, uint32_t body,
-                                          vbss_grasper_kind kind);
-
-/**
- * Applies an input to the recorded scene and logs it. For the changes of scene_settings.h, and for
- * inputs that come from another log.
+ * Applies an input to the recorded scene and logs it, whether the record is attached or not. For inputs
+ * that come from another log (#vbss_replay_read).
  *
  * @param record   the record
  * @param input    the input; `word_count` and `number_count` are not used
  * @param[out] id  identifier of a new pin or attachment, or number of a new piece; may be NULL
- * @return as #vbss_record_set_rigid_target and the function of the input; VBSS_ERROR_OUT_OF_RANGE also for
- *         a kind or a setting that does not exist, VBSS_ERROR_NOT_FINITE for any number of the
- *         input that is not finite
+ * @return a result of the function of the input, as a scene with this record attached returns it;
+ *         VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed), VBSS_ERROR_NULL_ARGUMENT,
+ *         VBSS_ERROR_OUT_OF_RANGE (also: a kind or a setting that does not exist),
+ *         VBSS_ERROR_NOT_FINITE (any number of the input), VBSS_ERROR_WRONG_STATE (as
+ *         #vbss_scene_set_recorder), VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
 VBSS_API vbss_result vbss_record_apply_input(vbss_record *record, const vbss_record_input *input,
                                              uint32_t *id);
-
-/**
- * Calls #vbss_scene_pin_thread of the recorded scene and logs it.
- *
- * @param record    the record
- * @param thread    number of the thread in the scene
- * @param node      0 to its number of nodes - 1
- * @param body      number of a rigid body; 0: the world
- * @param point     point in the frame of the body, m, each coordinate at most 1e3 in magnitude;
- *         NULL: the current position of the node
- * @param[out] pin  identifier of the pin, from 1 on, never reused
- * @return as #vbss_record_set_rigid_target; VBSS_ERROR_CAPACITY also when pins or the thread's
- *         attachments are exhausted
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_t node,
-                                            uint32_t body, const double *point, uint32_t *pin);
-
-/**
- * Calls #vbss_scene_unpin_thread of the recorded scene and logs it.
- *
- * @param record  the record
- * @param pin     identifier of the pin
- * @return as #vbss_record_set_rigid_target
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin);
-
-/**
- * Calls #vbss_scene_cut_thread of the recorded scene and logs it.
- *
- * @param record      the record
- * @param thread      number of the thread in the scene
- * @param arc_length  unstretched arc length from the thread's node 0 to the cut, m, within its
- *         length and not at an end
- * @param[out] piece  number of the new body
- * @return as #vbss_record_set_rigid_target; VBSS_ERROR_CAPACITY also when no cuts are left
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double arc_length,
-                                            uint32_t *piece);
-
-/**
- * Calls #vbss_thread_attach for a thread of the recorded scene and logs it.
- *
- * @param record      the record
- * @param thread      number of the thread in the scene
- * @param attachment the attachment
- * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
- * @return as #vbss_record_set_rigid_target; VBSS_ERROR_CAPACITY also when the thread's attachments are
- *         exhausted; VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_UNKNOWN_FIELD
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
-                                        const vbss_thread_attachment *attachment, uint32_t *id);
-
-/**
- * Calls #vbss_thread_set_attachment_target for an attachment of a thread of the recorded scene and logs it.
- *
- * @param record     the record
- * @param thread     number of the thread in the scene
- * @param id         the attachment, not a MASS
- * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N
- * @param direction  CLAMP: direction of any length from 1e-100 to 1e100; NULL keeps the direction
- * @return as #vbss_record_set_rigid_target
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_set_attachment_target(vbss_record *record, uint32_t thread,
-                                                       uint32_t id, const double target[3],
-                                                       const double *direction);
-
-/**
- * Calls #vbss_thread_detach for a thread of the recorded scene and logs it.
- *
- * @param record  the record
- * @param thread  number of the thread in the scene
- * @param id      the attachment
- * @return as #vbss_record_set_rigid_target
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id);
-
-/**
- * Calls #vbss_scene_step of the recorded scene and logs it. The log receives the inputs since the
- * last step, the length of this one, its events and, when they are due, the hash of the state and a
- * snapshot. The call allocates nothing. When the step fails, the log and the scene are unchanged,
- * and the inputs belong to the next step that succeeds.
- *
- * @param record  the record
- * @param h       length of the step, s, 1e-7 to 0.1
- * @return as #vbss_record_set_rigid_target and #vbss_scene_step; VBSS_ERROR_CAPACITY also when the buffer
- *         is full: nothing has changed then, and #vbss_record_take makes room
- * @threads one thread at a time per context
- * @since 0.1
- */
-VBSS_API vbss_result vbss_record_step(vbss_record *record, double h);
 
 /**
  * Ends the log; the end record always fits in the buffer. With inputs since the last step the log
@@ -530,7 +365,7 @@ VBSS_API vbss_result vbss_record_step(vbss_record *record, double h);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_WRONG_STATE (it has ended before) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_record_end(vbss_record *record);
 
@@ -545,7 +380,7 @@ VBSS_API vbss_result vbss_record_end(vbss_record *record);
  *         beginning is incomplete), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY; error texts name the byte
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_create(vbss_context *context, const uint8_t *bytes, uint64_t count,
                                         vbss_replay **replay);
@@ -556,7 +391,7 @@ VBSS_API vbss_result vbss_replay_create(vbss_context *context, const uint8_t *by
  * @param replay  the replay; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_destroy(vbss_replay *replay);
 
@@ -568,7 +403,7 @@ VBSS_API vbss_result vbss_replay_destroy(vbss_replay *replay);
  * @param struct_size  `sizeof *info` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info,
                                           uint32_t struct_size);
@@ -583,7 +418,7 @@ VBSS_API vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info 
  * @param[in,out] config an initialised configuration; the call sets every field
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config *config);
 
@@ -596,7 +431,7 @@ VBSS_API vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scen
  *         log has no end), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_ARITHMETIC_MODE
  *         or VBSS_ERROR_BUSY; error texts name the byte
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps);
 
@@ -611,7 +446,7 @@ VBSS_API vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps);
  *         VBSS_ERROR_CORRUPT (another scene; the error text names the field), VBSS_ERROR_CAPACITY,
  *         VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene);
 
@@ -643,7 +478,7 @@ VBSS_API vbss_result vbss_replay_load_scene(vbss_replay *replay, vbss_scene **sc
  *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_WRONG_STATE (it has not begun) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report,
                                       uint32_t struct_size);
@@ -661,7 +496,7 @@ VBSS_API vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *r
  * @return as #vbss_replay_step and #vbss_scene_restore; VBSS_ERROR_NOT_FOUND if the log ends before
  *         the step
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
                                       vbss_replay_report *report, uint32_t struct_size);
@@ -680,7 +515,7 @@ VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
  *         VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number,
                                       vbss_replay_logged_step *step, uint32_t struct_size);
@@ -699,7 +534,7 @@ VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number,
  *         size larger than any memory), VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_record_check_log(vbss_context *context, const uint8_t *bytes,
                                            uint64_t count, vbss_record_log_report *report,

@@ -117,7 +117,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replica_config_init(vbss_replica_config *config, uint32_t struct_size);
 
@@ -132,7 +132,7 @@ VBSS_API vbss_result vbss_replica_config_init(vbss_replica_config *config, uint3
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_OUT_OF_MEMORY or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replica_create(vbss_scene *scene, const vbss_replica_config *config,
                                          vbss_replica **replica);
@@ -145,7 +145,7 @@ VBSS_API vbss_result vbss_replica_create(vbss_scene *scene, const vbss_replica_c
  * @param replica  the replica; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (also: the reader is in a call)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replica_destroy(vbss_replica *replica);
 
@@ -159,7 +159,7 @@ VBSS_API vbss_result vbss_replica_destroy(vbss_replica *replica);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a scene of another context), VBSS_ERROR_CAPACITY
  *         (the scene has more of something than the replica has room for) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replica_publish(vbss_replica *replica, vbss_scene *scene);
 
@@ -173,7 +173,7 @@ VBSS_API vbss_result vbss_replica_publish(vbss_replica *replica, vbss_scene *sce
  * @return VBSS_OK (also: nothing is new), VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_BUSY (a second thread reads at the same time)
  * @threads the reader thread, at the same time as any call on the context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replica_take(vbss_replica *replica, vbss_replica_state *state,
                                        uint32_t struct_size);
@@ -191,7 +191,7 @@ VBSS_API vbss_result vbss_replica_take(vbss_replica *replica, vbss_replica_state
  *         VBSS_ERROR_OUT_OF_RANGE (no such field) or VBSS_ERROR_BUSY (a second thread reads at the
  *         same time)
  * @threads the reader thread, at the same time as any call on the context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_replica_get_view(vbss_replica *replica, vbss_replica_field field,
                                            vbss_view *view, uint32_t struct_size);

@@ -393,7 +393,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size);
 
@@ -421,7 +421,7 @@ static inline vbss_scene_config vbss_scene_config_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
                                        vbss_scene **scene);
@@ -433,7 +433,7 @@ VBSS_API vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_c
  * @param scene  the scene; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
 
@@ -453,7 +453,7 @@ VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
  *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY
  *         (pieces included), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body);
 
@@ -471,7 +471,7 @@ VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *threa
  *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body);
 
@@ -482,7 +482,7 @@ VBSS_API vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, 
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_rigid_config_init(vbss_scene_rigid_config *config,
                                                   uint32_t struct_size);
@@ -511,7 +511,7 @@ static inline vbss_scene_rigid_config vbss_scene_rigid_config_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_rigid_config *config,
                                           uint32_t *body);
@@ -532,7 +532,7 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_ri
  *         the scene refuses it), VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY
  *         (bodies or capsules), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32_t *body);
 
@@ -549,7 +549,7 @@ VBSS_API vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needl
  *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper,
                                             uint32_t *body);
@@ -565,7 +565,7 @@ VBSS_API vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *gra
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such place)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
                                           vbss_scene_grasp *grasp, uint32_t struct_size);
@@ -580,7 +580,7 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such hole)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_hole *hole,
                                          uint32_t struct_size);
@@ -597,7 +597,7 @@ VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such pair)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
                                             vbss_scene_blocker *blocker, uint32_t struct_size);
@@ -621,7 +621,7 @@ VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
  *         diameter), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (hole_capacity),
  *         VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
                                           uint32_t drain, uint32_t triangle, const double *weights,
@@ -636,7 +636,7 @@ VBSS_API vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, doub
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
 
@@ -656,7 +656,7 @@ VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
  *         such body), VBSS_ERROR_INCOMPATIBLE (no rigid body, a free one or a grasper),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body,
                                                  const double position[3],
@@ -685,7 +685,7 @@ VBSS_API vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t bod
  *         VBSS_ERROR_CAPACITY (pins, or the thread's attachments), VBSS_ERROR_OUT_OF_MEMORY (only
  *         while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t node,
                                            uint32_t body, const double *point, uint32_t *pin);
@@ -697,7 +697,7 @@ VBSS_API vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, u
  * @param pin    identifier of the pin
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such pin) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
 
@@ -721,7 +721,7 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
  *         within the thread), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left, which is an
  *         event, too), VBSS_ERROR_OUT_OF_MEMORY (only while a step is suspended) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc_length,
                                            uint32_t *piece);
@@ -737,7 +737,7 @@ VBSS_API vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, d
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no
  *         such body) or VBSS_ERROR_INCOMPATIBLE (no thread)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread);
 
@@ -754,7 +754,7 @@ VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbs
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, the failures of
  *         #vbss_scene_create or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_config_get_memory(vbss_context *context,
                                                   const vbss_scene_config *config, uint64_t *bytes);
@@ -770,7 +770,7 @@ VBSS_API vbss_result vbss_scene_config_get_memory(vbss_context *context,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (candidates or matrix) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_prepare(vbss_scene *scene);
 
@@ -787,7 +787,7 @@ VBSS_API vbss_result vbss_scene_prepare(vbss_scene *scene);
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (contacts, candidates or matrix),
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_step(vbss_scene *scene, double h);
 
@@ -801,7 +801,7 @@ VBSS_API vbss_result vbss_scene_step(vbss_scene *scene, double h);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_NOT_FOUND (no such body) or VBSS_ERROR_INCOMPATIBLE (no rigid body)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body,
                                           vbss_scene_rigid_state *state, uint32_t struct_size);
@@ -816,7 +816,7 @@ VBSS_API vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body,
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_view *view,
                                          uint32_t struct_size);
@@ -829,7 +829,7 @@ VBSS_API vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field fie
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
                                                uint32_t struct_size);
@@ -849,7 +849,7 @@ VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_sta
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such body),
  *         VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body,
                                             vbss_scene_overlap *overlap, uint32_t struct_size);
@@ -864,7 +864,7 @@ VBSS_API vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body,
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t capacity,
                                      uint64_t *written);
@@ -882,7 +882,7 @@ VBSS_API vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t
  *         VBSS_ERROR_CORRUPT, VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY
  *         or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count);
 
@@ -918,7 +918,7 @@ VBSS_API vbss_result vbss_scene_load(vbss_context *context, const uint8_t *bytes
  * @param[out] hash  the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_scene_get_hash(vbss_scene *scene, uint64_t *hash);
 

@@ -211,7 +211,9 @@ typedef struct vbss_session_config {
      * detected. */
     vbss_knot_detector *knots;
     vbss_metrics *metrics; /**< Metrics; NULL (default): nothing is measured. */
-    vbss_record *record;   /**< Record of the scene; NULL (default): nothing is logged. */
+    /** Record of the scene; NULL (default): nothing is logged. Each step of the session attaches it
+     * (#vbss_scene_set_recorder). To log edits before the first step, the host attaches it. */
+    vbss_record *record;
     /** Replay that has begun with the scene, in place of devices and record; NULL (default):
      * none. */
     vbss_replay *replay;
@@ -300,7 +302,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_config_init(vbss_session_config *config, uint32_t struct_size);
 
@@ -334,7 +336,7 @@ static inline vbss_session_config vbss_session_config_default(void)
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (the detector's capacity is too small for the
  *         thread or the tools), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *config,
                                          vbss_session **session);
@@ -345,7 +347,7 @@ VBSS_API vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_c
  * @param session  the session; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_destroy(vbss_session *session);
 
@@ -358,14 +360,14 @@ VBSS_API vbss_result vbss_session_destroy(vbss_session *session);
  * @param now      the host's clock, s, for devices; ignored without devices
  * @param h        length of the step, s, 1e-7 to 0.1; ignored with a replay, which sets it
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of a device, detector, metrics, record or
- *         replay), or a result of #vbss_device_read, #vbss_record_step or #vbss_scene_step,
- *         #vbss_knot_detector_step, #vbss_metrics_add_sample or #vbss_device_write.
+ *         replay), or a result of #vbss_device_read, #vbss_scene_set_recorder or
+ *         #vbss_scene_step, #vbss_knot_detector_step, #vbss_metrics_add_sample or #vbss_device_write.
  *         VBSS_ERROR_WRONG_STATE if the scene was stepped or restored past the session. With a
  *         replay also the results of #vbss_replay_step, VBSS_ERROR_WRONG_STATE at its end,
  *         VBSS_ERROR_INCOMPATIBLE if it has begun with another scene since, and VBSS_ERROR_CORRUPT
  *         when the hash of the scene or of the session differs from the recorded one
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_step(vbss_session *session, double now, double h);
 
@@ -383,21 +385,23 @@ VBSS_API vbss_result vbss_session_step(vbss_session *session, double now, double
  *         before the step, or has no state of a session at or before it), or a result of
  *         #vbss_replay_seek, #vbss_session_restore or #vbss_session_step
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_seek(vbss_session *session, uint64_t step);
 
 /**
  * Sets the record to which the session writes, for example after a replay has ended and
  * #vbss_record_resume was called. The session leaves the replay that it followed. A record that has
- * just begun receives the state of the session, so that later steps can be replayed.
+ * just begun receives the state of the session, so that later steps can be replayed. The call attaches
+ * the record to the scene (#vbss_scene_set_recorder) in place of the session's earlier one.
  *
  * @param session  the session
  * @param record   a record of the session's scene; NULL: none
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the record or another object),
- *         VBSS_ERROR_INCOMPATIBLE (the record belongs to another scene) or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_INCOMPATIBLE (the record belongs to another scene), VBSS_ERROR_WRONG_STATE (it has
+ *         ended, or does not know the state of the scene) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record);
 
@@ -409,7 +413,7 @@ VBSS_API vbss_result vbss_session_set_record(vbss_session *session, vbss_record 
  * @param struct_size  `sizeof *status` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *status,
                                              uint32_t struct_size);
@@ -424,7 +428,7 @@ VBSS_API vbss_result vbss_session_get_status(vbss_session *session, vbss_session
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (the event has not happened yet, or is lost)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_get_event(vbss_session *session, uint64_t index,
                                             vbss_session_event *event, uint32_t struct_size);
@@ -440,7 +444,7 @@ VBSS_API vbss_result vbss_session_get_event(vbss_session *session, uint64_t inde
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the detector or the metrics),
  *         VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, uint64_t capacity,
                                        uint64_t *written);
@@ -459,7 +463,7 @@ VBSS_API vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, ui
  *         VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure
  *         nothing has changed
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_restore(vbss_session *session, const uint8_t *bytes,
                                           uint64_t count);
@@ -474,7 +478,7 @@ VBSS_API vbss_result vbss_session_restore(vbss_session *session, const uint8_t *
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: that of the detector or the metrics) or
  *         VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_session_get_hash(vbss_session *session, uint64_t *hash);
 

@@ -314,7 +314,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size);
 
@@ -340,7 +340,7 @@ static inline vbss_thread_config vbss_thread_config_default(void)
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
  *         such preset)
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_config_preset(vbss_thread_config *config,
                                                vbss_thread_preset preset);
@@ -379,7 +379,7 @@ VBSS_API vbss_result vbss_thread_config_suture(vbss_thread_config *config,
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_CAPACITY (more than capacity, or more than 65536)
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_grade_lengths(double length, double centre, double finest,
                                                double coarsest, double ratio, double *rest_lengths,
@@ -396,7 +396,7 @@ VBSS_API vbss_result vbss_thread_grade_lengths(double length, double centre, dou
  *         mesh with method VBLAST), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
                                         vbss_thread **thread);
@@ -407,7 +407,7 @@ VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread
  * @param thread  the thread; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
 
@@ -424,7 +424,7 @@ VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
  *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
 
@@ -438,7 +438,7 @@ VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
                                            const double *velocities, uint32_t node_count);
@@ -450,7 +450,7 @@ VBSS_API vbss_result vbss_thread_set_state(vbss_thread *thread, const double *po
  * @param struct_size      `sizeof *attachment` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachment,
                                                  uint32_t struct_size);
@@ -480,7 +480,7 @@ static inline vbss_thread_attachment vbss_thread_attachment_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is held
  *         already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
                                         const vbss_thread_attachment *attachment, uint32_t *id);
@@ -497,7 +497,7 @@ VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
  *         such attachment), VBSS_ERROR_INCOMPATIBLE (a MASS), VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
                                                        const double target[3],
@@ -511,7 +511,7 @@ VBSS_API vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
 
@@ -529,7 +529,7 @@ VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_NOT_FOUND (no such attachment)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
                                               vbss_thread_reaction *reaction, uint32_t struct_size);
@@ -548,7 +548,7 @@ VBSS_API vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
  *         VBSS_ERROR_OUT_OF_RANGE (not inside, or within 1 % of a segment of an end),
  *         VBSS_ERROR_CAPACITY (no cuts left) or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece);
 
@@ -562,7 +562,7 @@ VBSS_API vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbs
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_get_view(vbss_thread *thread, vbss_thread_field field,
                                           vbss_view *view, uint32_t struct_size);
@@ -575,7 +575,7 @@ VBSS_API vbss_result vbss_thread_get_view(vbss_thread *thread, vbss_thread_field
  * @param struct_size    `sizeof *energies` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *energies,
                                               uint32_t struct_size);
@@ -588,7 +588,7 @@ VBSS_API vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_e
  * @param struct_size    `sizeof *momentum` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_momentum *momentum,
                                               uint32_t struct_size);
@@ -601,7 +601,7 @@ VBSS_API vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_m
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_get_statistics(vbss_thread *thread,
                                                 vbss_thread_statistics *statistics,
@@ -616,7 +616,7 @@ VBSS_API vbss_result vbss_thread_get_statistics(vbss_thread *thread,
  * @param[out] written  bytes of the state, also when it does not fit
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
                                       uint64_t *written);
@@ -632,7 +632,7 @@ VBSS_API vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint6
  *         VBSS_ERROR_CORRUPT, VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY
  *         or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count);
 
@@ -644,7 +644,7 @@ VBSS_API vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *byt
  * @param[out] hash  the hash
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_get_hash(vbss_thread *thread, uint64_t *hash);
 

@@ -135,7 +135,7 @@ extern "C" {
  * @param struct_size  `sizeof *config` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads any thread, any time
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_config_init(vbss_visual_config *config, uint32_t struct_size);
 
@@ -163,7 +163,7 @@ static inline vbss_visual_config vbss_visual_config_default(void)
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_create(vbss_context *context, const vbss_visual_config *config,
                                         vbss_visual **visual);
@@ -174,7 +174,7 @@ VBSS_API vbss_result vbss_visual_create(vbss_context *context, const vbss_visual
  * @param visual  the visual; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_destroy(vbss_visual *visual);
 
@@ -188,7 +188,7 @@ VBSS_API vbss_result vbss_visual_destroy(vbss_visual *visual);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a scene of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scene,
                                            uint32_t *source);
@@ -205,7 +205,7 @@ VBSS_API vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scen
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context of the visual, at the same time as any call on the context
  *          of the replica
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_add_replica(vbss_visual *visual, vbss_replica *replica,
                                              uint32_t *source);
@@ -219,7 +219,7 @@ VBSS_API vbss_result vbss_visual_add_replica(vbss_visual *visual, vbss_replica *
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a thread of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_add_thread(vbss_visual *visual, vbss_thread *thread,
                                             uint32_t *source);
@@ -233,7 +233,7 @@ VBSS_API vbss_result vbss_visual_add_thread(vbss_visual *visual, vbss_thread *th
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a drain of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_add_drain(vbss_visual *visual, vbss_drain *drain,
                                            uint32_t *source);
@@ -247,7 +247,7 @@ VBSS_API vbss_result vbss_visual_add_drain(vbss_visual *visual, vbss_drain *drai
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a needle of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_add_needle(vbss_visual *visual, vbss_needle *needle,
                                             uint32_t *source);
@@ -261,7 +261,7 @@ VBSS_API vbss_result vbss_visual_add_needle(vbss_visual *visual, vbss_needle *ne
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: a grasper of another context),
  *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *grasper,
                                              uint32_t *source);
@@ -274,7 +274,7 @@ VBSS_API vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such source) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source);
 
@@ -287,7 +287,7 @@ VBSS_API vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source);
  *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY (also: another thread reads a replica that is
  *         shown)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_update(vbss_visual *visual);
 
@@ -301,7 +301,7 @@ VBSS_API vbss_result vbss_visual_update(vbss_visual *visual);
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
  *         VBSS_ERROR_OUT_OF_RANGE (no such field)
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field,
                                           vbss_view *view, uint32_t struct_size);
@@ -314,7 +314,7 @@ VBSS_API vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field
  * @param struct_size      `sizeof *statistics` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
  * @threads one thread at a time per context
- * @since 0.1
+ * @since 1.0
  */
 VBSS_API vbss_result vbss_visual_get_statistics(vbss_visual *visual,
                                                 vbss_visual_statistics *statistics,

@@ -67,8 +67,8 @@ vbss_result vbss_context_create(const vbss_context_config *config, vbss_context 
     made->bytes_allocated = made->bytes_peak = sizeof *made;
     made->allocation_count = 1;
     *context = made;
-    vbss_message(made, VBSS_LOG_INFO, "context created by libvblast_ss %d.%d.%d",
-                 VBSS_VERSION_MAJOR, VBSS_VERSION_MINOR, VBSS_VERSION_PATCH);
+    vbss_message(made, VBSS_LOG_INFO, "context created by libvblast_ss %d.%d.%d%s",
+                 VBSS_VERSION_MAJOR, VBSS_VERSION_MINOR, VBSS_VERSION_PATCH, VBSS_VERSION_SUFFIX);
     return VBSS_OK;
 }
 

@@ -34,7 +34,7 @@ uint32_t vbss_version(void)
 #define VBSS_TEXT(x) VBSS_TO_TEXT(x)
 #define VBSS_VERSION_TEXT         \
     VBSS_TEXT(VBSS_VERSION_MAJOR) \
-    "." VBSS_TEXT(VBSS_VERSION_MINOR) "." VBSS_TEXT(VBSS_VERSION_PATCH)
+    "." VBSS_TEXT(VBSS_VERSION_MINOR) "." VBSS_TEXT(VBSS_VERSION_PATCH) VBSS_VERSION_SUFFIX
 
 #if defined(__clang__)
 #define VBSS_COMPILER "clang " __clang_version__

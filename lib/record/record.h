@@ -5,7 +5,7 @@
  * numbers as residuals of a prediction (predictive_coding.c). inputs.c applies inputs to a scene,
  * both live and in a replay.
  *
- * Logs are written by record.c and recorded_inputs.c, and continued by resume.c. They are read by
+ * Logs are written by record.c and recorder.c, and continued by resume.c. They are read by
  * log_reader.c and check.c without a scene, and by replay.c with one. session_records.c writes and
  * reads the records of sessions. */
 #ifndef VBSS_RECORD_RECORD_H

@@ -134,3 +134,23 @@ vbss_result vbss_scene_set_recorder(vbss_scene *scene, vbss_record *record)
     (void)vbss_record_attach_hook(r);
     return VBSS_OK;
 }
+
+/* ---- inputs from another log */
+
+vbss_result vbss_record_apply_input(vbss_record *record, const vbss_record_input *input,
+                                    uint32_t *id)
+{
+    VBSS_ENTER(record);
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_check_pointer(r->context, input, "input"));
+    VBSS_TRY(vbss_check_range(r->context, input->kind, VBSS_RECORD_INPUT_RIGID_TARGET,
+                              VBSS_RECORD_INPUT_DRAIN_DETACH, "kind of the input"));
+    const uint32_t numbers = vbss_log_input_shapes[input->kind].numbers;
+    VBSS_TRY(vbss_check_finite(r->context, input->numbers, numbers, "numbers of the input"));
+    VBSS_TRY(vbss_record_check_ready(r));
+    const vbss_edit_hook before = vbss_record_attach_hook(r);
+    const vbss_result result = vbss_log_apply_input(r->scene, (uint8_t)input->kind, input, id);
+    vbss_record_restore_hook(r, &before);
+    return result;
+}

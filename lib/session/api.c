@@ -43,6 +43,9 @@ vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record)
     session_object *s;
     VBSS_TRY(vbss_session_edit(session, &s));
     VBSS_TRY(vbss_session_check_record(s, record));
+    if (record != NULL || s->config.record != NULL) {
+        VBSS_TRY(vbss_scene_set_recorder(s->scene, record));
+    }
     VBSS_TRY(vbss_session_record_snapshot((const vbss_slot *)session, record));
     s->config.record = record;
     s->config.replay = NULL;

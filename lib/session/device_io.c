@@ -17,26 +17,18 @@ static vbss_result move_tool(const session_object *s, uint32_t hand, const vbss_
 {
     const double *orientation =
         (input->valid & (uint32_t)VBSS_DEVICE_HAS_ORIENTATION) != 0 ? input->orientation : NULL;
-    uint32_t body = s->config.tools[hand];
-    if ((input->valid & (uint32_t)VBSS_DEVICE_HAS_POSITION) == 0) {
-        return VBSS_OK;
-    }
-    return s->config.record != NULL
-               ? vbss_record_set_grasper_target(s->config.record, body, input->position,
-                                                orientation)
-               : vbss_grasper_set_target(tool_of_hand(s, hand), input->position, orientation);
+    return (input->valid & (uint32_t)VBSS_DEVICE_HAS_POSITION) != 0
+               ? vbss_grasper_set_target(tool_of_hand(s, hand), input->position, orientation)
+               : VBSS_OK;
 }
 
 static vbss_result set_tool_opening(const session_object *s, uint32_t hand,
                                     const vbss_device_input *input)
 {
     uint32_t jaw_signals = (uint32_t)(VBSS_DEVICE_HAS_JAW | VBSS_DEVICE_HAS_JAW_RAW);
-    if ((input->valid & jaw_signals) == 0) {
-        return VBSS_OK;
-    }
-    return s->config.record != NULL
-               ? vbss_record_set_opening(s->config.record, s->config.tools[hand], input->jaw)
-               : vbss_grasper_set_opening(tool_of_hand(s, hand), input->jaw);
+    return (input->valid & jaw_signals) != 0
+               ? vbss_grasper_set_opening(tool_of_hand(s, hand), input->jaw)
+               : VBSS_OK;
 }
 
 /* Exchanges the tool if the hand has taken another one. An exchange that failed is retried. */
@@ -51,12 +43,7 @@ static vbss_result exchange_tool(const session_object *s, uint32_t hand,
         return VBSS_OK;
     }
     VBSS_TRY(vbss_grasper_get_state(grasper, &state, sizeof state));
-    if (state.kind == input->tool) {
-        return VBSS_OK;
-    }
-    return s->config.record != NULL
-               ? vbss_record_exchange(s->config.record, s->config.tools[hand], input->tool)
-               : vbss_grasper_exchange(grasper, input->tool);
+    return state.kind == input->tool ? VBSS_OK : vbss_grasper_exchange(grasper, input->tool);
 }
 
 static bool has_device(const session_object *s, uint32_t hand)
@@ -93,7 +80,7 @@ static vbss_result follow_hand(const session_object *s, uint32_t hand,
 /* Reads all devices even if one fails: a device whose clock is wrong switches its outputs off. */
 vbss_result vbss_session_read_devices(session_object *s, double now)
 {
-    vbss_device_input inputs[SESSION_HANDS];
+    vbss_device_input inputs[SESSION_HANDS] = {{.struct_size = 0}};
     vbss_result result = VBSS_OK;
     for (uint32_t i = 0; i < SESSION_HANDS; i++) {
         if (has_device(s, i)) {
@@ -105,6 +92,7 @@ vbss_result vbss_session_read_devices(session_object *s, double now)
         }
     }
     VBSS_TRY(result);
+    VBSS_TRY(vbss_session_attach_record(s));
     s->takes_over = false;
     for (uint32_t i = 0; i < SESSION_HANDS; i++) {
         if (has_device(s, i)) {

@@ -16,6 +16,11 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
                : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "the record is of another scene");
 }
 
+vbss_result vbss_session_attach_record(const session_object *s)
+{
+    return s->config.record != NULL ? vbss_scene_set_recorder(s->scene, s->config.record) : VBSS_OK;
+}
+
 /* ---- the step of the scene */
 
 static vbss_result replay_scene_step(session_object *s)
@@ -43,8 +48,7 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
     if (s->config.replay != NULL) {
         return replay_scene_step(s);
     }
-    VBSS_TRY(s->config.record != NULL ? vbss_record_step(s->config.record, h)
-                                      : vbss_scene_step(s->scene, h));
+    VBSS_TRY(vbss_scene_step(s->scene, h));
     s->h = h;
     return VBSS_OK;
 }

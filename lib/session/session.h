@@ -237,6 +237,8 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
  * VBSS_ERROR_WRONG_STATE at the end of the log, and VBSS_ERROR_CORRUPT if the scene differs from
  * the recorded one. */
 vbss_result vbss_session_step_scene(session_object *s, double h);
+/* Attaches the session's record, if it has one, to the scene. */
+vbss_result vbss_session_attach_record(const session_object *s);
 /* After a step: writes the session hash and a snapshot to the record if they are due. In a replay,
  * compares the hash; VBSS_ERROR_CORRUPT if it differs. */
 vbss_result vbss_session_sync_log(const vbss_slot *slot, session_object *s);

@@ -61,7 +61,10 @@ static void version_and_build_are_reported(void **state)
     (void)state;
     assert_int_equal(vbss_version(), VBSS_VERSION_NUM);
     const char *info = vbss_build_info();
-    assert_non_null(strstr(info, "libvblast_ss "));
+    char version[64];
+    snprintf(version, sizeof version, "libvblast_ss %d.%d.%d%s (", VBSS_VERSION_MAJOR,
+             VBSS_VERSION_MINOR, VBSS_VERSION_PATCH, VBSS_VERSION_SUFFIX);
+    assert_non_null(strstr(info, version));
     assert_non_null(strstr(info, "-ffp-contract=off"));
     assert_null(strchr(info, '\n'));
 }

@@ -208,7 +208,6 @@ static void device_distinguishes_refusals(void **state)
 static void record_and_replay_distinguish_refusals(void **state)
 {
     (void)state;
-    const double origin[3] = {0.0, 0.0, 0.0};
     world w;
     uint32_t id;
     uint64_t count;
@@ -220,15 +219,19 @@ static void record_and_replay_distinguish_refusals(void **state)
     begin(&w);
     const uint32_t thread = w.s.config.thread;
     expect_ok(vbss_record_create(w.s.scene, NULL, &record));
-    refused(&w, VBSS_ERROR_NOT_FOUND, vbss_record_set_grasper_target(record, NONE, origin, NULL));
-    refused(&w, VBSS_ERROR_INCOMPATIBLE,
-            vbss_record_set_grasper_target(record, thread, origin, NULL));
-    expect_ok(vbss_record_pin_thread(record, thread, 0, 0, NULL, &id));
-    refused(&w, VBSS_ERROR_IN_USE, vbss_record_pin_thread(record, thread, 0, 0, NULL, &id));
-    refused(&w, VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, -1.0));
-    expect_ok(vbss_record_step(record, SESSION_SCENE_STEP));
+    vbss_record_input input = {.kind = VBSS_RECORD_INPUT_GRASPER_TARGET, .words = {NONE}};
+    refused(&w, VBSS_ERROR_NOT_FOUND, vbss_record_apply_input(record, &input, NULL));
+    input.words[0] = thread;
+    refused(&w, VBSS_ERROR_INCOMPATIBLE, vbss_record_apply_input(record, &input, NULL));
+    input = (vbss_record_input){.kind = VBSS_RECORD_INPUT_PIN, .words = {thread}};
+    expect_ok(vbss_record_apply_input(record, &input, &id));
+    refused(&w, VBSS_ERROR_IN_USE, vbss_record_apply_input(record, &input, &id));
+    expect_ok(vbss_scene_set_recorder(w.s.scene, record));
+    refused(&w, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_step(w.s.scene, -1.0));
+    expect_ok(vbss_scene_step(w.s.scene, SESSION_SCENE_STEP));
     expect_ok(vbss_record_end(record));
-    refused(&w, VBSS_ERROR_WRONG_STATE, vbss_record_step(record, SESSION_SCENE_STEP));
+    refused(&w, VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(w.s.scene, record));
+    refused(&w, VBSS_ERROR_WRONG_STATE, vbss_record_apply_input(record, &input, NULL));
     refused(&w, VBSS_ERROR_WRONG_STATE, vbss_record_end(record));
     expect_ok(vbss_record_take(record, &bytes, &count));
     expect_ok(vbss_replay_create(w.context, bytes, count, &replay));

@@ -19,7 +19,7 @@ enum { ROOM = 1 << 22, TOOL_STEPS = 200, STITCH_STEPS = 60 };
 /* ---- the scenes: what is there, and what it is told before a step */
 
 typedef vbss_result (*maker)(vbss_context *context, vbss_scene **scene);
-typedef vbss_result (*driver)(vbss_record *record, uint32_t step);
+typedef vbss_result (*driver)(vbss_scene *scene, uint32_t step);
 
 static stitch_scene stitch;
 static uint32_t probe;
@@ -45,17 +45,16 @@ static vbss_result make_stitch(vbss_context *context, vbss_scene **scene)
     return vbss_scene_add_rigid(stitch.scene, &c, &probe);
 }
 
-static vbss_result drive_stitch(vbss_record *record, uint32_t step)
+static vbss_result drive_stitch(vbss_scene *scene, uint32_t step)
 {
     const double pressed[3] = {10e-3, 9.5e-3 - 4e-5 * step, 0.0};
     for (int k = 0; k < 2; k++) {
         double target[3];
         stitch.at[k].z += (k == 0 ? -1.0 : 1.0) * 5e-5;
         vec3_store(target, stitch.at[k]);
-        VBSS_TRY(vbss_record_set_attachment_target(record, stitch.thread_body, stitch.hands[k],
-                                                   target, NULL));
+        VBSS_TRY(vbss_thread_set_attachment_target(stitch.thread, stitch.hands[k], target, NULL));
     }
-    return vbss_record_set_rigid_target(record, probe, pressed, NULL);
+    return vbss_scene_set_rigid_target(scene, probe, pressed, NULL);
 }
 
 static const struct logged {
@@ -88,9 +87,10 @@ static vbss_result write_one(vbss_context *context, const struct logged *s, FILE
     VBSS_TRY(vbss_record_config_init(&c, sizeof c));
     c.snapshot_interval = 50;
     VBSS_TRY(vbss_record_create(scene, &c, &record));
+    VBSS_TRY(vbss_scene_set_recorder(scene, record));
     for (uint32_t i = 0; i < s->steps; i++) {
-        VBSS_TRY(s->drive(record, i));
-        VBSS_TRY(vbss_record_step(record, 1e-3));
+        VBSS_TRY(s->drive(scene, i));
+        VBSS_TRY(vbss_scene_step(scene, 1e-3));
         VBSS_TRY(append(record, file));
     }
     VBSS_TRY(vbss_record_end(record));

@@ -108,7 +108,8 @@ static void try_record(vbss_context *context, vbss_record_config *c)
     char note[64] = "note";
     c->note = c->note_bytes <= sizeof note ? note : NULL;
     if (scene != NULL && vbss_record_create(scene, c, &record) == VBSS_OK) {
-        (void)vbss_record_step(record, 1e-3);
+        MUST(vbss_scene_set_recorder(scene, record) == VBSS_OK);
+        (void)vbss_scene_step(scene, 1e-3);
         MUST(vbss_record_end(record) == VBSS_OK);
     }
     MUST(vbss_record_destroy(record) == VBSS_OK);

@@ -20,7 +20,7 @@ vbss_result small_scene_create(vbss_context *context, vbss_scene **scene);
 /* A drain and a needle. */
 vbss_result drain_scene_create(vbss_context *context, vbss_scene **scene);
 /* What a host tells the small one before a step; in 40 steps jaws close on the thread and let it go, and so on. */
-vbss_result small_scene_drive(vbss_record *record, uint32_t step);
+vbss_result small_scene_drive(vbss_scene *scene, uint32_t step);
 
 /* ---- session_scene.c: thread, needle, drain and two tools, and the numbers of a session over them, with a detector */
 

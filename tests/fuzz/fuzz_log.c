@@ -98,7 +98,7 @@ static void replay_some(vbss_replay *replay, uint64_t steps)
     }
 }
 
-static void go_on(vbss_replay *replay, uint64_t steps)
+static void go_on(const table *t, vbss_replay *replay, uint64_t steps)
 {
     vbss_replay_report report;
     vbss_record *record;
@@ -109,8 +109,9 @@ static void go_on(vbss_replay *replay, uint64_t steps)
     MUST((record == NULL) == (result != VBSS_OK));
     if (result == VBSS_OK) {
         const double at[3] = {0.0, 0.0, 0.0};
-        (void)vbss_record_set_rigid_target(record, 3, at, NULL);
-        (void)vbss_record_step(record, 1e-3);
+        (void)vbss_scene_set_recorder(t->scene, record);
+        (void)vbss_scene_set_rigid_target(t->scene, 3, at, NULL);
+        (void)vbss_scene_step(t->scene, 1e-3);
         MUST(vbss_record_end(record) == VBSS_OK);
         MUST(vbss_record_take(record, &taken, &count) == VBSS_OK && count > 0);
     }
@@ -173,7 +174,7 @@ static void try_log(const table *t, const uint8_t *bytes, size_t count)
             if (t->session.struct_size != 0) {
                 follow(t, replay, steps);
             }
-            go_on(replay, steps);
+            go_on(t, replay, steps);
         }
     }
     replay_loaded(replay, steps);

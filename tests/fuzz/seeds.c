@@ -59,15 +59,14 @@ static void make_log(uint32_t before, uint32_t steps, bool ends, seed_taker take
 {
     vbss_context *context;
     vbss_scene *scene;
-    vbss_record *first, *record;
+    vbss_record *record;
     vbss_record_config config;
     char name[32];
     MUST(vbss_context_create(NULL, &context) == VBSS_OK);
     MUST(small_scene_create(context, &scene) == VBSS_OK);
-    MUST(vbss_record_create(scene, NULL, &first) == VBSS_OK);
     for (uint32_t i = 0; i < before; i++) {
-        MUST(small_scene_drive(first, i) == VBSS_OK);
-        MUST(vbss_record_step(first, 1e-3) == VBSS_OK);
+        MUST(small_scene_drive(scene, i) == VBSS_OK);
+        MUST(vbss_scene_step(scene, 1e-3) == VBSS_OK);
     }
     take_states(scene, 2, "state", before, take, user);
     MUST(vbss_record_config_init(&config, sizeof config) == VBSS_OK);
@@ -76,12 +75,13 @@ static void make_log(uint32_t before, uint32_t steps, bool ends, seed_taker take
     config.note = "note";
     config.note_bytes = 4;
     MUST(vbss_record_create(scene, &config, &record) == VBSS_OK);
+    MUST(vbss_scene_set_recorder(scene, record) == VBSS_OK);
     growing log = {NULL, 0};
     append(&log, (const uint8_t *)"", 1);
     append_log(&log, record);
     for (uint32_t i = 0; i < steps; i++) {
-        MUST(small_scene_drive(record, before + i) == VBSS_OK);
-        MUST(vbss_record_step(record, 1e-3) == VBSS_OK);
+        MUST(small_scene_drive(scene, before + i) == VBSS_OK);
+        MUST(vbss_scene_step(scene, 1e-3) == VBSS_OK);
         append_log(&log, record);
     }
     if (ends) {

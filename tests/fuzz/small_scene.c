@@ -109,33 +109,37 @@ vbss_result drain_scene_create(vbss_context *context, vbss_scene **scene)
     return add_needle(context, *scene);
 }
 
-static vbss_result attach(vbss_record *record)
+static vbss_result attach(vbss_scene *scene)
 {
     vbss_thread_attachment a;
+    vbss_thread *thread;
     uint32_t id;
+    TRY(vbss_scene_get_thread(scene, THREAD, &thread));
     TRY(vbss_thread_attachment_init(&a, sizeof a));
     a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
     a.node = 5;
     a.force[2] = 1e-3;
-    TRY(vbss_record_attach(record, THREAD, &a, &id));
-    return vbss_record_set_attachment_target(record, THREAD, id, a.force, NULL);
+    TRY(vbss_thread_attach(thread, &a, &id));
+    return vbss_thread_set_attachment_target(thread, id, a.force, NULL);
 }
 
-vbss_result small_scene_drive(vbss_record *record, uint32_t step)
+vbss_result small_scene_drive(vbss_scene *scene, uint32_t step)
 {
     const double t = step % 40, turned[4] = {1.0, 0.0, 0.01 * t, 0.0};
     const double tip[3] = {0.0, 2e-3 + 2e-5 * t, -1e-3}, at[3] = {0.01 - 2e-4 * t, 0.0, 0.0};
+    vbss_grasper *tool;
     uint32_t name;
-    TRY(vbss_record_set_grasper_target(record, TOOL, tip, NULL));
-    TRY(vbss_record_set_opening(record, TOOL, t < 20.0 ? fmax(0.0, 1.0 - 0.1 * t) : 1.0));
-    TRY(vbss_record_set_rigid_target(record, BALL, at, turned));
+    TRY(vbss_scene_get_grasper(scene, TOOL, &tool));
+    TRY(vbss_grasper_set_target(tool, tip, NULL));
+    TRY(vbss_grasper_set_opening(tool, t < 20.0 ? fmax(0.0, 1.0 - 0.1 * t) : 1.0));
+    TRY(vbss_scene_set_rigid_target(scene, BALL, at, turned));
     if (step == 5) {
-        TRY(attach(record));
+        TRY(attach(scene));
     }
     if (step == 30) {
-        TRY(vbss_record_pin_thread(record, THREAD, SEGMENTS, BALL, NULL, &name));
-        TRY(vbss_record_unpin_thread(record, name));
-        TRY(vbss_record_exchange(record, TOOL, VBSS_GRASPER_KIND_SHEARS));
+        TRY(vbss_scene_pin_thread(scene, THREAD, SEGMENTS, BALL, NULL, &name));
+        TRY(vbss_scene_unpin_thread(scene, name));
+        TRY(vbss_grasper_exchange(tool, VBSS_GRASPER_KIND_SHEARS));
     }
-    return step == 33 ? vbss_record_cut_thread(record, THREAD, 0.0101, &name) : VBSS_OK;
+    return step == 33 ? vbss_scene_cut_thread(scene, THREAD, 0.0101, &name) : VBSS_OK;
 }

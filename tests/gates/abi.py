@@ -7,21 +7,33 @@ import hashlib
 import html
 import re
 
+import c_text
 import gate
 import layout
+import public_headers
 
 
 def version(g):
-    numbers = dict(re.findall(r"#define VBSS_VERSION_(MAJOR|MINOR) (\d+)",
-                              (g.include / "vblast_ss/base.h").read_text()))
-    return numbers["MAJOR"], numbers["MINOR"]
+    return public_headers.version(g.include)
 
 
 def baselines(g):
-    """From 1.0 on every earlier minor version must still fit; before, each is an ABI of its own."""
-    major, minor = version(g)
-    pattern = f"vblast_ss-0.{minor}.dump" if major == "0" else f"vblast_ss-{major}.*.dump"
-    return sorted((g.source / "tests/abi").glob(pattern))
+    """Every earlier minor version must still fit."""
+    return sorted((g.source / "tests/abi").glob(f"vblast_ss-{version(g)[0]}.*.dump"))
+
+
+def recorded_headers(g):
+    return sorted((g.source / "tests/abi").glob(f"vblast_ss-{version(g)[0]}.*.headers"))
+
+
+def headers_text(source):
+    """The headers without comments and the map of a tree, as one text: what programs of this version are built with."""
+    text = f"Public headers of vblast_ss {'.'.join(public_headers.version(source / 'include'))} without comments, for " \
+           "gate.hosts.\nWritten by tests/abi/update-baseline.py.\n"
+    for path in sorted((source / "include/vblast_ss").glob("*.h*")) + [source / "lib/vblast_ss.map"]:
+        code = c_text.TOKEN.sub(lambda token: " " if token.group()[0] == "/" else token.group(), path.read_text())
+        text += f"==== {path.name}\n" + re.sub(r"\s*\n", "\n", code.lstrip())
+    return text
 
 
 def dump(g, source, name):
@@ -84,19 +96,31 @@ def inspect(g):
     return complaints
 
 
+def refuse_break(include, changes):
+    """Before its release a version may change; afterwards it may only grow."""
+    if changes and '#define VBSS_VERSION_SUFFIX ""' in (include / "vblast_ss/base.h").read_text():
+        raise gate.Problem("this version is released, and programs depend on what has changed: " + "; ".join(changes)[:400])
+
+
 def update(g):
-    """Writes dump and layout; returns the line for the CHANGELOG."""
+    """Writes dump, layout and headers; returns the line for the CHANGELOG."""
     new = dump(g, g.source, "library")
     text = new.read_text()
     for folder in (str(g.source), str(g.work)):
         if folder in text:
             raise gate.Problem(f"the dump holds a path of this machine: {folder}")
     before = (g.source / layout.BASELINE).read_text() if (g.source / layout.BASELINE).is_file() else ""
-    changes = compare(g, current(g), new) if current(g).is_file() else ["the first baseline"]
-    changes += layout.update(g)
+    known = baselines(g)  # the last one is of this version, or of the one before
+    changes = compare(g, known[-1], new) if known else ["the first baseline of this major version"]
+    changes += layout.changes(g)
+    refuse_break(g.include, changes if known else [])
+    layout.update(g)
     if not changes and (g.source / layout.BASELINE).read_text() == before:
         return "The interface is as it was: the baseline stays."  # line numbers are no reason
     current(g).write_text(text)
+    current(g).with_suffix(".headers").write_text(headers_text(g.source))
+    for other in set((g.source / "tests/abi").glob("vblast_ss-*.dump")) - set(baselines(g)):
+        other.unlink()  # of another major version, which promises nothing to this one
     for change in changes:
         print("  " + change)
     what = "ABI changed" if changes else "ABI extended"
@@ -123,8 +147,16 @@ def changed(*changes):
     return canary
 
 
+def released(g):
+    include = g.work / "include/vblast_ss"
+    include.mkdir(parents=True)
+    (include / "base.h").write_text('#define VBSS_VERSION_SUFFIX ""\n')
+    refuse_break(g.work / "include", ["Removed Symbols 1"])
+    return []
+
+
 def unrecorded(g):
-    path = g.work / "vblast_ss-0.1.dump"
+    path = g.work / "vblast_ss-1.0.dump"
     path.write_text("a baseline nobody told of\n")
     return recorded(g, path)
 
@@ -146,6 +178,8 @@ CANARIES = [
                for f in (HEADER, RESULT))), REFUSED + r".*result"),
     ("a removed function", changed((MAP, "    vbss_version;\n", "")), REFUSED + r".*(Removed|vbss_version)"),
     ("a baseline nobody told of", unrecorded, r"^CHANGELOG.md does not tell"),
+    ("a new baseline that breaks a released version", released, r"^this version is released"),
+    ("a grown enumeration", changed((HEADER, "X(VBSS_OK, 0,", 'X(VBSS_ERROR_MORE, -99, "one more") X(VBSS_OK, 0,')), None),
     ("(b) an opaque struct grown, a function added",
      changed(("lib/base/context.h", "bool in_callback;", "bool in_callback, grown;"),
              (HEADER, VERSION, VERSION + NEW), (MAP, "    vbss_version;\n", "    vbss_version;\n    vbss_added;\n"),

@@ -51,6 +51,24 @@ def check_linkage(g, include):
             for name in names if name not in seen]
 
 
+def check_deprecation(g, include):
+    """A function that is marked makes a call warn with the text, and only there; VBSS_NO_DEPRECATED is silent."""
+    source = g.work / "deprecated.c"
+    text = ('#include <vblast_ss/base.h>\n#ifdef __cplusplus\nextern "C"\n#endif\n'
+            'VBSS_DEPRECATED("use vbss_other") VBSS_API vbss_result vbss_old(void);\nint call(void);\n'
+            "int call(void) {{ return {}; }}\n")
+    complaints = []
+    for (language, compilers, standards, _), silent, call in itertools.product(LANGUAGES, (False, True), (False, True)):
+        for compiler in compilers:
+            source.write_text(text.format("vbss_old()" if call else "0"))
+            code, output = g.run(g.tool(compiler), f"-std={standards[0]}", *WARNINGS, "-I", include, "-fsyntax-only",
+                                 *(["-DVBSS_NO_DEPRECATED"] if silent else []), "-x", language, source, code=None)
+            warned = code != 0 and "use vbss_other" in output
+            if code and not warned or warned != (call and not silent):
+                complaints.append(f"VBSS_DEPRECATED, {compiler}: {output.strip() or 'no warning'}")
+    return complaints
+
+
 # ---- canaries: the headers with one more, or with one changed
 
 def with_header(text):
@@ -78,6 +96,14 @@ def strip_linkage(include):
     path.write_text(re.sub(r'#ifdef __cplusplus\s+(extern "C" \{|\})\s+#endif', "", path.read_text()))
 
 
+def without_deprecation(g):
+    include = g.work / "include"
+    shutil.rmtree(include, ignore_errors=True)
+    shutil.copytree(g.include, include)
+    gate.replace_once(include / "vblast_ss/base.h", "__attribute__((deprecated(text)))", "")
+    return check_deprecation(g, include)
+
+
 GUARD = "#ifndef CANARY_H\n#define CANARY_H\n#include <stdint.h>\n{}\n#endif\n"
 CANARIES = [
     ("a hole in a struct",
@@ -93,8 +119,10 @@ CANARIES = [
      r"expected|keyword|cannot combine|C\+\+"),
     ("an undefined macro in an #if", with_header(GUARD.format("#if VBSS_CANARY\n#endif")),
      r"VBSS_CANARY.* is not defined"),
+    ("a deprecation without a warning", without_deprecation, r"^VBSS_DEPRECATED, .*no warning$"),
     ('a header without extern "C"', changed("base.h", strip_linkage), r"has no C linkage in C\+\+"),
 ]
 
 if __name__ == "__main__":
-    gate.main("headers", lambda g: check(g, g.include, public_headers.headers(g.include)), CANARIES)
+    gate.main("headers", lambda g: check(g, g.include, public_headers.headers(g.include)) +
+              check_deprecation(g, g.include), CANARIES)

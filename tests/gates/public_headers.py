@@ -90,3 +90,20 @@ def read_fields(line):
         kind = " ".join(match.group(1).replace("const ", "").split())
         fields.append((part.group(2), kind, "*" in part.group(1)))
     return fields, ""
+
+
+def version(include):
+    """Major and minor number, as texts."""
+    numbers = dict(re.findall(r"#define VBSS_VERSION_(MAJOR|MINOR) (\d+)", (include / "vblast_ss/base.h").read_text()))
+    return numbers["MAJOR"], numbers["MINOR"]
+
+
+def since(include):
+    """Name -> version of the @since line in the comment of every exported function; None: it has none."""
+    found = {}
+    for path in headers(include):
+        for comment, name in re.findall(r"/\*\*((?:(?!\*/).)*)\*/\s*(?:VBSS_DEPRECATED\([^)]*\)\s*)?VBSS_API\b[^;{}(]*?\b(\w+)\s*\(",
+                                        path.read_text(), flags=re.S):
+            line = re.search(r"@since (\d+\.\d+)$", comment, flags=re.M)
+            found[name] = line.group(1) if line else None
+    return found

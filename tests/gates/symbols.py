@@ -1,6 +1,8 @@
 """The shared library exports exactly what the map lists and the headers declare, under its version
-node; the static library, which cannot hide anything, defines only names with our prefix."""
+node, which is that of their @since; the static library, which cannot hide anything, defines only names with our
+prefix."""
 import re
+import shutil
 
 import gate
 import public_headers
@@ -18,11 +20,20 @@ def map_nodes(path):
 
 
 def soname(g):
-    numbers = dict(re.findall(r"#define VBSS_VERSION_(MAJOR|MINOR) (\d+)",
-                              (g.include / "vblast_ss/base.h").read_text()))
-    # Before 1.0 every minor version is an ABI of its own.
-    version = numbers["MAJOR"] if numbers["MAJOR"] != "0" else "0." + numbers["MINOR"]
-    return f"libvblast_ss.so.{version}"
+    return f"libvblast_ss.so.{public_headers.version(g.include)[0]}"
+
+
+def check_since(include, nodes):
+    """Each function stands under the node of the version that its comment names, and no version is to come."""
+    complaints = []
+    for name, since in sorted(public_headers.since(include).items()):
+        if since is None:
+            complaints.append(f"{name} has no @since")
+        elif name in nodes and nodes[name] != f"VBSS_{since}":
+            complaints.append(f"{name} has @since {since}, but stands under {nodes[name]}")
+        elif [int(part) for part in since.split(".")] > [int(part) for part in public_headers.version(include)]:
+            complaints.append(f"{name} has @since {since}, which is later than these headers")
+    return complaints
 
 
 def check_shared(g, library, version_map):
@@ -69,6 +80,7 @@ def check_static(g, *objects):
 
 def inspect(g):
     return (check_shared(g, g.library("shared"), g.source / "lib/vblast_ss.map") +
+            check_since(g.include, map_nodes(g.source / "lib/vblast_ss.map")) +
             check_static(g, g.library("archive")))
 
 
@@ -94,7 +106,26 @@ def undeclared(g, change):
     return check_shared(g, g.library("shared"), version_map)
 
 
+def introduced(g, version):
+    """The map against headers in which a function says another version."""
+    include = g.work / "include"
+    shutil.rmtree(include, ignore_errors=True)
+    shutil.copytree(g.include, include)
+    base = include / "vblast_ss/base.h"
+    function = "VBSS_API uint32_t vbss_version(void);"
+    before, after = base.read_text().split(function)
+    head, _, tail = before.rpartition(" * @since 1.0\n")
+    base.write_text(head + version + tail + function + after)
+    return check_since(include, {**map_nodes(g.source / "lib/vblast_ss.map"), "vbss_version": "VBSS_99.0"}
+                       if "99" in version else map_nodes(g.source / "lib/vblast_ss.map"))
+
+
 CANARIES = [
+    ("a function of a later version in the node of an earlier one", lambda g: introduced(g, " * @since 1.1\n"),
+     r"^vbss_version has @since 1.1, but stands under VBSS_1.0$"),
+    ("a function of a version that is to come", lambda g: introduced(g, " * @since 99.0\n"),
+     r"^vbss_version has @since 99.0, which is later than these headers$"),
+    ("a function without @since", lambda g: introduced(g, ""), r"^vbss_version has no @since$"),
     ("a function of the headers that the map forgot",
      lambda g: undeclared(g, lambda m: m.replace("vbss_version;", "")),
      r"^(declared in a header but not in|exported but not in) vblast_ss.map: vbss_version$"),

@@ -61,9 +61,11 @@ def loop_of(context, note=b""):
 
 def test_other_scenes_are_made_by_a_function_and_their_knots_have_times():
     with vb.Context() as context:
-        record = vb.Record(loop_of(context))
+        scene = loop_of(context)
+        record = vb.Record(scene)
+        record.attach_to_scene()
         for _ in range(20):
-            record.step(1e-3)
+            scene.step(1e-3)
         record.end()
         log = record.take()
     with pytest.raises(ValueError, match="made"):

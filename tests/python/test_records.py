@@ -11,29 +11,32 @@ def make(context, settings=None):
     ball = scene.add_rigid([((0, 0, 0), (0, 0, 0), 2e-3)], position=(0, 0.05, 0))
     tool = vb.Grasper(context)
     tool.set_target((0.0, 0.1, 0.0))
-    return scene, body, ball, scene.add(tool)
+    scene.add(tool)
+    return scene, body, ball, tool
 
 
 def recorded(context):
     scene, body, ball, tool = make(context)
     record = vb.Record(scene, note=b"a thread and a ball", hash_interval=1, snapshot_interval=3)
+    record.attach_to_scene()
     log = record.take()
-    record.set_rigid_target(ball, (0, 0.051, 0), (1, 0, 0, 0))
-    record.set_grasper_target(tool, (0.001, 0.1, 0.0))
-    record.set_opening(tool, 0.5)
-    record.exchange(tool, "shears")
-    pin = record.pin_thread(body, 0)
-    record.step()
-    record.unpin_thread(pin)
-    name = record.attach(body, "force", 5, force=(0, 0, 1e-3))
-    record.step()
-    record.set_attachment_target(body, name, (0, 0, 2e-3))
+    scene.set_rigid_target(ball, (0, 0.051, 0), (1, 0, 0, 0))
+    tool.set_target((0.001, 0.1, 0.0))
+    tool.set_opening(0.5)
+    tool.exchange("shears")
+    pin = scene.pin_thread(body, 0)
+    scene.step()
+    scene.unpin_thread(pin)
+    thread = scene.thread(body)
+    name = thread.attach("force", 5, force=(0, 0, 1e-3))
+    scene.step()
+    thread.set_attachment_target(name, (0, 0, 2e-3))
     log += record.take()
-    record.step()
-    record.detach(body, name)
-    record.cut_thread(body, 0.07)
+    scene.step()
+    thread.detach(name)
+    scene.cut_thread(body, 0.07)
     for _ in range(5):
-        record.step()
+        scene.step()
     record.end()
     return log + record.take(), scene.state_hash
 
@@ -136,8 +139,9 @@ def test_events_are_in_the_log(context):
     scene = vb.Scene(context, floor=True, mode="offline")
     scene.add(vb.Thread(context, segment_count=5, start=(0, 1e-4, 0)))
     record, seen = vb.Record(scene), []
+    record.attach_to_scene()
     for _ in range(20):
-        record.step()
+        scene.step()
         seen.append([(event.kind, event.body_a, event.body_b, event.id) for event in scene.take_events()])
     replay = vb.Replay(record.take(), context)
     assert [list(replay.read(number + 1).events) for number in range(20)] == seen
@@ -157,7 +161,8 @@ def test_a_record_goes_on_with_a_log_that_is_cut_off(context):
         replay.close()
         steps = vb.check_log(log[:half]).steps
         assert position <= half and record.take() == b""
-        record.step()
+        record.attach_to_scene()
+        scene.step()
         record.end()
         whole, wanted = log[:position] + record.take(), scene.state_hash
         again = vb.Replay(whole, other)
@@ -192,7 +197,9 @@ def test_what_a_record_refuses(context):
     record = vb.Record(scene)
     record.end()
     with pytest.raises(vb.WrongStateError):
-        record.step()
+        record.attach_to_scene()
+    with pytest.raises(vb.WrongStateError):
+        record.apply_input("unpin", (1,))
     scene.close()
     with pytest.raises(vb.InvalidHandleError):
         vb.Record(scene)

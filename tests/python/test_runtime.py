@@ -78,7 +78,8 @@ def test_changes_are_in_the_log(stage):
     scene, ball, _ = stage
     record = vb.Record(scene, hash_interval=1)
     record.apply_input("setting", (vb.SceneSetting.GRAVITY, ball), (0, -2.0, 0))
-    record.step()
+    record.attach_to_scene()
+    scene.step()
     record.end()
     log = record.take()
     other = vb.Scene(scene.context, floor=True, floor_height=-1.0)

@@ -68,9 +68,10 @@ def test_a_log_replays_and_goes_on(context):
     rig = Rig(context)
     record = vb.Record(rig.scene)
     session = rig.session(record=record, hash_interval=1)
+    record.attach_to_scene()
     log = b""
     for i in range(6):
-        record.set_grasper_target(rig.bodies["tools"][0], (-0.08, 0.08, -0.08 + 1e-4 * i))
+        rig.tools[0].set_target((-0.08, 0.08, -0.08 + 1e-4 * i))
         session.step()
         log += record.take()
     with vb.Context() as other:

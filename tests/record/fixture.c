@@ -85,18 +85,16 @@ void stage_end(stage *s)
     harness_context_end(s->context, &s->memory);
 }
 
-/* ---- what is told: through the record, or past it */
+/* ---- edits */
 
-static void move_rigid(stage *s, vbss_record *record, uint32_t body, vec3 at, const double *turned)
+static void move_rigid(stage *s, uint32_t body, vec3 at, const double *turned)
 {
     double position[3];
     vec3_store(position, at);
-    expect_ok(record != NULL ? vbss_record_set_rigid_target(record, body, position, turned)
-                             : vbss_scene_set_rigid_target(s->scene, body, position, turned));
+    expect_ok(vbss_scene_set_rigid_target(s->scene, body, position, turned));
 }
 
-static void attach(stage *s, vbss_record *record, vbss_thread_attachment_kind kind, uint32_t node,
-                   uint32_t *id)
+static void attach(stage *s, vbss_thread_attachment_kind kind, uint32_t node, uint32_t *id)
 {
     vbss_thread_attachment a;
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
@@ -109,27 +107,18 @@ static void attach(stage *s, vbss_record *record, vbss_thread_attachment_kind ki
     a.stiffness = 2.0;
     a.damping = 1e-3;
     a.mass = 1e-5;
-    expect_ok(record != NULL ? vbss_record_attach(record, s->body, &a, id)
-                             : vbss_thread_attach(s->thread, &a, id));
+    expect_ok(vbss_thread_attach(s->thread, &a, id));
 }
 
-static void move(stage *s, vbss_record *record, uint32_t id, vec3 to, const double *direction)
+static void move(stage *s, uint32_t id, vec3 to, const double *direction)
 {
     double target[3];
     vec3_store(target, to);
-    expect_ok(record != NULL
-                  ? vbss_record_set_attachment_target(record, s->body, id, target, direction)
-                  : vbss_thread_set_attachment_target(s->thread, id, target, direction));
-}
-
-static void detach(stage *s, vbss_record *record, uint32_t id)
-{
-    expect_ok(record != NULL ? vbss_record_detach(record, s->body, id)
-                             : vbss_thread_detach(s->thread, id));
+    expect_ok(vbss_thread_set_attachment_target(s->thread, id, target, direction));
 }
 
 /* A node to the ball, a tenth of a millimetre beside where it is. */
-static void pin(stage *s, vbss_record *record, uint32_t node)
+static void pin(stage *s, uint32_t node)
 {
     vbss_scene_rigid_state ball;
     vbss_view view;
@@ -140,52 +129,46 @@ static void pin(stage *s, vbss_record *record, uint32_t node)
     const double *q = ball.orientation;
     pose at = pose_make(vec3_load(ball.position), quat_make(q[0], q[1], q[2], q[3]));
     vec3_store(point, vec3_add(pose_apply_inverse(at, vec3_load(x)), vec3_make(0.0, 1e-4, 0.0)));
-    expect_ok(record != NULL
-                  ? vbss_record_pin_thread(record, s->body, node, s->ball, point, &s->pin)
-                  : vbss_scene_pin_thread(s->scene, s->body, node, s->ball, point, &s->pin));
+    expect_ok(vbss_scene_pin_thread(s->scene, s->body, node, s->ball, point, &s->pin));
 }
 
-static void unpin(stage *s, vbss_record *record)
-{
-    expect_ok(record != NULL ? vbss_record_unpin_thread(record, s->pin)
-                             : vbss_scene_unpin_thread(s->scene, s->pin));
-}
-
-/* In a round of 40 steps everything that can be told is. */
+/* In a round of 40 steps every kind of edit is made. */
 void stage_report(stage *s, vbss_record *record)
 {
     double t = 1e-3 * s->step;
     const double turned[4] = {1.0, 0.0, 0.2 * vbss_sin(40.0 * t), 0.0};
     const double direction[3] = {1.0, vbss_sin(30.0 * t), 0.0};
     uint32_t phase = s->step % 40;
+    if (record != NULL) {
+        expect_ok(vbss_scene_set_recorder(s->scene, record));
+    }
     vec3 sway = vec3_make(-0.01 * (1.0 - vbss_cos(20.0 * t)), 0.004 * vbss_sin(25.0 * t), 0.0);
-    move_rigid(s, record, s->tools[0], vec3_add(vec3_make(0.093, 0.03, 0.0), sway), NULL);
-    move_rigid(s, record, s->tools[1], vec3_make(0.04, 0.02 + 0.014 * vbss_sin(15.0 * t), 0.0),
-               turned);
+    move_rigid(s, s->tools[0], vec3_add(vec3_make(0.093, 0.03, 0.0), sway), NULL);
+    move_rigid(s, s->tools[1], vec3_make(0.04, 0.02 + 0.014 * vbss_sin(15.0 * t), 0.0), turned);
     if (phase % 4 == 1) {
-        move_rigid(s, record, s->ball, vec3_make(0.06 + 0.01 * t, 0.001, 0.02), NULL);
+        move_rigid(s, s->ball, vec3_make(0.06 + 0.01 * t, 0.001, 0.02), NULL);
     }
     if (phase == 3) {
-        attach(s, record, VBSS_THREAD_ATTACHMENT_FORCE, 10, &s->force);
+        attach(s, VBSS_THREAD_ATTACHMENT_FORCE, 10, &s->force);
     } else if (phase > 3 && phase < 20) {
-        move(s, record, s->force, vec3_make(0.0, 0.0, 2e-3 * vbss_sin(100.0 * t)), NULL);
+        move(s, s->force, vec3_make(0.0, 0.0, 2e-3 * vbss_sin(100.0 * t)), NULL);
     } else if (phase == 20) {
-        detach(s, record, s->force);
-        attach(s, record, VBSS_THREAD_ATTACHMENT_CLAMP, 22, &s->clamp);
+        expect_ok(vbss_thread_detach(s->thread, s->force));
+        attach(s, VBSS_THREAD_ATTACHMENT_CLAMP, 22, &s->clamp);
     } else if (phase > 20 && phase < 30) {
-        move(s, record, s->clamp, vec3_make(0.06, 0.035, 0.002), direction);
+        move(s, s->clamp, vec3_make(0.06, 0.035, 0.002), direction);
     } else if (phase == 30) {
-        detach(s, record, s->clamp);
-        pin(s, record, 26);
+        expect_ok(vbss_thread_detach(s->thread, s->clamp));
+        pin(s, 26);
     } else if (phase == 37) {
-        unpin(s, record);
+        expect_ok(vbss_scene_unpin_thread(s->scene, s->pin));
     }
 }
 
 void stage_step(stage *s, vbss_record *record)
 {
     stage_report(s, record);
-    expect_ok(record != NULL ? vbss_record_step(record, 1e-3) : vbss_scene_step(s->scene, 1e-3));
+    expect_ok(vbss_scene_step(s->scene, 1e-3));
     s->step++;
 }
 

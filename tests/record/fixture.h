@@ -32,8 +32,8 @@ void stage_begin(stage *s, const stage_options *options);
 vbss_result stage_make(stage *s, const stage_options *options);
 vbss_result stage_leave(stage *s);
 void stage_end(stage *s);
-/* What the host tells before the next step, to the record or, without one, to the scene itself; and the
- * step. */
+/* The edits of the host before the next step, and the step. A record is attached first; NULL changes
+ * nothing. */
 void stage_report(stage *s, vbss_record *record);
 void stage_step(stage *s, vbss_record *record);
 uint64_t stage_hash(stage *s);

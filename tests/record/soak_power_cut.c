@@ -67,10 +67,11 @@ static bool record_on(cut *c, vbss_record *record, int file, uint32_t first, uin
 {
     const uint8_t *bytes;
     uint64_t count;
+    OR_FAIL(c, vbss_scene_set_recorder(c->scene, record));
     for (uint32_t i = 0; i < steps; i++) {
         uint32_t step = first + i; /* what there is no room for often is told at first only */
-        OR_FAIL(c, small_scene_drive(record, step < 30 ? step : 6 + step % 20));
-        OR_FAIL(c, vbss_record_step(record, 1e-3));
+        OR_FAIL(c, small_scene_drive(c->scene, step < 30 ? step : 6 + step % 20));
+        OR_FAIL(c, vbss_scene_step(c->scene, 1e-3));
         if (i % 3 == 0) {
             OR_FAIL(c, vbss_record_take(record, &bytes, &count));
             if (!put(&c->random, file, bytes, (size_t)count)) {

@@ -43,7 +43,7 @@ static void begin(adapting *a)
 }
 
 /* Nodes are named as they are numbered at that moment. */
-static void record_edits(const adapting *a, vbss_record *record, uint32_t step)
+static void make_edits(const adapting *a, uint32_t step)
 {
     vbss_thread_statistics s;
     vbss_thread_attachment force;
@@ -54,11 +54,11 @@ static void record_edits(const adapting *a, vbss_record *record, uint32_t step)
         force.kind = VBSS_THREAD_ATTACHMENT_FORCE;
         force.node = s.nodes - 1;
         force.force[0] = 0.02;
-        expect_ok(vbss_record_attach(record, a->body, &force, &id));
+        expect_ok(vbss_thread_attach(a->thread, &force, &id));
     } else if (step == CUT_AT) {
-        expect_ok(vbss_record_cut_thread(record, a->body, 0.07, &piece));
+        expect_ok(vbss_scene_cut_thread(a->scene, a->body, 0.07, &piece));
     } else if (step == PIN_AT) {
-        expect_ok(vbss_record_pin_thread(record, a->body, s.nodes - 4, 0, NULL, &pin));
+        expect_ok(vbss_scene_pin_thread(a->scene, a->body, s.nodes - 4, 0, NULL, &pin));
     }
 }
 
@@ -70,11 +70,12 @@ static void adapted_scene_replays_bit_equal(void **state)
     log_bytes log = {NULL, 0};
     begin(&a);
     expect_ok(vbss_record_create(a.scene, NULL, &record));
+    expect_ok(vbss_scene_set_recorder(a.scene, record));
     uint32_t changed = 0, nodes = 0;
     for (uint32_t i = 0; i < STEPS; i++) {
         vbss_thread_statistics s;
-        record_edits(&a, record, i);
-        expect_ok(vbss_record_step(record, 1e-3));
+        make_edits(&a, i);
+        expect_ok(vbss_scene_step(a.scene, 1e-3));
         expect_ok(vbss_thread_get_statistics(a.thread, &s, sizeof s));
         changed += s.nodes != nodes;
         nodes = s.nodes;

@@ -1,4 +1,4 @@
-/* Cuts that are told through a record: noted, replayed to the bit, refused as the scene refuses them. */
+/* Cuts of a recorded scene: in the log, replayed to the bit; refused cuts are not in it. */
 #include "fixture.h"
 #include "record/record.h"
 
@@ -33,20 +33,22 @@ static void begin(cutting *c, vbss_method method)
     expect_ok(vbss_scene_pin_thread(c->scene, c->body, 30, 0, NULL, &pin));
 }
 
-static void record_edits(const cutting *c, vbss_record *record, uint32_t step)
+static void make_edits(const cutting *c, uint32_t step)
 {
     uint32_t piece = 0;
     if (step == 10 || step == 30) {
         double arc = step == 10 ? 0.0152 : 0.004;
-        expect_ok(vbss_record_cut_thread(record, c->body, arc, &piece));
+        expect_ok(vbss_scene_cut_thread(c->scene, c->body, arc, &piece));
         assert_int_equal(piece, step == 10 ? 2 : 3);
     } else if (step == 31) { /* a piece goes on to be told things */
         vbss_thread_attachment a;
+        vbss_thread *thread;
         uint32_t id;
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
         a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
         a.force[2] = 1e-3;
-        expect_ok(vbss_record_attach(record, 2, &a, &id));
+        expect_ok(vbss_scene_get_thread(c->scene, 2, &thread));
+        expect_ok(vbss_thread_attach(thread, &a, &id));
     }
 }
 
@@ -55,9 +57,10 @@ static log_bytes log_of_cuts(cutting *c)
     vbss_record *record;
     log_bytes log = {NULL, 0};
     expect_ok(vbss_record_create(c->scene, NULL, &record));
+    expect_ok(vbss_scene_set_recorder(c->scene, record));
     for (uint32_t i = 0; i < STEPS; i++) {
-        record_edits(c, record, i);
-        expect_ok(vbss_record_step(record, 1e-3));
+        make_edits(c, i);
+        expect_ok(vbss_scene_step(c->scene, 1e-3));
     }
     expect_ok(vbss_record_end(record));
     log_take(&log, record);
@@ -102,16 +105,17 @@ static void rejected_cuts_are_not_recorded(void **state)
     uint32_t piece = 77;
     begin(&c, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(c.scene, NULL, &record));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_cut_thread(record, 1, 0.01, NULL));
-    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_cut_thread(record, 2, 0.01, &piece));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_cut_thread(record, 1, 0.0, &piece));
+    expect_ok(vbss_scene_set_recorder(c.scene, record));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_scene_cut_thread(c.scene, 1, 0.01, NULL));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_cut_thread(c.scene, 2, 0.01, &piece));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(c.scene, 1, 0.0, &piece));
     expect_result(VBSS_ERROR_NOT_FINITE,
-                  vbss_record_cut_thread(record, 1, harness_bad_numbers[0], &piece));
-    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_record_cut_thread(NULL, 1, 0.01, &piece));
+                  vbss_scene_cut_thread(c.scene, 1, harness_bad_numbers[0], &piece));
     assert_int_equal(piece, 77);
-    expect_ok(vbss_record_step(record, 1e-3));
+    expect_ok(vbss_scene_step(c.scene, 1e-3));
+    expect_ok(vbss_scene_set_recorder(c.scene, NULL));
     expect_ok(vbss_scene_cut_thread(c.scene, 1, 0.01, &piece)); /* past the record */
-    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(record, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(c.scene, record));
     harness_context_end(c.context, &c.memory);
 }
 
@@ -123,11 +127,12 @@ static void impossible_cuts_keep_recording(void **state)
     uint32_t piece;
     begin(&c, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(c.scene, NULL, &record));
+    expect_ok(vbss_scene_set_recorder(c.scene, record));
     for (int k = 1; k <= 3; k++) {
-        expect_ok(vbss_record_cut_thread(record, 1, 0.02 - 5e-3 * k, &piece));
+        expect_ok(vbss_scene_cut_thread(c.scene, 1, 0.02 - 5e-3 * k, &piece));
     }
-    expect_result(VBSS_ERROR_CAPACITY, vbss_record_cut_thread(record, 1, 2e-3, &piece));
-    expect_ok(vbss_record_step(record, 1e-3));
+    expect_result(VBSS_ERROR_CAPACITY, vbss_scene_cut_thread(c.scene, 1, 2e-3, &piece));
+    expect_ok(vbss_scene_step(c.scene, 1e-3));
     harness_context_end(c.context, &c.memory);
 }
 

@@ -1,7 +1,8 @@
 /* Sessions with graspers: recorded, replayed to the bit; what is told past the record is found out. */
 #include "fixture.h"
-#include "scene/api/api.h"
-#include "scene/world/world.h"
+
+#include <vblast_ss/scene_query.h>
+
 #include "fixtures/tool_scenes.h"
 
 /* The context must not move: the memory it watches is in the stage. */
@@ -18,9 +19,10 @@ static log_bytes record_tools(stage *s, uint32_t steps)
     log_bytes log = {NULL, 0};
     vbss_record *record;
     expect_ok(vbss_record_create(s->scene, NULL, &record));
+    expect_ok(vbss_scene_set_recorder(s->scene, record));
     for (uint32_t i = 0; i < steps; i++) {
-        expect_ok(tool_scene_drive(s->scene, record));
-        expect_ok(vbss_record_step(record, 1e-3));
+        expect_ok(tool_scene_drive(s->scene));
+        expect_ok(vbss_scene_step(s->scene, 1e-3));
         if (i % 50 == 7) {
             log_take(&log, record);
         }
@@ -108,11 +110,14 @@ static void step_takes_documented_space(void **state)
     expect_ok(vbss_record_create(s.scene, NULL, &record));
     log_take(&log, record);
     size_t before = log.count;
+    expect_ok(vbss_scene_set_recorder(s.scene, record));
     for (uint32_t body = 2; body <= 3; body++) {
-        expect_ok(vbss_record_set_grasper_target(record, body, tip, turned));
-        expect_ok(vbss_record_set_opening(record, body, 0.5));
+        vbss_grasper *tool;
+        expect_ok(vbss_scene_get_grasper(s.scene, body, &tool));
+        expect_ok(vbss_grasper_set_target(tool, tip, turned));
+        expect_ok(vbss_grasper_set_opening(tool, 0.5));
     }
-    expect_ok(vbss_record_step(record, 1e-3));
+    expect_ok(vbss_scene_step(s.scene, 1e-3));
     log_take(&log, record);
     assert_true(log.count - before <= 332);
     expect_ok(vbss_record_destroy(record));
@@ -128,17 +133,18 @@ static void unrecorded_commands_are_detected(void **state)
     for (int how = 0; how < 3; how++) {
         stage s;
         vbss_record *record;
-        scene_object *scene;
+        vbss_grasper *tool;
         const double tip[3] = {0.0, 0.0, 0.05};
         tools_make(&s, VBSS_METHOD_IMPLICIT);
         expect_ok(vbss_record_create(s.scene, NULL, &record));
-        expect_ok(vbss_record_step(record, 1e-3));
-        expect_ok(vbss_scene_open(s.scene, &scene));
-        vbss_grasper *tool = (vbss_grasper *)vbss_scene_body(scene, 2)->rigid.slot;
+        expect_ok(vbss_scene_set_recorder(s.scene, record));
+        expect_ok(vbss_scene_step(s.scene, 1e-3));
+        expect_ok(vbss_scene_set_recorder(s.scene, NULL));
+        expect_ok(vbss_scene_get_grasper(s.scene, 2, &tool));
         expect_ok(how == 0   ? vbss_grasper_set_target(tool, tip, NULL)
                   : how == 1 ? vbss_grasper_set_opening(tool, 0.5)
                              : vbss_grasper_exchange(tool, VBSS_GRASPER_KIND_SHEARS));
-        assert_true(vbss_record_step(record, 1e-3) != VBSS_OK);
+        expect_result(VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(s.scene, record));
         expect_ok(vbss_record_destroy(record));
         stage_end(&s);
     }
@@ -150,27 +156,35 @@ static void rejected_commands_are_not_recorded(void **state)
     (void)state;
     stage s;
     vbss_record *record;
+    vbss_grasper *tool;
+    vbss_replay_logged_step step;
+    log_bytes log = {NULL, 0};
     const double tip[3] = {0.0, 0.0, 0.05}, far[3] = {1e4, 0.0, 0.0}, none[4] = {0.0};
     const double odd[3] = {harness_bad_numbers[0], 0.0, 0.0};
     tools_make(&s, VBSS_METHOD_IMPLICIT);
     expect_ok(vbss_record_create(s.scene, NULL, &record));
     uint64_t hash = stage_hash(&s);
-    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_set_grasper_target(record, 9, tip, NULL));
-    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_set_grasper_target(record, 1, tip, NULL));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_set_grasper_target(record, 2, NULL, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 2, far, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_grasper_target(record, 2, tip, none));
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_set_grasper_target(record, 2, odd, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_opening(record, 2, 1.5));
-    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_set_opening(record, 1, 0.5));
-    expect_result(VBSS_ERROR_NOT_FINITE,
-                  vbss_record_set_opening(record, 2, harness_bad_numbers[1]));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_exchange(record, 2, 3));
-    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_exchange(record, 0, VBSS_GRASPER_KIND_SHEARS));
+    expect_ok(vbss_scene_set_recorder(s.scene, record));
+    expect_ok(vbss_scene_get_grasper(s.scene, 2, &tool));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_grasper_set_target(tool, NULL, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_set_target(tool, far, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_set_target(tool, tip, none));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_grasper_set_target(tool, odd, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_set_opening(tool, 1.5));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_grasper_set_opening(tool, harness_bad_numbers[1]));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_exchange(tool, 3));
+    vbss_record_input input = {.kind = VBSS_RECORD_INPUT_GRASPER_TARGET, .words = {9}};
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_apply_input(record, &input, NULL));
+    input.words[0] = 1;
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_apply_input(record, &input, NULL));
     assert_true(stage_hash(&s) == hash);
-    expect_ok(vbss_record_step(record, 1e-3));
-    expect_ok(vbss_record_destroy(record));
+    expect_ok(vbss_scene_step(s.scene, 1e-3));
+    log_take(&log, record);
+    vbss_replay *replay = replay_of(&s, &log);
+    expect_ok(vbss_replay_read(replay, 1, &step, sizeof step));
+    assert_int_equal(step.input_count, 0);
     stage_end(&s);
+    log_free(&log);
 }
 
 int test_graspers(void)

@@ -3,8 +3,6 @@
 
 /* ---- handles */
 
-static const double position[3];
-
 static vbss_result call_take(void *handle)
 {
     const uint8_t *bytes;
@@ -12,43 +10,10 @@ static vbss_result call_take(void *handle)
     return vbss_record_take(handle, &bytes, &count);
 }
 
-static vbss_result call_move_rigid(void *handle)
+static vbss_result call_apply_input(void *handle)
 {
-    return vbss_record_set_rigid_target(handle, 1, position, NULL);
-}
-
-static vbss_result call_pin(void *handle)
-{
-    uint32_t pin;
-    return vbss_record_pin_thread(handle, 1, 0, 0, NULL, &pin);
-}
-
-static vbss_result call_unpin(void *handle)
-{
-    return vbss_record_unpin_thread(handle, 1);
-}
-
-static vbss_result call_attach(void *handle)
-{
-    vbss_thread_attachment a;
-    uint32_t id;
-    expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    return vbss_record_attach(handle, 1, &a, &id);
-}
-
-static vbss_result call_move(void *handle)
-{
-    return vbss_record_set_attachment_target(handle, 1, 1, position, NULL);
-}
-
-static vbss_result call_detach(void *handle)
-{
-    return vbss_record_detach(handle, 1, 1);
-}
-
-static vbss_result call_step(void *handle)
-{
-    return vbss_record_step(handle, 1e-3);
+    const vbss_record_input input = {.kind = VBSS_RECORD_INPUT_UNPIN, .words = {1}};
+    return vbss_record_apply_input(handle, &input, NULL);
 }
 
 static vbss_result call_end(void *handle)
@@ -123,9 +88,7 @@ static vbss_result call_begin_in(void *handle)
 static void bad_handles_are_rejected(void **state)
 {
     (void)state;
-    const harness_handle_call of_records[] = {call_take,   call_move_rigid, call_pin,
-                                              call_unpin,  call_attach,     call_move,
-                                              call_detach, call_step,       call_end};
+    const harness_handle_call of_records[] = {call_take, call_apply_input, call_end};
     const harness_handle_call of_replays[] = {call_info,   call_config, call_check, call_begin,
                                               call_replay, call_seek,   call_read,  call_resume};
     const harness_handle_call of_scenes[] = {call_create, call_begin_in};
@@ -139,7 +102,7 @@ static void bad_handles_are_rejected(void **state)
     expect_ok(vbss_record_create(s.scene, NULL, &record));
     expect_ok(vbss_record_destroy(record));
     expect_ok(vbss_replay_destroy(replay));
-    harness_refuses_bad_handles(s.context, record, of_records, 9);
+    harness_refuses_bad_handles(s.context, record, of_records, 3);
     harness_refuses_bad_handles(s.context, replay, of_replays, 8);
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_replay_begin(the_replay, other.scene));
     expect_ok(vbss_replay_begin(the_replay, s.scene));
@@ -188,10 +151,11 @@ static void listen(void *user, vbss_log_level level, const char *message)
 {
     listener *l = user;
     vbss_replay_report report;
+    const vbss_record_input input = {.kind = VBSS_RECORD_INPUT_UNPIN, .words = {1}};
     (void)message;
     l->warnings += level == VBSS_LOG_WARNING;
     if (l->record != NULL) {
-        l->refused += vbss_record_step(l->record, 1e-3) == VBSS_ERROR_BUSY;
+        l->refused += vbss_record_apply_input(l->record, &input, NULL) == VBSS_ERROR_BUSY;
         l->refused += call_take(l->record) == VBSS_ERROR_BUSY;
         l->refused += vbss_replay_step(l->replay, &report, sizeof report) == VBSS_ERROR_BUSY;
     }
@@ -218,7 +182,8 @@ static void recording_inside_callback_is_rejected(void **state)
     l.record = record;
     l.replay = replay;
     uint64_t hash = stage_hash(&s);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 2.0));
+    expect_ok(vbss_scene_set_recorder(s.scene, record));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_step(s.scene, 2.0));
     assert_int_equal(l.refused, 3);
     assert_true(stage_hash(&s) == hash);
     l.record = NULL;

@@ -1,4 +1,4 @@
-/* What a record is told, what it refuses, and the room it has. */
+/* Inputs of a recorded scene: which are logged, which are refused, and the room they have. */
 #include "recorder.h"
 
 static const double somewhere[3] = {0.05, 0.02, 0.01};
@@ -29,31 +29,35 @@ static void inputs_rejected_by_scene_are_not_recorded(void **state)
     bad.node = 31;
     vbss_record *record = r.record;
     const uint32_t tool = r.s.tools[0], body = r.s.body, force = r.s.force;
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_set_rigid_target(record, tool, NULL, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_rigid_target(record, tool, far, NULL));
+    vbss_scene *scene = r.s.scene;
+    vbss_thread *thread = r.s.thread;
+    expect_ok(vbss_scene_set_recorder(scene, record));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_scene_set_rigid_target(scene, tool, NULL, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_set_rigid_target(scene, tool, far, NULL));
     expect_result(VBSS_ERROR_INCOMPATIBLE,
-                  vbss_record_set_rigid_target(record, body, somewhere, NULL));
+                  vbss_scene_set_rigid_target(scene, body, somewhere, NULL));
     far[1] = harness_bad_numbers[0];
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_set_rigid_target(record, tool, far, NULL));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_pin_thread(record, body, 9, 0, NULL, NULL));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_scene_set_rigid_target(scene, tool, far, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_scene_pin_thread(scene, body, 9, 0, NULL, NULL));
     expect_result(VBSS_ERROR_IN_USE,
-                  vbss_record_pin_thread(record, body, 0, tool, NULL, &id)); /* held */
-    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_unpin_thread(record, 9));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_attach(record, body, NULL, &id));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_attach(record, body, &bad, NULL));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_attach(record, body, &bad, &id));
-    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_attach(record, tool, &bad, &id));
+                  vbss_scene_pin_thread(scene, body, 0, tool, NULL, &id)); /* held */
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_unpin_thread(scene, 9));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_thread_attach(thread, NULL, &id));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_thread_attach(thread, &bad, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(thread, &bad, &id));
     bad.struct_size = 111;
-    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_record_attach(record, body, &bad, &id));
+    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_thread_attach(thread, &bad, &id));
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_record_set_attachment_target(record, body, force, NULL, NULL));
+                  vbss_thread_set_attachment_target(thread, force, NULL, NULL));
     expect_result(VBSS_ERROR_NOT_FOUND,
-                  vbss_record_set_attachment_target(record, body, 999, somewhere, NULL));
-    expect_result(VBSS_ERROR_INCOMPATIBLE,
-                  vbss_record_set_attachment_target(record, tool, force, somewhere, NULL));
-    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_detach(record, body, 999));
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_step(record, harness_bad_numbers[1]));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 0.2));
+                  vbss_thread_set_attachment_target(thread, 999, somewhere, NULL));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_thread_detach(thread, 999));
+    vbss_record_input input = {.kind = VBSS_RECORD_INPUT_ATTACHMENT_TARGET, .words = {tool, force}};
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_apply_input(record, &input, NULL));
+    input = (vbss_record_input){.kind = VBSS_RECORD_INPUT_ATTACH, .words = {tool}};
+    expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_record_apply_input(record, &input, NULL));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_scene_step(scene, harness_bad_numbers[1]));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_step(scene, 0.2));
     assert_int_equal(id, 77);
     assert_true(stage_hash(&r.s) == hash);
     stage_step(&r.s, record);
@@ -68,9 +72,9 @@ static void inputs_of_failed_step_belong_to_next(void **state)
     recorder r;
     recorder_begin(&r, NULL);
     stage_report(&r.s, r.record);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(r.record, -1.0));
-    expect_ok(vbss_record_step(r.record, 1e-3));
-    expect_ok(vbss_record_step(r.record, 0.5e-3)); /* and steps may differ in length */
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_step(r.s.scene, -1.0));
+    expect_ok(vbss_scene_step(r.s.scene, 1e-3));
+    expect_ok(vbss_scene_step(r.s.scene, 0.5e-3)); /* and steps may differ in length */
     expect_ok(vbss_record_end(r.record));
     recorder_end(&r, 2);
 }
@@ -89,14 +93,15 @@ static void undone_step_leaves_no_trace(void **state)
     uint64_t steps = 0;
     stage_begin(&s, &options);
     expect_ok(vbss_record_create(s.scene, NULL, &record));
+    expect_ok(vbss_scene_set_recorder(s.scene, record));
     const double here[3] = {0.04, 0.02, 0.0}, along[3] = {0.04, 0.0301, 0.0};
     const double turned[4] = {1.0, 0.0, 1.0, 0.0};
     for (uint64_t i = 0; i < 10; i++) {
         /* through the thread and along it: too much for three contacts */
-        expect_ok(vbss_record_set_rigid_target(record, s.tools[1], along, turned));
-        expect_result(VBSS_ERROR_CAPACITY, vbss_record_step(record, 1e-3));
-        expect_ok(vbss_record_set_rigid_target(record, s.tools[1], here, NULL));
-        expect_ok(vbss_record_step(record, 1e-3));
+        expect_ok(vbss_scene_set_rigid_target(s.scene, s.tools[1], along, turned));
+        expect_result(VBSS_ERROR_CAPACITY, vbss_scene_step(s.scene, 1e-3));
+        expect_ok(vbss_scene_set_rigid_target(s.scene, s.tools[1], here, NULL));
+        expect_ok(vbss_scene_step(s.scene, 1e-3));
         steps++;
     }
     expect_ok(vbss_record_end(record));
@@ -126,15 +131,15 @@ static void missing_input_space_is_reported(void **state)
     recorder_begin(&r, &config);
     expect_ok(vbss_thread_attachment_init(&a, sizeof a));
     a.kind = VBSS_THREAD_ATTACHMENT_MASS;
+    expect_ok(vbss_scene_set_recorder(r.s.scene, r.record));
     for (int round = 0; round < 2; round++) {
-        expect_ok(vbss_record_set_rigid_target(r.record, r.s.ball, somewhere, NULL));
-        expect_ok(
-            vbss_record_set_attachment_target(r.record, r.s.body, r.s.force, somewhere, NULL));
+        expect_ok(vbss_scene_set_rigid_target(r.s.scene, r.s.ball, somewhere, NULL));
+        expect_ok(vbss_thread_set_attachment_target(r.s.thread, r.s.force, somewhere, NULL));
         uint64_t hash = stage_hash(&r.s);
-        expect_result(VBSS_ERROR_CAPACITY, vbss_record_detach(r.record, r.s.body, r.s.force));
-        expect_result(VBSS_ERROR_CAPACITY, vbss_record_attach(r.record, r.s.body, &a, &id));
+        expect_result(VBSS_ERROR_CAPACITY, vbss_thread_detach(r.s.thread, r.s.force));
+        expect_result(VBSS_ERROR_CAPACITY, vbss_thread_attach(r.s.thread, &a, &id));
         assert_true(stage_hash(&r.s) == hash && id == 77);
-        expect_ok(vbss_record_step(r.record, 1e-3));
+        expect_ok(vbss_scene_step(r.s.scene, 1e-3));
     }
     expect_ok(vbss_record_end(r.record));
     recorder_end(&r, 2);
@@ -150,13 +155,13 @@ static void full_log_is_reported_before_step(void **state)
     for (uint32_t i = 0; i < 800; i++) {
         stage_report(&r.s, r.record);
         uint64_t hash = stage_hash(&r.s);
-        vbss_result result = vbss_record_step(r.record, 1e-3);
+        vbss_result result = vbss_scene_step(r.s.scene, 1e-3);
         if (result != VBSS_OK) {
             expect_result(VBSS_ERROR_CAPACITY, result);
             assert_true(stage_hash(&r.s) == hash);
             full++;
             log_take(&r.log, r.record);
-            expect_ok(vbss_record_step(r.record, 1e-3));
+            expect_ok(vbss_scene_step(r.s.scene, 1e-3));
         }
         r.s.step++;
     }
@@ -180,7 +185,8 @@ static void space_for_end_record_is_reserved(void **state)
         log_bytes log = {NULL, 0};
         expect_ok(empty_scene(context, &scene));
         expect_ok(vbss_record_create(scene, &config, &record));
-        while (vbss_record_step(record, 1e-3) == VBSS_OK) {
+        expect_ok(vbss_scene_set_recorder(scene, record));
+        while (vbss_scene_step(scene, 1e-3) == VBSS_OK) {
             made++;
         }
         assert_true(made >= 4096 / 160);
@@ -210,7 +216,7 @@ static void bytes_are_taken_once(void **state)
     stage_report(&r.s, r.record);
     expect_ok(vbss_record_take(r.record, &bytes, &count));
     assert_int_equal(count, 0); /* inputs come with their step */
-    expect_ok(vbss_record_step(r.record, 1e-3));
+    expect_ok(vbss_scene_step(r.s.scene, 1e-3));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_take(r.record, NULL, &count));
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_take(r.record, &bytes, NULL));
     expect_ok(vbss_record_end(r.record));
@@ -223,14 +229,13 @@ static void after_end_only_taking_is_allowed(void **state)
 {
     (void)state;
     recorder r;
-    uint32_t id;
+    const vbss_record_input input = {.kind = VBSS_RECORD_INPUT_UNPIN, .words = {1}};
     recorder_begin(&r, NULL);
     stage_step(&r.s, r.record);
     expect_ok(vbss_record_end(r.record));
     expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_end(r.record));
-    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(r.record, 1e-3));
-    expect_result(VBSS_ERROR_WRONG_STATE,
-                  vbss_record_pin_thread(r.record, r.s.body, 5, 0, NULL, &id));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(r.s.scene, r.record));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_apply_input(r.record, &input, NULL));
     recorder_end(&r, 1);
 }
 
@@ -238,12 +243,11 @@ static void record_outlives_scene(void **state)
 {
     (void)state;
     recorder r;
+    const vbss_record_input input = {.kind = VBSS_RECORD_INPUT_UNPIN, .words = {1}};
     recorder_begin(&r, NULL);
     stage_step(&r.s, r.record);
     expect_ok(stage_leave(&r.s));
-    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_record_step(r.record, 1e-3));
-    expect_result(VBSS_ERROR_INVALID_HANDLE,
-                  vbss_record_set_rigid_target(r.record, r.s.tools[0], somewhere, NULL));
+    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_record_apply_input(r.record, &input, NULL));
     expect_ok(vbss_record_end(r.record));
     recorder_end(&r, 1);
 }
@@ -254,7 +258,7 @@ static void inputs_after_last_step_are_dropped(void **state)
     recorder r;
     recorder_begin(&r, NULL);
     stage_step(&r.s, r.record);
-    expect_ok(vbss_record_set_rigid_target(r.record, r.s.ball, somewhere, NULL));
+    expect_ok(vbss_scene_set_rigid_target(r.s.scene, r.s.ball, somewhere, NULL));
     expect_ok(vbss_record_end(r.record));
     recorder_end(&r, 1);
 }

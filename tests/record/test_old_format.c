@@ -133,11 +133,12 @@ static void old_format_can_be_resumed(void **state)
     expect_ok(vbss_replay_destroy(d.replay));
     assert_true(position < d.log.count); /* before its end */
     d.log.count = (size_t)position;
+    expect_ok(vbss_scene_set_recorder(d.scene, record));
     for (uint32_t i = STEPS + 1; i <= STEPS + MORE; i++) {
         double at[3];
         position_at(i, at);
-        expect_ok(vbss_record_set_rigid_target(record, d.body, at, NULL));
-        expect_ok(vbss_record_step(record, 0x1p-10));
+        expect_ok(vbss_scene_set_rigid_target(d.scene, d.body, at, NULL));
+        expect_ok(vbss_scene_step(d.scene, 0x1p-10));
     }
     expect_ok(vbss_record_end(record));
     log_take(&d.log, record);

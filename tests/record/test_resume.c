@@ -215,7 +215,7 @@ static void bad_resume_arguments_are_rejected(void **state)
     vbss_replay_report report;
     expect_ok(vbss_record_resume(replay, NULL, &record, &position));
     expect_ok(vbss_replay_seek(replay, 1, &report, sizeof report));
-    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(record, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(s.scene, record));
     stage_end(&s);
     log_free(&log);
 }

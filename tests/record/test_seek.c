@@ -213,13 +213,14 @@ static void snapshot_without_space_is_deferred(void **state)
     config.buffer_bytes = 4300;   /* at the end there is room for steps, but for no snapshot */
     expect_ok(empty_scene(context, &scene));
     expect_ok(vbss_record_create(scene, &config, &record));
+    expect_ok(vbss_scene_set_recorder(scene, record));
     expect_ok(vbss_scene_get_hash(scene, &hashes[0]));
     for (uint32_t i = 1; i <= LENGTH; i++) {
-        vbss_result result = vbss_record_step(record, 1e-3);
+        vbss_result result = vbss_scene_step(scene, 1e-3);
         if (result != VBSS_OK) {
             expect_result(VBSS_ERROR_CAPACITY, result);
             log_take(&log, record);
-            expect_ok(vbss_record_step(record, 1e-3));
+            expect_ok(vbss_scene_step(scene, 1e-3));
         }
         expect_ok(vbss_scene_get_hash(scene, &hashes[i]));
     }

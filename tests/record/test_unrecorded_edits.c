@@ -65,23 +65,15 @@ static void unrecorded_edit_is_detected(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof deeds / sizeof deeds[0]; i++) {
         recorder r;
-        uint32_t id;
-        vbss_thread_attachment a;
+        const vbss_record_input input = {.kind = VBSS_RECORD_INPUT_UNPIN, .words = {1}};
         recorder_begin(&r, NULL);
         stage_step(&r.s, r.record);
         stage_step(&r.s, r.record);
+        expect_ok(vbss_scene_set_recorder(r.s.scene, NULL));
         deeds[i](&r.s);
         uint64_t hash = stage_hash(&r.s);
-        expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-        const vbss_result results[] = {
-            vbss_record_step(r.record, 1e-3),
-            vbss_record_set_rigid_target(r.record, r.s.tools[0], somewhere, NULL),
-            vbss_record_pin_thread(r.record, r.s.body, 5, 0, NULL, &id),
-            vbss_record_attach(r.record, r.s.body, &a, &id),
-        };
-        for (int k = 0; k < 4; k++) {
-            expect_result(VBSS_ERROR_WRONG_STATE, results[k]);
-        }
+        expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_apply_input(r.record, &input, NULL));
+        expect_result(VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(r.s.scene, r.record));
         assert_non_null(strstr(last_text(r.s.context), "past the record after step 2"));
         assert_true(stage_hash(&r.s) == hash);
         expect_ok(vbss_record_end(r.record)); /* the log is good up to there */
@@ -89,7 +81,7 @@ static void unrecorded_edit_is_detected(void **state)
     }
 }
 
-/* Of drains too, whose attachments no record notes. */
+/* Of drains too. */
 static void unrecorded_drain_edit_is_detected(void **state)
 {
     (void)state;
@@ -108,11 +100,13 @@ static void unrecorded_drain_edit_is_detected(void **state)
     expect_ok(vbss_drain_create(context, &own, &drain));
     expect_ok(vbss_scene_add_drain(scene, drain, &body));
     expect_ok(vbss_record_create(scene, NULL, &record));
-    expect_ok(vbss_record_step(record, 1e-3));
-    expect_ok(vbss_record_step(record, 1e-3)); /* its own steps are no edits */
+    expect_ok(vbss_scene_set_recorder(scene, record));
+    expect_ok(vbss_scene_step(scene, 1e-3));
+    expect_ok(vbss_scene_step(scene, 1e-3)); /* its own steps are no edits */
+    expect_ok(vbss_scene_set_recorder(scene, NULL));
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
     expect_ok(vbss_drain_attach(drain, &a, &id));
-    expect_result(VBSS_ERROR_WRONG_STATE, vbss_record_step(record, 1e-3));
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_scene_set_recorder(scene, record));
     assert_non_null(strstr(last_text(context), "past the record after step 2"));
     harness_context_end(context, &memory);
 }
@@ -130,20 +124,20 @@ static void refused_call_leaves_record_alive(void **state)
         stage_step(&r.s, r.record);
     }
     const uint64_t hash = stage_hash(&r.s);
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_cut_thread(r.record, r.s.body, 5.0, &id));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(r.s.scene, r.s.body, 5.0, &id));
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                  vbss_record_pin_thread(r.record, r.s.body, 999, 0, NULL, &id));
-    expect_result(VBSS_ERROR_NOT_FOUND, vbss_record_unpin_thread(r.record, 77));
+                  vbss_scene_pin_thread(r.s.scene, r.s.body, 999, 0, NULL, &id));
+    expect_result(VBSS_ERROR_NOT_FOUND, vbss_scene_unpin_thread(r.s.scene, 77));
     thread_object *t = ((vbss_slot *)r.s.thread)->object;
     const uint32_t last_id = t->last_id;
     t->last_id = UINT32_MAX; /* no room for the attachment, which the pin finds last */
     const uint64_t full = stage_hash(&r.s);
     expect_result(VBSS_ERROR_CAPACITY,
-                  vbss_record_pin_thread(r.record, r.s.body, 15, 0, NULL, &id));
+                  vbss_scene_pin_thread(r.s.scene, r.s.body, 15, 0, NULL, &id));
     assert_true(stage_hash(&r.s) == full);
     t->last_id = last_id;
     assert_true(scene->cursor.is_suspended && stage_hash(&r.s) == hash);
-    expect_ok(vbss_record_step(r.record, 1e-3));
+    expect_ok(vbss_scene_step(r.s.scene, 1e-3));
     expect_ok(vbss_record_end(r.record));
     log_free(&r.log);
     stage_end(&r.s);

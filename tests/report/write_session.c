@@ -71,18 +71,24 @@ static double lost_time(vbss_scene *scene)
     return vbss_scene_get_statistics(scene, &s, sizeof s) == VBSS_OK ? s.time_paused : -1.0;
 }
 
-static vbss_result run(vbss_record *record, uint32_t thread, const uint32_t tools[2], int is_lossy)
+static vbss_result run(vbss_scene *scene, vbss_record *record, uint32_t thread,
+                       const uint32_t tools[2], int is_lossy)
 {
+    vbss_grasper *graspers[2];
     uint32_t piece;
+    TRY(vbss_scene_set_recorder(scene, record));
+    for (int k = 0; k < 2; k++) {
+        TRY(vbss_scene_get_grasper(scene, tools[k], &graspers[k]));
+    }
     for (int i = 1; i <= STEPS; i++) {
         const double left[3] = {-0.05, 0.05 * reach(1e-3 * i - 0.25), 0.05};
         const double right[3] = {0.05, 0.0, 0.05};
-        TRY(vbss_record_set_grasper_target(record, tools[0], left, NULL));
-        TRY(vbss_record_set_grasper_target(record, tools[1], right, NULL));
+        TRY(vbss_grasper_set_target(graspers[0], left, NULL));
+        TRY(vbss_grasper_set_target(graspers[1], right, NULL));
         if (!is_lossy && (i == FIRST_CUT || i == SECOND_CUT)) {
-            TRY(vbss_record_cut_thread(record, thread, i == FIRST_CUT ? 0.02 : 0.01, &piece));
+            TRY(vbss_scene_cut_thread(scene, thread, i == FIRST_CUT ? 0.02 : 0.01, &piece));
         }
-        TRY(vbss_record_step(record, 1e-3));
+        TRY(vbss_scene_step(scene, 1e-3));
         TRY(take(record));
     }
     TRY(vbss_record_end(record));
@@ -108,7 +114,7 @@ static vbss_result write(vbss_context *context, const char *note, int is_lossy)
     how.note = note;
     how.note_bytes = (uint32_t)strlen(note);
     TRY(vbss_record_create(scene, &how, &record));
-    TRY(run(record, thread, tools, is_lossy));
+    TRY(run(scene, record, thread, tools, is_lossy));
     if (is_lossy) {
         printf("%.17g\n", lost_time(scene));
     }

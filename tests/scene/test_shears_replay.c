@@ -37,9 +37,10 @@ static void exchange_and_cuts_replay_bit_equal(void **state)
         }
         vbss_record *record;
         expect_ok(vbss_record_create(scenes[0], NULL, &record));
+        expect_ok(vbss_scene_set_recorder(scenes[0], record));
         for (uint32_t i = 0; i < CUTTING_SCENE_STEPS; i++) {
-            expect_ok(cutting_scene_drive(scenes[0], record));
-            expect_ok(vbss_record_step(record, 1e-3));
+            expect_ok(cutting_scene_drive(scenes[0]));
+            expect_ok(vbss_scene_step(scenes[0], 1e-3));
             cuts += count_cuts(scenes[0]);
             take(&log, record);
         }

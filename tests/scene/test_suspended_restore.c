@@ -96,8 +96,9 @@ static uint8_t *record(uint64_t seed, uint64_t *count)
     config.snapshot_interval = 5;
     config.buffer_bytes = 1 << 24;
     expect_ok(vbss_record_create(s.scene, &config, &record));
+    expect_ok(vbss_scene_set_recorder(s.scene, record));
     for (uint32_t i = 0; i < STEPS; i++) {
-        expect_ok(vbss_record_step(record, 1e-3));
+        expect_ok(vbss_scene_step(s.scene, 1e-3));
     }
     expect_ok(vbss_record_end(record));
     expect_ok(vbss_record_take(record, &bytes, count));

@@ -186,8 +186,9 @@ static void log_without_snapshots_is_reported(void **state)
     log_bytes log = {NULL, 0};
     trial_begin(&t);
     trial_begin_record(&t);
+    expect_ok(vbss_scene_set_recorder(t.scene.scene, t.scene.config.record));
     for (uint32_t i = 0; i < 5; i++) {
-        expect_ok(vbss_record_step(t.scene.config.record, 1e-3));
+        expect_ok(vbss_scene_step(t.scene.scene, 1e-3));
     }
     log_take(&log, t.scene.config.record);
     trial_end(&t);
@@ -196,6 +197,30 @@ static void log_without_snapshots_is_reported(void **state)
     expect_ok(vbss_session_step(t.session, 0.0, 0.0)); /* it still follows from the begin */
     trial_end(&t);
     free(log.bytes);
+}
+
+/* A step of the scene alone is in the log of the record that the session has, and of no other. */
+static void session_attaches_its_record(void **state)
+{
+    (void)state;
+    static session_trial t;
+    const uint8_t *bytes;
+    uint64_t count;
+    trial_begin(&t);
+    trial_start(&t);
+    trial_begin_record(&t);
+    vbss_record *record = t.scene.config.record;
+    expect_ok(vbss_session_set_record(t.session, record));
+    expect_ok(vbss_record_take(record, &bytes, &count));
+    expect_ok(vbss_scene_step(t.scene.scene, 1e-3));
+    expect_ok(vbss_record_take(record, &bytes, &count));
+    assert_true(count > 0);
+    expect_ok(vbss_session_set_record(t.session, NULL));
+    expect_ok(vbss_scene_step(t.scene.scene, 1e-3));
+    expect_ok(vbss_record_take(record, &bytes, &count));
+    assert_int_equal(count, 0);
+    expect_result(VBSS_ERROR_WRONG_STATE, vbss_session_set_record(t.session, record));
+    trial_end(&t);
 }
 
 int test_seek(void)
@@ -209,6 +234,7 @@ int test_seek(void)
         cmocka_unit_test(mid_trial_log_is_followed),
         cmocka_unit_test(impossible_seek_changes_nothing),
         cmocka_unit_test(log_without_snapshots_is_reported),
+        cmocka_unit_test(session_attaches_its_record),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,11 +49,12 @@ static void begin(rest *r, const hand_skill *skill, uint64_t seed)
     plan.skill = skill;
     expect_ok(stitch_create(&r->hands, seed, &plan));
     expect_ok(vbss_record_create(s->scene, NULL, &s->record));
+    expect_ok(vbss_scene_set_recorder(s->scene, s->record));
     take(r);
     for (int i = 0; i < SECOND; i++) {
         expect_ok(hand_step(&r->hands.right, STEP));
         expect_ok(hand_step(&r->hands.left, STEP));
-        expect_ok(vbss_record_step(s->record, STEP));
+        expect_ok(vbss_scene_step(s->scene, STEP));
         take(r);
     }
     expect_ok(vbss_record_end(s->record));

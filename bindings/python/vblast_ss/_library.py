@@ -20,9 +20,7 @@ def file_names() -> tuple[str, ...]:
         return ("vblast_ss.dll",)
     if sys.platform == "darwin":
         return ("libvblast_ss.dylib",)
-    # Before 1.0 every minor version is an ABI of its own.
-    abi = f"0.{VBSS_VERSION_MINOR}" if VBSS_VERSION_MAJOR == 0 else str(VBSS_VERSION_MAJOR)
-    return (f"libvblast_ss.so.{abi}", "libvblast_ss.so")
+    return (f"libvblast_ss.so.{VBSS_VERSION_MAJOR}", "libvblast_ss.so")
 
 
 def find() -> str:
@@ -71,7 +69,8 @@ class Library:
             function.restype, function.argtypes = result, parameters
             setattr(self, name, function)
         version = loaded.vbss_version()
-        if version // 100 != HEADER_VERSION // 100:
+        # A later minor version has all that this package uses.
+        if version // 10000 != VBSS_VERSION_MAJOR or version // 100 < HEADER_VERSION // 100:
             raise ImportError(f"{self.path} has version {version}, this package was made for {HEADER_VERSION}")
 
     def __getattr__(self, name: str) -> Any:

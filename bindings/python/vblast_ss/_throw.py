@@ -113,9 +113,9 @@ class ThrowScene:
         self.w = Hand(w, turn_from_z(axis_of_w(w)))
         self.c = Hand(points[self.held_node], stand_of_c(w, self.angle))
         self._build(points)
-        # Whoever moves, pins and steps: the scene, or its record.
         self.record = Record(self.scene, note=note) if record else None
-        self.mover: Any = self.record or self.scene
+        if self.record is not None:
+            self.record.attach_to_scene()
         self.detector = KnotDetector(self.context, point_capacity=len(points))
 
     # ---- how it begins
@@ -168,13 +168,13 @@ class ThrowScene:
         off = tail - self.w.at
         if self.holds or length(off) >= REACH:
             return bool(self.holds)
-        self.holds = [self.mover.pin_thread(self.thread_body, node, self.w.body)
+        self.holds = [self.scene.pin_thread(self.thread_body, node, self.w.body)
                       for node in range(TAIL_NODE - 1, TAIL_NODE + 2)]
         return True
 
     def let_go(self) -> None:
         for pin in self.holds:
-            self.mover.unpin_thread(pin)
+            self.scene.unpin_thread(pin)
         self.holds = []
 
     def move(self, w: Vector, c: Vector, angle: float, steps: int) -> None:
@@ -191,11 +191,11 @@ class ThrowScene:
             places = hand.at + shares * (to - hand.at) + self.task.tremor * tremor(times, self._phases[number])
             ways.append((hand.body, places - GRASP * np.array([z_of(q) for q in stands]), stands))
             hand.at, hand.stand = np.array(to), stand
-        mover = self.mover
+        scene = self.scene
         for i in range(steps):
             for body, places, stands in ways:
-                mover.set_rigid_target(body, places[i], stands[i])
-            mover.step(STEP)
+                scene.set_rigid_target(body, places[i], stands[i])
+            scene.step(STEP)
         self.steps += steps
 
     # ---- what they see and feel

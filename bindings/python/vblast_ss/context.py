@@ -22,9 +22,8 @@ Log = Callable[[LogLevel, str], None]
 
 
 def version() -> str:
-    """Version of the library that is running, such as "0.1.0"."""
-    number = lib.vbss_version()
-    return f"{number // 10000}.{number // 100 % 100}.{number % 100}"
+    """Version of the library that is running, as Python packages write it: "1.0.0", or "1.0.0rc1" before a release."""
+    return build_info().split()[1].replace("-", "")
 
 
 def build_info() -> str:

@@ -5,23 +5,21 @@ import ctypes
 from typing import Any, NamedTuple, Optional, Sequence, Union
 
 from ._api.base import Result
-from ._api.grasper import GrasperKind
 from ._api.record import (RecordEventKind, RecordInputKind, ReplayOutcome, ReplayReport, SceneSetting, vbss_record_input, vbss_record_log_report,
                           vbss_replay_logged_step, vbss_record, vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
 from ._api.scene import vbss_scene, vbss_scene_config
 from ._library import lib
 from ._objects import Configured, Object, context_or_new, created
-from ._values import constant, constant_of, data_of, doubles, index, initialised, integer, optional, settable
+from ._values import constant, constant_of, data_of, initialised, integer, settable
 from .context import Context
 from .scene import SceneEventKind, Scene
-from .thread import attachment_of
 
 __all__ = ["RecordEventKind", "RecordInputKind", "LogFault", "LogInput", "LogReport", "LogStep", "LoggedEvent", "Record", "Replay", "ReplayOutcome",
            "ReplayReport", "SceneSetting", "check_log"]
 
 
 class Record(Configured, Object):
-    """Writes the log of a scene, which is moved, pinned, cut and stepped by the record from then on.
+    """Writes the log of a scene, once it is attached (attach_to_scene).
 
         note  bytes to be found in the log again, such as what the scene is made from
 
@@ -77,32 +75,13 @@ class Record(Configured, Object):
         """Detaches the record that is attached to the scene."""
         self._scene._call(lib.vbss_scene_set_recorder, None)
 
-    def step(self, h: float = 1e-3) -> None:
-        """Steps the scene."""
-        self._call(lib.vbss_record_step, h)
-
     def end(self) -> None:
         """Ends the log. Afterwards there is only take()."""
         self._call(lib.vbss_record_end)
 
-    def set_rigid_target(self, body: int, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
-        self._call(lib.vbss_record_set_rigid_target, index(body), doubles(position, "position", 3),
-                   optional(orientation, "orientation", 4))
-
-    def set_grasper_target(self, body: int, position: Sequence[float],
-                     orientation: Optional[Sequence[float]] = None) -> None:
-        self._call(lib.vbss_record_set_grasper_target, index(body), doubles(position, "position", 3),
-                   optional(orientation, "orientation", 4))
-
-    def set_opening(self, body: int, opening: float) -> None:
-        self._call(lib.vbss_record_set_opening, index(body), opening)
-
-    def exchange(self, body: int, kind: Any) -> None:
-        self._call(lib.vbss_record_exchange, index(body), constant(kind, GrasperKind, "kind"))
-
     def apply_input(self, kind: Any, words: Sequence[int] = (), numbers: Sequence[float] = ()) -> int:
-        """Applies an input of any kind (InputKind says what its words and numbers are; Setting: changes of a running
-        scene); returns the number of a new pin, attachment or piece, or 0."""
+        """Applies an input, such as one of another log (RecordInputKind says what its words and numbers are), and logs
+        it, whether the record is attached or not; returns the number of a new pin, attachment or piece, or 0."""
         given, name = vbss_record_input(), ctypes.c_uint32()
         given.kind = constant(kind, RecordInputKind, "kind")
         if len(words) > len(given.words) or len(numbers) > len(given.numbers):
@@ -111,34 +90,6 @@ class Record(Configured, Object):
         given.numbers[:len(numbers)] = list(numbers)
         self._call(lib.vbss_record_apply_input, ctypes.byref(given), ctypes.byref(name))
         return name.value
-
-    def pin_thread(self, thread: int, node: int, body: int = 0, point: Optional[Sequence[float]] = None) -> int:
-        pin = ctypes.c_uint32()
-        self._call(lib.vbss_record_pin_thread, index(thread), index(node), index(body), optional(point, "point", 3),
-                   ctypes.byref(pin))
-        return pin.value
-
-    def unpin_thread(self, pin: int) -> None:
-        self._call(lib.vbss_record_unpin_thread, index(pin))
-
-    def cut_thread(self, thread: int, arc_length: float) -> int:
-        piece = ctypes.c_uint32()
-        self._call(lib.vbss_record_cut_thread, index(thread), arc_length, ctypes.byref(piece))
-        return piece.value
-
-    def attach(self, thread: int, kind: Any = "pin", node: int = 0, **settings: Any) -> int:
-        attachment = attachment_of(kind, {"node": node, **settings})
-        name = ctypes.c_uint32()
-        self._call(lib.vbss_record_attach, index(thread), ctypes.byref(attachment), ctypes.byref(name))
-        return name.value
-
-    def set_attachment_target(self, thread: int, attachment: int, target: Sequence[float],
-                        direction: Optional[Sequence[float]] = None) -> None:
-        self._call(lib.vbss_record_set_attachment_target, index(thread), index(attachment), doubles(target, "target", 3),
-                   optional(direction, "direction", 3))
-
-    def detach(self, thread: int, attachment: int) -> None:
-        self._call(lib.vbss_record_detach, index(thread), index(attachment))
 
 
 class Info(NamedTuple):

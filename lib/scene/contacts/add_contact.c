@@ -133,7 +133,7 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
             (m->b != NULL && largest_relative_motion(m) > 0.0 &&
              !vbss_scene_is_overlap(s, m->a, m->b) &&
              (m->candidate == NULL ||
-              !scene_stays_apart(s, m->candidate, s->config.contact_margin)));
+              !scene_stays_apart(s, m->candidate, s->solver.contact_margin)));
         return true;
     }
     /* A pair that is not near needs no room, whether the separation cache knows that or not. */

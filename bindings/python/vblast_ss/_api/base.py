@@ -6,8 +6,8 @@ from ctypes import CFUNCTYPE, POINTER, c_char_p, c_int32, c_uint32, c_uint64, c_
 from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
-VBSS_VERSION_MAJOR = 0
-VBSS_VERSION_MINOR = 1
+VBSS_VERSION_MAJOR = 1
+VBSS_VERSION_MINOR = 0
 VBSS_VERSION_PATCH = 0
 
 

@@ -8,7 +8,6 @@ from typing import Any, ClassVar, NamedTuple
 
 from .base import Result, vbss_context
 from .scene import vbss_scene, vbss_scene_config
-from .thread import vbss_thread_attachment
 
 
 class RecordInputKind(IntEnum):
@@ -434,25 +433,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_record_take": (c_int32, (POINTER(vbss_record), POINTER(POINTER(c_uint8)),
         POINTER(c_uint64))),
     "vbss_scene_set_recorder": (c_int32, (POINTER(vbss_scene), POINTER(vbss_record))),
-    "vbss_record_set_rigid_target": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
-        POINTER(c_double))),
-    "vbss_record_set_grasper_target": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
-        POINTER(c_double))),
-    "vbss_record_set_opening": (c_int32, (POINTER(vbss_record), c_uint32, c_double)),
-    "vbss_record_exchange": (c_int32, (POINTER(vbss_record), c_uint32, c_int32)),
     "vbss_record_apply_input": (c_int32, (POINTER(vbss_record), POINTER(vbss_record_input),
         POINTER(c_uint32))),
-    "vbss_record_pin_thread": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32, c_uint32,
-        POINTER(c_double), POINTER(c_uint32))),
-    "vbss_record_unpin_thread": (c_int32, (POINTER(vbss_record), c_uint32)),
-    "vbss_record_cut_thread": (c_int32, (POINTER(vbss_record), c_uint32, c_double,
-        POINTER(c_uint32))),
-    "vbss_record_attach": (c_int32, (POINTER(vbss_record), c_uint32,
-        POINTER(vbss_thread_attachment), POINTER(c_uint32))),
-    "vbss_record_set_attachment_target": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32,
-        POINTER(c_double), POINTER(c_double))),
-    "vbss_record_detach": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32)),
-    "vbss_record_step": (c_int32, (POINTER(vbss_record), c_double)),
     "vbss_record_end": (c_int32, (POINTER(vbss_record),)),
     "vbss_replay_create": (c_int32, (POINTER(vbss_context), POINTER(c_uint8), c_uint64,
         POINTER(POINTER(vbss_replay)))),

@@ -265,7 +265,9 @@ class vbss_session_config(ctypes.Structure):
 
     metrics: Metrics; NULL (default): nothing is measured.
 
-    record: Record of the scene; NULL (default): nothing is logged.
+    record: Record of the scene; NULL (default): nothing is logged. Each step of the session
+    attaches it (vbss_scene_set_recorder). To log edits before the first step, the host attaches
+    it.
 
     replay: Replay that has begun with the scene, in place of devices and record; NULL
     (default): none.
