@@ -2,7 +2,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#ifndef __wasi__
 #include <signal.h>
+#endif
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -18,6 +20,20 @@ static bool fail(log_file *f, const char *reason)
     return false;
 }
 
+#ifdef __wasi__ /* WebAssembly has no locks, and no signals */
+
+static bool lock(log_file *f)
+{
+    (void)f;
+    return true;
+}
+
+static void ignore_size_limit(void)
+{
+}
+
+#else
+
 /* The lock goes when the program ends, however it ends. */
 static bool lock(log_file *f)
 {
@@ -29,6 +45,14 @@ static bool lock(log_file *f)
     return fail(f, is_in_use ? "another program is writing this file" : strerror(errno));
 }
 
+/* Beyond its limit of file size a program gets an error instead of a signal. */
+static void ignore_size_limit(void)
+{
+    signal(SIGXFSZ, SIG_IGN);
+}
+
+#endif
+
 bool log_file_open(log_file *f, const char *path)
 {
     *f = (log_file){.path = path, .descriptor = -1};
@@ -39,7 +63,7 @@ bool log_file_open(log_file *f, const char *path)
     if (f->descriptor < 0) {
         return fail(f, strerror(errno));
     }
-    signal(SIGXFSZ, SIG_IGN); /* beyond its limit of file size a program gets an error instead */
+    ignore_size_limit();
     if (!lock(f)) {
         log_file_close(f);
         return false;

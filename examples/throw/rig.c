@@ -155,7 +155,7 @@ static vbss_result write_log(throw_rig *s)
     const uint8_t *bytes;
     uint64_t count;
     TRY(vbss_record_take(s->record, &bytes, &count));
-    return log_file_write(&s->log, bytes, count) ? VBSS_OK : VBSS_ERROR_CAPACITY;
+    return log_file_write(&s->log, bytes, (size_t)count) ? VBSS_OK : VBSS_ERROR_CAPACITY;
 }
 
 vbss_result throw_rig_begin(throw_rig *s, const char *log, const char *note)

@@ -9,8 +9,8 @@
 #endif
 /* Excess precision (x87: 2) changes the bits of results. Mode 1 (s390x by default) widens float
  * only, and this library does not use float. */
-#if defined(FLT_EVAL_METHOD)
-_Static_assert(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1, "double must be evaluated in double");
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1
+#error "double must be evaluated in double: 32-bit x86 needs -msse2 -mfpmath=sse"
 #endif
 _Static_assert(sizeof(double) == 8 && DBL_MANT_DIG == 53, "double must be IEEE 754 binary64");
 

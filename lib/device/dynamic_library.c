@@ -4,7 +4,7 @@
 
 #include "device/platform.h"
 
-#ifdef _WIN32
+#if defined(_WIN32)
 
 #include <windows.h>
 
@@ -34,6 +34,27 @@ static bool find(void *library, const device_symbol *symbol)
     FARPROC found = GetProcAddress((HMODULE)library, symbol->name);
     memcpy(symbol->address, &found, sizeof found);
     return found != NULL;
+}
+
+#elif defined(__wasi__)
+
+static void *load(const char *name, bool *absent, char *text, size_t room)
+{
+    *absent = false;
+    snprintf(text, room, "%s cannot be loaded: WebAssembly loads no libraries at run time", name);
+    return NULL;
+}
+
+void vbss_device_unload_library(void *library)
+{
+    (void)library;
+}
+
+static bool find(void *library, const device_symbol *symbol)
+{
+    (void)library;
+    (void)symbol;
+    return false;
 }
 
 #else

@@ -60,6 +60,21 @@ void vbss_device_sleep(double seconds)
 
 #include <time.h>
 
+#ifdef __wasi__
+
+bool vbss_device_start_thread(device_thread *thread)
+{
+    (void)thread;
+    return false;
+}
+
+void vbss_device_join_thread(device_thread *thread)
+{
+    (void)thread;
+}
+
+#else
+
 static void *enter(void *user)
 {
     const device_thread *thread = user;
@@ -76,6 +91,8 @@ void vbss_device_join_thread(device_thread *thread)
 {
     pthread_join(thread->handle, NULL);
 }
+
+#endif
 
 void vbss_device_sleep(double seconds)
 {

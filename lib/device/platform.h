@@ -1,9 +1,10 @@
 /* Services of the operating system for adapters of real hardware: libraries loaded at run time
- * (dynamic_library.c) and a thread with a clock (io_thread.c). The simulation uses none of them. */
+ * (dynamic_library.c) and a thread with a clock (io_thread.c). The simulation uses none of them.
+ * WebAssembly (WASI) has neither libraries nor threads: loading and starting fail there. */
 #ifndef VBSS_DEVICE_PLATFORM_H
 #define VBSS_DEVICE_PLATFORM_H
 
-#ifndef _WIN32
+#if !defined(_WIN32) && !defined(__wasi__)
 #include <pthread.h>
 #endif
 
@@ -37,9 +38,9 @@ typedef void (*device_thread_run)(void *user);
 typedef struct device_thread {
     device_thread_run run;
     void *user;
-#ifdef _WIN32
+#if defined(_WIN32)
     void *handle;
-#else
+#elif !defined(__wasi__)
     pthread_t handle;
 #endif
 } device_thread;

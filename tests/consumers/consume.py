@@ -5,7 +5,8 @@
 The library is installed into a fresh prefix that is then moved elsewhere, so that nothing can depend
 on where it was built or installed. KIND is a folder beside this script. Every consumer makes
 host_shared and host_static, and both must run; with --plan they are only configured, and the build is
-planned to its end: each of its sources is there, each command is known.
+planned to its end: each of its sources is there, each command is known. KIND static_only first builds the static library
+alone, and makes host_default in place of host_shared.
 """
 import argparse
 import os
@@ -38,6 +39,19 @@ def configure(kind, work, prefix, source, build_type):
     return work / "build"
 
 
+def build_static_only(source, work, only_plan):
+    """The build folder of a library without the shared one."""
+    build = work / "library"
+    run("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DVBSS_BUILD_SHARED=OFF", "-DVBSS_BUILD_TESTS=OFF",
+        "-DVBSS_BUILD_EXAMPLES=OFF", "-DCMAKE_BUILD_TYPE=Release")
+    planned = run("ninja", "-C", build, "-n", "-v")
+    if "libvblast_ss.a" not in planned or "libvblast_ss.so" in planned:
+        sys.exit(f"not the static library alone is planned:\n{planned}")
+    if not only_plan:
+        run("cmake", "--build", build, "-j", "2")
+    return build
+
+
 def with_make(work, prefix):
     # Side by side and by plain names: make cannot have spaces in a path.
     out = work / "build"
@@ -61,8 +75,17 @@ def main():
     shutil.rmtree(options.work, ignore_errors=True)
     options.work.mkdir(parents=True)
     prefix = None
+    hosts = ("host_shared", "host_static")
+    if options.kind == "static_only":
+        hosts = ("host_default", "host_static")
+        options.build = build_static_only(options.source, options.work, options.plan)
+        if options.plan:
+            print("consumer static_only: configured, and the build of the static library alone planned to its end")
+            return
     if options.kind != "add_subdirectory":
         prefix = install_and_move(options.build, options.work)
+        if options.kind == "static_only" and list(prefix.rglob("*.so*")):
+            sys.exit("a shared library is installed")
     if options.kind == "pkg_config":
         made = with_make(options.work, prefix)
     else:
@@ -77,12 +100,12 @@ def main():
             print(f"consumer {options.kind}: configured, and its build planned to the end")
             return
         run("cmake", "--build", made)
-    for host in ("host_shared", "host_static"):
+    for host in hosts:
         run(made / host)
         linked = run("readelf", "-d", made / host)
         if ("libvblast_ss.so" in linked) != (host == "host_shared"):
             sys.exit(f"{host} is not linked as its name says:\n{linked}")
-    print(f"consumer {options.kind}: host_shared and host_static built and run")
+    print(f"consumer {options.kind}: {' and '.join(hosts)} built and run")
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ from golden_files import differences, read_golden, unrecorded
 
 HERE = pathlib.Path(__file__).resolve().parent
 V3, V4 = "-march=x86-64-v3", "-march=x86-64-v4"  # AVX2 with FMA; AVX-512, which has its own
-# name: compiler, flags, machine. Under emulation the scenes run in their short form.
+# name: compiler, flags, machine (a key of MACHINES). Under emulation the scenes run in their short form.
 BUILDS = {f"{compiler}{level}{march[-3:]}": (compiler, f"{level} {march}".strip(), "")
           for compiler in ("gcc", "clang")
           for level, march in (("-O0", ""), ("-O2", ""), ("-O3", ""), ("-O3", V3), ("-O3", V4))}
@@ -35,6 +35,34 @@ BUILDS |= {f"{compiler}-fast-math": (compiler, "-Ofast -ffast-math " + V3, "")
 for machine, flags in (("aarch64", "-O3 -march=armv8.3-a"), ("riscv64", "-O3"), ("s390x", "-O3 -march=z14")):
     BUILDS |= {machine: (f"{machine}-linux-gnu-gcc", flags, machine),
                machine + "-clang": ("clang", flags, machine)}
+# Machines of 32 bits: i686 runs here as it is, in full.
+BUILDS |= {"i686": ("i686-linux-gnu-gcc", "-O3", "i686"), "i686-clang": ("clang", "-O2", "i686"),
+           "armhf": ("arm-linux-gnueabihf-gcc", "-O3", "armhf"), "wasm32": ("clang", "-O3", "wasm32"),
+           "wasm32-simd": ("clang", "-O3 -msimd128", "wasm32")}
+
+
+class Machine:
+    """How clang names a machine, and how a program is linked and run for it. Without an emulator the machine at hand
+    runs it."""
+
+    def __init__(self, target, emulator, arguments=(), system="Linux", link="-static"):
+        self.target, self.emulator, self.arguments, self.system, self.link = target, emulator, arguments, system, link
+
+    def command(self, program, *arguments):
+        if not self.emulator:
+            return [program, *arguments]
+        path = shutil.which(self.emulator)
+        if not path:
+            raise Broken(f"the emulator {self.emulator} is not installed")
+        return [path, *self.arguments, program, *arguments]
+
+
+MACHINES = {"": Machine("", "")}
+MACHINES |= {name: Machine(f"{name}-linux-gnu", f"qemu-{name}") for name in ("aarch64", "riscv64", "s390x")}
+MACHINES["i686"] = Machine("i686-linux-gnu", "")
+MACHINES["armhf"] = Machine("arm-linux-gnueabihf", "qemu-arm")
+# -O0 for linking only: otherwise clang calls any wasm-opt that is installed. The stack is that of Linux.
+MACHINES["wasm32"] = Machine("wasm32-wasi", "node", [HERE / "wasm_run.mjs"], "Generic", "-O0 -Wl,-z,stack-size=8388608")
 # Not -ffast-math: it breaks the argument reductions, and the program crashes instead of differing.
 CANARIES = {f"{compiler}-fused": (compiler, "-O1 " + V3, "-ffp-contract=fast;-mfma")
             for compiler in ("gcc", "clang")}
@@ -66,10 +94,11 @@ def build(work, name, compiler, flags, machine="", canary_flags="", targets=TARG
     options = ["-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_C_COMPILER={path}",
                f"-DVBSS_HOST_FLAGS={';'.join(flags.split() + graphs)}", f"-DVBSS_CANARY_FLAGS={canary_flags}"]
     if machine:
-        options += ["-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={machine}",
-                    "-DCMAKE_EXE_LINKER_FLAGS=-static"]
+        to = MACHINES[machine]
+        options += [f"-DCMAKE_SYSTEM_NAME={to.system}", f"-DCMAKE_SYSTEM_PROCESSOR={machine}",
+                    f"-DCMAKE_EXE_LINKER_FLAGS={to.link}"]
         if compiler == "clang":
-            options.append(f"-DCMAKE_C_COMPILER_TARGET={machine}-linux-gnu")
+            options.append(f"-DCMAKE_C_COMPILER_TARGET={to.target}")
     folder = work / name
     shutil.rmtree(folder, ignore_errors=True)
     run(["cmake", "-S", HERE / "standalone", "-B", folder, "-G", "Ninja", *options])
@@ -81,13 +110,13 @@ def golden_program(*arguments):
     return build(*arguments) / "vbss_golden"
 
 
+def is_emulated(machine):
+    return bool(MACHINES[machine].emulator)
+
+
 def hashes_of(program, machine=""):
     """Scene -> hashes, in the order of the program's list."""
-    command = [program]
-    if machine:
-        if not shutil.which(f"qemu-{machine}"):
-            raise Broken(f"the emulator qemu-{machine} is not installed")
-        command = [f"qemu-{machine}", program, "short"]
+    command = MACHINES[machine].command(program, *(["short"] if is_emulated(machine) else []))
     found = {}
     for line in run(command, timeout=600).splitlines():
         scene, index, value = line.split()
@@ -110,7 +139,7 @@ def write_logs(writer, folder):
 
 def replay(program, log, machine):
     """Steps made, and the first whose hash is another, or 0."""
-    command = ([f"qemu-{machine}"] if machine else []) + [program, log]
+    command = MACHINES[machine].command(program, log)
     return tuple(int(word) for word in run(command, timeout=600).split()[1:])
 
 
@@ -143,7 +172,7 @@ def row(name, make, golden, machine="", compiler="-", flags="-", logs=None):
         start = time.monotonic()
         found = hashes_of(program, machine)
         ran = time.monotonic() - start
-        wrong = differences(found, golden, bool(machine))
+        wrong = differences(found, golden, is_emulated(machine))
         if logs:
             complaints, replayed = replay_differences(program.with_name("vbss_replay_log"), machine, logs)
             wrong += complaints

@@ -1,8 +1,10 @@
 """Structs, constants, callbacks and prototypes are what tests/abi/layout-lp64.txt says, and no
-declaration uses a type whose size depends on compiler or machine.
+declaration uses a type whose size depends on compiler or machine. Where pointers have 32 bits, structs are what
+tests/abi/layout-ilp32.txt and layout-i386.txt say.
 
 The readable half of the ABI baseline; it also sees what abi-compliance-checker lets pass: a callback
-with another signature, a renumbered constant. tests/abi/update-baseline.py writes the file."""
+with another signature, a renumbered constant. tests/abi/update-baseline.py writes the files; nothing runs that is
+compiled for another machine."""
 import re
 import shutil
 
@@ -10,6 +12,19 @@ import gate
 import public_headers
 
 BASELINE = "tests/abi/layout-lp64.txt"
+# Structs where pointers have 32 bits: the file, what it says at its head, compilers that must agree with it.
+BASELINES_32 = [
+    ("tests/abi/layout-ilp32.txt", "where pointers have 32 bits and double is aligned to 8 bytes (armhf, wasm32, Windows)",
+     [("clang", f"--target={target}") for target in ("arm-linux-gnueabihf", "wasm32-wasi", "i686-w64-mingw32")]),
+    ("tests/abi/layout-i386.txt", "where pointers have 32 bits and double is aligned to 4 bytes (i386 except Windows)",
+     [("clang", "--target=i686-linux-gnu")]),
+]
+# Other machines with 64 bits must agree with BASELINE.
+COMPILERS_64 = [("clang", f"--target={target}") for target in ("aarch64-linux-gnu", "x86_64-w64-mingw32")]
+MARK, DIGITS = b"VBSS layout:", 6
+# The table of the structs whose size is not the same everywhere, and the lines around it.
+TABLE = "docs/abi.md"
+TABLE_FROM, TABLE_TO = "| struct | 64 bits | armhf, wasm32 | i386 |\n|---|---|---|---|\n", "\nThe files "
 # Anywhere in a public declaration, behind a pointer too.
 FORBIDDEN = ["_Bool", "bool", "int", "long", "short", "unsigned", "signed", "float", "enum", "size_t",
              "ssize_t", "ptrdiff_t", "intptr_t", "uintptr_t", "wchar_t", "time_t", "FILE", "va_list"]
@@ -41,22 +56,41 @@ def constants(g, include):
             for name in re.findall(r"(\w+)\s*=", body) if name.startswith("VBSS_")]
 
 
+def measure_structs(g, include, structs, compiler, *options):
+    """Lines "name what it is", the numbers as digits in an object file: nothing is run, so any target will do."""
+    names, numbers = [], []
+    for name, fields in sorted(structs.items()):
+        names.append(name + " size {} alignment {}")
+        numbers += [f"sizeof({name})", f"_Alignof({name})"]
+        for field, _, _ in fields:
+            names.append(f"{name}.{field} offset {{}} size {{}}")
+            numbers += [f"offsetof({name}, {field})", f"sizeof((({name} *)0)->{field})"]
+    digits = ",\n    ".join(f"DIGITS({number})" for number in numbers)
+    form = ", ".join(f"'0' + (n) / {10 ** k} % 10" for k in reversed(range(DIGITS)))
+    mark = ", ".join(f"'{chr(byte)}'" for byte in MARK)
+    source = g.work / "layout.c"
+    source.write_text("#include <stddef.h>\n#include <vblast_ss/vblast_ss.h>\n"
+                      f"#define DIGITS(n) {form}\nextern const char layout[];\n"
+                      f"const char layout[] = {{{mark},\n    {digits}}};\n")
+    made = g.work / "layout.o"
+    g.run(g.tool(compiler), *options, "-std=c11", "-ffreestanding", "-c", "-I", include, source, "-o", made)
+    text = made.read_bytes().split(MARK)[1]
+    values = [int(text[DIGITS * i:DIGITS * (i + 1)]) for i in range(len(numbers))]
+    return [name.format(*values[2 * i:2 * i + 2]) for i, name in enumerate(names)]
+
+
 def measure(g, include):
-    """Lines "name what it is", the numbers from a program compiled against the headers."""
+    """Lines "name what it is" for all that is public."""
     structs, _ = public_headers.structs(include)
     rows = [f'printf("{name} is %lld\\n", (long long){name});' for name in constants(g, include)]
     g.notes.append(f"{len(structs)} structs, {sum(map(len, structs.values()))} fields, "
                    f"{len(rows)} constants")
-    for name, fields in sorted(structs.items()):
-        rows.append(f'printf("{name} size %zu alignment %zu\\n", sizeof({name}), _Alignof({name}));')
-        for field, _, _ in fields:
-            rows.append(f'printf("{name}.{field} offset %zu size %zu\\n", '
-                        f"offsetof({name}, {field}), sizeof((({name} *)0)->{field}));")
-    source = g.work / "layout.c"
-    source.write_text("#include <stddef.h>\n#include <stdio.h>\n#include <vblast_ss/vblast_ss.h>\n"
+    source = g.work / "constants.c"
+    source.write_text("#include <stdio.h>\n#include <vblast_ss/vblast_ss.h>\n"
                       "int main(void)\n{\n    " + "\n    ".join(rows) + "\n    return 0;\n}\n")
-    g.run(g.tool("cc"), "-std=c11", "-I", include, source, "-o", g.work / "layout")
-    lines = g.run(g.work / "layout").splitlines()
+    g.run(g.tool("cc"), "-std=c11", "-I", include, source, "-o", g.work / "constants")
+    lines = g.run(g.work / "constants").splitlines()
+    lines += measure_structs(g, include, structs, "cc")
     for kind in (public_headers.integer_types, public_headers.callback_types, public_headers.functions):
         lines += [f"{name} = {text}" for name, text in sorted(kind(include).items())]
     return lines
@@ -70,22 +104,74 @@ def check(g, include):
     complaints = check_types(include)
     if complaints:
         return complaints  # what cannot be read cannot be measured
-    found = rows_of(measure(g, include))
-    wanted = rows_of((g.source / BASELINE).read_text().splitlines())
+    return differences(rows_of(measure(g, include)), rows_of_file(g, BASELINE), BASELINE)
+
+
+def check_machines(g, include):
+    """Complaints about structs of other machines; nothing of them is run."""
+    structs, _ = public_headers.structs(include)
+    lp64 = {name: text for name, text in rows_of_file(g, BASELINE).items() if name.split(".")[0] in structs}
+    cases = [(compiler, lp64, BASELINE) for compiler in COMPILERS_64]
+    cases += [(compiler, rows_of_file(g, file), file) for file, _, compilers in BASELINES_32 for compiler in compilers]
+    complaints = []
+    for compiler, wanted, file in cases:
+        found = rows_of(measure_structs(g, include, structs, *compiler))
+        complaints += [f"{complaint} ({' '.join(compiler)})" for complaint in differences(found, wanted, file)]
+    return complaints
+
+
+def rows_of_file(g, file):
+    return rows_of((g.source / file).read_text().splitlines())
+
+
+def differences(found, wanted, file):
+    complaints = []
     for name in sorted(set(found) | set(wanted)):
         if name not in wanted:
-            complaints.append(f"{name} is not in {BASELINE} (run tests/abi/update-baseline.py)")
+            complaints.append(f"{name} is not in {file} (run tests/abi/update-baseline.py)")
         elif name not in found:
-            complaints.append(f"{name} stands in {BASELINE} but not in the headers")
+            complaints.append(f"{name} stands in {file} but not in the headers")
         elif found[name] != wanted[name]:
             complaints.append(f"{name} has changed: {found[name]}, was {wanted[name]}")
     return complaints
 
 
+def size_table(g):
+    """Rows of TABLE, from the files."""
+    files = [rows_of_file(g, file) for file in (BASELINE, *(file for file, _, _ in BASELINES_32))]
+    sizes = {name: [file[name].split()[1] for file in files] for name, text in files[1].items() if "alignment" in text}
+    return "".join(f"| `{name}` | {' | '.join(row)} |\n" for name, row in sizes.items() if len(set(row)) > 1)
+
+
+def page_around_table(g):
+    text = (g.source / TABLE).read_text()
+    before, rest = text.split(TABLE_FROM)
+    rows, after = rest.split(TABLE_TO)
+    return before + TABLE_FROM, rows, TABLE_TO + after
+
+
+def check_table(g):
+    return [] if page_around_table(g)[1] == size_table(g) else [
+        f"the table of sizes in {TABLE} is not that of the files (run tests/abi/update-baseline.py)"]
+
+
+def update_machines(g):
+    """Writes the files of BASELINES_32, and the table that compares them with BASELINE."""
+    structs, _ = public_headers.structs(g.include)
+    for file, where, compilers in BASELINES_32:
+        (g.source / file).write_text(f"# The public structs {where}; sizes in bytes.\n"
+                                     "# Written by tests/abi/update-baseline.py.\n" +
+                                     "\n".join(measure_structs(g, g.include, structs, *compilers[0])) + "\n")
+    before, _, after = page_around_table(g)
+    (g.source / TABLE).write_text(before + size_table(g) + after)
+
+
 def update(g):
+    """Writes the files."""
     (g.source / BASELINE).write_text("# The public interface where pointers have 64 bits; sizes in bytes.\n"
                                      "# Written by tests/abi/update-baseline.py.\n" +
                                      "\n".join(measure(g, g.include)) + "\n")
+    update_machines(g)
 
 
 def changes(g):
@@ -107,7 +193,7 @@ def grown(name, before, now):
 
 # ---- canaries: changed headers
 
-def changed(*replacements):
+def changed(*replacements, check=check):
     def inspect(g):
         include = g.work / "include"
         shutil.rmtree(include, ignore_errors=True)
@@ -147,9 +233,13 @@ CANARIES = [
      changed(("VBSS_API uint32_t vbss_version(void);",
               "VBSS_API uint32_t vbss_version(void);\nVBSS_API uint32_t vbss_added(void);")),
      r"^vbss_added is not in"),
+    ("an integer in place of a pointer, which only 32 bits show",
+     changed(("void *allocator_user; ", "uint64_t allocator_user; "),
+             check=lambda g, include: check(g, include) + check_machines(g, include)),
+     r"^vbss_context_config.* has changed: .*\(clang --target=(arm|wasm32|i686)"),
     ("a struct with a tag only", changed((END, END + "struct vbss_loose { double x; };\n")),
      r"is not of the form"),
 ]
 
 if __name__ == "__main__":
-    gate.main("layout", lambda g: check(g, g.include), CANARIES)
+    gate.main("layout", lambda g: check(g, g.include) + check_machines(g, g.include) + check_table(g), CANARIES)
