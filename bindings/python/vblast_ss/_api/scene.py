@@ -185,10 +185,10 @@ class vbss_scene_config(ctypes.Structure):
 
     step_budget: REAL_TIME, method IMPLICIT: operations of a step after which the search for
     contact states stops; 0: no limit; default 250000. An operation costs about as much as a
-    product of two 3x3 blocks; 250000 take some 0.5 ms on a core of 2.6 GHz (docs/contact.md).
-    At the limit the step uses the contact forces found so far. They balance, but miss the
-    contact law by up to vbss_scene_statistics::last_residual. Lengths still converge, with a
-    few solves beyond the limit. The rest of the step is left out
+    product of two 3x3 blocks; 250000 take some 0.5 ms on a core of 2.6 GHz
+    (docs/explanation/contact.md). At the limit the step uses the contact forces found so far.
+    They balance, but miss the contact law by up to vbss_scene_statistics::last_residual.
+    Lengths still converge, with a few solves beyond the limit. The rest of the step is left out
     (vbss_scene_statistics::paused) when lengths do not converge, after attempt_limit attempts,
     or when these forces add too much energy without work: 20 uJ, or 1 mJ in a scene without
     drains. The next step then begins with smaller parts, and driven bodies continue from where
@@ -230,7 +230,7 @@ class vbss_scene_config(ctypes.Structure):
     threads and rigid bodies, in blocks of 3 x 3 numbers of 96 bytes, 0 to 1e7; 0 (default):
     4096, and 20 for each node of node_capacity and 40 for each body of rigid_capacity. A node
     without contact takes up to 12 blocks, one of a tight knot 42; each drain adds its own. A
-    step that needs more returns VBSS_ERROR_CAPACITY. See docs/memory.md.
+    step that needs more returns VBSS_ERROR_CAPACITY. See docs/reference/memory.md.
 
     baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them."""
     struct_size: int
