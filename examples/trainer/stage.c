@@ -21,7 +21,7 @@
 #define FIRST 1.75   /* closing */
 #define SEGMENTS 300 /* of the thread */
 /* Operations in a call where the core is not measured, less than the default: so that a slot is kept by a core of
- * 2.6 GHz (docs/guides/trainer.md). */
+ * 2.6 GHz (docs/notebook/trainer.md). */
 enum { FIXED_SLOT = 180000 };
 
 /* ---- tools */

@@ -65,7 +65,8 @@ cut_outcome cut_throw(const cut_case *t, double share)
     o.pull.force = 2.0;
     o.scene.thread_capacity = 16;
     o.scene.grasp_capacity = 32;
-    o.scene.call_budget = 0; /* what the limit of a step costs; that of a call: docs/explanation/contact.md */
+    /* what the limit of a step costs; that of a call: docs/explanation/contact.md */
+    o.scene.call_budget = 0;
     if (t->limited) {
         o.scene.step_budget = (uint32_t)(share * o.scene.step_budget);
     } else {

@@ -104,7 +104,7 @@ class vbss_grasper_config(ctypes.Structure):
     force a time d after its pose was read, and holds it for h, the damping must be at least
     stiffness (d + h / 2). Otherwise the coupling adds energy to a hand that presses on a rigid
     obstacle. At an elastic one the hand itself needs a little damping, which
-    docs/guides/devices.md derives.
+    docs/reference/device-layer.md derives.
 
     turning_stiffness: Rotational stiffness of the coupling, N m/rad, 0 to 1e9; default 5.
 
