@@ -10,7 +10,7 @@ usage: bench/run.sh [suite ...] [--quick] [--filter SUBSTRING] [--repetitions N]
 bench/run.sh against REV [suite|subject ...] [--quick] [--pairs N] [--seeds N] [--json FILE]
   Measures this revision against another one on the same core: bench/run.sh against --help.
 bench/run.sh summary [--quick] [--core N] [--no-peers] [--out FOLDER]
-  Measures all subjects with their peers, and writes docs/speed-against-error.md: bench/run.sh summary --help.
+  Measures all subjects with their peers, and writes docs/explanation/speed-against-error.md: bench/run.sh summary --help.
 END
 }
 

@@ -4,7 +4,7 @@ import re
 import sys
 
 source = pathlib.Path(sys.argv[1])
-pages = [source / "README.md", source / "CHANGELOG.md", *sorted((source / "docs").glob("*.md"))]
+pages = [source / "README.md", source / "CHANGELOG.md", *sorted((source / "docs").rglob("*.md"))]
 checked, broken = 0, []
 for page in pages:
     for target in re.findall(r"\]\(([^)#\s]+)", page.read_text()):

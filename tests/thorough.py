@@ -55,6 +55,7 @@ FOLDERS_OF = [
     (r"^soak-sample\.hardware_faults", {"device"}),
     (r"^bench-quick\.tissue", {"tissue", "drain"}),
     (r"^bench-quick\.task", {"task", "surgeon"}),
+    (r"^docs\.site$", {"start", "guides", "reference", "explanation", "notebook", "decisions"}),
     (r"^consumer\.", {"consumers", "pkgconfig"}),
 ]
 

@@ -1,4 +1,4 @@
-"""What docs/graspers.md promises of hands and graspers, read off build/bench/device.json; bench/run.sh runs it after
+"""What docs/explanation/graspers.md promises of hands and graspers, read off build/bench/device.json; bench/run.sh runs it after
 the suite.
 
 Prints a line a promise with the measured value, and the tables of the page. Times depend on the machine and what

@@ -1,4 +1,4 @@
-"""What docs/knots.md promises, read off build/bench/knots.json; bench/run.sh runs it after the suite.
+"""What docs/explanation/knots.md promises, read off build/bench/knots.json; bench/run.sh runs it after the suite.
 
 Prints a line a promise with the measured value, then the tables of the page. Times depend on the machine and what
 else it does, so a promise that is not kept is told, not made an error; wrong verdicts are errors of the suite."""
@@ -6,7 +6,7 @@ import json
 import sys
 
 SIZES = ["30", "60", "120", "240", "300"]
-# Of 1000 throws being tied, told right by PROJECTION with segments of 1 mm: docs/paper-knots.md.
+# Of 1000 throws being tied, told right by PROJECTION with segments of 1 mm: docs/explanation/paper-knots.md.
 PAPER_RIGHT = {("wrapped-single", "137"): 993, ("wrapped-double", "157"): 992, ("grasped-single", "138"): 1000,
                ("grasped-double", "158"): 1000, ("drawn-single", "141"): 807, ("drawn-double", "163"): 352,
                ("drawn-wrong-way-single", "137"): 1000, ("drawn-wrong-way-double", "157"): 983}
@@ -67,7 +67,7 @@ def bars(cases, quick):
     projection = [(cases[s, "projection", n], right) for (s, n), right in PAPER_RIGHT.items()
                   if (s, "projection", n) in cases]
     if projection and not quick:
-        yield "PROJECTION: families with another count than docs/paper-knots.md", \
+        yield "PROJECTION: families with another count than docs/explanation/paper-knots.md", \
             sum(row["right"] != right for row, right in projection), "= 0", lambda v: v == 0
     eight = [row for (scene, m, _), row in cases.items() if scene.startswith("case-") and m == "projection"]
     if eight:

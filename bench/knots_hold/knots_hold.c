@@ -1,5 +1,5 @@
 /* How much one knot holds: ties it, lets go of it, grows what it is tied round, and prints what came of it as one
- * line of JSON. run.py runs many of them. The protocol is told in docs/knot-holding.md.
+ * line of JSON. run.py runs many of them. The protocol is told in docs/explanation/knot-holding.md.
  *
  *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [limited] [trace=file]
  *

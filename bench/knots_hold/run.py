@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Ties and grows many knots, and writes what came of each to one file (docs/knot-holding.md).
+"""Ties and grows many knots, and writes what came of each to one file (docs/explanation/knot-holding.md).
 
     run.py [--build build/release] [--out build/bench/knots-hold.json] [-j N] [--seeds N]
 
-The tables and the plot are made of that file by docs/contact/plot_knot_holding.py.
+The tables and the plot are made of that file by docs/scripts/plot_knot_holding.py.
 """
 import argparse
 import concurrent.futures

@@ -1,4 +1,4 @@
-"""docs/speed-against-error.md, and the lines that README quotes from it."""
+"""docs/explanation/speed-against-error.md, and the lines that README quotes from it."""
 import re
 
 from points import SUBJECTS, beats_us
@@ -44,10 +44,10 @@ def page(points, skipped, notes, context, hurried):
         lines += ["THIS IS A QUICK RUN: its figures are not results.", ""]
     lines += ["![Error against cost of all subjects](speed-against-error.svg)", "",
               "Costs are processor time of one thread, without setting up and compiling. Every method solves the same problem with "
-              "the same parameters ([`problem.py`](../bench/peers/problem.py)), each at several resolutions and steps. PyElastica "
+              "the same parameters ([`problem.py`](../../bench/peers/problem.py)), each at several resolutions and steps. PyElastica "
               "and DisMech call compiled functions from Python in each step, as their users do. Ours runs offline in the capstan and "
               "in the trefoil: it leaves no time out. Settings of the peers are chosen in their favour; the modules in "
-              "[`bench/peers`](../bench/peers) say how.", ""]
+              "[`bench/peers`](../../bench/peers) say how.", ""]
     for subject in SUBJECTS:
         of = [q for q in points if q.subject == subject.name]
         if of:

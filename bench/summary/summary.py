@@ -61,7 +61,7 @@ def run_peers(folder, out, chosen, skipped):
 def write(points, skipped, results, context, out, chosen):
     notes = list(dict.fromkeys((r["version"], r["note"]) for r in results if "note" in r))
     kept = chosen.quick or chosen.out is not None
-    docs = out if kept else ROOT / "docs"
+    docs = out if kept else ROOT / "docs/explanation"
     (docs / "speed-against-error.md").write_text(page.page(points, skipped, notes, context, chosen.quick), encoding="utf-8")
     print(docs / "speed-against-error.md")
     if not kept:

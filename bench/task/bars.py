@@ -1,4 +1,4 @@
-"""What docs/task.md promises and shows, read off build/bench/task.json; bench/run.sh runs it after the suite.
+"""What docs/notebook/task.md promises and shows, read off build/bench/task.json; bench/run.sh runs it after the suite.
 
 Prints a line a promise with the measured value, and the tables of the page. Times depend on the machine and what else it does,
 so a promise that is not kept is told, not made an error."""

@@ -2,7 +2,7 @@
  * it: the mean step, and percentiles. A thread of 150 mm in equal segments has a loose double throw (as loose as 30
  * segments can be); hands at its ends draw it tight at 25 mm/s, to 2 N. `topology_kept` tells whether it is still that knot.
  * The paper's method makes the same with steps of 1 ms, of 0.2 ms, in which 30 segments keep the knot
- * (docs/paper-scene.md), and with its own of 1/150 s; compare us/ms. */
+ * (docs/explanation/paper-scene.md), and with its own of 1/150 s; compare us/ms. */
 #include <stdio.h>
 
 #include "fixtures/baseline_of.h"

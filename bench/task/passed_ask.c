@@ -5,7 +5,7 @@
 #include "task/passed_part.h"
 
 /* m: so far along thread or needle from a hole the wall round it is not asked; so far along a thread from where jaws hold it they do
- * not touch it (docs/graspers.md); so far from the swage the thread is not asked with the needle. */
+ * not touch it (docs/explanation/graspers.md); so far from the swage the thread is not asked with the needle. */
 #define HOLE_REACH 1e-3
 #define JAW_REACH 1.5e-3
 #define SWAGE_REACH 1.2e-3

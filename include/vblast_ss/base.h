@@ -98,7 +98,7 @@
 
 /**
  * Status of a call: VBSS_OK (0) or a negative VBSS_ERROR_ constant. Refusals differ by what the host
- * can do about them (docs/abi.md). VBSS_ERROR_OUT_OF_RANGE concerns numbers alone, also constants
+ * can do about them (docs/reference/abi.md). VBSS_ERROR_OUT_OF_RANGE concerns numbers alone, also constants
  * that do not exist, and indices of nodes, edges and triangles.
  */
 typedef int32_t vbss_result;

@@ -5,7 +5,7 @@
  * Objects of this method take these parameters from the field `baseline` of their configurations:
  * collision, thread, drain, grasper and scene. One struct serves all five, so that one comparison
  * sets it once. An object copies it when it is created; NULL means the defaults. Objects of other
- * methods check it and ignore it. docs/paper-thread.md, paper-drain.md, paper-scene.md and
+ * methods check it and ignore it. docs/explanation/paper-thread.md, paper-drain.md, paper-scene.md and
  * paper-collision.md derive the defaults.
  *
  * SPDX-License-Identifier: Apache-2.0
@@ -34,7 +34,7 @@ typedef struct vbss_baseline_config {
     /** Of collision.h alone; scenes use the default. Unit of length, m, 1e-9 to 1e3; default 1e-3. */
     double collision_unit;
     /** Spring constant of a segment of a thread, N/m, 0 to 1e9; default 0: derived from mass and
-     * step by docs/paper-thread.md. */
+     * step by docs/explanation/paper-thread.md. */
     double thread_stiffness;
     /** Share of the velocity relative to the rigid motion of a thread's section that each explicit
      * step removes, 0 to 1; default 0. */

@@ -11,7 +11,7 @@
  *
  * A continuous test asks whether two features, whose vertices move evenly from their start to their end
  * positions from time 0 to time 1, come within the contact distance D of each other. With
- * VBSS_COLLISION_METHOD_CONSERVATIVE a miss is a proof, rounding included: docs/collision.md.
+ * VBSS_COLLISION_METHOD_CONSERVATIVE a miss is a proof, rounding included: docs/explanation/collision.md.
  *
  * Coordinates are at most 1e30 in magnitude; D is zero or from 1e-30 to 1e30. Lengths are in m, but
  * only the default unit of the paper's method depends on it.
@@ -108,7 +108,7 @@ typedef struct vbss_collision_config {
     /** Contact distance D, m: 0, or 1e-30 to 1e30; default 0. Between shapes their radii are added. */
     double thickness;
     /** Share of D, 1e-12 to 1; default 1e-3. A test may report a hit for features that only come within
-     * D (1 + tolerance). Rounding sets a lower limit: docs/collision.md. No effect on the answer when
+     * D (1 + tolerance). Rounding sets a lower limit: docs/explanation/collision.md. No effect on the answer when
      * D = 0. */
     double tolerance;
     /** CONSERVATIVE: passes before a test gives up and reports a hit, 1 to 1000000; default 10000. Most
@@ -195,7 +195,7 @@ enum {
 /** Displacements by the paper's response. */
 typedef struct vbss_collision_response {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    /** 1: the paper leaves this case open, and a rule of docs/paper-collision.md was used. Examples are no
+    /** 1: the paper leaves this case open, and a rule of docs/explanation/paper-collision.md was used. Examples are no
      * relative motion along the direction, and features that meet at the end. */
     int32_t completed;
     double direction[3];     /**< q: unit vector from edge b to edge a, on the side of the start. */
@@ -347,7 +347,7 @@ VBSS_API vbss_result vbss_collision_test_point_triangle(const vbss_collision_con
  * end of the step after which the features are D apart, on the side they came from. With
  * TIME_OF_IMPACT they are D apart in the positions of that time, and at the end nearer by their
  * approach since then. Weights and inverse masses distribute the shift of the contact point over
- * the two vertices of an edge, or the three of a triangle. docs/paper-collision.md has the source,
+ * the two vertices of an edge, or the three of a triangle. docs/explanation/paper-collision.md has the source,
  * the signs, and the rules for cases that the paper leaves open.
  *
  * @param kind            kinds of the features

@@ -351,7 +351,7 @@ VBSS_API vbss_result vbss_device_write(vbss_device *device, double now,
  *
  * A device gets the force of a tool's spring in one way only. Use this function with the pose of the
  * tool, or #vbss_device_write with vbss_grasper_state::hand_force. Both at once would be twice the
- * spring, so this call refuses a command with a force. docs/devices.md says which one suits which
+ * spring, so this call refuses a command with a force. docs/reference/device-layer.md says which one suits which
  * device.
  *
  * @param device       the device

@@ -8,11 +8,11 @@
  * no stress, and the slit is open.
  *
  * Method IMPLICIT: membrane and bending are those of an isotropic elastic shell with large rotations
- * (assumed-strain patch triangles, Flores and Onate 2005; docs/drain-shell.md). The time integration is
- * backward Euler with one linearisation and one correction a step (docs/drain.md).
+ * (assumed-strain patch triangles, Flores and Onate 2005; docs/explanation/drain-shell.md). The time integration is
+ * backward Euler with one linearisation and one correction a step (docs/explanation/drain.md).
  *
  * Method VBLAST (VBLaST-SS, Qi et al. 2017): 85 particles, which move in explicit steps. A spring ties
- * each particle to its rest position, and nothing ties it to its neighbours (docs/paper-drain.md). The
+ * each particle to its rest position, and nothing ties it to its neighbours (docs/explanation/paper-drain.md). The
  * method has a mesh of its own and no anchors.
  *
  * SPDX-License-Identifier: Apache-2.0
@@ -122,7 +122,7 @@ typedef struct vbss_drain_config {
     /** In a scene: coefficient of friction with threads, 0 to 10. Friction with other bodies, the floor and
      * the drain itself uses the geometric mean of both coefficients. Default 0.3 (not verified). */
     double friction;
-    /* Needles that are pushed through the wall in a scene: docs/puncture.md. */
+    /* Needles that are pushed through the wall in a scene: docs/explanation/puncture.md. */
     /** Force along the direction of a tip at which it enters a wall, N, 1e-3 to 1e3; default 1 (the
      * published range for both walls of a Penrose drain is 0.85 to 2.92). */
     double puncture_force;
@@ -138,7 +138,7 @@ typedef struct vbss_drain_config {
      * default 0.5e-3. */
     double tip_length;
     /** Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02 (not verified). A tight
-     * thread has capstan friction: docs/stitch.md. */
+     * thread has capstan friction: docs/explanation/stitch.md. */
     double thread_force;
     /** Method IMPLICIT: sheet or tube in place of the tube with a slit; NULL (default): that tube. With a
      * surface the fields mesh, mesh_divisions, radius, length, slit_length, slit_opening and mark_arc have

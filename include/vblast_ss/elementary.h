@@ -9,7 +9,7 @@
  * They take every double. A NaN as an argument gives a NaN; every NaN that they return is quiet and
  * has the bits 0x7ff8000000000000. On the processors that base.h names, the results do not depend on
  * the floating-point mode of the calling thread. Errors are in units in the last place (ulp) of the
- * result; docs/elementary-functions.md derives them.
+ * result; docs/explanation/elementary-functions.md derives them.
  *
  * SPDX-License-Identifier: Apache-2.0
  */

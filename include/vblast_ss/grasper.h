@@ -29,7 +29,7 @@
  * jaws carries the needle. The first of two tools leads; the second changes nothing until the first
  * lets go.
  *
- * docs/graspers.md has the formulas and limits.
+ * docs/explanation/graspers.md has the formulas and limits.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -101,7 +101,7 @@ typedef struct vbss_grasper_config {
     /** Damping of the virtual coupling, N s/m, 0 to 1e6; default 5. If a hand receives its force a time d
      * after its pose was read, and holds it for h, the damping must be at least stiffness (d + h / 2).
      * Otherwise the coupling adds energy to a hand that presses on a rigid obstacle. At an elastic one the
-     * hand itself needs a little damping, which docs/devices.md derives. */
+     * hand itself needs a little damping, which docs/reference/device-layer.md derives. */
     double damping;
     /** Rotational stiffness of the coupling, N m/rad, 0 to 1e9; default 5. */
     double turning_stiffness;

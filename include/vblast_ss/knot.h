@@ -14,11 +14,11 @@
  * infinity. It reduces the closed curve by moves that provably hit nothing, and projects it such
  * that all crossings are certain. It then decomposes the diagram into twist regions, which proves
  * the type, and compares exact invariants. A throw of k wraps closes to the torus knot T(2, 2 k +
- * 1), and stacked throws to the connected sum. See docs/knots.md.
+ * 1), and stacked throws to the connected sum. See docs/explanation/knots.md.
  *
  * Method PROJECTION is that of VBLaST-SS (Qi et al. 2017, section 5). It projects the thread along
  * a tool, finds loops round the tool by an even-odd test, and a segment that crosses them.
- * docs/paper-knots.md describes it and its errors.
+ * docs/explanation/paper-knots.md describes it and its errors.
  *
  * SPDX-License-Identifier: Apache-2.0
  */

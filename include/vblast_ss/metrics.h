@@ -16,7 +16,7 @@
  * Motion is measured on a fixed grid of 100 Hz behind a fixed low-pass filter, so that smoothness
  * does not depend on the rate of a recording. Samples that no hand can have reached are counted and
  * left out. The filter delays each tick's results by 0.26 s; #vbss_metrics_finish computes the last
- * ones. docs/metrics.md has every formula with its source and says which of them are verified and
+ * ones. docs/explanation/metrics.md has every formula with its source and says which of them are verified and
  * which claims they support. The score is in the style of MISTELS; it is not the FLS score.
  *
  * Units are SI; names that end in `_mm` mean millimetres.

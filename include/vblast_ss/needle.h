@@ -144,7 +144,7 @@ VBSS_API vbss_result vbss_needle_config_preset(vbss_needle_config *config,
                                                vbss_needle_preset preset);
 
 /**
- * Sets radius, wire radius and arc to those of a needle as catalogues describe it. docs/sutures.md lists
+ * Sets radius, wire radius and arc to those of a needle as catalogues describe it. docs/reference/sutures.md lists
  * common needles.
  *
  * @param[in,out] config  an initialised configuration
@@ -186,7 +186,7 @@ VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
 
 /**
  * Makes one step of free flightunder gravity and drag, without contacts. Angular momentum is
- * conserved up to rounding; the rotation is of second order (the splitting of docs/needle.md). A
+ * conserved up to rounding; the rotation is of second order (the splitting of docs/explanation/needle.md). A
  * needle turns by at most a quarter of a turn in a step; a faster one slows down.
  *
  * @param needle  the needle

@@ -5,7 +5,7 @@
  * Every device (device.h) has this stage. Hosts with their own device layer can use it alone. Each
  * of its limits reduces a force or leaves it unchanged, in this order: finite numbers only, largest
  * magnitude, continuous load (I^2 t, motor temperature), rate of rise, watchdog, emergency stop.
- * docs/devices.md has the formulas, and the consequences for passivity.
+ * docs/reference/device-layer.md has the formulas, and the consequences for passivity.
  *
  * SPDX-License-Identifier: Apache-2.0
  */

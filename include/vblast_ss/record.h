@@ -10,7 +10,7 @@
  * A *replay* reads a log, complete or truncated, with a scene or without. It restores the initial
  * state in a scene of the same configuration, applies the recorded inputs, steps the scene and
  * compares hashes. It reports the end of the log or the first step that differs.
- * docs/session-log.md describes the format. Steps are coded without loss as differences from a
+ * docs/reference/session-log.md describes the format. Steps are coded without loss as differences from a
  * prediction from earlier steps. Logs of format 2, which is uncoded, can be read, replayed and
  * continued.
  *

@@ -14,7 +14,7 @@
  *
  * A visual in the reader's own context makes the meshes (#vbss_visual_add_replica). Functions with
  * the note *reader thread* enter no context, so they store no error text. One thread at a time may be
- * the reader. docs/threads.md shows the whole pattern.
+ * the reader. docs/guides/threads.md shows the whole pattern.
  *
  * SPDX-License-Identifier: Apache-2.0
  */

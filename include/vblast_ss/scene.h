@@ -24,7 +24,7 @@
  * (#vbss_scene_pin_thread). It also exempts segments so near along a thread that they do not touch,
  * and the ends at a cut until they have come apart. Method VBLAST is that of VBLaST-SS (Qi et al.
  * 2017): explicit steps, edge tests at both ends of a step, displacements as response, no friction,
- * knots held by pins. See docs/paper-scene.md.
+ * knots held by pins. See docs/explanation/paper-scene.md.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -123,7 +123,7 @@ typedef struct vbss_scene_config {
      * bodies, in blocks of 3 x 3 numbers of 96 bytes, 0 to 1e7; 0 (default): 4096, and 20 for each
      * node of node_capacity and 40 for each body of rigid_capacity. A node without contact takes up
      * to 12 blocks, one of a tight knot 42; each drain adds its own. A step that needs more returns
-     * VBSS_ERROR_CAPACITY. See docs/memory.md. */
+     * VBSS_ERROR_CAPACITY. See docs/reference/memory.md. */
     uint32_t matrix_capacity;
     uint32_t reserved; /**< Zero. */
     /** VBLAST: its parameters; NULL (default): their defaults. The library copies them. */
@@ -443,7 +443,7 @@ VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
  * The remaining cuts belong to the scene as long as a thread of the family does. An adaptive mesh
  * needs capacity for its whole node_capacity; nodes of threads added later reduce that capacity.
  * The mesh adapts at the very end of steps, which renumbers the nodes and segments beyond a change.
- * Pins, grasps and contacts in the views follow (docs/adaptive.md).
+ * Pins, grasps and contacts in the views follow (docs/explanation/adaptive.md).
  *
  * @param scene      the scene
  * @param thread     the thread, of the scene's method, with a radius above 0
@@ -522,7 +522,7 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_scene_ri
  * placing, restoring or destroying it alone returns VBSS_ERROR_IN_SCENE. With method VBLAST it
  * exactly follows the tool whose jaws have closed on it first. A needle that no tool holds flies,
  * lies on the floor, and stays in the walls of drains that it passes through
- * (docs/paper-needle.md).
+ * (docs/explanation/paper-needle.md).
  *
  * @param scene      the scene
  * @param needle     a needle of the same context and method
@@ -743,7 +743,7 @@ VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbs
 
 /**
  * Returns the memory that #vbss_scene_create allocates for a configuration. Bodies and drains add
- * their own: see docs/memory.md. The call creates such a scene and destroys it again, so that the
+ * their own: see docs/reference/memory.md. The call creates such a scene and destroys it again, so that the
  * number is exact; a host then knows what to reserve on another machine with the same sizes of
  * pointers.
  *

@@ -7,7 +7,7 @@
  * mark, throw 2 is seated, and so on. In every step the *phase* of the task follows from these
  * facts alone. An *event* reports each fact that begins or ceases. A fact that the geometry undoes
  * is undone. Facts that rest on a measured number are debounced: they change only after a dwell
- * time (`dwell`, `throw_dwell`) and with hysteresis. docs/session.md has the table of phases, facts
+ * time (`dwell`, `throw_dwell`) and with hysteresis. docs/reference/session.md has the table of phases, facts
  * and failures.
  *
  * The clock of a session runs with the hands: it adds up the lengths of the steps since the

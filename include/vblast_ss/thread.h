@@ -45,7 +45,7 @@ typedef int32_t vbss_thread_mesh;
 enum {
     /** Nodes and rest lengths stay as they were created. */
     VBSS_THREAD_MESH_FIXED = 0,
-    /** Method IMPLICIT, docs/adaptive.md: between two steps the thread divides segments where it is
+    /** Method IMPLICIT, docs/explanation/adaptive.md: between two steps the thread divides segments where it is
      * bent or near another body, and removes nodes where it is straight and has clearance. This
      * renumbers nodes, segments, attachments, pins, grasps and contacts. */
     VBSS_THREAD_MESH_ADAPTIVE = 1
@@ -67,7 +67,7 @@ enum {
 /** Material of a suture: a VBSS_THREAD_MATERIAL_ constant. */
 typedef int32_t vbss_thread_material;
 
-/** The constants of #vbss_thread_material. docs/sutures.md has sources and uncertainties. */
+/** The constants of #vbss_thread_material. docs/reference/sutures.md has sources and uncertainties. */
 enum {
     VBSS_THREAD_MATERIAL_SILK = 0,          /**< Braided silk. */
     VBSS_THREAD_MATERIAL_POLYGLACTIN = 1,   /**< Braided polyglactin 910, absorbable. */
@@ -348,7 +348,7 @@ VBSS_API vbss_result vbss_thread_config_preset(vbss_thread_config *config,
 /**
  * Sets radius, linear density, EA and EI of a configuration to those of a suture. They follow from the
  * diameter of the size and from density, modulus of elasticity and modulus of bending of the material
- * (docs/sutures.md): a braid bends far more easily than a solid rod, a monofilament like one.
+ * (docs/reference/sutures.md): a braid bends far more easily than a solid rod, a monofilament like one.
  *
  * @param[in,out] config  an initialised configuration
  * @param material        the material

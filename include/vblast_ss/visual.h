@@ -16,7 +16,7 @@
  *
  * Tolerances determine the resolution of the meshes. Surfaces of bodies are closed: if vertices at one
  * position count as one, each side belongs to two triangles, which traverse it in opposite directions.
- * docs/visual.md has the formulas and figures.
+ * docs/explanation/visual.md has the formulas and figures.
  *
  * SPDX-License-Identifier: Apache-2.0
  */

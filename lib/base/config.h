@@ -1,4 +1,4 @@
-/* The size protocol of public structs (docs/abi.md). Each such struct starts with uint32_t
+/* The size protocol of public structs (docs/reference/abi.md). Each such struct starts with uint32_t
  * struct_size. */
 #ifndef VBSS_BASE_CONFIG_H
 #define VBSS_BASE_CONFIG_H

@@ -2,7 +2,7 @@
  *
  * The first four are the public ones without the entry of a public call.
  * Results have the same bits on every machine. Special values follow C11 Annex F.
- * docs/elementary-functions.md explains methods and errors. */
+ * docs/explanation/elementary-functions.md explains methods and errors. */
 #ifndef VBSS_BASE_ELEMENTARY_H
 #define VBSS_BASE_ELEMENTARY_H
 

@@ -7,7 +7,7 @@
  * r = z/c - 1, |r| < 0.008, is an exact sum, and log x = k ln 2 + log c + log(1 + r). Around 1 the
  * table has c = 1 and log c = 0, so nothing cancels there and no other path is needed.
  * Documented maximal errors: exp 0.52 ulp, log 0.52 ulp. Derivation:
- * docs/elementary-functions.md. */
+ * docs/explanation/elementary-functions.md. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>

@@ -8,7 +8,7 @@
  * atan2 expands atan of q = b/a <= 1 and corrects for the quotient's remainder. acos expands asin
  * of |x| up to 1/2, and above that asin of sqrt((1 - |x|)/2), corrected for the error of the root.
  * Documented maximal errors: atan2 0.52 ulp, acos 0.51 ulp. Derivation:
- * docs/elementary-functions.md. */
+ * docs/explanation/elementary-functions.md. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>

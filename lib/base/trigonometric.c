@@ -6,7 +6,7 @@
  * and cos x is the sine with k + 32. S, C and r are split into 26 bits and a rest, so the leading
  * product is exact and S + C r is summed with its error. The bracket is below 2^-10 of the result;
  * its few roundings and the error of the polynomials (2^-63) add little to the final rounding.
- * Documented maximal error: 0.51 ulp. Derivation: docs/elementary-functions.md. */
+ * Documented maximal error: 0.51 ulp. Derivation: docs/explanation/elementary-functions.md. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>

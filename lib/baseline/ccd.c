@@ -1,6 +1,6 @@
 /* Method VBLAST: the continuous collision test of VBLaST-SS (Qi et al. 2017, algorithm 1),
  * extended to a point and a triangle. It keeps the misses and false hits of the paper:
- * docs/paper-collision.md.
+ * docs/explanation/paper-collision.md.
  *
  * The vector w leads from b to a: between the lines of two edges, or from the plane of the
  * triangle to the point. Edges count as parallel below the paper's eps_E, the only number that

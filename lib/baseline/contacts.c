@@ -1,6 +1,6 @@
 /* One pass over all candidate pairs. The pass tests each pair between the start and the end of
  * the step (algorithm 1), and moves a pair that hits at once (algorithm 2). Each test uses the
- * end positions that earlier responses have left. docs/paper-scene.md lists the points that the
+ * end positions that earlier responses have left. docs/explanation/paper-scene.md lists the points that the
  * paper leaves open, and the choices here. */
 #include "base/error.h"
 #include "baseline/drain.h"

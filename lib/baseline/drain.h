@@ -1,5 +1,5 @@
 /* The drain of VBLaST-SS (Qi et al. 2017): a spring ties each particle to its rest position.
- * docs/paper-drain.md lists the points that the paper leaves open. */
+ * docs/explanation/paper-drain.md lists the points that the paper leaves open. */
 #ifndef VBSS_BASELINE_DRAIN_H
 #define VBSS_BASELINE_DRAIN_H
 

@@ -1,7 +1,7 @@
 /* Grasps of the baseline. Jaws that have just closed near a thread carry its nearest node
  * exactly. The first tool that grasps a node leads it, and a second tool waits until the first
  * releases it. The hand feels the springs of the two sections beside the node:
- * docs/paper-scene.md. */
+ * docs/explanation/paper-scene.md. */
 #include "baseline/scene.h"
 #include "scene/tools/tools.h"
 

@@ -1,6 +1,6 @@
 /* Holes of the baseline. Where algorithm 3 has detected that a needle passed through a wall, the
  * particles of that triangle follow the needle by their weights, like responses to contacts. The
- * wall around the hole does not collide with the needle: docs/paper-needle.md. */
+ * wall around the hole does not collide with the needle: docs/explanation/paper-needle.md. */
 #include "base/error.h"
 #include "baseline/drain.h"
 #include "baseline/scene.h"

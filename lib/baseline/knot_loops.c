@@ -1,6 +1,6 @@
 /* Method PROJECTION, criterion 1: loops of the thread that close around a tool in the projection
  * along it (Qi et al. 2017, section 5, algorithm 4). The method keeps the misses and false
- * detections of the paper: docs/paper-knots.md.
+ * detections of the paper: docs/explanation/paper-knots.md.
  *
  * As in the paper, the line of the tool has no ends, and a loop ends at the first segment that
  * crosses it. The search for the next loop starts after that segment. The paper does not define

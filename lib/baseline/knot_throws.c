@@ -1,5 +1,5 @@
 /* Method PROJECTION, criterion 2: a segment that crosses the plane P inside loops that close around
- * a tool (Qi et al. 2017, section 5). docs/paper-knots.md lists the points that the paper leaves
+ * a tool (Qi et al. 2017, section 5). docs/explanation/paper-knots.md lists the points that the paper leaves
  * open, and the reasons for the choices here. */
 #include "baseline/knots.h"
 

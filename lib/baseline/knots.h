@@ -1,4 +1,4 @@
-/* Knots of VBLaST-SS (Qi et al. 2017): method PROJECTION of detectors. docs/paper-knots.md lists
+/* Knots of VBLaST-SS (Qi et al. 2017): method PROJECTION of detectors. docs/explanation/paper-knots.md lists
  * the points that the paper leaves open. */
 #ifndef VBSS_BASELINE_KNOTS_H
 #define VBSS_BASELINE_KNOTS_H

@@ -1,7 +1,7 @@
 /* Needles of the baseline. A needle follows the first tool whose jaws have closed on it,
  * exactly. A second tool waits until the first releases the needle, and leads it from then on. A
  * free needle flies, lands on the floor, and stays in the walls that it passes through:
- * docs/paper-needle.md. */
+ * docs/explanation/paper-needle.md. */
 #include "baseline/scene.h"
 
 #include "collision/closest.h"

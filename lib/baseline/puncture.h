@@ -3,7 +3,7 @@
  * Two points behind the tip, one and two wall thicknesses along the needle's first segment, form
  * two short sub-segments with it. If the plane of a triangle separates the ends of the first one,
  * the tip is passing through it: a toggle. If the plane later separates the ends of the second one,
- * the tip has passed through. The method uses no force. docs/paper-needle.md lists the points that
+ * the tip has passed through. The method uses no force. docs/explanation/paper-needle.md lists the points that
  * the paper leaves open. */
 #ifndef VBSS_BASELINE_PUNCTURE_H
 #define VBSS_BASELINE_PUNCTURE_H

@@ -1,5 +1,5 @@
 /* The response of VBLaST-SS (Qi et al. 2017, algorithm 2), with one consistent set of signs, and
- * with rules for the cases that the paper leaves open: docs/paper-collision.md. The vectors q
+ * with rules for the cases that the paper leaves open: docs/explanation/paper-collision.md. The vectors q
  * and w lead from b to a. */
 #include "base/api_call.h"
 #include "base/check.h"

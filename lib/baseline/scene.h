@@ -1,5 +1,5 @@
 /* A scene of VBLaST-SS (Qi et al. 2017): the state in scene_object.baseline, and the stages of a
- * step. docs/paper-scene.md and docs/paper-needle.md list the points that the paper leaves open. */
+ * step. docs/explanation/paper-scene.md and docs/explanation/paper-needle.md list the points that the paper leaves open. */
 #ifndef VBSS_BASELINE_SCENE_H
 #define VBSS_BASELINE_SCENE_H
 

@@ -44,7 +44,7 @@ static void configure_collision(const scene_object *s, vbss_collision_config *co
     config->margin = 0.0;
 }
 
-/* Only the edges of a drain collide, and only with other bodies: docs/paper-scene.md. */
+/* Only the edges of a drain collide, and only with other bodies: docs/explanation/paper-scene.md. */
 static vbss_result prepare_drain(scene_object *s, const drain_object *added, uint32_t shape)
 {
     (void)added;

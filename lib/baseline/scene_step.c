@@ -1,4 +1,4 @@
-/* A step of VBLaST-SS (Qi et al. 2017); docs/paper-scene.md describes it in full.
+/* A step of VBLaST-SS (Qi et al. 2017); docs/explanation/paper-scene.md describes it in full.
  *   tool poses -> needles -> threads and drains, each with its own explicit substeps
  *   -> passes of detection and response, until no pair hits -> events -> tool forces
  * Rigid bodies follow their targets, whatever is in the way; needles follow tools or fly. The

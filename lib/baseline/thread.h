@@ -1,4 +1,4 @@
-/* The thread of VBLaST-SS (Qi et al. 2017): state, forces and projection. docs/paper-thread.md
+/* The thread of VBLaST-SS (Qi et al. 2017): state, forces and projection. docs/explanation/paper-thread.md
  * lists the points that the paper leaves open, and the choices here.
  *
  * Some fields of thread_object have another meaning here:

@@ -5,7 +5,7 @@
 
 enum { LIMB_BITS = 32 };
 
-/* Not memset: every library function counts with 4 KiB of stack (docs/abi.md). */
+/* Not memset: every library function counts with 4 KiB of stack (docs/reference/abi.md). */
 static void clear_limbs(uint32_t *limbs, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {

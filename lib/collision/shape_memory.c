@@ -88,7 +88,7 @@ void vbss_collision_shape_free(vbss_context *context, collision_shape *s)
  * other have overlapping boxes. Each shape contributes its radius and half of thickness and margin.
  * The factor exceeds the few rounding errors here and in D, and DBL_MIN exceeds those of subnormal
  * numbers. Rounding of low - inflation and high + inflation loses nothing, because it preserves the
- * order of numbers: docs/collision.md. */
+ * order of numbers: docs/explanation/collision.md. */
 static double inflation_of(const vbss_collision_config *config, double radius)
 {
     double half_distance = (radius + 0.5 * config->thickness) * (1.0 + config->tolerance);

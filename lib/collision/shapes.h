@@ -3,7 +3,7 @@
  *
  * A shape has points (its nodes), edges and, if it is a mesh, triangles; each kind of feature has a
  * BVH. AABBs are swept from start to end and inflated. A search lists the pairs of features whose
- * boxes overlap, independently of the trees: docs/collision.md. */
+ * boxes overlap, independently of the trees: docs/explanation/collision.md. */
 #ifndef VBSS_COLLISION_SHAPES_H
 #define VBSS_COLLISION_SHAPES_H
 

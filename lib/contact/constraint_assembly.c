@@ -94,7 +94,7 @@ static bool has_rotation(const contact_constraint *constraint)
  * dn) n; this drives sliding as far as the hole does not stick.
  * The sum is the second derivative of the energy stiffness / 2 |point - hole|^2, minimised over all
  * points of the curve, except for terms of the relative order |point - hole| / segment length. Two
- * terms are left out because the active set converged less often with them (docs/stitch.md): the
+ * terms are left out because the active set converged less often with them (docs/explanation/stitch.md): the
  * rotation of friction as nodes move, and the rotation of f at a needle, since the bend at the
  * swage may be sharper than a segment. */
 static void add_sliding_stiffness(const contact_constraint *constraint,

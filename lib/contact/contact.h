@@ -14,7 +14,7 @@
  * constraints.c lists constraints and warm starts them; contact_law.c is the law of contact and
  * friction; active_set.c finds their status together with the increments of all blocks;
  * line_search.c chooses the step length; weld.c eliminates a node that is a point of a rigid body;
- * snapshot.c saves the warm-start entries. docs/contact.md derives the method. */
+ * snapshot.c saves the warm-start entries. docs/explanation/contact.md derives the method. */
 #ifndef VBSS_SCENE_CONTACT_CONTACT_H
 #define VBSS_SCENE_CONTACT_CONTACT_H
 

@@ -2,7 +2,7 @@
  *
  *     finite? -> magnitude -> continuous load -> temperature -> rise -> watchdog -> emergency stop
  *
- * docs/devices.md has the formulas. The code uses no device and no context, because adapters call
+ * docs/reference/device-layer.md has the formulas. The code uses no device and no context, because adapters call
  * it from threads of their own. */
 #include <string.h>
 

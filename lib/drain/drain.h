@@ -212,7 +212,7 @@ vbss_result vbss_drain_add_to_system(drain_object *d, vbss_system *s, const uint
  * as couplings keep their numbers. */
 void vbss_drain_set_assembly_map(drain_object *d, const vbss_system *s);
 
-/* ---- assemble.c: backward Euler, see docs/drain.md */
+/* ---- assemble.c: backward Euler, see docs/explanation/drain.md */
 
 /* One substep of a drain. */
 typedef struct drain_substep {

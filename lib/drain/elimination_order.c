@@ -1,5 +1,5 @@
 /* Elimination order of a drain's nodes: minimum degree, and of equals the first node. A tube has no
- * end to begin at, so no natural order is better (docs/drain.md). Anchored nodes have no equation
+ * end to begin at, so no natural order is better (docs/explanation/drain.md). Anchored nodes have no equation
  * and come last. When they tear off they have their place, at the cost of some fill-in. */
 #include "base/error.h"
 #include "drain/drain.h"

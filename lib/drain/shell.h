@@ -1,5 +1,5 @@
 /* Thin shell of triangles without rotational unknowns: the assumed-strain patch element EBST
- * (Flores, Onate 2005; Onate, Flores 2005), docs/drain-shell.md.
+ * (Flores, Onate 2005; Onate, Flores 2005), docs/explanation/drain-shell.md.
  *
  * A patch is a triangle with nodes 0 1 2, counter-clockwise from outside, and the opposite nodes 3
  * 4 5 of its neighbours across the edges opposite to nodes 0 1 2. A group has four patches side by

@@ -119,7 +119,7 @@ static void release_edge(const flat_patch *f, int side, double c[6])
 }
 
 /* Second differences along an arc of three nodes `width` apart give 4 (sin width / width)^2 - 1 for
- * cos 2 theta instead of 3: w'' + w of an ovalling ring, docs/drain-shell.md. */
+ * cos 2 theta instead of 3: w'' + w of an ovalling ring, docs/explanation/drain-shell.md. */
 static double ovalling_ratio(double width)
 {
     double ratio = width > 0.0 ? vbss_sine(width) / width : 1.0;

@@ -4,7 +4,7 @@
  * The tangent is assembled in every step, as an old one fails once the surface has turned by
  * 0.1 to 0.2 rad. The correction solves for new right-hand sides with the old factor and
  * leaves a tenth of the error. It is dropped if it is not small, as after a snap it may point
- * anywhere (docs/drain.md). */
+ * anywhere (docs/explanation/drain.md). */
 #include "base/error.h"
 #include "drain/drain.h"
 

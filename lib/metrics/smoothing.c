@@ -1,5 +1,5 @@
 /* A smooth curve through samples at any times: a cubic between two samples, and a low-pass filter.
- * Derivatives are differences of the filter's taps. docs/metrics.md, "Motion". */
+ * Derivatives are differences of the filter's taps. docs/explanation/metrics.md, "Motion". */
 #include "base/elementary.h"
 #include "base/pi.h"
 #include "metrics/metrics.h"

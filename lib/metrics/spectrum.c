@@ -1,5 +1,5 @@
 /* Spectral arc length (SPARC) of a speed profile: minus the arc length of its normalised amplitude
- * spectrum (Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015). docs/metrics.md says which
+ * spectrum (Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015). docs/explanation/metrics.md says which
  * parts are not verified. */
 #include "base/elementary.h"
 #include "base/pi.h"

@@ -86,7 +86,7 @@ static arc_means means_over(double a)
     return means;
 }
 
-/* Mass and principal moments (derived in docs/needle.md). The volume element of a torus is u du
+/* Mass and principal moments (derived in docs/explanation/needle.md). The volume element of a torus is u du
  * dpsi q dtheta at the distance q = R + u cos(psi) from the axis and the height z = u sin(psi). The
  * principal axes are the middle of the arc, across it in the plane, and z. All sums have positive
  * terms only, so no digits are lost. */

@@ -1,5 +1,5 @@
 /* Coding of a step as bits. Inputs that resemble those of the step before take few bits. The format
- * is in docs/session-log.md. */
+ * is in docs/reference/session-log.md. */
 #ifndef VBSS_RECORD_STEP_CODEC_H
 #define VBSS_RECORD_STEP_CODEC_H
 

@@ -278,10 +278,10 @@
 
 /* Default of matrix_capacity for each block of a thread or rigid body. A node without contact takes up to 12, and a
  * node of a tight knot 42.
- * Unit: blocks. Origin: fitted: docs/memory.md. Test: scene.matrix_capacity. */
+ * Unit: blocks. Origin: fitted: docs/reference/memory.md. Test: scene.matrix_capacity. */
 #define SCENE_MATRIX_PER_BLOCK VBSS_TUNE(SCENE_MATRIX_PER_BLOCK, 20u)
 /* Default of matrix_capacity beside that, for knots on short threads.
- * Unit: blocks. Origin: fitted: docs/memory.md. Test: scene.matrix_capacity. */
+ * Unit: blocks. Origin: fitted: docs/reference/memory.md. Test: scene.matrix_capacity. */
 #define SCENE_MATRIX_BASE VBSS_TUNE(SCENE_MATRIX_BASE, 4096u)
 /* There is room for the indices of one pair of separators for each of this number of blocks of matrix_capacity.
  * Unit: blocks. Origin: fitted: 7 on the floor, 10 in a knot. Test: scene.matrix_capacity. */

@@ -1,7 +1,7 @@
 /* The suture as one curve with one arc length: the needle's arc, then the thread behind it.
  *
  * The thread must be smooth here, or a hole would jump at every node. It is a cubic B-spline with
- * its nodes as control points (docs/stitch.md), continuous up to its curvature. Span k belongs to
+ * its nodes as control points (docs/explanation/stitch.md), continuous up to its curvature. Span k belongs to
  * segment k; its arc length is the same spline of the nodes' arc lengths. At the thread's end the
  * spline ends in the last node, and the curve continues straight. At the swage it starts at the
  * needle's end, along the needle. */

@@ -2,7 +2,7 @@
  * needle and along the thread behind it.
  *
  * A hole is a material point of the drain on the suture's centre line. A stiffness ties both across the line, and friction acts
- * along it (docs/puncture.md, docs/stitch.md). puncture.c decides when and where a tip enters, curve.c has the line, and hole.c
+ * along it (docs/explanation/puncture.md, docs/explanation/stitch.md). puncture.c decides when and where a tip enters, curve.c has the line, and hole.c
  * the forces of a hole. */
 #ifndef VBSS_SUTURE_SUTURE_H
 #define VBSS_SUTURE_SUTURE_H

@@ -1,6 +1,6 @@
 /* Adaptive remeshing of a thread. remesh_criteria.c decides where nodes are inserted or removed,
  * remesh.c does it, and remesh_window.c moves the neighbours of the node. Scenes use it with
- * criteria of their own. See docs/adaptive.md. */
+ * criteria of their own. See docs/explanation/adaptive.md. */
 #ifndef VBSS_THREAD_REMESH_H
 #define VBSS_THREAD_REMESH_H
 

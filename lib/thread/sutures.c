@@ -1,4 +1,4 @@
-/* Sutures by material and size. docs/sutures.md has the sources. */
+/* Sutures by material and size. docs/reference/sutures.md has the sources. */
 #include "base/api_call.h"
 #include "base/error.h"
 #include "base/pi.h"

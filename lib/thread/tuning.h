@@ -93,7 +93,7 @@
  * Unit: m. Origin: chosen. Test: fuzz.log with UndefinedBehaviorSanitizer. */
 #define THREAD_MIN_REST_LENGTH VBSS_TUNE(THREAD_MIN_REST_LENGTH, 1e-12)
 
-/* ---- Materials of sutures (sutures.c); docs/sutures.md has the sources and uncertainties. */
+/* ---- Materials of sutures (sutures.c); docs/reference/sutures.md has the sources and uncertainties. */
 
 /* Density of a solid silk braid.
  * Unit: kg/m^3. Origin: derived, from the preset of 2-0 silk. Test: none known. */

@@ -4,7 +4,7 @@
     tests/abi/update-baseline.py <build folder>     such as build/default
 
 Then add the printed line to CHANGELOG.md, with what changed; until its sha256 stands there the gate
-`abi` fails. When this is right, and when it is not: docs/abi.md."""
+`abi` fails. When this is right, and when it is not: docs/reference/abi.md."""
 import pathlib
 import sys
 

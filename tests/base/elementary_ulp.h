@@ -21,7 +21,7 @@ typedef struct elementary_argument {
 
 typedef struct elementary_function {
     const char *name;
-    double bound; /* documented maximal error in ulp: docs/elementary-functions.md */
+    double bound; /* documented maximal error in ulp: docs/explanation/elementary-functions.md */
     elementary_argument (*draw)(vbss_random *random);
     double (*ours)(elementary_argument a);
     long double (*reference)(elementary_argument a);

@@ -1,5 +1,5 @@
 /* Errors of the elementary functions over many arguments: 100 seeds make the 10^7 arguments a
- * function of docs/elementary-functions.md. With `--seed S --count N` prints a table instead. */
+ * function of docs/explanation/elementary-functions.md. With `--seed S --count N` prints a table instead. */
 #include <stdlib.h>
 
 #include "base/elementary_ulp.h"

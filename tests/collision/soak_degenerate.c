@@ -1,5 +1,5 @@
 /* CONSERVATIVE without thickness against the oracle: 12 000 degenerate queries a seed, 100 seeds are the
- * million of docs/collision.md. */
+ * million of docs/explanation/collision.md. */
 #include "degenerate_check.h"
 
 static void run(harness_soak *soak)

@@ -1,5 +1,5 @@
 /* CONSERVATIVE with thickness on 10 000 queries a seed of the hard families and the thread: 100 seeds are
- * the million of docs/collision.md. */
+ * the million of docs/explanation/collision.md. */
 #include "query.h"
 
 /* Of each family; with a part of the thread it is 10 000 in all. */

@@ -1,5 +1,5 @@
 """The golden files tests/golden/<scene>.txt: reading, comparing, and that the CHANGELOG knows them.
-One "index hash" a line; tests/harness/golden.c writes them (docs/determinism.md)."""
+One "index hash" a line; tests/harness/golden.c writes them (docs/explanation/determinism.md)."""
 import hashlib
 import pathlib
 

@@ -87,7 +87,7 @@ static void pulled_ring_opens_as_theory(void **state)
 }
 
 /* ---- load p cos 2 theta: w = p R^4 / (9 D) (1 + 4 t^2 / (12 R^2)); the second term is what the middle
- * surface gives, docs/drain-shell.md */
+ * surface gives, docs/explanation/drain-shell.md */
 
 static double ovalled_ratio(uint32_t columns, bool corrected)
 {

@@ -28,7 +28,7 @@ import structure_code
 import structure_objects
 import structure_text
 
-GLOSSARY = "docs/glossary.md"
+GLOSSARY = "docs/reference/glossary.md"
 
 
 class Limit(NamedTuple):

@@ -137,7 +137,7 @@ def count_retired(tree, folder, retired, public):
 def retired(tree, glossary):
     columns = [column for folder in COLUMNS for column in (folder, "files")]
     section = Section("retired", "Retired words in identifiers, and in file names (files)", columns,
-                      "Words of docs/glossary.md with their endings -s, -ed, -ing; names of the public interface are left out.")
+                      "Words of docs/reference/glossary.md with their endings -s, -ed, -ing; names of the public interface are left out.")
     table = retired_forms(glossary)
     public = PublicNames(tree)
     counts = {folder: count_retired(tree, folder, table, public) for folder in COLUMNS}

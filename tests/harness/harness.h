@@ -42,7 +42,7 @@ void harness_near_vec3(vec3 wanted, vec3 got, double tolerance, const char *what
 #define expect_same_bits(wanted, got) harness_same_bits((wanted), (got), #got, __FILE__, __LINE__)
 void harness_same_bits(double wanted, double got, const char *what, const char *file, int line);
 uint64_t harness_bits(double value);
-/* A figure that is known to be worse (larger) than wanted: docs/known-limits.md. Fails when it is worse than it is today,
+/* A figure that is known to be worse (larger) than wanted: docs/explanation/known-limits.md. Fails when it is worse than it is today,
  * and when it is as good as wanted: then what is wanted becomes the rule of the test. */
 #define expect_known_limit(wanted, today, got) \
     harness_known_limit((wanted), (today), (got), #got, __FILE__, __LINE__)

@@ -1,4 +1,4 @@
-/* Method PROJECTION on throws being tied: what docs/paper-knots.md says of it, to the last count. */
+/* Method PROJECTION on throws being tied: what docs/explanation/paper-knots.md says of it, to the last count. */
 #include "base/elementary.h"
 #include "knot/paper_rig.h"
 #include "oracle/knot_type.h"

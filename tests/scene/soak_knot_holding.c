@@ -1,4 +1,4 @@
-/* A square holds more than a granny, and that more than half hitches (docs/knot-holding.md): of twelve of each, tied a
+/* A square holds more than a granny, and that more than half hitches (docs/explanation/knot-holding.md): of twelve of each, tied a
  * little differently, the 95 % intervals of the medians do not overlap. Every seed has its own twelve, of a friction and
  * a load in turn. */
 #include <stdlib.h>

@@ -31,7 +31,7 @@ typedef struct stitch_case {
      * its begin and its end: those of thin threads are noisy. Of whole steps. `shown`: of one step. `jump`: as far as it is still
      * there in the next, beyond the larger of the two steps before. */
     double jump, shown;
-    /* The law of a hole takes out what a polygon's corners do to tensions (docs/stitch.md, "Capstan"), and pushes where they hold
+    /* The law of a hole takes out what a polygon's corners do to tensions (docs/explanation/stitch.md, "Capstan"), and pushes where they hold
      * back. What it has given in all, less what it took; the most of that; and in the step that is made. */
     double given, max_given, giving;
     double beyond

@@ -1,4 +1,4 @@
-/* The experiment of docs/knot-holding.md is what it says: seeds differ and repeat, the disturbance is small, the loop
+/* The experiment of docs/explanation/knot-holding.md is what it says: seeds differ and repeat, the disturbance is small, the loop
  * bears what the rods feel, and what is known to hold does. */
 #include <stdlib.h>
 

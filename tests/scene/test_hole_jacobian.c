@@ -313,7 +313,7 @@ static void any_row_has_the_slopes_of_its_parts(harness_source *source, void *us
         const bool on_needle = place.span == SUTURE_ON_NEEDLE;
         seen[kind_of(w, &place)]++;
         expect_near(0.0, distance(&slopes, &said_slopes), 1e-2);
-        /* a needle's own bend is left out: docs/stitch.md */
+        /* a needle's own bend is left out: docs/explanation/stitch.md */
         expect_near(0.0, vec3_distance(on_needle ? vec3_zero() : turn, w->row.curvature), 1e-2);
     }
 }

@@ -132,6 +132,33 @@ static void body_in_a_drain_or_a_floor_is_reported(void **state)
     small_end(&s);
 }
 
+/* Its lowest point touches the floor, or is 3 mm below it. */
+static void needle_is_compared_where_it_is(void **state)
+{
+    (void)state;
+    const double depths[2] = {0.0, 3e-3};
+    for (int k = 0; k < 2; k++) {
+        small s;
+        listener l;
+        vbss_needle *needle;
+        uint32_t body;
+        begin_listening(&s, &l);
+        s.config.floor = 1;
+        s.config.capsule_capacity = 64;
+        small_create(&s);
+        vbss_needle_config config = vbss_needle_config_default();
+        config.position[1] = config.radius + config.wire_radius - depths[k];
+        expect_ok(vbss_needle_create(s.context, &config, &needle));
+        expect_ok(vbss_scene_add_needle(s.scene, needle, &body));
+        assert_int_equal(l.warnings, k);
+        if (k == 1) {
+            expect_warning(&l, "the needle is 3 mm inside the floor");
+            expect_near(3e-3, overlap_of(&s, body).depth, 1e-12);
+        }
+        small_end(&s);
+    }
+}
+
 static void usual_places_are_not_reported(void **state)
 {
     (void)state;
@@ -317,6 +344,7 @@ int test_input_checks(void)
         cmocka_unit_test(thread_through_a_tool_is_reported),
         cmocka_unit_test(overlap_is_refused_or_allowed_as_configured),
         cmocka_unit_test(body_in_a_drain_or_a_floor_is_reported),
+        cmocka_unit_test(needle_is_compared_where_it_is),
         cmocka_unit_test(usual_places_are_not_reported),
         cmocka_unit_test(values_in_a_wrong_unit_are_named),
         cmocka_unit_test(tool_in_millimetres_is_named_and_slowed),

@@ -1,5 +1,5 @@
 /* Method VBLAST of scenes: knots, which it holds by pins and not by contact. What becomes of a
- * knot is pinned down here as docs/paper-scene.md tells it, where it is bad as well. */
+ * knot is pinned down here as docs/explanation/paper-scene.md tells it, where it is bad as well. */
 #include "fixtures/baseline_of.h"
 #include "base/check.h"
 #include "collision/closest.h"

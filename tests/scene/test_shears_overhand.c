@@ -1,5 +1,5 @@
 /* Blades that close on an overhand drawn tight, with the default limit of work. What it waits is a known
- * limit: docs/known-limits.md. */
+ * limit: docs/explanation/known-limits.md. */
 #include "scene/cut_throw.h"
 
 static void overhand_cut_pauses_as_documented(void **state)

@@ -1,5 +1,5 @@
 /* A needle with its thread in the drain, the needle in the second hole, the thread in the first, is turned back by 80 mm while
- * nobody draws its thread. Its end should go back into the first hole; today the wall stops it: docs/known-limits.md. */
+ * nobody draws its thread. Its end should go back into the first hole; today the wall stops it: docs/explanation/known-limits.md. */
 #include "scene/needle_stitch.h"
 
 static needle_stitch n;

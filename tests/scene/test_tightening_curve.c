@@ -203,7 +203,7 @@ static scene_pull_means pull(const rod *k)
     if (k->friction > 0.0) { /* at any number of turns */
         expect_near(1.0, (m.force - m.energy_slope) / (k->friction * m.pressure), 0.01);
     }
-    /* docs/contact/plot_knot_force.py draws these. */
+    /* docs/scripts/plot_knot_force.py draws these. */
     print_message(
         "pulled: turns %d radius %.3g friction %.3g shortening %.6g force %.6g audoly %.6g\n",
         k->turns, k->radius, k->friction, m.shortening, m.force, force_by_audoly(k, m.curvature));

@@ -1,4 +1,4 @@
-/* The two copies of the hot loops give the same bits: docs/solver.md. */
+/* The two copies of the hot loops give the same bits: docs/explanation/solver.md. */
 #include "harness/harness.h"
 #include "fixtures/thread_scenes.h"
 #include "thread/thread.h"

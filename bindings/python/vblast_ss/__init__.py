@@ -12,7 +12,7 @@ Objects: Context, Thread, Drain, Needle, Grasper, Scene, KnotDetector, Collision
 Openhaptics, Nidaqmx, Metrics, Record, Replay, Replica, Session, Visual. Settings are keywords over the library's
 defaults; failures are exceptions (vblast_ss.errors); arrays are
 read-only views without a copy (vblast_ss.views says how long they are good). SI units everywhere. The page
-docs/python.md tells more; vblast_ss._api is the C interface as it is."""
+docs/guides/python.md tells more; vblast_ss._api is the C interface as it is."""
 from __future__ import annotations
 
 from . import collision, errors, views

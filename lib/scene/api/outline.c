@@ -43,16 +43,16 @@ static scene_segment drain_segment(const drain_object *d, uint32_t index)
                            0.5 * d->config.thickness};
 }
 
-static scene_segment needle_segment(const needle_object *n, uint32_t index)
-{
-    return (scene_segment){{vbss_needle_point(n, vbss_needle_vertex_arc(n, index)),
-                            vbss_needle_point(n, vbss_needle_vertex_arc(n, index + 1))},
-                           n->config.wire_radius};
-}
-
 static scene_segment placed_segment(pose at, vec3 begin, vec3 end, double radius)
 {
     return (scene_segment){{pose_apply(at, begin), pose_apply(at, end)}, radius};
+}
+
+static scene_segment needle_segment(const needle_object *n, uint32_t index)
+{
+    return placed_segment(
+        vbss_needle_pose(n), vbss_needle_point(n, vbss_needle_vertex_arc(n, index)),
+        vbss_needle_point(n, vbss_needle_vertex_arc(n, index + 1)), n->config.wire_radius);
 }
 
 scene_segment vbss_scene_outline_segment(const scene_object *s, const scene_outline *o,

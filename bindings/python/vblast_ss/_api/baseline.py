@@ -28,7 +28,7 @@ class vbss_baseline_config(ctypes.Structure):
     1e3; default 1e-3.
 
     thread_stiffness: Spring constant of a segment of a thread, N/m, 0 to 1e9; default 0:
-    derived from mass and step by docs/paper-thread.md.
+    derived from mass and step by docs/explanation/paper-thread.md.
 
     thread_damping: Share of the velocity relative to the rigid motion of a thread's section
     that each explicit step removes, 0 to 1; default 0.

@@ -196,8 +196,8 @@ class vbss_collision_config(ctypes.Structure):
     are added.
 
     tolerance: Share of D, 1e-12 to 1; default 1e-3. A test may report a hit for features that
-    only come within D (1 + tolerance). Rounding sets a lower limit: docs/collision.md. No
-    effect on the answer when D = 0.
+    only come within D (1 + tolerance). Rounding sets a lower limit:
+    docs/explanation/collision.md. No effect on the answer when D = 0.
 
     pass_limit: CONSERVATIVE: passes before a test gives up and reports a hit, 1 to 1000000;
     default 10000. Most tests take one or two; edges that turn about each other just above D
@@ -369,9 +369,9 @@ class CollisionStatistics(NamedTuple):
 class vbss_collision_response(ctypes.Structure):
     """Displacements by the paper's response.
 
-    completed: 1: the paper leaves this case open, and a rule of docs/paper-collision.md was
-    used. Examples are no relative motion along the direction, and features that meet at the
-    end.
+    completed: 1: the paper leaves this case open, and a rule of docs/explanation/paper-
+    collision.md was used. Examples are no relative motion along the direction, and features
+    that meet at the end.
 
     direction: q: unit vector from edge b to edge a, on the side of the start.
 

@@ -103,8 +103,8 @@ class vbss_grasper_config(ctypes.Structure):
     damping: Damping of the virtual coupling, N s/m, 0 to 1e6; default 5. If a hand receives its
     force a time d after its pose was read, and holds it for h, the damping must be at least
     stiffness (d + h / 2). Otherwise the coupling adds energy to a hand that presses on a rigid
-    obstacle. At an elastic one the hand itself needs a little damping, which docs/devices.md
-    derives.
+    obstacle. At an elastic one the hand itself needs a little damping, which
+    docs/reference/device-layer.md derives.
 
     turning_stiffness: Rotational stiffness of the coupling, N m/rad, 0 to 1e9; default 5.
 

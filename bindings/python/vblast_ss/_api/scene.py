@@ -181,7 +181,7 @@ class vbss_scene_config(ctypes.Structure):
     threads and rigid bodies, in blocks of 3 x 3 numbers of 96 bytes, 0 to 1e7; 0 (default):
     4096, and 20 for each node of node_capacity and 40 for each body of rigid_capacity. A node
     without contact takes up to 12 blocks, one of a tight knot 42; each drain adds its own. A
-    step that needs more returns VBSS_ERROR_CAPACITY. See docs/memory.md.
+    step that needs more returns VBSS_ERROR_CAPACITY. See docs/reference/memory.md.
 
     baseline: VBLAST: its parameters; NULL (default): their defaults. The library copies them.
 

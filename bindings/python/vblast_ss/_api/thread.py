@@ -25,9 +25,9 @@ class ThreadMesh(IntEnum):
     FIXED = 0
     """Nodes and rest lengths stay as they were created."""
     ADAPTIVE = 1
-    """Method IMPLICIT, docs/adaptive.md: between two steps the thread divides segments where it is
-    bent or near another body, and removes nodes where it is straight and has clearance. This
-    renumbers nodes, segments, attachments, pins, grasps and contacts."""
+    """Method IMPLICIT, docs/explanation/adaptive.md: between two steps the thread divides segments
+    where it is bent or near another body, and removes nodes where it is straight and has
+    clearance. This renumbers nodes, segments, attachments, pins, grasps and contacts."""
 
 
 class ThreadPreset(IntEnum):
@@ -41,7 +41,8 @@ class ThreadPreset(IntEnum):
 
 
 class ThreadMaterial(IntEnum):
-    """The constants of vbss_thread_material. docs/sutures.md has sources and uncertainties."""
+    """The constants of vbss_thread_material. docs/reference/sutures.md has sources and
+    uncertainties."""
     SILK = 0
     """Braided silk."""
     POLYGLACTIN = 1
