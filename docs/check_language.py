@@ -45,7 +45,7 @@ PATTERNS = {
                  r"\b(?:all|everything|nothing) else (?:of|about) it\b"],
     "archaic": [r"\b[Ll]est\b", r"\b[Aa]new\b", r"\b[Aa]slant\b", r"\b(?:the|each|a|its|their) begin\b", r"\bhitherto\b", r"\bthereof\b",
                 r"\bwhereof\b", r"\bin place of\b", r"\bas ever\b", r"\bfor ever\b", r"\bby turns\b", r"\btheir fill\b",
-                r"\b(?:but|[Bb]ut) for\b", r"\b(?:farthest|farther) (?:out|on)\b", r"\bbeyond hope\b", r"\ba hair\b", r"\bnor (?:is|are|does|do|was)\b"],
+                r"\b(?:but|[Bb]ut) for\b", r"\bbeyond hope\b", r"\ba hair\b", r"\bnor (?:is|are|does|do|was)\b"],
     # German verbs: "stands in" for is in, "goes on with" for continues, "comes to" for results in
     "german verb": [r"\bgo(?:es|ne)? on (?:with|to|at|as|from|not)\b", r"\b(?:comes?|came) (?:of it|to what|to rest by)\b",
                     r"\b(?:stands?|stood) (?:in|beside|under|below|there|here|at|where|still on|with)\b", r"\bcame of (?:it|this)\b",
@@ -139,6 +139,7 @@ def prose_of_comments(text):
 
 
 def sentences(text):
+    text = re.sub(r"^\*\*[^*]+[.:]\*\*[.:]? ", "", text)  # a label
     text = re.sub(r"\b(e\.g|i\.e|cf|vs|etc|al|Fig|Sect|no|approx)\.", lambda m: m.group(0)[:-1], text)
     return [s for s in re.split(r"(?<=[.!?])[\")*]* +(?=[\"(*]*[A-Z0-9`])", text) if s]
 
