@@ -35,7 +35,7 @@ PATTERNS = {
         rf"\b(?!{ASKING}\b)[a-z]+,? what (?:{FINITE})\b",
         r"[,;:(] ?what (?:is|are|was|were|has|had|it|they|a|the)\b",
         r"(?:^|[.;:,(] )[Ww]ho (?!is |are |was |were )[a-z]+s\b(?=[^?]*?[.!;])",
-        r"\bthat which\b", r"\b[Tt]he like\b",
+        r"\bthat which\b",
     ],
     # "is told" for reported, "tells" of a function or a number
     "told": [r"\btold\b", r"\b(?:tells?|telling) (?:of|that|which|what|whether|how|where|it|them|so|nothing|the|a|for|their|its)\b"],
@@ -68,6 +68,7 @@ go get hold build copy write create step start end ends create divide lower rais
 came went took made gave held lay fell rose ran saw stood kept left found lost met sent spent told felt drew grew knew
 need want expect allow depend differ remain come move follow lie cost reach agree fail change bring count touch rest bear apply
 contain include describe compute form store return point belong appear exist grow vary act work measure lead carry help define
+compile draw list report store replace load reset print
 select install type open close press pull push check try repeat leave wait link enable disable consist correspond equal""".split())
 
 
