@@ -44,8 +44,8 @@ PATTERNS = {
                  r"(?:^|[.] )The same (?:again|of|with|for|by|after)\b", r"\bso (?:is|are|do|does|did|was|were) (?:the|that|it|they)\b(?=[^?]*[.])",
                  r"\b(?:all|everything|nothing) else (?:of|about) it\b"],
     "archaic": [r"\b[Ll]est\b", r"\b[Aa]new\b", r"\b[Aa]slant\b", r"\b(?:the|each|a|its|their) begin\b", r"\bhitherto\b", r"\bthereof\b",
-                r"\bwhereof\b", r"\bin place of\b", r"\bas ever\b", r"\bfor ever\b", r"\bby turns\b", r"\btheir fill\b",
-                r"\b(?:but|[Bb]ut) for\b", r"\bbeyond hope\b", r"\ba hair\b", r"\bnor (?:is|are|does|do|was)\b"],
+                r"\bwhereof\b", r"\bas ever\b", r"\bby turns\b", r"\btheir fill\b",
+                r"\b(?:but|[Bb]ut) for\b", r"\bbeyond hope\b", r"\ba hair\b"],
     # German verbs: "stands in" for is in, "goes on with" for continues, "comes to" for results in
     "german verb": [r"\bgo(?:es|ne)? on (?:with|to|at|as|from|not)\b", r"\b(?:comes?|came) (?:of it|to what|to rest by)\b",
                     r"\b(?:stands?|stood) (?:in|beside|under|below|there|here|at|where|still on|with)\b", r"\bcame of (?:it|this)\b",
@@ -132,10 +132,12 @@ def prose_of_comments(text):
     paragraphs = []
     for match in re.finditer(r"/\*.*?\*/|//[^\n]*", text, re.DOTALL):
         body = re.sub(r"^[ /*!<]+|\*/$|^ *\* ?", "", match.group(0), flags=re.MULTILINE)
-        body = re.sub(r"`[^`\n]*`|\b\w+_\w+(?:\(\))?|[@\\](?:param|p|c|ref)\b", "X", body)
+        body = re.sub(r"`[^`\n]*`|\b\w+_\w+(?:\(\))?", "X", body)
         line = text.count("\n", 0, match.start()) + 1
-        for paragraph in re.split(r"\n[ *]*\n|\n[ *]*(?=- )|;", body):
-            paragraphs.append((line, " ".join(paragraph.split()), None))
+        for paragraph in re.split(r"\n[ *]*\n|\n[ *]*(?=- )|;|(?=[@\\]param|[@\\]return)", body):
+            judged = False if re.match(r"[@\\]return", paragraph) else None  # a list of results
+            paragraph = re.sub(r"[@\\](?:param(?:\[\w+\])? +\w+|\w+)", "", paragraph)
+            paragraphs.append((line, " ".join(paragraph.split()), judged))
     return paragraphs
 
 
