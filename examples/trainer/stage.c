@@ -21,7 +21,7 @@
 #define FIRST 1.75   /* closing */
 #define SEGMENTS 300 /* of the thread */
 /* Budget of a call where the core is not measured, us, less than the default: so that a slot is kept by a core of
- * 2.6 GHz (docs/trainer.md). */
+ * 2.6 GHz (docs/notebook/trainer.md). */
 #define FIXED_CALL 360.0
 
 /* ---- tools */

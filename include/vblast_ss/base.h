@@ -53,7 +53,7 @@
 /**
  * Marks a function that a later major version of the library will not have. A call makes the compiler
  * warn with `text`, such as "use vbss_scene_step". A program that defines VBSS_NO_DEPRECATED before it
- * includes the headers gets no such warnings. docs/abi.md has the policy.
+ * includes the headers gets no such warnings. docs/reference/abi.md has the policy.
  */
 #if defined(VBSS_NO_DEPRECATED)
 #define VBSS_DEPRECATED(text)

@@ -23,7 +23,7 @@ BASELINES_32 = [
 COMPILERS_64 = [("clang", f"--target={target}") for target in ("aarch64-linux-gnu", "x86_64-w64-mingw32")]
 MARK, DIGITS = b"VBSS layout:", 6
 # The table of the structs whose size is not the same everywhere, and the lines around it.
-TABLE = "docs/abi.md"
+TABLE = "docs/reference/abi.md"
 TABLE_FROM, TABLE_TO = "| struct | 64 bits | armhf, wasm32 | i386 |\n|---|---|---|---|\n", "\nThe files "
 # Anywhere in a public declaration, behind a pointer too.
 FORBIDDEN = ["_Bool", "bool", "int", "long", "short", "unsigned", "signed", "float", "enum", "size_t",

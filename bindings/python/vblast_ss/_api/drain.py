@@ -205,7 +205,7 @@ class vbss_drain_config(ctypes.Structure):
     hole_force, m, 0 to 0.1; default 0.5e-3.
 
     thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02
-    (not verified). A tight thread has capstan friction: docs/stitch.md.
+    (not verified). A tight thread has capstan friction: docs/explanation/stitch.md.
 
     surface: Method IMPLICIT: sheet or tube in place of the tube with a slit; NULL (default):
     that tube. With a surface the fields mesh, mesh_divisions, radius, length, slit_length,
