@@ -3,7 +3,40 @@
 
 #include "fuzz/fuzz.h"
 
-enum { SCENE, THREAD, RIGID, GRASPER, NEEDLE, DRAIN, RECORD, KNOT };
+enum { SCENE, THREAD, RIGID, GRASPER, NEEDLE, DRAIN, RECORD, KNOT, SOLVER, SURFACE };
+
+/* A surface of a drain: any numbers in arrays that are long enough. */
+enum { SURFACE_NODES = 6, SURFACE_TRIANGLES = 5 };
+typedef struct any_surface {
+    uint32_t struct_size, node_count, triangle_count, anchor_count;
+    uint32_t triangles[SURFACE_TRIANGLES][3], anchors[SURFACE_NODES], has_values;
+    double positions[SURFACE_NODES][3], thickness[SURFACE_TRIANGLES], young[SURFACE_TRIANGLES];
+} any_surface;
+
+/* A fan of five triangles about node 0, which is a little raised. */
+static vbss_result any_surface_init(any_surface *c, uint32_t struct_size)
+{
+    static const double corners[SURFACE_NODES][2] = {{0.0, 0.0},         {2e-3, 0.0},
+                                                     {0.6e-3, 1.9e-3},   {-1.6e-3, 1.2e-3},
+                                                     {-1.6e-3, -1.2e-3}, {0.6e-3, -1.9e-3}};
+    *c = (any_surface){.struct_size = struct_size,
+                       .node_count = SURFACE_NODES,
+                       .triangle_count = SURFACE_TRIANGLES,
+                       .anchor_count = 2,
+                       .anchors = {1, 2}};
+    for (uint32_t i = 0; i < SURFACE_NODES; i++) {
+        c->positions[i][0] = corners[i][0];
+        c->positions[i][1] = i == 0 ? 0.2e-3 : 0.0;
+        c->positions[i][2] = -corners[i][1];
+    }
+    for (uint32_t i = 0; i < SURFACE_TRIANGLES; i++) {
+        c->triangles[i][1] = 1 + i;
+        c->triangles[i][2] = 1 + (i + 1) % SURFACE_TRIANGLES;
+        c->thickness[i] = 1e-3;
+        c->young[i] = 1e6;
+    }
+    return VBSS_OK;
+}
 
 /* The structs are published ones, so their size is what their init function is told. */
 uint32_t init_config(uint8_t kind, uint8_t *config)
@@ -24,6 +57,8 @@ uint32_t init_config(uint8_t kind, uint8_t *config)
         INIT(DRAIN, vbss_drain_config, vbss_drain_config_init)
         INIT(RECORD, vbss_record_config, vbss_record_config_init)
         INIT(KNOT, vbss_knot_detector_config, vbss_knot_detector_config_init)
+        INIT(SOLVER, vbss_solver_options, vbss_solver_options_init)
+        INIT(SURFACE, any_surface, any_surface_init)
 #undef INIT
     default:
         return 0;
@@ -60,8 +95,29 @@ static void try_drain(vbss_context *context, vbss_drain_config *c)
 {
     vbss_drain *drain;
     c->baseline = NULL;
+    c->surface = NULL;
     c->mesh_divisions &= 1; /* finer ones take seconds under sanitizers */
     if (vbss_drain_create(context, c, &drain) == VBSS_OK) {
+        (void)vbss_drain_step(drain, 1e-3);
+    }
+    MUST(vbss_drain_destroy(drain) == VBSS_OK);
+}
+
+static void try_surface(vbss_context *context, const any_surface *c)
+{
+    vbss_drain *drain;
+    vbss_drain_surface surface = vbss_drain_surface_default();
+    vbss_drain_config config = vbss_drain_config_default();
+    surface.node_count = c->node_count % (SURFACE_NODES + 1);
+    surface.triangle_count = c->triangle_count % (SURFACE_TRIANGLES + 1);
+    surface.anchor_count = c->anchor_count % (SURFACE_NODES + 1);
+    surface.positions = c->positions[0];
+    surface.triangles = c->triangles[0];
+    surface.anchors = c->anchors;
+    surface.thickness = (c->has_values & 1) != 0 ? c->thickness : NULL;
+    surface.young_modulus = (c->has_values & 2) != 0 ? c->young : NULL;
+    config.surface = &surface;
+    if (vbss_drain_create(context, &config, &drain) == VBSS_OK) {
         (void)vbss_drain_step(drain, 1e-3);
     }
     MUST(vbss_drain_destroy(drain) == VBSS_OK);
@@ -116,18 +172,34 @@ static void try_record(vbss_context *context, vbss_record_config *c)
     MUST(vbss_scene_destroy(scene) == VBSS_OK);
 }
 
-void try_config(vbss_context *context, uint8_t kind, void *config)
+static void try_scene(vbss_context *context, vbss_scene_config *c,
+                      const vbss_solver_options *solver)
 {
     vbss_scene *scene;
+    c->baseline = NULL;
+    c->solver = solver;
+    if (vbss_scene_create(context, c, &scene) == VBSS_OK) {
+        (void)vbss_scene_step(scene, 1e-3);
+    }
+    MUST(vbss_scene_destroy(scene) == VBSS_OK);
+}
+
+void try_config(vbss_context *context, uint8_t kind, void *config)
+{
+    vbss_scene_config plain;
     vbss_knot_detector *detector;
     switch (kind) {
     case SCENE:
-        ((vbss_scene_config *)config)->baseline = NULL;
-        ((vbss_scene_config *)config)->solver = NULL;
-        if (vbss_scene_create(context, config, &scene) == VBSS_OK) {
-            (void)vbss_scene_step(scene, 1e-3);
-        }
-        MUST(vbss_scene_destroy(scene) == VBSS_OK);
+        try_scene(context, config, NULL);
+        return;
+    case SOLVER:
+        MUST(vbss_scene_config_init(&plain, sizeof plain) == VBSS_OK);
+        plain.node_capacity = 32;
+        plain.contact_capacity = plain.candidate_capacity = 64;
+        try_scene(context, &plain, config);
+        return;
+    case SURFACE:
+        try_surface(context, config);
         return;
     case THREAD:
         try_thread(context, config);

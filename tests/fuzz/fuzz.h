@@ -35,7 +35,7 @@ void seal_log(uint8_t *bytes, size_t count);
 
 /* ---- configs.c: everything that is made from a struct of the host */
 
-enum { CONFIG_KINDS = 8, CONFIG_ROOM = 4096 };
+enum { CONFIG_KINDS = 10, CONFIG_ROOM = 4096 };
 /* Fills the first bytes with what the kind begins with; how many. */
 uint32_t init_config(uint8_t kind, uint8_t *config);
 /* Makes it, lives with it for some steps, and saves it. */

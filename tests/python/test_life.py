@@ -11,6 +11,7 @@ import threading
 import pytest
 
 import vblast_ss as vb
+from vblast_ss._library import HEADER_VERSION, lib
 from conftest import BINDING
 
 
@@ -272,3 +273,9 @@ def test_an_interpreter_that_ends_closes_adapters_first():
                           capture_output=True, text=True, timeout=60)
     assert done.returncode == 0 and done.stderr == ""
     assert done.stdout.splitlines()[-2:] == ["force 0.0", "closed"]
+
+
+def test_the_library_and_its_headers_have_one_version():
+    number = lib.vbss_version()
+    assert number == HEADER_VERSION
+    assert vb.version().startswith(f"{number // 10000}.{number // 100 % 100}.{number % 100}")

@@ -10,7 +10,6 @@ import zipfile
 import pytest
 
 import vblast_ss as vb
-from vblast_ss._library import HEADER_VERSION, lib
 from conftest import BINDING
 
 SAY = ("import vblast_ss as vb, sys; t = vb.Thread(segment_count=5); t.step(); "
@@ -97,9 +96,3 @@ def test_a_folder_will_do_and_a_wrong_library_will_not(tmp_path):
         done = subprocess.run([sys.executable, "-B", "-c", "import vblast_ss"], capture_output=True, text=True,
                               cwd=BINDING, env={**PLAIN, "VBLAST_SS_LIBRARY": str(tmp_path / "other.so")})
         assert "is not the library that this package was made for" in done.stderr
-
-
-def test_the_library_and_its_headers_have_one_version():
-    number = lib.vbss_version()
-    assert number == HEADER_VERSION
-    assert vb.version().startswith(f"{number // 10000}.{number // 100 % 100}.{number % 100}")

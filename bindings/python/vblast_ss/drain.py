@@ -29,7 +29,7 @@ def _surface(settings: Mapping[str, Any]) -> Any:
         if value is not None:
             kind, row = _SURFACE[name]
             arrays[name] = numbers(value, kind, name, row=row)
-            setattr(surface, name, ctypes.cast(arrays[name], ctypes.POINTER(kind)))
+            setattr(surface, name, ctypes.cast(arrays[name], ctypes.POINTER(kind)))  # type: ignore[type-var]
     surface.node_count = len(arrays.get("positions", ())) // 3
     surface.triangle_count = len(arrays.get("triangles", ())) // 3
     surface.anchor_count = len(arrays.get("anchors", ()))
