@@ -20,7 +20,8 @@ static void add_mesh(capstan *c)
     static uint32_t triangles[2 * AXIAL_CELLS * MAX_ROUND][3], anchors[NODES];
     uint32_t body, count = 0;
     for (uint32_t i = 0; i < round_cells * (AXIAL_CELLS + 1); i++) {
-        const double angle = 2.0 * CAPSTAN_PI * (i / (AXIAL_CELLS + 1) + 0.5) / round_cells;
+        const uint32_t column = i / (AXIAL_CELLS + 1);
+        const double angle = 2.0 * CAPSTAN_PI * (column + 0.5) / round_cells;
         x[i][0] = -(CAPSTAN_RADIUS - 0.5 * WALL) * cos(angle);
         x[i][1] = (CAPSTAN_RADIUS - 0.5 * WALL) * sin(angle);
         x[i][2] = WIDTH * ((double)(i % (AXIAL_CELLS + 1)) / AXIAL_CELLS - 0.5) + ASIDE;
