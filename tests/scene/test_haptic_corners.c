@@ -1,5 +1,5 @@
 /* All corners of hand, arm and delay in the passivity rig. `ctest -R haptic_corners -V` prints the table of
- * docs/reference/device-layer.md. */
+ * docs/notebook/devices.md. */
 #include "scene/haptic_rig.h"
 
 static const char *const obstacles[HAPTIC_OBSTACLES] = {"rigid wall", "elastic wall, 90 N/m",
