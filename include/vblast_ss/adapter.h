@@ -227,7 +227,7 @@ extern "C" {
 #endif
 
 /**
- * Fills an adapter with the defaultswithout functions.
+ * Fills an adapter with the defaults without functions.
  *
  * @param[out] adapter  the table to fill
  * @param struct_size   `sizeof *adapter` as the caller was compiled
@@ -252,7 +252,7 @@ static inline vbss_device_adapter vbss_device_adapter_default(void)
 }
 
 /**
- * Fills a samplewith the defaults: no valid part, orientation (1, 0, 0, 0).
+ * Fills a sample with the defaults: no valid part, orientation (1, 0, 0, 0).
  *
  * @param[out] sample  the sample to fill
  * @param struct_size  `sizeof *sample` as the caller was compiled

@@ -185,7 +185,7 @@ VBSS_API vbss_result vbss_needle_create(vbss_context *context, const vbss_needle
 VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
 
 /**
- * Makes one step of free flightunder gravity and drag, without contacts. Angular momentum is
+ * Makes one step of free flight under gravity and drag, without contacts. Angular momentum is
  * conserved up to rounding; the rotation is of second order (the splitting of docs/explanation/needle.md). A
  * needle turns by at most a quarter of a turn in a step; a faster one slows down.
  *
