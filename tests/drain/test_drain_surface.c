@@ -268,7 +268,7 @@ static void surface_with_values_out_of_range_is_refused(void **state)
     strip.anchors[3] = strip.surface.node_count;
     expect_refused(&r, VBSS_ERROR_OUT_OF_RANGE, "which does not exist");
     strip.anchors[3] = 3;
-    strip.positions[9][2] = NAN;
+    strip.positions[9][2] = (double)NAN;
     expect_refused(&r, VBSS_ERROR_NOT_FINITE, "positions");
     strip.positions[9][2] = 1.5;
     expect_refused(&r, VBSS_ERROR_OUT_OF_RANGE, "positions");
