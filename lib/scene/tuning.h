@@ -30,7 +30,7 @@
 
 /* Speed of a core without calibration, and of the cores of older logs.
  * Unit: operations per us, absolute. Origin: chosen: a core of 2.6 GHz, for which the default budgets are 250000
- * and 210000 operations (docs/explanation/contact.md). Test: session. */
+ * and 210000 operations (docs/explanation/real-time.md). Test: session. */
 #define SCENE_DEFAULT_OPERATIONS_PER_US 500.0
 
 /* Cost of a candidate pair in an attempt.
