@@ -245,6 +245,7 @@ bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep)
     }
     vbss_contact_sort(set);
     vbss_scene_remove_duplicate_contacts(s);
+    vbss_scene_predict_slides(s);
     set_contact_flags(s);
     return true;
 }
