@@ -130,16 +130,15 @@ static void add_sliding_stiffness(const contact_constraint *constraint,
     }
 }
 
-/* Two threads that slide over each other: the contact force moves along both threads, to other nodes. */
+/* Two threads that slide over each other: the contact force moves along both threads, to other nodes. With the force of
+ * each solve the active set would converge less often; that of the last linearisation differs by second order. */
 static void add_point_motion(const contact_constraint *constraint, const uint32_t *schur_indices,
                              vbss_system *system)
 {
     const uint32_t n = constraint->jacobian_block_count;
-    const vec3 force = vec3_add_scaled(constraint->solution.tangential_force,
-                                       constraint->solution.normal_force, constraint->normal);
     for (uint32_t p = 0; p < n; p++) {
         const contact_jacobian_block *row_block = &constraint->jacobian[p];
-        const vec3 left = vec3_scale(force, -row_block->weight_derivative),
+        const vec3 left = vec3_scale(constraint->sliding_force, -row_block->weight_derivative),
                    gradient = constraint->slide_gradients[row_block->is_on_side_b];
         const uint32_t rhs = schur_indices[n * n + p];
         if (row_block->weight_derivative == 0.0) {

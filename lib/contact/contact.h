@@ -108,6 +108,7 @@ typedef struct contact_constraint {
     bool is_sliding;
     vec3 slide_gradients[2];
     double slide_leads[2];
+    vec3 sliding_force; /* on a at the start of the active-set iteration, N */
     contact_jacobian_block jacobian[CONTACT_MAX_JACOBIAN_BLOCKS];
 } contact_constraint;
 

@@ -34,11 +34,7 @@
 /* Beyond this slide in a substep a contact of two threads stays where it is at the start: 62 mm/s of the default thread
  * at 1 ms.
  * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
-#define SCENE_MAX_SLIDE_RATIO VBSS_TUNE(SCENE_MAX_SLIDE_RATIO, 0.25)
-/* How far a contact point may go beyond the ends of its segment where the actual slide differs from the expected one.
- * Unit: 1, relative to the segment. Origin: chosen: wider than SCENE_MAX_SLIDE_RATIO allows for two default segments.
- * Test: none known. */
-#define SCENE_MAX_SLIDE_OUTSIDE VBSS_TUNE(SCENE_MAX_SLIDE_OUTSIDE, 1.0)
+#define SCENE_MAX_SLIDE_RATIO VBSS_TUNE(SCENE_MAX_SLIDE_RATIO, 1.0)
 
 /* ---- Work in operations of the step budget (world/work_budget.c, solve/newton.c, step/time_slice.c) */
 

@@ -7,8 +7,8 @@
 
 typedef struct bend_outcome {
     bend_result result;
-    double force;   /* mean in the window if it slips, N */
-    double overlap; /* deepest of all steps, diameters */
+    double force;     /* mean in the window if it slips, N */
+    double overlap;   /* deepest of all steps, diameters */
     uint64_t clamped; /* truncated substeps */
 } bend_outcome;
 

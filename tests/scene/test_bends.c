@@ -20,7 +20,7 @@ static void bends_slip_below_critical_friction(void **state)
     assert_int_equal(BEND_SLIPS, grief.result);
     assert_int_equal(BEND_SLIPS, granny.result);
     expect_near(1.0, grief.force / 0.17, 0.2);
-    expect_near(1.0, granny.force / 0.48, 0.2);
+    expect_near(1.0, granny.force / 0.73, 0.2);
 }
 
 static void bends_hold_above_critical_friction(void **state)

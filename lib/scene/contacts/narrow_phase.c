@@ -520,7 +520,12 @@ static void measure_gap(const scene_object *s, contact_constraint *constraint, c
 {
     const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     double at[2], lip_thickness;
-    constraint->gap = vec3_norm(separation_of(s, geometry, d, e, AT_TRIAL, at, &lip_thickness)) -
+    side a = *d, b = *e;
+    if (constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENTS) { /* the start gap is theirs */
+        a.feature = constraint->key.feature_a;
+        b.feature = constraint->key.feature_b;
+    }
+    constraint->gap = vec3_norm(separation_of(s, geometry, &a, &b, AT_TRIAL, at, &lip_thickness)) -
                       contact_distance_of(d, e) + geometry->overlap_allowance;
 }
 

@@ -85,8 +85,7 @@ static void slide_point(thread_point *p, double distance)
     p->fraction = length > 0.0 ? vbss_min(vbss_max(at / length, 0.0), 1.0) : 0.0;
 }
 
-/* Fraction of `segment` that is at a distance along the thread. Outside the segment its line goes on, for at most
- * SCENE_MAX_SLIDE_OUTSIDE of its length. */
+/* Fraction of `segment` that is at a distance along the thread. Outside the segment its line goes on. */
 static double fraction_of(const thread_point *p, double distance, uint32_t segment)
 {
     const double length = segment_length(p, segment);
@@ -97,9 +96,18 @@ static double fraction_of(const thread_point *p, double distance, uint32_t segme
     for (uint32_t k = p->segment; k < segment; k++) {
         at -= segment_length(p, k);
     }
-    return length > 0.0 ? vbss_min(vbss_max(at / length, -SCENE_MAX_SLIDE_OUTSIDE),
-                                   1.0 + SCENE_MAX_SLIDE_OUTSIDE)
-                        : 0.0;
+    return length > 0.0 ? at / length : 0.0;
+}
+
+static double slide_limit(const scene_contact_geometry *geometry)
+{
+    return SCENE_MAX_SLIDE_RATIO * geometry->contact_distance;
+}
+
+static void find_slides(const contact_constraint *constraint, vec3 displacement, double slides[2])
+{
+    slides[0] = vec3_dot(constraint->slide_gradients[0], displacement);
+    slides[1] = vec3_dot(constraint->slide_gradients[1], displacement);
 }
 
 static void predict_slide(const scene_object *s, contact_constraint *constraint)
@@ -108,18 +116,17 @@ static void predict_slide(const scene_object *s, contact_constraint *constraint)
     geometry->start_barycentric[0] = geometry->barycentric[0];
     geometry->start_barycentric[1] = geometry->barycentric[1];
     thread_point points[2] = {start_point(s, constraint, 0), start_point(s, constraint, 1)};
-    const vec3 u =
-        vec3_sub(expected_displacement(s, &points[0]), expected_displacement(s, &points[1]));
     find_gradients(points, constraint->slide_gradients);
-    const double limit = SCENE_MAX_SLIDE_RATIO * geometry->contact_distance,
-                 slides[2] = {vec3_dot(constraint->slide_gradients[0], u),
-                              vec3_dot(constraint->slide_gradients[1], u)};
+    /* The iteration starts from the state at the start, so the points are ahead of it. */
+    find_slides(
+        constraint,
+        vec3_sub(expected_displacement(s, &points[0]), expected_displacement(s, &points[1])),
+        constraint->slide_leads);
     /* A thread that flies does not slide along itself, and its velocity does not tell where it will cross. */
-    constraint->is_sliding = fabs(slides[0]) <= limit && fabs(slides[1]) <= limit;
+    constraint->is_sliding = fabs(constraint->slide_leads[0]) <= slide_limit(geometry) &&
+                             fabs(constraint->slide_leads[1]) <= slide_limit(geometry);
     for (int k = 0; constraint->is_sliding && k < 2; k++) {
-        slide_point(&points[k], slides[k]);
-        constraint->slide_leads[k] =
-            slides[k]; /* the iteration starts from the state of the start */
+        slide_point(&points[k], constraint->slide_leads[k]);
         geometry->segments[k] = points[k].segment;
         geometry->barycentric[k] = points[k].fraction;
     }
@@ -138,11 +145,20 @@ void vbss_scene_update_slide(const scene_object *s, contact_constraint *constrai
 {
     scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     const thread_point points[2] = {start_point(s, constraint, 0), start_point(s, constraint, 1)};
-    const vec3 u = vec3_sub(trial_displacement(&points[0]), trial_displacement(&points[1]));
+    double slides[2];
+    find_gradients(points, constraint->slide_gradients);
+    find_slides(constraint,
+                vec3_sub(trial_displacement(&points[0]), trial_displacement(&points[1])), slides);
+    const double limit = slide_limit(geometry),
+                 largest = vbss_max(fabs(slides[0]), fabs(slides[1])),
+                 scale = largest > limit ? limit / largest : 1.0;
     for (int k = 0; k < 2; k++) {
-        geometry->barycentric[k] = fraction_of(
-            &points[k], vec3_dot(constraint->slide_gradients[k], u), geometry->segments[k]);
+        geometry->barycentric[k] =
+            fraction_of(&points[k], scale * slides[k], geometry->segments[k]);
         constraint->slide_leads[k] = 0.0;
+        if (scale < 1.0) { /* the points stay at the limit */
+            constraint->slide_gradients[k] = vec3_zero();
+        }
     }
 }
 
