@@ -245,6 +245,11 @@ bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep)
     }
     vbss_contact_sort(set);
     vbss_scene_remove_duplicate_contacts(s);
+    /* A search that a budget stops leaves forces that are too inexact to move with their points, and so may the
+     * attempt that was halved. */
+    if (!vbss_scene_limits_steps(s) && substep->h == substep->step_length) {
+        vbss_scene_predict_slides(s);
+    }
     set_contact_flags(s);
     return true;
 }

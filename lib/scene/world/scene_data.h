@@ -309,6 +309,10 @@ typedef struct scene_contact_geometry {
     /* Contact point on both features: fractions of two lines, or for a point and a triangle the
      * weights of its second and third corner. */
     double barycentric[2];
+    /* Two segments: those on which the contact points are. They differ from the features of the key where the contact
+     * slides on to neighbouring segments in the substep. On the key's segments, the points at the start. */
+    uint32_t segments[2];
+    double start_barycentric[2];
     /* Lines: interval of each axis on which contact is possible, as fractions of it. */
     double axis_interval[2][2];
     vec3 point;              /* midway between the surfaces, m */
