@@ -231,8 +231,8 @@ class context
 };
 
 /** The only owner of an object of type T. It can be moved and not copied. `destroy` is the function that
- * destroys the object. A thread, drain, needle or grasper that still belongs to a scene stays, and its
- * context destroys it. */
+ * destroys the object. Owners may end in any order: a thread, drain, needle or grasper that still belongs
+ * to a scene stays in it, and is destroyed when it leaves the scene. */
 template <class T, vbss_result (*destroy)(T *)> class owner
 {
   public:
@@ -368,13 +368,13 @@ Owner make(const context &in, vbss_result (*create)(P...), A &&...arguments)
 using collision =
     owner<vbss_collision, vbss_collision_destroy>;         /**< Owner of a collision object. */
 using device = owner<vbss_device, vbss_device_destroy>;    /**< Owner of a device. */
-using drain = owner<vbss_drain, vbss_drain_destroy>;       /**< Owner of a drain. */
-using grasper = owner<vbss_grasper, vbss_grasper_destroy>; /**< Owner of a grasper. */
+using drain = owner<vbss_drain, vbss_drain_discard>;       /**< Owner of a drain. */
+using grasper = owner<vbss_grasper, vbss_grasper_discard>; /**< Owner of a grasper. */
 /** Owner of a knot detector. */
 using knot_detector = owner<vbss_knot_detector, vbss_knot_detector_destroy>;
 using metrics = owner<vbss_metrics, vbss_metrics_destroy>; /**< Owner of metrics. */
 using mock = owner<vbss_mock, vbss_mock_destroy>;          /**< Owner of a mock device. */
-using needle = owner<vbss_needle, vbss_needle_destroy>;    /**< Owner of a needle. */
+using needle = owner<vbss_needle, vbss_needle_discard>;    /**< Owner of a needle. */
 using nidaqmx = owner<vbss_nidaqmx, vbss_nidaqmx_destroy>; /**< Owner of an adapter. */
 using openhaptics = owner<vbss_openhaptics, vbss_openhaptics_destroy>; /**< Owner of an adapter. */
 using output = owner<vbss_output, vbss_output_destroy>;    /**< Owner of an output stage. */
@@ -383,7 +383,7 @@ using replay = owner<vbss_replay, vbss_replay_destroy>;    /**< Owner of a repla
 using replica = owner<vbss_replica, vbss_replica_destroy>; /**< Owner of a replica. */
 using scene = owner<vbss_scene, vbss_scene_destroy>;       /**< Owner of a scene. */
 using session = owner<vbss_session, vbss_session_destroy>; /**< Owner of a session. */
-using thread = owner<vbss_thread, vbss_thread_destroy>;    /**< Owner of a thread. */
+using thread = owner<vbss_thread, vbss_thread_discard>;    /**< Owner of a thread. */
 using visual = owner<vbss_visual, vbss_visual_destroy>;    /**< Owner of a visual. */
 
 /** Creates a scene. Throws #vbss::error.

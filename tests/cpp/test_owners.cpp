@@ -126,6 +126,70 @@ void events_are_taken_once()
     EXPECT(vbss::take_events(scene, &lost).empty() && lost == 0);
 }
 
+struct bodies {
+    vbss::drain drain;
+    vbss::needle needle;
+    vbss::thread thread;
+    vbss::grasper grasper;
+    vbss::replica replica;
+    vbss::record record;
+};
+struct bodies_end_first {
+    vbss::scene scene;
+    bodies all;
+};
+struct scene_ends_first {
+    bodies all;
+    vbss::scene scene;
+};
+
+// The members end in the reverse order of their declaration.
+template <class Order> void fill(const vbss::context &context)
+{
+    Order order;
+    std::uint32_t body = 0;
+    const double tip[3] = {0.0, 0.3, 0.0};
+    vbss_needle_config needle = vbss_needle_config_default();
+    vbss_thread_config thread = vbss_thread_config_default();
+    needle.position[1] = 0.1;
+    thread.start[1] = 0.2;
+    order.scene = vbss::make_scene(context);
+    order.all.drain = vbss::make<vbss::drain>(context, vbss_drain_create, context, nullptr);
+    order.all.needle = vbss::make<vbss::needle>(context, vbss_needle_create, context, &needle);
+    order.all.thread = vbss::make_thread(context, &thread);
+    order.all.grasper = vbss::make<vbss::grasper>(context, vbss_grasper_create, context, nullptr);
+    order.all.grasper.call(vbss_grasper_set_target, tip, nullptr);
+    order.scene.call(vbss_scene_add_drain, order.all.drain, &body);
+    order.scene.call(vbss_scene_add_needle, order.all.needle, &body);
+    order.scene.call(vbss_scene_add_thread, order.all.thread, &body);
+    order.scene.call(vbss_scene_add_grasper, order.all.grasper, &body);
+    order.all.replica =
+        vbss::make<vbss::replica>(context, vbss_replica_create, order.scene, nullptr);
+    order.all.record = vbss::make<vbss::record>(context, vbss_record_create, order.scene, nullptr);
+    order.scene.call(vbss_scene_set_recorder, order.all.record);
+    order.scene.call(vbss_scene_step, 1e-3);
+}
+
+void owners_end_in_any_order()
+{
+    int messages = 0;
+    vbss::callback<void(vbss_log_level, const char *)> log([&](vbss_log_level, const char *text) {
+        std::fprintf(stderr, "%s\n", text);
+        messages++;
+    });
+    vbss_context_config config = vbss_context_config_default();
+    config.log_level = VBSS_LOG_WARNING;
+    config.log = log.call;
+    config.log_user = &log;
+    const vbss::context context(&config);
+    const std::uint64_t before = objects_of(context);
+    fill<bodies_end_first>(context);
+    EXPECT(objects_of(context) == before);
+    fill<scene_ends_first>(context);
+    EXPECT(objects_of(context) == before);
+    EXPECT(messages == 0);
+}
+
 // What a callback throws comes to the host after the call, and not through the library.
 void exception_of_callback_waits()
 {
@@ -157,6 +221,7 @@ int main()
     try {
         owners_move_and_destroy();
         object_outlives_name_of_its_context();
+        owners_end_in_any_order();
         status_is_thrown_with_its_text();
         views_are_spans();
         events_are_taken_once();
