@@ -125,7 +125,7 @@ template <class T> class span
     {
         return data_[index];
     }
-    /** Returns the begin of the values.
+    /** Returns a pointer to the first value.
      * @return pointer to the first value
      */
     constexpr T *begin() const noexcept
@@ -299,7 +299,7 @@ class context
             created, [](vbss_context *c) { (void)vbss_context_destroy(c); });
     }
     /** Creates a context with the defaults that passes its messages to a function. The context keeps the
-     * function. What the function throws is lost. Throws #vbss::error.
+     * function. An exception of the function is dropped. Throws #vbss::error.
      * @param log    the function
      * @param level  least important level that it receives
      */
@@ -579,7 +579,8 @@ inline span<const std::uint8_t> take_bytes(const record &from)
     return span<const std::uint8_t>(bytes, static_cast<std::size_t>(count));
 }
 
-/** Repeats the steps of a log to its end, or to its first difference or fault. Throws #vbss::error.
+/** Repeats the steps of a log to its end, or to its first difference. Throws #vbss::error, also if the log
+ * is cut off or damaged.
  * @param from  a replay that has begun
  * @return the last report
  */
