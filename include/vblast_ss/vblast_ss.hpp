@@ -201,9 +201,10 @@ template <class T> class items
     vbss_view view_;
 };
 
-/* The functions that owners end an object with. */
+/** @cond */
 namespace detail
 {
+/* The functions that owners end an object with. */
 inline vbss_result end(vbss_collision *object) noexcept
 {
     return vbss_collision_destroy(object);
@@ -281,6 +282,7 @@ inline vbss_result end(vbss_visual *object) noexcept
 template <class... P>
 using last = std::remove_pointer_t<std::tuple_element_t<sizeof...(P) - 1, std::tuple<P...>>>;
 } // namespace detail
+/** @endcond */
 
 template <class T> class owner;
 
