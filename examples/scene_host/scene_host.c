@@ -246,10 +246,11 @@ static vbss_result draw(host *h, vbss_context *context)
     vbss_visual *visual;
     TRY(vbss_visual_create(context, NULL, &visual));
     TRY(vbss_visual_add_replica(visual, h->replica, NULL));
-    for (double frame = seconds(NULL); !atomic_load(&h->has_ended); frame += 1.0 / 60.0) {
+    double frame = seconds(NULL);
+    while (!atomic_load(&h->has_ended)) {
         vbss_replica_state state;
         vbss_view vertices;
-        sleep_until(frame);
+        sleep_until(frame += 1.0 / 60.0);
         TRY(vbss_replica_take(h->replica, &state, sizeof state));
         if (state.is_new != 0) {
             TRY(vbss_visual_update(visual));
