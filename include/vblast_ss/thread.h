@@ -405,11 +405,23 @@ VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread
  * Destroys a thread; pieces cut from it remain.
  *
  * @param thread  the thread; NULL does nothing
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
+
+/**
+ * Destroys a thread now, or when it leaves the scene that it belongs to: on #vbss_scene_remove and on
+ * #vbss_scene_destroy; pieces cut from it remain. Until then the handle is valid. A host that has discarded all bodies of a
+ * scene needs to destroy only the scene.
+ *
+ * @param thread  the thread; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_thread_discard(vbss_thread *thread);
 
 /**
  * Advances a thread by one step. The call allocates nothing. If the new state is not finite, the

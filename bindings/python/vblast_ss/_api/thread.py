@@ -579,6 +579,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_thread_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_thread_config),
         POINTER(POINTER(vbss_thread)))),
     "vbss_thread_destroy": (c_int32, (POINTER(vbss_thread),)),
+    "vbss_thread_discard": (c_int32, (POINTER(vbss_thread),)),
     "vbss_thread_step": (c_int32, (POINTER(vbss_thread), c_double)),
     "vbss_thread_set_state": (c_int32, (POINTER(vbss_thread), POINTER(c_double), POINTER(c_double),
         c_uint32)),
