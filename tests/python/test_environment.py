@@ -110,7 +110,7 @@ def test_jaws_hold_only_what_is_within_reach_and_a_drop_costs(environment):
 
 
 def test_scripted_hands_tie_a_throw_and_are_rewarded():
-    """Not every seed is tied (docs/guides/python.md): one of the first twelve is."""
+    """Not every seed is tied (docs/guides/learning-environments.md): one of the first twelve is."""
     with ThrowEnvironment() as environment:
         for seed in range(12):
             outcome = run(environment, ScriptedThrow(), seed=seed)
