@@ -1,0 +1,159 @@
+using System;
+using System.Runtime.CompilerServices;
+using System.Threading;
+
+namespace VblastSs.Tests
+{
+    /// <summary>Failures are exceptions, and no managed object reaches freed memory of the library.</summary>
+    public static class LifeTests
+    {
+        public static void AFailureHasTheStatusAndTheTextOfTheLibrary()
+        {
+            using (var context = new Context())
+            {
+                var failure = Check.Throws<VbssException>(() => new SutureThread(context, new ThreadConfig { Radius = -1 }));
+                Check.Equal(Result.ErrorOutOfRange, failure.Status, "status");
+                Check.That(failure.Message.Contains("radius"), failure.Message);
+            }
+        }
+
+        public static void ANullWhereAnObjectIsNeededIsRefused()
+        {
+            Check.Throws<ArgumentNullException>(() => new Scene(null));
+            using (var context = new Context())
+            using (var scene = new Scene(context))
+            {
+                Check.Throws<VbssException>(() => scene.AddThread(null));
+                Check.Fails(Result.ErrorNullArgument, () => scene.AddRigid(null));
+            }
+        }
+
+        public static void ADisposedObjectRefusesEveryCall()
+        {
+            using (var context = new Context())
+            {
+                var thread = new SutureThread(context);
+                thread.Dispose();
+                thread.Dispose();
+                Check.That(thread.IsDisposed, "disposed");
+                Check.Throws<ObjectDisposedException>(() => thread.Step(1e-3));
+            }
+        }
+
+        public static void ADisposedContextDisposesItsObjects()
+        {
+            var context = new Context();
+            var thread = new SutureThread(context);
+            View view = thread.GetView(ThreadField.Positions);
+            context.Dispose();
+            context.Dispose();
+            Check.That(thread.IsDisposed, "disposed");
+            Check.Throws<ObjectDisposedException>(() => thread.Step(1e-3));
+            Check.Throws<ObjectDisposedException>(() => view.AsDoubles());
+            Check.Throws<ObjectDisposedException>(() => new Scene(context));
+            thread.Dispose();
+        }
+
+        public static void AViewThatIsOutOfDateGivesNoSpan()
+        {
+            using (var context = new Context())
+            {
+                var thread = new SutureThread(context);
+                View view = thread.GetView(ThreadField.Positions);
+                Check.That(view.IsCurrent && view.AsDoubles().Length == 363, "current");
+                Check.Throws<InvalidOperationException>(() => view.AsUInts());
+                thread.Step(1e-3);
+                Check.That(!view.IsCurrent, "out of date");
+                Check.Throws<InvalidOperationException>(() => view.AsDoubles());
+                thread.Dispose();
+                Check.Throws<ObjectDisposedException>(() => view.AsDoubles());
+            }
+        }
+
+        public static void AnUnusedObjectIsDestroyedByALaterCall()
+        {
+            using (var context = new Context())
+            {
+                Drop(context, 50);
+                for (int i = 0; i < 20 && context.GetStatistics().ObjectsAlive > 5; i++)
+                {
+                    GC.Collect();
+                    GC.WaitForPendingFinalizers();
+                    new ThreadConfig();
+                    context.GetStatistics();
+                }
+                Check.That(context.GetStatistics().ObjectsAlive <= 5, context.GetStatistics().ObjectsAlive + " objects");
+            }
+        }
+
+        public static void AnObjectInASceneLivesAsLongAsTheScene()
+        {
+            using (var context = new Context())
+            using (var scene = new Scene(context))
+            {
+                AddTo(scene);
+                for (int i = 0; i < 5; i++)
+                {
+                    GC.Collect();
+                    GC.WaitForPendingFinalizers();
+                    scene.Step(1e-3);
+                }
+                Check.Equal(1, scene.GetBodies().Length, "bodies");
+                GC.KeepAlive(scene);
+            }
+        }
+
+        public static void UnusedContextsAreDestroyedWithTheirObjects()
+        {
+            for (int i = 0; i < 50; i++)
+            {
+                Drop(new Context(new ContextConfig { Log = (level, text) => { } }), 3);
+            }
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            GC.Collect();
+        }
+
+        public static void ASecondThreadIsRefused()
+        {
+            Context context = null;
+            Exception seen = null;
+            context = new Context(new ContextConfig { LogLevel = LogLevel.Error, Log = (level, text) =>
+            {
+                var other = new Thread(() =>
+                {
+                    try
+                    {
+                        new Scene(context);
+                    }
+                    catch (Exception exception)
+                    {
+                        seen = exception;
+                    }
+                });
+                other.Start();
+                other.Join();
+            } });
+            using (context)
+            {
+                Check.Throws<VbssException>(() => new SutureThread(context, new ThreadConfig { Radius = -1 }));
+                Check.Equal(Result.ErrorBusy, ((VbssException)seen).Status, "status");
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private static void Drop(Context context, int count)
+        {
+            for (int i = 0; i < count; i++)
+            {
+                new SutureThread(context);
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private static void AddTo(Scene scene)
+        {
+            scene.AddThread(new SutureThread(scene.Context));
+        }
+    }
+}
