@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using System.Threading;
 
@@ -86,20 +87,89 @@ namespace VblastSs.Tests
             }
         }
 
-        public static void AnObjectInASceneLivesAsLongAsTheScene()
+        public static void ABodyThatNobodyRefersToStaysInItsScene()
         {
             using (var context = new Context())
-            using (var scene = new Scene(context))
+            using (var scene = new Scene(context, new SceneConfig { ThreadCapacity = 20 }))
             {
-                AddTo(scene);
+                AddTo(scene, 20);
                 for (int i = 0; i < 5; i++)
                 {
                     GC.Collect();
                     GC.WaitForPendingFinalizers();
                     scene.Step(1e-3);
                 }
-                Check.Equal(1, scene.GetBodies().Length, "bodies");
+                for (uint body = 1; body <= 20; body++)
+                {
+                    scene.Remove(body); // the wrapper goes with the body; the thread with the wrapper
+                }
+                for (int i = 0; i < 20 && context.GetStatistics().ObjectsAlive > 4; i++)
+                {
+                    GC.Collect();
+                    GC.WaitForPendingFinalizers();
+                    context.GetStatistics();
+                }
+                Check.That(context.GetStatistics().ObjectsAlive <= 4, context.GetStatistics().ObjectsAlive + " objects");
                 GC.KeepAlive(scene);
+            }
+        }
+
+        public static void ARemovedBodyGoesOnAlone()
+        {
+            using (var context = new Context())
+            using (var scene = new Scene(context))
+            using (var thread = new SutureThread(context))
+            {
+                uint body = scene.AddThread(thread);
+                Check.Fails(Result.ErrorInScene, () => thread.Step(1e-3));
+                scene.Remove(body);
+                thread.Step(1e-3);
+                scene.AddThread(thread);
+                scene.Dispose();
+                thread.Step(1e-3);
+            }
+        }
+
+        public static void UnusedScenesAreDestroyedWithTheirBodies()
+        {
+            using (var context = new Context())
+            {
+                for (int i = 0; i < 10; i++)
+                {
+                    AddTo(new Scene(context), 4);
+                }
+                for (int i = 0; i < 20 && context.GetStatistics().ObjectsAlive > 10; i++)
+                {
+                    GC.Collect();
+                    GC.WaitForPendingFinalizers();
+                    context.GetStatistics();
+                }
+                Check.That(context.GetStatistics().ObjectsAlive <= 10, context.GetStatistics().ObjectsAlive + " objects");
+            }
+        }
+
+        public static void ABodyIsDestroyedWhenItLeavesItsScene()
+        {
+            var messages = new List<string>();
+            using (var context = new Context(new ContextConfig { Log = (level, text) => messages.Add(text) }))
+            {
+                ulong before = context.GetStatistics().ObjectsAlive;
+                Scene scene = new Scene(context);
+                SutureThread first = new SutureThread(context);
+                uint body = scene.AddThread(first);
+                using (SutureThread second = new SutureThread(context, new ThreadConfig { Start = new Vector3d(0, 1, 0) }))
+                {
+                    scene.AddThread(second);
+                }
+                first.Dispose();
+                Check.Throws<ObjectDisposedException>(() => first.Step(1e-3));
+                scene.Step(1e-3);
+                Check.Equal(before + 3, context.GetStatistics().ObjectsAlive, "objects in the scene");
+                scene.Remove(body);
+                Check.Equal(before + 2, context.GetStatistics().ObjectsAlive, "objects after Remove");
+                scene.Dispose();
+                Check.Equal(before, context.GetStatistics().ObjectsAlive, "objects after the scene");
+                Check.Equal(0, messages.Count, "messages");
             }
         }
 
@@ -151,9 +221,12 @@ namespace VblastSs.Tests
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
-        private static void AddTo(Scene scene)
+        private static void AddTo(Scene scene, int count)
         {
-            scene.AddThread(new SutureThread(scene.Context));
+            for (int i = 0; i < count; i++)
+            {
+                scene.AddThread(new SutureThread(scene.Context, new ThreadConfig { SegmentCount = 2, Start = new Vector3d(0, 0, 0.01 * i) }));
+            }
         }
     }
 }

@@ -23,6 +23,7 @@ namespace VblastSs
             new ConcurrentDictionary<IntPtr, WeakReference<VbssObject>>();
         internal readonly ConcurrentQueue<Dropped> Queue = new ConcurrentQueue<Dropped>();
         internal volatile bool Destroyed;
+        private readonly ConcurrentQueue<Dropped> used = new ConcurrentQueue<Dropped>();
         private ExceptionDispatchInfo pending;
 
         /// <summary>Keeps the first exception of a callback until the call of the library returns.</summary>
@@ -36,27 +37,42 @@ namespace VblastSs
             return pending == null ? null : Interlocked.Exchange(ref pending, null);
         }
 
-        /// <summary>Destroys an object, or, while another call is inside the context, leaves it to a later sweep.</summary>
+        /// <summary>
+        /// Destroys an object. While another call is inside the context, that is left to a later sweep; while another
+        /// object uses this one, to the destruction of a later object.
+        /// </summary>
         internal void Destroy(Dropped dropped)
         {
-            if (!Destroyed && dropped.Destroy(dropped.Handle) == Result.ErrorBusy)
+            Result status = Destroyed ? Result.Ok : dropped.Destroy(dropped.Handle);
+            if (status == Result.ErrorBusy)
             {
                 Queue.Enqueue(dropped);
+                return;
+            }
+            if (status != Result.Ok && status != Result.ErrorInvalidHandle)
+            {
+                used.Enqueue(dropped);
                 return;
             }
             foreach (NativeRoot root in dropped.Roots)
             {
                 root.Free();
             }
+            DestroyAll(used);
         }
 
         /// <summary>Destroys the objects that finalizers have dropped. On the thread that uses the context.</summary>
         internal void Sweep()
         {
-            for (int left = Queue.Count; left > 0; left--)
+            DestroyAll(Queue);
+        }
+
+        private void DestroyAll(ConcurrentQueue<Dropped> queue)
+        {
+            for (int left = queue.Count; left > 0; left--)
             {
                 Dropped dropped;
-                if (Queue.TryDequeue(out dropped))
+                if (queue.TryDequeue(out dropped))
                 {
                     Destroy(dropped);
                 }

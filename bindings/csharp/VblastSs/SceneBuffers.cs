@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace VblastSs
 {
@@ -43,6 +44,52 @@ namespace VblastSs
 
     public sealed unsafe partial class Scene
     {
+        private readonly Dictionary<uint, VbssObject> members = new Dictionary<uint, VbssObject>();
+
+        /// <summary>Adds a thread of the same context; returns its number in the scene. It stays a body until it is removed.</summary>
+        public uint AddThread(SutureThread thread)
+        {
+            uint body;
+            Context.Check(Native.vbss_scene_add_thread(Handle, ObjectHandle.Of(thread), &body));
+            return Joined(thread, body);
+        }
+
+        /// <summary>Adds a drain of the same context; returns its number in the scene. It stays a body until it is removed.</summary>
+        public uint AddDrain(Drain drain)
+        {
+            uint body;
+            Context.Check(Native.vbss_scene_add_drain(Handle, ObjectHandle.Of(drain), &body));
+            return Joined(drain, body);
+        }
+
+        /// <summary>Adds a needle of the same context; returns its number in the scene. It stays a body until it is removed.</summary>
+        public uint AddNeedle(Needle needle)
+        {
+            uint body;
+            Context.Check(Native.vbss_scene_add_needle(Handle, ObjectHandle.Of(needle), &body));
+            return Joined(needle, body);
+        }
+
+        /// <summary>Adds a grasper of the same context; returns its number in the scene. It stays a body until it is removed.</summary>
+        public uint AddGrasper(Grasper grasper)
+        {
+            uint body;
+            Context.Check(Native.vbss_scene_add_grasper(Handle, ObjectHandle.Of(grasper), &body));
+            return Joined(grasper, body);
+        }
+
+        /// <summary>Removes a body by its number, with its pins and grasps.</summary>
+        public void Remove(uint body)
+        {
+            Context.Check(Native.vbss_scene_remove(Handle, body));
+            VbssObject member;
+            if (members.TryGetValue(body, out member))
+            {
+                members.Remove(body);
+                member.Leave();
+            }
+        }
+
         /// <summary>A scene from a saved state that describes all its bodies.</summary>
         public static Scene Load(Context context, ReadOnlySpan<byte> state)
         {
@@ -92,6 +139,22 @@ namespace VblastSs
             IntPtr data;
             Context.Check(Native.vbss_scene_get_user_data(Handle, body, &data));
             return data;
+        }
+
+        internal override void OnDestroyed()
+        {
+            foreach (VbssObject member in members.Values)
+            {
+                member.Leave();
+            }
+            members.Clear();
+        }
+
+        private uint Joined(VbssObject member, uint body)
+        {
+            members[body] = member;
+            member.Join(this);
+            return body;
         }
     }
 

@@ -13,6 +13,7 @@ namespace VblastSs
 
         private readonly HashSet<object> kept = new HashSet<object>();
         private ObjectHandle handle;
+        private bool disposed;
 
         private protected VbssObject(Context context)
         {
@@ -25,8 +26,11 @@ namespace VblastSs
         /// <summary>Whether the object or its context has been disposed.</summary>
         public bool IsDisposed
         {
-            get { return handle == null || handle.IsClosed || Context.IsDisposed; }
+            get { return disposed || handle == null || handle.IsClosed || Context.IsDisposed; }
         }
+
+        /// <summary>The scene that the object is a body of; it is destroyed after that.</summary>
+        internal Scene MemberOf { get; private set; }
 
         internal ObjectHandle Handle
         {
@@ -40,17 +44,41 @@ namespace VblastSs
             }
         }
 
-        /// <summary>Destroys the object.</summary>
+        /// <summary>Destroys the object. A body of a scene is destroyed when it leaves the scene, or with the scene.</summary>
         public void Dispose()
         {
             if (IsDisposed)
             {
                 return;
             }
+            disposed = true;
             WeakReference<VbssObject> reference;
             Context.State.Wrappers.TryRemove(handle.DangerousGetHandle(), out reference);
-            handle.DestroyNow();
+            if (MemberOf == null)
+            {
+                handle.DestroyNow();
+                OnDestroyed();
+            }
             kept.Clear();
+        }
+
+        internal void Join(Scene scene)
+        {
+            MemberOf = scene;
+        }
+
+        /// <summary>The object is no body of a scene any more.</summary>
+        internal void Leave()
+        {
+            MemberOf = null;
+            if (disposed && !Context.IsDisposed)
+            {
+                handle.DestroyNow();
+            }
+        }
+
+        internal virtual void OnDestroyed()
+        {
         }
 
         private protected void Adopt(IntPtr native, DestroyFunction destroy, Pins pins = null)

@@ -48,39 +48,6 @@ namespace VblastSs
             }
         }
 
-        /// <summary>
-        /// Adds a thread of the same context, which belongs to the scene until it is removed. The
-        /// scene also reserves capacity for each piece that can still be cut from the thread: a
-        /// thread and two nodes. The remaining cuts belong to the scene as long as a thread of the
-        /// family does. An adaptive mesh needs capacity for its whole node_capacity; nodes of
-        /// threads added later reduce that capacity. The mesh adapts at the very end of steps,
-        /// which renumbers the nodes and segments beyond a change. Pins, grasps and contacts in the
-        /// views follow (docs/explanation/adaptive.md).
-        /// </summary>
-        /// <param name="thread">the thread, of the scene's method, with a radius above 0</param>
-        public uint AddThread(SutureThread thread)
-        {
-            uint body;
-            Keep(thread);
-            Context.Check(Native.vbss_scene_add_thread(Handle, ObjectHandle.Of(thread), (uint*)&body));
-            return body;
-        }
-
-        /// <summary>
-        /// Adds a drain of the same context, which belongs to the scene until it is removed. The
-        /// call allocates the memory that the scene's steps need for it. Features within three wall
-        /// thicknesses of each other along its surface do not touch. The scene's limits of
-        /// linearisations and halvings apply; the drain's own limits are for its own steps.
-        /// </summary>
-        /// <param name="drain">the drain, of the scene's method</param>
-        public uint AddDrain(Drain drain)
-        {
-            uint body;
-            Keep(drain);
-            Context.Check(Native.vbss_scene_add_drain(Handle, ObjectHandle.Of(drain), (uint*)&body));
-            return body;
-        }
-
         /// <summary>Adds a rigid body. A scene accepts at most 4096 bodies in its life, threads included.</summary>
         /// <param name="config">the configuration; not NULL, because a body needs capsules</param>
         public uint AddRigid(SceneRigidConfig config)
@@ -91,36 +58,6 @@ namespace VblastSs
                 Context.Check(Native.vbss_scene_add_rigid(Handle, config == null ? null : config.Pin(pins), (uint*)&body));
                 return body;
             }
-        }
-
-        /// <summary>
-        /// Adds a needle as a free body with its current pose and velocity. A thread whose first
-        /// node is pinned to it at the swage (vbss_scene_pin_thread) is swaged to it. Until its
-        /// removal stepping, placing, restoring or destroying it alone returns VBSS_ERROR_IN_SCENE.
-        /// With method VBLAST it exactly follows the tool whose jaws have closed on it first. A
-        /// needle that no tool holds flies, lies on the floor, and stays in the walls of drains
-        /// that it passes through (docs/explanation/paper-needle.md).
-        /// </summary>
-        /// <param name="needle">a needle of the same context and method</param>
-        public uint AddNeedle(Needle needle)
-        {
-            uint body;
-            Keep(needle);
-            Context.Check(Native.vbss_scene_add_needle(Handle, ObjectHandle.Of(needle), (uint*)&body));
-            return body;
-        }
-
-        /// <summary>
-        /// Adds a grasper of the same context, which belongs to the scene until it is removed. It
-        /// starts at its last target, at rest. It counts as a rigid body with four capsules.
-        /// </summary>
-        /// <param name="grasper">the grasper, of the scene's method</param>
-        public uint AddGrasper(Grasper grasper)
-        {
-            uint body;
-            Keep(grasper);
-            Context.Check(Native.vbss_scene_add_grasper(Handle, ObjectHandle.Of(grasper), (uint*)&body));
-            return body;
         }
 
         /// <summary>Returns one of the places that a grasper holds.</summary>
@@ -173,16 +110,6 @@ namespace VblastSs
             uint id;
             Context.Check(Native.vbss_scene_make_hole(Handle, body, arcLength, drain, triangle, weights.HasValue ? (double*)&weightsValue : null, (uint*)&id));
             return id;
-        }
-
-        /// <summary>
-        /// Removes a body, with its pins and grasps. A thread, drain or grasper then no longer
-        /// belongs to a scene, and a grasper is at its target.
-        /// </summary>
-        /// <param name="body">its number, not 0</param>
-        public void Remove(uint body)
-        {
-            Context.Check(Native.vbss_scene_remove(Handle, body));
         }
 
         /// <summary>
