@@ -114,6 +114,29 @@ namespace VblastSs.Tests
             }
         }
 
+        public static void CallsInALoopAllocateNothing()
+        {
+            using (var context = new Context())
+            using (var scene = new Scene(context))
+            using (var thread = new SutureThread(context))
+            using (var output = new Output(context))
+            {
+                scene.AddThread(thread);
+                var replica = new Replica(scene);
+                var command = new OutputCommand();
+                for (int i = 0; i < 2000; i++)
+                {
+                    Loop(scene, replica, output, command);
+                }
+                int before = GC.CollectionCount(0);
+                for (int i = 0; i < 300000; i++) // an object of 24 bytes in each is more than a nursery of 4 MB
+                {
+                    Loop(scene, replica, output, command);
+                }
+                Check.Equal(before, GC.CollectionCount(0), "collections");
+            }
+        }
+
         public static void ARemovedBodyGoesOnAlone()
         {
             using (var context = new Context())
@@ -218,6 +241,14 @@ namespace VblastSs.Tests
             {
                 new SutureThread(context);
             }
+        }
+
+        private static void Loop(Scene scene, Replica replica, Output output, OutputCommand command)
+        {
+            replica.Publish(scene);
+            replica.Take();
+            Check.That(replica.GetView(ReplicaField.Nodes).AsVectors().Length == 121, "nodes");
+            output.Step(1e-3, command);
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]

@@ -126,6 +126,19 @@ def runtime() -> None:
     if found != wanted:
         sys.exit(f"a hanging thread has the hash {found} in C#, {wanted} in Python")
     print(run("mono", "--debug", program, env=env), end="")
+    ten_minutes(folder, library, env)
+
+
+def ten_minutes(folder: pathlib.Path, library: pathlib.Path, env: dict[str, str]) -> None:
+    """The program of docs/start/csharp.md."""
+    page = (ROOT / "docs" / "start" / "csharp.md").read_text()
+    source = folder / "Program.cs"
+    source.write_text(re.findall(r"```csharp\n(.*?)```", page, re.S)[0])
+    run("mcs", f"-r:{library}", f"-out:{folder / 'Program.exe'}", source)
+    said = run("mono", folder / "Program.exe", env=env)
+    if not re.fullmatch(r"the last node is at \(.*\)\nErrorOutOfRange: .+\n", said):
+        sys.exit(f"the program of docs/start/csharp.md said {said}")
+    print(said, end="")
 
 
 def unity() -> None:
