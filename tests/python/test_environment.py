@@ -168,11 +168,13 @@ def test_gymnasium_is_used_where_it_is_installed(tmp_path):
     """By a package of its name that has what is asked of it."""
     (tmp_path / "gymnasium").mkdir()
     (tmp_path / "gymnasium" / "__init__.py").write_text(
-        "from . import spaces\nclass Env:\n    seeded = None\n"
+        "from . import spaces\nregistry = {}\ndef register(id, entry_point):\n    registry[id] = entry_point\nclass Env:\n    seeded = None\n"
         "    def reset(self, *, seed=None, options=None):\n        self.seeded = seed\n")
     (tmp_path / "gymnasium" / "spaces.py").write_text(
         "class Box:\n    def __init__(self, low, high, shape=None, dtype=None, seed=None):\n        self.shape = shape\n")
     script = ("import gymnasium\nfrom vblast_ss import environment, suturing\n"
+              "assert gymnasium.registry == {'vblast_ss/Throw-v0': 'vblast_ss.environment:ThrowEnvironment',\n"
+              "                              'vblast_ss/Suture-v0': 'vblast_ss.suturing:SutureEnvironment'}\n"
               "for made in (environment.ThrowEnvironment(), suturing.SutureEnvironment()):\n"
               "    assert isinstance(made, gymnasium.Env) and isinstance(made.action_space, gymnasium.spaces.Box)\n"
               "    seen, _ = made.reset(seed=5)\n    assert made.seeded == 5 and seen.shape == made.observation_space.shape\n"
