@@ -56,6 +56,8 @@ class Trial:
         self.work.mkdir(parents=True)
 
     def build(self):
+        for older in self.dist.glob(f"*-{self.platform.tags}.whl"):
+            older.unlink()
         done = subprocess.run([sys.executable, "-B", self.source / "bindings/python/wheels.py", self.dist, "--only", self.name],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if self.wheels.NO_INDEX in done.stdout:
