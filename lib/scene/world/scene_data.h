@@ -497,6 +497,7 @@ typedef struct scene_report {
     uint32_t logged_event_count, lost_logged_events;
     scene_blocker blockers[SCENE_MAX_BLOCKERS]; /* snapshots save them */
     uint32_t blocker_count;
+    bool is_unlogged; /* a scene of the library's own: its blockers are no warnings for the host */
     bool keeps_logged_events; /* some were added after the last call; the next keeps them */
     /* The contact views: contact_count entries, in the order of the features. */
     uint32_t contact_count;
