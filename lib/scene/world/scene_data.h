@@ -407,7 +407,7 @@ typedef struct scene_step_cursor {
     uint64_t operations_left;       /* operations that the present call may still use */
     uint32_t steps_behind;          /* steps that hosts have asked for and that have not begun */
     uint32_t unsliced_steps_left;   /* steps that must not be suspended, after an edit */
-    uint32_t suspensions;           /* calls that have suspended the present step */
+    uint32_t suspensions;           /* calls that count as suspending this step: time_slice.c */
     bool was_overdue;               /* free bodies go first, as the last step took three calls */
     bool is_free_group;             /* the present group has free bodies only; never suspended */
     uint64_t edit_count;            /* edits of all bodies when the last call ended */
