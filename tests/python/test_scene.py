@@ -248,3 +248,19 @@ def test_events_wait_until_they_are_taken_and_lost_ones_are_counted(context):
         scene.step()
     assert [event.arc_length for event in scene.take_events()] == pytest.approx([0.06, 0.04])
     assert scene.lost_events == 1 and scene.take_events() == [] and scene.lost_events == 1
+
+
+def test_only_method_vblast_has_baseline_statistics():
+    with vb.Scene(method="vblast") as scene:
+        thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)
+        scene.add(thread)
+        scene.step(1e-3)
+        assert scene.baseline_statistics.passes == 1
+        assert scene.statistics.attempts == 0
+        assert thread.baseline_statistics.projection_iterations > 0
+        assert thread.statistics.iterations == 0
+    with vb.Collision(method="vblast") as collision:
+        assert collision.baseline_statistics.sign_tests_ended == 0
+    with vb.Scene() as scene:
+        with pytest.raises(vb.IncompatibleError):
+            scene.baseline_statistics

@@ -5,6 +5,7 @@ import ctypes
 import operator
 from typing import Any, Iterable, Optional, Sequence
 
+from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.thread import (ThreadAttachmentKind, ThreadBending, ThreadMesh, ThreadEnergies, ThreadField, ThreadMaterial, ThreadMomentum, ThreadPreset, ThreadUspSize,
                           ThreadReaction, ThreadStatistics, vbss_thread, vbss_thread_attachment, vbss_thread_config,
                           vbss_thread_energies, vbss_thread_momentum, vbss_thread_reaction, vbss_thread_statistics)
@@ -193,6 +194,11 @@ class Thread(Configured, Viewed, Saved):
     @property
     def statistics(self) -> ThreadStatistics:
         return self._read("get_statistics", ThreadStatistics, vbss_thread_statistics)
+
+    @property
+    def baseline_statistics(self) -> BaselineStatistics:
+        """What only a thread of method "vblast" counts."""
+        return self._read("get_baseline_statistics", BaselineStatistics, vbss_baseline_statistics)
 
     def _describe(self) -> str:
         numbers = self.statistics

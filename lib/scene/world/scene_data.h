@@ -411,7 +411,7 @@ typedef struct scene_step_cursor {
     uint64_t operations_left;       /* operations that the present call may still use */
     uint32_t steps_behind;          /* steps that hosts have asked for and that have not begun */
     uint32_t unsliced_steps_left;   /* steps that must not be suspended, after an edit */
-    uint32_t suspensions;           /* calls that have suspended the present step */
+    uint32_t suspensions;           /* calls that count as suspending this step: time_slice.c */
     bool was_overdue;               /* free bodies go first, as the last step took three calls */
     bool is_free_group;             /* the present group has free bodies only; never suspended */
     uint64_t edit_count;            /* edits of all bodies when the last call ended */
@@ -501,6 +501,7 @@ typedef struct scene_report {
     uint32_t logged_event_count, lost_logged_events;
     scene_blocker blockers[SCENE_MAX_BLOCKERS]; /* snapshots save them */
     uint32_t blocker_count;
+    bool is_unlogged; /* a scene of the library's own: its blockers are no warnings for the host */
     bool keeps_logged_events; /* some were added after the last call; the next keeps them */
     /* The contact views: contact_count entries, in the order of the features. */
     uint32_t contact_count;
