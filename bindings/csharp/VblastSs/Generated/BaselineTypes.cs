@@ -172,4 +172,41 @@ namespace VblastSs
             return (BaselineConfigData*)pins.Array(box);
         }
     }
+
+    /// <summary>
+    /// Counters of the baseline since the creation of an object, and results of its last step. One
+    /// struct serves scenes, threads and collision objects; each fills the fields of its kind, and
+    /// the others are 0. They are part of the state: a snapshot restores them.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct BaselineStatistics
+    {
+        internal uint StructSize;
+        /// <summary>Scene: pairs that the last search of the last step found.</summary>
+        public uint LastCandidates;
+        /// <summary>Scene: passes of detection and response in all steps; at least one a step.</summary>
+        public ulong Passes;
+        /// <summary>Scene: pairs that these passes tested, the floor excluded.</summary>
+        public ulong TestedPairs;
+        /// <summary>
+        /// Scene: steps whose last pass still moved a body, because of
+        /// vbss_baseline_config::scene_pass_limit.
+        /// </summary>
+        public ulong UnconvergedSteps;
+        /// <summary>Thread: iterations of the projection, summed over sections and explicit steps.</summary>
+        public ulong ProjectionIterations;
+        /// <summary>
+        /// Thread: projections that did not converge, so that their section kept the positions from
+        /// before.
+        /// </summary>
+        public ulong FailedProjections;
+        /// <summary>
+        /// Collision object, and scene: continuous tests that the sign of w.w' ended
+        /// (docs/explanation/paper-collision.md).
+        /// </summary>
+        public ulong SignTestsEnded;
+        /// <summary>Thread: the part of the last step.</summary>
+        public uint LastProjectionIterations;
+        internal uint Reserved;
+    }
 }

@@ -241,6 +241,14 @@ namespace VblastSs
             return statistics;
         }
 
+        /// <summary>Returns what method VBLAST counts in a collision object.</summary>
+        public BaselineStatistics GetBaselineStatistics()
+        {
+            BaselineStatistics statistics;
+            Context.Check(Native.vbss_collision_get_baseline_statistics(Handle, &statistics, (uint)sizeof(BaselineStatistics)));
+            return statistics;
+        }
+
         /// <summary>Returns a hash of the whole state; equal states have equal hashes on every machine.</summary>
         public ulong GetHash()
         {

@@ -79,6 +79,9 @@ namespace VblastSs
         internal static extern Result vbss_collision_get_statistics(ObjectHandle collision, CollisionStatistics* statistics, uint structSize);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_collision_get_baseline_statistics(ObjectHandle collision, BaselineStatistics* statistics, uint structSize);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_collision_save(ObjectHandle collision, byte* bytes, ulong capacity, ulong* written);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

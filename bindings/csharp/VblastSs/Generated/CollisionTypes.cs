@@ -413,8 +413,6 @@ namespace VblastSs
         public ulong Exact;
         /// <summary>CONSERVATIVE: evaluations of the closest points.</summary>
         public ulong Passes;
-        /// <summary>VBLAST: tests ended by the sign of w.w'.</summary>
-        public ulong SignTestsEnded;
         /// <summary>Pairs of boxes that the searches tested; not part of the state.</summary>
         public ulong BoxesTested;
         /// <summary>Searches for candidates.</summary>

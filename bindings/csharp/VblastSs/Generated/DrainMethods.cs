@@ -49,6 +49,16 @@ namespace VblastSs
         }
 
         /// <summary>
+        /// Destroys a drain now, or when it leaves the scene that it belongs to: on
+        /// vbss_scene_remove and on vbss_scene_destroy. Until then the handle is valid. A host that
+        /// has discarded all bodies of a scene needs to destroy only the scene.
+        /// </summary>
+        public void Discard()
+        {
+            Context.Check(Native.vbss_drain_discard(Handle));
+        }
+
+        /// <summary>
         /// Advances a drain by one step. The call allocates nothing. If the new state is not
         /// finite, the call fails and the drain keeps its state from before the step. With method
         /// VBLAST the call also fails if a node is farther from its rest position than 100 times

@@ -19,6 +19,9 @@ namespace VblastSs
         internal static extern Result vbss_drain_destroy(IntPtr drain);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_drain_discard(ObjectHandle drain);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_drain_step(ObjectHandle drain, double h);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

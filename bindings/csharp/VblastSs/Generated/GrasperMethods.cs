@@ -34,6 +34,16 @@ namespace VblastSs
         }
 
         /// <summary>
+        /// Destroys a grasper now, or when it leaves the scene that it belongs to: on
+        /// vbss_scene_remove and on vbss_scene_destroy. Until then the handle is valid. A host that
+        /// has discarded all bodies of a scene needs to destroy only the scene.
+        /// </summary>
+        public void Discard()
+        {
+            Context.Check(Native.vbss_grasper_discard(Handle));
+        }
+
+        /// <summary>
         /// Sets the pose that the tool reaches at the end of the next step. Before the tool is
         /// added to a scene, the call sets its initial pose. With a trocar, the tip moves to the
         /// given position. The given orientation is turned along the shortest path until the shaft

@@ -19,6 +19,9 @@ namespace VblastSs
         internal static extern Result vbss_grasper_destroy(IntPtr grasper);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_grasper_discard(ObjectHandle grasper);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_grasper_set_target(ObjectHandle grasper, double* position, double* orientation);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

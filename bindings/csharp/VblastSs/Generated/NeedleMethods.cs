@@ -49,6 +49,16 @@ namespace VblastSs
         }
 
         /// <summary>
+        /// Destroys a needle now, or when it leaves the scene that it belongs to: on
+        /// vbss_scene_remove and on vbss_scene_destroy. Until then the handle is valid. A host that
+        /// has discarded all bodies of a scene needs to destroy only the scene.
+        /// </summary>
+        public void Discard()
+        {
+            Context.Check(Native.vbss_needle_discard(Handle));
+        }
+
+        /// <summary>
         /// Makes one step of free flight under gravity and drag, without contacts. Angular momentum
         /// is conserved up to rounding; the rotation is of second order (the splitting of
         /// docs/explanation/needle.md). A needle turns by at most a quarter of a turn in a step; a

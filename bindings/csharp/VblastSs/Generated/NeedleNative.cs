@@ -22,6 +22,9 @@ namespace VblastSs
         internal static extern Result vbss_needle_destroy(IntPtr needle);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_needle_discard(ObjectHandle needle);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_needle_step(ObjectHandle needle, double h);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

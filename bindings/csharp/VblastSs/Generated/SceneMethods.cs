@@ -239,6 +239,14 @@ namespace VblastSs
             return statistics;
         }
 
+        /// <summary>Returns what method VBLAST counts in a scene, without what its threads count.</summary>
+        public BaselineStatistics GetBaselineStatistics()
+        {
+            BaselineStatistics statistics;
+            Context.Check(Native.vbss_scene_get_baseline_statistics(Handle, &statistics, (uint)sizeof(BaselineStatistics)));
+            return statistics;
+        }
+
         /// <summary>
         /// Returns the deepest overlap of a body with another body or the floor in their current
         /// poses. An overlap counts if it is deeper than `penetration_tolerance` of the solver's

@@ -82,6 +82,9 @@ namespace VblastSs
         internal static extern Result vbss_scene_get_statistics(ObjectHandle scene, SceneStatistics* statistics, uint structSize);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_scene_get_baseline_statistics(ObjectHandle scene, BaselineStatistics* statistics, uint structSize);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_scene_get_overlap(ObjectHandle scene, uint body, SceneOverlap* overlap, uint structSize);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

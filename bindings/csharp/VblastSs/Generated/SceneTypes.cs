@@ -593,10 +593,9 @@ namespace VblastSs
     }
 
     /// <summary>
-    /// Counters since creation, and results of the last step. Method VBLAST uses these fields
-    /// differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
-    /// pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still
-    /// moved a body, and the stretch error is max |length / rest length - 1|.
+    /// Counters since creation, and results of the last step. Method VBLAST leaves `rows`,
+    /// `separators` and the counters of attempts, solves, the guard and operations at 0;
+    /// vbss_scene_get_baseline_statistics returns what it counts.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct SceneStatistics
@@ -649,7 +648,10 @@ namespace VblastSs
         public double LastPenetration;
         /// <summary>Largest penetration of all steps, m.</summary>
         public double Penetration;
-        /// <summary>max |length / rest length - 1 - T / EA| after the last step.</summary>
+        /// <summary>
+        /// IMPLICIT: max |length / rest length - 1 - T / EA| after the last step; VBLAST: max
+        /// |length / rest length - 1|.
+        /// </summary>
         public double LastStretchError;
         /// <summary>Largest stretch error of all steps.</summary>
         public double StretchError;

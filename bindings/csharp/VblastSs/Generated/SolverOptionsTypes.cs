@@ -102,20 +102,20 @@ namespace VblastSs
         /// REAL_TIME, method IMPLICIT: time of a step after which the search for contact states
         /// stops, us, 0 to 1e7; 0: no limit; default 500. The budget in operations is the nearest
         /// integer of step_budget_us times operations_per_us, 1 to 4294967295. An operation costs
-        /// about as much as a product of two 3x3 blocks (docs/explanation/contact.md). At the limit
-        /// the step uses the contact forces found so far. They balance, but miss the contact law by
-        /// up to vbss_scene_statistics::last_residual. Lengths still converge, with a few solves
-        /// beyond the limit. The rest of the step is left out (vbss_scene_statistics::paused) when
-        /// lengths do not converge, after attempt_limit attempts, or when these forces add too much
-        /// energy without work: 20 uJ, or 1 mJ in a scene without drains. The next step then begins
-        /// with smaller parts, and driven bodies continue from where they stopped. In a scene's
-        /// first step, whose bodies may overlap as they were placed, an attempt has no limit.
-        /// Between its attempts 32 times the step budget and attempt_limit apply, and it is never
-        /// suspended. The smallest part that halving_limit allows has no limit. If its contact
-        /// states are not found, it is tried once more with the full limit for itself. In a scene
-        /// with drains the smallest part has the limit too, and a part that exceeds it is halved up
-        /// to three more times, after which it has none. With less than a fifth of the default
-        /// operations a step makes hardly any progress.
+        /// about as much as a product of two 3x3 blocks (docs/explanation/real-time.md). At the
+        /// limit the step uses the contact forces found so far. They balance, but miss the contact
+        /// law by up to vbss_scene_statistics::last_residual. Lengths still converge, with a few
+        /// solves beyond the limit. The rest of the step is left out
+        /// (vbss_scene_statistics::paused) when lengths do not converge, after attempt_limit
+        /// attempts, or when these forces add too much energy without work: 20 uJ, or 1 mJ in a
+        /// scene without drains. The next step then begins with smaller parts, and driven bodies
+        /// continue from where they stopped. In a scene's first step, whose bodies may overlap as
+        /// they were placed, an attempt has no limit. Between its attempts 32 times the step budget
+        /// and attempt_limit apply, and it is never suspended. The smallest part that halving_limit
+        /// allows has no limit. If its contact states are not found, it is tried once more with the
+        /// full limit for itself. In a scene with drains the smallest part has the limit too, and a
+        /// part that exceeds it is halved up to three more times, after which it has none. With
+        /// less than a fifth of the default operations a step makes hardly any progress.
         /// </summary>
         public double StepBudgetUs
         {

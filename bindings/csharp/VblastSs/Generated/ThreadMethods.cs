@@ -49,6 +49,17 @@ namespace VblastSs
         }
 
         /// <summary>
+        /// Destroys a thread now, or when it leaves the scene that it belongs to: on
+        /// vbss_scene_remove and on vbss_scene_destroy; pieces cut from it remain. Until then the
+        /// handle is valid. A host that has discarded all bodies of a scene needs to destroy only
+        /// the scene.
+        /// </summary>
+        public void Discard()
+        {
+            Context.Check(Native.vbss_thread_discard(Handle));
+        }
+
+        /// <summary>
         /// Advances a thread by one step. The call allocates nothing. If the new state is not
         /// finite, the call fails and the thread keeps its state from before the step. With method
         /// VBLAST the call also fails if a segment has become longer than 100 times the length of
@@ -148,6 +159,14 @@ namespace VblastSs
         {
             ThreadStatistics statistics;
             Context.Check(Native.vbss_thread_get_statistics(Handle, &statistics, (uint)sizeof(ThreadStatistics)));
+            return statistics;
+        }
+
+        /// <summary>Returns what method VBLAST counts in a thread.</summary>
+        public BaselineStatistics GetBaselineStatistics()
+        {
+            BaselineStatistics statistics;
+            Context.Check(Native.vbss_thread_get_baseline_statistics(Handle, &statistics, (uint)sizeof(BaselineStatistics)));
             return statistics;
         }
 

@@ -25,6 +25,9 @@ namespace VblastSs
         internal static extern Result vbss_thread_destroy(IntPtr thread);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_thread_discard(ObjectHandle thread);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_thread_step(ObjectHandle thread, double h);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -59,6 +62,9 @@ namespace VblastSs
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_thread_get_statistics(ObjectHandle thread, ThreadStatistics* statistics, uint structSize);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_thread_get_baseline_statistics(ObjectHandle thread, BaselineStatistics* statistics, uint structSize);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_thread_save(ObjectHandle thread, byte* bytes, ulong capacity, ulong* written);

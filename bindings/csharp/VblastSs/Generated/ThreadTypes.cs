@@ -638,16 +638,19 @@ namespace VblastSs
         public Vector3d Angular;
     }
 
-    /// <summary>Counters since creation, and results of the last step.</summary>
+    /// <summary>
+    /// Counters since creation, and results of the last step. vbss_thread_get_baseline_statistics
+    /// returns what method VBLAST counts beside these.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct ThreadStatistics
     {
         internal uint StructSize;
-        /// <summary>Linearisations, or projection iterations, of the last step.</summary>
+        /// <summary>IMPLICIT: linearisations of the last step.</summary>
         public uint LastIterations;
         /// <summary>Calls of vbss_thread_step that succeeded.</summary>
         public ulong Steps;
-        /// <summary>IMPLICIT: linearisations; VBLAST: iterations of the projection.</summary>
+        /// <summary>IMPLICIT: linearisations.</summary>
         public ulong Iterations;
         /// <summary>Accepted parts of steps; equal to steps if none was divided.</summary>
         public ulong Substeps;
@@ -657,8 +660,6 @@ namespace VblastSs
         public ulong Rejections;
         /// <summary>IMPLICIT: substeps accepted unconverged, at the last halving.</summary>
         public ulong Forced;
-        /// <summary>VBLAST: sections that did not converge and kept the point constraints alone.</summary>
-        public ulong Fallbacks;
         /// <summary>
         /// IMPLICIT: linearisations repeated with less compression, parts that started from the old
         /// positions because the prediction was unusable, and parts in which the force of rest
