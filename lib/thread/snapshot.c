@@ -109,22 +109,24 @@ static void visit_attachment(vbss_stream *stream, const thread_object *t, thread
 }
 
 /* Counters of method VBLAST have the places in the stream that its snapshots have always used; the
- * other method has zeros there, or counters of its own. */
+ * other method has a zero there, or counters of its own. */
 static void visit_statistics(vbss_stream *stream, thread_object *t)
 {
     vbss_thread_statistics *s = &t->statistics;
-    vbss_baseline_statistics none = {0}, *own = t->method->baseline_statistics(t);
-    const bool is_baseline = own != NULL;
-    own = is_baseline ? own : &none;
+    vbss_baseline_statistics *own = t->method->baseline_statistics(t);
     vbss_stream_u32(stream, 40,
-                    is_baseline ? &own->last_projection_iterations : &s->last_iterations, 1);
+                    own != NULL ? &own->last_projection_iterations : &s->last_iterations, 1);
     vbss_stream_u64(stream, 41, &s->steps, 1);
-    vbss_stream_u64(stream, 42, is_baseline ? &own->projection_iterations : &s->iterations, 1);
+    vbss_stream_u64(stream, 42, own != NULL ? &own->projection_iterations : &s->iterations, 1);
     vbss_stream_u64(stream, 43, &s->substeps, 1);
     vbss_stream_u64(stream, 44, &s->first_order, 1);
     vbss_stream_u64(stream, 45, &s->rejections, 1);
     vbss_stream_u64(stream, 46, &s->forced, 1);
-    vbss_stream_u64(stream, 47, &own->failed_projections, 1);
+    if (own != NULL) {
+        vbss_stream_u64(stream, 47, &own->failed_projections, 1);
+    } else {
+        vbss_stream_expect(stream, 47, 0);
+    }
     vbss_stream_u64(stream, 52, &s->softened, 1);
     vbss_stream_f64(stream, 48, &s->last_stretch_error, 1);
     vbss_stream_f64(stream, 49, &s->stretch_error, 1);

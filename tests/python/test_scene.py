@@ -31,6 +31,22 @@ def test_a_thread_falls_on_the_floor_and_lies(lying):
     assert weight == pytest.approx(thread.momentum.mass * 9.81, rel=0.05)
 
 
+def test_a_discarded_body_goes_with_its_scene(context):
+    scene = vb.Scene(context, mode="offline")
+    thread = vb.Thread(context, segment_count=20)
+    body = scene.add(thread)
+    thread.discard()
+    assert thread.closed
+    scene.step()
+    assert scene.bodies == [body]
+    for make in (vb.Thread, vb.Drain, vb.Needle, vb.Grasper):
+        alone = make(context)
+        alone.discard()
+        with pytest.raises(vb.InvalidHandleError):
+            alone.discard()
+    scene.close()
+
+
 def test_what_is_in_a_scene_belongs_to_it(lying):
     scene, thread, body = lying
     for refused in (thread.step, thread.close, lambda: thread.cut(0.05)):

@@ -6,7 +6,7 @@
 
 #define STEP 1e-3
 /* Calls by which the scene has caught up. Chosen: each gains a part of a step. */
-enum { SETTLED = 200, MAX_CALLS = 20 };
+enum { STEPS_BEFORE = 200, MAX_CALLS = 20 };
 
 static scene_object *object_of(const small *s)
 {
@@ -23,7 +23,7 @@ static void begin(small *s)
     const double y = s->thread.radius;
     small_thread(s, vec3_make(-0.05, y, 0.0), vec3_make(0.05, y, 0.0), 100, NULL);
     object_of(s)->settings.call_budget = 0;
-    small_steps(s, SETTLED, STEP);
+    small_steps(s, STEPS_BEFORE, STEP);
 }
 
 /* What a call needs beyond a step: room for the contacts, or for a linearisation. */
