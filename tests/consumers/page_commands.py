@@ -29,6 +29,7 @@ EXEMPT = [
     (r"tests/masked\.sh ", "python3 tests/thorough.py masked runs it"),
     (r"tests/abi/update-baseline\.py", "changes the baseline, which only a maintainer does after a merge; gate.abi compares with it"),
     (r"pkgconfig/release\.py", "test consumer.release runs it"),
+    (r"python3 bindings/python/wheels\.py", "cross-builds seven platforms with a compiler from the package index; tests wheels.build.* run it"),
     (r"(git clone \. /tmp/mutants|tests/mutants\.py)", "builds and tests the library thirty times"),
 ]
 # Commands that run with smaller numbers.
