@@ -219,7 +219,8 @@ void vbss_scene_remove_duplicate_contacts(scene_object *s);
 
 /* ---- sliding_contacts.c */
 
-/* Substeps that are whole steps, without a budget: moves each contact of two threads to where the threads are expected to cross at the end of the substep. */
+/* Moves each contact of two threads to where the threads are expected to cross at the end of the substep. For substeps
+ * that are whole steps, without a budget. */
 void vbss_scene_predict_slides(scene_object *s);
 /* Moves a sliding contact to where the threads cross in the trial state, on the same segments. */
 void vbss_scene_update_slide(const scene_object *s, contact_constraint *constraint);
