@@ -5,7 +5,7 @@
     page_commands.py canary            a command that fails is refused, and an exemption without a command
 
 A page's commands are its blocks sh, bash, console and shell, and indented blocks that begin with a program. Blocks run in the order of
-the page, by bash -euo pipefail in the checkout. The C program of a page before a block is example.c there."""
+the page, by bash -euo pipefail in the checkout. The C program of a page before a block is example.c there, the C# program Program.cs."""
 import os
 import pathlib
 import re
@@ -58,8 +58,8 @@ def blocks_of(page, text, source):
     found, program = [], None
     for match in FENCE.finditer(text):
         language, body = match.groups()
-        if language == "c" and "int main" in body:
-            program = body
+        if (language, True) in (("c", "int main" in body), ("csharp", "static void Main" in body)):
+            program = ("example.c" if language == "c" else "Program.cs", body)
         if language in SHELL:
             found.append((match.start(), body, program))
     plain = FENCE.sub(lambda match: re.sub(r"[^\n]", "", match.group(0)), text)
@@ -106,7 +106,8 @@ def run(blocks, checkout, home):
     done, count = set(), 0
     for block in blocks:
         if block.program is not None:
-            (checkout / "example.c").write_text(block.program, encoding="utf-8")
+            name, text = block.program
+            (checkout / name).write_text(text, encoding="utf-8")
         lines = [command for command in block.commands if reason(command) is None and not (command.startswith("./") and command in done)]
         for pattern, shorter in SHORTER:
             lines = [re.sub(pattern, shorter, line) for line in lines]
