@@ -24,7 +24,7 @@ TWIST_SHARE = 0.02  # G over E: no twist in these problems, and a real one would
 JOINT_SHARE = 0.55  # of a spring's stiffness times the step: the damping of its joint
 CAPSTAN_TENSION, KNOT_TENSION = 0.1, 0.4  # N, for which links get inertia
 BEND = 1.6 * p.DIAMETER  # nearer along the thread than this, links may touch: a bend is no contact
-DRAG_STEPS = 10  # between which the drag is applied
+DRAG_STEPS = 1  # between which the drag is applied; more of them jerk the prescribed ends
 
 
 def cable(points, h, first, tension=0.0, contact=""):

@@ -23,7 +23,9 @@ RADIUS = MM * p.RADIUS
 YOUNG = MILLINEWTON * MM**2 * p.BENDING / (math.pi * RADIUS**4 / 4.0)
 AXIAL = 20.0 * MILLINEWTON  # EA
 IMPEDANCE = 0.9999  # the hardest that MuJoCo allows
-DRAG_STEPS = 4  # between which the drag is applied
+DRAG_STEPS = 1  # between which the drag is applied; more of them jerk the prescribed ends
+# Softest constraints that a step may have, in steps, and contacts: softer than in the other problems, the pull trembles less.
+CAPSTAN_STEPS, CAPSTAN_IMPEDANCE = 5.0, 0.99
 
 
 def straight(points):
@@ -32,20 +34,20 @@ def straight(points):
     return np.stack([at, 0.0 * at, 0.0 * at], axis=1)
 
 
-def loaded(line, h, pins="", contact="", gravity=0.0, bodies="", rest=""):
+def loaded(line, h, pins="", contact="", gravity=0.0, bodies="", rest="", steps=2.0, impedance=0.999):
     """Model and data of a rod that is straight at rest, along a line, m."""
     listed = " ".join(f"{MM * x:.9g}" for x in np.ravel(line))
     node = p.LINEAR_DENSITY * MG / MM * MM * np.linalg.norm(line[1] - line[0])
-    hard = f'solref="{2.0 * h * MS:.9g} 1"'
+    hard = f'solref="{steps * h * MS:.9g} 1"'
     model = mujoco.MjModel.from_xml_string(f"""<mujoco>
       <option timestep="{h * MS:.9g}" integrator="discrete" solver="Newton" tolerance="1e-8" iterations="100" cone="elliptic"
         impratio="100" gravity="0 {-gravity * MM / MS**2:.9g} 0"/><size memory="200M"/>
-      <default><geom {hard} solimp="0.999 0.999"/><equality {hard} solimp="{IMPEDANCE} {IMPEDANCE}"/></default>
+      <default><geom {hard} solimp="{impedance} {impedance}"/><equality {hard} solimp="{IMPEDANCE} {IMPEDANCE}"/></default>
       <worldbody>{bodies}<flexcomp name="rod" type="direct" dim="1" radius="{RADIUS}" point="{listed}"
         element="{' '.join(f'{i} {i + 1}' for i in range(len(line) - 1))}" mass="{node * len(line):.9g}">
         <edge equality="true" {hard} solimp="{IMPEDANCE} {IMPEDANCE}"/>
         <elasticity young="{YOUNG:.9g}" poisson="0" damping="0" section="circle"/>
-        <contact condim="3" {hard} solimp="0.999 0.999" {contact}/>{pins}</flexcomp></worldbody>{rest}</mujoco>""")
+        <contact condim="3" {hard} solimp="{impedance} {impedance}" {contact}/>{pins}</flexcomp></worldbody>{rest}</mujoco>""")
     nodes = [i for i in (0, len(line) - 1) if mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, f"rod_{i}") >= 0]
     for i in nodes:  # the ends carry half of an edge
         model.body_mass[model.body(f"rod_{i}").id] *= 0.5
@@ -76,12 +78,13 @@ class Thread:
 class Led:
     """A rod whose end nodes hang on bodies that are led."""
 
-    def set_points(self, points, h, nodes, contact, bodies=""):
+    def set_points(self, points, h, nodes, contact, bodies="", **hardness):
         led = "".join(f'<body name="led{i}" mocap="true"/>' for i in range(len(nodes)))
         connects = "".join(f'<connect name="led{i}" body1="rod_{node}" body2="led{i}" anchor="0 0 0"/>'
                            for i, node in enumerate(nodes))
         line = straight(points)
-        self.model, self.data = loaded(line, h, contact=contact, bodies=led + bodies, rest=f"<equality>{connects}</equality>")
+        self.model, self.data = loaded(line, h, contact=contact, bodies=led + bodies,
+                                       rest=f"<equality>{connects}</equality>", **hardness)
         self.h, self.last = h, self.model.equality(f"led{len(nodes) - 1}").id
         for i, node in enumerate(nodes):
             self.data.mocap_pos[i] = MM * points[node]
@@ -110,7 +113,8 @@ class Capstan(Led):
     def __init__(self, segments, h):
         post = (f'<geom type="capsule" fromto="0 0 -20 0 0 20" size="{p.CYLINDER * MM}" condim="3" '
                 f'friction="{p.FRICTION} 0 0"/>')
-        self.set_points(p.capstan_points(segments), h, (segments,), f'selfcollide="none" friction="{p.FRICTION} 0 0"', post)
+        self.set_points(p.capstan_points(segments), h, (segments,), f'selfcollide="none" friction="{p.FRICTION} 0 0"', post,
+                        steps=CAPSTAN_STEPS, impedance=CAPSTAN_IMPEDANCE)
         self.first = self.model.body("rod_0").id
 
     def advance(self, seconds, load, speed):

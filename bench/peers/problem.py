@@ -36,6 +36,7 @@ KNOT_FRICTION = 0.1
 KNOT_SPEED = 50e-3  # of each end
 TIGHT = 14.0 * DIAMETER
 HELD = 0.02
+MAX_STRETCH = 0.1
 DRAG = 200.0  # 1/s, of the capstan and of the trefoil: it damps the start
 
 
@@ -45,6 +46,15 @@ def capstan_error_percent(pull):
     if not pull > less:
         return math.nan
     return 100.0 * abs(math.log((pull - less) / (LOAD - less)) / (FRICTION * math.pi) - 1.0)
+
+
+def check_capstan(points):
+    """A pull means nothing if the thread is torn, has left the cylinder or lies inside it."""
+    length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+    stretch = length / (LOAD_LENGTH + math.pi * MIDDLE + PULL_LENGTH) - 1.0
+    nearest = np.hypot(points[:, 0], points[:, 1]).min()
+    if not (abs(stretch) < MAX_STRETCH and abs(nearest - MIDDLE) < DIAMETER):
+        raise ArithmeticError(f"not a thread on a cylinder: stretched by {100.0 * stretch:.0f} %, {1e3 * nearest:.2f} mm from the axis")
 
 
 def along(curve, count):
