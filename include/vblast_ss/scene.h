@@ -184,8 +184,8 @@ typedef struct vbss_scene_rigid_config {
     /** Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default 0,
      * because hands carry their tools. */
     double gravity[3];
-    /** Coefficient of friction, 0 to 10; default 0.15. A contact uses the geometric mean of both
-     * bodies. */
+    /** Coefficient of friction, 0 to 10; default 0.15. A contact with a thread uses this
+     * coefficient, any other the geometric mean of both bodies. */
     double friction;
     double stiffness;         /**< COUPLED: stiffness, N/m, 0 to 1e9; default 2000. */
     double damping;           /**< COUPLED: damping, N s/m, 0 to 1e6; default 5. */

@@ -510,8 +510,8 @@ namespace VblastSs
         }
 
         /// <summary>
-        /// Coefficient of friction, 0 to 10; default 0.15. A contact uses the geometric mean of
-        /// both bodies.
+        /// Coefficient of friction, 0 to 10; default 0.15. A contact with a thread uses this
+        /// coefficient, any other the geometric mean of both bodies.
         /// </summary>
         public double Friction
         {

@@ -314,8 +314,8 @@ class vbss_scene_rigid_config(ctypes.Structure):
     gravity: Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default
     0, because hands carry their tools.
 
-    friction: Coefficient of friction, 0 to 10; default 0.15. A contact uses the geometric mean
-    of both bodies.
+    friction: Coefficient of friction, 0 to 10; default 0.15. A contact with a thread uses this
+    coefficient, any other the geometric mean of both bodies.
 
     stiffness: COUPLED: stiffness, N/m, 0 to 1e9; default 2000.
 
