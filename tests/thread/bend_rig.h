@@ -5,7 +5,7 @@
 #include "thread/rig.h"
 
 enum { BEND_SEGMENTS = 40 };
-#define BEND_LENGTH 0.03   /* m */
+#define BEND_LENGTH 0.03    /* m */
 #define BEND_STIFFNESS 1e-8 /* N m^2 */
 
 typedef struct bend_rig {

@@ -73,6 +73,27 @@ static void moment_follows_bilinear_loop(void **state)
     }
 }
 
+static double moment_after_loop(uint32_t steps)
+{
+    vbss_thread_config c = plastic_config(VBSS_THREAD_BENDING_LOCAL);
+    bend_rig b;
+    bend_begin(&b, &c);
+    bend_to(&b, 150.0, steps, 0.8 / steps);
+    bend_to(&b, -30.0, steps, 0.8 / steps);
+    double moment = bend_moment(&b) / (BEND_STIFFNESS * yield);
+    bend_end(&b);
+    return moment;
+}
+
+/* The model has no rate: a loop in 25 steps ends where one in 800 steps does. */
+static void loop_does_not_depend_on_step(void **state)
+{
+    (void)state;
+    const double moment = moment_after_loop(800);
+    expect_near(moment, moment_after_loop(25), 5e-3);
+    expect_near(moment, moment_after_loop(100), 2e-3);
+}
+
 /* Let go from a circle of curvature k, a thread keeps (1 - hardening) (k - yield): the radii are those
  * of a grasper's shaft, its jaw and a needle holder's tip. */
 static void released_thread_keeps_residual_curvature(void **state)
@@ -96,8 +117,8 @@ static void released_thread_keeps_residual_curvature(void **state)
         for (uint32_t i = 5; i < BEND_SEGMENTS - 4; i++) {
             double now = bend_component(&b, VBSS_THREAD_VIEW_CURVATURES, i);
             double plastic = bend_component(&b, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, i);
-            expect_near(kept / curvature, now / curvature, 0.015);
-            expect_near(kept / curvature, plastic / curvature, 0.015);
+            expect_near(kept / curvature, now / curvature, 0.02);
+            expect_near(kept / curvature, plastic / curvature, 0.02);
         }
         expect_near(0.0, rig_energies(&b.r).kinetic, 1e-15);
         bend_end(&b);
@@ -302,10 +323,12 @@ static void cut_thread_keeps_set(void **state)
         expect_near_vec3(kept[i], vector_at(thread, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, i), 0.0);
     }
     for (uint32_t i = 9; i < 14; i++) {
-        expect_near_vec3(kept[i], vector_at(piece, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, i - 8), 0.0);
+        expect_near_vec3(kept[i], vector_at(piece, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, i - 8),
+                         0.0);
     }
     for (uint32_t i = 15; i <= BEND_SEGMENTS; i++) {
-        expect_near_vec3(kept[i], vector_at(tail, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, i - 14), 0.0);
+        expect_near_vec3(kept[i], vector_at(tail, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, i - 14),
+                         0.0);
     }
     expect_near(dissipated, energies_of(thread).dissipated, 0.0);
     expect_near(0.0, energies_of(piece).dissipated, 0.0);
@@ -412,6 +435,7 @@ int test_bending_memory(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bend_below_yield_is_elastic),
         cmocka_unit_test(moment_follows_bilinear_loop),
+        cmocka_unit_test(loop_does_not_depend_on_step),
         cmocka_unit_test(released_thread_keeps_residual_curvature),
         cmocka_unit_test(work_is_stored_or_dissipated),
         cmocka_unit_test(turned_thread_has_no_force),
