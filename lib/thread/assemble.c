@@ -240,12 +240,12 @@ static void add_rest_curvature_forces(const thread_object *t, vec3 *rhs)
 /* b += weight times the tangent of a response: `along` in its direction, `across` around it. */
 static void add_tangent(block *b, const thread_bend_response *p, double weight)
 {
-    double direction[3] = {p->direction.x, p->direction.y, p->direction.z};
-    block across = scalar_block(weight * p->across);
+    const lanes direction = lanes_from(p->direction);
+    const lanes along = lanes_scale(weight * (p->along - p->across), direction);
+    const block across = scalar_block(weight * p->across);
+    add_outer(b, &along, &direction);
     for (int c = 0; c < 3; c++) {
-        double along = weight * (p->along - p->across) * direction[c];
-        lanes column = lanes_add(across.column[c], lanes_scale(along, lanes_from(p->direction)));
-        b->column[c] = lanes_add(b->column[c], column);
+        b->column[c] = lanes_add(b->column[c], across.column[c]);
     }
 }
 
