@@ -263,8 +263,7 @@ void vbss_thread_commit_bending_memory(thread_object *t, double h)
             new.viscous = viscous_curvature(&law, new.curvature, &old);
             t->now.dissipated_energy +=
                 cell->length * (plastic.dissipation + viscous_dissipation(&law, &old, &new));
-            new.plane =
-                turn_plane(curvature, old.plane, tangent_at(t->trial, i, cell), straight);
+            new.plane = turn_plane(curvature, old.plane, tangent_at(t->trial, i, cell), straight);
             new.curvature = sign_curvature(curvature, new.plane, straight).value;
             sides[side_of(cell)] = new;
             if (cell->before && cell->after) {

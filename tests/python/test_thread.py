@@ -58,7 +58,7 @@ def test_a_thread_remembers_its_bend(context):
     assert thread.plastic_curvatures[0][1] > 10.0 and thread.viscous_curvatures[0][1] > 1.0
     assert thread.energies.dissipated > 0.0
     assert len(vb.Thread(context).plastic_curvatures) == 0
-    with pytest.raises(vb.Incompatible):
+    with pytest.raises(vb.IncompatibleError):
         vb.Thread(context, method="vblast", yield_curvature=50.0)
 
 

@@ -44,20 +44,20 @@ static void bend_below_yield_is_elastic(void **state)
 static void moment_follows_bilinear_loop(void **state)
 {
     (void)state;
-    const double most = 3.0 * yield, at_most = yield * (1.0 + hardening * 2.0);
+    const double peak = 3.0 * yield, peak_moment = yield * (1.0 + hardening * 2.0);
     const struct {
         double curvature, moment; /* over EI */
     } corners[] = {
         {0.5 * yield, 0.5 * yield},
         {yield, yield},
         {2.0 * yield, yield * (1.0 + hardening)},
-        {most, at_most},
-        {most - yield, at_most - yield},
-        {most - 2.0 * yield, at_most - 2.0 * yield},
-        {0.0, at_most - 2.0 * yield - hardening * (most - 2.0 * yield)},
-        {-2.0 * yield, at_most - 2.0 * yield - hardening * most},
-        {0.0, at_most - 2.0 * yield - hardening * most + 2.0 * yield},
-        {most, at_most},
+        {peak, peak_moment},
+        {peak - yield, peak_moment - yield},
+        {peak - 2.0 * yield, peak_moment - 2.0 * yield},
+        {0.0, peak_moment - 2.0 * yield - hardening * (peak - 2.0 * yield)},
+        {-2.0 * yield, peak_moment - 2.0 * yield - hardening * most},
+        {0.0, peak_moment - 2.0 * yield - hardening * most + 2.0 * yield},
+        {peak, peak_moment},
     };
     for (int bending = 0; bending < 2; bending++) {
         vbss_thread_config c = plastic_config(bending);
@@ -101,14 +101,14 @@ static void released_thread_keeps_residual_curvature(void **state)
     (void)state;
     const double radii[] = {2.5e-3, 4e-3, 8e-3};
     /* No reverse yield: hardening (k - yield) < yield. */
-    const double most_yield = 90.0;
+    const double high_yield = 90.0;
     for (int k = 0; k < 6; k++) {
         vbss_thread_config c = plastic_config(k % 2);
-        c.yield_curvature = most_yield;
+        c.yield_curvature = high_yield;
         bend_rig b;
         double curvature = 1.0 / radii[k / 2];
         bend_begin(&b, &c);
-        const double kept = (1.0 - hardening) * (curvature - most_yield);
+        const double kept = (1.0 - hardening) * (curvature - high_yield);
         bend_to(&b, curvature, 300, 1e-2);
         /* The bending waves of a sudden release would yield further. */
         bend_to(&b, 1.05 * kept, 300, 1e-2);
