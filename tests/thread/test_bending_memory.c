@@ -55,8 +55,8 @@ static void moment_follows_bilinear_loop(void **state)
         {peak - yield, peak_moment - yield},
         {peak - 2.0 * yield, peak_moment - 2.0 * yield},
         {0.0, peak_moment - 2.0 * yield - hardening * (peak - 2.0 * yield)},
-        {-2.0 * yield, peak_moment - 2.0 * yield - hardening * most},
-        {0.0, peak_moment - 2.0 * yield - hardening * most + 2.0 * yield},
+        {-2.0 * yield, peak_moment - 2.0 * yield - hardening * peak},
+        {0.0, peak_moment - 2.0 * yield - hardening * peak + 2.0 * yield},
         {peak, peak_moment},
     };
     for (int bending = 0; bending < 2; bending++) {
