@@ -25,7 +25,7 @@ static uint32_t wind(small *s, vbss_thread **thread, uint32_t ends[2])
         vbss_thread_attachment a;
         expect_ok(vbss_thread_attachment_init(&a, sizeof a));
         a.kind = VBSS_THREAD_ATTACHMENT_FORCE;
-        a.node = k * 100;
+        a.node = k == 0 ? 0 : 100;
         a.force[1] = -0.05;
         expect_ok(vbss_thread_attach(*thread, &a, &ends[k]));
         a.kind = VBSS_THREAD_ATTACHMENT_MASS;
@@ -41,7 +41,7 @@ static double norm_at(vbss_thread *thread, vbss_thread_field field, uint32_t nod
     vbss_view view;
     double v[3];
     expect_ok(vbss_thread_get_view(thread, field, &view, sizeof view));
-    memcpy(v, (const char *)view.data + node * view.stride_bytes, sizeof v);
+    memcpy(v, (const char *)view.data + (size_t)node * view.stride_bytes, sizeof v);
     return vec3_norm(vec3_load(v));
 }
 
@@ -154,7 +154,7 @@ static void bend_in_scene_is_that_of_thread_alone(void **state)
 static void description_of_version_1_has_no_memory(void **state)
 {
     (void)state;
-    enum { FIELD = 16, SECTION_END = 8 };
+    const size_t section_end = 8, fields = 4 * (size_t)16;
     small s;
     small_begin(&s);
     vbss_thread_config config, read;
@@ -169,10 +169,10 @@ static void description_of_version_1_has_no_memory(void **state)
     size_t count = stream.position;
     assert_int_equal(2, bytes[2]);
     bytes[2] = 1;
-    memmove(bytes + count - SECTION_END - 4 * FIELD, bytes + count - SECTION_END, SECTION_END);
+    memmove(bytes + count - section_end - fields, bytes + count - section_end, section_end);
     memset(&read, 0, sizeof read);
     memset(&read_baseline, 0, sizeof read_baseline);
-    vbss_stream_begin_read(&stream, bytes, count - 4 * FIELD);
+    vbss_stream_begin_read(&stream, bytes, count - fields);
     vbss_thread_visit_config(&stream, &read, &read_baseline);
     expect_ok(stream.result);
     assert_int_equal(config.segment_count, read.segment_count);
