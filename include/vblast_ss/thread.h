@@ -183,6 +183,21 @@ typedef struct vbss_thread_config {
     /** ADAPTIVE: largest number of divisions and removals after a step, 0 to 64; default 4. */
     uint32_t mesh_operations;
     uint32_t reserved; /**< Zero. */
+    /** Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0 to 1e6; default 0:
+     * bending is elastic. The bending moment at yield is EI times this curvature.
+     * docs/explanation/bending-memory.md has the model. Memory of bends, plastic or viscous, needs
+     * VBSS_THREAD_MESH_FIXED and a rest_curvature of 0. */
+    double yield_curvature;
+    /** Stiffness of bending beyond yield as a fraction of EI, 0 (ideally plastic) to 0.999; default
+     * 0. The hardening is linear and kinematic. */
+    double yield_hardening;
+    /** Method IMPLICIT: stiffness of the viscous branch of bending as a fraction of EI, 0 to 1e3;
+     * default 0: there is none. A fast bend has the stiffness EI (1 + relaxation_ratio), a slow one
+     * EI. */
+    double relaxation_ratio;
+    /** Time in which the moment of the viscous branch decays to 1/e at constant curvature, s, 1e-6 to
+     * 1e9; default 1. */
+    double relaxation_time;
 } vbss_thread_config;
 
 /** Kind of an attachment: a VBSS_THREAD_ATTACHMENT_ constant. */
@@ -243,7 +258,12 @@ enum {
         6, /**< First node of each section, uint32_t; the last ends at node n - 1. */
     /** n - 1 doubles, m: sagitta of each segment, the shape error due to the mesh. It is rest
      * length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too. */
-    VBSS_THREAD_VIEW_SAGITTAS = 7
+    VBSS_THREAD_VIEW_SAGITTAS = 7,
+    /** n x 3 doubles, 1/m: plastic curvature at each node, towards the centre of curvature; at a
+     * clamp as VBSS_THREAD_VIEW_CURVATURES. No entries in a thread without memory of bends. */
+    VBSS_THREAD_VIEW_PLASTIC_CURVATURES = 8,
+    /** The same for the viscous curvature: that at which the viscous branch has no moment. */
+    VBSS_THREAD_VIEW_VISCOUS_CURVATURES = 9
 };
 
 /** Energies of a thread, J. */
@@ -252,9 +272,12 @@ typedef struct vbss_thread_energies {
     uint32_t reserved;    /**< Zero. */
     double kinetic;       /**< Kinetic energy, attached masses included. */
     double stretching;    /**< Elastic energy of EA. */
-    double bending;       /**< Elastic energy of EI. */
+    double bending;       /**< Elastic energy of bending; with memory what hardening stores, too. */
     double gravity;       /**< Potential, zero at the origin; attached masses included. */
     double total;         /**< Sum of the four. */
+    /** Energy that plastic and viscous bending have dissipated since creation, or since the cut that
+     * made this piece; not part of the total; never decreases. */
+    double dissipated;
 } vbss_thread_energies;
 
 /** Momentum of a thread, attached masses included. */
@@ -392,7 +415,8 @@ VBSS_API vbss_result vbss_thread_grade_lengths(double length, double centre, dou
  * @param[out] thread  the new thread; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (an adaptive
- *         mesh with method VBLAST), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
+ *         mesh with method VBLAST; memory of bends with method VBLAST, an adaptive mesh or a rest
+ *         curvature), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
@@ -441,6 +465,7 @@ VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
 
 /**
  * Sets positions and velocities of the nodes. Nodes held by attachments move to their targets in the next step.
+ * Plastic and viscous curvatures stay, in the plane of the new bend at each node and on the same side of it.
  *
  * @param thread      the thread
  * @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
@@ -549,7 +574,8 @@ VBSS_API vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
  * Cuts a thread in two. The segment at the place is divided, unless a node is within 1 % of a
  * segment or 1e-7 m of it, which is then doubled. The thread keeps the part with node 0; the piece is a thread
  * of its own with the same material and settings, its node 0 at the cut. Attachments go with their
- * nodes and keep their ids; one on a doubled node stays with the thread. Memory was reserved by
+ * nodes and keep their ids; one on a doubled node stays with the thread. Plastic and viscous curvatures
+ * stay with their nodes; a node inside a divided segment begins without. Memory was reserved by
  * cut_capacity, which both parts share.
  *
  * @param thread      the thread

@@ -4,7 +4,7 @@
 void vbss_baseline_visit_config(vbss_stream *stream, const vbss_baseline_fields *table,
                                 void *config, vbss_baseline_config *baseline)
 {
-    vbss_section outer = vbss_stream_open(stream, table->section, 1);
+    vbss_section outer = vbss_stream_open(stream, table->section, table->version);
     for (size_t i = 0; i < table->count; i++) {
         const size_t offset = table->fields[i].offset;
         char *values = offset < table->baseline_offset

@@ -11,7 +11,8 @@
 typedef struct vbss_baseline_fields {
     const vbss_field *fields;
     size_t count, baseline_offset;
-    uint32_t section; /* its code; the version is 1 */
+    uint32_t section; /* its code */
+    uint16_t version; /* of the section */
 } vbss_baseline_fields;
 
 /* Visits both in a section of their own. */

@@ -62,7 +62,7 @@ void vbss_grasper_visit_config(vbss_stream *stream, vbss_grasper_config *config,
 {
     static const vbss_baseline_fields table = {fields, sizeof fields / sizeof fields[0],
                                                offsetof(values, baseline),
-                                               VBSS_CODE('G', 'C', 'F', 'G')};
+                                               VBSS_CODE('G', 'C', 'F', 'G'), 1};
     vbss_baseline_visit_config(stream, &table, config, baseline);
     config->baseline = baseline;
 }

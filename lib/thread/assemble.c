@@ -9,7 +9,7 @@
  * axial stiffness by geometric stiffness applies to the whole gradient of the length, not only to
  * the chord. Stiffness of rest curvature is left out. The result is positive unless compression
  * is large. */
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 
 /* ---- one segment */
 
@@ -235,6 +235,53 @@ static void add_rest_curvature_forces(const thread_object *t, vec3 *rhs)
     }
 }
 
+/* ---- bending with memory */
+
+/* b += weight times the tangent of a response: `along` in its direction, `across` around it. */
+static void add_tangent(block *b, const thread_bend_response *p, double weight)
+{
+    const lanes direction = lanes_from(p->direction);
+    const lanes along = lanes_scale(weight * (p->along - p->across), direction);
+    const block across = scalar_block(weight * p->across);
+    add_outer(b, &along, &direction);
+    for (int c = 0; c < 3; c++) {
+        b->column[c] = lanes_add(b->column[c], across.column[c]);
+    }
+}
+
+static void add_bend_response(const thread_object *t, uint32_t node, const thread_bend_response *p,
+                              vbss_system *system, uint32_t first)
+{
+    double before = p->before ? t->inverse_rest[node - 1] : 0.0;
+    double after = p->after ? t->inverse_rest[node] : 0.0;
+    /* of nodes `node` - 1 .. `node` + 1 in the turn */
+    const double coefficient[3] = {before, -(before + after), after};
+    const double inverse_length = 1.0 / p->length;
+    for (uint32_t a = p->before ? 0 : 1; a < (p->after ? 3u : 2u); a++) {
+        uint32_t i = node + a - 1;
+        vec3 *rhs = &system->rhs[first + i];
+        *rhs = vec3_add_scaled(*rhs, -coefficient[a], p->moment);
+        add_tangent(&system->diagonal[first + i], p,
+                    inverse_length * coefficient[a] * coefficient[a]);
+        for (uint32_t b = a + 1; b < (p->after ? 3u : 2u); b++) {
+            add_tangent(&system->off_diagonal[t->couplings[i][b - a - 1]], p,
+                        inverse_length * coefficient[a] * coefficient[b]);
+        }
+    }
+}
+
+static void add_bending_memory(const thread_object *t, vbss_system *system, uint32_t first)
+{
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        for (uint32_t side = 0; side < 2; side++) {
+            const thread_bend_response *p = &t->bend_responses[2 * (size_t)i + side];
+            if (p->length > 0.0) {
+                add_bend_response(t, i, p, system, first);
+            }
+        }
+    }
+}
+
 void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_substep *substep,
                                           vbss_system *system, uint32_t first)
 {
@@ -242,4 +289,7 @@ void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_s
     add_clamps(t, system->rhs + first);
     add_rest_curvature_forces(t, system->rhs + first);
     add_attachments(t, substep, system, first);
+    if (thread_has_memory(t)) {
+        add_bending_memory(t, system, first);
+    }
 }

@@ -16,7 +16,7 @@
  *
  * VBSS_THREAD_BENDING_LOCAL leaves out the last sum. Both are quadratic in the positions, so coefficients
  * are constant. */
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 
 #include <string.h>
 
@@ -167,9 +167,9 @@ static void add_neumann(thread_object *t, const clamp_interval *s, uint32_t firs
         add_square(t, s, weight, &m[k].turn);
         double end_links = (k == 0 ? first_link : 0.0);
         end_links += k + 1 == count && free_high ? m[k].off_diagonal : 0.0;
-        /* With rest curvature a free end is curved, too: its moment equals that of its
+        /* With rest curvature or memory a free end is curved, too: its moment equals that of its
          * neighbour. */
-        if (spline && end_links > 0.0 && t->config.rest_curvature == 0.0) {
+        if (spline && end_links > 0.0 && t->config.rest_curvature == 0.0 && !thread_has_memory(t)) {
             add_square(t, s, end_links * weight * weight, &m[k].turn);
         }
         if (spline && k + 1 < high) {

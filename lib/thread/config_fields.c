@@ -3,7 +3,7 @@
 #include "base/config.h"
 #include "thread/thread.h"
 
-_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 3u),
                "new fields must be listed, with a new version");
 
 typedef struct values {
@@ -13,6 +13,7 @@ typedef struct values {
 
 #define WORD(name) VBSS_WORD(values, config.name)
 #define NUMBER(name) VBSS_NUMBER(values, config.name)
+#define NUMBER_SINCE(name, since) VBSS_NUMBERS_SINCE(values, config.name, 1, since)
 #define BASELINE_WORD(name) VBSS_WORD(values, baseline.name)
 #define BASELINE_NUMBER(name) VBSS_NUMBER(values, baseline.name)
 
@@ -50,6 +51,10 @@ static const vbss_field fields[] = {
     NUMBER(near_distance),
     NUMBER(clear_distance),
     WORD(mesh_operations),
+    NUMBER_SINCE(yield_curvature, 2),
+    NUMBER_SINCE(yield_hardening, 2),
+    NUMBER_SINCE(relaxation_ratio, 2),
+    NUMBER_SINCE(relaxation_time, 2),
 };
 
 void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
@@ -57,7 +62,10 @@ void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
 {
     static const vbss_baseline_fields table = {fields, sizeof fields / sizeof fields[0],
                                                offsetof(values, baseline),
-                                               VBSS_CODE('T', 'C', 'F', 'G')};
+                                               VBSS_CODE('T', 'C', 'F', 'G'), 2};
+    if (stream->mode == VBSS_STREAM_READ) {
+        config->relaxation_time = 1.0; /* the default, in descriptions of version 1 */
+    }
     vbss_baseline_visit_config(stream, &table, config, baseline);
     config->baseline = baseline;
 }

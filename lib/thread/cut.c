@@ -1,5 +1,5 @@
 /* Cuts: divides a thread into two. */
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 #include "thread/tuning.h"
 
 #include <string.h>
@@ -39,6 +39,10 @@ static void copy_nodes(thread_object *piece, uint32_t to, const thread_object *t
     memcpy(piece->now.a + to, t->now.a + from, bytes);
     memcpy(piece->now.q + to, t->now.q + from, bytes);
     memcpy(piece->now.tension + to, t->now.tension + from, (count - 1) * sizeof(double));
+    if (thread_has_memory(t)) {
+        memcpy(piece->now.bend + 2 * (size_t)to, t->now.bend + 2 * (size_t)from,
+               2 * (size_t)count * sizeof *t->now.bend);
+    }
     memcpy(piece->rest + to, t->rest + from, (count - 1) * sizeof(double));
     piece->node_count = to + count;
 }
@@ -48,6 +52,9 @@ static void set_node(thread_object *t, uint32_t node, vec3 x, vec3 v)
     t->now.x[node] = x;
     t->now.v[node] = v;
     t->now.a[node] = t->now.q[node] = vec3_zero();
+    if (thread_has_memory(t)) {
+        t->now.bend[2 * (size_t)node] = t->now.bend[2 * (size_t)node + 1] = (thread_bend_memory){0};
+    }
 }
 
 static void split_nodes(thread_object *t, thread_object *piece, const thread_cut *cut)
@@ -104,6 +111,7 @@ void vbss_thread_apply_cut(thread_object *t, thread_object *piece, const thread_
     piece->is_in_setup = t->is_in_setup;
     piece->damped_steps_left = t->damped_steps_left;
     piece->previous_h = 0.0;
+    piece->now.dissipated_energy = 0.0;
     piece->next_segment_to_check = 0;
     vbss_thread_invalidate(t);
     vbss_thread_invalidate(piece);

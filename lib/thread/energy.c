@@ -1,10 +1,13 @@
 /* Bending energy, and change of energy over a substep, of the implicit method. */
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 
 /* 1/2 x^T K x = -1/2 sum of K_ij |x_i - x_j|^2 over all pairs, as the rows of K sum to zero. */
 double vbss_thread_bending_energy(const thread_object *t)
 {
     double energy = vbss_thread_rest_curvature_energy(t);
+    if (thread_has_memory(t)) {
+        energy += vbss_thread_bending_memory_energy(t);
+    }
     for (uint32_t i = 0; i < t->node_count; i++) {
         for (uint32_t k = 1; k <= THREAD_CLAMP_BANDWIDTH && i + k < t->node_count; k++) {
             vec3 e = vec3_sub(t->now.x[i + k], t->now.x[i]);

@@ -1,15 +1,15 @@
 /* The implicit method of threads: its memory and its function table. */
 #include "base/error.h"
 #include "base/memory.h"
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 
 #include <string.h>
 
-enum { ARRAY_COUNT = 6 };
+enum { ARRAY_COUNT = 11 };
 
 static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
 {
-    size_t n = t->node_capacity;
+    size_t n = t->node_capacity, bends = thread_has_memory(t) ? n : 0;
     const vbss_array all[] = {
         {&t->bending_matrix, n, sizeof *t->bending_matrix},
         {&t->rest_curvature_forces, n, sizeof(vec3)},
@@ -17,6 +17,11 @@ static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
         {&t->spline_moments, n, sizeof *t->spline_moments},
         {&t->arcs, n, sizeof *t->arcs},
         {&t->couplings, n, sizeof *t->couplings},
+        {&t->now.bend, 2 * bends, sizeof *t->now.bend},
+        {&t->saved.bend, 2 * bends, sizeof *t->saved.bend},
+        {&t->bend_responses, 2 * bends, sizeof *t->bend_responses},
+        {&t->memory_curvatures[0], bends, sizeof(vec3)},
+        {&t->memory_curvatures[1], bends, sizeof(vec3)},
     };
     _Static_assert(sizeof all == ARRAY_COUNT * sizeof(vbss_array), "the table has its length");
     memcpy(arrays, all, sizeof all);

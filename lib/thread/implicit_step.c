@@ -6,7 +6,7 @@
  * accelerations first. A substep that does not converge is undone and repeated at half its size by
  * backward Euler. */
 #include "base/error.h"
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 #include "thread/tuning.h"
 
 #include <string.h>
@@ -21,6 +21,9 @@ typedef enum newton_result { CONVERGED, NOT_CONVERGED, DIVERGED } newton_result;
 static bool solve(thread_object *t, const thread_substep *substep)
 {
     vbss_system_clear(t->system);
+    if (thread_has_memory(t)) {
+        vbss_thread_update_bending_memory(t, substep->integration->h);
+    }
     VBSS_WIDE_CALL(t->system->wide, vbss_thread_assemble, t, substep, t->system, 0);
     if (!vbss_system_condense(t->system)) {
         return false;

@@ -1,5 +1,5 @@
 /* Reactions: forces and torques of attachments on the thread, computed at the end of each step. */
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 
 /* Gradient of the stretching energy with a clamp's direction, on which the length of its
  * arcs depends. */
@@ -27,6 +27,9 @@ static vec3 clamp_torque(const thread_object *t, uint32_t c)
     /* Gradient of the energy with the direction. The torque is the direction times the gradient. */
     vec3 gradient =
         vec3_add(arc_gradient(t, c), vbss_thread_rest_curvature_gradient(t, clamp->node));
+    if (thread_has_memory(t)) {
+        gradient = vec3_add(gradient, vbss_thread_bending_memory_gradient(t, clamp->node));
+    }
     gradient = vec3_add_scaled(gradient, clamp->own_coefficient, clamp->direction);
     if (c + 1 < t->clamp_count) {
         gradient = vec3_add_scaled(gradient, clamp->next_coefficient, t->clamps[c + 1].direction);

@@ -5,45 +5,10 @@
  * (k/2 - |curvature|) l, which this file adds. It sums over a cell around each node, or two half
  * cells at a clamp. The norm is smoothed below a thousandth of k, as a straight thread has no plane
  * to bend in. */
-#include "thread/thread.h"
+#include "thread/bending_cells.h"
 #include "thread/tuning.h"
 
 #include <string.h>
-
-/* A cell. Its curvature is the turn from one chord to the next, or to a clamp's direction, over its
- * length. `before` and `after`: whether the chords on either side of the node take part. */
-typedef struct cell {
-    vec3 turn;
-    double length;
-    bool before, after;
-} cell;
-
-static vec3 chord(const thread_object *t, const vec3 *x, uint32_t segment)
-{
-    return vec3_scale(vec3_sub(x[segment + 1], x[segment]), t->inverse_rest[segment]);
-}
-
-/* Fills in the cells of a node, at most two; returns their number. */
-static int cells_at(const thread_object *t, const vec3 *x, uint32_t node, cell cells[2])
-{
-    bool before = node > 0, after = node + 1 < t->node_count;
-    int count = 0;
-    if (vbss_thread_is_clamped(t, node)) {
-        vec3 direction = vbss_thread_clamp_direction(t, node);
-        if (before) {
-            vec3 turn = vec3_sub(direction, chord(t, x, node - 1));
-            cells[count++] = (cell){turn, 0.5 * t->rest[node - 1], true, false};
-        }
-        if (after) {
-            vec3 turn = vec3_sub(chord(t, x, node), direction);
-            cells[count++] = (cell){turn, 0.5 * t->rest[node], false, true};
-        }
-    } else if (before && after) {
-        vec3 turn = vec3_sub(chord(t, x, node), chord(t, x, node - 1));
-        cells[count++] = (cell){turn, 0.5 * (t->rest[node - 1] + t->rest[node]), true, true};
-    }
-    return count;
-}
 
 static double smooth_norm(vec3 turn, double angle)
 {
@@ -53,9 +18,9 @@ static double smooth_norm(vec3 turn, double angle)
 double vbss_thread_rest_curvature_energy(const thread_object *t)
 {
     double k = t->config.rest_curvature, energy = 0.0;
-    cell cells[2];
+    bending_cell cells[2];
     for (uint32_t i = 0; k > 0.0 && i < t->node_count; i++) {
-        for (int c = cells_at(t, t->now.x, i, cells) - 1; c >= 0; c--) {
+        for (int c = vbss_thread_bending_cells(t, t->now.x, i, cells) - 1; c >= 0; c--) {
             double angle = k * cells[c].length;
             double turn_norm = smooth_norm(cells[c].turn, angle);
             energy += t->config.bending_stiffness * k * (0.5 * angle - turn_norm);
@@ -65,7 +30,7 @@ double vbss_thread_rest_curvature_energy(const thread_object *t)
 }
 
 /* Moment with which rest curvature turns a cell further, N m. */
-static vec3 moment_of(const thread_object *t, const cell *c)
+static vec3 moment_of(const thread_object *t, const bending_cell *c)
 {
     double k = t->config.rest_curvature;
     double turn_norm = smooth_norm(c->turn, k * c->length);
@@ -76,9 +41,9 @@ static vec3 moment_of(const thread_object *t, const cell *c)
 
 void vbss_thread_add_rest_curvature_forces(const thread_object *t, const vec3 *x, vec3 *forces)
 {
-    cell cells[2];
+    bending_cell cells[2];
     for (uint32_t i = 0; t->config.rest_curvature > 0.0 && i < t->node_count; i++) {
-        for (int c = cells_at(t, x, i, cells) - 1; c >= 0; c--) {
+        for (int c = vbss_thread_bending_cells(t, x, i, cells) - 1; c >= 0; c--) {
             vec3 moment = moment_of(t, &cells[c]);
             if (cells[c].before) {
                 double coefficient = t->inverse_rest[i - 1];
@@ -97,10 +62,11 @@ void vbss_thread_add_rest_curvature_forces(const thread_object *t, const vec3 *x
 vec3 vbss_thread_rest_curvature_force(const thread_object *t, uint32_t node)
 {
     vec3 force = vec3_zero();
-    cell cells[2];
+    bending_cell cells[2];
     uint32_t first = node > 0 ? node - 1 : 0;
     for (uint32_t i = first; t->config.rest_curvature > 0.0 && i <= node + 1; i++) {
-        for (int c = i < t->node_count ? cells_at(t, t->now.x, i, cells) - 1 : -1; c >= 0; c--) {
+        for (int c = i < t->node_count ? vbss_thread_bending_cells(t, t->now.x, i, cells) - 1 : -1;
+             c >= 0; c--) {
             double before = cells[c].before ? t->inverse_rest[i - 1] : 0.0;
             double after = cells[c].after ? t->inverse_rest[i] : 0.0;
             double coefficient = i == node ? -(before + after) : i > node ? before : after;
@@ -113,9 +79,9 @@ vec3 vbss_thread_rest_curvature_force(const thread_object *t, uint32_t node)
 vec3 vbss_thread_rest_curvature_gradient(const thread_object *t, uint32_t node)
 {
     vec3 gradient = vec3_zero();
-    cell cells[2];
+    bending_cell cells[2];
     if (t->config.rest_curvature > 0.0) {
-        for (int c = cells_at(t, t->now.x, node, cells) - 1; c >= 0; c--) {
+        for (int c = vbss_thread_bending_cells(t, t->now.x, node, cells) - 1; c >= 0; c--) {
             /* The gradient points along the turn if the cell is after the clamp, against it
              * if before. */
             double sign = cells[c].after ? 1.0 : -1.0;

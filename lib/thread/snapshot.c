@@ -1,5 +1,6 @@
 /* Snapshot of a thread: one visitor that saves, hashes and restores its state. */
 #include "base/stream.h"
+#include "thread/bending_memory.h"
 #include "thread/remesh.h"
 #include "thread/tuning.h"
 
@@ -60,6 +61,29 @@ static void visit_mesh(vbss_stream *stream, thread_object *t)
 static bool is_unit(vec3 v)
 {
     return fabs(vec3_norm_squared(v) - 1.0) < 1e-6;
+}
+
+/* Bending with memory only: its configuration and state. */
+static void visit_memory(vbss_stream *stream, thread_object *t)
+{
+    const vbss_thread_config *c = &t->config;
+    const double numbers[] = {c->yield_curvature, c->yield_hardening, c->relaxation_ratio,
+                              c->relaxation_time};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_expect_f64(stream, 80, numbers[i]);
+    }
+    const size_t sides = 2 * (size_t)t->node_count;
+    vbss_stream_f64(stream, 81, &t->now.bend[0].plane.x,
+                    sides * (sizeof *t->now.bend / sizeof(double)));
+    vbss_stream_f64(stream, 82, &t->now.dissipated_energy, 1);
+    bool is_valid = t->now.dissipated_energy >= 0.0;
+    for (size_t i = 0; i < sides; i++) {
+        const vec3 plane = t->now.bend[i].plane;
+        is_valid = is_valid && (vec3_norm_squared(plane) == 0.0 || is_unit(plane));
+    }
+    if (!is_valid && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such memory of bends");
+    }
 }
 
 /* Refuses a snapshot in which two attachments prescribe one node. */
@@ -180,6 +204,9 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     if (thread_is_adaptive(t)) {
         visit_mesh(stream, t);
     }
+    if (thread_has_memory(t)) {
+        visit_memory(stream, t);
+    }
     if (stream->mode == VBSS_STREAM_READ) {
         t->is_acceleration_unknown = is_acceleration_unknown != 0;
         t->is_in_setup = is_in_setup != 0;
@@ -200,4 +227,8 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
     memcpy(to->a, from->a, bytes);
     memcpy(to->q, from->q, bytes);
     memcpy(to->tension, from->tension, t->node_count * sizeof(double));
+    to->dissipated_energy = from->dissipated_energy;
+    if (thread_has_memory(t)) {
+        memcpy(to->bend, from->bend, 2 * (size_t)t->node_count * sizeof *to->bend);
+    }
 }

@@ -1,6 +1,6 @@
 /* Trial state of a substep, for a thread on its own or in a scene: prediction, increments,
  * commit. */
-#include "thread/thread.h"
+#include "thread/bending_memory.h"
 #include "thread/tuning.h"
 
 #include <string.h>
@@ -113,6 +113,9 @@ double vbss_thread_apply_increment(thread_object *t, const thread_substep *subst
     for (uint32_t i = 0; i < t->node_count; i++) {
         t->trial[i] = vec3_add(t->trial[i], u[i]);
     }
+    if (thread_has_memory(t)) {
+        largest = vbss_max_or_nan(vbss_thread_bending_memory_residual(t, in), largest);
+    }
     return largest;
 }
 
@@ -166,6 +169,9 @@ static void set_prescribed_motion(thread_object *t, const vbss_integration *in)
 void vbss_thread_commit(thread_object *t, const vbss_integration *in)
 {
     set_prescribed_motion(t, in);
+    if (thread_has_memory(t)) {
+        vbss_thread_commit_bending_memory(t, in->h);
+    }
     memcpy(t->now.x, t->trial, t->node_count * sizeof *t->trial);
     memcpy(t->now.tension, t->trial_tension, t->node_count * sizeof *t->trial_tension);
     vbss_integration_correct(in, 3 * (size_t)t->node_count, &t->trial->x, &t->x_predicted->x,

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 3u),
                "published size");
 
 /* ---- configurations */
@@ -46,8 +46,10 @@ static const vbss_thread_config defaults = {
     .near_distance = 1e-3,
     .clear_distance = 3e-3,
     .mesh_operations = 4,
+    .relaxation_time = 1.0,
 };
-static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u), 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
+                                        VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 3u), 0};
 static const vbss_layout config_layout = {"vbss_thread_config", &defaults, config_sizes};
 
 vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size)
@@ -119,6 +121,10 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
         {"position_tolerance", c->position_tolerance, 1e-12, 1.0},
         {"mesh", c->mesh, VBSS_THREAD_MESH_FIXED, VBSS_THREAD_MESH_ADAPTIVE},
         {"reserved", c->reserved, 0.0, 0.0},
+        {"yield_curvature", c->yield_curvature, 0.0, 1e6},
+        {"yield_hardening", c->yield_hardening, 0.0, 0.999},
+        {"relaxation_ratio", c->relaxation_ratio, 0.0, 1e3},
+        {"relaxation_time", c->relaxation_time, 1e-6, 1e9},
     };
     return check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]);
 }
@@ -141,6 +147,22 @@ static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c
     if (c->mesh == VBSS_THREAD_MESH_ADAPTIVE && c->method != VBSS_METHOD_IMPLICIT) {
         return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
                          "VBSS_METHOD_VBLAST has no adaptive mesh");
+    }
+    return VBSS_OK;
+}
+
+static vbss_result check_memory(vbss_context *context, const vbss_thread_config *c)
+{
+    if (c->yield_curvature == 0.0 && c->relaxation_ratio == 0.0) {
+        return VBSS_OK;
+    }
+    const char *other = c->method != VBSS_METHOD_IMPLICIT   ? "VBSS_METHOD_VBLAST"
+                        : c->mesh != VBSS_THREAD_MESH_FIXED ? "an adaptive mesh"
+                        : c->rest_curvature != 0.0          ? "a rest curvature"
+                                                            : NULL;
+    if (other != NULL) {
+        return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
+                         "yield_curvature and relaxation_ratio do not work with %s", other);
     }
     return VBSS_OK;
 }
@@ -181,6 +203,7 @@ vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_con
     VBSS_TRY(vbss_baseline_read_config(context, &own->baseline, baseline));
     VBSS_TRY(check_choices(context, own));
     VBSS_TRY(check_mesh(context, own));
+    VBSS_TRY(check_memory(context, own));
     return check_shape(context, own);
 }
 

@@ -38,12 +38,33 @@ typedef struct thread_attachment {
     vec3 alternate_target, alternate_direction, alternate_force;
 } thread_attachment;
 
+/* What one side of a node remembers of its bends; see bending_memory.c. */
+typedef struct thread_bend_memory {
+    vec3 plane; /* unit, across the thread; zero: it was never bent */
+    /* signed along the plane, 1/m: at the end of the last step, plastic, viscous */
+    double curvature, plastic, viscous;
+} thread_bend_memory;
+
+/* Response of one side of a node to the trial state, beyond that of bending.c. */
+typedef struct thread_bend_response {
+    vec3 curvature;       /* 1/m */
+    vec3 moment;          /* N m */
+    vec3 direction;       /* unit or zero */
+    double along, across; /* slopes of the moment with the curvature, N m^2 */
+    double length;        /* of the cell, m; 0: there is none */
+    bool before, after;   /* whether the chords on either side take part */
+} thread_bend_response;
+
 /* Motion of a thread: an entry of x, v, a, q for each node, a tension for each segment. */
 typedef struct thread_state {
     vec3 *x, *v;
     vec3 *a;         /* accelerations that the integrator carries on, m/s^2 (implicit method) */
     vec3 *q;         /* accelerations from forces at the end of the step, m/s^2 (implicit method) */
     double *tension; /* N */
+    /* two entries for each node, for the sides towards lower and higher nodes; no entries without
+     * memory (implicit method) */
+    thread_bend_memory *bend;
+    double dissipated_energy; /* by memory since creation, J */
 } thread_state;
 
 /* Part of a clamp in the bending energy:
@@ -179,13 +200,14 @@ struct thread_object {
     vec3 *trial;        /* positions, m */
     vec3 *x_predicted, *v_predicted, *a_predicted;
     double *trial_tension;
-    vec3 *rest_curvature_forces; /* N (implicit method) */
+    vec3 *rest_curvature_forces;          /* N (implicit method) */
+    thread_bend_response *bend_responses; /* as thread_state::bend (implicit method) */
     thread_strain *strains;
     struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 
     /* views, computed when a host asks */
     double *lengths, *sagittas, *axial_forces; /* axial_forces: implicit method */
-    vec3 *curvatures;
+    vec3 *curvatures, *memory_curvatures[2];   /* plastic and viscous (implicit method) */
 };
 
 /* ---- handle.c */

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/number_text.h"
 #include "base/snapshot.h"
+#include "thread/bending_memory.h"
 #include "thread/remesh.h"
 
 /* Allocates threads and handles for the pieces of later cuts. */
@@ -128,6 +129,9 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
             VBSS_TRY(vbss_check_range(t->context, velocities[i], -1e5, 1e5, "a velocity"));
         }
     }
+    if (thread_has_memory(t)) {
+        VBSS_TRY(vbss_thread_prepare_query(t));
+    }
     vbss_edit input = {.kind = VBSS_EDIT_OTHER};
     VBSS_TRY(vbss_edit_begin(thread, &input));
     for (uint32_t i = 0; i < node_count; i++) {
@@ -139,6 +143,9 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
         }
         t->now.a[i] = t->now.q[i] = vec3_zero();
         t->now.tension[i] = 0.0;
+    }
+    if (positions != NULL && thread_has_memory(t)) {
+        vbss_thread_orient_bending_memory(t);
     }
     vbss_thread_invalidate(t);
     t->is_in_setup = t->is_in_setup || positions != NULL;

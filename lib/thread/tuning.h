@@ -53,6 +53,16 @@
  * Unit: 1, relative to the squared rest angle. Origin: chosen. Test: none known. */
 #define THREAD_SMOOTH_TURN_SQUARED VBSS_TUNE(THREAD_SMOOTH_TURN_SQUARED, 1e-6)
 
+/* ---- Bending with memory (bending_memory.c) */
+
+/* A cell that turns by less is straight, and its bend has no plane of its own.
+ * Unit: rad. Origin: chosen: small against the turn at any yield. Test: none known. */
+#define THREAD_MEMORY_STRAIGHT_TURN VBSS_TUNE(THREAD_MEMORY_STRAIGHT_TURN, 1e-3)
+/* Substeps shorter than this have the coefficients of relaxation by series.
+ * Unit: 1, relative to the relaxation time. Origin: derived: rounding of the formula and remainder of the series
+ * are below 1e-9 there. Test: none known. */
+#define THREAD_MEMORY_SERIES_LIMIT VBSS_TUNE(THREAD_MEMORY_SERIES_LIMIT, 1e-3)
+
 /* ---- Cuts (cut.c) */
 
 /* A cut this close to a node goes through the node, since slivers need tiny substeps.

@@ -3,14 +3,15 @@
 #include "base/baseline_statistics.h"
 #include "base/config.h"
 #include "base/error.h"
+#include "thread/bending_memory.h"
 #include "thread/remesh.h"
 
 _Static_assert(sizeof(vbss_view) == VBSS_SIZE_WITH_POINTERS(vbss_view, 32u, 1u), "published size");
-_Static_assert(sizeof(vbss_thread_energies) == 48, "published size");
+_Static_assert(sizeof(vbss_thread_energies) == 56, "published size");
 _Static_assert(sizeof(vbss_thread_momentum) == 88, "published size");
 _Static_assert(sizeof(vbss_thread_statistics) == 160, "published size");
 
-static const uint32_t energies_sizes[] = {48, 0}, momentum_sizes[] = {88, 0};
+static const uint32_t energies_sizes[] = {48, 56, 0}, momentum_sizes[] = {88, 0};
 static const uint32_t statistics_sizes[] = {160, 0};
 static const vbss_layout energies_layout = {"vbss_thread_energies", NULL, energies_sizes};
 static const vbss_layout momentum_layout = {"vbss_thread_momentum", NULL, momentum_sizes};
@@ -37,6 +38,15 @@ static void fill_sagittas(thread_object *t)
 {
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         t->sagittas[i] = vbss_thread_sagitta(t, i);
+    }
+}
+
+static void fill_memory_curvatures(thread_object *t)
+{
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        const thread_bend_memory *m = &t->now.bend[2 * (size_t)i + (i + 1 < t->node_count)];
+        t->memory_curvatures[0][i] = vec3_scale(m->plane, m->plastic);
+        t->memory_curvatures[1][i] = vec3_scale(m->plane, m->viscous);
     }
 }
 
@@ -91,6 +101,17 @@ static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_vie
         fill_sagittas(t);
         *view = scalars(t->sagittas, n - 1);
         return VBSS_OK;
+    case VBSS_THREAD_VIEW_PLASTIC_CURVATURES:
+    case VBSS_THREAD_VIEW_VISCOUS_CURVATURES: {
+        const bool has_memory = thread_has_memory(t);
+        if (has_memory) {
+            fill_memory_curvatures(t);
+        }
+        *view = has_memory
+                    ? vectors(t->memory_curvatures[field - VBSS_THREAD_VIEW_PLASTIC_CURVATURES], n)
+                    : vectors(t->now.x, 0);
+        return VBSS_OK;
+    }
     default:
         return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a thread has no field %d", field);
     }
@@ -129,6 +150,7 @@ vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *
         own.stretching += 0.5 * t->config.axial_stiffness / t->rest[i] * elongation * elongation;
     }
     own.bending = t->method->bending_energy(t);
+    own.dissipated = t->now.dissipated_energy;
     own.total = own.kinetic + own.stretching + own.bending + own.gravity;
     return vbss_struct_write(t->context, &energies_layout, &own, energies, struct_size);
 }

@@ -338,7 +338,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_thread_destroy(piece);
 }
 
-static const uint32_t config_sizes[] = {280, 0}, attachment_sizes[] = {112, 0};
+static const uint32_t config_sizes[] = {280, 312, 0}, attachment_sizes[] = {112, 0};
 
 static const contract_object object = {
     .name = "thread",
@@ -353,7 +353,7 @@ static const contract_object object = {
     .hash = get_hash,
     .outputs = {{56, {0}, write_reaction},
                 {sizeof(vbss_view), {0}, write_view},
-                {48, {0}, write_energies},
+                {56, {48}, write_energies},
                 {88, {0}, write_momentum},
                 {160, {0}, write_statistics}},
     .calls = {{.call = call_step, .edits = true},
@@ -424,11 +424,11 @@ static const contract_snapshot snapshot = {
     .save = save,
     .restore = restore,
     .fields = {NUMBER(radius), NUMBER(linear_density), NUMBER(axial_stiffness),
-               NUMBER(bending_stiffness), NUMBER(rest_curvature), NUMBER(gravity[2]), NUMBER(drag),
-               NUMBER(damping), NUMBER(spectral_radius), NUMBER(stretch_tolerance),
-               NUMBER(position_tolerance), CHOICE(bending, 1), CHOICE(segment_count, -1),
-               CHOICE(iteration_limit, -1), CHOICE(halving_limit, -1),
-               CHOICE(attachment_capacity, -1)},
+               NUMBER(bending_stiffness), NUMBER(rest_curvature), NUMBER(yield_curvature),
+               NUMBER(relaxation_ratio), NUMBER(gravity[2]), NUMBER(drag), NUMBER(damping),
+               NUMBER(spectral_radius), NUMBER(stretch_tolerance), NUMBER(position_tolerance),
+               CHOICE(bending, 1), CHOICE(segment_count, -1), CHOICE(iteration_limit, -1),
+               CHOICE(halving_limit, -1), CHOICE(attachment_capacity, -1)},
     .reserve_more = reserve_cuts,
     .step = call_step,
 };

@@ -49,6 +49,19 @@ def test_attachments_move_and_go(context):
         thread.set_attachment_target(clamp, (math.nan, 0, 0))
 
 
+def test_a_thread_remembers_its_bend(context):
+    thread = vb.Thread(context, segment_count=20, length=0.03, gravity=(0, 0, 0), yield_curvature=50.0, relaxation_ratio=0.5)
+    thread.attach("clamp", 0, position=(0, 0, 0), direction=(1, 0, 0))
+    thread.attach("force", 20, force=(0, 1e-4, 0))
+    for _ in range(200):
+        thread.step()
+    assert thread.plastic_curvatures[0][1] > 10.0 and thread.viscous_curvatures[0][1] > 1.0
+    assert thread.energies.dissipated > 0.0
+    assert len(vb.Thread(context).plastic_curvatures) == 0
+    with pytest.raises(vb.IncompatibleError):
+        vb.Thread(context, method="vblast", yield_curvature=50.0)
+
+
 def test_a_thread_is_cut(context):
     thread = vb.Thread(context, segment_count=10, cut_capacity=1)
     piece = thread.cut(0.075)

@@ -180,6 +180,16 @@ class Thread(Configured, Body, Viewed, Saved):
         return self._array(ThreadField.SAGITTAS)
 
     @property
+    def plastic_curvatures(self) -> Array:
+        """n x 3, 1/m: towards the centre of curvature; 0 x 3 without memory of bends."""
+        return self._array(ThreadField.PLASTIC_CURVATURES)
+
+    @property
+    def viscous_curvatures(self) -> Array:
+        """n x 3, 1/m: that at which the viscous branch has no moment; 0 x 3 without memory of bends."""
+        return self._array(ThreadField.VISCOUS_CURVATURES)
+
+    @property
     def node_count(self) -> int:
         return self.statistics.nodes
 

@@ -8,6 +8,7 @@
 #include "scene/solve/solve.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
+#include "thread/bending_memory.h"
 
 /* A larger number means that the iteration has diverged. */
 #define DIVERGENCE_LIMIT 1e100
@@ -43,6 +44,10 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (scene_active_kind(b) == SCENE_BODY_THREAD) {
+            if (thread_has_memory(b->thread.thread)) {
+                vbss_thread_update_bending_memory(b->thread.thread,
+                                                  b->thread.substep.integration->h);
+            }
             VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.substep,
                            system, b->thread.first_block);
         } else if (scene_active_kind(b) == SCENE_BODY_RIGID &&

@@ -128,7 +128,9 @@ namespace VblastSs
         /// of a segment or 1e-7 m of it, which is then doubled. The thread keeps the part with node
         /// 0; the piece is a thread of its own with the same material and settings, its node 0 at
         /// the cut. Attachments go with their nodes and keep their ids; one on a doubled node stays
-        /// with the thread. Memory was reserved by cut_capacity, which both parts share.
+        /// with the thread. Plastic and viscous curvatures stay with their nodes; a node inside a
+        /// divided segment begins without. Memory was reserved by cut_capacity, which both parts
+        /// share.
         /// </summary>
         /// <param name="arcLength">place of the cut, m from node 0, measured in rest lengths, inside the thread</param>
         public SutureThread Cut(double arcLength)

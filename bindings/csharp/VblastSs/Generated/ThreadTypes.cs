@@ -131,6 +131,13 @@ namespace VblastSs
         /// length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too.
         /// </summary>
         Sagittas = 7,
+        /// <summary>
+        /// n x 3 doubles, 1/m: plastic curvature at each node, towards the centre of curvature; at
+        /// a clamp as VBSS_THREAD_VIEW_CURVATURES. No entries in a thread without memory of bends.
+        /// </summary>
+        PlasticCurvatures = 8,
+        /// <summary>The same for the viscous curvature: that at which the viscous branch has no moment.</summary>
+        ViscousCurvatures = 9,
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -171,6 +178,10 @@ namespace VblastSs
         internal double ClearDistance;
         internal uint MeshOperations;
         internal uint Reserved;
+        internal double YieldCurvature;
+        internal double YieldHardening;
+        internal double RelaxationRatio;
+        internal double RelaxationTime;
     }
 
     /// <summary>Configuration of a thread. Fill it with vbss_thread_config_init, then change fields.</summary>
@@ -475,6 +486,49 @@ namespace VblastSs
             set { box[0].MeshOperations = value; }
         }
 
+        /// <summary>
+        /// Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0 to 1e6;
+        /// default 0: bending is elastic. The bending moment at yield is EI times this curvature.
+        /// docs/explanation/bending-memory.md has the model. Memory of bends, plastic or viscous,
+        /// needs VBSS_THREAD_MESH_FIXED and a rest_curvature of 0.
+        /// </summary>
+        public double YieldCurvature
+        {
+            get { return box[0].YieldCurvature; }
+            set { box[0].YieldCurvature = value; }
+        }
+
+        /// <summary>
+        /// Stiffness of bending beyond yield as a fraction of EI, 0 (ideally plastic) to 0.999;
+        /// default 0. The hardening is linear and kinematic.
+        /// </summary>
+        public double YieldHardening
+        {
+            get { return box[0].YieldHardening; }
+            set { box[0].YieldHardening = value; }
+        }
+
+        /// <summary>
+        /// Method IMPLICIT: stiffness of the viscous branch of bending as a fraction of EI, 0 to
+        /// 1e3; default 0: there is none. A fast bend has the stiffness EI (1 + relaxation_ratio),
+        /// a slow one EI.
+        /// </summary>
+        public double RelaxationRatio
+        {
+            get { return box[0].RelaxationRatio; }
+            set { box[0].RelaxationRatio = value; }
+        }
+
+        /// <summary>
+        /// Time in which the moment of the viscous branch decays to 1/e at constant curvature, s,
+        /// 1e-6 to 1e9; default 1.
+        /// </summary>
+        public double RelaxationTime
+        {
+            get { return box[0].RelaxationTime; }
+            set { box[0].RelaxationTime = value; }
+        }
+
         internal ThreadConfigData* Pin(Pins pins)
         {
             ref ThreadConfigData data = ref box[0];
@@ -614,12 +668,17 @@ namespace VblastSs
         public double Kinetic;
         /// <summary>Elastic energy of EA.</summary>
         public double Stretching;
-        /// <summary>Elastic energy of EI.</summary>
+        /// <summary>Elastic energy of bending; with memory what hardening stores, too.</summary>
         public double Bending;
         /// <summary>Potential, zero at the origin; attached masses included.</summary>
         public double Gravity;
         /// <summary>Sum of the four.</summary>
         public double Total;
+        /// <summary>
+        /// Energy that plastic and viscous bending have dissipated since creation, or since the cut
+        /// that made this piece; not part of the total; never decreases.
+        /// </summary>
+        public double Dissipated;
     }
 
     /// <summary>Momentum of a thread, attached masses included.</summary>

@@ -115,6 +115,11 @@ class ThreadField(IntEnum):
     SAGITTAS = 7
     """n - 1 doubles, m: sagitta of each segment, the shape error due to the mesh. It is rest
     length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too."""
+    PLASTIC_CURVATURES = 8
+    """n x 3 doubles, 1/m: plastic curvature at each node, towards the centre of curvature; at a
+    clamp as VBSS_THREAD_VIEW_CURVATURES. No entries in a thread without memory of bends."""
+    VISCOUS_CURVATURES = 9
+    """The same for the viscous curvature: that at which the viscous branch has no moment."""
 
 
 class vbss_thread(ctypes.Structure):
@@ -218,7 +223,22 @@ class vbss_thread_config(ctypes.Structure):
     gap, m, near_distance to 0.1; default 3e-3.
 
     mesh_operations: ADAPTIVE: largest number of divisions and removals after a step, 0 to 64;
-    default 4."""
+    default 4.
+
+    yield_curvature: Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0
+    to 1e6; default 0: bending is elastic. The bending moment at yield is EI times this
+    curvature. docs/explanation/bending-memory.md has the model. Memory of bends, plastic or
+    viscous, needs VBSS_THREAD_MESH_FIXED and a rest_curvature of 0.
+
+    yield_hardening: Stiffness of bending beyond yield as a fraction of EI, 0 (ideally plastic)
+    to 0.999; default 0. The hardening is linear and kinematic.
+
+    relaxation_ratio: Method IMPLICIT: stiffness of the viscous branch of bending as a fraction
+    of EI, 0 to 1e3; default 0: there is none. A fast bend has the stiffness EI (1 +
+    relaxation_ratio), a slow one EI.
+
+    relaxation_time: Time in which the moment of the viscous branch decays to 1/e at constant
+    curvature, s, 1e-6 to 1e9; default 1."""
     struct_size: int
     method: int
     bending: int
@@ -254,6 +274,10 @@ class vbss_thread_config(ctypes.Structure):
     clear_distance: float
     mesh_operations: int
     reserved: int
+    yield_curvature: float
+    yield_hardening: float
+    relaxation_ratio: float
+    relaxation_time: float
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "bending": ThreadBending, "mesh": ThreadMesh}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -291,6 +315,10 @@ class vbss_thread_config(ctypes.Structure):
         ("clear_distance", c_double),
         ("mesh_operations", c_uint32),
         ("reserved", c_uint32),
+        ("yield_curvature", c_double),
+        ("yield_hardening", c_double),
+        ("relaxation_ratio", c_double),
+        ("relaxation_time", c_double),
     ]
 
 
@@ -374,11 +402,14 @@ class vbss_thread_energies(ctypes.Structure):
 
     stretching: Elastic energy of EA.
 
-    bending: Elastic energy of EI.
+    bending: Elastic energy of bending; with memory what hardening stores, too.
 
     gravity: Potential, zero at the origin; attached masses included.
 
-    total: Sum of the four."""
+    total: Sum of the four.
+
+    dissipated: Energy that plastic and viscous bending have dissipated since creation, or since
+    the cut that made this piece; not part of the total; never decreases."""
     struct_size: int
     reserved: int
     kinetic: float
@@ -386,6 +417,7 @@ class vbss_thread_energies(ctypes.Structure):
     bending: float
     gravity: float
     total: float
+    dissipated: float
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -395,6 +427,7 @@ class vbss_thread_energies(ctypes.Structure):
         ("bending", c_double),
         ("gravity", c_double),
         ("total", c_double),
+        ("dissipated", c_double),
     ]
 
 
@@ -405,6 +438,7 @@ class ThreadEnergies(NamedTuple):
     bending: float
     gravity: float
     total: float
+    dissipated: float
 
 
 class vbss_thread_momentum(ctypes.Structure):
