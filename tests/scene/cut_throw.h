@@ -13,6 +13,7 @@ typedef struct cut_case {
 
 typedef struct cut_outcome {
     double cuts, clamped, paused, fastest; /* m/s: of any node */
+    double shortened; /* largest compression of a segment, relative to its length */
 } cut_outcome;
 
 /* With that share of the default limit of work, if it is limited. */

@@ -46,15 +46,20 @@ static void cut_depends_little_on_budget(void **state)
         for (int i = 0; i < LIMITS; i++) {
             cut_outcome one = cut_throw(&cases[k], shares[i]);
             print_message("limit of work x %.2f: %.0f cuts, %.0f steps cut short, %.1f ms waited, "
-                          "fastest %.1f m/s\n",
-                          shares[i], one.cuts, one.clamped, 1e3 * one.paused, one.fastest);
+                          "fastest %.1f m/s, shortened by %.3f\n",
+                          shares[i], one.cuts, one.clamped, 1e3 * one.paused, one.fastest,
+                          one.shortened);
             assert_true(one.cuts > 0.0);
+            assert_true(one.shortened < 0.05);
             cuts[i] = one.cuts;
             clamped[i] = one.clamped;
             paused[i] = one.paused;
             fastest[i] = one.fastest;
         }
-        cut_outcome found = {median(cuts), median(clamped), median(paused), median(fastest)};
+        cut_outcome found = {.cuts = median(cuts),
+                             .clamped = median(clamped),
+                             .paused = median(paused),
+                             .fastest = median(fastest)};
         cut_expect_within(&found, &cases[k]);
     }
 }
