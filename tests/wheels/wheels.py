@@ -150,7 +150,7 @@ class Trial:
         wheel, inspect = self.wheel(), self.wheels.inspect_wheel
         tools = self.wheels.tools()
         inspect.inspect(wheel, tools)
-        for tag in ("manylinux_2_5_x86_64", "manylinux_2_17_aarch64", "musllinux_1_2_x86_64", "win_amd64", "macosx_11_0_arm64"):
+        for tag in ("manylinux_2_5_x86_64", "manylinux_2_17_aarch64", "musllinux_1_2_x86_64", "musllinux_1_2_aarch64", "win_amd64", "macosx_11_0_arm64"):
             bad = self.work / wheel.name.replace(self.platform.tags, tag)
             with zipfile.ZipFile(wheel) as good, zipfile.ZipFile(bad, "w") as archive:
                 for name in good.namelist():
