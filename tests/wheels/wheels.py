@@ -6,6 +6,8 @@ build        the wheel, by bindings/python/wheels.py, which inspects it
 python       pip installs it in a fresh virtual environment, where the README's Python example runs
 performance  a C program links the library out of the wheel and performs the scripted surgeon's task: the hashes are those
              of PROGRAM, which this build's own library made. Emulators: qemu, wine, musl's loader
+golden       the golden scenes, compiled for the platform as the wheel's library is, run to the golden hashes. They need internal
+             functions, which the wheel's library does not export, so the library is linked statically
 refuse       wheels with a wrong tag or a wrong library are refused
 source       pip builds a wheel out of the source distribution, and its library runs the README's example
 
@@ -146,6 +148,22 @@ class Trial:
             sys.exit(f"hashes {found}\nwanted {wanted}")
         print(f"{HASHES} hashes equal those of this build: {' '.join(found[1::2])}")
 
+    def golden(self):
+        self.wheels.tools()
+        runner, environment = self.runner()
+        build = self.work / "build"
+        run("cmake", "-S", self.source / "tests/determinism/standalone", "-B", build, "-G", "Ninja", *self.wheels.configured(self.name))
+        run("cmake", "--build", build, "--target", "vbss_golden")
+        sys.path.insert(0, str(self.source / "tests/determinism"))
+        import golden_files
+        import matrix
+        golden = golden_files.read_golden()
+        program = build / ("vbss_golden.exe" if self.platform.system == "Windows" else "vbss_golden")
+        found = matrix.hashes_printed([*runner, program], env=environment)
+        if wrong := golden_files.differences(found, golden, False):
+            sys.exit("\n".join(wrong))
+        print(f"{sum(map(len, found.values()))} hashes of {len(found)} scenes equal the golden ones")
+
     def refuse(self):
         wheel, inspect = self.wheel(), self.wheels.inspect_wheel
         tools = self.wheels.tools()
@@ -168,13 +186,13 @@ class Trial:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("part", choices=("build", "python", "performance", "refuse", "source"))
+    parser.add_argument("part", choices=("build", "python", "performance", "golden", "refuse", "source"))
     parser.add_argument("platform")
     for name in ("source", "work", "reference"):
         parser.add_argument(f"--{name}", type=pathlib.Path, required=True)
     options = parser.parse_args()
     trial = Trial(options)
-    {"build": trial.build, "python": trial.python, "performance": trial.performance, "refuse": trial.refuse,
+    {"build": trial.build, "python": trial.python, "performance": trial.performance, "golden": trial.golden, "refuse": trial.refuse,
      "source": trial.source_distribution}[options.part]()
 
 
