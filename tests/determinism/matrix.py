@@ -120,12 +120,12 @@ def is_emulated(machine):
 
 def hashes_of(program, machine=""):
     """Scene -> hashes, in the order of the program's list."""
-    return hashes_printed(MACHINES[machine].command(program, *(["short"] if is_emulated(machine) else [])))
+    return hashes_in(run(MACHINES[machine].command(program, *(["short"] if is_emulated(machine) else [])), timeout=600))
 
 
-def hashes_printed(command, **options):
+def hashes_in(text):
     found = {}
-    for line in run(command, timeout=600, **options).splitlines():
+    for line in text.splitlines():
         scene, index, value = line.split()
         if int(index) != len(found.setdefault(scene, [])):
             raise Broken(f"{scene}: index {index} is out of order")
