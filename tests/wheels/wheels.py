@@ -118,6 +118,7 @@ class Trial:
         if not re.fullmatch(r"tip at .*\n2\.31 /usr/local/lib/python3\.9/dist-packages/vblast_ss/lib/libvblast_ss\.so\.1\n", said):
             sys.exit(f"the README's example says {said!r}")
         print(said.strip())
+        shutil.rmtree(root)  # gates search the build folder
 
     def source_distribution(self):
         run(sys.executable, "-B", "-c", f"import backend; backend.build_sdist(r'{self.work}')",
