@@ -3,9 +3,11 @@
 
     bindings/python/inspect_wheel.py PYTHON WHEEL ...     PYTHON: an interpreter that has auditwheel
 
-auditwheel judges Linux. For Windows and macOS, which it does not know, the headers of the library are read here: machine,
-libraries that it needs, and for macOS the minimum version.
+auditwheel judges wheels for glibc. The headers of other libraries are read here: machine, libraries that they need, for macOS
+the minimum version. auditwheel knows musl too, but reads the libc.so that a library needs from the machine at hand, where that
+may be glibc's linker script, and fails. As its policy for musl does, the check here admits libc.so alone, without symbol versions.
 """
+import json
 import pathlib
 import re
 import struct
@@ -19,13 +21,19 @@ ALLOWED_DYLIBS = {"/usr/lib/libSystem.B.dylib"}
 MADE_BY_THE_LINKER = {"__dso_handle", "_mh_dylib_header"}
 
 
-# Run by the interpreter that has auditwheel, and so pyelftools.
-ELF_EXPORTS = """
-import io, sys
+# Run by the interpreter that has auditwheel, and so pyelftools: machine, needed libraries, versions that symbols need, exports.
+READ_ELF = """
+import io, json, sys
 from elftools.elf.elffile import ELFFile
-symbols = ELFFile(io.BytesIO(sys.stdin.buffer.read())).get_section_by_name(".dynsym").iter_symbols()
-print(*(symbol.name for symbol in symbols if symbol["st_shndx"] not in ("SHN_UNDEF", "SHN_ABS") and symbol.name))
+elf = ELFFile(io.BytesIO(sys.stdin.buffer.read()))
+needed = [tag.needed for tag in elf.get_section_by_name(".dynamic").iter_tags("DT_NEEDED")]
+versions = elf.get_section_by_name(".gnu.version_r")
+wanted = [aux.name for _, each in versions.iter_versions() for aux in each] if versions else []
+exports = [symbol.name for symbol in elf.get_section_by_name(".dynsym").iter_symbols()
+           if symbol["st_shndx"] not in ("SHN_UNDEF", "SHN_ABS") and symbol.name]
+print(json.dumps([elf["e_machine"], needed, wanted, exports]))
 """
+ELF_MACHINES = {"x86_64": "EM_X86_64", "aarch64": "EM_AARCH64"}
 
 
 class Wrong(Exception):
@@ -143,9 +151,28 @@ def inspect_linux(wheel, tag, data, python):
     if (found_policy := policy(found[1]))[::3] != (family, machine) or \
             tuple(map(int, found_policy[1:3])) > (int(major), int(minor)):
         raise Wrong(f"the tag is {tag}, auditwheel finds {found[1]}")
-    done = subprocess.run([python, "-c", ELF_EXPORTS], input=data, capture_output=True, check=True)
-    require_exports(set(done.stdout.decode().split()))
+    require_exports(set(read_elf(data, python)[3]))
     return f"auditwheel: {found[1]}"
+
+
+def read_elf(data, python):
+    done = subprocess.run([python, "-c", READ_ELF], input=data, capture_output=True)
+    if done.returncode != 0:
+        raise Wrong(f"no library for Linux: {done.stderr.decode()[-200:]}")
+    return json.loads(done.stdout)
+
+
+def inspect_musl(tag, data, python):
+    machine, needed, versions, exports = read_elf(data, python)
+    wanted = re.fullmatch(r"musllinux_1_2_(\w+)", tag)[1]
+    if machine != ELF_MACHINES[wanted]:
+        raise Wrong(f"machine {machine}, not {wanted}")
+    if needed != ["libc.so"]:
+        raise Wrong(f"needs {', '.join(needed) or 'nothing'}, not musl's libc.so")
+    if versions:
+        raise Wrong(f"needs the symbol versions {', '.join(sorted(set(versions)))}, which musl has not")
+    require_exports(set(exports))
+    return f"ELF {wanted}, needs musl's libc.so alone"
 
 
 def inspect(wheel, python):
@@ -164,6 +191,8 @@ def inspect(wheel, python):
         return inspect_windows(data)
     if tag.startswith("macosx"):
         return inspect_macos(tag, data)
+    if tag.startswith("musllinux"):
+        return inspect_musl(tag, data, python)
     return inspect_linux(wheel, tag, data, python)
 
 

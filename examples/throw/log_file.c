@@ -2,12 +2,19 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#ifndef __wasi__
-#include <signal.h>
-#endif
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+
+#if defined(__wasi__) || defined(_WIN32) /* without locks and signals of POSIX */
+#define HAS_LOCKS 0
+#else
+#include <signal.h>
+#define HAS_LOCKS 1
+#endif
+#ifndef O_BINARY /* Windows alone has files of text */
+#define O_BINARY 0
+#endif
 
 static bool fail(log_file *f, const char *reason)
 {
@@ -20,7 +27,7 @@ static bool fail(log_file *f, const char *reason)
     return false;
 }
 
-#ifdef __wasi__ /* WebAssembly has no locks, and no signals */
+#if !HAS_LOCKS
 
 static bool lock(log_file *f)
 {
@@ -59,7 +66,7 @@ bool log_file_open(log_file *f, const char *path)
     if (path == NULL) {
         return true;
     }
-    f->descriptor = open(path, O_WRONLY | O_CREAT, 0666);
+    f->descriptor = open(path, O_WRONLY | O_CREAT | O_BINARY, 0666);
     if (f->descriptor < 0) {
         return fail(f, strerror(errno));
     }

@@ -1,5 +1,5 @@
-/* The file of a log. One program at a time writes it. It has each piece of a record as a whole or not at all. An error is
- * printed once, with the path and the reason. */
+/* The file of a log. One program at a time writes it, which Windows and WebAssembly do not check. It has each piece of a record
+ * as a whole or not at all. An error is printed once, with the path and the reason. */
 #ifndef VBSS_EXAMPLES_THROW_LOG_FILE_H
 #define VBSS_EXAMPLES_THROW_LOG_FILE_H
 

@@ -19,14 +19,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **options)
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, errors="replace", **options)
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
     return done.stdout
 
 
 def install_and_move(build, work):
-    first, moved = work / "first prefix", work / "moved prefix"
+    first, moved = work / "first prefix", work / "moved präfix"
     run("cmake", "--install", build, "--prefix", first)
     first.rename(moved)
     return moved

@@ -30,6 +30,7 @@ EXEMPT = [
     (r"tests/abi/update-baseline\.py", "changes the baseline, which only a maintainer does after a merge; gate.abi compares with it"),
     (r"pkgconfig/release\.py", "test consumer.release runs it"),
     (r"python3 bindings/python/wheels\.py", "cross-builds seven platforms with a compiler from the package index; tests wheels.build.* run it"),
+    (r"cargo ", "needs Rust, which is too large for the packages of the tests; test rust.page runs it where cargo is there"),
     (r"(git clone \. /tmp/mutants|tests/mutants\.py)", "builds and tests the library thirty times"),
 ]
 # Commands that run with smaller numbers.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests of the C# binding.
 
-    run.py generated    the committed files are what the headers give, and every function has a wrapper
+    run.py generated    the committed files are what the headers give, every function has a wrapper, and none takes a struct by value
     run.py runtime      layout of all structs, and the tests in C#, on Mono
     run.py unity        the sample compiles against stubs of UnityEngine, and runs
     run.py package      pack.py makes the packages, and a program finds the library in one of them
@@ -20,9 +20,11 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 BINDING = ROOT / "bindings" / "csharp"
-sys.path.insert(0, str(BINDING))
+sys.path[:0] = [str(BINDING), str(HERE.parent)]
 import generate  # noqa: E402
 import headers  # noqa: E402
+import hanging_thread  # noqa: E402
+import layouts  # noqa: E402
 from cs_types import Types  # noqa: E402
 
 # The C locale's decimal point stands in what the programs print and in what they compare.
@@ -63,50 +65,18 @@ def with_library(folder: pathlib.Path) -> dict[str, str]:
     return {**CLEAN, "LD_LIBRARY_PATH": str(folder)}
 
 
-def c_layout(folder: pathlib.Path) -> dict[str, list[int]]:
-    """Size and offsets of every struct with fields, as the C compiler has them, by their name in C#."""
-    all_headers = headers.read_all(ROOT / "include")
-    types = Types(all_headers)
-    rows = []
-    for struct in (s for h in all_headers for s in h.structs if s.fields):
-        name = "ViewData" if struct.name == "vbss_view" else types.data(struct.name)
-        offsets = ", ".join(f"(unsigned)offsetof({struct.name}, {field.name})" for field in struct.fields)
-        rows.append(f'    {{ const unsigned o[] = {{ {offsets} }}; printf("{name} %u", (unsigned)sizeof({struct.name}));\n'
-                    '      for (unsigned i = 0; i < sizeof o / sizeof *o; i++) printf(" %u", o[i]); printf("\\n"); }')
-    source = folder / "layout.c"
-    source.write_text("#include <stddef.h>\n#include <stdio.h>\n#include <vblast_ss/vblast_ss.h>\nint main(void)\n{\n" +
-                      "\n".join(rows) + "\n    return 0;\n}\n")
-    run(os.environ["VBSS_CC"], "-std=c11", f"-I{ROOT / 'include'}", source, "-o", folder / "layout")
-    return table(run(folder / "layout"))
-
-
-def table(text: str) -> dict[str, list[int]]:
-    return {line.split()[0]: [int(word) for word in line.split()[1:]] for line in text.splitlines()}
-
-
-def check_layout(folder: pathlib.Path, printed: str) -> None:
-    wanted, found = c_layout(folder), table(printed)
-    differ = [f"{name}: C# has {found.get(name)}, C has {numbers}" for name, numbers in wanted.items() if found.get(name) != numbers]
-    if differ:
-        sys.exit("layouts differ:\n" + "\n".join(differ))
-    print(f"{len(wanted)} structs have the layout of C")
-
-
-def python_hash() -> str:
-    """State of SceneTests.HashOfAHangingThread, computed by the Python binding."""
-    program = ("from vblast_ss import Context, Scene, Thread\n"
-               "c = Context(); s = Scene(c); t = Thread(c, segment_count=20, length=0.1)\n"
-               "t.attach('pin', 0, position=(0, 0, 0)); s.add(t)\n"
-               "for _ in range(50): s.step(1e-3)\n"
-               "print(s.state_hash)")
-    return run(sys.executable, "-B", "-c", program, env={**CLEAN, "PYTHONPATH": str(ROOT / "bindings" / "python")}).strip()
-
-
 def generated() -> None:
     differ = generate.differences()
     if differ:
         sys.exit(f"run bindings/csharp/generate.py: {', '.join(differ)}")
-    functions = {f.name for h in headers.read_all(ROOT / "include") for f in h.functions}
+    all_headers = headers.read_all(ROOT / "include")
+    # Calling conventions differ in large structs by value, and engines marshal them wrongly.
+    structs = {s.name for h in all_headers for s in h.structs}
+    values = sorted({f.name for h in all_headers for f in h.functions + h.callbacks for d in [f.result, *f.parameters]
+                     if d.type in structs and not d.pointers})
+    if values:
+        sys.exit(f"structs by value: {', '.join(values)}")
+    functions = {f.name for h in all_headers for f in h.functions}
     wrappers = "".join(path.read_text() for path in (BINDING / "VblastSs").rglob("*.cs") if not path.name.endswith("Native.cs"))
     called = set(re.findall(r"Native\.(vbss_\w+)", wrappers))
     if functions != called:
@@ -121,8 +91,10 @@ def runtime() -> None:
     env = with_library(folder)
     program = folder / "tests.exe"
     run("mcs", "-langversion:latest", "-debug", f"-r:{library}", f"-out:{program}", *sorted(HERE.glob("*.cs")))
-    check_layout(folder, run("mono", program, "layout", env=env))
-    found, wanted = run("mono", program, "hash", env=env).strip(), python_hash()
+    types = Types(headers.read_all(ROOT / "include"))
+    wanted = layouts.of_c(os.environ["VBSS_CC"], folder, lambda name: "ViewData" if name == "vbss_view" else types.data(name))
+    layouts.require_equal("C#", wanted, run("mono", program, "layout", env=env))
+    found, wanted = run("mono", program, "hash", env=env).strip(), hanging_thread.python_hash()
     if found != wanted:
         sys.exit(f"a hanging thread has the hash {found} in C#, {wanted} in Python")
     print(run("mono", "--debug", program, env=env), end="")

@@ -39,14 +39,17 @@ for machine, flags in (("aarch64", "-O3 -march=armv8.3-a"), ("riscv64", "-O3"), 
 BUILDS |= {"i686": ("i686-linux-gnu-gcc", "-O3", "i686"), "i686-clang": ("clang", "-O2", "i686"),
            "armhf": ("arm-linux-gnueabihf-gcc", "-O3", "armhf"), "wasm32": ("clang", "-O3", "wasm32"),
            "wasm32-simd": ("clang", "-O3 -msimd128", "wasm32")}
+# Another C library on the machine at hand.
+BUILDS["musl"] = ("musl-gcc", "-O3", "musl")
 
 
 class Machine:
     """How clang names a machine, and how a program is linked and run for it. Without an emulator the machine at hand
     runs it."""
 
-    def __init__(self, target, emulator, arguments=(), system="Linux", link="-static"):
+    def __init__(self, target, emulator, arguments=(), system="Linux", link="-static", processor=None):
         self.target, self.emulator, self.arguments, self.system, self.link = target, emulator, arguments, system, link
+        self.processor = processor
 
     def command(self, program, *arguments):
         if not self.emulator:
@@ -60,6 +63,7 @@ class Machine:
 MACHINES = {"": Machine("", "")}
 MACHINES |= {name: Machine(f"{name}-linux-gnu", f"qemu-{name}") for name in ("aarch64", "riscv64", "s390x")}
 MACHINES["i686"] = Machine("i686-linux-gnu", "")
+MACHINES["musl"] = Machine("x86_64-linux-musl", "", processor="x86_64")
 MACHINES["armhf"] = Machine("arm-linux-gnueabihf", "qemu-arm")
 # -O0 for linking only: otherwise clang calls any wasm-opt that is installed. The stack is that of Linux.
 MACHINES["wasm32"] = Machine("wasm32-wasi", "node", [HERE / "wasm_run.mjs"], "Generic", "-O0 -Wl,-z,stack-size=8388608")
@@ -95,7 +99,7 @@ def build(work, name, compiler, flags, machine="", canary_flags="", targets=TARG
                f"-DVBSS_HOST_FLAGS={';'.join(flags.split() + graphs)}", f"-DVBSS_CANARY_FLAGS={canary_flags}"]
     if machine:
         to = MACHINES[machine]
-        options += [f"-DCMAKE_SYSTEM_NAME={to.system}", f"-DCMAKE_SYSTEM_PROCESSOR={machine}",
+        options += [f"-DCMAKE_SYSTEM_NAME={to.system}", f"-DCMAKE_SYSTEM_PROCESSOR={to.processor or machine}",
                     f"-DCMAKE_EXE_LINKER_FLAGS={to.link}"]
         if compiler == "clang":
             options.append(f"-DCMAKE_C_COMPILER_TARGET={to.target}")
@@ -116,9 +120,12 @@ def is_emulated(machine):
 
 def hashes_of(program, machine=""):
     """Scene -> hashes, in the order of the program's list."""
-    command = MACHINES[machine].command(program, *(["short"] if is_emulated(machine) else []))
+    return hashes_in(run(MACHINES[machine].command(program, *(["short"] if is_emulated(machine) else [])), timeout=600))
+
+
+def hashes_in(text):
     found = {}
-    for line in run(command, timeout=600).splitlines():
+    for line in text.splitlines():
         scene, index, value = line.split()
         if int(index) != len(found.setdefault(scene, [])):
             raise Broken(f"{scene}: index {index} is out of order")

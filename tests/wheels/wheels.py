@@ -4,8 +4,11 @@
 
 build        the wheel, by bindings/python/wheels.py, which inspects it
 python       pip installs it in a fresh virtual environment, where the README's Python example runs
+bullseye     pip installs it in a root of Debian 11 (glibc 2.31), where the README's Python example runs
 performance  a C program links the library out of the wheel and performs the scripted surgeon's task: the hashes are those
              of PROGRAM, which this build's own library made. Emulators: qemu, wine, musl's loader
+golden       the golden scenes, compiled for the platform as the wheel's library is, run to the golden hashes. They need internal
+             functions, which the wheel's library does not export, so the library is linked statically
 refuse       wheels with a wrong tag or a wrong library are refused
 source       pip builds a wheel out of the source distribution, and its library runs the README's example
 
@@ -21,6 +24,7 @@ import sys
 import zipfile
 
 HASHES = 4
+MIRROR = "http://deb.debian.org/debian"
 PLAIN = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "VBLAST_SS_LIBRARY")}
 
 
@@ -81,11 +85,13 @@ class Trial:
         run(sys.executable, "-m", "venv", self.work / "environment")
         return self.work / "environment/bin/python"
 
-    def try_readme(self, python):
+    def readme_example(self):
         section = (self.source / "README.md").read_text().split("## From Python")[1].split("\n## ")[0]
-        example = re.search(r"^```python\n(.*?)^```", section, re.M | re.S).group(1)
+        return re.search(r"^```python\n(.*?)^```", section, re.M | re.S).group(1)
+
+    def try_readme(self, python):
         where = "\nimport sys; assert vb.library_path.startswith(sys.prefix), vb.library_path\n"
-        said = run(python, "-c", example + where, cwd=self.work)
+        said = run(python, "-c", self.readme_example() + where, cwd=self.work)
         if not said.startswith("tip at"):
             sys.exit(f"the README's example says {said!r}")
         print(said.strip())
@@ -94,6 +100,25 @@ class Trial:
         python = self.environment()
         run(python, "-m", "pip", "install", "--no-index", "--no-deps", self.wheel())
         self.try_readme(python)
+
+    def bullseye(self):
+        debootstrap, root = need("debootstrap", "debootstrap"), self.work / "root"
+        if os.geteuid() != 0:
+            skip("only root can make a root of another release")
+        done = subprocess.run([debootstrap, "--variant=minbase", "--include=python3-pip", "bullseye", root, MIRROR],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode != 0:
+            skip(f"debootstrap makes no root of bullseye: {done.stdout.strip().splitlines()[-1]}")
+        wheel = self.wheel()
+        shutil.copy(wheel, root / "tmp")
+        inside = ["chroot", root, "python3"]
+        run(*inside, "-m", "pip", "install", "--no-index", "--no-deps", f"/tmp/{wheel.name}")
+        where = "\nimport platform; print(platform.libc_ver()[1], vb.library_path)\n"
+        said = run(*inside, "-c", self.readme_example() + where)
+        if not re.fullmatch(r"tip at .*\n2\.31 /usr/local/lib/python3\.9/dist-packages/vblast_ss/lib/libvblast_ss\.so\.1\n", said):
+            sys.exit(f"the README's example says {said!r}")
+        print(said.strip())
+        shutil.rmtree(root)  # gates search the build folder
 
     def source_distribution(self):
         run(sys.executable, "-B", "-c", f"import backend; backend.build_sdist(r'{self.work}')",
@@ -130,6 +155,14 @@ class Trial:
             return [emulator, "-L", root, "-E", f"LD_LIBRARY_PATH={self.work}"], PLAIN
         return [], {**PLAIN, "LD_LIBRARY_PATH": str(self.work)}
 
+    def printed(self, runner, environment, *command):
+        """What a program of the platform prints, without what its emulator says about itself."""
+        done = subprocess.run([str(word) for word in [*runner, *command]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              env=environment, timeout=1500)
+        if done.returncode != 0:
+            sys.exit(f"{command[0]} (exit code {done.returncode})\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        return done.stdout
+
     def performance(self):
         library = self.library()
         runner, environment = self.runner()
@@ -139,18 +172,34 @@ class Trial:
         run("cmake", "--build", build, "--target", "vbss_performance")
         program = build / ("vbss_performance.exe" if self.platform.system == "Windows" else "vbss_performance")
         if self.platform.system == "Windows":
-            shutil.copy(library, build)
-        found = run(*runner, program, 0, HASHES, env=environment).split()
+            shutil.copy(library, build / "libvblast_ss.dll")  # its name in the table of exports, which the program asks for
+        found = self.printed(runner, environment, program, 0, HASHES).split()
         wanted = run(self.reference, 0, HASHES).split()
         if found != wanted or len(wanted) != 2 * HASHES:
             sys.exit(f"hashes {found}\nwanted {wanted}")
         print(f"{HASHES} hashes equal those of this build: {' '.join(found[1::2])}")
 
+    def golden(self):
+        self.wheels.tools()
+        runner, environment = self.runner()
+        build = self.work / "build"
+        run("cmake", "-S", self.source / "tests/determinism/standalone", "-B", build, "-G", "Ninja", *self.wheels.configured(self.name))
+        run("cmake", "--build", build, "--target", "vbss_golden")
+        sys.path.insert(0, str(self.source / "tests/determinism"))
+        import golden_files
+        import matrix
+        golden = golden_files.read_golden()
+        program = build / ("vbss_golden.exe" if self.platform.system == "Windows" else "vbss_golden")
+        found = matrix.hashes_in(self.printed(runner, environment, program))
+        if wrong := golden_files.differences(found, golden, False):
+            sys.exit("\n".join(wrong))
+        print(f"{sum(map(len, found.values()))} hashes of {len(found)} scenes equal the golden ones")
+
     def refuse(self):
         wheel, inspect = self.wheel(), self.wheels.inspect_wheel
         tools = self.wheels.tools()
         inspect.inspect(wheel, tools)
-        for tag in ("manylinux_2_5_x86_64", "manylinux_2_17_aarch64", "musllinux_1_2_x86_64", "win_amd64", "macosx_11_0_arm64"):
+        for tag in ("manylinux_2_5_x86_64", "manylinux_2_17_aarch64", "musllinux_1_2_x86_64", "musllinux_1_2_aarch64", "win_amd64", "macosx_11_0_arm64"):
             bad = self.work / wheel.name.replace(self.platform.tags, tag)
             with zipfile.ZipFile(wheel) as good, zipfile.ZipFile(bad, "w") as archive:
                 for name in good.namelist():
@@ -168,13 +217,14 @@ class Trial:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("part", choices=("build", "python", "performance", "refuse", "source"))
+    parser.add_argument("part", choices=("build", "python", "bullseye", "performance", "golden", "refuse", "source"))
     parser.add_argument("platform")
     for name in ("source", "work", "reference"):
         parser.add_argument(f"--{name}", type=pathlib.Path, required=True)
     options = parser.parse_args()
     trial = Trial(options)
-    {"build": trial.build, "python": trial.python, "performance": trial.performance, "refuse": trial.refuse,
+    {"build": trial.build, "python": trial.python, "bullseye": trial.bullseye,
+     "performance": trial.performance, "golden": trial.golden, "refuse": trial.refuse,
      "source": trial.source_distribution}[options.part]()
 
 
