@@ -12,7 +12,7 @@ static inline double scene_feature_radius(const scene_object *s, const collision
 {
     const uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
     const scene_body *b = &s->bodies[s->body_of_shape[shape]];
-    if (b->kind == SCENE_BODY_RIGID) {
+    if (b->kind == SCENE_BODY_RIGID && !b->rigid.is_static_mesh) {
         bool is_point = q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE; /* a capsule end */
         return s->capsules[b->rigid.first_capsule + (is_point ? feature / 2 : feature)].radius;
     }

@@ -19,7 +19,7 @@ typedef struct side {
     const scene_body *body;
     const scene_capsule *capsule; /* NULL unless the body is rigid */
     uint32_t feature, vertex_count;
-    uint32_t nodes[3]; /* set only if the body is a drain */
+    uint32_t nodes[3]; /* set only if the body is a drain or static mesh */
     /* a triangle beside a drain's free edge, or beside a node of one; SCENE_NO_FACE: no lip */
     uint32_t lip;
     bool smooth; /* a node, at the point of the smoothed curve there */
@@ -42,7 +42,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
 {
     uint32_t kind = constraint->key.kind,
              feature = which == 0 ? constraint->key.feature_a : constraint->key.feature_b;
-    side d; /* `nodes` stay unset unless the body is a drain */
+    side d; /* `nodes` stay unset unless the body is a drain or static mesh */
     d.body = b;
     d.capsule = NULL;
     d.feature = feature;
@@ -52,7 +52,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         which == 0 && (scene_is_node_contact(kind) || kind == VBSS_SCENE_CONTACT_CAPSULE_FLOOR);
     d.vertex_count = point ? 1 : 2;
     if (b->kind == SCENE_BODY_DRAIN) {
-        d.vertex_count = vbss_scene_drain_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
+        d.vertex_count = vbss_scene_surface_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
         d.radius = 0.5 * b->drain.drain->config.thickness;
         if (kind == VBSS_SCENE_CONTACT_SIDES) {
             d.lip = b->drain.lip_of_side[feature];
@@ -66,6 +66,11 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         d.smooth = kind == VBSS_SCENE_CONTACT_NODE_CAPSULE && feature > 0 &&
                    feature + 1 < b->thread.thread->node_count;
         d.radius = b->thread.thread->config.radius;
+        return d;
+    }
+    if (b->rigid.is_static_mesh) {
+        d.vertex_count = vbss_scene_surface_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
+        d.radius = s->collision->shapes[b->shape]->radius;
         return d;
     }
     d.capsule = &s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)];
@@ -91,7 +96,7 @@ static void get_capsule_vertices(const side *d, const vec3 ends[2], vec3 vertice
     vertices[1] = ends[1];
 }
 
-static void get_drain_vertices(const side *d, const vec3 *x, vec3 vertices[3])
+static void get_surface_vertices(const side *d, const vec3 *x, vec3 vertices[3])
 {
     vertices[1] = x[d->nodes[0]]; /* also for a point, which has no second vertex */
     for (uint32_t k = 0; k < d->vertex_count; k++) {
@@ -125,7 +130,9 @@ static void get_vertices(const scene_object *s, const side *d, moment when, vec3
         get_thread_vertices(d, trial ? t->trial : t->now.x, vertices);
     } else if (b->kind == SCENE_BODY_DRAIN) {
         const drain_object *own = b->drain.drain;
-        get_drain_vertices(d, trial ? own->trial : own->x, vertices);
+        get_surface_vertices(d, trial ? own->trial : own->x, vertices);
+    } else if (d->capsule == NULL) {
+        get_surface_vertices(d, scene_mesh_vertices(s, b), vertices);
     } else {
         get_capsule_vertices(d, trial ? d->capsule->trial : d->capsule->now, vertices);
     }
@@ -291,7 +298,7 @@ static void add_jacobian(const scene_object *s, contact_constraint *constraint, 
                          const double weights[3], vec3 point, double sign)
 {
     const scene_body *b = d->body;
-    if (d->capsule != NULL) {
+    if (b->kind == SCENE_BODY_RIGID) {
         vbss_scene_add_rigid_jacobian(constraint, &b->rigid, point, sign);
     } else if (b->kind == SCENE_BODY_DRAIN) {
         for (uint32_t k = 0; k < d->vertex_count && k < 3; k++) {

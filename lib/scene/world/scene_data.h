@@ -34,6 +34,8 @@ enum { SCENE_MAX_SHAPES = 4096, SCENE_MAX_THREADS = 64 };
 enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
 /* Pairs of driven bodies that overlap since they were added. Chosen. */
 enum { SCENE_MAX_OVERLAPS = 256 };
+/* Vertices and triangles of a static mesh. Those of the collision module. */
+enum { SCENE_MAX_MESH_VERTICES = 65536, SCENE_MAX_MESH_TRIANGLES = 131072 };
 /* Default of speed_limit, m/s. Chosen: a hand is slower than 5 m/s. */
 #define SCENE_DEFAULT_SPEED_LIMIT 20.0
 #define SCENE_NO_FACE UINT32_MAX
@@ -166,6 +168,10 @@ typedef struct scene_rigid {
     /* Persistent. */
     vbss_slot *slot;       /* slot of the handle of a grasper or needle; NULL for other bodies */
     needle_object *needle; /* NULL unless the body is a needle */
+    /* Persistent; for static meshes only. The collision shape has the vertices and triangles. */
+    bool is_static_mesh;     /* the body has no capsules, and never moves */
+    uint64_t geometry_hash;  /* of vertices, triangles and thickness */
+    uint32_t *near_features; /* scratch of remeshing.c: as in scene_drain */
     /* Persistent; for graspers only. */
     grasper_object *grasper; /* NULL unless the body is a grasper */
     scene_needle_grasp needle_grasp;
