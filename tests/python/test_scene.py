@@ -248,3 +248,12 @@ def test_events_wait_until_they_are_taken_and_lost_ones_are_counted(context):
         scene.step()
     assert [event.arc_length for event in scene.take_events()] == pytest.approx([0.06, 0.04])
     assert scene.lost_events == 1 and scene.take_events() == [] and scene.lost_events == 1
+
+
+def test_a_static_mesh_bears_a_thread(context):
+    scene = vb.Scene(context)
+    mesh = scene.add_static_mesh([(-0.05, 0, -0.05), (-0.05, 0, 0.05), (0.05, 0, 0.05), (0.05, 0, -0.05)],
+                                 [(0, 1, 2), (0, 2, 3)], friction=0.3, thickness=1e-3)
+    assert scene.body_info(mesh).kind is vb.SceneBodyKind.STATIC_MESH
+    with pytest.raises(vb.Error):
+        scene.add_static_mesh([(0, 0, 0), (0, 0, 1), (1, 0, 0)], [(0, 1, 3)])
