@@ -57,14 +57,13 @@ static void begin(small *s)
     small_begin(s);
     s->config.floor = 0;
     s->thread.gravity[1] = -9.81;
-    s->thread.drag = 0.0;
     small_create(s);
 }
 
 /* ---- physics */
 
-/* How far a thread across a sheet slides down it in 0.1 s. */
-static double slide_on_incline(double friction)
+/* How far a thread across a sheet slides down it in 0.1 s, in steps of h. */
+static double slide_on_incline(double friction, double h)
 {
     small s;
     vbss_thread *thread;
@@ -74,7 +73,7 @@ static double slide_on_incline(double friction)
     const vec3 up = vec3_scale(vec3_make(sin(tilt), cos(tilt), 0.0), above);
     small_thread(&s, vec3_add(up, vec3_make(0.0, 0.0, -10e-3)),
                  vec3_add(up, vec3_make(0.0, 0.0, 10e-3)), 20, &thread);
-    small_steps(&s, 100, 1e-3);
+    small_steps(&s, (uint32_t)(0.1 / h + 0.5), h);
     const vec3 moved = vec3_sub(small_node(thread, 10), up);
     const double slid = vec3_dot(moved, vec3_make(cos(tilt), -sin(tilt), 0.0));
     const double sunk = vec3_dot(moved, vec3_make(sin(tilt), cos(tilt), 0.0));
@@ -87,10 +86,13 @@ static void thread_rests_on_an_incline_up_to_its_friction(void **state)
 {
     (void)state;
     const double tilt = 0.3, time = 0.1;
-    assert_true(fabs(slide_on_incline(1.3 * tan(tilt))) < 0.05e-3);
+    assert_true(fabs(slide_on_incline(1.3 * tan(tilt), 1e-3)) < 0.05e-3);
     const double friction = 0.2;
     const double fallen = 0.5 * 9.81 * (sin(tilt) - friction * cos(tilt)) * time * time;
-    expect_near(fallen, slide_on_incline(friction), 0.05 * fallen);
+    expect_near(fallen, slide_on_incline(friction, 0.25e-3), 0.03 * fallen);
+    /* Normals are those of the start of a step, so the edges ahead brake: today's figure. */
+    const double coarse = slide_on_incline(friction, 1e-3);
+    assert_true(coarse < fallen && coarse > 0.92 * fallen);
 }
 
 #define WIDTH 3e-3
