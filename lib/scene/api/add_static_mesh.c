@@ -27,7 +27,7 @@ static const vbss_layout mesh_layout = {"vbss_scene_static_mesh_config", &mesh_d
 
 /* Category bit of the shapes of static meshes in the collision object: they form no pairs with each
  * other. The filters of bodies are another matter (world/filters.c). */
-#define MESH_CATEGORY 2u
+enum { MESH_CATEGORY = 2 };
 
 vbss_result vbss_scene_static_mesh_config_init(vbss_scene_static_mesh_config *config,
                                                uint32_t struct_size)
@@ -103,7 +103,7 @@ static vbss_result add_shape(scene_object *s, const vbss_scene_static_mesh_confi
     }
     shape->is_rigid = shape->is_static = true;
     shape->category = MESH_CATEGORY;
-    shape->mask = ~MESH_CATEGORY;
+    shape->mask = ~(uint32_t)MESH_CATEGORY;
     vbss_collision_update_displacements(shape);
     return VBSS_OK;
 }
