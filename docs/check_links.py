@@ -7,7 +7,8 @@ source = pathlib.Path(sys.argv[1])
 pages = [source / "README.md", source / "CHANGELOG.md", *sorted((source / "docs").rglob("*.md"))]
 checked, broken = 0, []
 for page in pages:
-    for target in re.findall(r"\]\(([^)#\s]+)", page.read_text()):
+    prose = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.M | re.S)
+    for target in re.findall(r"\]\(([^)#\s]+)", prose):
         if "://" in target:
             continue
         checked += 1

@@ -91,13 +91,14 @@ def folders_of(test):
 
 
 def slow_tests():
-    """Names of the slow tests that are no gates, in a fixed order; a matrix row's gate goes with the row."""
+    """Names of the slow tests that are no gates, in a fixed order; a matrix row's gate goes with the row. Wheels are left
+    out: each platform compiles the library and its C library again, which takes longer than this part has."""
     text = output("ctest", "--preset", "default", "--label-regex", "slow", "--show-only=json-v1")
     names = []
     for test in json.loads(text)["tests"]:
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
         labels = properties.get("LABELS", [])
-        if "slow" in labels and (not test["name"].startswith("gate.") or "presets" in labels):
+        if "slow" in labels and "wheels" not in labels and (not test["name"].startswith("gate.") or "presets" in labels):
             names.append(test["name"])
     return sorted(names)
 

@@ -1,4 +1,4 @@
-"""What docs/explanation/collision.md promises, read off build/bench/collision.json; bench/run.sh runs it after the suite.
+"""What docs/notebook/collision.md promises, read off build/bench/collision.json; bench/run.sh runs it after the suite.
 
 Prints a line a promise with the measured value, and the table of the page. Times depend on the machine and
 what else it does, so a promise that is not kept is told, not made an error; misses are errors of the suite."""

@@ -1,4 +1,4 @@
-/* Step sizes from 2 kHz to 60 Hz: what docs/reference/device-layer.md says about them. All counters are deterministic.
+/* Step sizes from 2 kHz to 60 Hz: what docs/notebook/devices.md says about them. All counters are deterministic.
  *
  * A double throw above a stitch is drawn tight in 0.9 s, then both hands let go for 0.5 s. Limits of work are the defaults, or grow
  * with the step. Beside it a clamped thread falls for 0.1 s; its error is that of the tip, against steps of 1/64 ms. */

@@ -13,28 +13,17 @@ import sys
 import textwrap
 
 sys.dont_write_bytecode = True
-import headers  # noqa: E402
-
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import headers  # noqa: E402
+import naming  # noqa: E402
+from naming import camel, enum_name, is_value, plain, short_name  # noqa: E402
+
 INCLUDE = HERE.parent.parent / "include"
 OUT = HERE / "vblast_ss" / "_api"
 
 SCALARS = {"double": "c_double", "char": "c_char", **{f"{s}int{b}_t": f"c_{s}int{b}" for s in ("", "u")
                                                       for b in (8, 16, 32, 64)}}
-# Structs that the library fills become tuples with names; these do too, which go both ways.
-BOTH_WAYS = {"vbss_device_sample", "vbss_device_capabilities"}
-NO_VALUES = {"vbss_view"}  # becomes an array
-# Constants without a type are called after what they begin with, but for these, by their first one.
-CALLED = {"VBSS_METRICS_HAS_LDJ": "MetricsMotionBits", "VBSS_METRICS_PHASE_ALL": "MetricsTask"}
-
-
-def camel(name: str) -> str:
-    """vbss_thread_field, VBSS_DEVICE_HAS_ -> ThreadField, DeviceHas."""
-    return "".join(part.capitalize() for part in name.strip("_").split("_")[1:])
-
-
-def plain(text: str) -> str:
-    return re.sub(r"#(vbss_|VBSS_)", r"\1", text).replace("\\", "")
 
 
 def docstring(text: str, indent: str) -> list[str]:
@@ -48,44 +37,8 @@ def docstring(text: str, indent: str) -> list[str]:
            [f'{indent}{lines[-1]}"""']
 
 
-class Names:
-    """Where each name of the generated package comes from, and what types are in Python."""
-
-    def __init__(self, all_headers: list[headers.Header]) -> None:
-        self.home: dict[str, str] = {}
-        self.kinds: dict[str, str] = {}
-        self.enums: dict[str, str] = {}  # kind -> class
-        self.bits: dict[str, str] = {}  # prefix -> class
-        self.opaque: set[str] = set()
-        self.callbacks: set[str] = set()
-        for header in all_headers:
-            self.kinds.update({name: base for name, (base, _) in header.kinds.items()})
-            for struct in header.structs:
-                self.home[struct.name] = header.name
-                if not struct.fields:
-                    self.opaque.add(struct.name)
-            for callback in header.callbacks:
-                self.home[callback.name] = header.name
-                self.callbacks.add(callback.name)
-            for constants in header.constants:
-                name, prefix = enum_name(constants)
-                if name in self.home:
-                    raise headers.Refused(f"two enumerations would be called {name}")
-                self.home[name] = header.name
-                if constants.kind:
-                    self.enums[constants.kind] = name
-                else:
-                    self.bits.setdefault(prefix, name)
-
-    def python_enum(self, field: headers.Declared, struct: str) -> str:
-        """The enumeration that a field's values are of, or "". Bits that are called after a struct are its own."""
-        if field.pointers or field.dimensions:
-            return ""
-        said = re.search(r"(VBSS_\w+_) bits", field.text)
-        if said:
-            own = f"{camel(struct)}Bits"
-            return own if own in self.home else self.bits.get(said.group(1), "")
-        return self.enums.get(field.type, "")
+class Names(naming.Names):
+    """What types are in Python."""
 
     def ctype(self, d: headers.Declared, parameter: bool = False) -> str:
         base = SCALARS.get(self.kinds.get(d.type, d.type), "")
@@ -117,19 +70,10 @@ class Names:
     def value(self, d: headers.Declared, struct: str) -> str:
         if d.pointers:
             return "str" if self.ctype(d) == "c_char_p" else "Any"
-        kind = self.python_enum(d, struct) or ("float" if self.kinds.get(d.type, d.type) == "double" else "int")
+        kind = self.enum_of(d, struct) or ("float" if self.kinds.get(d.type, d.type) == "double" else "int")
         for _ in d.dimensions:
             kind = f"tuple[{kind}, ...]"
         return kind
-
-
-def enum_name(constants: headers.Constants) -> tuple[str, str]:
-    """Class of the constants and what their names begin with."""
-    names = [name for name, _, _ in constants.names]
-    prefix = names[0].rsplit("_", 1)[0] + "_"
-    while not all(name.startswith(prefix) for name in names):
-        prefix = prefix[:-1].rsplit("_", 1)[0] + "_"
-    return CALLED.get(names[0]) or (camel(constants.kind) if constants.kind else camel(prefix) + "Bits"), prefix
 
 
 def enum_lines(constants: headers.Constants) -> list[str]:
@@ -137,17 +81,8 @@ def enum_lines(constants: headers.Constants) -> list[str]:
     lines = ["", "", f"class {name}({'IntFlag' if name.endswith('Bits') else 'IntEnum'}):"]
     lines += docstring(constants.text, "    ")
     for constant, number, text in constants.names:
-        short = constant[len(prefix):]
-        if not short.isidentifier():
-            short = constant[prefix[:-1].rindex("_") + 1:]
-        lines += [f"    {short} = {number}"] + docstring(text, "    ")
+        lines += [f"    {short_name(constant, prefix)} = {number}"] + docstring(text, "    ")
     return lines
-
-
-def is_value(struct: headers.Struct) -> bool:
-    first = struct.fields[0] if struct.fields else None
-    filled = first is not None and first.name == "struct_size" and "filled" in first.text
-    return (filled or struct.name in BOTH_WAYS) and struct.name not in NO_VALUES
 
 
 def struct_lines(struct: headers.Struct, names: Names) -> list[str]:
@@ -158,7 +93,7 @@ def struct_lines(struct: headers.Struct, names: Names) -> list[str]:
                                   if f.name != "struct_size" and not f.name.startswith("reserved"))
     lines += docstring(about, "    ")
     lines += [f"    {f.name}: {names.annotation(f)}" for f in struct.fields]
-    kinds = {f.name: kind for f in struct.fields for kind in [names.python_enum(f, struct.name)] if kind}
+    kinds = {f.name: kind for f in struct.fields for kind in [names.enum_of(f, struct.name)] if kind}
     lines.append("    _kinds_: ClassVar[dict[str, Any]] = {" +
                  ", ".join(f'"{name}": {kind}' for name, kind in kinds.items()) + "}")
     lines.append("    _fields_ = [")

@@ -1,4 +1,4 @@
-/* The example driver: arms, handles and solenoids on a scene at 1 kHz. `trainer` alone tells how; docs/notebook/trainer.md has wiring
+/* The example driver: arms, handles and solenoids on a scene at 1 kHz. `trainer` alone tells how; docs/guides/trainer.md has wiring
  * and set-up. */
 #include <signal.h>
 #include <stdio.h>

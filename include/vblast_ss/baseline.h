@@ -1,12 +1,15 @@
 /**
  * @file baseline.h
- * @brief Parameters of the method VBSS_METHOD_VBLAST, the baseline (VBLaST-SS, Qi et al. 2017).
+ * @brief Parameters and counters of the method VBSS_METHOD_VBLAST, the baseline (VBLaST-SS, Qi et al. 2017).
  *
  * Objects of this method take these parameters from the field `baseline` of their configurations:
  * collision, thread, drain, grasper and scene. One struct serves all five, so that one comparison
  * sets it once. An object copies it when it is created; NULL means the defaults. Objects of other
  * methods check it and ignore it. docs/explanation/paper-thread.md, paper-drain.md, paper-scene.md and
  * paper-collision.md derive the defaults.
+ *
+ * What only this method counts is in a struct of its own, which #vbss_scene_get_baseline_statistics,
+ * #vbss_thread_get_baseline_statistics and #vbss_collision_get_baseline_statistics return.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -57,6 +60,30 @@ typedef struct vbss_baseline_config {
     /** Distance that a scene keeps beyond contact (the paper's eps_D), m, 0 to 1e-2; default 0. */
     double scene_thickness;
 } vbss_baseline_config;
+
+/** Counters of the baseline since the creation of an object, and results of its last step. One struct
+ * serves scenes, threads and collision objects; each fills the fields of its kind, and the others are 0.
+ * They are part of the state: a snapshot restores them. */
+typedef struct vbss_baseline_statistics {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    /** Scene: pairs that the last search of the last step found. */
+    uint32_t last_candidates;
+    /** Scene: passes of detection and response in all steps; at least one a step. */
+    uint64_t passes;
+    uint64_t tested_pairs; /**< Scene: pairs that these passes tested, the floor excluded. */
+    /** Scene: steps whose last pass still moved a body, because of
+     * vbss_baseline_config::scene_pass_limit. */
+    uint64_t unconverged_steps;
+    /** Thread: iterations of the projection, summed over sections and explicit steps. */
+    uint64_t projection_iterations;
+    /** Thread: projections that did not converge, so that their section kept the positions from before. */
+    uint64_t failed_projections;
+    /** Collision object, and scene: continuous tests that the sign of w.w' ended
+     * (docs/explanation/paper-collision.md). */
+    uint64_t sign_tests_ended;
+    uint32_t last_projection_iterations; /**< Thread: the part of the last step. */
+    uint32_t reserved;                   /**< Zero. */
+} vbss_baseline_statistics;
 
 #ifdef __cplusplus
 extern "C" {

@@ -166,16 +166,15 @@ enum {
 
 /** Counters of a collision object since its creation. Searches and tests that fail are not counted. */
 typedef struct vbss_collision_statistics {
-    uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
-    uint32_t candidates;       /**< Candidates of the last search. */
-    uint32_t impacts;          /**< Impacts of the last search. */
-    uint32_t reserved;         /**< Zero. */
-    uint64_t queries;          /**< Continuous tests. */
-    uint64_t hits;             /**< Continuous tests that were hits. */
-    uint64_t undecided;        /**< Continuous tests that were undecided. */
-    uint64_t exact;            /**< Tests that needed exact arithmetic. */
-    uint64_t passes;           /**< CONSERVATIVE: evaluations of the closest points. */
-    uint64_t sign_tests_ended; /**< VBLAST: tests ended by the sign of w.w'. */
+    uint32_t struct_size;  /**< Bytes of this struct that the library filled. */
+    uint32_t candidates;   /**< Candidates of the last search. */
+    uint32_t impacts;      /**< Impacts of the last search. */
+    uint32_t reserved;     /**< Zero. */
+    uint64_t queries;      /**< Continuous tests. */
+    uint64_t hits;         /**< Continuous tests that were hits. */
+    uint64_t undecided;    /**< Continuous tests that were undecided. */
+    uint64_t exact;        /**< Tests that needed exact arithmetic. */
+    uint64_t passes;       /**< CONSERVATIVE: evaluations of the closest points. */
     uint64_t boxes_tested; /**< Pairs of boxes that the searches tested; not part of the state. */
     uint64_t searches;     /**< Searches for candidates. */
 } vbss_collision_statistics;
@@ -634,6 +633,21 @@ VBSS_API vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t
 VBSS_API vbss_result vbss_collision_get_statistics(vbss_collision *collision,
                                                    vbss_collision_statistics *statistics,
                                                    uint32_t struct_size);
+
+/**
+ * Returns what method VBLAST counts in a collision object.
+ *
+ * @param collision       the object
+ * @param[out] statistics  receives the counters
+ * @param struct_size      `sizeof *statistics` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INCOMPATIBLE if the object uses another method, VBSS_ERROR_INVALID_HANDLE,
+ * VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_collision_get_baseline_statistics(vbss_collision *collision,
+                                                            vbss_baseline_statistics *statistics,
+                                                            uint32_t struct_size);
 
 /**
  * Saves the state: shapes, their motion, counters. Candidates and impacts are not saved; search again.

@@ -332,11 +332,23 @@ VBSS_API vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_c
  * Destroys a drain.
  *
  * @param drain  the drain; NULL does nothing
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
 VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
+
+/**
+ * Destroys a drain now, or when it leaves the scene that it belongs to: on #vbss_scene_remove and on
+ * #vbss_scene_destroy. Until then the handle is valid. A host that has discarded all bodies of a
+ * scene needs to destroy only the scene.
+ *
+ * @param drain  the drain; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_drain_discard(vbss_drain *drain);
 
 /**
  * Advances a drain by one step. The call allocates nothing. If the new state is not finite, the

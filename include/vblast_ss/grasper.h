@@ -242,6 +242,18 @@ VBSS_API vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasp
 VBSS_API vbss_result vbss_grasper_destroy(vbss_grasper *grasper);
 
 /**
+ * Destroys a grasper now, or when it leaves the scene that it belongs to: on #vbss_scene_remove and on
+ * #vbss_scene_destroy. Until then the handle is valid. A host that has discarded all bodies of a
+ * scene needs to destroy only the scene.
+ *
+ * @param grasper  the grasper; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_grasper_discard(vbss_grasper *grasper);
+
+/**
  * Sets the pose that the tool reaches at the end of the next step. Before the tool is added to a
  * scene, the call sets its initial pose. With a trocar, the tip moves to the given position. The
  * given orientation is turned along the shortest path until the shaft passes through the trocar, so

@@ -17,7 +17,7 @@
  * Threads: the vendor's servo thread drives the arms. It shares only the newest sample and the
  * newest output with the library, without waits. The analog and digital lines have their own
  * thread, because a call for them takes milliseconds. It lives from create to destroy, and
- * #vbss_nidaqmx_poll can replace it. docs/reference/device-layer.md has the wiring and the set-up.
+ * #vbss_nidaqmx_poll can replace it. docs/reference/hardware.md has the wiring and the set-up.
  *
  * SPDX-License-Identifier: Apache-2.0
  */

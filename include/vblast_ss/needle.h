@@ -185,6 +185,18 @@ VBSS_API vbss_result vbss_needle_create(vbss_context *context, const vbss_needle
 VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
 
 /**
+ * Destroys a needle now, or when it leaves the scene that it belongs to: on #vbss_scene_remove and on
+ * #vbss_scene_destroy. Until then the handle is valid. A host that has discarded all bodies of a
+ * scene needs to destroy only the scene.
+ *
+ * @param needle  the needle; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_needle_discard(vbss_needle *needle);
+
+/**
  * Makes one step of free flight under gravity and drag, without contacts. Angular momentum is
  * conserved up to rounding; the rotation is of second order (the splitting of docs/explanation/needle.md). A
  * needle turns by at most a quarter of a turn in a step; a faster one slows down.

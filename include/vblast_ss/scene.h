@@ -286,10 +286,9 @@ enum {
     VBSS_SCENE_CONTACT_HOLE = 10
 };
 
-/** Counters since creation, and results of the last step. Method VBLAST uses these fields
- * differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
- * pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still moved
- * a body, and the stretch error is max |length / rest length - 1|. */
+/** Counters since creation, and results of the last step. Method VBLAST leaves `rows`, `separators` and
+ * the counters of attempts, solves, the guard and operations at 0; #vbss_scene_get_baseline_statistics
+ * returns what it counts. */
 typedef struct vbss_scene_statistics {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t contacts;    /**< Contacts that carry a force after the last step. */
@@ -321,10 +320,12 @@ typedef struct vbss_scene_statistics {
     uint64_t guard_pairs;    /**< Pairs that the guard has tested or knows to be apart. */
     double last_penetration; /**< Largest penetration after the last step, m. */
     double penetration;      /**< Largest penetration of all steps, m. */
-    double last_stretch_error; /**< max |length / rest length - 1 - T / EA| after the last step. */
-    double stretch_error;      /**< Largest stretch error of all steps. */
-    double last_residual;      /**< Residual of the contact law after the last part, N. */
-    double time;               /**< Sum of the lengths of the steps, `time_paused` included, s. */
+    /** IMPLICIT: max |length / rest length - 1 - T / EA| after the last step; VBLAST: max |length /
+     * rest length - 1|. */
+    double last_stretch_error;
+    double stretch_error; /**< Largest stretch error of all steps. */
+    double last_residual; /**< Residual of the contact law after the last part, N. */
+    double time;          /**< Sum of the lengths of the steps, `time_paused` included, s. */
     uint64_t
         operations; /**< Operations of all steps, as the step budget counts them; method IMPLICIT. */
     uint64_t most_operations; /**< Largest number of operations of a step. */
@@ -906,6 +907,21 @@ VBSS_API vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field fie
  */
 VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
                                                uint32_t struct_size);
+
+/**
+ * Returns what method VBLAST counts in a scene, without what its threads count.
+ *
+ * @param scene           the scene
+ * @param[out] statistics  receives the counters
+ * @param struct_size      `sizeof *statistics` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INCOMPATIBLE if the scene uses another method, VBSS_ERROR_INVALID_HANDLE,
+ * VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_get_baseline_statistics(vbss_scene *scene,
+                                                        vbss_baseline_statistics *statistics,
+                                                        uint32_t struct_size);
 
 /**
  * Returns the deepest overlap of a body with another body or the floor in their current poses. An

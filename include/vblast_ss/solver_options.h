@@ -45,7 +45,7 @@ typedef struct vbss_solver_options {
     /** REAL_TIME, method IMPLICIT: time of a step after which the search for contact states stops,
      * us, 0 to 1e7; 0: no limit; default 500. The budget in operations is the nearest integer of
      * step_budget_us times operations_per_us, 1 to 4294967295. An operation costs about as much as a
-     * product of two 3x3 blocks (docs/explanation/contact.md). At the limit the step uses the contact forces
+     * product of two 3x3 blocks (docs/explanation/real-time.md). At the limit the step uses the contact forces
      * found so far. They balance, but miss the contact law by up to
      * vbss_scene_statistics::last_residual. Lengths still converge, with a few solves beyond the
      * limit. The rest of the step is left out (vbss_scene_statistics::paused) when lengths do not

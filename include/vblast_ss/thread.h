@@ -267,18 +267,17 @@ typedef struct vbss_thread_momentum {
     double angular[3];    /**< Angular momentum about the origin, kg m^2/s. */
 } vbss_thread_momentum;
 
-/** Counters since creation, and results of the last step. */
+/** Counters since creation, and results of the last step. #vbss_thread_get_baseline_statistics returns
+ * what method VBLAST counts beside these. */
 typedef struct vbss_thread_statistics {
     uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
-    uint32_t last_iterations; /**< Linearisations, or projection iterations, of the last step. */
+    uint32_t last_iterations; /**< IMPLICIT: linearisations of the last step. */
     uint64_t steps;           /**< Calls of #vbss_thread_step that succeeded. */
-    uint64_t iterations;  /**< IMPLICIT: linearisations; VBLAST: iterations of the projection. */
-    uint64_t substeps;    /**< Accepted parts of steps; equal to steps if none was divided. */
-    uint64_t first_order; /**< IMPLICIT: substeps made by backward Euler. */
-    uint64_t rejections;  /**< IMPLICIT: attempts that were rejected and halved. */
-    uint64_t forced;      /**< IMPLICIT: substeps accepted unconverged, at the last halving. */
-    /** VBLAST: sections that did not converge and kept the point constraints alone. */
-    uint64_t fallbacks;
+    uint64_t iterations;      /**< IMPLICIT: linearisations. */
+    uint64_t substeps;        /**< Accepted parts of steps; equal to steps if none was divided. */
+    uint64_t first_order;     /**< IMPLICIT: substeps made by backward Euler. */
+    uint64_t rejections;      /**< IMPLICIT: attempts that were rejected and halved. */
+    uint64_t forced;          /**< IMPLICIT: substeps accepted unconverged, at the last halving. */
     /** IMPLICIT: linearisations repeated with less compression, parts that started from the old positions because
      * the prediction was unusable, and parts in which the force of rest curvature was kept constant. */
     uint64_t softened;
@@ -405,11 +404,23 @@ VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread
  * Destroys a thread; pieces cut from it remain.
  *
  * @param thread  the thread; NULL does nothing
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
 VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
+
+/**
+ * Destroys a thread now, or when it leaves the scene that it belongs to: on #vbss_scene_remove and on
+ * #vbss_scene_destroy; pieces cut from it remain. Until then the handle is valid. A host that has discarded all bodies of a
+ * scene needs to destroy only the scene.
+ *
+ * @param thread  the thread; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_thread_discard(vbss_thread *thread);
 
 /**
  * Advances a thread by one step. The call allocates nothing. If the new state is not finite, the
@@ -606,6 +617,21 @@ VBSS_API vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_m
 VBSS_API vbss_result vbss_thread_get_statistics(vbss_thread *thread,
                                                 vbss_thread_statistics *statistics,
                                                 uint32_t struct_size);
+
+/**
+ * Returns what method VBLAST counts in a thread.
+ *
+ * @param thread          the thread
+ * @param[out] statistics  receives the counters
+ * @param struct_size      `sizeof *statistics` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INCOMPATIBLE if the thread uses another method, VBSS_ERROR_INVALID_HANDLE,
+ * VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_thread_get_baseline_statistics(vbss_thread *thread,
+                                                         vbss_baseline_statistics *statistics,
+                                                         uint32_t struct_size);
 
 /**
  * Saves the thread's state. A thread that restores it continues with identical bits, on any machine.

@@ -3,9 +3,9 @@
  * @brief Owners, exceptions and views for C++17 and later. Header-only.
  *
  * The functions of the C headers remain the interface and the only ABI: everything here is inline. An
- * #vbss::owner converts to the pointer that these functions take. #vbss::owner::call calls one of them
- * and throws #vbss::error in place of a status. No exception may leave a callback, because the library
- * is C: #vbss::callback catches it, and its function rethrow throws it again after the call.
+ * #vbss::owner converts to the pointer that these functions take. Its members `make`, `call`, `value`,
+ * `read`, `view` and `save` call one of them, and throw #vbss::error in place of a status. No exception
+ * may leave a callback: callbacks.hpp catches them.
  *
  * The rules for threads are those of the C functions.
  *
@@ -14,17 +14,19 @@
 #ifndef VBLAST_SS_VBLAST_SS_HPP
 #define VBLAST_SS_VBLAST_SS_HPP
 
+#include <vblast_ss/callbacks.hpp>
 #include <vblast_ss/vblast_ss.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -123,7 +125,7 @@ template <class T> class span
     {
         return data_[index];
     }
-    /** Returns the begin of the values.
+    /** Returns a pointer to the first value.
      * @return pointer to the first value
      */
     constexpr T *begin() const noexcept
@@ -199,6 +201,91 @@ template <class T> class items
     vbss_view view_;
 };
 
+/** @cond */
+namespace detail
+{
+/* The functions that owners end an object with. */
+inline vbss_result end(vbss_collision *object) noexcept
+{
+    return vbss_collision_destroy(object);
+}
+inline vbss_result end(vbss_device *object) noexcept
+{
+    return vbss_device_destroy(object);
+}
+inline vbss_result end(vbss_drain *object) noexcept
+{
+    return vbss_drain_discard(object);
+}
+inline vbss_result end(vbss_grasper *object) noexcept
+{
+    return vbss_grasper_discard(object);
+}
+inline vbss_result end(vbss_knot_detector *object) noexcept
+{
+    return vbss_knot_detector_destroy(object);
+}
+inline vbss_result end(vbss_metrics *object) noexcept
+{
+    return vbss_metrics_destroy(object);
+}
+inline vbss_result end(vbss_mock *object) noexcept
+{
+    return vbss_mock_destroy(object);
+}
+inline vbss_result end(vbss_needle *object) noexcept
+{
+    return vbss_needle_discard(object);
+}
+inline vbss_result end(vbss_nidaqmx *object) noexcept
+{
+    return vbss_nidaqmx_destroy(object);
+}
+inline vbss_result end(vbss_openhaptics *object) noexcept
+{
+    return vbss_openhaptics_destroy(object);
+}
+inline vbss_result end(vbss_output *object) noexcept
+{
+    return vbss_output_destroy(object);
+}
+inline vbss_result end(vbss_record *object) noexcept
+{
+    return vbss_record_destroy(object);
+}
+inline vbss_result end(vbss_replay *object) noexcept
+{
+    return vbss_replay_destroy(object);
+}
+inline vbss_result end(vbss_replica *object) noexcept
+{
+    return vbss_replica_destroy(object);
+}
+inline vbss_result end(vbss_scene *object) noexcept
+{
+    return vbss_scene_destroy(object);
+}
+inline vbss_result end(vbss_session *object) noexcept
+{
+    return vbss_session_destroy(object);
+}
+inline vbss_result end(vbss_thread *object) noexcept
+{
+    return vbss_thread_discard(object);
+}
+inline vbss_result end(vbss_visual *object) noexcept
+{
+    return vbss_visual_destroy(object);
+}
+
+/* The type that the last parameter of a C function points to. */
+template <class... P>
+using last = std::remove_pointer_t<std::tuple_element_t<sizeof...(P) - 1, std::tuple<P...>>>;
+} // namespace detail
+/** @endcond */
+
+template <class T> class owner;
+
 /** A context that its owner and all objects of it share: it is destroyed after the last of them. */
 class context
 {
@@ -213,6 +300,33 @@ class context
         shared_ = std::shared_ptr<vbss_context>(
             created, [](vbss_context *c) { (void)vbss_context_destroy(c); });
     }
+    /** Creates a context with the defaults that passes its messages to a function. The context keeps the
+     * function. An exception of the function is dropped. Throws #vbss::error.
+     * @param log    the function
+     * @param level  least important level that it receives
+     */
+    explicit context(std::function<void(vbss_log_level, const char *)> log,
+                     vbss_log_level level = VBSS_LOG_WARNING)
+    {
+        using logger = callback<void(vbss_log_level, const char *)>;
+        const auto kept = std::make_shared<logger>(std::move(log));
+        vbss_context_config config = vbss_context_config_default();
+        config.log = kept->call;
+        config.log_user = kept.get();
+        config.log_level = level;
+        vbss_context *created = nullptr;
+        check(vbss_context_create(&config, &created));
+        shared_ = std::shared_ptr<vbss_context>(
+            created, [kept](vbss_context *c) { (void)vbss_context_destroy(c); });
+    }
+    /** Creates an object with a C function, such as `context.make(vbss_drain_create, &config)`. Throws
+     * #vbss::error.
+     * @param create     the C function
+     * @param arguments  its arguments between the context and the new object
+     * @return the owner
+     */
+    template <class... P, class... A>
+    auto make(vbss_result (*create)(vbss_context *, P...), A &&...arguments) const;
     /** Returns the pointer for C functions.
      * @return the context
      */
@@ -230,10 +344,9 @@ class context
     std::shared_ptr<vbss_context> shared_;
 };
 
-/** The only owner of an object of type T. It can be moved and not copied. `destroy` is the function that
- * destroys the object. A thread, drain, needle or grasper that still belongs to a scene stays, and its
- * context destroys it. */
-template <class T, vbss_result (*destroy)(T *)> class owner
+/** The only owner of an object of type T. It can be moved and not copied. Owners may end in any order: a thread, drain, needle or grasper that still belongs
+ * to a scene stays in it, and is destroyed when it leaves the scene. */
+template <class T> class owner
 {
   public:
     /** Owns nothing. */
@@ -275,7 +388,7 @@ template <class T, vbss_result (*destroy)(T *)> class owner
     void reset() noexcept
     {
         if (object_ != nullptr) {
-            (void)destroy(std::exchange(object_, nullptr));
+            (void)detail::end(std::exchange(object_, nullptr));
         }
     }
     /** Gives the object up: the caller destroys it.
@@ -320,6 +433,46 @@ template <class T, vbss_result (*destroy)(T *)> class owner
     {
         check(function(object_, std::forward<A>(arguments)...));
     }
+    /** Calls a C function whose last parameter receives a value, such as
+     * `scene.value(vbss_scene_get_hash)` or `scene.value(vbss_scene_add_thread, thread)`. Throws
+     * #vbss::error.
+     * @param function   the C function
+     * @param arguments  its arguments between the object and the value
+     * @return the value
+     */
+    template <class... P, class... A>
+    detail::last<P...> value(vbss_result (*function)(T *, P...), A &&...arguments) const
+    {
+        detail::last<P...> filled{};
+        check(function(object_, std::forward<A>(arguments)..., &filled));
+        return filled;
+    }
+    /** Creates an object of the same context with a C function of this object, such as
+     * `scene.make(vbss_replica_create, nullptr)`. Throws #vbss::error.
+     * @param create     the C function
+     * @param arguments  its arguments between this object and the new one
+     * @return the owner
+     */
+    template <class... P, class... A>
+    auto make(vbss_result (*create)(T *, P...), A &&...arguments) const
+    {
+        return owner<std::remove_pointer_t<detail::last<P...>>>(
+            *context_, value(create, std::forward<A>(arguments)...));
+    }
+    /** Returns the state of the object, such as `scene.save(vbss_scene_save)`. Throws #vbss::error.
+     * @param function  the C function that saves the object
+     * @return the bytes for the C function that restores it
+     */
+    template <class B>
+    std::vector<std::uint8_t> save(vbss_result (*function)(T *, B *, std::uint64_t,
+                                                           std::uint64_t *)) const
+    {
+        std::uint64_t size = 0;
+        (void)function(object_, nullptr, 0, &size); /* asks for the size */
+        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+        check(function(object_, bytes.data(), size, &size));
+        return bytes;
+    }
     /** Calls a C function that fills a struct S with its size behind it, such as
      * `scene.read<vbss_scene_statistics>(vbss_scene_get_statistics)`. Throws #vbss::error.
      * @param function   the C function
@@ -351,40 +504,32 @@ template <class T, vbss_result (*destroy)(T *)> class owner
     T *object_ = nullptr;
 };
 
-/** Creates an object. Throws #vbss::error.
- * @param in         context of the object
- * @param create     C function that creates it
- * @param arguments  all its arguments before the result
- * @return the owner
- */
-template <class Owner, class... P, class... A>
-Owner make(const context &in, vbss_result (*create)(P...), A &&...arguments)
+template <class... P, class... A>
+auto context::make(vbss_result (*create)(vbss_context *, P...), A &&...arguments) const
 {
-    std::remove_pointer_t<decltype(std::declval<Owner>().get())> *object = nullptr;
-    check(create(std::forward<A>(arguments)..., &object), in);
-    return Owner(in, object);
+    detail::last<P...> object = nullptr;
+    check(create(get(), std::forward<A>(arguments)..., &object), get());
+    return owner<std::remove_pointer_t<detail::last<P...>>>(*this, object);
 }
 
-using collision =
-    owner<vbss_collision, vbss_collision_destroy>;         /**< Owner of a collision object. */
-using device = owner<vbss_device, vbss_device_destroy>;    /**< Owner of a device. */
-using drain = owner<vbss_drain, vbss_drain_destroy>;       /**< Owner of a drain. */
-using grasper = owner<vbss_grasper, vbss_grasper_destroy>; /**< Owner of a grasper. */
-/** Owner of a knot detector. */
-using knot_detector = owner<vbss_knot_detector, vbss_knot_detector_destroy>;
-using metrics = owner<vbss_metrics, vbss_metrics_destroy>; /**< Owner of metrics. */
-using mock = owner<vbss_mock, vbss_mock_destroy>;          /**< Owner of a mock device. */
-using needle = owner<vbss_needle, vbss_needle_destroy>;    /**< Owner of a needle. */
-using nidaqmx = owner<vbss_nidaqmx, vbss_nidaqmx_destroy>; /**< Owner of an adapter. */
-using openhaptics = owner<vbss_openhaptics, vbss_openhaptics_destroy>; /**< Owner of an adapter. */
-using output = owner<vbss_output, vbss_output_destroy>;    /**< Owner of an output stage. */
-using record = owner<vbss_record, vbss_record_destroy>;    /**< Owner of a record. */
-using replay = owner<vbss_replay, vbss_replay_destroy>;    /**< Owner of a replay. */
-using replica = owner<vbss_replica, vbss_replica_destroy>; /**< Owner of a replica. */
-using scene = owner<vbss_scene, vbss_scene_destroy>;       /**< Owner of a scene. */
-using session = owner<vbss_session, vbss_session_destroy>; /**< Owner of a session. */
-using thread = owner<vbss_thread, vbss_thread_destroy>;    /**< Owner of a thread. */
-using visual = owner<vbss_visual, vbss_visual_destroy>;    /**< Owner of a visual. */
+using collision = owner<vbss_collision>;         /**< Owner of a collision object. */
+using device = owner<vbss_device>;               /**< Owner of a device. */
+using drain = owner<vbss_drain>;                 /**< Owner of a drain. */
+using grasper = owner<vbss_grasper>;             /**< Owner of a grasper. */
+using knot_detector = owner<vbss_knot_detector>; /**< Owner of a knot detector. */
+using metrics = owner<vbss_metrics>;             /**< Owner of metrics. */
+using mock = owner<vbss_mock>;                   /**< Owner of a mock device. */
+using needle = owner<vbss_needle>;               /**< Owner of a needle. */
+using nidaqmx = owner<vbss_nidaqmx>;             /**< Owner of an adapter. */
+using openhaptics = owner<vbss_openhaptics>;     /**< Owner of an adapter. */
+using output = owner<vbss_output>;               /**< Owner of an output stage. */
+using record = owner<vbss_record>;               /**< Owner of a record. */
+using replay = owner<vbss_replay>;               /**< Owner of a replay. */
+using replica = owner<vbss_replica>;             /**< Owner of a replica. */
+using scene = owner<vbss_scene>;                 /**< Owner of a scene. */
+using session = owner<vbss_session>;             /**< Owner of a session. */
+using thread = owner<vbss_thread>;               /**< Owner of a thread. */
+using visual = owner<vbss_visual>;               /**< Owner of a visual. */
 
 /** Creates a scene. Throws #vbss::error.
  * @param in      context of the scene
@@ -393,7 +538,7 @@ using visual = owner<vbss_visual, vbss_visual_destroy>;    /**< Owner of a visua
  */
 inline scene make_scene(const context &in, const vbss_scene_config *config = nullptr)
 {
-    return make<scene>(in, vbss_scene_create, in.get(), config);
+    return in.make(vbss_scene_create, config);
 }
 
 /** Creates a thread. Throws #vbss::error.
@@ -403,7 +548,7 @@ inline scene make_scene(const context &in, const vbss_scene_config *config = nul
  */
 inline thread make_thread(const context &in, const vbss_thread_config *config = nullptr)
 {
-    return make<thread>(in, vbss_thread_create, in.get(), config);
+    return in.make(vbss_thread_create, config);
 }
 
 /** Takes all events out of the list of a scene, oldest first. Throws #vbss::error.
@@ -424,56 +569,60 @@ inline std::vector<vbss_scene_event> take_events(const scene &from, std::uint64_
     return events;
 }
 
-template <class S> class callback;
-
-/** A function of the host that the library calls, such as `vbss::callback<void(vbss_log_level, const char *)>`
- * for #vbss_log_fn. Set the C callback to `call` and its user pointer to the address of this object, which
- * must outlive the object that calls it. `call` returns a fixed value when the function throws. */
-template <class R, class... A> class callback<R(A...)>
+/** Returns the bytes that were added to a log since the last call. Throws #vbss::error.
+ * @param from  the record
+ * @return the bytes, valid until the next call that records something
+ */
+inline span<const std::uint8_t> take_bytes(const record &from)
 {
-  public:
-    /** Wraps a function.
-     * @param function  the function of the host
-     * @param failed    value that call returns when it throws
-     */
-    template <class F, class V = int>
-    explicit callback(F function, V failed = V()) : function_(std::move(function)), failed_(failed)
-    {
-    }
-    callback(const callback &) = delete;
-    callback &operator=(const callback &) = delete;
-    /** The function for C. It never throws.
-     * @param user       address of the callback object
-     * @param arguments  arguments of the library
-     * @return the result of the function, or the value for a failure
-     */
-    static R call(void *user, A... arguments) noexcept
-    {
-        callback *self = static_cast<callback *>(user);
-        try {
-            return self->function_(arguments...);
-        } catch (...) {
-            if (!self->caught_) {
-                self->caught_ = std::current_exception();
-            }
-        }
-        if constexpr (!std::is_void_v<R>) {
-            return self->failed_;
-        }
-    }
-    /** Throws the first exception of the function since the last call of rethrow; none: does nothing. */
-    void rethrow()
-    {
-        if (caught_) {
-            std::rethrow_exception(std::exchange(caught_, nullptr));
-        }
-    }
+    const std::uint8_t *bytes = nullptr;
+    std::uint64_t count = 0;
+    from.call(vbss_record_take, &bytes, &count);
+    return span<const std::uint8_t>(bytes, static_cast<std::size_t>(count));
+}
 
-  private:
-    std::function<R(A...)> function_;
-    std::conditional_t<std::is_void_v<R>, int, R> failed_;
-    std::exception_ptr caught_;
-};
+/** Repeats the steps of a log to its end, or to its first difference. Throws #vbss::error, also if the log
+ * is cut off or damaged.
+ * @param from  a replay that has begun
+ * @return the last report
+ */
+inline vbss_replay_report replay_to_end(const replay &from)
+{
+    vbss_replay_report report;
+    do {
+        report = from.read<vbss_replay_report>(vbss_replay_step);
+    } while (report.outcome == VBSS_REPLAY_OUTCOME_STEPPED);
+    return report;
+}
+
+/** Takes the newest state of a replica, in the reader's thread. Throws #vbss::error, without the error text
+ * of the context, which belongs to the writer's thread.
+ * @param from  the replica
+ * @return the state
+ */
+inline vbss_replica_state take_state(const replica &from)
+{
+    vbss_replica_state state;
+    check(vbss_replica_take(from, &state, static_cast<std::uint32_t>(sizeof state)));
+    return state;
+}
+
+/** Measures the speed of the core with a steady clock (#vbss_core_speed_measure). Throws #vbss::error.
+ * @param in  a context, which lends its memory
+ * @return the speed for vbss_solver_options::operations_per_us, operations per us
+ */
+inline double measure_core_speed(const context &in)
+{
+    const auto seconds = [](void *) noexcept {
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        return std::chrono::duration<double>(now).count();
+    };
+    vbss_core_speed speed;
+    check(vbss_core_speed_measure(in, seconds, nullptr, &speed,
+                                  static_cast<std::uint32_t>(sizeof speed)),
+          in);
+    return speed.operations_per_us;
+}
 
 } // namespace vbss
 

@@ -28,6 +28,9 @@ typedef struct vbss_field {
 #define VBSS_NUMBERS(type, name, count) VBSS_NUMBERS_SINCE(type, name, count, 1)
 #define VBSS_NUMBER(type, name) VBSS_NUMBERS_SINCE(type, name, 1, 1)
 
+/* Visits the values of a field if the version of the open section has it. */
+void vbss_stream_field(vbss_stream *stream, uint16_t tag, const vbss_field *field, void *values);
+
 /* Visits the fields that the version of the open section has. The index in the table is the tag, so
  * new fields are appended. */
 void vbss_stream_fields(vbss_stream *stream, const vbss_field *fields, size_t count, void *object);

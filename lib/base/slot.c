@@ -172,6 +172,24 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
     return VBSS_OK;
 }
 
+vbss_result vbss_slot_discard(void *handle, const vbss_kind *kind)
+{
+    if (handle == NULL) {
+        return VBSS_OK;
+    }
+    vbss_slot *slot = find_slot(handle, kind);
+    if (slot == NULL) {
+        return VBSS_ERROR_INVALID_HANDLE;
+    }
+    VBSS_TRY(vbss_context_edit(slot->context));
+    if (slot->owner != NULL) {
+        slot->is_owned_for_good = true;
+    } else {
+        retire(slot);
+    }
+    return VBSS_OK;
+}
+
 void vbss_slot_destroy_owned(vbss_slot *slot)
 {
     if (slot->is_owned_for_good && slot->status == SLOT_ALIVE) {

@@ -61,6 +61,9 @@ vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slo
 /* Destroys the object and makes its handle invalid. VBSS_OK for NULL; VBSS_ERROR_INVALID_HANDLE,
  * VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY on failure. */
 vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind);
+/* As vbss_slot_destroy, but an object with an owner is destroyed when the owner gives it up. Never
+ * VBSS_ERROR_IN_SCENE. */
+vbss_result vbss_slot_discard(void *handle, const vbss_kind *kind);
 /* Gives the object to an owner, whose hook hears of its edits; NULL, NULL: back to the host. */
 static inline void vbss_slot_set_owner(vbss_slot *slot, const void *owner,
                                        struct vbss_edit_hook *hook)

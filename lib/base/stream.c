@@ -360,17 +360,21 @@ void vbss_stream_expect_f64(vbss_stream *stream, uint16_t tag, double value)
 
 /* ---- structs */
 
+void vbss_stream_field(vbss_stream *stream, uint16_t tag, const vbss_field *field, void *values)
+{
+    if (field->since > stream->version) {
+        return;
+    }
+    if (field->type == VBSS_FIELD_U32) {
+        vbss_stream_u32(stream, tag, values, field->count);
+    } else {
+        vbss_stream_f64(stream, tag, values, field->count);
+    }
+}
+
 void vbss_stream_fields(vbss_stream *stream, const vbss_field *fields, size_t count, void *object)
 {
     for (size_t i = 0; i < count; i++) {
-        void *value = (char *)object + fields[i].offset;
-        if (fields[i].since > stream->version) {
-            continue;
-        }
-        if (fields[i].type == VBSS_FIELD_U32) {
-            vbss_stream_u32(stream, (uint16_t)i, value, fields[i].count);
-        } else {
-            vbss_stream_f64(stream, (uint16_t)i, value, fields[i].count);
-        }
+        vbss_stream_field(stream, (uint16_t)i, &fields[i], (char *)object + fields[i].offset);
     }
 }

@@ -15,7 +15,7 @@ typedef struct baseline_body {
     bool has_closed_jaws; /* closed in this step, and nothing taken yet */
 } baseline_body;
 
-/* Counts of the current step; vbss_scene_statistics receives them at its end. */
+/* Counts of the current step; the statistics receive them at its end. */
 typedef struct baseline_scene_counts {
     uint32_t passes;
     uint32_t responses; /* in the current pass */
@@ -32,6 +32,7 @@ typedef struct baseline_scene {
     scene_contact_record *contacts;
     uint32_t contact_count;
     baseline_scene_counts counts;
+    vbss_baseline_statistics statistics; /* sign_tests_ended is in the collision object */
 } baseline_scene;
 
 static inline baseline_body *baseline_body_of(const scene_object *s, const scene_body *b)

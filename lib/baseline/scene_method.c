@@ -138,6 +138,11 @@ static uint32_t *grasp_pin(const scene_object *s, uint32_t index)
     return &s->baseline->grasp_pins[index];
 }
 
+static vbss_baseline_statistics *baseline_statistics(const scene_object *s)
+{
+    return &s->baseline->statistics;
+}
+
 const scene_method vbss_baseline_scene = {
     .create_state = create_state,
     .destroy_state = destroy_state,
@@ -155,6 +160,7 @@ const scene_method vbss_baseline_scene = {
     .serialise_needle = serialise_needle,
     .is_valid_body = is_valid_body,
     .grasp_pin = grasp_pin,
+    .baseline_statistics = baseline_statistics,
     .has_separation_cache = false,
     .drives_tools = true,
     .welds_pins = false,

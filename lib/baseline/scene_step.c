@@ -25,6 +25,7 @@ static vbss_result keep(scene_object *s)
             VBSS_TRY(vbss_thread_update_derived(t));
             vbss_thread_copy_state(t, &t->saved, &t->now);
             b->thread.checkpoint.statistics = t->statistics;
+            t->baseline->saved_statistics = t->baseline->statistics;
         } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_checkpoint_drain(&b->drain);
             b->drain.drain->statistics.last_move = 0.0;
@@ -43,6 +44,7 @@ static void go_back(scene_object *s)
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_copy_state(t, &t->now, &t->saved);
             t->statistics = s->bodies[i].thread.checkpoint.statistics;
+            t->baseline->statistics = t->baseline->saved_statistics;
         } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             vbss_scene_rollback_drain(&s->bodies[i].drain);
         }
@@ -154,9 +156,11 @@ static void finish_motion(scene_object *s, double h)
 static void note_counts(scene_object *s)
 {
     const baseline_scene_counts *counts = &s->baseline->counts;
-    s->report.statistics.attempts += counts->passes;
-    s->report.statistics.guard_pairs += counts->tested_pairs;
-    s->report.statistics.loose_states += !counts->has_converged;
+    vbss_baseline_statistics *own = &s->baseline->statistics;
+    own->passes += counts->passes;
+    own->tested_pairs += counts->tested_pairs;
+    own->unconverged_steps += !counts->has_converged;
+    own->last_candidates = s->collision->candidate_count;
 }
 
 static void note_errors(scene_object *s, double h)
@@ -175,7 +179,6 @@ static void note_errors(scene_object *s, double h)
     c->last_penetration = depth;
     c->penetration = vbss_max(depth, c->penetration);
     c->loose_stretch += stretch > s->solver.stretch_tolerance;
-    c->rows = s->collision->candidate_count;
     c->parts++;
 }
 

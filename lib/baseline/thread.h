@@ -26,7 +26,7 @@ typedef struct baseline_thread_row {
     double right, ratio;
 } baseline_thread_row;
 
-/* Counts of the current step; vbss_thread_statistics receives them at its end. */
+/* Counts of the current step; the statistics receive them at its end. */
 typedef struct baseline_thread_counts {
     uint32_t iterations;         /* sum over all projections */
     uint32_t failed_projections; /* sections whose projection did not converge */
@@ -35,6 +35,8 @@ typedef struct baseline_thread_counts {
 typedef struct baseline_thread {
     baseline_thread_row *rows; /* one per node */
     baseline_thread_counts counts;
+    /* Counters of all steps, and those before the current step of the scene. */
+    vbss_baseline_statistics statistics, saved_statistics;
 } baseline_thread;
 
 /* thread_step.c: step_thread of thread_method, a step of h seconds. */

@@ -26,6 +26,11 @@ static const double *axial_forces(thread_object *t)
     return t->now.tension;
 }
 
+static vbss_baseline_statistics *baseline_statistics(const thread_object *t)
+{
+    return &t->baseline->statistics;
+}
+
 const thread_method vbss_baseline_thread = {
     .create_thread = create_thread,
     .destroy_thread = destroy_thread,
@@ -35,6 +40,7 @@ const thread_method vbss_baseline_thread = {
     .axial_forces = axial_forces,
     .reaction_force = vbss_baseline_constraint_force, /* without forces and springs at the node */
     .reaction_torque = vbss_baseline_reaction_torque,
+    .baseline_statistics = baseline_statistics,
     .corrects_masses = false,
     .is_guarded = false,
 };

@@ -159,11 +159,11 @@ static vec3 still(vec3 v)
 static void note_counts(thread_object *t, uint32_t parts)
 {
     const baseline_thread_counts *counts = &t->baseline->counts;
-    vbss_thread_statistics *s = &t->statistics;
-    s->substeps += parts;
-    s->iterations += counts->iterations;
-    s->last_iterations = counts->iterations;
-    s->fallbacks += counts->failed_projections;
+    vbss_baseline_statistics *s = &t->baseline->statistics;
+    t->statistics.substeps += parts;
+    s->projection_iterations += counts->iterations;
+    s->last_projection_iterations = counts->iterations;
+    s->failed_projections += counts->failed_projections;
 }
 
 vbss_result vbss_baseline_thread_step(thread_object *t, double h)

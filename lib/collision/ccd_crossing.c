@@ -7,7 +7,8 @@
 #include "collision/tuning.h"
 
 /* Rounding of cross products and volumes, for vectors that are differences of relative vertices with
- * coordinates up to `size`: docs/explanation/collision.md derives 460 u size^2, of differences too, and 600 u size^3. */
+ * coordinates up to `size`: 460 u size^2, of differences too, and 600 u size^3; see
+ * docs/explanation/collision-proof.md. */
 #define AREA_ROUNDING (128.0 * DBL_EPSILON)
 #define VOLUME_SPAN_ROUNDING (1024.0 * DBL_EPSILON)
 

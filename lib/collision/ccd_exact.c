@@ -1,7 +1,7 @@
 /* Exact predicate: whether two features of zero thickness meet, by integer arithmetic without
  * error.
  *
- * Two kinds of events suffice (proof in docs/explanation/collision.md). A crossing: the volume of the four
+ * Two kinds of events suffice (proof in docs/explanation/collision-proof.md). A crossing: the volume of the four
  * vertices vanishes while the interiors cross. A touching: a vertex meets an edge. A contact on the
  * border of an interior, within one plane, or with vanishing length or area is a touching, or
  * exists at time 0. */

@@ -1,14 +1,15 @@
 /* The functions that hosts call on a whole collision object. */
 #include "base/api_call.h"
 #include "base/baseline_config.h"
+#include "base/baseline_statistics.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
 #include "collision/shapes.h"
 
-_Static_assert(sizeof(vbss_collision_statistics) == 80, "published size");
+_Static_assert(sizeof(vbss_collision_statistics) == 72, "published size");
 
-static const uint32_t statistics_sizes[] = {80, 0};
+static const uint32_t statistics_sizes[] = {72, 0};
 static const vbss_layout statistics_layout = {"vbss_collision_statistics", NULL, statistics_sizes};
 
 static vbss_result check_capacities(vbss_context *context, const vbss_collision_config *c)
@@ -74,11 +75,23 @@ vbss_result vbss_collision_get_statistics(vbss_collision *collision,
         .undecided = c->counters.undecided,
         .exact = c->counters.exact,
         .passes = c->counters.passes,
-        .sign_tests_ended = c->counters.sign_tests_ended,
         .boxes_tested = c->boxes_tested,
         .searches = c->searches,
     };
     return vbss_struct_write(c->context, &statistics_layout, &own, statistics, struct_size);
+}
+
+vbss_result vbss_collision_get_baseline_statistics(vbss_collision *collision,
+                                                   vbss_baseline_statistics *statistics,
+                                                   uint32_t struct_size)
+{
+    VBSS_ENTER(collision);
+    collision_object *c;
+    VBSS_TRY(vbss_collision_open(collision, &c));
+    const vbss_baseline_statistics own = {.sign_tests_ended = c->counters.sign_tests_ended};
+    return vbss_baseline_write_statistics(
+        c->context, c->config.method == VBSS_COLLISION_METHOD_VBLAST ? &own : NULL, statistics,
+        struct_size);
 }
 
 vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes, uint64_t capacity,

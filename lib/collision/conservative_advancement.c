@@ -4,7 +4,7 @@
  * because n times the vector between two vertices is linear in time. Each pass takes n along the
  * shortest vector, advances to the time where n no longer separates by more than D, and takes a new
  * n there. If time 1 is reached, the result is a miss; if the features are close enough, a hit.
- * docs/explanation/collision.md has the proof, with rounding, and measurements. */
+ * docs/explanation/collision-proof.md has the proof, with rounding. */
 #include "collision/collision.h"
 
 #include "collision/closest.h"

@@ -17,7 +17,7 @@ static inline vec3 relative_at(const collision_relative_motion *m, int vertex, d
 }
 
 /* Rounding of the volume of the four vertices as a share of the product of their largest coordinates,
- * and its smallest value without underflow: docs/explanation/collision.md derives both. */
+ * and its smallest value without underflow: docs/explanation/collision-proof.md. */
 #define VOLUME_ROUNDING (32.0 * DBL_EPSILON)
 #define VOLUME_UNDERFLOW 1e-290
 
@@ -40,8 +40,8 @@ static inline uint32_t conservative_pass_limit(uint32_t limit, double thickness)
                                                                  : limit;
 }
 
-/* `size` is the largest coordinate of the query relative to its first vertex. docs/explanation/collision.md
- * proves that all rounding errors stay below half of the tolerance. */
+/* `size` is the largest coordinate of the query relative to its first vertex.
+ * docs/explanation/collision-proof.md proves that all rounding errors stay below half of the tolerance. */
 static inline conservative_bounds conservative_bounds_of(double tolerance, double thickness,
                                                          double size)
 {

@@ -302,6 +302,18 @@ static contact_outcome iterate_active_set(contact_set *set,
     return CONTACT_NOT_CONVERGED;
 }
 
+static void set_sliding_forces(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        contact_constraint *constraint = &set->constraints[i];
+        if (constraint->is_sliding) {
+            constraint->sliding_force =
+                vec3_add_scaled(constraint->solution.tangential_force,
+                                constraint->solution.normal_force, constraint->normal);
+        }
+    }
+}
+
 /* Starts with zero displacement and the present forces. */
 static void begin_line_search(contact_set *set, const contact_active_set_options *options)
 {
@@ -318,6 +330,7 @@ contact_outcome vbss_contact_solve_active_set(contact_set *set,
     if (!options->is_resumed) {
         *progress = (contact_active_set_progress){.stiffness_scale = 1.0};
         set->is_stopped_early = false;
+        set_sliding_forces(set);
         if (options->operation_limit > 0) {
             begin_line_search(set, options);
         }

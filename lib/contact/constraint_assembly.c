@@ -130,6 +130,34 @@ static void add_sliding_stiffness(const contact_constraint *constraint,
     }
 }
 
+/* Two threads that slide over each other: the contact force moves along both threads, to other nodes. With the force of
+ * each solve the active set would converge less often; that of the last linearisation differs by second order. */
+static void add_point_motion(const contact_constraint *constraint, const uint32_t *schur_indices,
+                             vbss_system *system)
+{
+    const uint32_t n = constraint->jacobian_block_count;
+    for (uint32_t p = 0; p < n; p++) {
+        const contact_jacobian_block *row_block = &constraint->jacobian[p];
+        const vec3 left = vec3_scale(constraint->sliding_force, -row_block->weight_derivative),
+                   gradient = constraint->slide_gradients[row_block->is_on_side_b];
+        const uint32_t rhs = schur_indices[n * n + p];
+        if (row_block->weight_derivative == 0.0) {
+            continue;
+        }
+        for (uint32_t q = 0; q < n; q++) {
+            uint32_t schur_index = schur_indices[p * n + q];
+            if (schur_index != VBSS_NO_INDEX) {
+                add_product(&system->separator_blocks[schur_index], left,
+                            map_to_block(&constraint->jacobian[q], gradient));
+            }
+        }
+        if (rhs != VBSS_NO_INDEX) {
+            vec3 *f = &system->separator_rhs[rhs];
+            *f = vec3_add_scaled(*f, constraint->slide_leads[row_block->is_on_side_b], left);
+        }
+    }
+}
+
 static void add_constraint(const contact_set *set, const contact_constraint *constraint,
                            vbss_system *system)
 {
@@ -160,6 +188,9 @@ static void add_constraint(const contact_set *set, const contact_constraint *con
                 add_product(&system->separator_blocks[schur_index], left[d][p], right[d][q]);
             }
         }
+    }
+    if (constraint->is_sliding) {
+        add_point_motion(constraint, schur_indices, system);
     }
     if (constraint->is_sleeve) {
         add_sliding_stiffness(constraint, &t, schur_indices, system);

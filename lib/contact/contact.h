@@ -34,9 +34,11 @@ enum { CONTACT_MAX_JACOBIAN_BLOCKS = 10 };
 
 typedef struct contact_jacobian_block {
     uint32_t block;
-    bool is_rotation; /* the block is the increment of a rotation */
+    bool is_rotation;  /* the block is the increment of a rotation */
+    bool is_on_side_b; /* two threads that slide: the block is a node of thread b */
     double weight;
-    /* sleeve: derivative of the weight as the suture slides along the normal, 1/m */
+    /* derivative of the weight, 1/m: of a sleeve as the suture slides along the normal, of two threads
+     * that slide as the contact point moves along its thread */
     double weight_derivative;
     vec3 arm; /* rotation: from the centre of mass to the contact point, m */
     /* rotation of a sleeve: derivative of weight times arm as the suture slides along the normal */
@@ -100,6 +102,13 @@ typedef struct contact_constraint {
      * substep, N/m, lets it slide. The axial force is remembered. */
     double yield_force, yield_friction[2], viscous_stiffness;
     vec3 curvature; /* derivative of the normal as it slides along the normal, 1/m */
+    /* Two threads that slide over each other: the contact point moves along thread a and b by the
+     * product of its gradient and the relative displacement. The Jacobian is that of points which are
+     * ahead of those of the trial state by its lead, m. */
+    bool is_sliding;
+    vec3 slide_gradients[2];
+    double slide_leads[2];
+    vec3 sliding_force; /* on a at the start of the active-set iteration, N */
     contact_jacobian_block jacobian[CONTACT_MAX_JACOBIAN_BLOCKS];
 } contact_constraint;
 

@@ -48,6 +48,12 @@ vbss_result vbss_drain_destroy(vbss_drain *drain)
     return vbss_slot_destroy(drain, &vbss_drain_kind);
 }
 
+vbss_result vbss_drain_discard(vbss_drain *drain)
+{
+    VBSS_ENTER(drain);
+    return vbss_slot_discard(drain, &vbss_drain_kind);
+}
+
 /* Runs a step; on failure nothing changes. */
 static vbss_result run_step(drain_object *d, double h)
 {

@@ -103,6 +103,12 @@ vbss_result vbss_grasper_destroy(vbss_grasper *grasper)
     return vbss_slot_destroy(grasper, &vbss_grasper_kind_of_slot);
 }
 
+vbss_result vbss_grasper_discard(vbss_grasper *grasper)
+{
+    VBSS_ENTER(grasper);
+    return vbss_slot_discard(grasper, &vbss_grasper_kind_of_slot);
+}
+
 vbss_result vbss_grasper_open(const vbss_grasper *handle, grasper_object **grasper)
 {
     vbss_slot *slot;

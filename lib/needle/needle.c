@@ -114,6 +114,12 @@ vbss_result vbss_needle_destroy(vbss_needle *needle)
     return vbss_slot_destroy(needle, &vbss_needle_kind);
 }
 
+vbss_result vbss_needle_discard(vbss_needle *needle)
+{
+    VBSS_ENTER(needle);
+    return vbss_slot_discard(needle, &vbss_needle_kind);
+}
+
 vbss_result vbss_needle_open(const vbss_needle *handle, needle_object **needle)
 {
     vbss_slot *slot;

@@ -26,11 +26,22 @@
  * Test: none known. */
 #define SCENE_MIN_DISTANCE_RATIO VBSS_TUNE(SCENE_MIN_DISTANCE_RATIO, 4e-9)
 
+/* ---- Contacts of threads that slide (contacts/sliding_contacts.c) */
+
+/* Damping of the least squares that find where two threads cross at the end of a substep.
+ * Unit: 1. Origin: chosen: threads at less than about 8 degrees count as parallel. Test: none known. */
+#define SCENE_SLIDE_DAMPING VBSS_TUNE(SCENE_SLIDE_DAMPING, 0.02)
+/* Beyond this slide in a substep a contact of two threads stays where it is at the start: 250 mm/s of the default thread
+ * at 1 ms.
+ * Unit: 1, relative to the contact distance. Origin: chosen from 0.12 to 1 by how many half hitches seat too tightly at
+ * 1 ms (docs/notebook/bends.md). Test: none known. */
+#define SCENE_MAX_SLIDE_RATIO VBSS_TUNE(SCENE_MAX_SLIDE_RATIO, 1.0)
+
 /* ---- Work in operations of the step budget (world/work_budget.c, solve/newton.c, step/time_slice.c) */
 
 /* Speed of a core without calibration, and of the cores of older logs.
  * Unit: operations per us, absolute. Origin: chosen: a core of 2.6 GHz, for which the default budgets are 250000
- * and 210000 operations (docs/explanation/contact.md). Test: session. */
+ * and 210000 operations (docs/explanation/real-time.md). Test: session. */
 #define SCENE_DEFAULT_OPERATIONS_PER_US 500.0
 
 /* Cost of a candidate pair in an attempt.

@@ -1,6 +1,6 @@
 /* The configuration of a thread as fields, for descriptions of scenes. */
+#include "base/baseline_fields.h"
 #include "base/config.h"
-#include "base/fields.h"
 #include "thread/thread.h"
 
 _Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
@@ -55,11 +55,9 @@ static const vbss_field fields[] = {
 void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
                               vbss_baseline_config *baseline)
 {
-    values v = {*config, *baseline};
-    vbss_section outer = vbss_stream_open(stream, VBSS_CODE('T', 'C', 'F', 'G'), 1);
-    vbss_stream_fields(stream, fields, sizeof fields / sizeof fields[0], &v);
-    vbss_stream_close(stream, outer);
-    *config = v.config;
-    *baseline = v.baseline;
+    static const vbss_baseline_fields table = {fields, sizeof fields / sizeof fields[0],
+                                               offsetof(values, baseline),
+                                               VBSS_CODE('T', 'C', 'F', 'G')};
+    vbss_baseline_visit_config(stream, &table, config, baseline);
     config->baseline = baseline;
 }

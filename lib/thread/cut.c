@@ -97,6 +97,10 @@ void vbss_thread_apply_cut(thread_object *t, thread_object *piece, const thread_
     split_attachments(t, piece, cut, nodes_before);
     piece->statistics = (vbss_thread_statistics){0};
     piece->statistics.time = t->statistics.time;
+    vbss_baseline_statistics *own = piece->method->baseline_statistics(piece);
+    if (own != NULL) {
+        *own = (vbss_baseline_statistics){0};
+    }
     piece->is_in_setup = t->is_in_setup;
     piece->damped_steps_left = t->damped_steps_left;
     piece->previous_h = 0.0;

@@ -41,6 +41,12 @@ static void destroy_thread(vbss_context *context, thread_object *t)
     vbss_system_destroy(context, t->system);
 }
 
+static vbss_baseline_statistics *baseline_statistics(const thread_object *t)
+{
+    (void)t;
+    return NULL;
+}
+
 const thread_method vbss_thread_implicit = {
     .create_thread = create_thread,
     .destroy_thread = destroy_thread,
@@ -50,6 +56,7 @@ const thread_method vbss_thread_implicit = {
     .axial_forces = vbss_thread_implicit_axial_forces,
     .reaction_force = vbss_thread_implicit_reaction_force,
     .reaction_torque = vbss_thread_implicit_reaction_torque,
+    .baseline_statistics = baseline_statistics,
     .corrects_masses = true,
     .is_guarded = true,
 };

@@ -108,16 +108,25 @@ static void visit_attachment(vbss_stream *stream, const thread_object *t, thread
     }
 }
 
-static void visit_statistics(vbss_stream *stream, vbss_thread_statistics *s)
+/* Counters of method VBLAST have the places in the stream that its snapshots have always used; the
+ * other method has a zero there, or counters of its own. */
+static void visit_statistics(vbss_stream *stream, thread_object *t)
 {
-    vbss_stream_u32(stream, 40, &s->last_iterations, 1);
+    vbss_thread_statistics *s = &t->statistics;
+    vbss_baseline_statistics *own = t->method->baseline_statistics(t);
+    vbss_stream_u32(stream, 40,
+                    own != NULL ? &own->last_projection_iterations : &s->last_iterations, 1);
     vbss_stream_u64(stream, 41, &s->steps, 1);
-    vbss_stream_u64(stream, 42, &s->iterations, 1);
+    vbss_stream_u64(stream, 42, own != NULL ? &own->projection_iterations : &s->iterations, 1);
     vbss_stream_u64(stream, 43, &s->substeps, 1);
     vbss_stream_u64(stream, 44, &s->first_order, 1);
     vbss_stream_u64(stream, 45, &s->rejections, 1);
     vbss_stream_u64(stream, 46, &s->forced, 1);
-    vbss_stream_u64(stream, 47, &s->fallbacks, 1);
+    if (own != NULL) {
+        vbss_stream_u64(stream, 47, &own->failed_projections, 1);
+    } else {
+        vbss_stream_expect(stream, 47, 0);
+    }
     vbss_stream_u64(stream, 52, &s->softened, 1);
     vbss_stream_f64(stream, 48, &s->last_stretch_error, 1);
     vbss_stream_f64(stream, 49, &s->stretch_error, 1);
@@ -167,7 +176,7 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     if (stream->mode == VBSS_STREAM_READ && !stream->trusted) {
         check_prescribed_nodes(stream, t);
     }
-    visit_statistics(stream, &t->statistics);
+    visit_statistics(stream, t);
     if (thread_is_adaptive(t)) {
         visit_mesh(stream, t);
     }

@@ -121,6 +121,8 @@ typedef struct thread_method {
     const double *(*axial_forces)(thread_object *t);
     vec3 (*reaction_force)(const thread_object *t, uint32_t node);
     vec3 (*reaction_torque)(const thread_object *t, uint32_t node);
+    /* Counters that only this method has, part of the state; NULL: it has none. */
+    vbss_baseline_statistics *(*baseline_statistics)(const thread_object *t);
     bool corrects_masses; /* lumped masses have the end corrections of derived.c */
     bool is_guarded;      /* CCD keeps the thread from passing through other bodies in a scene */
 } thread_method;

@@ -106,6 +106,12 @@ vbss_result vbss_thread_destroy(vbss_thread *thread)
     return vbss_slot_destroy(thread, &vbss_thread_kind);
 }
 
+vbss_result vbss_thread_discard(vbss_thread *thread)
+{
+    VBSS_ENTER(thread);
+    return vbss_slot_discard(thread, &vbss_thread_kind);
+}
+
 vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
                                   const double *velocities, uint32_t node_count)
 {

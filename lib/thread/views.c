@@ -1,5 +1,6 @@
 /* Views of a thread: arrays, energies, momentum, statistics. */
 #include "base/api_call.h"
+#include "base/baseline_statistics.h"
 #include "base/config.h"
 #include "base/error.h"
 #include "thread/remesh.h"
@@ -7,10 +8,10 @@
 _Static_assert(sizeof(vbss_view) == VBSS_SIZE_WITH_POINTERS(vbss_view, 32u, 1u), "published size");
 _Static_assert(sizeof(vbss_thread_energies) == 48, "published size");
 _Static_assert(sizeof(vbss_thread_momentum) == 88, "published size");
-_Static_assert(sizeof(vbss_thread_statistics) == 168, "published size");
+_Static_assert(sizeof(vbss_thread_statistics) == 160, "published size");
 
 static const uint32_t energies_sizes[] = {48, 0}, momentum_sizes[] = {88, 0};
-static const uint32_t statistics_sizes[] = {104, 168, 0};
+static const uint32_t statistics_sizes[] = {160, 0};
 static const vbss_layout energies_layout = {"vbss_thread_energies", NULL, energies_sizes};
 static const vbss_layout momentum_layout = {"vbss_thread_momentum", NULL, momentum_sizes};
 static const vbss_layout statistics_layout = {"vbss_thread_statistics", NULL, statistics_sizes};
@@ -169,4 +170,15 @@ vbss_result vbss_thread_get_statistics(vbss_thread *thread, vbss_thread_statisti
         own.sagitta = vbss_max(vbss_thread_sagitta(t, i), own.sagitta);
     }
     return vbss_struct_write(t->context, &statistics_layout, &own, statistics, struct_size);
+}
+
+vbss_result vbss_thread_get_baseline_statistics(vbss_thread *thread,
+                                                vbss_baseline_statistics *statistics,
+                                                uint32_t struct_size)
+{
+    VBSS_ENTER(thread);
+    thread_object *t;
+    VBSS_TRY(vbss_thread_open(thread, &t));
+    return vbss_baseline_write_statistics(t->context, t->method->baseline_statistics(t), statistics,
+                                          struct_size);
 }

@@ -293,6 +293,15 @@ vbss_view shapes_view(vbss_collision *collision, vbss_collision_field field)
     return view;
 }
 
+uint64_t shapes_sign_tests_ended(vbss_collision *collision)
+{
+    vbss_baseline_statistics statistics = {0};
+    vbss_result result =
+        vbss_collision_get_baseline_statistics(collision, &statistics, sizeof statistics);
+    assert_true(result == VBSS_OK || result == VBSS_ERROR_INCOMPATIBLE);
+    return statistics.sign_tests_ended;
+}
+
 vbss_collision_statistics shapes_statistics(vbss_collision *collision)
 {
     vbss_collision_statistics statistics;

@@ -79,6 +79,8 @@ void model_check(const model *m, vbss_collision *collision, uint32_t first_name)
 /* ---- looking at an object */
 vbss_view shapes_view(vbss_collision *collision, vbss_collision_field field);
 vbss_collision_statistics shapes_statistics(vbss_collision *collision);
+/* Tests that the sign of w.w' ended; 0 for other methods than VBLAST. */
+uint64_t shapes_sign_tests_ended(vbss_collision *collision);
 /* Searches, and looks at the list. */
 const candidate *shapes_find(vbss_collision *collision, uint32_t *count);
 /* Asserts that both list the same. */

@@ -145,7 +145,7 @@ static void ask_all(vbss_context *context, vbss_collision_method method, double 
     bool conservative = method == VBSS_COLLISION_METHOD_CONSERVATIVE;
     assert_true(s.passes == (conservative ? sum.passes : 0));
     assert_true((s.exact > 0) == (conservative && thickness == 0.0));
-    assert_true((s.sign_tests_ended > 0) == (method == VBSS_COLLISION_METHOD_VBLAST));
+    assert_true((shapes_sign_tests_ended(object) > 0) == (method == VBSS_COLLISION_METHOD_VBLAST));
 }
 
 static void answers_are_complete_and_counted(void **state)

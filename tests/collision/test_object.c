@@ -34,7 +34,7 @@ static void config_size_protocol(void **state)
 static void output_struct_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[2] = {sizeof(vbss_view), 80};
+    const uint32_t sizes[2] = {sizeof(vbss_view), 72};
     object_fixture f;
     object_begin(&f);
     for (int which = 0; which < 2; which++) {

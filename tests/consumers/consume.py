@@ -32,10 +32,15 @@ def install_and_move(build, work):
     return moved
 
 
+# The library as a part of the host's build; both kinds share a host.
+AS_A_PART = ("add_subdirectory", "fetch_content")
+
+
 def configure(kind, work, prefix, source, build_type):
-    run("cmake", "-G", "Ninja", "-S", HERE / kind, "-B", work / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
+    folder = "add_subdirectory" if kind in AS_A_PART else kind
+    run("cmake", "-G", "Ninja", "-S", HERE / folder, "-B", work / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
         f"-DVBSS_SOURCE={source}", f"-DCMAKE_BUILD_TYPE={build_type}",
-        f"-DHOST_BUILD_TYPE={build_type}")
+        f"-DHOST_BUILD_TYPE={build_type}", f"-DHOST_FETCHES={kind == 'fetch_content'}")
     return work / "build"
 
 
@@ -82,7 +87,7 @@ def main():
         if options.plan:
             print("consumer static_only: configured, and the build of the static library alone planned to its end")
             return
-    if options.kind != "add_subdirectory":
+    if options.kind not in AS_A_PART:
         prefix = install_and_move(options.build, options.work)
         if options.kind == "static_only" and list(prefix.rglob("*.so*")):
             sys.exit("a shared library is installed")
@@ -90,7 +95,7 @@ def main():
         made = with_make(options.work, prefix)
     else:
         # A host without a build type must keep none.
-        build_type = "" if options.kind == "add_subdirectory" else "Release"
+        build_type = "" if options.kind in AS_A_PART else "Release"
         made = configure(options.kind, options.work, prefix, options.source, build_type)
         if options.plan:
             planned = run("ninja", "-C", made, "-n", "-v", "host_shared", "host_static")

@@ -114,6 +114,7 @@ typedef struct contract_member {
     /* An object of that method, at place 0, 1, ... apart from the others; it is not in a scene. */
     vbss_result (*create)(vbss_context *context, uint32_t place, vbss_method method, void **handle);
     vbss_result (*destroy)(void *handle);
+    vbss_result (*discard)(void *handle);
     vbss_result (*step)(void *handle);
     vbss_result (*save)(void *handle, void *bytes, uint64_t capacity, uint64_t *written);
     vbss_result (*restore)(void *handle, const void *bytes, uint64_t count);

@@ -96,6 +96,28 @@ static void object_belongs_to_scene_until_removed(void **state)
     }
 }
 
+/* A discarded object is in the scene as before, and is destroyed when it leaves it. */
+static void discarded_object_is_destroyed_when_it_leaves_scene(void **state)
+{
+    const contract_member *m = *state;
+    for (int by_destroy = 0; by_destroy < 2; by_destroy++) {
+        small s;
+        begin(m, &s, 2);
+        expect_ok(m->discard(NULL));
+        void *alone = make(m, &s, 1), *handle = make(m, &s, 0);
+        expect_ok(m->discard(alone)); /* in no scene: at once */
+        expect_result(VBSS_ERROR_INVALID_HANDLE, m->discard(alone));
+        const uint32_t number = add(m, &s, handle);
+        expect_ok(m->discard(handle));
+        expect_ok(m->discard(handle));
+        expect_owned(m, handle, true);
+        small_steps(&s, 2, 1e-3);
+        expect_ok(by_destroy ? vbss_scene_destroy(s.scene) : vbss_scene_remove(s.scene, number));
+        expect_result(VBSS_ERROR_INVALID_HANDLE, m->destroy(handle));
+        small_end(&s);
+    }
+}
+
 /* ---- rejections */
 
 static void expect_rejected(const contract_member *m, const small *s, vbss_result wanted,
@@ -373,6 +395,7 @@ int contract_check_member(const char *group, const contract_member *member)
 {
     static const contract_property properties[] = {
         PROPERTY(object_belongs_to_scene_until_removed),
+        PROPERTY(discarded_object_is_destroyed_when_it_leaves_scene),
         PROPERTY(invalid_object_is_rejected),
         PROPERTY(object_of_other_method_is_rejected),
         PROPERTY(object_needs_capacity),

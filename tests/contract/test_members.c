@@ -26,6 +26,11 @@ static vbss_result thread_destroy(void *handle)
     return vbss_thread_destroy(handle);
 }
 
+static vbss_result thread_discard(void *handle)
+{
+    return vbss_thread_discard(handle);
+}
+
 static vbss_result thread_step(void *handle)
 {
     return vbss_thread_step(handle, 1e-3);
@@ -86,6 +91,7 @@ static const contract_member thread = {
     .name = "thread",
     .create = thread_create,
     .destroy = thread_destroy,
+    .discard = thread_discard,
     .step = thread_step,
     .save = thread_save,
     .restore = thread_restore,
@@ -113,6 +119,11 @@ static vbss_result drain_create(vbss_context *context, uint32_t place, vbss_meth
 static vbss_result drain_destroy(void *handle)
 {
     return vbss_drain_destroy(handle);
+}
+
+static vbss_result drain_discard(void *handle)
+{
+    return vbss_drain_discard(handle);
 }
 
 static vbss_result drain_step(void *handle)
@@ -181,6 +192,7 @@ static const contract_member drain = {
     .name = "drain",
     .create = drain_create,
     .destroy = drain_destroy,
+    .discard = drain_discard,
     .step = drain_step,
     .save = drain_save,
     .restore = drain_restore,
@@ -210,6 +222,11 @@ static vbss_result needle_create(vbss_context *context, uint32_t place, vbss_met
 static vbss_result needle_destroy(void *handle)
 {
     return vbss_needle_destroy(handle);
+}
+
+static vbss_result needle_discard(void *handle)
+{
+    return vbss_needle_discard(handle);
 }
 
 static vbss_result needle_step(void *handle)
@@ -266,6 +283,7 @@ static const contract_member needle = {
     .name = "needle",
     .create = needle_create,
     .destroy = needle_destroy,
+    .discard = needle_discard,
     .step = needle_step,
     .save = needle_save,
     .restore = needle_restore,

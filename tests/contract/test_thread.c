@@ -355,7 +355,7 @@ static const contract_object object = {
                 {sizeof(vbss_view), {0}, write_view},
                 {48, {0}, write_energies},
                 {88, {0}, write_momentum},
-                {168, {104}, write_statistics}},
+                {160, {0}, write_statistics}},
     .calls = {{.call = call_step, .edits = true},
               {.call = call_set_state, .edits = true},
               {.call = call_attach, .edits = true},

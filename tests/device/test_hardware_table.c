@@ -3,7 +3,7 @@
  *
  *     ctest -R device.hardware_table -V
  *
- * prints the table of docs/reference/device-layer.md. */
+ * prints the table of docs/notebook/devices.md. */
 #include <stdio.h>
 #include <string.h>
 

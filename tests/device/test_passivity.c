@@ -1,5 +1,5 @@
 /* Energy that an output stage alone could hand out, between an ideal spring with damper and a hand that goes round
- * closed paths. What docs/reference/device-layer.md argues holds here to the error of the steps; what it says does not hold is
+ * closed paths. What docs/notebook/devices.md argues holds here to the error of the steps; what it says does not hold is
  * shown not to. */
 #include "device/stage_rig.h"
 #include "fixtures/hand_path.h"

@@ -1,5 +1,5 @@
 /* What energy a hand gets from a stiff wall in a round of pressing and letting go, in each arrangement of host and servo.
- * docs/reference/device-layer.md has the table. */
+ * docs/notebook/devices.md has the table. */
 #include "harness/harness.h"
 #include "fixtures/servo_wall.h"
 

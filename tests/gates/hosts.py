@@ -107,8 +107,8 @@ def grown_library(g):
     for path in (copy / THREAD, copy / "lib/thread/config_fields.c"):
         gate.replace_once(path, "sizeof(vbss_thread_config) == " + CONFIG_SIZE.format(256),
                           "sizeof(vbss_thread_config) == " + CONFIG_SIZE.format(264))
-    gate.replace_once(copy / VIEWS, "sizeof(vbss_thread_statistics) == 168", "sizeof(vbss_thread_statistics) == 176")
-    gate.replace_once(copy / VIEWS, "104, 168, 0}", "104, 168, 176, 0}")
+    gate.replace_once(copy / VIEWS, "sizeof(vbss_thread_statistics) == 160", "sizeof(vbss_thread_statistics) == 168")
+    gate.replace_once(copy / VIEWS, "{160, 0}", "{160, 168, 0}")
     result = copy / "lib/base/result.c"
     result.write_text(result.read_text() + "\nuint32_t vbss_added(void)\n{\n    return 1;\n}\n")
     version_map = copy / "lib/vblast_ss.map"

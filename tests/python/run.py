@@ -4,6 +4,7 @@
     run.py tests        objects, arrays, lives, properties, by pytest
     run.py sweeps       whole throws, a sweep with dask, the notebook, by pytest
     run.py package      the wheel in a fresh virtual environment, by pytest
+    run.py gymnasium    the environments with gymnasium from the package index, by pytest
     run.py types        mypy over the binding"""
 import importlib.util
 import os
@@ -19,10 +20,12 @@ PYTEST = ["-m", "pytest", "-q", "-p", "no:cacheprovider"]
 PARTS = {
     "generated": ([], [str(BINDING / "generate.py"), "--check"]),
     "tests": (["pytest", "numpy", "hypothesis"], [*PYTEST, "--ignore", str(HERE / "test_package.py"),
-                                                  "--ignore", str(HERE / "test_sweeps.py"), str(HERE)]),
+                                                  "--ignore", str(HERE / "test_sweeps.py"),
+                                                  "--ignore", str(HERE / "test_gymnasium.py"), str(HERE)]),
     "sweeps": (["pytest", "numpy", "matplotlib", "h5py", "distributed", "nbclient", "ipykernel"],
                  [*PYTEST, str(HERE / "test_sweeps.py")]),
     "package": (["pytest", "numpy"], [*PYTEST, str(HERE / "test_package.py")]),
+    "gymnasium": (["pytest", "numpy"], [*PYTEST, str(HERE / "test_gymnasium.py")]),
     "types": (["mypy"], ["-m", "mypy", "--strict", "--cache-dir", f"{CACHE}/mypy", str(BINDING / "vblast_ss")]),
 }
 

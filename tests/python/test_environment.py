@@ -110,7 +110,7 @@ def test_jaws_hold_only_what_is_within_reach_and_a_drop_costs(environment):
 
 
 def test_scripted_hands_tie_a_throw_and_are_rewarded():
-    """Not every seed is tied (docs/guides/python.md): one of the first twelve is."""
+    """Not every seed is tied (docs/guides/learning-environments.md): one of the first twelve is."""
     with ThrowEnvironment() as environment:
         for seed in range(12):
             outcome = run(environment, ScriptedThrow(), seed=seed)
@@ -168,11 +168,13 @@ def test_gymnasium_is_used_where_it_is_installed(tmp_path):
     """By a package of its name that has what is asked of it."""
     (tmp_path / "gymnasium").mkdir()
     (tmp_path / "gymnasium" / "__init__.py").write_text(
-        "from . import spaces\nclass Env:\n    seeded = None\n"
+        "from . import spaces\nregistry = {}\ndef register(id, entry_point):\n    registry[id] = entry_point\nclass Env:\n    seeded = None\n"
         "    def reset(self, *, seed=None, options=None):\n        self.seeded = seed\n")
     (tmp_path / "gymnasium" / "spaces.py").write_text(
         "class Box:\n    def __init__(self, low, high, shape=None, dtype=None, seed=None):\n        self.shape = shape\n")
     script = ("import gymnasium\nfrom vblast_ss import environment, suturing\n"
+              "assert gymnasium.registry == {'vblast_ss/Throw-v0': 'vblast_ss.environment:ThrowEnvironment',\n"
+              "                              'vblast_ss/Suture-v0': 'vblast_ss.suturing:SutureEnvironment'}\n"
               "for made in (environment.ThrowEnvironment(), suturing.SutureEnvironment()):\n"
               "    assert isinstance(made, gymnasium.Env) and isinstance(made.action_space, gymnasium.spaces.Box)\n"
               "    seen, _ = made.reset(seed=5)\n    assert made.seeded == 5 and seen.shape == made.observation_space.shape\n"
@@ -180,3 +182,22 @@ def test_gymnasium_is_used_where_it_is_installed(tmp_path):
     done = subprocess.run([sys.executable, "-B", "-c", script], capture_output=True, text=True, timeout=60,
                           env={**os.environ, "PYTHONPATH": f"{tmp_path}:{BINDING}", "VBLAST_SS_LIBRARY": vb.library_path})
     assert done.returncode == 0, done.stderr
+
+
+def test_a_picture_shows_the_nearer_of_two_triangles():
+    from vblast_ss._picture import BACKGROUND, Camera, triangles
+    camera = Camera((0.0, 0.0, 0.0), 1.0, 40, 40)
+    # In pixels: a large one far away, and before its middle a small one, also given in the other order.
+    far = np.array(((2.0, 2.0, -5.0), (38.0, 2.0, -5.0), (2.0, 38.0, -5.0)))
+    near = np.array(((8.0, 8.0, 5.0), (12.0, 8.0, 5.0), (8.0, 12.0, 5.0)))
+    for order in ((0, 1), (1, 0)):
+        corners, colours = np.array((far, near))[list(order)], np.array(((200, 0, 0), (0, 200, 0)))[list(order)]
+        picture = triangles(camera, corners, colours)
+        assert tuple(picture[9, 9]) == (0, 200, 0) and tuple(picture[20, 5]) == (200, 0, 0)
+        assert tuple(picture[39, 39]) == BACKGROUND
+        assert abs((picture == (200, 0, 0)).all(axis=2).sum() + (picture == (0, 200, 0)).all(axis=2).sum() - 36 * 36 / 2) < 40
+
+
+def test_an_unknown_render_mode_is_refused():
+    with pytest.raises(ValueError):
+        ThrowEnvironment(render_mode="ansi")

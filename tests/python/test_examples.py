@@ -44,7 +44,8 @@ def test_a_knot_is_still_there_when_it_is_pulled_tight():
     assert len(said) == 7 and all(": 1 (certified), " in line for line in said[:-1])
 
 
-@pytest.mark.parametrize("name", ["README.md", "docs/guides/python.md", "docs/start/python.md", "docs/guides/knots-from-a-polyline.md"])
+@pytest.mark.parametrize("name", ["README.md", "docs/guides/python.md", "docs/guides/learning-environments.md", "docs/start/python.md",
+                                  "docs/guides/knots-from-a-polyline.md"])
 def test_the_pages_examples_run(name, tmp_path):
     from conftest import ROOT
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.S)

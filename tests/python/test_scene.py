@@ -31,6 +31,22 @@ def test_a_thread_falls_on_the_floor_and_lies(lying):
     assert weight == pytest.approx(thread.momentum.mass * 9.81, rel=0.05)
 
 
+def test_a_discarded_body_goes_with_its_scene(context):
+    scene = vb.Scene(context, mode="offline")
+    thread = vb.Thread(context, segment_count=20)
+    body = scene.add(thread)
+    thread.discard()
+    assert thread.closed
+    scene.step()
+    assert scene.bodies == [body]
+    for make in (vb.Thread, vb.Drain, vb.Needle, vb.Grasper):
+        alone = make(context)
+        alone.discard()
+        with pytest.raises(vb.InvalidHandleError):
+            alone.discard()
+    scene.close()
+
+
 def test_what_is_in_a_scene_belongs_to_it(lying):
     scene, thread, body = lying
     for refused in (thread.step, thread.close, lambda: thread.cut(0.05)):
@@ -257,3 +273,19 @@ def test_a_static_mesh_bears_a_thread(context):
     assert scene.body_info(mesh).kind is vb.SceneBodyKind.STATIC_MESH
     with pytest.raises(vb.Error):
         scene.add_static_mesh([(0, 0, 0), (0, 0, 1), (1, 0, 0)], [(0, 1, 3)])
+
+
+def test_only_method_vblast_has_baseline_statistics():
+    with vb.Scene(method="vblast") as scene:
+        thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)
+        scene.add(thread)
+        scene.step(1e-3)
+        assert scene.baseline_statistics.passes == 1
+        assert scene.statistics.attempts == 0
+        assert thread.baseline_statistics.projection_iterations > 0
+        assert thread.statistics.iterations == 0
+    with vb.Collision(method="vblast") as collision:
+        assert collision.baseline_statistics.sign_tests_ended == 0
+    with vb.Scene() as scene:
+        with pytest.raises(vb.IncompatibleError):
+            scene.baseline_statistics

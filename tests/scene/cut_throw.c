@@ -68,7 +68,7 @@ cut_outcome cut_throw(const cut_case *t, double share)
     o.scene.grasp_capacity = 32;
     set_call_operations(
         &o.scene,
-        0); /* what the limit of a step costs; that of a call: docs/explanation/contact.md */
+        0); /* what the limit of a step costs; that of a call: docs/explanation/real-time.md */
     if (t->limited) {
         set_step_operations(&o.scene, (uint32_t)(share * step_operations(&o.scene)));
     } else {

@@ -62,7 +62,7 @@ void haptic_expect_rest(const haptic_measures *m);
 /* Of a human hand of that stiffness on an arm of that mass, N s/m. */
 double haptic_hand_damping(const haptic_loop *loop);
 /* Of the hand, N s/m: with as much it gets no energy from any obstacle without losses, at an angular frequency (rad/s), if its
- * force comes `late` s after its pose. docs/reference/device-layer.md derives it. */
+ * force comes `late` s after its pose. docs/reference/device-layer.md has the bound. */
 double haptic_min_damping(const haptic_loop *loop, double frequency, double late);
 
 #endif

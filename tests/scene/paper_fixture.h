@@ -97,6 +97,13 @@ static inline vbss_view view_of(stage *s, vbss_scene_field field)
     return v;
 }
 
+static inline vbss_baseline_statistics baseline_statistics_of(stage *s)
+{
+    vbss_baseline_statistics t;
+    expect_ok(vbss_scene_get_baseline_statistics(s->scene, &t, sizeof t));
+    return t;
+}
+
 static inline vbss_scene_statistics statistics_of(stage *s)
 {
     vbss_scene_statistics t;

@@ -266,6 +266,13 @@ vbss_thread_momentum rig_momentum(rig *r)
     return momentum;
 }
 
+vbss_baseline_statistics rig_baseline_statistics(rig *r)
+{
+    vbss_baseline_statistics statistics;
+    expect_ok(vbss_thread_get_baseline_statistics(r->thread, &statistics, sizeof statistics));
+    return statistics;
+}
+
 vbss_thread_statistics rig_statistics(rig *r)
 {
     vbss_thread_statistics statistics;

@@ -63,5 +63,6 @@ vec3 rig_reaction_torque(rig *r, uint32_t id);
 vbss_thread_energies rig_energies(rig *r);
 vbss_thread_momentum rig_momentum(rig *r);
 vbss_thread_statistics rig_statistics(rig *r);
+vbss_baseline_statistics rig_baseline_statistics(rig *r);
 
 #endif

@@ -224,7 +224,7 @@ static void tension_needs_shorter_steps(void **state)
     rig_run(&r, 1e-3, 500);
     expect_near(0.4, rig_tension(&r, 15), 1e-6);
     expect_near(0.0, rig_fastest(&r), 1e-6);
-    assert_int_equal(0, rig_statistics(&r).fallbacks);
+    assert_int_equal(0, rig_baseline_statistics(&r).failed_projections);
     rig_end(&r);
 }
 
@@ -261,7 +261,7 @@ static void straight_section_between_holds_stays(void **state)
     rig_pin_here(&r, 0);
     rig_pin_here(&r, 8);
     rig_run(&r, 1e-3, 20);
-    assert_int_equal(0, rig_statistics(&r).fallbacks);
+    assert_int_equal(0, rig_baseline_statistics(&r).failed_projections);
     expect_near(0.0, rig_fastest(&r), 1e-9);
     rig_end(&r);
 }

@@ -7,6 +7,11 @@ from typing import Any, Mapping, Optional, TypeVar
 
 import numpy as np
 
+from ._picture import Picture
+
+VIEW_TARGET, VIEW_SIZE = (0.0, 0.01, 0.01), 0.16
+"""Middle and height of a picture, m."""
+
 E = TypeVar("E", bound="Episodes")
 
 Base: Any = object
@@ -54,13 +59,19 @@ Box: Any = _GymnasiumBox or _Box
 
 class Episodes(Base):  # type: ignore[misc]
     """An environment over a scene that is made anew for each episode."""
-    metadata: dict[str, Any] = {"render_modes": []}
-    render_mode = None
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 100}
     spec = None
 
-    def __init__(self, time_limit: float, control: int, record: bool, actions: int, observed: int) -> None:
+    def __init__(self, time_limit: float, control: int, record: bool, actions: int, observed: int,
+                 render_mode: Optional[str] = None) -> None:
         if control < 1 or not time_limit > 0.0:
             raise ValueError("an episode has steps and time")
+        if render_mode is not None and render_mode not in self.metadata["render_modes"]:
+            raise ValueError(f"render_mode is {render_mode!r}, not None or one of {self.metadata['render_modes']}")
+        self.render_mode = render_mode
+        # Videos then run in simulated time.
+        self.metadata = {**self.metadata, "render_fps": max(1, round(1000 / control))}
+        self._picture: Any = None
         self.time_limit, self.control, self.recorded = time_limit, control, record
         self.observation_space = Box(-np.inf, np.inf, (observed,), np.float64)
         self.action_space = Box(-1.0, 1.0, (actions,), np.float64)
@@ -98,10 +109,18 @@ class Episodes(Base):  # type: ignore[misc]
             record.close()
         return self._log
 
-    def render(self) -> None:
-        """There is nothing to see."""
+    def render(self) -> Any:
+        """With render_mode="rgb_array" the scene, 360 x 480 x 3, uint8; otherwise None. Drawn by numpy alone."""
+        if self.render_mode is None:
+            return None
+        if self._scene is None:
+            raise RuntimeError("there is no episode: reset()")
+        if self._picture is None:
+            self._picture = Picture(self._scene.scene, VIEW_TARGET, VIEW_SIZE)
+        return self._picture.draw()
 
     def close(self) -> None:
+        self._picture = None
         if self._scene is not None:
             self._scene.close()
         self._scene = None
@@ -112,3 +131,9 @@ class Episodes(Base):  # type: ignore[misc]
 
     def __exit__(self, *_: Any) -> None:
         self.close()
+
+
+def register(name: str, entry_point: str) -> None:
+    """Makes gymnasium.make(name) work, where gymnasium is installed."""
+    if Base is not object and name not in _gymnasium.registry:
+        _gymnasium.register(id=name, entry_point=entry_point)

@@ -129,6 +129,15 @@ class Configured:
         return str(cls._config.__doc__)
 
 
+class Body(Object):
+    """Objects that can be in a scene."""
+
+    def discard(self) -> None:
+        """Closes the object; the library destroys it now, or when it leaves the scene that it belongs to."""
+        self._call(self._function("discard"))
+        self._handle = None
+
+
 class Viewed(Object):
     """Objects with arrays."""
     _fields: ClassVar[Any]

@@ -4,6 +4,7 @@ from __future__ import annotations
 import ctypes
 from typing import Any, NamedTuple, Optional, Sequence
 
+from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.collision import (CollisionClosest, CollisionField, CollisionMethod, CollisionStatistics, CollisionDecision, CollisionImpact, CollisionPairKind,
                              CollisionResponse, CollisionResponseVariant, vbss_collision_closest, vbss_collision, vbss_collision_batch,
                              vbss_collision_config, vbss_collision_statistics, vbss_collision_impact, vbss_collision_response)
@@ -243,6 +244,11 @@ class Collision(Configured, Viewed, Saved):
     @property
     def statistics(self) -> CollisionStatistics:
         return self._read("get_statistics", CollisionStatistics, vbss_collision_statistics)
+
+    @property
+    def baseline_statistics(self) -> BaselineStatistics:
+        """What only the method "vblast" counts."""
+        return self._read("get_baseline_statistics", BaselineStatistics, vbss_baseline_statistics)
 
     def _describe(self) -> str:
         found = self.statistics

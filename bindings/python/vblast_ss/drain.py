@@ -8,7 +8,7 @@ from ._api.drain import (DrainAttachmentKind, DrainEnergies, DrainField, DrainGa
                          DrainStatistics, vbss_drain, vbss_drain_attachment, vbss_drain_config, vbss_drain_energies,
                          vbss_drain_gap, vbss_drain_places, vbss_drain_statistics, vbss_drain_surface)
 from ._library import lib
-from ._objects import Configured, Saved, Viewed, context_or_new, created
+from ._objects import Body, Configured, context_or_new, created, Saved, Viewed
 from ._values import doubles, index, initialised, numbers
 from .context import Context
 from .errors import check
@@ -44,7 +44,7 @@ _SURFACE = {"positions": (ctypes.c_double, 3), "triangles": (ctypes.c_uint32, 3)
             "thickness": (ctypes.c_double, 1), "young_modulus": (ctypes.c_double, 1)}
 
 
-class Drain(Configured, Viewed, Saved):
+class Drain(Configured, Body, Viewed, Saved):
     """A thin shell, alone or as a body of a scene: the tube with a slit on top, glued at its bottom, or a surface.
 
         surface       a mapping of arrays in place of the tube: positions (n x 3, m, at rest), triangles (m x 3 nodes,

@@ -18,7 +18,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional
 import numpy as np
 
 from . import _throw
-from ._episode import Box, Episodes
+from ._episode import Box, Episodes, register
 from ._pose import across, dot, length, unit
 from ._throw import STEP, ThrowScene, ThrowTask, axis_of_w, away_from_w
 from .context import Context
@@ -52,6 +52,7 @@ class ThrowEnvironment(Episodes):
         control      steps of 1 ms between actions
         throw_points what a throw is worth, in points of the score, of which a second costs one and a drop five
         record       keep a log of the episode (take_log())
+        render_mode  "rgb_array": render() returns a picture
 
     reset(options=...) takes fields of ThrowTask, such as friction or tremor. Rewards are changes of what the metrics
     say: of the score, which falls with time and drops, and of the throws that stand. An episode is terminated when a
@@ -60,8 +61,8 @@ class ThrowEnvironment(Episodes):
     """
 
     def __init__(self, *, time_limit: float = 5.0, control: int = 10, throw_points: float = 100.0,
-                 record: bool = False) -> None:
-        super().__init__(time_limit, control, record, 8, FIELDS["thread"].stop)  # type: ignore[attr-defined]
+                 record: bool = False, render_mode: Optional[str] = None) -> None:
+        super().__init__(time_limit, control, record, 8, FIELDS["thread"].stop, render_mode)  # type: ignore[attr-defined]
         self.throw_points = throw_points
         self._metrics: Optional[Metrics] = None
 
@@ -361,3 +362,6 @@ def run(environment: ThrowEnvironment, policy: Callable[[Any], Any], *, seed: Op
     path_w, path_c = (metrics.motion(tool).path_length for tool in ("right", "left"))
     return Outcome(info["tied"], info["notation"], info["wraps"], info["score"], total, info["time"], info["steps"],
                    info.get("error", ""), pull, path_w, path_c)
+
+
+register("vblast_ss/Throw-v0", f"{__name__}:ThrowEnvironment")

@@ -7,7 +7,7 @@ from typing import Any, Optional, Sequence
 from ._api.grasper import (GrasperField, GrasperKind, GrasperPreset, GrasperState, vbss_grasper, vbss_grasper_config,
                            vbss_grasper_state)
 from ._library import lib
-from ._objects import Configured, Viewed, context_or_new, created
+from ._objects import Body, Configured, context_or_new, created, Viewed
 from ._values import constant, doubles, initialised, optional
 from .context import Context
 from .errors import check
@@ -16,7 +16,7 @@ from .views import Array
 __all__ = ["Grasper", "GrasperField", "GrasperKind", "GrasperPreset", "GrasperState"]
 
 
-class Grasper(Configured, Viewed):
+class Grasper(Configured, Body, Viewed):
     """A tool that moves, touches, holds and cuts when the scene it was added to is stepped. `preset` is
     "straight" or "angled"; other keywords are the settings of vbss_grasper_config (Grasper.settings_help(),
     Grasper.defaults())."""

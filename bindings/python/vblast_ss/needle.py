@@ -7,7 +7,7 @@ from typing import Any, Optional, Sequence
 from ._api.needle import (NeedleEnergies, NeedleField, NeedleMass, NeedlePreset, NeedleState, vbss_needle,
                           vbss_needle_config, vbss_needle_energies, vbss_needle_mass, vbss_needle_state)
 from ._library import lib
-from ._objects import Configured, Saved, Viewed, context_or_new, created
+from ._objects import Body, Configured, context_or_new, created, Saved, Viewed
 from ._values import constant, doubles, initialised, optional
 from .context import Context
 from .errors import check
@@ -16,7 +16,7 @@ from .views import Array
 __all__ = ["Needle", "NeedleEnergies", "NeedleField", "NeedleMass", "NeedlePreset", "NeedleState"]
 
 
-class Needle(Configured, Viewed, Saved):
+class Needle(Configured, Body, Viewed, Saved):
     """A rigid arc of round wire, in free flight or as a body of a scene. `preset` is "vblast" or "sh"; `shape` is the
     share of a circle, the length along the arc and the diameter of the wire, m, as catalogues have them: (0.5, 26e-3, 0.7e-3). Other
     keywords are the settings of vbss_needle_config (Needle.settings_help(), Needle.defaults())."""

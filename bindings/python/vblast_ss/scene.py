@@ -5,6 +5,7 @@ import ctypes
 from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union, cast
 
 from ._api.base import Method
+from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
                          SceneRigidState, SceneField, SceneMode, SceneStatistics, vbss_scene_blocker, vbss_scene_capsule, vbss_scene_grasp, vbss_scene_hole,
                          vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config, vbss_scene_static_mesh_config,
@@ -26,7 +27,7 @@ from .needle import Needle
 from .thread import Thread
 from .views import Array
 
-__all__ = ["SceneBlocker", "SceneBlockerCause", "SceneBodyInfo", "SceneBodyKind", "Capsule", "Contact", "SceneContactKind", "Event", "SceneEventKind", "SceneGrasp", "SceneHole", "Method",
+__all__ = ["BaselineStatistics", "SceneBlocker", "SceneBlockerCause", "SceneBodyInfo", "SceneBodyKind", "Capsule", "Contact", "SceneContactKind", "Event", "SceneEventKind", "SceneGrasp", "SceneHole", "Method",
            "SceneNearest", "SceneOverlap", "SceneOverlapPolicy", "SceneRayHit", "SceneRigidKind", "SceneRigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
 
 Body = Union[Thread, Drain, Needle, Grasper]
@@ -436,6 +437,11 @@ class Scene(Configured, Viewed, Saved):
     @property
     def statistics(self) -> SceneStatistics:
         return self._read("get_statistics", SceneStatistics, vbss_scene_statistics)
+
+    @property
+    def baseline_statistics(self) -> BaselineStatistics:
+        """What only a scene of method "vblast" counts; error "incompatible" for another method."""
+        return self._read("get_baseline_statistics", BaselineStatistics, vbss_baseline_statistics)
 
     def _describe(self) -> str:
         numbers = self.statistics

@@ -22,7 +22,7 @@ from typing import Any, Mapping, Optional
 
 import numpy as np
 
-from ._episode import Box, Episodes
+from ._episode import Box, Episodes, register
 from ._pull import ScriptedPull
 from ._stitch import ScriptedStitch
 from ._suture import LEFT, MAX_TIME, RIGHT, STEP, SutureScene, SutureTask
@@ -53,6 +53,7 @@ class SutureEnvironment(Episodes):
         phase_points  what each further phase of the session is worth, in points of the metrics' score
         event_points  what events of the session are worth, by name; default EVENT_POINTS
         record        keep a log of the episode (take_log())
+        render_mode   "rgb_array": render() returns a picture
 
     reset(options=...) takes fields of SutureTask, such as segments or tremor. Rewards are changes of the metrics' score (a
     point a second, five a needle dropped, deviations, gap), of the phase, and of events that stand. An episode is terminated
@@ -60,8 +61,9 @@ class SutureEnvironment(Episodes):
     """
 
     def __init__(self, *, time_limit: float = 120.0, control: int = 10, phase_points: float = 50.0,
-                 event_points: Optional[Mapping[str, float]] = None, record: bool = False) -> None:
-        super().__init__(time_limit, control, record, ACTIONS, sum(WIDTHS.values()))
+                 event_points: Optional[Mapping[str, float]] = None, record: bool = False,
+                 render_mode: Optional[str] = None) -> None:
+        super().__init__(time_limit, control, record, ACTIONS, sum(WIDTHS.values()), render_mode)
         self.phase_points = phase_points
         points = EVENT_POINTS if event_points is None else event_points
         self._points = {SessionEventKind(constant(name, SessionEventKind, "an event")): value
@@ -198,3 +200,6 @@ def played_back(log: bytes) -> SutureScene:
         scene.session.step(STEP)
     scene.steps = steps
     return scene
+
+
+register("vblast_ss/Suture-v0", f"{__name__}:SutureEnvironment")

@@ -5,11 +5,12 @@ import ctypes
 import operator
 from typing import Any, Iterable, Optional, Sequence
 
+from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.thread import (ThreadAttachmentKind, ThreadBending, ThreadMesh, ThreadEnergies, ThreadField, ThreadMaterial, ThreadMomentum, ThreadPreset, ThreadUspSize,
                           ThreadReaction, ThreadStatistics, vbss_thread, vbss_thread_attachment, vbss_thread_config,
                           vbss_thread_energies, vbss_thread_momentum, vbss_thread_reaction, vbss_thread_statistics)
 from ._library import lib
-from ._objects import Configured, Saved, Viewed, context_or_new, created
+from ._objects import Body, Configured, context_or_new, created, Saved, Viewed
 from ._values import constant, doubles, index, initialised, optional
 from .context import Context
 from .errors import check
@@ -34,7 +35,7 @@ def grade_lengths(length: float, centre: float, finest: float, coarsest: float, 
     return list(buffer[:count.value])
 
 
-class Thread(Configured, Viewed, Saved):
+class Thread(Configured, Body, Viewed, Saved):
     """An elastic rod without twist: a chain of nodes, numbered from 0.
 
         preset        a thread to start from: "silk_2_0" or "vblast"
@@ -193,6 +194,11 @@ class Thread(Configured, Viewed, Saved):
     @property
     def statistics(self) -> ThreadStatistics:
         return self._read("get_statistics", ThreadStatistics, vbss_thread_statistics)
+
+    @property
+    def baseline_statistics(self) -> BaselineStatistics:
+        """What only a thread of method "vblast" counts."""
+        return self._read("get_baseline_statistics", BaselineStatistics, vbss_baseline_statistics)
 
     def _describe(self) -> str:
         numbers = self.statistics

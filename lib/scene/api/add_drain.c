@@ -12,15 +12,11 @@
 static vbss_result check_drain(scene_object *s, vbss_drain *drain, const uint32_t *number,
                                vbss_slot **found)
 {
-    VBSS_TRY(vbss_slot_check_other(s->context, drain, "drain"));
-    VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, found));
+    const scene_new_body added = {drain, &vbss_drain_kind, "drain"};
+    VBSS_TRY(vbss_scene_check_new_body(s, &added, number, found));
     const vbss_slot *slot = *found;
     const drain_object *d = slot->object;
-    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (d->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
-                         "the drain's method is not the scene's");
-    }
+    VBSS_TRY(vbss_scene_check_method(s, d->config.method, "drain"));
     scene_body *entry;
     return vbss_scene_find_free_body(s, SCENE_BODY_DRAIN, &entry);
 }

@@ -41,19 +41,12 @@ typedef struct new_grasper {
 static vbss_result check_grasper(scene_object *s, vbss_grasper *grasper, const uint32_t *number,
                                  new_grasper *found)
 {
-    VBSS_TRY(vbss_slot_check_other(s->context, grasper, "grasper"));
-    VBSS_TRY(vbss_slot_edit_unowned(grasper, &vbss_grasper_kind_of_slot, &found->slot));
+    const scene_new_body added = {grasper, &vbss_grasper_kind_of_slot, "grasper"};
+    VBSS_TRY(vbss_scene_check_new_body(s, &added, number, &found->slot));
     const vbss_slot *slot = found->slot;
     const grasper_object *g = slot->object;
-    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (g->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
-                         "the grasper's method is not the scene's");
-    }
-    if (GRASPER_CAPSULES > s->config.capsule_capacity - s->capsule_count) {
-        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
-                         s->config.capsule_capacity);
-    }
+    VBSS_TRY(vbss_scene_check_method(s, g->config.method, "grasper"));
+    VBSS_TRY(vbss_scene_check_capsule_room(s, GRASPER_CAPSULES));
     if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &found->target)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the trocar is nearer to the tip than the jaws reach aside");

@@ -12,19 +12,12 @@
 static vbss_result check_needle(scene_object *s, vbss_needle *needle, const uint32_t *number,
                                 vbss_slot **found)
 {
-    VBSS_TRY(vbss_slot_check_other(s->context, needle, "needle"));
-    VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, found));
+    const scene_new_body added = {needle, &vbss_needle_kind, "needle"};
+    VBSS_TRY(vbss_scene_check_new_body(s, &added, number, found));
     const vbss_slot *slot = *found;
     const needle_object *n = slot->object;
-    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (n->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
-                         "the needle's method is not the scene's");
-    }
-    if (n->config.segment_count > s->config.capsule_capacity - s->capsule_count) {
-        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
-                         s->config.capsule_capacity);
-    }
+    VBSS_TRY(vbss_scene_check_method(s, n->config.method, "needle"));
+    VBSS_TRY(vbss_scene_check_capsule_room(s, n->config.segment_count));
     scene_body *entry;
     return vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &entry);
 }

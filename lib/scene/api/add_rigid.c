@@ -77,11 +77,7 @@ static vbss_result check_rigid(const scene_object *s, const vbss_scene_rigid_con
     for (uint32_t i = 0; i < c->capsule_count; i++) {
         VBSS_TRY(check_capsule(context, &c->capsules[i]));
     }
-    if (c->capsule_count > s->config.capsule_capacity - s->capsule_count) {
-        return vbss_fail(context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
-                         s->config.capsule_capacity);
-    }
-    return VBSS_OK;
+    return vbss_scene_check_capsule_room(s, c->capsule_count);
 }
 
 /* Computes mass and inertia as if the capsules were solid and of one material. */

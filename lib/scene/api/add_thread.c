@@ -12,15 +12,11 @@
 static vbss_result check_thread(scene_object *s, vbss_thread *thread, const uint32_t *number,
                                 vbss_slot **found)
 {
-    VBSS_TRY(vbss_slot_check_other(s->context, thread, "thread"));
-    VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, found));
+    const scene_new_body added = {thread, &vbss_thread_kind, "thread"};
+    VBSS_TRY(vbss_scene_check_new_body(s, &added, number, found));
     const vbss_slot *slot = *found;
     const thread_object *t = slot->object;
-    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
-    if (t->config.method != s->config.method) {
-        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
-                         "the thread's method is not the scene's");
-    }
+    VBSS_TRY(vbss_scene_check_method(s, t->config.method, "thread"));
     VBSS_TRY(vbss_scene_check_thread_capacity(s, t));
     scene_body *entry;
     return vbss_scene_find_free_body(s, SCENE_BODY_THREAD, &entry);

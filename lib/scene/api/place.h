@@ -6,6 +6,27 @@
 
 #include "scene/world/scene_data.h"
 
+/* ---- new_body.c */
+
+/* A body that a host adds. */
+typedef struct scene_new_body {
+    void *handle;
+    const vbss_kind *kind;
+    const char *name; /* of the argument, for error texts */
+} scene_new_body;
+
+/* Checks the handle, and the address of the number that the body gets. Returns the body's slot. */
+vbss_result vbss_scene_check_new_body(const scene_object *s, const scene_new_body *added,
+                                      const uint32_t *number, vbss_slot **slot);
+
+/* VBSS_ERROR_INCOMPATIBLE if the scene uses another method than the body. */
+vbss_result vbss_scene_check_method(const scene_object *s, vbss_method method, const char *name);
+
+/* VBSS_ERROR_CAPACITY if the scene has no room for so many more capsules. */
+vbss_result vbss_scene_check_capsule_room(const scene_object *s, uint32_t count);
+
+/* ---- add_thread.c, add_drain.c, add_needle.c, add_grasper.c, add_rigid.c */
+
 /* Creates the shape of a thread. That of an adaptive thread has room for all nodes that its mesh may
  * get. */
 vbss_result vbss_scene_create_thread_shape(scene_object *s, const thread_object *t,

@@ -30,7 +30,11 @@ static vbss_result create_scene(vbss_context *context, scene_reference *r)
     c.solver = &solver;
     c.floor = 1;
     c.floor_height = FLOOR;
-    return vbss_scene_create(context, &c, &r->scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_create(context, &c, &r->scene));
+    VBSS_TRY(vbss_scene_open(r->scene, &s));
+    s->report.is_unlogged = true; /* the rod is held back as it meets the drain */
+    return VBSS_OK;
 }
 
 static vbss_result add_drain(vbss_context *context, scene_reference *r)

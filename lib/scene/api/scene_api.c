@@ -1,5 +1,6 @@
 /* Steps a scene; statistics, snapshots and hash of a scene. */
 #include "base/api_call.h"
+#include "base/baseline_statistics.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
@@ -19,6 +20,20 @@ vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *
     vbss_scene_statistics own = s->report.statistics;
     own.struct_size = sizeof own;
     return vbss_struct_write(s->context, &statistics_layout, &own, statistics, struct_size);
+}
+
+vbss_result vbss_scene_get_baseline_statistics(vbss_scene *scene,
+                                               vbss_baseline_statistics *statistics,
+                                               uint32_t struct_size)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    const vbss_baseline_statistics *counted = s->method->baseline_statistics(s);
+    vbss_baseline_statistics own = counted != NULL ? *counted : (vbss_baseline_statistics){0};
+    own.sign_tests_ended = s->collision->counters.sign_tests_ended;
+    return vbss_baseline_write_statistics(s->context, counted != NULL ? &own : NULL, statistics,
+                                          struct_size);
 }
 
 vbss_result vbss_scene_prepare(vbss_scene *scene)

@@ -142,6 +142,8 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
     scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     geometry->axis_interval[0][0] = geometry->axis_interval[1][0] = 0.0;
     geometry->axis_interval[0][1] = geometry->axis_interval[1][1] = 1.0;
+    geometry->segments[0] = key->feature_a;
+    geometry->segments[1] = key->feature_b;
     bool near = compute_geometry(s, constraint, m);
     /* The line through a lip is never farther than its middle, so this is a lower bound of
      * the separation. */

@@ -217,6 +217,19 @@ bool vbss_scene_add_drain_floor_contacts(scene_object *s, const scene_body *b);
 /* Removes all but one of the contacts about the same two points. The contact set must be sorted. */
 void vbss_scene_remove_duplicate_contacts(scene_object *s);
 
+/* ---- sliding_contacts.c */
+
+/* Moves each contact of two threads to where the threads are expected to cross at the end of the substep. For substeps
+ * that are whole steps, without a budget. */
+void vbss_scene_predict_slides(scene_object *s);
+/* Moves a sliding contact to where the threads cross in the trial state, on the same segments. */
+void vbss_scene_update_slide(const scene_object *s, contact_constraint *constraint);
+/* Sets the derivatives of the weights of the blocks from `first` on, which are the nodes of a segment, as the contact
+ * point moves along the thread. Blocks of welded nodes get none. */
+void vbss_scene_set_slide_derivatives(contact_constraint *constraint, uint32_t first,
+                                      const scene_body *thread, uint32_t segment,
+                                      bool is_on_side_b);
+
 /* ---- create_contacts.c */
 
 /* Creates all constraints of a substep: contacts of features that may touch, grasps and holes. Sets

@@ -62,6 +62,9 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         return d;
     }
     if (b->kind == SCENE_BODY_THREAD) {
+        if (kind == VBSS_SCENE_CONTACT_SEGMENTS) {
+            d.feature = scene_geometry_of(s, constraint)->segments[which];
+        }
         /* end nodes of a thread are not smoothed */
         d.smooth = kind == VBSS_SCENE_CONTACT_NODE_CAPSULE && feature > 0 &&
                    feature + 1 < b->thread.thread->node_count;
@@ -307,8 +310,12 @@ static void add_jacobian(const scene_object *s, contact_constraint *constraint, 
                                           sign * weights[k]);
         }
     } else if (d->vertex_count > 1) {
+        const uint32_t first = constraint->jacobian_block_count;
         vbss_scene_add_node_jacobian(s, constraint, b, d->feature, sign * weights[0]);
         vbss_scene_add_node_jacobian(s, constraint, b, d->feature + 1, sign * weights[1]);
+        if (constraint->is_sliding) {
+            vbss_scene_set_slide_derivatives(constraint, first, b, d->feature, sign < 0.0);
+        }
     } else {
         vbss_scene_add_node_jacobian(s, constraint, b, d->feature,
                                      sign * (d->smooth ? SMOOTH_NODE : 1.0));
@@ -520,7 +527,12 @@ static void measure_gap(const scene_object *s, contact_constraint *constraint, c
 {
     const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     double at[2], lip_thickness;
-    constraint->gap = vec3_norm(separation_of(s, geometry, d, e, AT_TRIAL, at, &lip_thickness)) -
+    side a = *d, b = *e;
+    if (constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENTS) { /* the start gap is theirs */
+        a.feature = constraint->key.feature_a;
+        b.feature = constraint->key.feature_b;
+    }
+    constraint->gap = vec3_norm(separation_of(s, geometry, &a, &b, AT_TRIAL, at, &lip_thickness)) -
                       contact_distance_of(d, e) + geometry->overlap_allowance;
 }
 
@@ -533,6 +545,9 @@ static void update_contact(const scene_object *s, contact_constraint *constraint
     }
     if (update == REFRESH_NORMAL && e != NULL) {
         refresh_normal(s, constraint, d, e);
+    }
+    if (update == REFRESH_GEOMETRY && constraint->is_sliding) {
+        vbss_scene_update_slide(s, constraint);
     }
     if (update != MEASURE_GAP) {
         update_geometry(s, constraint, d, e);

@@ -494,7 +494,7 @@ static void visit_holes(vbss_stream *stream, scene_object *s)
     }
 }
 
-static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
+static void visit_common_statistics(vbss_stream *stream, vbss_scene_statistics *s)
 {
     vbss_stream_u32(stream, 80, &s->contacts, 3); /* contacts, rows, separators */
     vbss_stream_u64(stream, 81, &s->steps, 5);    /* steps .. state_solves */
@@ -509,6 +509,29 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
         vbss_stream_u64(stream, 87, &s->deferred, 1);
         vbss_stream_u32(stream, 88, &s->behind, 1);
     }
+}
+
+/* Counters of method VBLAST have the places in the stream that its snapshots have always used. They
+ * are counters of method IMPLICIT that are 0 in its scenes. */
+static void visit_statistics(vbss_stream *stream, scene_object *s)
+{
+    vbss_scene_statistics *c = &s->report.statistics;
+    vbss_baseline_statistics *own = s->method->baseline_statistics(s);
+    if (own == NULL) {
+        visit_common_statistics(stream, c);
+        return;
+    }
+    c->rows = own->last_candidates;
+    c->attempts = own->passes;
+    c->guard_pairs = own->tested_pairs;
+    c->loose_states = own->unconverged_steps;
+    visit_common_statistics(stream, c);
+    own->last_candidates = c->rows;
+    own->passes = c->attempts;
+    own->tested_pairs = c->guard_pairs;
+    own->unconverged_steps = c->loose_states;
+    c->rows = 0;
+    c->attempts = c->guard_pairs = c->loose_states = 0;
 }
 
 /* Replaces a size in the snapshot if bodies begin with different sizes, which follow.
@@ -598,7 +621,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     vbss_stream_count(stream, 110, &s->report.touching_pair_count, s->config.contact_capacity);
     vbss_stream_u32(stream, 111, &s->report.touching_pairs->body_a,
                     2 * (size_t)s->report.touching_pair_count);
-    visit_statistics(stream, &s->report.statistics);
+    visit_statistics(stream, s);
     visit_next_sizes(stream, s);
     vbss_scene_visit_cursor(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {

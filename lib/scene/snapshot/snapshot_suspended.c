@@ -16,7 +16,7 @@ enum {
     HAS_BLOCKERS = 1 << 3,
     HAS_LIMIT = 1 << 4,
     IS_EDITED = 1 << 5,
-    SUSPENDED_AGAIN = 1 << 6, /* two bits: how often, after the first time */
+    SUSPENDED_AGAIN = 1 << 6, /* two bits: how often, after the first time; 3: not once */
     HAS_OVERDUE = 1 << 8,
     HAS_OWN_BUDGETS = 1 << 9, /* groups whose operations count from their start */
     WAS_OVERDUE = 1 << 10,
@@ -225,7 +225,7 @@ static uint32_t parts_of(const scene_object *s)
            (s->report.blocker_count > 0 ? HAS_BLOCKERS : 0) |
            (has_groups && has_own_budgets(cursor) ? HAS_OWN_BUDGETS : 0) |
            (has_own_speed_limit(s) ? HAS_LIMIT : 0) | (is_edited ? IS_EDITED : 0) |
-           (cursor->is_suspended ? (cursor->suspensions - 1) * SUSPENDED_AGAIN : 0) |
+           (cursor->is_suspended ? (cursor->suspensions + 3) % 4 * SUSPENDED_AGAIN : 0) |
            (cursor->was_overdue ? WAS_OVERDUE : 0) |
            (cursor->is_suspended && cursor->is_free_group ? IS_FREE_GROUP : 0) |
            (s->report.statistics.overdue > 0 ? HAS_OVERDUE : 0) |
@@ -235,7 +235,7 @@ static uint32_t parts_of(const scene_object *s)
 
 static uint32_t suspensions_of(uint32_t parts)
 {
-    return (parts & IS_SUSPENDED) != 0 ? 1 + parts / SUSPENDED_AGAIN % 4 : 0;
+    return (parts & IS_SUSPENDED) != 0 ? (1 + parts / SUSPENDED_AGAIN) % 4 : 0;
 }
 
 static bool is_valid_state(const scene_object *s, const uint32_t words[3])

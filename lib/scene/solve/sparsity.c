@@ -35,8 +35,9 @@ static void add_drain_separators(const scene_object *s, const scene_body *b, con
     }
 }
 
-static void add_side_separators(scene_object *s, const contact_key *key, bool is_b)
+static void add_side_separators(scene_object *s, const contact_constraint *constraint, bool is_b)
 {
+    const contact_key *key = &constraint->key;
     uint32_t number = is_b ? key->body_b : key->body_a,
              feature = is_b ? key->feature_b : key->feature_a;
     const scene_body *b = vbss_scene_body(s, number);
@@ -54,6 +55,10 @@ static void add_side_separators(scene_object *s, const contact_key *key, bool is
     case VBSS_SCENE_CONTACT_NODE_FLOOR:
     case VBSS_SCENE_CONTACT_POINT_FACE:
         add_separator(s, b, feature);
+        break;
+    case VBSS_SCENE_CONTACT_SEGMENTS:
+        feature = scene_geometry_of(s, constraint)->segments[is_b ? 1 : 0];
+        add_separator_range(s, b, feature, feature + 1);
         break;
     default:
         add_separator_range(s, b, feature, feature + 1);
@@ -165,17 +170,15 @@ static void choose_separators(scene_object *s)
         }
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_key *key = &s->contacts->constraints[i].key;
-        if (key->kind == VBSS_SCENE_CONTACT_HOLE) {
-            add_hole_separators(s, &s->contacts->constraints[i]);
-            continue;
+        const contact_constraint *constraint = &s->contacts->constraints[i];
+        if (constraint->key.kind == VBSS_SCENE_CONTACT_HOLE) {
+            add_hole_separators(s, constraint);
+        } else if (constraint->is_bilateral) {
+            add_bilateral_separators(s, constraint);
+        } else {
+            add_side_separators(s, constraint, false);
+            add_side_separators(s, constraint, true);
         }
-        if (s->contacts->constraints[i].is_bilateral) {
-            add_bilateral_separators(s, &s->contacts->constraints[i]);
-            continue;
-        }
-        add_side_separators(s, key, false);
-        add_side_separators(s, key, true);
     }
     add_weld_separators(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -274,8 +277,9 @@ static uint64_t mix_constraint(uint64_t hash, const contact_constraint *constrai
     hash = mix_two(hash, constraint->key.kind, constraint->key.feature_a);
     hash = mix_two(hash, constraint->key.body_a, constraint->key.body_b);
     hash = mix_two(hash, constraint->key.feature_b, constraint->jacobian_block_count);
-    /* Bilateral constraints slide to other blocks. */
-    for (uint32_t k = 0; constraint->is_bilateral && k < constraint->jacobian_block_count; k++) {
+    /* Bilateral constraints and contacts of two threads slide to other blocks. */
+    bool slides = constraint->is_bilateral || constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENTS;
+    for (uint32_t k = 0; slides && k < constraint->jacobian_block_count; k++) {
         hash = mix(hash, constraint->jacobian[k].block);
     }
     return hash;

@@ -76,6 +76,12 @@ static bool is_valid_body(const scene_object *s, const scene_body *b)
     return true;
 }
 
+static vbss_baseline_statistics *baseline_statistics(const scene_object *s)
+{
+    (void)s;
+    return NULL;
+}
+
 static uint32_t *grasp_pin(const scene_object *s, uint32_t index)
 {
     (void)s;
@@ -100,6 +106,7 @@ const scene_method vbss_scene_implicit = {
     .serialise_needle = serialise_needle,
     .is_valid_body = is_valid_body,
     .grasp_pin = grasp_pin,
+    .baseline_statistics = baseline_statistics,
     .has_separation_cache = true,
     .drives_tools = false,
     .welds_pins = true,

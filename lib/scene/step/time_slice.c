@@ -76,11 +76,19 @@ static uint64_t step_end_cost(const scene_object *s)
 }
 
 /* Whether the budget lasts for one linearisation, not only for finding contacts. */
-static bool can_begin_step(const scene_object *s, bool is_sliced)
+static bool can_linearise(const scene_object *s)
 {
-    uint64_t min_operations =
-        (uint64_t)vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
-    return is_sliced && s->cursor.operations_left >= min_operations;
+    return s->cursor.operations_left >=
+           (uint64_t)vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
+}
+
+/* Whether the call begins another step. A step that the call before could not begin either begins
+ * with room for its contacts alone: if that room stayed unused in each call, the scene would never
+ * catch up. */
+static bool can_begin_step(const scene_object *s, bool is_sliced, bool was_waiting)
+{
+    return is_sliced && (can_linearise(s) ||
+                         (was_waiting && s->cursor.operations_left >= vbss_scene_attempt_cost(s)));
 }
 
 static void charge_call_budget(scene_step_cursor *cursor, uint64_t operations)
@@ -187,9 +195,12 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
     }
     const bool can_slice = vbss_scene_has_step_budget(s) && s->settings.call_budget > 0;
     const bool is_sliced = can_slice && cursor->unsliced_steps_left == 0;
+    const bool was_waiting = cursor->steps_behind > 0;
     s->contacts->call_budget.has_progress = false;
     cursor->operations_left = s->settings.call_budget;
     cursor->steps_behind++;
+    /* The last step began with room for its contacts alone. Without it, it would begin in the next call. */
+    bool is_early = false;
     vbss_result result = run_slice_or_rollback(s, h, is_sliced);
     if (result != VBSS_OK && !ends_suspended) {
         cursor->steps_behind--;
@@ -197,11 +208,12 @@ vbss_result vbss_scene_implicit_step(scene_object *s, double h)
     }
     /* If a step fails after another has ended, the next call fails in it and returns the error. */
     while (result == VBSS_OK && !cursor->is_suspended && cursor->steps_behind > 0 &&
-           (!can_slice || can_begin_step(s, is_sliced))) {
+           (!can_slice || can_begin_step(s, is_sliced, was_waiting))) {
+        is_early = can_slice && !can_linearise(s);
         result = run_slice_or_rollback(s, h, is_sliced);
     }
     if (cursor->is_suspended) {
-        cursor->suspensions += cursor->suspensions < SCENE_MAX_SUSPENSIONS;
+        cursor->suspensions += !is_early && cursor->suspensions < SCENE_MAX_SUSPENSIONS;
         vbss_scene_publish_tools(s); /* grasps may have been released when the step began */
     }
     drop_overdue_steps(s, h);

@@ -35,10 +35,26 @@ static double find_depth(const scene_object *s, scene_touching_pair bodies)
 static const char *describe_cause(vbss_scene_blocker_cause cause)
 {
     static const char *const texts[] = {
-        "the limit of work is exhausted", "they would pass through each other",
-        "they penetrate each other", "their contact forces are not found",
-        "their motion does not converge"};
+        "the limit of work is exhausted", "surfaces would pass through each other",
+        "the penetration is too deep", "no contact forces are found",
+        "the motion does not converge"};
     return texts[cause];
+}
+
+/* A number is 0 if the body is unknown, or is the floor. */
+static void log_blocker(const scene_object *s, vbss_scene_blocker_cause cause,
+                        scene_touching_pair bodies)
+{
+    const char *text = describe_cause(cause);
+    const uint32_t known = bodies.body_a != 0 ? bodies.body_a : bodies.body_b;
+    if (bodies.body_a != 0 && bodies.body_b != 0 && bodies.body_a != bodies.body_b) {
+        vbss_message(s->context, VBSS_LOG_WARNING, "scene: bodies %u and %u are held back: %s",
+                     bodies.body_a, bodies.body_b, text);
+    } else if (known != 0) {
+        vbss_message(s->context, VBSS_LOG_WARNING, "scene: body %u is held back: %s", known, text);
+    } else {
+        vbss_message(s->context, VBSS_LOG_WARNING, "scene: bodies are held back: %s", text);
+    }
 }
 
 void vbss_scene_record_blocker(scene_object *s, vbss_scene_blocker_cause cause,
@@ -58,8 +74,9 @@ void vbss_scene_record_blocker(scene_object *s, vbss_scene_blocker_cause cause,
                                         .id = (uint32_t)cause,
                                         .value = lost_time};
         vbss_scene_add_event(s, &event, event.id);
-        vbss_message(s->context, VBSS_LOG_WARNING, "scene: bodies %u and %u are held back: %s",
-                     bodies.body_a, bodies.body_b, describe_cause(cause));
+        if (!r->is_unlogged) {
+            log_blocker(s, cause, bodies);
+        }
     }
     b->cause = cause;
     b->last = r->statistics.time;

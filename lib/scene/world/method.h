@@ -55,6 +55,11 @@ struct scene_method {
     /* The pin by which grasp `index` holds its node; NULL: the method has no such pins. */
     uint32_t *(*grasp_pin)(const scene_object *s, uint32_t index);
 
+    /* ---- reports */
+
+    /* Counters that only this method has, part of the state; NULL: it has none. */
+    vbss_baseline_statistics *(*baseline_statistics)(const scene_object *s);
+
     bool has_separation_cache; /* the collision object has one */
     bool drives_tools;         /* graspers are driven bodies, else coupled ones */
     bool welds_pins;           /* pins on bodies that forces move are welds, else attachments */

@@ -315,6 +315,10 @@ typedef struct scene_contact_geometry {
     /* Contact point on both features: fractions of two lines, or for a point and a triangle the
      * weights of its second and third corner. */
     double barycentric[2];
+    /* Two segments: those on which the contact points are. They differ from the features of the key where the contact
+     * slides on to neighbouring segments in the substep. On the key's segments, the points at the start. */
+    uint32_t segments[2];
+    double start_barycentric[2];
     /* Lines: interval of each axis on which contact is possible, as fractions of it. */
     double axis_interval[2][2];
     vec3 point;              /* midway between the surfaces, m */
@@ -413,7 +417,7 @@ typedef struct scene_step_cursor {
     uint64_t operations_left;       /* operations that the present call may still use */
     uint32_t steps_behind;          /* steps that hosts have asked for and that have not begun */
     uint32_t unsliced_steps_left;   /* steps that must not be suspended, after an edit */
-    uint32_t suspensions;           /* calls that have suspended the present step */
+    uint32_t suspensions;           /* calls that count as suspending this step: time_slice.c */
     bool was_overdue;               /* free bodies go first, as the last step took three calls */
     bool is_free_group;             /* the present group has free bodies only; never suspended */
     uint64_t edit_count;            /* edits of all bodies when the last call ended */
@@ -503,6 +507,7 @@ typedef struct scene_report {
     uint32_t logged_event_count, lost_logged_events;
     scene_blocker blockers[SCENE_MAX_BLOCKERS]; /* snapshots save them */
     uint32_t blocker_count;
+    bool is_unlogged; /* a scene of the library's own: its blockers are no warnings for the host */
     bool keeps_logged_events; /* some were added after the last call; the next keeps them */
     /* The contact views: contact_count entries, in the order of the features. */
     uint32_t contact_count;

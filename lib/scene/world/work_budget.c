@@ -28,19 +28,19 @@ static bool is_first_step(const scene_object *s)
     return s->report.statistics.steps == 0;
 }
 
-static bool has_limits(const scene_object *s)
+bool vbss_scene_limits_steps(const scene_object *s)
 {
     return s->config.mode == VBSS_SCENE_MODE_REAL_TIME && s->settings.step_budget > 0;
 }
 
 bool vbss_scene_has_step_budget(const scene_object *s)
 {
-    return has_limits(s) && !is_first_step(s);
+    return vbss_scene_limits_steps(s) && !is_first_step(s);
 }
 
 bool vbss_scene_is_beyond_step_limits(const scene_object *s, uint64_t operations, uint32_t attempts)
 {
     const uint64_t limits = is_first_step(s) ? SCENE_FIRST_STEP_LIMITS : 1;
-    return has_limits(s) && (operations >= limits * s->settings.step_budget ||
-                             attempts >= limits * s->solver.attempt_limit);
+    return vbss_scene_limits_steps(s) && (operations >= limits * s->settings.step_budget ||
+                                          attempts >= limits * s->solver.attempt_limit);
 }

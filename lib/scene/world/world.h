@@ -340,6 +340,8 @@ uint32_t vbss_scene_attempt_cost(const scene_object *s);
 /* Whether the attempts of this step have an operation budget. Those of the first step of a scene have
  * none, because bodies may overlap as the host has placed them. */
 bool vbss_scene_has_step_budget(const scene_object *s);
+/* Whether steps have a budget: the mode is real time, and the host has not turned it off. */
+bool vbss_scene_limits_steps(const scene_object *s);
 
 /* Whether a step with this number of operations and attempts has reached its limits, between two
  * attempts. The limits of the first step are larger. */

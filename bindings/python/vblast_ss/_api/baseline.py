@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, c_double, c_int32, c_uint32
-from typing import Any, ClassVar
+from ctypes import POINTER, c_double, c_int32, c_uint32, c_uint64
+from typing import Any, ClassVar, NamedTuple
 
 
 class vbss_baseline_config(ctypes.Structure):
@@ -85,6 +85,70 @@ class vbss_baseline_config(ctypes.Structure):
         ("grasper_distance", c_double),
         ("scene_thickness", c_double),
     ]
+
+
+class vbss_baseline_statistics(ctypes.Structure):
+    """Counters of the baseline since the creation of an object, and results of its last step. One
+    struct serves scenes, threads and collision objects; each fills the fields of its kind, and
+    the others are 0. They are part of the state: a snapshot restores them.
+
+    last_candidates: Scene: pairs that the last search of the last step found.
+
+    passes: Scene: passes of detection and response in all steps; at least one a step.
+
+    tested_pairs: Scene: pairs that these passes tested, the floor excluded.
+
+    unconverged_steps: Scene: steps whose last pass still moved a body, because of
+    vbss_baseline_config::scene_pass_limit.
+
+    projection_iterations: Thread: iterations of the projection, summed over sections and
+    explicit steps.
+
+    failed_projections: Thread: projections that did not converge, so that their section kept
+    the positions from before.
+
+    sign_tests_ended: Collision object, and scene: continuous tests that the sign of w.w' ended
+    (docs/explanation/paper-collision.md).
+
+    last_projection_iterations: Thread: the part of the last step."""
+    struct_size: int
+    last_candidates: int
+    passes: int
+    tested_pairs: int
+    unconverged_steps: int
+    projection_iterations: int
+    failed_projections: int
+    sign_tests_ended: int
+    last_projection_iterations: int
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("last_candidates", c_uint32),
+        ("passes", c_uint64),
+        ("tested_pairs", c_uint64),
+        ("unconverged_steps", c_uint64),
+        ("projection_iterations", c_uint64),
+        ("failed_projections", c_uint64),
+        ("sign_tests_ended", c_uint64),
+        ("last_projection_iterations", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class BaselineStatistics(NamedTuple):
+    """Counters of the baseline since the creation of an object, and results of its last step. One
+    struct serves scenes, threads and collision objects; each fills the fields of its kind, and
+    the others are 0. They are part of the state: a snapshot restores them. Fields as
+    vbss_baseline_statistics says."""
+    last_candidates: int
+    passes: int
+    tested_pairs: int
+    unconverged_steps: int
+    projection_iterations: int
+    failed_projections: int
+    sign_tests_ended: int
+    last_projection_iterations: int
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

@@ -7,7 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import vbss_context, vbss_view
-from .baseline import vbss_baseline_config
+from .baseline import vbss_baseline_config, vbss_baseline_statistics
 
 
 class CollisionMethod(IntEnum):
@@ -317,8 +317,6 @@ class vbss_collision_statistics(ctypes.Structure):
 
     passes: CONSERVATIVE: evaluations of the closest points.
 
-    sign_tests_ended: VBLAST: tests ended by the sign of w.w'.
-
     boxes_tested: Pairs of boxes that the searches tested; not part of the state.
 
     searches: Searches for candidates."""
@@ -331,7 +329,6 @@ class vbss_collision_statistics(ctypes.Structure):
     undecided: int
     exact: int
     passes: int
-    sign_tests_ended: int
     boxes_tested: int
     searches: int
     _kinds_: ClassVar[dict[str, Any]] = {}
@@ -345,7 +342,6 @@ class vbss_collision_statistics(ctypes.Structure):
         ("undecided", c_uint64),
         ("exact", c_uint64),
         ("passes", c_uint64),
-        ("sign_tests_ended", c_uint64),
         ("boxes_tested", c_uint64),
         ("searches", c_uint64),
     ]
@@ -361,7 +357,6 @@ class CollisionStatistics(NamedTuple):
     undecided: int
     exact: int
     passes: int
-    sign_tests_ended: int
     boxes_tested: int
     searches: int
 
@@ -449,6 +444,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(c_uint32))),
     "vbss_collision_get_statistics": (c_int32, (POINTER(vbss_collision),
         POINTER(vbss_collision_statistics), c_uint32)),
+    "vbss_collision_get_baseline_statistics": (c_int32, (POINTER(vbss_collision),
+        POINTER(vbss_baseline_statistics), c_uint32)),
     "vbss_collision_save": (c_int32, (POINTER(vbss_collision), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),
     "vbss_collision_restore": (c_int32, (POINTER(vbss_collision), POINTER(c_uint8), c_uint64)),

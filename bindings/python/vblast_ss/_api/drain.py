@@ -524,6 +524,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_drain_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_drain_config),
         POINTER(POINTER(vbss_drain)))),
     "vbss_drain_destroy": (c_int32, (POINTER(vbss_drain),)),
+    "vbss_drain_discard": (c_int32, (POINTER(vbss_drain),)),
     "vbss_drain_step": (c_int32, (POINTER(vbss_drain), c_double)),
     "vbss_drain_set_state": (c_int32, (POINTER(vbss_drain), POINTER(c_double), POINTER(c_double),
         c_uint32)),

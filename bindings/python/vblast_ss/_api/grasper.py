@@ -317,6 +317,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_grasper_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_grasper_config),
         POINTER(POINTER(vbss_grasper)))),
     "vbss_grasper_destroy": (c_int32, (POINTER(vbss_grasper),)),
+    "vbss_grasper_discard": (c_int32, (POINTER(vbss_grasper),)),
     "vbss_grasper_set_target": (c_int32, (POINTER(vbss_grasper), POINTER(c_double),
         POINTER(c_double))),
     "vbss_grasper_set_opening": (c_int32, (POINTER(vbss_grasper), c_double)),

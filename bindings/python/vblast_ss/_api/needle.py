@@ -229,6 +229,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_needle_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_needle_config),
         POINTER(POINTER(vbss_needle)))),
     "vbss_needle_destroy": (c_int32, (POINTER(vbss_needle),)),
+    "vbss_needle_discard": (c_int32, (POINTER(vbss_needle),)),
     "vbss_needle_step": (c_int32, (POINTER(vbss_needle), c_double)),
     "vbss_needle_set_state": (c_int32, (POINTER(vbss_needle), POINTER(c_double), POINTER(c_double),
         POINTER(c_double), POINTER(c_double))),

@@ -7,7 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
-from .baseline import vbss_baseline_config
+from .baseline import vbss_baseline_config, vbss_baseline_statistics
 from .drain import vbss_drain
 from .grasper import vbss_grasper
 from .needle import vbss_needle
@@ -472,10 +472,9 @@ class SceneRigidState(NamedTuple):
 
 
 class vbss_scene_statistics(ctypes.Structure):
-    """Counters since creation, and results of the last step. Method VBLAST uses these fields
-    differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
-    pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still
-    moved a body, and the stretch error is max |length / rest length - 1|.
+    """Counters since creation, and results of the last step. Method VBLAST leaves `rows`,
+    `separators` and the counters of attempts, solves, the guard and operations at 0;
+    vbss_scene_get_baseline_statistics returns what it counts.
 
     contacts: Contacts that carry a force after the last step.
 
@@ -524,7 +523,8 @@ class vbss_scene_statistics(ctypes.Structure):
 
     penetration: Largest penetration of all steps, m.
 
-    last_stretch_error: max |length / rest length - 1 - T / EA| after the last step.
+    last_stretch_error: IMPLICIT: max |length / rest length - 1 - T / EA| after the last step;
+    VBLAST: max |length / rest length - 1|.
 
     stretch_error: Largest stretch error of all steps.
 
@@ -621,11 +621,10 @@ class vbss_scene_statistics(ctypes.Structure):
 
 
 class SceneStatistics(NamedTuple):
-    """Counters since creation, and results of the last step. Method VBLAST uses these fields
-    differently: `attempts` counts passes of detection and response, `guard_pairs` counts tested
-    pairs, and `rows` the pairs listed last. `loose_states` counts steps whose last pass still
-    moved a body, and the stretch error is max |length / rest length - 1|. Fields as
-    vbss_scene_statistics says."""
+    """Counters since creation, and results of the last step. Method VBLAST leaves `rows`,
+    `separators` and the counters of attempts, solves, the guard and operations at 0;
+    vbss_scene_get_baseline_statistics returns what it counts. Fields as vbss_scene_statistics
+    says."""
     contacts: int
     rows: int
     separators: int
@@ -883,6 +882,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_get_view": (c_int32, (POINTER(vbss_scene), c_int32, POINTER(vbss_view), c_uint32)),
     "vbss_scene_get_statistics": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_statistics),
         c_uint32)),
+    "vbss_scene_get_baseline_statistics": (c_int32, (POINTER(vbss_scene),
+        POINTER(vbss_baseline_statistics), c_uint32)),
     "vbss_scene_get_overlap": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_scene_overlap),
         c_uint32)),
     "vbss_scene_save": (c_int32, (POINTER(vbss_scene), POINTER(c_uint8), c_uint64,

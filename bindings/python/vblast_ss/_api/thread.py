@@ -7,7 +7,7 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
-from .baseline import vbss_baseline_config
+from .baseline import vbss_baseline_config, vbss_baseline_statistics
 
 
 class ThreadBending(IntEnum):
@@ -443,13 +443,14 @@ class ThreadMomentum(NamedTuple):
 
 
 class vbss_thread_statistics(ctypes.Structure):
-    """Counters since creation, and results of the last step.
+    """Counters since creation, and results of the last step. vbss_thread_get_baseline_statistics
+    returns what method VBLAST counts beside these.
 
-    last_iterations: Linearisations, or projection iterations, of the last step.
+    last_iterations: IMPLICIT: linearisations of the last step.
 
     steps: Calls of vbss_thread_step that succeeded.
 
-    iterations: IMPLICIT: linearisations; VBLAST: iterations of the projection.
+    iterations: IMPLICIT: linearisations.
 
     substeps: Accepted parts of steps; equal to steps if none was divided.
 
@@ -458,8 +459,6 @@ class vbss_thread_statistics(ctypes.Structure):
     rejections: IMPLICIT: attempts that were rejected and halved.
 
     forced: IMPLICIT: substeps accepted unconverged, at the last halving.
-
-    fallbacks: VBLAST: sections that did not converge and kept the point constraints alone.
 
     softened: IMPLICIT: linearisations repeated with less compression, parts that started from
     the old positions because the prediction was unusable, and parts in which the force of rest
@@ -500,7 +499,6 @@ class vbss_thread_statistics(ctypes.Structure):
     first_order: int
     rejections: int
     forced: int
-    fallbacks: int
     softened: int
     last_stretch_error: float
     stretch_error: float
@@ -525,7 +523,6 @@ class vbss_thread_statistics(ctypes.Structure):
         ("first_order", c_uint64),
         ("rejections", c_uint64),
         ("forced", c_uint64),
-        ("fallbacks", c_uint64),
         ("softened", c_uint64),
         ("last_stretch_error", c_double),
         ("stretch_error", c_double),
@@ -544,8 +541,8 @@ class vbss_thread_statistics(ctypes.Structure):
 
 
 class ThreadStatistics(NamedTuple):
-    """Counters since creation, and results of the last step. Fields as vbss_thread_statistics
-    says."""
+    """Counters since creation, and results of the last step. vbss_thread_get_baseline_statistics
+    returns what method VBLAST counts beside these. Fields as vbss_thread_statistics says."""
     last_iterations: int
     steps: int
     iterations: int
@@ -553,7 +550,6 @@ class ThreadStatistics(NamedTuple):
     first_order: int
     rejections: int
     forced: int
-    fallbacks: int
     softened: int
     last_stretch_error: float
     stretch_error: float
@@ -579,6 +575,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_thread_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_thread_config),
         POINTER(POINTER(vbss_thread)))),
     "vbss_thread_destroy": (c_int32, (POINTER(vbss_thread),)),
+    "vbss_thread_discard": (c_int32, (POINTER(vbss_thread),)),
     "vbss_thread_step": (c_int32, (POINTER(vbss_thread), c_double)),
     "vbss_thread_set_state": (c_int32, (POINTER(vbss_thread), POINTER(c_double), POINTER(c_double),
         c_uint32)),
@@ -599,6 +596,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_uint32)),
     "vbss_thread_get_statistics": (c_int32, (POINTER(vbss_thread), POINTER(vbss_thread_statistics),
         c_uint32)),
+    "vbss_thread_get_baseline_statistics": (c_int32, (POINTER(vbss_thread),
+        POINTER(vbss_baseline_statistics), c_uint32)),
     "vbss_thread_save": (c_int32, (POINTER(vbss_thread), POINTER(c_uint8), c_uint64,
         POINTER(c_uint64))),
     "vbss_thread_restore": (c_int32, (POINTER(vbss_thread), POINTER(c_uint8), c_uint64)),
