@@ -3,7 +3,6 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
-#include "base/memory.h"
 #include "base/stream.h"
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
@@ -60,7 +59,7 @@ vbss_result vbss_scene_check_static_mesh(vbss_context *context,
         vbss_check_range(context, c->vertex_count, 3.0, SCENE_MAX_MESH_VERTICES, "vertex_count"));
     VBSS_TRY(vbss_check_range(context, c->triangle_count, 1.0, SCENE_MAX_MESH_TRIANGLES,
                               "triangle_count"));
-    VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
+    VBSS_TRY(vbss_check_range(context, c->one_sided, 0.0, 1.0, "one_sided"));
     VBSS_TRY(vbss_check_pointer(context, c->vertices, "vertices"));
     VBSS_TRY(vbss_check_pointer(context, c->triangles, "triangles"));
     VBSS_TRY(vbss_check_range(context, c->friction, 0.0, 10.0, "friction"));
@@ -72,39 +71,35 @@ vbss_result vbss_scene_check_static_mesh(vbss_context *context,
     return check_triangles(context, c);
 }
 
-static uint64_t hash_geometry(const collision_shape *shape)
+static uint64_t hash_geometry(const collision_shape *shape, bool is_one_sided)
 {
     vbss_stream stream;
     uint64_t topology = shape->topology_hash;
+    uint32_t one_sided = is_one_sided ? 1 : 0;
     vbss_stream_begin_hash(&stream);
     vbss_stream_u64(&stream, 1, &topology, 1);
     vbss_stream_f64(&stream, 2, &shape->start->x, 3 * (size_t)shape->node_count);
+    vbss_stream_u32(&stream, 3, &one_sided, 1);
     return vbss_hash_end(&stream.hash);
 }
 
-static vbss_result add_shape(scene_object *s, const vbss_scene_static_mesh_config *c, uint32_t *id,
-                             uint32_t **near_features)
+/* Moves a new shape to its place and builds its trees, so that no step has to. */
+static vbss_result set_up_shape(scene_object *s, const vbss_scene_static_mesh_config *c,
+                                uint32_t id, scene_static_mesh *m)
 {
-    VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), c->vertex_count, c->triangles,
-                                     c->triangle_count, 0.5 * c->thickness, id));
-    collision_shape *shape = s->collision->shapes[*id];
-    const uint32_t features = collision_max_features(shape);
-    *near_features =
-        vbss_allocate(s->context, features, sizeof **near_features, "static mesh in a scene");
-    vbss_result result = *near_features == NULL ? VBSS_ERROR_OUT_OF_MEMORY : VBSS_OK;
-    if (result == VBSS_OK) {
-        result = vbss_collision_set_motion(scene_collision(s), *id, c->vertices, c->vertices,
-                                           c->vertex_count);
-    }
-    if (result != VBSS_OK) {
-        vbss_release(s->context, *near_features, features, sizeof **near_features);
-        (void)vbss_collision_remove(scene_collision(s), *id);
-        return result;
-    }
+    collision_shape *shape = s->collision->shapes[id];
+    VBSS_TRY(vbss_collision_set_motion(scene_collision(s), id, c->vertices, c->vertices,
+                                       c->vertex_count));
+    VBSS_TRY(vbss_scene_create_static_mesh(s, m, shape));
+    m->geometry_hash = hash_geometry(shape, m->is_one_sided);
     shape->is_rigid = shape->is_static = true;
     shape->category = MESH_CATEGORY;
     shape->mask = ~(uint32_t)MESH_CATEGORY;
     vbss_collision_update_displacements(shape);
+    vbss_collision_shape_update_boxes(shape);
+    vbss_collision_shape_refit_points(shape);
+    vbss_collision_shape_refit_edges(shape);
+    vbss_collision_shape_refit_triangles(shape);
     return VBSS_OK;
 }
 
@@ -112,8 +107,14 @@ vbss_result vbss_scene_place_static_mesh(scene_object *s, const vbss_scene_stati
                                          scene_body *b, uint32_t *body)
 {
     uint32_t shape = 0;
-    uint32_t *near_features = NULL;
-    VBSS_TRY(add_shape(s, c, &shape, &near_features));
+    scene_static_mesh mesh = {.is_one_sided = c->one_sided != 0};
+    VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), c->vertex_count, c->triangles,
+                                     c->triangle_count, 0.5 * c->thickness, &shape));
+    const vbss_result result = set_up_shape(s, c, shape, &mesh);
+    if (result != VBSS_OK) {
+        (void)vbss_collision_remove(scene_collision(s), shape);
+        return result;
+    }
     const pose origin = pose_make(vec3_zero(), quat_identity());
     scene_rigid rigid = {.kind = VBSS_SCENE_RIGID_DRIVEN,
                          .frame = origin,
@@ -122,8 +123,7 @@ vbss_result vbss_scene_place_static_mesh(scene_object *s, const vbss_scene_stati
                          .friction = c->friction,
                          .created_friction = c->friction,
                          .is_static_mesh = true,
-                         .geometry_hash = hash_geometry(s->collision->shapes[shape]),
-                         .near_features = near_features};
+                         .mesh = mesh};
     rigid.body.mass = 1.0; /* a driven body needs some; it has no effect */
     rigid.body.inertia = vec3_make(1.0, 1.0, 1.0);
     rigid.body.now.pose = rigid.body.target_start = rigid.body.target_end = origin;

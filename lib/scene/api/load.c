@@ -370,6 +370,7 @@ static vbss_result load_static_mesh(scene_loader *l, const scene_body_descriptio
     vbss_scene_static_mesh_config config = vbss_scene_static_mesh_config_default();
     config.vertex_count = m->vertex_count;
     config.triangle_count = m->triangle_count;
+    config.one_sided = m->one_sided;
     config.vertices = vertices;
     config.triangles = triangles;
     config.friction = m->friction;

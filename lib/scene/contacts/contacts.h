@@ -95,6 +95,18 @@ bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *need
                                    uint32_t capsule, const scene_body *drain, uint32_t edge,
                                    double reach, scene_axis_interval *interval);
 
+/* ---- mesh_contacts.c */
+
+/* Whether one feature of a pair belongs to a one-sided static mesh, and the other feature is behind it at
+ * the start of the substep. Such a pair does not collide. */
+bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate *q);
+
+/* Direction in which an edge of a static mesh pushes. `separation`: from the point at fraction `at` of the edge
+ * to the closest point of the other body. That body may be nearer to a triangle beside the edge; then
+ * the direction is the normal of the triangle. */
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const uint32_t edge[2],
+                            double at, vec3 separation);
+
 /* ---- motion_bounds.c */
 
 /* Sets the expected displacement of every node and capsule end in the substep, m. It is

@@ -125,7 +125,7 @@ static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
         }
     }
     if (has_surface) {
-        return vbss_scene_add_surface_contact(s, q);
+        return vbss_scene_is_behind_mesh(s, q) || vbss_scene_add_surface_contact(s, q);
     }
     if (a->kind == SCENE_BODY_THREAD && b->kind == SCENE_BODY_THREAD) {
         if (vbss_scene_is_excluded_across_cut(s, a, q->a, b, q->b)) {

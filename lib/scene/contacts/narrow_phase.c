@@ -441,6 +441,20 @@ static bool is_inside_face(const scene_contact_geometry *geometry)
            geometry->barycentric[0] + geometry->barycentric[1] < 1.0;
 }
 
+static bool is_mesh_edge(const side *e)
+{
+    return e->vertex_count == 2 && scene_is_static_mesh(e->body);
+}
+
+/* Normal of features at a distance from each other. `separation` has that length. */
+static vec3 normal_along(const scene_object *s, const side *e,
+                         const scene_contact_geometry *geometry, vec3 separation, double distance)
+{
+    return is_mesh_edge(e)
+               ? vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1], separation)
+               : vec3_scale(separation, 1.0 / distance);
+}
+
 /* Normal of features that intersect: any direction across both will do. */
 static vec3 fallback_normal(const scene_object *s, const side *d, const side *e)
 {
@@ -480,7 +494,7 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         return false;
     }
     constraint->normal = distance > SCENE_MIN_DISTANCE_RATIO * contact_distance
-                             ? vec3_scale(separation_vector, 1.0 / distance)
+                             ? normal_along(s, &e, geometry, separation_vector, distance)
                              : fallback_normal(s, &d, &e);
     if (keeps_start_normal(constraint)) {
         return true;
@@ -511,9 +525,13 @@ static void refresh_normal(const scene_object *s, contact_constraint *constraint
                            const side *e)
 {
     scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
-    constraint->normal = vec3_unit_or(
-        separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness),
-        constraint->normal);
+    vec3 direction =
+        separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness);
+    if (is_mesh_edge(e)) {
+        direction =
+            vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1], direction);
+    }
+    constraint->normal = vec3_unit_or(direction, constraint->normal);
     constraint->previous_force =
         vbss_contact_rotate_to_tangent_plane(constraint->previous_force, constraint->normal);
     constraint->solution.slip_direction =

@@ -34,6 +34,7 @@ static void visit_static_mesh(vbss_stream *stream, scene_body_description *d)
     vbss_stream_u32(stream, 51, &d->static_mesh.triangle_count, 1);
     vbss_stream_f64(stream, 52, &d->static_mesh.friction, 1);
     vbss_stream_f64(stream, 53, &d->static_mesh.thickness, 1);
+    vbss_stream_u32(stream, 56, &d->static_mesh.one_sided, 1);
 }
 
 void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_description *d)
@@ -169,6 +170,7 @@ static scene_body_description describe_static_mesh(const scene_rigid *r,
     return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH,
                                     .static_mesh = {.vertex_count = shape->node_count,
                                                     .triangle_count = shape->triangle_count,
+                                                    .one_sided = r->mesh.is_one_sided ? 1 : 0,
                                                     .friction = r->created_friction,
                                                     .thickness = 2.0 * shape->radius}};
 }

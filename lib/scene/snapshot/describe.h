@@ -31,7 +31,7 @@ typedef struct scene_rigid_description {
 } scene_rigid_description;
 
 typedef struct scene_static_mesh_description {
-    uint32_t vertex_count, triangle_count;
+    uint32_t vertex_count, triangle_count, one_sided;
     double friction, thickness; /* the thickness in m */
 } scene_static_mesh_description;
 

@@ -228,7 +228,7 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
         }
     }
     if (r->is_static_mesh) {
-        vbss_stream_expect(stream, 24, r->geometry_hash);
+        vbss_stream_expect(stream, 24, r->mesh.geometry_hash);
     }
     if (r->grasper != NULL) {
         visit_grasper(stream, s, r);

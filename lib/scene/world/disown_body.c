@@ -32,16 +32,6 @@ void vbss_scene_disown_needle(scene_body *b)
     }
 }
 
-void vbss_scene_release_static_mesh(scene_object *s, scene_body *b)
-{
-    if (scene_is_static_mesh(b)) {
-        const collision_shape *shape = s->collision->shapes[b->shape];
-        vbss_release(s->context, b->rigid.near_features, collision_max_features(shape),
-                     sizeof *b->rigid.near_features);
-        b->rigid.near_features = NULL;
-    }
-}
-
 /* Largest number of sides of triangles per node of a surface. Derived from Euler's formula. */
 #define EDGES_PER_NODE 3u
 

@@ -369,8 +369,20 @@ void vbss_scene_disown_grasper(scene_body *b);
 /* Gives the handle of a needle back to the host. The body entry stays as it is. */
 void vbss_scene_disown_needle(scene_body *b);
 
+/* ---- static_mesh.c */
+
+/* Allocates the arrays of a static mesh, lists the triangles at each vertex, and refuses a one-sided mesh
+ * whose triangles are not wound alike. After an error nothing is allocated. */
+vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
+                                          const collision_shape *shape);
+
 /* Releases the scene's memory for a static mesh; for other bodies it does nothing. */
 void vbss_scene_release_static_mesh(scene_object *s, scene_body *b);
+
+/* Lists the triangles that have both vertices of an edge, in ascending order, at most `room` of them.
+ * Returns their number. */
+uint32_t vbss_scene_list_edge_triangles(const scene_static_mesh *m, const collision_shape *shape,
+                                        const uint32_t edge[2], uint32_t *list, uint32_t room);
 
 /* Lists the arrays of a scene for a drain with this number of nodes, to allocate or release
  * them. */
