@@ -167,10 +167,12 @@ typedef struct vbss_scene_static_mesh_config {
     uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
     uint32_t vertex_count;   /**< Number of vertices, 3 to 65536. */
     uint32_t triangle_count; /**< Number of triangles, 1 to 131072. */
-    /** 0: bodies touch it from both sides (default). 1: only from the side from which the corners of
-     * triangles are counter-clockwise. From behind, bodies pass through without contact. What is in
-     * front at the start of a step does not get behind, unless it goes round a free edge. Each edge
-     * then belongs to one triangle, or to two that list it in opposite directions. */
+    /** 0: bodies touch it from both sides (default). 1: only from the front, which is the side from
+     * which the corners of a triangle are counter-clockwise. What is behind is left alone, also
+     * within the thickness, and passes to the front. There it is pushed out to the contact distance.
+     * What is in front at the start of a step does not get behind, unless it goes round a free edge.
+     * Each edge of such a mesh belongs to one triangle, or to two that list it in opposite
+     * directions. */
     uint32_t one_sided;
     /** Vertices in the world, m: vertex_count times x, y, z, each at most 1e3 in magnitude; the
      * library copies them. */

@@ -52,10 +52,19 @@ static uint32_t add_sheet(small *s, uint32_t cells, double side, vec3 middle, do
     return body;
 }
 
+static const vbss_scene_static_mesh_config *make_one_sided(uint32_t cells, double tilt)
+{
+    (void)make_sheet(cells, 60e-3, vec3_zero(), tilt);
+    own_sheet.config.one_sided = 1;
+    return &own_sheet.config;
+}
+
 static void begin(small *s)
 {
     small_begin(s);
     s->config.floor = 0;
+    s->config.contact_capacity = 4096;
+    s->config.candidate_capacity = 65536;
     s->thread.gravity[1] = -9.81;
     small_create(s);
 }
@@ -63,13 +72,13 @@ static void begin(small *s)
 /* ---- physics */
 
 /* How far a thread across a sheet slides down it in 0.1 s, in steps of h. */
-static double slide_on_incline(double friction, double h)
+static double slide_on_incline(uint32_t cells, double friction, double h)
 {
     small s;
     vbss_thread *thread;
     const double tilt = 0.3, above = 0.5 * THICKNESS + 0.125e-3;
     begin(&s);
-    add_sheet(&s, 16, 60e-3, vec3_zero(), tilt, friction);
+    add_sheet(&s, cells, 60e-3, vec3_zero(), tilt, friction);
     const vec3 up = vec3_scale(vec3_make(sin(tilt), cos(tilt), 0.0), above);
     small_thread(&s, vec3_add(up, vec3_make(0.0, 0.0, -10e-3)),
                  vec3_add(up, vec3_make(0.0, 0.0, 10e-3)), 20, &thread);
@@ -82,17 +91,21 @@ static double slide_on_incline(double friction, double h)
     return slid;
 }
 
-static void thread_rests_on_an_incline_up_to_its_friction(void **state)
+/* The implicit step adds h / time to the distance of a free fall. The edges of the mesh add nothing. */
+static void thread_slides_down_an_incline_as_on_a_plane(void **state)
 {
     (void)state;
-    const double tilt = 0.3, time = 0.1;
-    assert_true(fabs(slide_on_incline(1.3 * tan(tilt), 1e-3)) < 0.05e-3);
-    const double friction = 0.2;
+    const double tilt = 0.3, time = 0.1, friction = 0.2;
     const double fallen = 0.5 * 9.81 * (sin(tilt) - friction * cos(tilt)) * time * time;
-    expect_near(fallen, slide_on_incline(friction, 0.25e-3), 0.03 * fallen);
-    /* Normals are those of the start of a step, so the edges ahead brake: today's figure. */
-    const double coarse = slide_on_incline(friction, 1e-3);
-    assert_true(coarse < fallen && coarse > 0.92 * fallen);
+    const double steps[] = {0.25e-3, 1e-3, 2e-3};
+    const uint32_t cells[] = {16, 64, 200}; /* the last are smaller than the contact distance */
+    assert_true(fabs(slide_on_incline(16, 1.3 * tan(tilt), 1e-3)) < 0.05e-3);
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            const double expected = fallen * (1.0 + steps[k] / time);
+            expect_near(expected, slide_on_incline(cells[i], friction, steps[k]), 2e-3 * expected);
+        }
+    }
 }
 
 #define WIDTH 3e-3
@@ -130,11 +143,12 @@ static void add_cylinder(capstan *c)
 static void tension_over_a_static_mesh_follows_capstan_equation(void **state)
 {
     (void)state;
-    const uint32_t cells[] = {24, 60, MAX_ROUND};
-    for (int i = 0; i < 3; i++) {
+    const uint32_t cells[] = {18, 24, 60, MAX_ROUND};
+    for (int i = 0; i < 4; i++) {
         capstan c = capstan_half_turn(0.3);
         round_cells = cells[i];
-        c.speed = 2e-3;
+        c.fineness = 0.2;
+        c.speed = i % 2 == 0 ? 2e-3 : 10e-3;
         c.add_cylinder = add_cylinder;
         const double got = capstan_pulled_over(&c);
         expect_near(1.0, got / (0.3 * c.angle), 0.01);
@@ -187,6 +201,76 @@ static void sheet_bears_a_free_body(void **state)
     small_steps(&s, 300, 1e-3);
     expect_near(2e-3 + 0.5 * THICKNESS, small_position(&s, stick).y, 0.02e-3);
     expect_near(-9.81 * 0.02, small_rigid(&s, mesh).contact_force[1], 0.01 * 9.81 * 0.02);
+    small_end(&s);
+}
+
+/* ---- one side */
+
+/* The middle of a thread that moves vertically for 20 ms at 2 m/s, across a sheet of one side or without it. */
+static vec3 fly_across(double y, double speed, bool with_sheet, double *force)
+{
+    small s;
+    vbss_thread *thread;
+    uint32_t mesh = 0;
+    small_begin(&s);
+    s.config.floor = 0;
+    small_create(&s);
+    if (with_sheet) {
+        expect_ok(vbss_scene_add_static_mesh(s.scene, make_one_sided(16, 0.0), &mesh));
+    }
+    small_thread(&s, vec3_make(-8e-3, y, 1e-3), vec3_make(9e-3, 1.1 * y, -2e-3), 20, &thread);
+    double velocities[21][3];
+    for (int i = 0; i < 21; i++) {
+        vec3_store(velocities[i], vec3_make(0.0, speed, 0.0));
+    }
+    expect_ok(vbss_thread_set_state(thread, NULL, velocities[0], 21));
+    *force = 0.0;
+    for (int i = 0; i < 20; i++) {
+        small_steps(&s, 1, 1e-3);
+        *force = fmax(*force, with_sheet ? fabs(small_rigid(&s, mesh).contact_force[1]) : 0.0);
+    }
+    const vec3 x = small_node(thread, 10);
+    small_end(&s);
+    return x;
+}
+
+static void one_sided_sheet_stops_what_comes_from_the_front(void **state)
+{
+    (void)state;
+    double force;
+    assert_true(fly_across(11e-3, -2.0, true, &force).y > 0.0);
+    assert_true(force > 0.0);
+}
+
+/* It is pushed only from when it is in front, but nearer than the contact distance. */
+static void one_sided_sheet_lets_through_what_comes_from_behind(void **state)
+{
+    (void)state;
+    double force, none;
+    const vec3 across = fly_across(-11e-3, 2.0, true, &force),
+               alone = fly_across(-11e-3, 2.0, false, &none);
+    assert_true(across.y > 20e-3 && vec3_distance(across, alone) < 2e-3);
+    const vec3 behind = fly_across(-0.2e-3, 0.0, true, &force);
+    expect_near(0.0, vec3_distance(behind, fly_across(-0.2e-3, 0.0, false, &none)), 0.0);
+    expect_near(0.0, force, 0.0);
+}
+
+static void one_sided_mesh_must_be_wound_alike(void **state)
+{
+    (void)state;
+    small s;
+    uint32_t body;
+    begin(&s);
+    vbss_scene_static_mesh_config config = *make_sheet(3, 60e-3, vec3_zero(), 0.0);
+    const uint32_t first = own_sheet.triangles[4][0];
+    own_sheet.triangles[4][0] = own_sheet.triangles[4][1];
+    own_sheet.triangles[4][1] = first;
+    config.one_sided = 2;
+    assert_int_equal(vbss_scene_add_static_mesh(s.scene, &config, &body), VBSS_ERROR_OUT_OF_RANGE);
+    config.one_sided = 1;
+    assert_int_equal(vbss_scene_add_static_mesh(s.scene, &config, &body), VBSS_ERROR_OUT_OF_RANGE);
+    config.one_sided = 0;
+    expect_ok(vbss_scene_add_static_mesh(s.scene, &config, &body));
     small_end(&s);
 }
 
@@ -268,7 +352,9 @@ static void loaded_scene_has_the_mesh_and_goes_on_to_the_same_bits(void **state)
     harness_memory memory;
     vbss_scene *loaded = NULL;
     begin(&s);
+    uint32_t second;
     add_sheet(&s, 12, 60e-3, vec3_zero(), 0.2, 0.2);
+    expect_ok(vbss_scene_add_static_mesh(s.scene, make_one_sided(9, -0.2), &second));
     small_thread(&s, vec3_make(-5e-3, 8e-3, -10e-3), vec3_make(3e-3, 4e-3, 10e-3), 20, NULL);
     small_steps(&s, 60, 1e-3);
     const small_state saved = small_save(&s);
@@ -285,6 +371,7 @@ static void loaded_scene_has_the_mesh_and_goes_on_to_the_same_bits(void **state)
     small other;
     begin(&other);
     add_sheet(&other, 12, 60e-3, vec3_zero(), 0.21, 0.2);
+    expect_ok(vbss_scene_add_static_mesh(other.scene, make_one_sided(9, -0.2), &second));
     small_thread(&other, vec3_make(-5e-3, 8e-3, -10e-3), vec3_make(3e-3, 4e-3, 10e-3), 20, NULL);
     assert_int_not_equal(vbss_scene_restore(other.scene, saved.bytes, saved.count), VBSS_OK);
     small_end(&other);
@@ -333,10 +420,13 @@ static void refused_meshes_change_nothing(void **state)
 int test_static_mesh(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(thread_rests_on_an_incline_up_to_its_friction),
+        harness_test(thread_slides_down_an_incline_as_on_a_plane),
         harness_test(tension_over_a_static_mesh_follows_capstan_equation),
         harness_test(thrown_threads_never_pass_a_thin_sheet),
         harness_test(sheet_bears_a_free_body),
+        harness_test(one_sided_sheet_stops_what_comes_from_the_front),
+        harness_test(one_sided_sheet_lets_through_what_comes_from_behind),
+        harness_test(one_sided_mesh_must_be_wound_alike),
         harness_test(far_mesh_adds_no_pairs_and_one_box_test),
         harness_test(queries_find_a_static_mesh),
         harness_test(filtered_mesh_touches_nothing),

@@ -25,7 +25,7 @@ static const vbss_layout mesh_layout = {"vbss_scene_static_mesh_config", &mesh_d
                                         mesh_sizes};
 
 /* Category bit of the shapes of static meshes in the collision object: they form no pairs with each
- * other. The filters of bodies are another matter (world/filters.c). */
+ * other. The filters of bodies are another matter (world/filters.c). Chosen. */
 enum { MESH_CATEGORY = 2 };
 
 vbss_result vbss_scene_static_mesh_config_init(vbss_scene_static_mesh_config *config,

@@ -101,11 +101,11 @@ bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *need
  * the start of the substep. Such a pair does not collide. */
 bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate *q);
 
-/* Direction in which an edge of a static mesh pushes. `separation`: from the point at fraction `at` of the edge
- * to the closest point of the other body. That body may be nearer to a triangle beside the edge; then
- * the direction is the normal of the triangle. */
+/* Normal of a contact with the edge of a static mesh. `separation`: from the point at fraction `at` of the edge to
+ * the closest point of the other body. If that body is over a triangle beside the edge, and not below its
+ * plane, the triangle's normal, otherwise the direction of the separation; zero if there is none. */
 vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const uint32_t edge[2],
-                            double at, vec3 separation);
+                            double at, double contact_distance, vec3 separation);
 
 /* ---- motion_bounds.c */
 

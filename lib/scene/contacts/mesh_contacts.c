@@ -1,9 +1,11 @@
 /* Static meshes: directions in which their edges push, and which features are behind a one-sided mesh.
  *
- * Where triangles that meet at an edge are level, only they can be touched. An edge ahead of a thread that
- * slides over them is at a slant to it, and a contact along that slant would brake the thread. */
+ * An edge ahead of a thread that slides over level triangles is at a slant to it. A contact along the slant would brake
+ * the thread. It acts along the normal of the triangle instead, unless the thread is below the plane of the
+ * triangle already: then the surface falls away there, and the plane would lift the thread off it. */
 #include "collision/closest.h"
 #include "scene/contacts/contacts.h"
+#include "scene/tuning.h"
 #include "scene/world/world.h"
 
 typedef struct mesh_view {
@@ -28,23 +30,26 @@ static vec3 area_normal(const mesh_view *v, uint32_t triangle)
 
 /* The nearest plane of a triangle that a point projects onto. */
 typedef struct nearest_plane {
-    vec3 normal;     /* unit vector toward the point */
+    vec3 normal;     /* unit vector toward the point, or its separation if there is no such plane */
     double distance; /* infinite if there is no such plane */
+    double smallest; /* planes nearer than this are not used, m */
 } nearest_plane;
 
 static void use_plane(nearest_plane *nearest, vec3 area, vec3 separation)
 {
     const vec3 normal = vec3_unit_or(area, vec3_zero());
     const double height = vec3_dot(normal, separation);
-    if (height != 0.0 && fabs(height) < nearest->distance) {
-        *nearest = (nearest_plane){height > 0.0 ? normal : vec3_neg(normal), fabs(height)};
+    if (fabs(height) >= nearest->smallest && fabs(height) < nearest->distance) {
+        nearest->normal = height > 0.0 ? normal : vec3_neg(normal);
+        nearest->distance = fabs(height);
     }
 }
 
-static vec3 normal_inside_edge(const mesh_view *v, const uint32_t edge[2], vec3 separation)
+static vec3 normal_inside_edge(const mesh_view *v, const uint32_t edge[2], double smallest,
+                               vec3 separation)
 {
     const vec3 *x = v->shape->start, along = vec3_sub(x[edge[1]], x[edge[0]]);
-    nearest_plane nearest = {separation, (double)INFINITY};
+    nearest_plane nearest = {separation, (double)INFINITY, smallest};
     uint32_t beside[2];
     const uint32_t count = vbss_scene_list_edge_triangles(v->mesh, v->shape, edge, beside, 2);
     for (uint32_t i = 0; i < count; i++) {
@@ -69,10 +74,10 @@ static void get_sides_at(const mesh_view *v, uint32_t triangle, uint32_t vertex,
     sides[1] = vec3_sub(x[n[(corner + 2) % 3]], x[vertex]);
 }
 
-static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, vec3 separation)
+static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, double smallest, vec3 separation)
 {
     const uint32_t *first = v->mesh->first_triangle;
-    nearest_plane nearest = {separation, (double)INFINITY};
+    nearest_plane nearest = {separation, (double)INFINITY, smallest};
     vec3 ridge = vec3_zero();
     double ahead = 0.0; /* along the ridge */
     for (uint32_t i = first[vertex]; i < first[vertex + 1]; i++) {
@@ -96,12 +101,13 @@ static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, vec3 separatio
 }
 
 vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const uint32_t edge[2],
-                            double at, vec3 separation)
+                            double at, double contact_distance, vec3 separation)
 {
+    const double smallest = (1.0 - SCENE_PLANE_TOLERANCE) * contact_distance;
     const mesh_view v = view_of(s, mesh);
     const vec3 direction = at > 0.0 && at < 1.0
-                               ? normal_inside_edge(&v, edge, separation)
-                               : normal_at_vertex(&v, edge[at > 0.0 ? 1 : 0], separation);
+                               ? normal_inside_edge(&v, edge, smallest, separation)
+                               : normal_at_vertex(&v, edge[at > 0.0 ? 1 : 0], smallest, separation);
     return vec3_unit_or(direction, vec3_unit_or(separation, vec3_zero()));
 }
 

@@ -112,6 +112,9 @@ static void get_surface_vertices(const side *d, const vec3 *x, vec3 vertices[3])
 static void add_displacement(const scene_object *s, const side *d, vec3 vertices[3])
 {
     vec3 displacement[3];
+    if (scene_is_static_mesh(d->body)) {
+        return;
+    }
     if (d->capsule == NULL) {
         get_thread_vertices(d, s->step.expected_displacements + d->body->thread.first_node,
                             displacement);
@@ -423,14 +426,20 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
     geometry->point = vec3_add_scaled(vec3_add(centre_a, out), -0.5 * constraint->gap, n);
 }
 
+static bool is_mesh_edge(const side *e)
+{
+    return e->vertex_count == 2 && scene_is_static_mesh(e->body);
+}
+
 /* Whether a contact keeps the normal of the start of the substep. Normals of segments jump, or turn
  * fast because the radius is small. A prediction from inexact velocities makes them worse, and
  * tight knots tremble. */
-static bool keeps_start_normal(const contact_constraint *constraint)
+static bool keeps_start_normal(const contact_constraint *constraint, const side *d, const side *e)
 {
     return constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENTS ||
            constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENT_CAPSULE ||
-           constraint->key.kind == VBSS_SCENE_CONTACT_SIDES ||
+           (constraint->key.kind == VBSS_SCENE_CONTACT_SIDES &&
+            (!is_mesh_edge(e) || d->body->kind == SCENE_BODY_DRAIN)) ||
            constraint->key.kind == VBSS_SCENE_CONTACT_POINT_FACE;
 }
 
@@ -441,18 +450,13 @@ static bool is_inside_face(const scene_contact_geometry *geometry)
            geometry->barycentric[0] + geometry->barycentric[1] < 1.0;
 }
 
-static bool is_mesh_edge(const side *e)
-{
-    return e->vertex_count == 2 && scene_is_static_mesh(e->body);
-}
-
 /* Normal of features at a distance from each other. `separation` has that length. */
 static vec3 normal_along(const scene_object *s, const side *e,
                          const scene_contact_geometry *geometry, vec3 separation, double distance)
 {
-    return is_mesh_edge(e)
-               ? vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1], separation)
-               : vec3_scale(separation, 1.0 / distance);
+    return is_mesh_edge(e) ? vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
+                                                    geometry->contact_distance, separation)
+                           : vec3_scale(separation, 1.0 / distance);
 }
 
 /* Normal of features that intersect: any direction across both will do. */
@@ -496,7 +500,7 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
     constraint->normal = distance > SCENE_MIN_DISTANCE_RATIO * contact_distance
                              ? normal_along(s, &e, geometry, separation_vector, distance)
                              : fallback_normal(s, &d, &e);
-    if (keeps_start_normal(constraint)) {
+    if (keeps_start_normal(constraint, &d, &e)) {
         return true;
     }
     /* The force acts at the end of the substep. The normal of the start would lean back and brake
@@ -506,9 +510,9 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
     double predicted_distance = vec3_norm(predicted);
     if (predicted_distance > SCENE_MIN_PREDICTED_RATIO * contact_distance &&
         vec3_dot(predicted, constraint->normal) > SCENE_MIN_NORMAL_COSINE * predicted_distance) {
-        constraint->normal = vec3_scale(predicted, 1.0 / predicted_distance);
         geometry->barycentric[0] = at[0];
         geometry->barycentric[1] = at[1];
+        constraint->normal = normal_along(s, &e, geometry, predicted, predicted_distance);
         geometry->lip_thickness = lip_thickness;
     }
     return true;
@@ -528,8 +532,8 @@ static void refresh_normal(const scene_object *s, contact_constraint *constraint
     vec3 direction =
         separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness);
     if (is_mesh_edge(e)) {
-        direction =
-            vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1], direction);
+        direction = vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
+                                           geometry->contact_distance, direction);
     }
     constraint->normal = vec3_unit_or(direction, constraint->normal);
     constraint->previous_force =

@@ -402,7 +402,7 @@ namespace VblastSs
         internal uint StructSize;
         internal uint VertexCount;
         internal uint TriangleCount;
-        internal uint Reserved;
+        internal uint OneSided;
         internal IntPtr Vertices;
         internal IntPtr Triangles;
         internal double Friction;
@@ -441,6 +441,20 @@ namespace VblastSs
         }
 
         /// <summary>
+        /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side
+        /// from which the corners of a triangle are counter-clockwise. What is behind is left
+        /// alone, also within the thickness, and passes to the front. There it is pushed out to the
+        /// contact distance. What is in front at the start of a step does not get behind, unless it
+        /// goes round a free edge. Each edge of such a mesh belongs to one triangle, or to two that
+        /// list it in opposite directions.
+        /// </summary>
+        public uint OneSided
+        {
+            get { return box[0].OneSided; }
+            set { box[0].OneSided = value; }
+        }
+
+        /// <summary>
         /// Vertices in the world, m: vertex_count times x, y, z, each at most 1e3 in magnitude; the
         /// library copies them.
         /// </summary>
@@ -465,7 +479,7 @@ namespace VblastSs
 
         /// <summary>
         /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its middle:
-        /// other bodies touch it at half the thickness from them, from both sides.
+        /// other bodies touch it at half the thickness from them.
         /// </summary>
         public double Thickness
         {

@@ -294,6 +294,13 @@ class vbss_scene_static_mesh_config(ctypes.Structure):
 
     triangle_count: Number of triangles, 1 to 131072.
 
+    one_sided: 0: bodies touch it from both sides (default). 1: only from the front, which is
+    the side from which the corners of a triangle are counter-clockwise. What is behind is left
+    alone, also within the thickness, and passes to the front. There it is pushed out to the
+    contact distance. What is in front at the start of a step does not get behind, unless it
+    goes round a free edge. Each edge of such a mesh belongs to one triangle, or to two that
+    list it in opposite directions.
+
     vertices: Vertices in the world, m: vertex_count times x, y, z, each at most 1e3 in
     magnitude; the library copies them.
 
@@ -305,11 +312,11 @@ class vbss_scene_static_mesh_config(ctypes.Structure):
     thread has this coefficient, any other contact the geometric mean of both.
 
     thickness: Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its
-    middle: other bodies touch it at half the thickness from them, from both sides."""
+    middle: other bodies touch it at half the thickness from them."""
     struct_size: int
     vertex_count: int
     triangle_count: int
-    reserved: int
+    one_sided: int
     vertices: Any
     triangles: Any
     friction: float
@@ -319,7 +326,7 @@ class vbss_scene_static_mesh_config(ctypes.Structure):
         ("struct_size", c_uint32),
         ("vertex_count", c_uint32),
         ("triangle_count", c_uint32),
-        ("reserved", c_uint32),
+        ("one_sided", c_uint32),
         ("vertices", POINTER(c_double)),
         ("triangles", POINTER(c_uint32)),
         ("friction", c_double),
