@@ -132,40 +132,53 @@ static wedge wedge_at(const mesh_view *v, const uint32_t edge[2])
     w.count = vbss_scene_list_edge_triangles(v->mesh, v->shape, edge, w.triangles, 2);
     for (int k = 0; k < 3 && w.count == 2; k++) {
         const uint32_t corner = v->shape->triangles[w.triangles[1]][k];
-        w.is_convex = w.is_convex && height_over(v, w.triangles[0], v->shape->start[corner]) <= 0.0;
+        if (corner != edge[0] && corner != edge[1]) {
+            w.is_convex = height_over(v, w.triangles[0], v->shape->start[corner]) <= 0.0;
+        }
     }
     return w;
 }
 
-/* Whether all points are behind the same triangle of a concave wedge, or behind both of a convex one. */
-static bool is_behind_wedge(const wedge *w, const vec3 *points, uint32_t count)
+/* Whether both ends are behind the same triangle of a concave wedge, or behind both of a convex one. Then a part
+ * of the segment that meets the edge in a straight motion comes from behind. */
+static bool is_behind_wedge(const wedge *w, const vec3 segment[2])
 {
     bool behind_all = true, behind_one = false;
     for (uint32_t i = 0; i < w->count; i++) {
-        bool behind = true;
-        for (uint32_t k = 0; k < count; k++) {
-            behind = behind && height_over(w->view, w->triangles[i], points[k]) < 0.0;
-        }
+        const bool behind = height_over(w->view, w->triangles[i], segment[0]) < 0.0 &&
+                            height_over(w->view, w->triangles[i], segment[1]) < 0.0;
         behind_all = behind_all && behind;
         behind_one = behind_one || behind;
     }
     return w->is_convex ? behind_all : behind_one;
 }
 
-/* A segment that a mesh intersects is behind an edge where it is so near to it that only the point next to the edge
- * counts. Elsewhere the whole of it has to be behind: another part of it may meet the edge from the front. */
-static bool is_segment_behind(const mesh_view *v, const uint32_t edge[2], const vec3 segment[2],
-                              double contact_distance)
+/* Whether a segment intersects a triangle. Nothing that has always been in front of a mesh does. */
+static bool does_intersect(const mesh_view *v, uint32_t triangle, const vec3 segment[2])
+{
+    const double first = height_over(v, triangle, segment[0]),
+                 second = height_over(v, triangle, segment[1]);
+    if ((first < 0.0) == (second < 0.0)) {
+        return false;
+    }
+    const vec3 point = vec3_lerp(segment[0], segment[1], first / (first - second)),
+               *x = v->shape->start;
+    const uint32_t *n = v->shape->triangles[triangle];
+    const vec3 corners[3] = {vec3_sub(x[n[0]], point), vec3_sub(x[n[1]], point),
+                             vec3_sub(x[n[2]], point)};
+    double weights[3];
+    (void)closest_on_triangle(corners, weights);
+    return weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0;
+}
+
+static bool is_segment_behind(const mesh_view *v, const uint32_t edge[2], const vec3 segment[2])
 {
     const wedge w = wedge_at(v, edge);
-    const vec3 *x = v->shape->start;
-    double at[2];
-    const vec3 along = vec3_sub(segment[1], segment[0]),
-               to = closest_between_edges(along, vec3_sub(x[edge[1]], x[edge[0]]),
-                                          vec3_sub(x[edge[0]], segment[0]), &at[0], &at[1]);
-    const vec3 point = vec3_add_scaled(segment[0], at[0], along);
-    return is_behind_wedge(&w, segment, 2) ||
-           (vec3_norm(to) < contact_distance && is_behind_wedge(&w, &point, 1));
+    bool behind = is_behind_wedge(&w, segment);
+    for (uint32_t i = 0; i < w.count && !behind; i++) {
+        behind = does_intersect(v, w.triangles[i], segment);
+    }
+    return behind;
 }
 
 /* Whether the corners of a triangle are behind all triangles at a vertex. */
@@ -200,6 +213,5 @@ bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate 
     }
     const uint32_t *n = other->edges[other_feature];
     const vec3 segment[2] = {other->start[n[0]], other->start[n[1]]};
-    return is_segment_behind(&v, v.shape->edges[feature], segment,
-                             scene_feature_radius(s, q, false) + scene_feature_radius(s, q, true));
+    return is_segment_behind(&v, v.shape->edges[feature], segment);
 }
