@@ -188,9 +188,9 @@ vbss_result mesh_life_run(vbss_random *random, uint32_t steps, mesh_life_result 
             target = draw_vec3(&l, -15e-3, 15e-3);
             speed = pow(10.0, draw(&l, -2.0, 1.3));
         }
-        const vec3 way = vec3_sub(target, place);
-        place = vec3_add_scaled(place, fmin(speed * 1e-3, vec3_norm(way)),
-                                vec3_unit_or(way, vec3_zero()));
+        const vec3 to_target = vec3_sub(target, place);
+        place = vec3_add_scaled(place, fmin(speed * 1e-3, vec3_norm(to_target)),
+                                vec3_unit_or(to_target, vec3_zero()));
         small_move(&l.s, l.tool, place);
         done = vbss_scene_step(l.s.scene, 1e-3);
         result->steps++;
