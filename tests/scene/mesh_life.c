@@ -50,7 +50,8 @@ static void make_folded_sheet(life *l)
     const double fold = vbss_random_below(l->random, 2) == 0 ? 0.0 : draw(l, 0.0, 1.5);
     const double side = 4e-3;
     for (int i = 0; i < ROW * ROW; i++) {
-        const double along = side * (i / ROW - CELLS / 2), across = side * (i % ROW - CELLS / 2);
+        const int column = i / ROW - CELLS / 2, row = i % ROW - CELLS / 2;
+        const double along = side * column, across = side * row;
         add_vertex(l, along * cos(fold), -fabs(along) * sin(fold), across);
     }
     for (uint32_t i = 0; i < CELLS * CELLS; i++) {
