@@ -30,8 +30,9 @@ static bool contain_all_swept_boxes(const collision_shape *s)
 
 static void set_loose_boxes(collision_shape *s)
 {
-    const double margin = s->is_tight ? 0.0 : COLLISION_LOOSENESS * s->inflation;
-    const double steps = s->is_tight ? 0.0 : COLLISION_LOOSE_STEPS;
+    const bool is_tight = s->is_tight || s->is_static;
+    const double margin = is_tight ? 0.0 : COLLISION_LOOSENESS * s->inflation;
+    const double steps = is_tight ? 0.0 : COLLISION_LOOSE_STEPS;
     collision_aabb root = aabb_empty();
     for (uint32_t i = 0; i < s->node_count; i++) {
         const vec3 motion = vec3_sub(s->end[i], s->start[i]);
@@ -61,8 +62,10 @@ void vbss_collision_tighten_boxes(collision_object *c)
 {
     for (uint32_t i = 0; i < c->active_count; i++) {
         collision_shape *s = c->shapes[c->active_shapes[i]];
-        s->is_tight = true;
-        set_loose_boxes(s);
+        if (!s->is_static) {
+            s->is_tight = true;
+            set_loose_boxes(s);
+        }
     }
 }
 

@@ -22,6 +22,10 @@ void vbss_collision_update_displacements(collision_shape *s)
 /* Displacement since the last search; infinite for a shape that has changed since. */
 static void update_search_displacements(collision_shape *s)
 {
+    if (s->is_search_at_rest) {
+        return;
+    }
+    s->is_search_at_rest = s->is_static && s->has_search_start;
     for (uint32_t i = 0; i < s->node_count; i++) {
         s->search_displacement[i] =
             s->has_search_start ? vec3_distance(s->search_start[i], s->start[i]) : (double)INFINITY;

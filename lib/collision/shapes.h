@@ -113,10 +113,12 @@ typedef struct collision_shape {
     collision_exclusion exclusion;
     uint64_t topology_hash; /* hash of all data that never changes */
     uint32_t category, mask;
-    bool is_rigid;    /* never forms pairs with itself */
-    bool edges_only;  /* a mesh without point-triangle pairs */
-    bool is_disabled; /* a chain that is not in use; a search ignores it */
-    bool boxes_valid; /* boxes of the points and of the shape are up to date */
+    bool is_rigid;          /* never forms pairs with itself */
+    bool is_static;         /* never moves after its first motion: its boxes are never loose */
+    bool is_search_at_rest; /* static: search_displacement is 0 for all nodes */
+    bool edges_only;        /* a mesh without point-triangle pairs */
+    bool is_disabled;       /* a chain that is not in use; a search ignores it */
+    bool boxes_valid;       /* boxes of the points and of the shape are up to date */
     bool point_bvh_valid, edge_bvh_valid, triangle_bvh_valid; /* trees are up to date */
     /* Near pairs, otherwise NULL: the swept boxes of the points. The trees then hold loose boxes,
      * which contain them. */
@@ -183,6 +185,12 @@ void vbss_collision_update_pair_rules(collision_object *c, collision_shape *shap
  * changes nothing. */
 vbss_result vbss_collision_exclude_near(collision_object *c, uint32_t id, const vec3 *at,
                                         double distance);
+
+/* The larger of the numbers of edges and triangles: enough entries for a list of near features. */
+static inline uint32_t collision_max_features(const collision_shape *shape)
+{
+    return shape->edge_count > shape->triangle_count ? shape->edge_count : shape->triangle_count;
+}
 
 /* Updates the excluded lanes after a tree has been reordered. */
 void vbss_collision_update_excluded_edges(collision_shape *shape);

@@ -266,6 +266,15 @@ def test_events_wait_until_they_are_taken_and_lost_ones_are_counted(context):
     assert scene.lost_events == 1 and scene.take_events() == [] and scene.lost_events == 1
 
 
+def test_a_static_mesh_bears_a_thread(context):
+    scene = vb.Scene(context)
+    mesh = scene.add_static_mesh([(-0.05, 0, -0.05), (-0.05, 0, 0.05), (0.05, 0, 0.05), (0.05, 0, -0.05)],
+                                 [(0, 1, 2), (0, 2, 3)], friction=0.3, thickness=1e-3)
+    assert scene.body_info(mesh).kind is vb.SceneBodyKind.STATIC_MESH
+    with pytest.raises(vb.Error):
+        scene.add_static_mesh([(0, 0, 0), (0, 0, 1), (1, 0, 0)], [(0, 1, 3)])
+
+
 def test_only_method_vblast_has_baseline_statistics():
     with vb.Scene(method="vblast") as scene:
         thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)

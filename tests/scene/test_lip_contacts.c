@@ -32,7 +32,7 @@ static bool has_node(const scene_object *s, const scene_body *b, const contact_c
                      bool is_b, uint32_t node)
 {
     uint32_t nodes[3];
-    uint32_t count = vbss_scene_drain_feature_nodes(
+    uint32_t count = vbss_scene_surface_feature_nodes(
         s, b, row->key.kind, is_b, is_b ? row->key.feature_b : row->key.feature_a, nodes);
     bool there = false;
     for (uint32_t k = 0; k < count; k++) {

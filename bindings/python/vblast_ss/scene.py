@@ -8,7 +8,7 @@ from ._api.base import Method
 from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
                          SceneRigidState, SceneField, SceneMode, SceneStatistics, vbss_scene_blocker, vbss_scene_capsule, vbss_scene_grasp, vbss_scene_hole,
-                         vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config,
+                         vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config, vbss_scene_static_mesh_config,
                          vbss_scene_statistics)
 from ._api.drain import vbss_drain
 from ._api.grasper import vbss_grasper
@@ -18,7 +18,7 @@ from ._api.scene_query import SceneBodyInfo, SceneBodyKind, SceneNearest, SceneR
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
-from ._values import constant_of, data_of, doubles, index, initialised, optional
+from ._values import constant_of, data_of, doubles, index, initialised, numbers, optional
 from .context import Context
 from .drain import Drain
 from .errors import NotFoundError
@@ -147,6 +147,18 @@ class Scene(Configured, Viewed, Saved):
         config.capsule_count, config.capsules = len(listed), array
         number = ctypes.c_uint32()
         self._call(lib.vbss_scene_add_rigid, ctypes.byref(config), ctypes.byref(number))
+        return number.value
+
+    def add_static_mesh(self, vertices: Any, triangles: Any, **settings: Any) -> int:
+        """Adds a mesh that never moves; returns its number. `vertices` (n x 3, m), `triangles` (m x 3 vertices);
+        keywords as in vbss_scene_static_mesh_config: friction, thickness."""
+        points = doubles(vertices, "vertices", row=3)
+        corners = numbers(triangles, ctypes.c_uint32, "triangles", row=3)
+        config = initialised(vbss_scene_static_mesh_config, lib.vbss_scene_static_mesh_config_init, settings, "a static mesh")
+        config.vertex_count, config.vertices = len(points) // 3, points
+        config.triangle_count, config.triangles = len(corners) // 3, corners
+        number = ctypes.c_uint32()
+        self._call(lib.vbss_scene_add_static_mesh, ctypes.byref(config), ctypes.byref(number))
         return number.value
 
     def remove(self, body: int) -> None:

@@ -94,7 +94,8 @@ static vbss_result add_drain(scene_object *s, vbss_drain *drain, uint32_t *body)
 {
     vbss_slot *slot;
     VBSS_TRY(check_drain(s, drain, body, &slot));
-    VBSS_TRY(vbss_scene_check_overlap(s, &(scene_outline){.drain = slot->object}, "drain"));
+    VBSS_TRY(vbss_scene_check_overlap(
+        s, &(scene_outline){.surface = vbss_scene_surface_of_drain(slot->object)}, "drain"));
     scene_body *b;
     VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_DRAIN, &b));
     return vbss_scene_place_drain(s, slot, b, body);

@@ -349,6 +349,42 @@ static vbss_result load_rigid(scene_loader *l, const scene_body_description *d)
     return vbss_scene_place_rigid(s, &rigid, b, &number);
 }
 
+/* Reads the arrays of a static mesh and places it. */
+static vbss_result load_static_mesh(scene_loader *l, const scene_body_description *d)
+{
+    const scene_static_mesh_description *m = &d->static_mesh;
+    double *vertices = NULL;
+    uint32_t *triangles = NULL, number;
+    scene_body *b;
+    if (m->vertex_count > SCENE_MAX_MESH_VERTICES || m->triangle_count > SCENE_MAX_MESH_TRIANGLES) {
+        return refuse(l, "no static mesh has such counts");
+    }
+    VBSS_TRY(claim_place(l, d, SCENE_BODY_RIGID, &b));
+    const vbss_array table[] = {{&vertices, 3 * (size_t)m->vertex_count, sizeof *vertices},
+                                {&triangles, 3 * (size_t)m->triangle_count, sizeof *triangles}};
+    vbss_result result = vbss_allocate_arrays(l->s->context, table, 2, "static mesh");
+    if (result == VBSS_OK) {
+        vbss_scene_visit_described_static_mesh(&l->stream, m, vertices, triangles);
+        result = check_stream(l);
+    }
+    vbss_scene_static_mesh_config config = vbss_scene_static_mesh_config_default();
+    config.vertex_count = m->vertex_count;
+    config.triangle_count = m->triangle_count;
+    config.one_sided = m->one_sided;
+    config.vertices = vertices;
+    config.triangles = triangles;
+    config.friction = m->friction;
+    config.thickness = m->thickness;
+    if (result == VBSS_OK) {
+        result = check_created(l, vbss_scene_check_static_mesh(l->s->context, &config));
+    }
+    if (result == VBSS_OK) {
+        result = vbss_scene_place_static_mesh(l->s, &config, b, &number);
+    }
+    vbss_release_arrays(l->s->context, table, 2);
+    return result;
+}
+
 /* ---- all bodies */
 
 /* The configurations start with the defaults, which also sets their sizes. */
@@ -396,6 +432,8 @@ static vbss_result load_body(scene_loader *l)
         return load_needle(l, &d);
     case SCENE_DESCRIBED_GRASPER:
         return load_grasper(l, &d);
+    case SCENE_DESCRIBED_STATIC_MESH:
+        return load_static_mesh(l, &d);
     default: /* SCENE_DESCRIBED_RIGID */
         return load_rigid(l, &d);
     }

@@ -165,7 +165,7 @@ static vbss_result check_pose(const scene_object *s, uint32_t body, const double
     }
     scene_body moved = *vbss_scene_body(s, body);
     moved.rigid.body.now.pose = *at;
-    const scene_outline there = vbss_scene_outline_of(&moved);
+    const scene_outline there = vbss_scene_outline_of(s, &moved);
     return vbss_scene_check_overlap(s, &there, "body at its new pose");
 }
 

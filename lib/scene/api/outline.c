@@ -1,7 +1,20 @@
 /* Line segments of bodies, in the scene or about to be added. */
 #include "scene/api/overlap.h"
 
-scene_outline vbss_scene_outline_of(const scene_body *b)
+scene_surface vbss_scene_surface_of_drain(const drain_object *d)
+{
+    return (scene_surface){d->x, (const uint32_t(*)[3])d->mesh.triangles, d->mesh.triangle_count,
+                           0.5 * d->config.thickness};
+}
+
+static scene_surface surface_of_mesh(const scene_object *s, const scene_body *b)
+{
+    const collision_shape *shape = s->collision->shapes[b->shape];
+    return (scene_surface){shape->start, (const uint32_t(*)[3])shape->triangles,
+                           shape->triangle_count, shape->radius};
+}
+
+scene_outline vbss_scene_outline_of(const scene_object *s, const scene_body *b)
 {
     scene_outline o = {.number = b->number};
     switch (b->kind) {
@@ -9,10 +22,14 @@ scene_outline vbss_scene_outline_of(const scene_body *b)
         o.thread = b->thread.thread;
         break;
     case SCENE_BODY_DRAIN:
-        o.drain = b->drain.drain;
+        o.surface = vbss_scene_surface_of_drain(b->drain.drain);
         break;
     default:
-        o.rigid = &b->rigid;
+        if (b->rigid.is_static_mesh) {
+            o.surface = surface_of_mesh(s, b);
+        } else {
+            o.rigid = &b->rigid;
+        }
         o.is_prescribed = b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN;
     }
     return o;
@@ -23,8 +40,8 @@ uint32_t vbss_scene_outline_segments(const scene_outline *o)
     if (o->thread != NULL) {
         return o->thread->node_count - 1;
     }
-    if (o->drain != NULL) {
-        return 3 * o->drain->mesh.triangle_count;
+    if (o->surface.triangle_count > 0) {
+        return 3 * o->surface.triangle_count;
     }
     if (o->needle != NULL) {
         return o->needle->config.segment_count;
@@ -35,12 +52,18 @@ uint32_t vbss_scene_outline_segments(const scene_outline *o)
     return o->capsules != NULL ? o->capsules->capsule_count : o->rigid->capsule_count;
 }
 
-/* An edge of a triangle of a drain. */
-static scene_segment drain_segment(const drain_object *d, uint32_t index)
+scene_triangle vbss_scene_outline_triangle(const scene_outline *o, uint32_t index)
 {
-    const uint32_t *corners = d->mesh.triangles[index / 3];
-    return (scene_segment){{d->x[corners[index % 3]], d->x[corners[(index + 1) % 3]]},
-                           0.5 * d->config.thickness};
+    const uint32_t *n = o->surface.triangles[index];
+    const vec3 *x = o->surface.vertices;
+    return (scene_triangle){{x[n[0]], x[n[1]], x[n[2]]}, o->surface.radius};
+}
+
+/* An edge of a triangle. */
+static scene_segment side_segment(const scene_outline *o, uint32_t index)
+{
+    const scene_triangle t = vbss_scene_outline_triangle(o, index / 3);
+    return (scene_segment){{t.corners[index % 3], t.corners[(index + 1) % 3]}, t.radius};
 }
 
 static scene_segment placed_segment(pose at, vec3 begin, vec3 end, double radius)
@@ -62,8 +85,8 @@ scene_segment vbss_scene_outline_segment(const scene_object *s, const scene_outl
         const thread_object *t = o->thread;
         return (scene_segment){{t->now.x[index], t->now.x[index + 1]}, t->config.radius};
     }
-    if (o->drain != NULL) {
-        return drain_segment(o->drain, index);
+    if (o->surface.triangle_count > 0) {
+        return side_segment(o, index);
     }
     if (o->needle != NULL) {
         return needle_segment(o->needle, index);

@@ -75,18 +75,18 @@ static bool is_at_pin(const scene_object *s, const scene_outline *thread, const 
 }
 
 static double depth_of_triangle(const scene_object *s, const scene_segment *g,
-                                const drain_object *d, uint32_t triangle)
+                                const scene_triangle *t)
 {
     vbss_collision_closest closest;
     double segment[6], corners[9];
     for (int k = 0; k < 3; k++) {
-        vec3_store(corners + 3 * (size_t)k, d->x[d->mesh.triangles[triangle][k]]);
+        vec3_store(corners + 3 * (size_t)k, t->corners[k]);
     }
     vec3_store(segment, g->ends[0]);
     vec3_store(segment + 3, g->ends[1]);
     return vbss_collision_closest_segment_triangle(segment, corners, &closest, sizeof closest) ==
                    VBSS_OK
-               ? depth_of(s, closest.distance, g->radius, 0.5 * d->config.thickness)
+               ? depth_of(s, closest.distance, g->radius, t->radius)
                : 0.0;
 }
 
@@ -104,12 +104,10 @@ static double depth_of_segments(const scene_object *s, const scene_segment *a,
                : 0.0;
 }
 
-static collision_aabb triangle_box(const drain_object *d, uint32_t triangle)
+static collision_aabb triangle_box(const scene_triangle *t)
 {
-    const uint32_t *n = d->mesh.triangles[triangle];
-    const double radius = 0.5 * d->config.thickness;
-    const scene_segment sides[2] = {{{d->x[n[0]], d->x[n[1]]}, radius},
-                                    {{d->x[n[1]], d->x[n[2]]}, radius}};
+    const scene_segment sides[2] = {{{t->corners[0], t->corners[1]}, t->radius},
+                                    {{t->corners[1], t->corners[2]}, t->radius}};
     collision_aabb box = vbss_scene_segment_box(&sides[0]);
     const collision_aabb second = vbss_scene_segment_box(&sides[1]);
     aabb_extend(&box, &second);
@@ -121,11 +119,12 @@ static double segment_depth(const scene_object *s, const scene_segment *g, const
 {
     const collision_aabb box = vbss_scene_segment_box(g);
     double deepest = 0.0;
-    if (b->drain != NULL) {
-        for (uint32_t i = 0; i < b->drain->mesh.triangle_count; i++) {
-            const collision_aabb other = triangle_box(b->drain, i);
+    if (b->surface.triangle_count > 0) {
+        for (uint32_t i = 0; i < b->surface.triangle_count; i++) {
+            const scene_triangle t = vbss_scene_outline_triangle(b, i);
+            const collision_aabb other = triangle_box(&t);
             if (boxes_meet(&box, &other)) {
-                deepest = vbss_max(deepest, depth_of_triangle(s, g, b->drain, i));
+                deepest = vbss_max(deepest, depth_of_triangle(s, g, &t));
             }
         }
         return deepest;
@@ -161,10 +160,11 @@ static double pair_depth(const scene_object *s, const scene_outline *a, const sc
     if (a->is_prescribed && b->is_prescribed) {
         return 0.0;
     }
-    if (a->drain != NULL && b->drain != NULL) {
+    const bool is_a_surface = a->surface.triangle_count > 0;
+    if (is_a_surface && b->surface.triangle_count > 0) {
         return vbss_max(outline_depth(s, a, b), outline_depth(s, b, a));
     }
-    return a->drain != NULL || b->thread != NULL ? outline_depth(s, b, a) : outline_depth(s, a, b);
+    return is_a_surface || b->thread != NULL ? outline_depth(s, b, a) : outline_depth(s, a, b);
 }
 
 static double floor_depth(const scene_object *s, const scene_outline *o)
@@ -198,7 +198,7 @@ static vbss_scene_overlap find_deepest(const scene_object *s, const scene_outlin
             (own != NULL && !vbss_scene_do_collide(s, own, b))) {
             continue;
         }
-        const scene_outline other = vbss_scene_outline_of(b);
+        const scene_outline other = vbss_scene_outline_of(s, b);
         const double depth = pair_depth(s, o, &other);
         if (depth > found.depth) {
             found.depth = depth;
@@ -247,7 +247,7 @@ vbss_result vbss_scene_get_overlap(vbss_scene *scene, uint32_t body, vbss_scene_
     VBSS_TRY(vbss_scene_open(scene, &s));
     scene_body *b;
     VBSS_TRY(vbss_scene_require_any_body(s, body, &b));
-    const scene_outline o = vbss_scene_outline_of(b);
+    const scene_outline o = vbss_scene_outline_of(s, b);
     const vbss_scene_overlap own = find_deepest(s, &o);
     return vbss_struct_write(s->context, &layout, &own, overlap, struct_size);
 }

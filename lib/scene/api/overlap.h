@@ -5,11 +5,24 @@
 #include "collision/shapes.h"
 #include "scene/world/world.h"
 
-/* A body as line segments, each with a radius, and a drain as triangles too. Exactly one of the first
- * five members is set. */
+/* The triangles of a drain or static mesh. */
+typedef struct scene_surface {
+    const vec3 *vertices; /* m */
+    const uint32_t (*triangles)[3];
+    uint32_t triangle_count; /* 0: the body is no surface */
+    double radius;           /* half the thickness, m */
+} scene_surface;
+
+typedef struct scene_triangle {
+    vec3 corners[3]; /* m */
+    double radius;   /* m */
+} scene_triangle;
+
+/* A body as line segments, each with a radius, and a surface as triangles too. Exactly one of the
+ * first six members is set. */
 typedef struct scene_outline {
     const thread_object *thread;
-    const drain_object *drain;
+    scene_surface surface;
     const needle_object *needle;             /* not yet in the scene */
     const grasper_object *grasper;           /* the same */
     const vbss_scene_rigid_config *capsules; /* the same */
@@ -26,7 +39,9 @@ typedef struct scene_segment {
 
 /* ---- outline.c */
 
-scene_outline vbss_scene_outline_of(const scene_body *b);
+scene_outline vbss_scene_outline_of(const scene_object *s, const scene_body *b);
+scene_surface vbss_scene_surface_of_drain(const drain_object *d);
+scene_triangle vbss_scene_outline_triangle(const scene_outline *o, uint32_t index);
 uint32_t vbss_scene_outline_segments(const scene_outline *o);
 scene_segment vbss_scene_outline_segment(const scene_object *s, const scene_outline *o,
                                          uint32_t index);

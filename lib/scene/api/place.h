@@ -49,4 +49,13 @@ vbss_result vbss_scene_place_grasper(scene_object *s, vbss_slot *slot, pose targ
 vbss_result vbss_scene_place_rigid(scene_object *s, const scene_rigid *rigid, scene_body *b,
                                    uint32_t *body);
 
+/* Places a static mesh. The configuration has been checked, its filter apart, which the caller sets. */
+vbss_result vbss_scene_place_static_mesh(scene_object *s,
+                                         const vbss_scene_static_mesh_config *config, scene_body *b,
+                                         uint32_t *body);
+
+/* Checks the configuration of a static mesh, and sets the error text. */
+vbss_result vbss_scene_check_static_mesh(vbss_context *context,
+                                         const vbss_scene_static_mesh_config *config);
+
 #endif

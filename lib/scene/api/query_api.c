@@ -42,19 +42,14 @@ static place place_on_segment(const scene_segment *g, vec3 point)
                     vec3_any_normal(vec3_unit_or(e, vec3_make(1.0, 0.0, 0.0))));
 }
 
-typedef struct triangle {
-    vec3 corners[3];
-    double radius; /* half the thickness of the wall, m */
-} triangle;
-
-static vec3 normal_of(const triangle *t)
+static vec3 normal_of(const scene_triangle *t)
 {
     return vec3_unit_or(
         vec3_cross(vec3_sub(t->corners[1], t->corners[0]), vec3_sub(t->corners[2], t->corners[0])),
         vec3_zero());
 }
 
-static place place_on_triangle(const triangle *t, vec3 point)
+static place place_on_triangle(const scene_triangle *t, vec3 point)
 {
     double weights[3];
     const vec3 relative[3] = {vec3_sub(t->corners[0], point), vec3_sub(t->corners[1], point),
@@ -131,7 +126,7 @@ static entry enter_capsule(const ray *r, const scene_segment *g)
     return earlier(first, enter_ball(r, g->ends[1], g->radius));
 }
 
-static bool is_above(const triangle *t, vec3 normal, vec3 point)
+static bool is_above(const scene_triangle *t, vec3 normal, vec3 point)
 {
     bool inside = true;
     for (int k = 0; k < 3; k++) {
@@ -142,7 +137,7 @@ static bool is_above(const triangle *t, vec3 normal, vec3 point)
     return inside;
 }
 
-static entry enter_face(const ray *r, const triangle *t)
+static entry enter_face(const ray *r, const scene_triangle *t)
 {
     const vec3 normal = normal_of(t);
     const double height = vec3_dot(vec3_sub(r->origin, t->corners[0]), normal);
@@ -158,7 +153,7 @@ static entry enter_face(const ray *r, const triangle *t)
                : no_entry;
 }
 
-static entry enter_triangle(const ray *r, const triangle *t)
+static entry enter_triangle(const ray *r, const scene_triangle *t)
 {
     entry first = enter_face(r, t);
     for (int k = 0; k < 3; k++) {
@@ -172,20 +167,15 @@ static entry enter_triangle(const ray *r, const triangle *t)
 
 static uint32_t count_features(const scene_outline *o)
 {
-    return o->drain != NULL ? o->drain->mesh.triangle_count : vbss_scene_outline_segments(o);
-}
-
-static triangle triangle_of(const drain_object *d, uint32_t index)
-{
-    const uint32_t *n = d->mesh.triangles[index];
-    return (triangle){{d->x[n[0]], d->x[n[1]], d->x[n[2]]}, 0.5 * d->config.thickness};
+    return o->surface.triangle_count > 0 ? o->surface.triangle_count
+                                         : vbss_scene_outline_segments(o);
 }
 
 static place place_on_feature(const scene_object *s, const scene_outline *o, uint32_t feature,
                               vec3 point)
 {
-    if (o->drain != NULL) {
-        const triangle t = triangle_of(o->drain, feature);
+    if (o->surface.triangle_count > 0) {
+        const scene_triangle t = vbss_scene_outline_triangle(o, feature);
         return place_on_triangle(&t, point);
     }
     const scene_segment g = vbss_scene_outline_segment(s, o, feature);
@@ -199,8 +189,8 @@ static entry enter_feature(const scene_object *s, const scene_outline *o, uint32
     if (start.distance <= 0.0) {
         return (entry){0.0, start.normal};
     }
-    if (o->drain != NULL) {
-        const triangle t = triangle_of(o->drain, feature);
+    if (o->surface.triangle_count > 0) {
+        const scene_triangle t = vbss_scene_outline_triangle(o, feature);
         return enter_triangle(r, &t);
     }
     const scene_segment g = vbss_scene_outline_segment(s, o, feature);
@@ -244,7 +234,7 @@ static entry cast(const scene_object *s, const ray *r, uint32_t mask, vbss_scene
         if (!is_queried(&s->bodies[i], mask)) {
             continue;
         }
-        const scene_outline o = vbss_scene_outline_of(&s->bodies[i]);
+        const scene_outline o = vbss_scene_outline_of(s, &s->bodies[i]);
         for (uint32_t k = 0; k < count_features(&o); k++) {
             const entry found = enter_feature(s, &o, k, r);
             if (found.fraction < first.fraction) {
@@ -297,7 +287,7 @@ static place find_nearest(const scene_object *s, vec3 point, uint32_t mask,
         if (!is_queried(&s->bodies[i], mask)) {
             continue;
         }
-        const scene_outline o = vbss_scene_outline_of(&s->bodies[i]);
+        const scene_outline o = vbss_scene_outline_of(s, &s->bodies[i]);
         for (uint32_t k = 0; k < count_features(&o); k++) {
             const place found = place_on_feature(s, &o, k, point);
             if (found.distance < best.distance) {

@@ -39,6 +39,7 @@ static vbss_result remove_body(scene_object *s, scene_body *b)
     if (b->kind == SCENE_BODY_DRAIN) {
         vbss_scene_disown_drain(s, b);
     }
+    vbss_scene_release_static_mesh(s, b);
     VBSS_TRY(vbss_collision_remove(scene_collision(s), b->shape));
     if (b->kind == SCENE_BODY_THREAD) {
         const thread_piece_pool *family = b->thread.thread->piece_pool;

@@ -12,7 +12,8 @@ static bool is_feature_prescribed(const scene_object *s, const scene_body *b, ui
         return scene_is_prescribed(b);
     }
     if (b->kind == SCENE_BODY_DRAIN) {
-        uint32_t nodes[3], count = vbss_scene_drain_feature_nodes(s, b, kind, is_b, feature, nodes);
+        uint32_t nodes[3],
+            count = vbss_scene_surface_feature_nodes(s, b, kind, is_b, feature, nodes);
         bool prescribed = true;
         for (uint32_t k = 0; k < count; k++) {
             prescribed = prescribed && b->drain.drain->anchored[nodes[k]] != 0;

@@ -118,13 +118,14 @@ static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    if (a->kind == b->kind || a->kind == SCENE_BODY_DRAIN || b->kind == SCENE_BODY_DRAIN) {
+    const bool has_surface = scene_has_triangles(a) || scene_has_triangles(b);
+    if (a->kind == b->kind || has_surface) {
         if (scene_is_known_apart(s, q, s->solver.contact_margin)) {
             return true;
         }
     }
-    if (a->kind == SCENE_BODY_DRAIN || b->kind == SCENE_BODY_DRAIN) {
-        return vbss_scene_add_surface_contact(s, q);
+    if (has_surface) {
+        return vbss_scene_is_behind_mesh(s, q) || vbss_scene_add_surface_contact(s, q);
     }
     if (a->kind == SCENE_BODY_THREAD && b->kind == SCENE_BODY_THREAD) {
         if (vbss_scene_is_excluded_across_cut(s, a, q->a, b, q->b)) {

@@ -33,7 +33,7 @@ static uint32_t contact_point_id(const scene_object *s, uint32_t number, uint32_
 {
     const scene_body *b = vbss_scene_body(s, number);
     bool at_start = at == 0.0, at_end = at == 1.0;
-    if (b->kind == SCENE_BODY_DRAIN && (at_start || at_end)) {
+    if (scene_has_triangles(b) && (at_start || at_end)) {
         return 2 * s->collision->shapes[b->shape]->edges[feature][at_end ? 1 : 0];
     }
     if (b->kind == SCENE_BODY_THREAD && (at_start || at_end)) {

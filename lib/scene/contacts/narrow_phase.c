@@ -19,7 +19,7 @@ typedef struct side {
     const scene_body *body;
     const scene_capsule *capsule; /* NULL unless the body is rigid */
     uint32_t feature, vertex_count;
-    uint32_t nodes[3]; /* set only if the body is a drain */
+    uint32_t nodes[3]; /* set only if the body is a drain or static mesh */
     /* a triangle beside a drain's free edge, or beside a node of one; SCENE_NO_FACE: no lip */
     uint32_t lip;
     bool smooth; /* a node, at the point of the smoothed curve there */
@@ -42,7 +42,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
 {
     uint32_t kind = constraint->key.kind,
              feature = which == 0 ? constraint->key.feature_a : constraint->key.feature_b;
-    side d; /* `nodes` stay unset unless the body is a drain */
+    side d; /* `nodes` stay unset unless the body is a drain or static mesh */
     d.body = b;
     d.capsule = NULL;
     d.feature = feature;
@@ -52,7 +52,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         which == 0 && (scene_is_node_contact(kind) || kind == VBSS_SCENE_CONTACT_CAPSULE_FLOOR);
     d.vertex_count = point ? 1 : 2;
     if (b->kind == SCENE_BODY_DRAIN) {
-        d.vertex_count = vbss_scene_drain_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
+        d.vertex_count = vbss_scene_surface_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
         d.radius = 0.5 * b->drain.drain->config.thickness;
         if (kind == VBSS_SCENE_CONTACT_SIDES) {
             d.lip = b->drain.lip_of_side[feature];
@@ -69,6 +69,11 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         d.smooth = kind == VBSS_SCENE_CONTACT_NODE_CAPSULE && feature > 0 &&
                    feature + 1 < b->thread.thread->node_count;
         d.radius = b->thread.thread->config.radius;
+        return d;
+    }
+    if (b->rigid.is_static_mesh) {
+        d.vertex_count = vbss_scene_surface_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
+        d.radius = s->collision->shapes[b->shape]->radius;
         return d;
     }
     d.capsule = &s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)];
@@ -94,7 +99,7 @@ static void get_capsule_vertices(const side *d, const vec3 ends[2], vec3 vertice
     vertices[1] = ends[1];
 }
 
-static void get_drain_vertices(const side *d, const vec3 *x, vec3 vertices[3])
+static void get_surface_vertices(const side *d, const vec3 *x, vec3 vertices[3])
 {
     vertices[1] = x[d->nodes[0]]; /* also for a point, which has no second vertex */
     for (uint32_t k = 0; k < d->vertex_count; k++) {
@@ -107,6 +112,9 @@ static void get_drain_vertices(const side *d, const vec3 *x, vec3 vertices[3])
 static void add_displacement(const scene_object *s, const side *d, vec3 vertices[3])
 {
     vec3 displacement[3];
+    if (scene_is_static_mesh(d->body)) {
+        return;
+    }
     if (d->capsule == NULL) {
         get_thread_vertices(d, s->step.expected_displacements + d->body->thread.first_node,
                             displacement);
@@ -128,7 +136,9 @@ static void get_vertices(const scene_object *s, const side *d, moment when, vec3
         get_thread_vertices(d, trial ? t->trial : t->now.x, vertices);
     } else if (b->kind == SCENE_BODY_DRAIN) {
         const drain_object *own = b->drain.drain;
-        get_drain_vertices(d, trial ? own->trial : own->x, vertices);
+        get_surface_vertices(d, trial ? own->trial : own->x, vertices);
+    } else if (d->capsule == NULL) {
+        get_surface_vertices(d, scene_mesh_vertices(s, b), vertices);
     } else {
         get_capsule_vertices(d, trial ? d->capsule->trial : d->capsule->now, vertices);
     }
@@ -294,7 +304,7 @@ static void add_jacobian(const scene_object *s, contact_constraint *constraint, 
                          const double weights[3], vec3 point, double sign)
 {
     const scene_body *b = d->body;
-    if (d->capsule != NULL) {
+    if (b->kind == SCENE_BODY_RIGID) {
         vbss_scene_add_rigid_jacobian(constraint, &b->rigid, point, sign);
     } else if (b->kind == SCENE_BODY_DRAIN) {
         for (uint32_t k = 0; k < d->vertex_count && k < 3; k++) {
@@ -416,14 +426,20 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
     geometry->point = vec3_add_scaled(vec3_add(centre_a, out), -0.5 * constraint->gap, n);
 }
 
+static bool is_mesh_edge(const side *e)
+{
+    return e->vertex_count == 2 && scene_is_static_mesh(e->body);
+}
+
 /* Whether a contact keeps the normal of the start of the substep. Normals of segments jump, or turn
  * fast because the radius is small. A prediction from inexact velocities makes them worse, and
  * tight knots tremble. */
-static bool keeps_start_normal(const contact_constraint *constraint)
+static bool keeps_start_normal(const contact_constraint *constraint, const side *d, const side *e)
 {
     return constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENTS ||
            constraint->key.kind == VBSS_SCENE_CONTACT_SEGMENT_CAPSULE ||
-           constraint->key.kind == VBSS_SCENE_CONTACT_SIDES ||
+           (constraint->key.kind == VBSS_SCENE_CONTACT_SIDES &&
+            (!is_mesh_edge(e) || d->body->kind == SCENE_BODY_DRAIN)) ||
            constraint->key.kind == VBSS_SCENE_CONTACT_POINT_FACE;
 }
 
@@ -432,6 +448,15 @@ static bool is_inside_face(const scene_contact_geometry *geometry)
 {
     return geometry->barycentric[0] > 0.0 && geometry->barycentric[1] > 0.0 &&
            geometry->barycentric[0] + geometry->barycentric[1] < 1.0;
+}
+
+/* Normal of features at a distance from each other. `separation` has that length. */
+static vec3 normal_along(const scene_object *s, const side *e,
+                         const scene_contact_geometry *geometry, vec3 separation, double distance)
+{
+    return is_mesh_edge(e) ? vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
+                                                    geometry->contact_distance, separation)
+                           : vec3_scale(separation, 1.0 / distance);
 }
 
 /* Normal of features that intersect: any direction across both will do. */
@@ -473,9 +498,9 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         return false;
     }
     constraint->normal = distance > SCENE_MIN_DISTANCE_RATIO * contact_distance
-                             ? vec3_scale(separation_vector, 1.0 / distance)
+                             ? normal_along(s, &e, geometry, separation_vector, distance)
                              : fallback_normal(s, &d, &e);
-    if (keeps_start_normal(constraint)) {
+    if (keeps_start_normal(constraint, &d, &e)) {
         return true;
     }
     /* The force acts at the end of the substep. The normal of the start would lean back and brake
@@ -485,9 +510,9 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
     double predicted_distance = vec3_norm(predicted);
     if (predicted_distance > SCENE_MIN_PREDICTED_RATIO * contact_distance &&
         vec3_dot(predicted, constraint->normal) > SCENE_MIN_NORMAL_COSINE * predicted_distance) {
-        constraint->normal = vec3_scale(predicted, 1.0 / predicted_distance);
         geometry->barycentric[0] = at[0];
         geometry->barycentric[1] = at[1];
+        constraint->normal = normal_along(s, &e, geometry, predicted, predicted_distance);
         geometry->lip_thickness = lip_thickness;
     }
     return true;
@@ -504,9 +529,13 @@ static void refresh_normal(const scene_object *s, contact_constraint *constraint
                            const side *e)
 {
     scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
-    constraint->normal = vec3_unit_or(
-        separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness),
-        constraint->normal);
+    vec3 direction =
+        separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness);
+    if (is_mesh_edge(e)) {
+        direction = vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
+                                           geometry->contact_distance, direction);
+    }
+    constraint->normal = vec3_unit_or(direction, constraint->normal);
     constraint->previous_force =
         vbss_contact_rotate_to_tangent_plane(constraint->previous_force, constraint->normal);
     constraint->solution.slip_direction =

@@ -9,10 +9,10 @@ static bool have_common_node(const scene_object *s, const scene_body *b, const c
                              const contact_key *y, bool is_b)
 {
     uint32_t p[3], q[3];
-    uint32_t count =
-        vbss_scene_drain_feature_nodes(s, b, x->kind, is_b, is_b ? x->feature_b : x->feature_a, p);
-    uint32_t others =
-        vbss_scene_drain_feature_nodes(s, b, y->kind, is_b, is_b ? y->feature_b : y->feature_a, q);
+    uint32_t count = vbss_scene_surface_feature_nodes(s, b, x->kind, is_b,
+                                                      is_b ? x->feature_b : x->feature_a, p);
+    uint32_t others = vbss_scene_surface_feature_nodes(s, b, y->kind, is_b,
+                                                       is_b ? y->feature_b : y->feature_a, q);
     bool shared = false;
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t k = 0; k < others; k++) {
@@ -26,7 +26,7 @@ static bool have_common_node(const scene_object *s, const scene_body *b, const c
 static bool are_adjacent(const scene_object *s, const scene_body *a, const contact_key *x,
                          const contact_key *y)
 {
-    if (a->kind == SCENE_BODY_DRAIN) {
+    if (scene_has_triangles(a)) {
         return have_common_node(s, a, x, y, false);
     }
     if (a->kind == SCENE_BODY_THREAD) {

@@ -28,6 +28,15 @@ static void visit_rigid(vbss_stream *stream, scene_body_description *d)
     vbss_stream_f64(stream, 26, &d->rigid.frame.orientation.w, 4);
 }
 
+static void visit_static_mesh(vbss_stream *stream, scene_body_description *d)
+{
+    vbss_stream_u32(stream, 50, &d->static_mesh.vertex_count, 1);
+    vbss_stream_u32(stream, 51, &d->static_mesh.triangle_count, 1);
+    vbss_stream_f64(stream, 52, &d->static_mesh.friction, 1);
+    vbss_stream_f64(stream, 53, &d->static_mesh.thickness, 1);
+    vbss_stream_u32(stream, 56, &d->static_mesh.one_sided, 1);
+}
+
 void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_description *d)
 {
     vbss_stream_u32(stream, 1, &d->type, 1);
@@ -57,6 +66,9 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
     case SCENE_DESCRIBED_RIGID:
         visit_rigid(stream, d);
         break;
+    case SCENE_DESCRIBED_STATIC_MESH:
+        visit_static_mesh(stream, d);
+        break;
     default:
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such type of body");
     }
@@ -67,6 +79,14 @@ void vbss_scene_visit_described_capsule(vbss_stream *stream, scene_capsule *caps
     vbss_stream_f64(stream, 30, &capsule->local[0].x, 3);
     vbss_stream_f64(stream, 31, &capsule->local[1].x, 3);
     vbss_stream_f64(stream, 32, &capsule->radius, 1);
+}
+
+void vbss_scene_visit_described_static_mesh(vbss_stream *stream,
+                                            const scene_static_mesh_description *d,
+                                            double *vertices, uint32_t *triangles)
+{
+    vbss_stream_f64(stream, 54, vertices, 3 * (size_t)d->vertex_count);
+    vbss_stream_u32(stream, 55, triangles, 3 * (size_t)d->triangle_count);
 }
 
 void vbss_scene_visit_described_surface(vbss_stream *stream, const scene_surface_counts *counts,
@@ -144,8 +164,22 @@ static void visit_surface(vbss_stream *stream, drain_object *d, const scene_surf
     vbss_scene_visit_described_surface(stream, counts, &arrays);
 }
 
-static scene_body_description describe_body(const scene_body *b)
+static scene_body_description describe_static_mesh(const scene_rigid *r,
+                                                   const collision_shape *shape)
 {
+    return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH,
+                                    .static_mesh = {.vertex_count = shape->node_count,
+                                                    .triangle_count = shape->triangle_count,
+                                                    .one_sided = r->mesh.is_one_sided ? 1 : 0,
+                                                    .friction = r->created_friction,
+                                                    .thickness = 2.0 * shape->radius}};
+}
+
+static scene_body_description describe_body(const scene_object *s, const scene_body *b)
+{
+    if (scene_is_static_mesh(b)) {
+        return describe_static_mesh(&b->rigid, s->collision->shapes[b->shape]);
+    }
     switch (b->kind) {
     case SCENE_BODY_THREAD:
         return describe_thread(b->thread.thread, SCENE_DESCRIBED_THREAD);
@@ -159,7 +193,7 @@ static scene_body_description describe_body(const scene_body *b)
 void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
 {
     scene_body *b = &s->bodies[entry];
-    scene_body_description d = describe_body(b);
+    scene_body_description d = describe_body(s, b);
     d.entry = entry;
     d.shape = b->shape;
     d.number = b->number;
@@ -169,6 +203,11 @@ void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
     }
     if (d.type == SCENE_DESCRIBED_SURFACE) {
         visit_surface(stream, b->drain.drain, &d.surface);
+    }
+    if (d.type == SCENE_DESCRIBED_STATIC_MESH) {
+        collision_shape *shape = s->collision->shapes[b->shape];
+        vbss_scene_visit_described_static_mesh(stream, &d.static_mesh, &shape->start->x,
+                                               shape->triangles[0]);
     }
     for (uint32_t i = 0; d.type == SCENE_DESCRIBED_RIGID && i < d.rigid.capsule_count; i++) {
         vbss_scene_visit_described_capsule(stream, &s->capsules[b->rigid.first_capsule + i]);

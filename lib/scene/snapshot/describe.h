@@ -17,7 +17,8 @@ enum {
     SCENE_DESCRIBED_NEEDLE = 5,
     SCENE_DESCRIBED_GRASPER = 6,
     SCENE_DESCRIBED_GONE_THREAD = 7, /* a thread that has left the scene, but not its pieces */
-    SCENE_DESCRIBED_SURFACE = 8      /* a drain with a surface */
+    SCENE_DESCRIBED_SURFACE = 8,     /* a drain with a surface */
+    SCENE_DESCRIBED_STATIC_MESH = 9
 };
 
 /* A rigid body that is neither a needle nor a grasper. */
@@ -28,6 +29,11 @@ typedef struct scene_rigid_description {
     vec3 inertia;          /* principal moments, kg m^2 */
     pose frame;            /* principal frame in the frame that hosts see */
 } scene_rigid_description;
+
+typedef struct scene_static_mesh_description {
+    uint32_t vertex_count, triangle_count, one_sided;
+    double friction, thickness; /* the thickness in m */
+} scene_static_mesh_description;
 
 /* Numbers of entries of a surface's arrays. */
 typedef struct scene_surface_counts {
@@ -48,6 +54,7 @@ typedef struct scene_body_description {
         vbss_needle_config needle;
         vbss_grasper_config grasper;
         scene_rigid_description rigid;
+        scene_static_mesh_description static_mesh;
     };
 } scene_body_description;
 
@@ -69,10 +76,13 @@ typedef struct scene_surface_arrays {
 } scene_surface_arrays;
 
 /* The arrays after it: of a surface its numbers, of a thread `rest_count` rest lengths, of a rigid body
- * its capsules. */
+ * its capsules, of a static mesh its vertices and triangles. */
 void vbss_scene_visit_described_surface(vbss_stream *stream, const scene_surface_counts *counts,
                                         const scene_surface_arrays *arrays);
 void vbss_scene_visit_described_rest(vbss_stream *stream, double *rest_lengths, uint32_t count);
+void vbss_scene_visit_described_static_mesh(vbss_stream *stream,
+                                            const scene_static_mesh_description *d,
+                                            double *vertices, uint32_t *triangles);
 void vbss_scene_visit_described_capsule(vbss_stream *stream, scene_capsule *capsule);
 
 /* Visits the whole record of a body that is no piece. The stream does not read. */

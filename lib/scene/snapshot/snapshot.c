@@ -227,6 +227,9 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
             vbss_stream_expect_f64(stream, 23, numbers[k]);
         }
     }
+    if (r->is_static_mesh) {
+        vbss_stream_expect(stream, 24, r->mesh.geometry_hash);
+    }
     if (r->grasper != NULL) {
         visit_grasper(stream, s, r);
     }

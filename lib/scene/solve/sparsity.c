@@ -28,8 +28,8 @@ static void add_drain_separators(const scene_object *s, const scene_body *b, con
                                  bool is_b)
 {
     uint32_t nodes[3];
-    uint32_t count = vbss_scene_drain_feature_nodes(s, b, key->kind, is_b,
-                                                    is_b ? key->feature_b : key->feature_a, nodes);
+    uint32_t count = vbss_scene_surface_feature_nodes(
+        s, b, key->kind, is_b, is_b ? key->feature_b : key->feature_a, nodes);
     for (uint32_t k = 0; k < count; k++) {
         b->drain.is_separator[nodes[k]] = NODE_SEPARATOR;
     }

@@ -67,25 +67,33 @@ static bool is_ignored(const scene_object *s, const probe *p, const scene_body *
 
 /* Records the gap to a wall as that to a tool. A wall asks for no segment length, because its
  * radius of curvature is large. */
-static void record_wall_gap(const probe *p, const drain_object *d, double distance, double within,
+static void record_wall_gap(const probe *p, double wall_radius, double distance, double within,
                             surroundings *found)
 {
-    double gap = distance - p->body->thread.thread->config.radius - 0.5 * d->config.thickness;
+    double gap = distance - p->body->thread.thread->config.radius - wall_radius;
     found->tool = gap < within ? vbss_min(gap, found->tool) : found->tool;
+}
+
+/* Positions of the nodes of a drain or static mesh, m. */
+static const vec3 *surface_nodes(const scene_object *s, const scene_body *b)
+{
+    return b->kind == SCENE_BODY_DRAIN ? b->drain.drain->x : scene_mesh_vertices(s, b);
 }
 
 static void record_face(const scene_object *s, const probe *p, const scene_body *b, uint32_t face,
                         double within, surroundings *found)
 {
-    const uint32_t *nodes = s->collision->shapes[b->shape]->triangles[face];
-    const drain_object *d = b->drain.drain;
+    const collision_shape *shape = s->collision->shapes[b->shape];
+    const uint32_t *nodes = shape->triangles[face];
+    const vec3 *x = surface_nodes(s, b);
     double weights[3];
     for (int end = 0; end < 2; end++) {
         vec3 corners[3];
         for (int k = 0; k < 3; k++) {
-            corners[k] = vec3_sub(d->x[nodes[k]], p->axis[end]);
+            corners[k] = vec3_sub(x[nodes[k]], p->axis[end]);
         }
-        record_wall_gap(p, d, vec3_norm(closest_on_triangle(corners, weights)), within, found);
+        record_wall_gap(p, shape->radius, vec3_norm(closest_on_triangle(corners, weights)), within,
+                        found);
     }
 }
 
@@ -102,11 +110,11 @@ static void record_feature(const scene_object *s, const probe *p, const scene_bo
         found->strand = gap < within ? vbss_min(gap, found->strand) : found->strand;
         return;
     }
-    if (b->kind == SCENE_BODY_DRAIN) {
-        const uint32_t *edge_nodes = s->collision->shapes[b->shape]->edges[feature];
-        const drain_object *d = b->drain.drain;
-        const vec3 edge[2] = {d->x[edge_nodes[0]], d->x[edge_nodes[1]]};
-        record_wall_gap(p, d, segment_distance(p->axis, edge), within, found);
+    if (scene_has_triangles(b)) {
+        const collision_shape *shape = s->collision->shapes[b->shape];
+        const vec3 *x = surface_nodes(s, b);
+        const vec3 edge[2] = {x[shape->edges[feature][0]], x[shape->edges[feature][1]]};
+        record_wall_gap(p, shape->radius, segment_distance(p->axis, edge), within, found);
         return;
     }
     const scene_capsule *c = &s->capsules[b->rigid.first_capsule + feature];
@@ -136,8 +144,9 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
         }
         collision_shape *shape = c->shapes[b->shape];
         vbss_collision_shape_refit_edges(shape);
-        uint32_t *near =
-            b->kind == SCENE_BODY_DRAIN ? b->drain.near_features : s->scratch.near_features;
+        uint32_t *near = b->kind == SCENE_BODY_DRAIN ? b->drain.near_features
+                         : scene_is_static_mesh(b)   ? b->rigid.mesh.near_features
+                                                     : s->scratch.near_features;
         uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
                                         &shape->edge_bvh, &box, near);
         for (uint32_t k = 0; k < count; k++) {
@@ -146,7 +155,7 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
                 return found;
             }
         }
-        if (b->kind == SCENE_BODY_DRAIN) {
+        if (scene_has_triangles(b)) {
             vbss_collision_shape_refit_triangles(shape);
             count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
                                    &shape->triangle_bvh, &box, near);

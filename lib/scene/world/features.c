@@ -17,6 +17,14 @@ bool vbss_scene_feature_segment(const scene_object *s, uint32_t number, uint32_t
         const uint32_t *edge = s->collision->shapes[b->shape]->edges[feature];
         axis[0] = b->drain.drain->x[edge[0]];
         axis[1] = b->drain.drain->x[edge[1]];
+    } else if (scene_is_static_mesh(b)) {
+        const collision_shape *shape = s->collision->shapes[b->shape];
+        if (feature >=
+            shape->edge_count) { /* a triangle: a mesh may have more of them than sides */
+            return false;
+        }
+        axis[0] = shape->start[shape->edges[feature][0]];
+        axis[1] = shape->start[shape->edges[feature][1]];
     } else {
         vbss_scene_transform_capsule(&s->capsules[b->rigid.first_capsule + feature],
                                      b->rigid.body.now.pose, axis);
@@ -24,11 +32,11 @@ bool vbss_scene_feature_segment(const scene_object *s, uint32_t number, uint32_t
     return true;
 }
 
-uint32_t vbss_scene_drain_feature_nodes(const scene_object *s, const scene_body *drain,
-                                        uint32_t kind, bool is_b, uint32_t feature,
-                                        uint32_t nodes[3])
+uint32_t vbss_scene_surface_feature_nodes(const scene_object *s, const scene_body *surface,
+                                          uint32_t kind, bool is_b, uint32_t feature,
+                                          uint32_t nodes[3])
 {
-    const collision_shape *shape = s->collision->shapes[drain->shape];
+    const collision_shape *shape = s->collision->shapes[surface->shape];
     if (kind == VBSS_SCENE_CONTACT_SIDES) {
         nodes[0] = shape->edges[feature][0];
         nodes[1] = shape->edges[feature][1];

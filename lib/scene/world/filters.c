@@ -30,14 +30,21 @@ bool vbss_scene_do_collide(const scene_object *s, const scene_body *a, const sce
     return a == b || ((f->category & g->mask) != 0 && (g->category & f->mask) != 0);
 }
 
+/* Candidates of the same two shapes follow each other. */
 void vbss_scene_filter_candidates(scene_object *s)
 {
     collision_object *c = s->collision;
-    uint32_t count = 0;
+    uint32_t count = 0, shape_a = UINT32_MAX, shape_b = UINT32_MAX;
+    bool do_collide = false;
     for (uint32_t i = 0; i < c->candidate_count; i++) {
         const collision_candidate *q = &c->candidates[i];
-        if (vbss_scene_do_collide(s, &s->bodies[s->body_of_shape[q->shape_a]],
-                                  &s->bodies[s->body_of_shape[q->shape_b]])) {
+        if (q->shape_a != shape_a || q->shape_b != shape_b) {
+            shape_a = q->shape_a;
+            shape_b = q->shape_b;
+            do_collide = vbss_scene_do_collide(s, &s->bodies[s->body_of_shape[shape_a]],
+                                               &s->bodies[s->body_of_shape[shape_b]]);
+        }
+        if (do_collide) {
             c->candidates[count++] = *q;
         }
     }

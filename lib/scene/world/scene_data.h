@@ -34,6 +34,8 @@ enum { SCENE_MAX_SHAPES = 4096, SCENE_MAX_THREADS = 64 };
 enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
 /* Pairs of driven bodies that overlap since they were added. Chosen. */
 enum { SCENE_MAX_OVERLAPS = 256 };
+/* Vertices and triangles of a static mesh. Those of the collision module. */
+enum { SCENE_MAX_MESH_VERTICES = 65536, SCENE_MAX_MESH_TRIANGLES = 131072 };
 /* Default of speed_limit, m/s. Chosen: a hand is slower than 5 m/s. */
 #define SCENE_DEFAULT_SPEED_LIMIT 20.0
 #define SCENE_NO_FACE UINT32_MAX
@@ -140,6 +142,15 @@ typedef struct scene_wall_grasp {
     bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
 } scene_wall_grasp;
 
+/* A static mesh. Its collision shape has the vertices and triangles. Persistent. */
+typedef struct scene_static_mesh {
+    bool is_one_sided;      /* nothing touches it from behind its triangles */
+    uint64_t geometry_hash; /* of vertices, triangles, thickness and is_one_sided */
+    /* vertex -> its first entry of triangles_of, one extra at the end; the triangles at each vertex */
+    uint32_t *first_triangle, *triangles_of;
+    uint32_t *near_features; /* scratch of remeshing.c: as in scene_drain */
+} scene_static_mesh;
+
 /* A rigid body, grasper or needle as a body of a scene. Its principal frame has the centre of
  * mass as its origin and the principal axes as its axes. */
 typedef struct scene_rigid {
@@ -166,6 +177,9 @@ typedef struct scene_rigid {
     /* Persistent. */
     vbss_slot *slot;       /* slot of the handle of a grasper or needle; NULL for other bodies */
     needle_object *needle; /* NULL unless the body is a needle */
+    /* Persistent. */
+    bool is_static_mesh;    /* the body has no capsules, and never moves */
+    scene_static_mesh mesh; /* for static meshes only */
     /* Persistent; for graspers only. */
     grasper_object *grasper; /* NULL unless the body is a grasper */
     scene_needle_grasp needle_grasp;

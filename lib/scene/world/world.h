@@ -23,7 +23,7 @@ static inline bool scene_is_node_contact(uint32_t kind)
            kind == VBSS_SCENE_CONTACT_POINT_FACE;
 }
 
-/* Whether feature b of contacts of this kind is a triangle or a side of a drain. */
+/* Whether feature b of contacts of this kind is a triangle or a side of a drain or static mesh. */
 static inline bool scene_is_surface_contact(uint32_t kind)
 {
     return kind == VBSS_SCENE_CONTACT_POINT_FACE || kind == VBSS_SCENE_CONTACT_SIDES;
@@ -53,6 +53,24 @@ static inline bool scene_is_prescribed(const scene_body *b)
 {
     return b == NULL || b->is_frozen ||
            (b->kind == SCENE_BODY_RIGID && b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN);
+}
+
+/* Whether a body is a static mesh. The floor (NULL) is not. */
+static inline bool scene_is_static_mesh(const scene_body *b)
+{
+    return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.is_static_mesh;
+}
+
+/* Whether a body is a surface of triangles: a drain or a static mesh. */
+static inline bool scene_has_triangles(const scene_body *b)
+{
+    return b != NULL && (b->kind == SCENE_BODY_DRAIN || scene_is_static_mesh(b));
+}
+
+/* Vertices of a static mesh in the world, m. */
+static inline const vec3 *scene_mesh_vertices(const scene_object *s, const scene_body *mesh)
+{
+    return s->collision->shapes[mesh->shape]->start;
 }
 
 /* Whether an entry of the list of thread grasps holds its strand. Other entries are unused, or
@@ -129,11 +147,11 @@ pose vbss_scene_jaw_frame(const scene_rigid *r, pose principal);
 
 /* ---- features.c */
 
-/* Lists the nodes of a drain's feature and returns their number, 1 to 3. The feature is on side
- * b of a contact of this kind if is_b, otherwise on side a. */
-uint32_t vbss_scene_drain_feature_nodes(const scene_object *s, const scene_body *drain,
-                                        uint32_t kind, bool is_b, uint32_t feature,
-                                        uint32_t nodes[3]);
+/* Lists the nodes of a feature of a drain or static mesh and returns their number, 1 to 3. The
+ * feature is on side b of a contact of this kind if is_b, otherwise on side a. */
+uint32_t vbss_scene_surface_feature_nodes(const scene_object *s, const scene_body *surface,
+                                          uint32_t kind, bool is_b, uint32_t feature,
+                                          uint32_t nodes[3]);
 
 /* Whether the body is a thread or a needle. */
 bool vbss_scene_is_suture(const scene_body *b);
@@ -350,6 +368,21 @@ void vbss_scene_disown_grasper(scene_body *b);
 
 /* Gives the handle of a needle back to the host. The body entry stays as it is. */
 void vbss_scene_disown_needle(scene_body *b);
+
+/* ---- static_mesh.c */
+
+/* Allocates the arrays of a static mesh, lists the triangles at each vertex, and refuses a one-sided mesh
+ * whose triangles are not wound alike. After an error nothing is allocated. */
+vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
+                                          const collision_shape *shape);
+
+/* Releases the scene's memory for a static mesh; for other bodies it does nothing. */
+void vbss_scene_release_static_mesh(scene_object *s, scene_body *b);
+
+/* Lists the triangles that have both vertices of an edge, in ascending order, at most `room` of them.
+ * Returns their number. */
+uint32_t vbss_scene_list_edge_triangles(const scene_static_mesh *m, const collision_shape *shape,
+                                        const uint32_t edge[2], uint32_t *list, uint32_t room);
 
 /* Lists the arrays of a scene for a drain with this number of nodes, to allocate or release
  * them. */

@@ -60,6 +60,27 @@ namespace VblastSs
             }
         }
 
+        /// <summary>
+        /// Adds a mesh of triangles that never moves: anatomy, a table, a phantom. Threads,
+        /// needles, tools and drains touch it from both sides, or from the front alone (one_sided).
+        /// It counts as one of the scene's rigid bodies (rigid_capacity). Two static meshes do not
+        /// touch each other. A driven body that overlaps it when it is added is held back by it.
+        /// The call allocates all memory that steps need for the mesh, and builds its bounding
+        /// volume hierarchy; no step allocates or builds either. Holes cannot be made in it, and no
+        /// node be pinned to it. Rays and overlaps find it from both sides. vbss_scene_get_rigid
+        /// reports the contact force on it.
+        /// </summary>
+        /// <param name="config">the configuration; not NULL, because a mesh needs triangles</param>
+        public uint AddStaticMesh(SceneStaticMeshConfig config)
+        {
+            using (Pins pins = Pins.Rent())
+            {
+                uint body;
+                Context.Check(Native.vbss_scene_add_static_mesh(Handle, config == null ? null : config.Pin(pins), (uint*)&body));
+                return body;
+            }
+        }
+
         /// <summary>Returns one of the places that a grasper holds.</summary>
         /// <param name="tool">number of the grasper in the scene</param>
         /// <param name="index">index of the place, from 0 on</param>

@@ -28,6 +28,12 @@ namespace VblastSs
         internal static extern Result vbss_scene_add_rigid(ObjectHandle scene, SceneRigidConfigData* config, uint* body);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_scene_static_mesh_config_init(SceneStaticMeshConfigData* config, uint structSize);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_scene_add_static_mesh(ObjectHandle scene, SceneStaticMeshConfigData* config, uint* body);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_scene_add_needle(ObjectHandle scene, ObjectHandle needle, uint* body);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

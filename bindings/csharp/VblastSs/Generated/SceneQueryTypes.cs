@@ -18,6 +18,8 @@ namespace VblastSs
         Grasper = 5,
         /// <summary>The floor, body 0.</summary>
         Floor = 6,
+        /// <summary>A static mesh.</summary>
+        StaticMesh = 7,
     }
 
     /// <summary>Properties of a body in a scene.</summary>

@@ -397,6 +397,116 @@ namespace VblastSs
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal struct SceneStaticMeshConfigData
+    {
+        internal uint StructSize;
+        internal uint VertexCount;
+        internal uint TriangleCount;
+        internal uint OneSided;
+        internal IntPtr Vertices;
+        internal IntPtr Triangles;
+        internal double Friction;
+        internal double Thickness;
+    }
+
+    /// <summary>
+    /// Configuration of a static mesh. Fill it with vbss_scene_static_mesh_config_init, then change
+    /// fields.
+    /// </summary>
+    public sealed unsafe partial class SceneStaticMeshConfig
+    {
+        private readonly SceneStaticMeshConfigData[] box = new SceneStaticMeshConfigData[1];
+
+        /// <summary>The defaults of the library.</summary>
+        public SceneStaticMeshConfig()
+        {
+            fixed (SceneStaticMeshConfigData* data = box)
+            {
+                Vblast.Check(Native.vbss_scene_static_mesh_config_init(data, (uint)sizeof(SceneStaticMeshConfigData)));
+            }
+        }
+
+        /// <summary>Number of vertices, 3 to 65536.</summary>
+        public uint VertexCount
+        {
+            get { return box[0].VertexCount; }
+            set { box[0].VertexCount = value; }
+        }
+
+        /// <summary>Number of triangles, 1 to 131072.</summary>
+        public uint TriangleCount
+        {
+            get { return box[0].TriangleCount; }
+            set { box[0].TriangleCount = value; }
+        }
+
+        /// <summary>
+        /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side
+        /// from which the corners of a triangle are counter-clockwise. What is behind is left
+        /// alone, also within the thickness, and passes to the front. There it is pushed out to the
+        /// contact distance. What is in front at the start of a step does not get behind, unless it
+        /// goes round a free edge. Each edge of such a mesh belongs to one triangle, or to two that
+        /// list it in opposite directions.
+        /// </summary>
+        public uint OneSided
+        {
+            get { return box[0].OneSided; }
+            set { box[0].OneSided = value; }
+        }
+
+        /// <summary>
+        /// Vertices in the world, m: vertex_count times x, y, z, each at most 1e3 in magnitude; the
+        /// library copies them.
+        /// </summary>
+        public double[] Vertices { get; set; }
+
+        /// <summary>
+        /// Corners of triangles: triangle_count times three different indices of vertices, in any
+        /// order. Triangles may share vertices and edges, and need not form a closed surface; the
+        /// library copies them.
+        /// </summary>
+        public uint[] Triangles { get; set; }
+
+        /// <summary>
+        /// Friction coefficient of its surface, 0 to 10; default 0.15. A contact with a thread has
+        /// this coefficient, any other contact the geometric mean of both.
+        /// </summary>
+        public double Friction
+        {
+            get { return box[0].Friction; }
+            set { box[0].Friction = value; }
+        }
+
+        /// <summary>
+        /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its middle:
+        /// other bodies touch it at half the thickness from them.
+        /// </summary>
+        public double Thickness
+        {
+            get { return box[0].Thickness; }
+            set { box[0].Thickness = value; }
+        }
+
+        internal SceneStaticMeshConfigData* Pin(Pins pins)
+        {
+            ref SceneStaticMeshConfigData data = ref box[0];
+            uint? countedVertexCount = null;
+            uint? countedTriangleCount = null;
+            data.Vertices = pins.Array(Vertices);
+            if (Vertices != null)
+            {
+                data.VertexCount = pins.Count(nameof(Vertices), Vertices.Length, 3, 0, ref countedVertexCount);
+            }
+            data.Triangles = pins.Array(Triangles);
+            if (Triangles != null)
+            {
+                data.TriangleCount = pins.Count(nameof(Triangles), Triangles.Length, 3, 0, ref countedTriangleCount);
+            }
+            return (SceneStaticMeshConfigData*)pins.Array(box);
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal struct SceneRigidConfigData
     {
         internal uint StructSize;

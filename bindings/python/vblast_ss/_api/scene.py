@@ -286,6 +286,54 @@ class vbss_scene_capsule(ctypes.Structure):
     ]
 
 
+class vbss_scene_static_mesh_config(ctypes.Structure):
+    """Configuration of a static mesh. Fill it with vbss_scene_static_mesh_config_init, then change
+    fields.
+
+    vertex_count: Number of vertices, 3 to 65536.
+
+    triangle_count: Number of triangles, 1 to 131072.
+
+    one_sided: 0: bodies touch it from both sides (default). 1: only from the front, which is
+    the side from which the corners of a triangle are counter-clockwise. What is behind is left
+    alone, also within the thickness, and passes to the front. There it is pushed out to the
+    contact distance. What is in front at the start of a step does not get behind, unless it
+    goes round a free edge. Each edge of such a mesh belongs to one triangle, or to two that
+    list it in opposite directions.
+
+    vertices: Vertices in the world, m: vertex_count times x, y, z, each at most 1e3 in
+    magnitude; the library copies them.
+
+    triangles: Corners of triangles: triangle_count times three different indices of vertices,
+    in any order. Triangles may share vertices and edges, and need not form a closed surface;
+    the library copies them.
+
+    friction: Friction coefficient of its surface, 0 to 10; default 0.15. A contact with a
+    thread has this coefficient, any other contact the geometric mean of both.
+
+    thickness: Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its
+    middle: other bodies touch it at half the thickness from them."""
+    struct_size: int
+    vertex_count: int
+    triangle_count: int
+    one_sided: int
+    vertices: Any
+    triangles: Any
+    friction: float
+    thickness: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("vertex_count", c_uint32),
+        ("triangle_count", c_uint32),
+        ("one_sided", c_uint32),
+        ("vertices", POINTER(c_double)),
+        ("triangles", POINTER(c_uint32)),
+        ("friction", c_double),
+        ("thickness", c_double),
+    ]
+
+
 class vbss_scene_rigid_config(ctypes.Structure):
     """Configuration of a rigid body. Fill it with vbss_scene_rigid_config_init, then change
     fields.
@@ -806,6 +854,10 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_rigid_config_init": (c_int32, (POINTER(vbss_scene_rigid_config), c_uint32)),
     "vbss_scene_add_rigid": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_rigid_config),
         POINTER(c_uint32))),
+    "vbss_scene_static_mesh_config_init": (c_int32, (POINTER(vbss_scene_static_mesh_config),
+        c_uint32)),
+    "vbss_scene_add_static_mesh": (c_int32, (POINTER(vbss_scene),
+        POINTER(vbss_scene_static_mesh_config), POINTER(c_uint32))),
     "vbss_scene_add_needle": (c_int32, (POINTER(vbss_scene), POINTER(vbss_needle),
         POINTER(c_uint32))),
     "vbss_scene_add_grasper": (c_int32, (POINTER(vbss_scene), POINTER(vbss_grasper),

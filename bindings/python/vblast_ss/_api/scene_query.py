@@ -26,6 +26,8 @@ class SceneBodyKind(IntEnum):
     """A grasper."""
     FLOOR = 6
     """The floor, body 0."""
+    STATIC_MESH = 7
+    """A static mesh."""
 
 
 class vbss_scene_body_info(ctypes.Structure):
