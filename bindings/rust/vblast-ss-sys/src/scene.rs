@@ -212,6 +212,39 @@ pub struct vbss_scene_capsule {
     pub radius: f64,
 }
 
+/// Configuration of a static mesh. Fill it with vbss_scene_static_mesh_config_init, then change
+/// fields.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct vbss_scene_static_mesh_config {
+    /// Size of this struct in bytes, set by the init function.
+    pub struct_size: u32,
+    /// Number of vertices, 3 to 65536.
+    pub vertex_count: u32,
+    /// Number of triangles, 1 to 131072.
+    pub triangle_count: u32,
+    /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side from
+    /// which the corners of a triangle are counter-clockwise. What is behind is left alone, also
+    /// within the thickness, and passes to the front. There it is pushed out to the contact distance.
+    /// What is in front at the start of a step does not get behind, unless it goes round a free edge.
+    /// Each edge of such a mesh belongs to one triangle, or to two that list it in opposite
+    /// directions.
+    pub one_sided: u32,
+    /// Vertices in the world, m: vertex_count times x, y, z, each at most 1e3 in magnitude; the
+    /// library copies them.
+    pub vertices: *const f64,
+    /// Corners of triangles: triangle_count times three different indices of vertices, in any
+    /// order. Triangles may share vertices and edges, and need not form a closed surface; the
+    /// library copies them.
+    pub triangles: *const u32,
+    /// Friction coefficient of its surface, 0 to 10; default 0.15. A contact with a thread has this
+    /// coefficient, any other contact the geometric mean of both.
+    pub friction: f64,
+    /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its middle: other
+    /// bodies touch it at half the thickness from them.
+    pub thickness: f64,
+}
+
 /// Configuration of a rigid body. Fill it with vbss_scene_rigid_config_init, then change fields.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -529,6 +562,34 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_scene_add_rigid(scene: *mut vbss_scene, config: *const vbss_scene_rigid_config, body: *mut u32) -> vbss_result;
+    /// Fills a configuration of a static mesh with the defaults.
+    ///
+    /// @param config  the configuration to fill
+    /// @param struct_size  `sizeof *config` as the caller was compiled
+    /// @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+    /// @threads any thread, any time
+    /// @since 1.0
+    pub fn vbss_scene_static_mesh_config_init(config: *mut vbss_scene_static_mesh_config, struct_size: u32) -> vbss_result;
+    /// Adds a mesh of triangles that never moves: anatomy, a table, a phantom. Threads, needles, tools and
+    /// drains touch it from both sides, or from the front alone (one_sided). It counts as one of the
+    /// scene's rigid bodies (rigid_capacity). Two static meshes do not touch each other. A driven body
+    /// that overlaps it when it is added is held back by it. The call allocates all memory that steps
+    /// need for the mesh, and builds its bounding volume hierarchy; no step allocates or builds either.
+    /// Holes cannot be made in it, and no node be pinned to it. Rays and overlaps find it from both
+    /// sides. vbss_scene_get_rigid reports the contact force on it.
+    ///
+    /// @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+    /// @param config     the configuration; not NULL, because a mesh needs triangles
+    /// @param body  its number in the scene, from 1 on, never reused
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+    /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: a triangle with a vertex that
+    /// does not exist or occurs twice, triangles of a one-sided mesh that are not wound alike,
+    /// or an overlap, if the scene refuses it),
+    /// VBSS_ERROR_NOT_FINITE, VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY,
+    /// VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_add_static_mesh(scene: *mut vbss_scene, config: *const vbss_scene_static_mesh_config, body: *mut u32) -> vbss_result;
     /// Adds a needle as a free body with its current pose and velocity. A thread whose first node is
     /// pinned to it at the swage (vbss_scene_pin_thread) is swaged to it. Until its removal stepping,
     /// placing, restoring or destroying it alone returns VBSS_ERROR_IN_SCENE. With method VBLAST it

@@ -20,6 +20,8 @@ pub const VBSS_SCENE_BODY_NEEDLE: vbss_scene_body_kind = 4;
 pub const VBSS_SCENE_BODY_GRASPER: vbss_scene_body_kind = 5;
 /// The floor, body 0.
 pub const VBSS_SCENE_BODY_FLOOR: vbss_scene_body_kind = 6;
+/// A static mesh.
+pub const VBSS_SCENE_BODY_STATIC_MESH: vbss_scene_body_kind = 7;
 
 /// Properties of a body in a scene.
 #[repr(C)]

@@ -115,6 +115,11 @@ pub const VBSS_THREAD_VIEW_SECTIONS: vbss_thread_field = 6;
 /// n - 1 doubles, m: sagitta of each segment, the shape error due to the mesh. It is rest
 /// length^2 / 8 times the larger curvature at the two nodes. Fixed meshes have it too.
 pub const VBSS_THREAD_VIEW_SAGITTAS: vbss_thread_field = 7;
+/// n x 3 doubles, 1/m: plastic curvature at each node, towards the centre of curvature; at a
+/// clamp as VBSS_THREAD_VIEW_CURVATURES. No entries in a thread without memory of bends.
+pub const VBSS_THREAD_VIEW_PLASTIC_CURVATURES: vbss_thread_field = 8;
+/// The same for the viscous curvature: that at which the viscous branch has no moment.
+pub const VBSS_THREAD_VIEW_VISCOUS_CURVATURES: vbss_thread_field = 9;
 
 /// A suture thread.
 #[repr(C)]
@@ -221,6 +226,21 @@ pub struct vbss_thread_config {
     pub mesh_operations: u32,
     /// Zero.
     pub reserved: u32,
+    /// Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0 to 1e6; default 0:
+    /// bending is elastic. The bending moment at yield is EI times this curvature.
+    /// docs/explanation/bending-memory.md has the model. Memory of bends, plastic or viscous, needs
+    /// VBSS_THREAD_MESH_FIXED and a rest_curvature of 0.
+    pub yield_curvature: f64,
+    /// Stiffness of bending beyond yield as a fraction of EI, 0 (ideally plastic) to 0.999; default
+    /// 0. The hardening is linear and kinematic.
+    pub yield_hardening: f64,
+    /// Method IMPLICIT: stiffness of the viscous branch of bending as a fraction of EI, 0 to 1e3;
+    /// default 0: there is none. A fast bend has the stiffness EI (1 + relaxation_ratio), a slow one
+    /// EI.
+    pub relaxation_ratio: f64,
+    /// Time in which the moment of the viscous branch decays to 1/e at constant curvature, s, 1e-6 to
+    /// 1e9; default 1.
+    pub relaxation_time: f64,
 }
 
 /// An attachment acts on one node. Fill it with vbss_thread_attachment_init.
@@ -277,12 +297,15 @@ pub struct vbss_thread_energies {
     pub kinetic: f64,
     /// Elastic energy of EA.
     pub stretching: f64,
-    /// Elastic energy of EI.
+    /// Elastic energy of bending; with memory what hardening stores, too.
     pub bending: f64,
     /// Potential, zero at the origin; attached masses included.
     pub gravity: f64,
     /// Sum of the four.
     pub total: f64,
+    /// Energy that plastic and viscous bending have dissipated since creation, or since the cut that
+    /// made this piece; not part of the total; never decreases.
+    pub dissipated: f64,
 }
 
 /// Momentum of a thread, attached masses included.
@@ -411,7 +434,8 @@ extern "C" {
     /// @param thread  the new thread; NULL when the call fails
     /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
     /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (an adaptive
-    /// mesh with method VBLAST), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
+    /// mesh with method VBLAST; memory of bends with method VBLAST, an adaptive mesh or a rest
+    /// curvature), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
     /// VBSS_ERROR_BUSY
     /// @threads one thread at a time per context
     /// @since 1.0
@@ -447,6 +471,7 @@ extern "C" {
     /// @since 1.0
     pub fn vbss_thread_step(thread: *mut vbss_thread, h: f64) -> vbss_result;
     /// Sets positions and velocities of the nodes. Nodes held by attachments move to their targets in the next step.
+    /// Plastic and viscous curvatures stay, in the plane of the new bend at each node and on the same side of it.
     ///
     /// @param thread      the thread
     /// @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
@@ -517,7 +542,8 @@ extern "C" {
     /// Cuts a thread in two. The segment at the place is divided, unless a node is within 1 % of a
     /// segment or 1e-7 m of it, which is then doubled. The thread keeps the part with node 0; the piece is a thread
     /// of its own with the same material and settings, its node 0 at the cut. Attachments go with their
-    /// nodes and keep their ids; one on a doubled node stays with the thread. Memory was reserved by
+    /// nodes and keep their ids; one on a doubled node stays with the thread. Plastic and viscous curvatures
+    /// stay with their nodes; a node inside a divided segment begins without. Memory was reserved by
     /// cut_capacity, which both parts share.
     ///
     /// @param thread      the thread

@@ -222,4 +222,35 @@ impl ThreadConfig<'_> {
         self.raw.mesh_operations = value;
         self
     }
+
+    /// Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0 to 1e6; default 0:
+    /// bending is elastic. The bending moment at yield is EI times this curvature.
+    /// docs/explanation/bending-memory.md has the model. Memory of bends, plastic or viscous, needs
+    /// VBSS_THREAD_MESH_FIXED and a rest_curvature of 0.
+    pub fn yield_curvature(mut self, value: f64) -> Self {
+        self.raw.yield_curvature = value;
+        self
+    }
+
+    /// Stiffness of bending beyond yield as a fraction of EI, 0 (ideally plastic) to 0.999; default
+    /// 0. The hardening is linear and kinematic.
+    pub fn yield_hardening(mut self, value: f64) -> Self {
+        self.raw.yield_hardening = value;
+        self
+    }
+
+    /// Method IMPLICIT: stiffness of the viscous branch of bending as a fraction of EI, 0 to 1e3;
+    /// default 0: there is none. A fast bend has the stiffness EI (1 + relaxation_ratio), a slow one
+    /// EI.
+    pub fn relaxation_ratio(mut self, value: f64) -> Self {
+        self.raw.relaxation_ratio = value;
+        self
+    }
+
+    /// Time in which the moment of the viscous branch decays to 1/e at constant curvature, s, 1e-6 to
+    /// 1e9; default 1.
+    pub fn relaxation_time(mut self, value: f64) -> Self {
+        self.raw.relaxation_time = value;
+        self
+    }
 }
