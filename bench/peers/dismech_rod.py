@@ -29,7 +29,7 @@ CASES = {
     "thread": [(30, 2e-3), (30, 1e-3), (60, 1e-3)],
     # With longer steps its search finds no way on: the rod stays where it is, and the knot slips through itself.
     "capstan": [(30, 0.5e-3), (30, 0.2e-3), (60, 0.2e-3)],
-    "trefoil": [(90, 0.1e-3), (90, 0.05e-3), (135, 0.05e-3)],
+    "trefoil": [(90, 0.1e-3), (90, 0.05e-3)],
 }
 ENGAGE_GAP = 1.0  # diameters, of strands in a knot
 MM, MG, MS = 1e3, 1e6, 1e3

@@ -41,6 +41,9 @@ class Capstan:
             self.thread.set_attachment_target(self.end, self.at.tolist())
             self.scene.step(self.h)
 
+    def positions(self):
+        return np.array(self.thread.positions)
+
     def pull(self):
         return math.hypot(*self.thread.reaction(self.end).force)
 

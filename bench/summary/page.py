@@ -27,6 +27,8 @@ def comparison(subject, points):
             f"- {q.method}, {q.label}: {figure(q.cost)} with an error of {figure(q.error)}" for q in better]
     if all(q.ours for q in points):
         return []
+    if not any(q.ours and not q.note for q in points):
+        return ["No setting of ours was measured."]
     return ["For every setting of a peer, one of ours is at most as expensive and at most as wrong."]
 
 

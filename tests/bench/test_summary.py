@@ -55,6 +55,13 @@ class Problem(unittest.TestCase):
         self.assertAlmostEqual(problem.capstan_error_percent(pull), 0.0)
         self.assertAlmostEqual(problem.capstan_error_percent(problem.LOAD), 100.0)
 
+    def test_a_pull_of_something_else_than_a_thread_on_a_cylinder_is_refused(self):
+        shape = problem.capstan_points(30)
+        problem.check_capstan(shape)
+        for wrong in (1.2 * shape, shape + [problem.CYLINDER, 0.0, 0.0], math.nan * shape):
+            with self.assertRaises(ArithmeticError):
+                problem.check_capstan(wrong)
+
     def test_the_trefoil_ends_at_the_length_it_shall_take_up(self):
         shape = problem.trefoil_points(90)
         apart = np.linalg.norm(shape[-1] - shape[0]) + 2.0 * problem.KNOT_SPEED * problem.trefoil_seconds(shape)
@@ -76,6 +83,9 @@ class Comparison(unittest.TestCase):
         self.assertIn("| other peer | no index |", text)
         text = page.page([point("ours", 1.0, 1.0), point("peer", 2.0, 2.0)], [], [], {}, False)
         self.assertIn("For every setting of a peer", text)
+        text = page.page([point("peer", 2.0, 2.0)], [], [], {}, False)
+        self.assertNotIn("For every setting of a peer", text)
+        self.assertIn("No setting of ours was measured", text)
 
     def test_a_failed_case_is_reported(self):
         skipped = []
