@@ -23,8 +23,9 @@ static const vbss_scene_static_mesh_config *make_sheet(uint32_t cells, double si
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < (cells + 1) * (cells + 1); i++) {
-        const double along = side * ((double)(i / (cells + 1)) / cells - 0.5);
-        const double across = side * ((double)(i % (cells + 1)) / cells - 0.5);
+        const uint32_t row = i / (cells + 1), column = i % (cells + 1);
+        const double along = side * ((double)row / cells - 0.5);
+        const double across = side * ((double)column / cells - 0.5);
         vec3_store(own_sheet.vertices[i],
                    vec3_add(middle, vec3_make(along * cos(tilt), -along * sin(tilt), across)));
     }
@@ -118,7 +119,8 @@ static void add_cylinder(capstan *c)
     double x[CYLINDER_VERTICES][3];
     uint32_t triangles[2 * AXIAL_CELLS * MAX_ROUND][3], body, count = 0;
     for (uint32_t i = 0; i < round_cells * (AXIAL_CELLS + 1); i++) {
-        const double angle = 2.0 * CAPSTAN_PI * (i / (AXIAL_CELLS + 1) + 0.5) / round_cells;
+        const uint32_t row = i / (AXIAL_CELLS + 1);
+        const double angle = 2.0 * CAPSTAN_PI * (row + 0.5) / round_cells;
         x[i][0] = -(CAPSTAN_RADIUS - 0.5 * THICKNESS) * cos(angle);
         x[i][1] = (CAPSTAN_RADIUS - 0.5 * THICKNESS) * sin(angle);
         x[i][2] = WIDTH * ((double)(i % (AXIAL_CELLS + 1)) / AXIAL_CELLS - 0.5) + ASIDE;
