@@ -21,6 +21,9 @@ typedef struct vbss_layout {
 #define VBSS_SIZE_WITH_POINTERS(type, bytes, pointers)                                         \
     (uint32_t)(((bytes) + (pointers) * sizeof(void *) + _Alignof(type) - 1) / _Alignof(type) * \
                _Alignof(type))
+/* The same for a struct with two pointers that have doubles between them: each is padded separately. */
+#define VBSS_SIZE_WITH_SPLIT_POINTERS(type, bytes) \
+    (VBSS_SIZE_WITH_POINTERS(type, bytes, 1u) + VBSS_SIZE_WITH_POINTERS(type, 0u, 1u))
 /* Fills a config of `struct_size` bytes with the defaults and sets its struct_size.
  * VBSS_ERROR_NULL_ARGUMENT, or VBSS_ERROR_STRUCT_SIZE for a size that no version has; without an
  * error text. */

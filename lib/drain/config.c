@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "drain/surface.h"
 
-_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 2u),
+_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u),
                "published size");
 
 static const vbss_drain_config defaults = {
@@ -39,7 +39,7 @@ static const vbss_drain_config defaults = {
     .tip_length = 0.5e-3,
     .thread_force = 0.02,
 };
-static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 2u), 0};
+static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u), 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)

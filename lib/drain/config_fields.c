@@ -3,7 +3,7 @@
 #include "base/config.h"
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 2u),
+_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u),
                "new fields must be listed, with a new version");
 
 typedef struct values {
