@@ -1,5 +1,5 @@
 /* The program that lights what is seen, as text: one lamp at the tip of the laparoscope, with shadows that are soft at their
- * edges; what things are made of, by the kind of their part. Only renderer.c has it. */
+ * edges; what things are made of, by the kind of their part. Only renderer.c has it, and the page of examples/web. */
 #ifndef VBSS_EXAMPLES_VIEWER_MATERIALS_H
 #define VBSS_EXAMPLES_VIEWER_MATERIALS_H
 
