@@ -3,6 +3,9 @@
 #ifndef VBSS_EXAMPLES_VIEWER_MATERIALS_H
 #define VBSS_EXAMPLES_VIEWER_MATERIALS_H
 
+/* Of the lamp at a metre, so that what is 70 mm away is bright. */
+#define MATERIAL_BRIGHTNESS 0.0165F
+
 static const char material_vertex[] =
     "#version 330 core\n"
     "layout(location = 0) in vec3 position;\n"
