@@ -50,7 +50,7 @@ int32_t page_begin(int32_t scene, uint32_t seed)
         memset(p, 0, sizeof *p);
         return result;
     }
-    page_look((double)known->aside, (double)CAMERA_DOWN, (double)known->away, 1.0);
+    page_set_camera((double)known->aside, (double)CAMERA_DOWN, (double)known->away, 1.0);
     return VBSS_OK;
 }
 

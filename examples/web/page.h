@@ -48,9 +48,9 @@ PAGE_CALL(void, page_pose)
 /* ---- picture.c */
 
 /* The camera: turned to the right about the vertical, looking down by so much, that far away; width over height. */
-PAGE_CALL(void, page_look)(double aside, double down, double away, double aspect);
+PAGE_CALL(void, page_set_camera)(double aside, double down, double away, double aspect);
 /* Of the scene: aside and away to begin with; down. */
-PAGE_CALL(const double *, page_first_look)(void);
+PAGE_CALL(const double *, page_first_camera)(void);
 /* Floats: matrices of view and lamp (16, 16), eye, lamp, target (3, 3, 3), clear distance, light, share of the clear distance
  * within which a tool is not seen, barrel of the lens and its spread. */
 PAGE_CALL(const float *, page_view)(void);

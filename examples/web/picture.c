@@ -9,7 +9,7 @@
 
 enum { FIELDS = 4, MATRIX = 16, REST = 14, PROGRAM_BYTES = 16384 };
 
-void page_look(double aside, double down, double away, double aspect)
+void page_set_camera(double aside, double down, double away, double aspect)
 {
     page_session *p = page_get();
     if (!p->there) {
@@ -22,14 +22,14 @@ void page_look(double aside, double down, double away, double aspect)
     }
 }
 
-const double *page_first_look(void)
+const double *page_first_camera(void)
 {
-    static double look[3];
+    static double place[3];
     const live_scene *scene = page_get()->live.scene;
-    look[0] = scene != NULL ? (double)scene->aside : 0.0;
-    look[1] = (double)CAMERA_DOWN;
-    look[2] = scene != NULL ? (double)scene->away : (double)CAMERA_AWAY;
-    return look;
+    place[0] = scene != NULL ? (double)scene->aside : 0.0;
+    place[1] = (double)CAMERA_DOWN;
+    place[2] = scene != NULL ? (double)scene->away : (double)CAMERA_AWAY;
+    return place;
 }
 
 const float *page_view(void)

@@ -11,7 +11,7 @@ typedef struct page_session {
     vbss_visual *visual;
     camera camera;
     float aspect;
-    uint64_t told; /* events of the session */
+    uint64_t reported; /* events of the session */
 } page_session;
 
 page_session *page_get(void);

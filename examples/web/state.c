@@ -9,7 +9,7 @@
 #include "session.h"
 #include "viewer/barrel.h"
 
-enum { ROOM = 32768, MAX_TOLD = 32 };
+enum { ROOM = 32768, MAX_REPORTED = 32 };
 #define MILLI 1e3
 
 static struct {
@@ -78,8 +78,8 @@ static void put_events(page_session *p)
     put(",\"events\":[");
     vbss_session *session = p->live.stage.task.session;
     if (session != NULL && vbss_session_get_status(session, &s, sizeof s) == VBSS_OK) {
-        uint64_t next = p->told > s.first_event ? p->told : s.first_event;
-        for (int i = 0; next < s.event_count && i < MAX_TOLD; i++, next++) {
+        uint64_t next = p->reported > s.first_event ? p->reported : s.first_event;
+        for (int i = 0; next < s.event_count && i < MAX_REPORTED; i++, next++) {
             vbss_session_event e;
             char words[TASK_WORDS];
             if (vbss_session_get_event(session, next, &e, sizeof e) == VBSS_OK) {
@@ -89,7 +89,7 @@ static void put_events(page_session *p)
                 comma = ",";
             }
         }
-        p->told = next;
+        p->reported = next;
     }
     put("]");
 }

@@ -6,7 +6,7 @@
 
 #include "web/page.h"
 
-enum { MOST = 12, LINE = 512 };
+enum { NUMBERS = 12, LINE = 512 };
 
 static int fail(const char *line, int result)
 {
@@ -15,7 +15,7 @@ static int fail(const char *line, int result)
 }
 
 /* Numbers after the word; what a call does not fail with is 0. */
-static int call(const char *word, const double v[MOST])
+static int call(const char *word, const double v[NUMBERS])
 {
     const int32_t first = (int32_t)v[0], second = (int32_t)v[1];
     if (strcmp(word, "begin") == 0) {
@@ -39,8 +39,8 @@ static int call(const char *word, const double v[MOST])
         page_move(first, second, v[2], v[3], v[4]);
     } else if (strcmp(word, "close") == 0) {
         page_close(first, second);
-    } else if (strcmp(word, "look") == 0) {
-        page_look(v[0], v[1], v[2], v[3]);
+    } else if (strcmp(word, "camera") == 0) {
+        page_set_camera(v[0], v[1], v[2], v[3]);
     } else if (strcmp(word, "hash") == 0) {
         printf("%016" PRIx64 " %016" PRIx64 "\n", page_scene_hash(), page_session_hash());
     } else if (strcmp(word, "state") == 0) {
@@ -56,12 +56,12 @@ int main(void)
     char line[LINE];
     while (fgets(line, sizeof line, stdin) != NULL) {
         char word[16];
-        double v[MOST] = {0.0};
+        double v[NUMBERS] = {0.0};
         int at = 0, more = 0;
         if (sscanf(line, "%15s%n", word, &at) != 1) {
             continue;
         }
-        for (int i = 0; i < MOST && sscanf(line + at, "%lf%n", &v[i], &more) == 1; i++) {
+        for (int i = 0; i < NUMBERS && sscanf(line + at, "%lf%n", &v[i], &more) == 1; i++) {
             at += more;
         }
         const int result = call(word, v);

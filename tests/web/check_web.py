@@ -1,6 +1,6 @@
-"""The page of examples/web: its module, its pace, and the page itself in a browser.
+"""The page of examples/web: its module, its clock of steps, and the page itself in a browser.
 
-    check_web.py pace <esbuild> <modules> <folder>                       steps against made-up clocks, in Node.js
+    check_web.py step_clock <esbuild> <modules> <folder>                 steps against made-up clocks, in Node.js
     check_web.py module <esbuild> <modules> <folder> <calls> <wasm> <replay-page>   in Node.js, the same calls as natively
     check_web.py page <page> <folder> <calls> <replay-page>              in Chromium, from the disk
 """
@@ -34,8 +34,8 @@ def bundle(esbuild, source, folder):
     return out
 
 
-def check_pace(esbuild, modules, folder):
-    print(run(node(), HERE / "check_pace.mjs", bundle(esbuild, modules / "pace.js", folder)).strip())
+def check_step_clock(esbuild, modules, folder):
+    print(run(node(), HERE / "check_step_clock.mjs", bundle(esbuild, modules / "step_clock.js", folder)).strip())
 
 
 def check_replay(tool, log, folder):
@@ -68,9 +68,9 @@ def check_module(esbuild, modules, folder, calls, wasm, replay_page):
 
 def main():
     part, rest = sys.argv[1], [pathlib.Path(word) for word in sys.argv[2:]]
-    if part in ("pace", "module"):
+    if part in ("step_clock", "module"):
         rest[2].mkdir(parents=True, exist_ok=True)
-        {"pace": check_pace, "module": check_module}[part](*rest)
+        {"step_clock": check_step_clock, "module": check_module}[part](*rest)
         return 0
     import check_page  # of what needs a browser
     return check_page.main(part, *rest)

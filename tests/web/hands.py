@@ -8,7 +8,7 @@ TURN = ALONG + math.pi  # about the vertical: the jaws are astride the wire
 START = (0.05, -0.05, 0.03)  # of the right tool
 FRAME = 16  # steps
 # Where the tool is to be, how far its jaws are open, in so many frames.
-WAY = [((*PLACE, 0.0), 1.0, 60), ((*PLACE, -14.2e-3), 1.0, 25), ((*PLACE, -14.2e-3), 0.0, 20), ((*PLACE, 15e-3), 0.0, 40)]
+PATH = [((*PLACE, 0.0), 1.0, 60), ((*PLACE, -14.2e-3), 1.0, 25), ((*PLACE, -14.2e-3), 0.0, 20), ((*PLACE, 15e-3), 0.0, 40)]
 NEEDLE, STITCH = 1, 2  # scenes
 RIGHT = 1
 
@@ -21,8 +21,8 @@ def quaternion(angle):
 def poses():
     """Position, orientation, jaw of each frame."""
     before, opening, frames = START, 1.0, 0
-    total = WAY[0][2]
-    for place, jaw, count in WAY:
+    total = PATH[0][2]
+    for place, jaw, count in PATH:
         for i in range(1, count + 1):
             share = i / count
             frames += 1
@@ -39,6 +39,6 @@ def controllers(scene, hash_every=20):
         lines += [f"pose {RIGHT} {numbers} 0 0.016", f"step {FRAME}"]
         if i % hash_every == 0:
             lines.append("hash")
-    lines += ["state", f"track {RIGHT} 0", "look 0.2 0.9 0.1 1.5", f"move {RIGHT} 0 40 -10 1", f"step {FRAME}", f"clutch {RIGHT} 1",
+    lines += ["state", f"track {RIGHT} 0", "camera 0.2 0.9 0.1 1.5", f"move {RIGHT} 0 40 -10 1", f"step {FRAME}", f"clutch {RIGHT} 1",
               f"move {RIGHT} 0 100 0 0", "move 0 1 30 0 2", f"step {FRAME}", f"clutch {RIGHT} 0", "close 0 1", "step 200", "hash", "state"]
     return lines

@@ -11,7 +11,7 @@ for (const line of fs.readFileSync(0, 'utf8').split('\n').filter((line) => line 
   const [word, ...numbers] = line.split(' ')
   if (word === 'hash') console.log(simulation.hashes().join(' '))
   else if (word === 'state') console.log(JSON.stringify(simulation.state()))
-  else simulation.check(simulation.calls[`page_${word}`](...numbers.map(Number)) ?? 0, line)
+  else simulation.check(simulation.calls[word === 'camera' ? 'page_set_camera' : `page_${word}`](...numbers.map(Number)) ?? 0, line)
 }
 simulation.end()
 fs.writeFileSync(log, Buffer.from(await simulation.log().arrayBuffer()))

@@ -1,4 +1,4 @@
-// Words beside and on the picture: how far the task is, the tool that the mouse has, what has happened, the pace.
+// Words beside and on the picture: how far the task is, the tool that the mouse has, what has happened, the time.
 const $ = id => document.getElementById(id);
 const KEPT = 4000; // ms that a caption stays
 const DONE = 11; // the first of the phases that are final
@@ -81,21 +81,21 @@ export class Captions {
   }
 
   // `late` and slow motion are said as they are: a session that is late is not one that is in time.
-  putPace(pace) {
-    const slow = !pace.paused && pace.factor < SLOW;
-    const words = pace.steps === 0 ? '' : `${slow ? `slow motion, ${pace.factor.toFixed(2)} of real time; ` : ''}` +
-      `${(pace.steps / 1000).toFixed(1)} s, ${pace.stepTime === null ? '\u2013' : pace.stepTime.toFixed(2)} ms a step, ` +
-      `late ${(100 * pace.late / pace.steps).toFixed(1)} %`;
+  putClock(clock) {
+    const slow = !clock.paused && clock.factor < SLOW;
+    const words = clock.steps === 0 ? '' : `${slow ? `slow motion, ${clock.factor.toFixed(2)} of real time; ` : ''}` +
+      `${(clock.steps / 1000).toFixed(1)} s, ${clock.stepTime === null ? '\u2013' : clock.stepTime.toFixed(2)} ms a step, ` +
+      `late ${(100 * clock.late / clock.steps).toFixed(1)} %`;
     set('clock', words);
     $('clock').classList.toggle('slow', slow);
   }
 
-  show({ state, pace }, side, isTaken, now) {
+  show({ state, clock }, side, isTaken, now) {
     for (const event of state.events) this.say(event.words, now);
     if (state.task) this.putTask(state.task);
     else this.putKnot(state.knot, now);
-    this.putTool(state.tools[side], side, isTaken, pace.paused);
-    this.putPace(pace);
+    this.putTool(state.tools[side], side, isTaken, clock.paused);
+    this.putClock(clock);
     this.said = this.said.filter(caption => caption.until > now);
     set('caption', this.said.map(caption => caption.words).join('; '));
   }

@@ -59,7 +59,7 @@ export class Simulation {
   }
 
   firstLook() {
-    const [aside, down, away] = new Float64Array(this.calls.memory.buffer, this.calls.page_first_look(), 3);
+    const [aside, down, away] = new Float64Array(this.calls.memory.buffer, this.calls.page_first_camera(), 3);
     return { aside, down, away };
   }
 

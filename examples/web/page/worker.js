@@ -1,20 +1,20 @@
 // Runs the session: steps of a millisecond against the clock, in slices, between which messages are heard. The page asks for
 // each picture; its buffers go to and fro.
 import packed from 'suturing-module';
-import { Pace } from './pace.js';
+import { StepClock } from './step_clock.js';
 import { Simulation, unpack } from './simulation.js';
 
 const SLICE = 6; // ms of steps between messages
 const PROBE = 50; // steps whose time is taken together
 
 const channel = new MessageChannel(); // to come again at once; a timer waits for 4 ms
-let pace = new Pace();
+let clock = new StepClock();
 let simulation = null, paused = true, ended = false, asked = false, stepTime = null;
 
 function again() {
   if (asked || paused || ended) return;
   asked = true;
-  if (pace.next !== null && pace.next <= performance.now()) channel.port2.postMessage(0);
+  if (clock.next !== null && clock.next <= performance.now()) channel.port2.postMessage(0);
   else setTimeout(() => guard(run), 1);
 }
 
@@ -28,7 +28,7 @@ function run() {
   if (paused || ended) return;
   const begin = performance.now();
   let now = begin, steps = 0;
-  while (now - begin < SLICE && pace.take(now)) {
+  while (now - begin < SLICE && clock.take(now)) {
     simulation.step(1);
     steps++;
     now = performance.now();
@@ -40,8 +40,8 @@ channel.port1.onmessage = () => guard(run);
 
 function pause(wanted) {
   paused = wanted;
-  if (wanted) pace.stop();
-  else pace.start(performance.now());
+  if (wanted) clock.stop();
+  else clock.start(performance.now());
   again();
 }
 
@@ -49,7 +49,7 @@ const heard = {
   begin({ scene, seed }) {
     simulation.begin(scene, seed);
     ended = false;
-    pace = new Pace();
+    clock = new StepClock();
     postMessage({ begun: { look: simulation.firstLook(), programs: simulation.programs() } });
     pause(paused);
   },
@@ -62,11 +62,11 @@ const heard = {
     postMessage({ stepped: simulation.hashes() });
   },
   frame({ look, buffers }) {
-    simulation.calls.page_look(look.aside, look.down, look.away, look.aspect);
+    simulation.calls.page_set_camera(look.aside, look.down, look.away, look.aspect);
     const arrays = simulation.draw(buffers);
-    const { steps, late, givenUp } = pace;
+    const { steps, late, givenUp } = clock;
     const frame = { arrays, view: simulation.view(), state: simulation.state(),
-      pace: { steps, late, givenUp, factor: pace.measure(performance.now()), stepTime, paused } };
+      clock: { steps, late, givenUp, factor: clock.measure(performance.now()), stepTime, paused } };
     postMessage({ frame }, Object.values(arrays).map(array => array.buffer));
   },
   move({ side, turns, right, up, away }) {

@@ -3,7 +3,7 @@
 export const BACKLOG = 50; // ms
 export const LATE = 20; // ms after its time, from which on a step counts as late: more than a picture
 
-export class Pace {
+export class StepClock {
   constructor() {
     this.steps = 0;
     this.late = 0;
