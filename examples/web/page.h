@@ -40,7 +40,7 @@ PAGE_CALL(int32_t, page_exchange)(int32_t side);
 /* From now on a controller has that hand, or the mouse again. */
 PAGE_CALL(int32_t, page_track)(int32_t side, int32_t is_tracked);
 /* Where a controller holds its tool's tip, m, quaternion w, x, y, z, of the world; jaws 0 closed to 1 open. The tool goes
- * there within `seconds`; while clutched it stays. */
+ * there within `seconds`; while clutched its place stays, and it is turned. */
 PAGE_CALL(void, page_pose)
 (int32_t side, double x, double y, double z, double qw, double qx, double qy, double qz, double jaw,
  int32_t clutched, double seconds);

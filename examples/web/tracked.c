@@ -110,7 +110,8 @@ static vbss_result begin_sample(controller *c, vbss_grasper *tool)
     memcpy(c->sample.position, state.target_position, sizeof state.target_position);
     memcpy(c->sample.orientation, state.target_orientation, sizeof state.target_orientation);
     c->sample.jaw = state.opening;
-    c->sample.valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW;
+    c->sample.valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW |
+                      VBSS_DEVICE_HAS_BUTTONS;
     return VBSS_OK;
 }
 

@@ -2,7 +2,8 @@
 
     check_web.py step_clock <esbuild> <modules> <folder>                 steps against made-up clocks, in Node.js
     check_web.py module <esbuild> <modules> <folder> <calls> <wasm> <replay-page>   in Node.js, the same calls as natively
-    check_web.py page <page> <folder> <calls> <replay-page>              in Chromium, from the disk
+    check_web.py page <page> <folder> <calls> <replay-page>              in Chromium, from the disk: mouse and keys
+    check_web.py headset <page> <folder> <calls> <replay-page>           controllers of a stand-in for a headset take the needle
 """
 import json
 import pathlib
@@ -61,9 +62,26 @@ def check_module(esbuild, modules, folder, calls, wasm, replay_page):
         states = [json.loads(line) for line in wanted if line.startswith("{")]
         assert states[0]["tools"][hands.RIGHT]["holds"] == "the needle", states[0]["tools"]
         assert states[0]["tools"][hands.RIGHT]["position"][2] > 10e-3
+        before, after = (s["tools"][hands.RIGHT]["target"] for s in states[:2])
+        assert max(abs(p - q) for p, q in zip(before, after)) < 1e-5, f"the clutch does not hold: {before}, {after}"
         print(f"{name}: {states[-1]['steps']} steps, {len(wanted) - len(states)} hashes of scene and session are the same")
         check_replay(replay_page, log, folder)
         assert (folder / "log.vbss").read_bytes()[64:] and log.stat().st_size > 1000
+
+
+def check_browser(part, page, folder, calls, replay_page):
+    import drive_page  # noqa: PLC0415  of what needs a browser
+    assert drive_page.browser.find(), "no Chromium: .ci/install-packages thorough installs it"
+
+    def replay(log):
+        check_replay(replay_page, log, folder)
+
+    if part == "page":
+        complaints = drive_page.check_desk(page, folder, lambda script: call_natively(calls, script, folder), replay)
+    else:
+        complaints = drive_page.check_headset(page, folder, replay)
+    print("\n".join(complaints))
+    return 1 if complaints else 0
 
 
 def main():
@@ -72,8 +90,8 @@ def main():
         rest[2].mkdir(parents=True, exist_ok=True)
         {"step_clock": check_step_clock, "module": check_module}[part](*rest)
         return 0
-    import check_page  # of what needs a browser
-    return check_page.main(part, *rest)
+    rest[1].mkdir(parents=True, exist_ok=True)
+    return check_browser(part, *(path.resolve() for path in rest))
 
 
 sys.exit(main())

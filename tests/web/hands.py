@@ -31,6 +31,14 @@ def poses():
         before, opening = place, jaw
 
 
+def clutch():
+    """The controller goes on while its clutch is held."""
+    at, turned, jaw = list(poses())[-1]
+    numbers = " ".join(f"{v:.9g}" for v in (at[0], at[1] + 30e-3, at[2], *turned, jaw))
+    return [f"pose {RIGHT} {' '.join(f'{v:.9g}' for v in (*at, *turned, jaw))} 1 0.001", f"step {FRAME}", f"pose {RIGHT} {numbers} 1 0.016",
+            f"step {FRAME}", f"pose {RIGHT} {numbers} 0 0.016", f"step {FRAME}"]
+
+
 def controllers(scene, hash_every=20):
     """As calls of calls.c: a controller takes the needle; then the mouse has the tool again, and the clutch, and the other tool."""
     lines = [f"begin {scene} 0", f"track {RIGHT} 1"]
@@ -39,6 +47,6 @@ def controllers(scene, hash_every=20):
         lines += [f"pose {RIGHT} {numbers} 0 0.016", f"step {FRAME}"]
         if i % hash_every == 0:
             lines.append("hash")
-    lines += ["state", f"track {RIGHT} 0", "camera 0.2 0.9 0.1 1.5", f"move {RIGHT} 0 40 -10 1", f"step {FRAME}", f"clutch {RIGHT} 1",
+    lines += ["state", *clutch(), "state", f"track {RIGHT} 0", "camera 0.2 0.9 0.1 1.5", f"move {RIGHT} 0 40 -10 1", f"step {FRAME}", f"clutch {RIGHT} 1",
               f"move {RIGHT} 0 100 0 0", "move 0 1 30 0 2", f"step {FRAME}", f"clutch {RIGHT} 0", "close 0 1", "step 200", "hash", "state"]
     return lines

@@ -2,6 +2,7 @@
 import workerText from 'suturing-worker';
 import { Captions } from './captions.js';
 import { Desk } from './desk.js';
+import { Headset } from './headset.js';
 import { Renderer, readView } from './renderer.js';
 
 const $ = id => document.getElementById(id);
@@ -23,7 +24,9 @@ class Page {
     this.asked = false;
     const act = { pause: () => this.pause(!this.paused), again: () => this.begin(), help: () => this.help(), tension: () => this.tension() };
     this.desk = new Desk($('canvas'), message => this.send(message), act);
+    this.headset = new Headset(this);
     this.listen();
+    Headset.isThere().then(there => { $('headset').hidden = !there; });
     requestAnimationFrame(now => this.picture(now));
   }
 
@@ -86,6 +89,7 @@ class Page {
 
   begin() {
     this.captions.begin();
+    this.headset.renew();
     this.send({ name: 'begin', ...this.scene });
   }
 
@@ -117,6 +121,7 @@ class Page {
     }
     const clicks = { pause: () => this.pause(!this.paused), again: () => this.begin(), 'help-button': () => this.help(),
       'close-report': () => { $('report').hidden = true; }, save: () => this.send({ name: 'log', end: true }),
+      headset: () => this.headset.enter().catch(error => this.fail(error.message)),
       choose: () => {
         this.pause(true);
         $('start').hidden = false;
@@ -128,7 +133,7 @@ class Page {
       });
     }
     document.addEventListener('visibilitychange', () => {
-      if (document.hidden && !this.paused) this.pause(true);
+      if (document.hidden && !this.paused && !this.headset.session) this.pause(true);
     });
   }
 
@@ -144,9 +149,8 @@ class Page {
   show(frame, now) {
     this.renderer.upload(frame.arrays);
     for (const [name, array] of Object.entries(frame.arrays)) this.buffers[name] = array.buffer;
-    this.renderer.draw(readView(frame.view));
     this.captions.show(frame, this.desk.side, this.desk.taken, now);
-    this.shown = frame;
+    this.shown = { ...frame, view: readView(frame.view) };
     this.frames++;
   }
 
@@ -159,18 +163,25 @@ class Page {
     this.buffers = {};
   }
 
+  // Takes what has come, asks for more; the view, if there is something to draw.
+  exchange(now) {
+    const arrived = this.arrived;
+    this.arrived = null;
+    if (arrived) this.show(arrived, now);
+    if (!this.asked) this.ask();
+    return this.shown && this.shown.view;
+  }
+
   picture(now) {
     requestAnimationFrame(later => this.picture(later));
     const seconds = this.last === null ? 0 : Math.min(0.1, (now - this.last) / 1000);
     this.last = now;
-    if (!this.renderer || this.failed) return;
+    if (!this.renderer || this.failed || this.headset.session) return;
     this.resize();
     if (!this.paused) this.desk.pass(seconds);
-    if (this.arrived) {
-      this.show(this.arrived, now);
-      this.arrived = null;
-    }
-    if (!this.asked) this.ask();
+    const before = this.shown;
+    const view = this.exchange(now);
+    if (view && this.shown !== before) this.renderer.draw(view);
   }
 }
 

@@ -137,10 +137,15 @@ export class Renderer {
   // Through the laparoscope, on the canvas.
   draw(view) {
     const { width, height } = this.gl.canvas;
-    this.lens.resize(width, height);
     this.drawShadows(view);
-    this.lens.open([0, 0, 0]);
+    this.drawEye(view, null, [0, 0, width, height], [0, 0, 0], view);
+  }
+
+  // Into a part of a frame; shadows are drawn already. Without a lens as eyes see it.
+  drawEye(view, frame, viewport, background, lens) {
+    this.lens.resize(viewport[2], viewport[3]);
+    this.lens.open(background);
     this.drawSeen(view);
-    this.lens.close(null, [0, 0, width, height], view);
+    this.lens.close(frame, viewport, lens);
   }
 }
