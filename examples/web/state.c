@@ -94,13 +94,13 @@ static void put_events(page_session *p)
     put("]");
 }
 
-/* ---- the knot of a scene without a task */
+/* ---- the knot of the scene that has nothing else to do */
 
 static void put_knot(page_session *p)
 {
     reading r;
     memset(&r, 0, sizeof r);
-    if (p->live.stage.tasked != NULL || stage_judge(&p->live.stage, &r) != VBSS_OK) {
+    if (p->live.stage.drain != NULL || stage_judge(&p->live.stage, &r) != VBSS_OK) {
         return;
     }
     put(",\"knot\":\"%s%s%s\",\"throws\":%u", r.state.throw_count > 0 ? r.notation : "",

@@ -43,9 +43,9 @@ export class Captions {
 
   // Of a scene without a task.
   putKnot(knot, now) {
-    if (this.knot !== undefined && knot !== this.knot) this.say(`knot: ${knot}`, now);
+    if (this.knot !== undefined && knot !== undefined && knot !== this.knot) this.say(`knot: ${knot}`, now);
     this.knot = knot;
-    set('phase', `knot: ${knot}`);
+    set('phase', knot === undefined ? '' : `knot: ${knot}`);
     for (const id of ['measures', 'counts', 'score']) set(id, '');
   }
 
@@ -68,10 +68,11 @@ export class Captions {
   putTool(tool, side, isTaken, isPaused) {
     const name = side === 0 ? 'left' : 'right';
     const hold = tool.holds ? `, holds ${tool.holds}` : '';
-    set('tool', `${name} ${tool.shears ? 'shears' : 'tool'}, jaws ${tool.closes ? 'closed' : 'open'}${hold}${tool.clutched ? ', stays' : ''}${whereIs(tool)}` +
-      `${isPaused ? ' \u2013 paused' : isTaken ? '' : ' \u2013 click into the picture to take it'}`);
-    $('mark').style.display = tool.place && tool.foot ? '' : 'none';
-    if (!tool.place || !tool.foot) return;
+    set('tool', `${name} ${tool.shears ? 'shears' : 'tool'}, jaws ${tool.opening < 0.5 ? 'closed' : 'open'}${hold}${tool.clutched ? ', stays' : ''}${whereIs(tool)}` +
+      `${isPaused ? ' \u2013 paused' : isTaken || tool.tracked ? '' : ' \u2013 click into the picture to take it'}`);
+    const shown = tool.place && tool.foot && !tool.tracked;
+    $('mark').style.display = shown ? '' : 'none';
+    if (!shown) return;
     const { clientWidth: width, clientHeight: height } = $('canvas');
     const [[x, y], [u, v]] = [tool.place, tool.foot].map(([a, b]) => [0.5 * (1 + a) * width, 0.5 * (1 - b) * height]);
     const put = (id, values) => Object.entries(values).forEach(([key, value]) => $(id).setAttribute(key, value.toFixed(1)));
