@@ -42,6 +42,7 @@ FOLDERS_OF = [
     (r"^examples\.viewer", {"viewer"}),
     (r"^examples\.trainer", {"trainer"}),
     (r"^examples\.replay", {"replay_page"}),
+    (r"^examples\.web", {"web", "page"}),
     (r"^examples\.report", {"report"}),
     (r"^examples\.demo", {"demo"}),
     (r"^soak-sample\.(tight_knots|pokes|pricks|stabs|tugs|knot_holding)", {"scene", "contact"}),

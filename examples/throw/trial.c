@@ -2,8 +2,8 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "throw/core_speed.h"
 #include "throw/mistake.h"
 #include "throw/picture.h"
 
@@ -299,7 +299,7 @@ static vbss_result read_outcome(trial *t, trial_outcome *out)
 vbss_result trial_run(const trial_options *o, trial_outcome *out)
 {
     static trial t;
-    clock_t start = clock();
+    const double start = cpu_clock(NULL);
     memset(&t, 0, sizeof t);
     memset(out, 0, sizeof *out);
     t.options = o;
@@ -317,7 +317,7 @@ vbss_result trial_run(const trial_options *o, trial_outcome *out)
     if (result == VBSS_OK) {
         show(&t, TRIAL_ENDED, throw_state_name(t.run.state));
     }
-    out->cpu = (double)(clock() - start) / CLOCKS_PER_SEC;
+    out->cpu = cpu_clock(NULL) - start;
     throw_rig_destroy(&t.rig);
     return result;
 }

@@ -2,31 +2,9 @@
 
 #include <string.h>
 
+#include "barrel.h"
+#include "programs.h"
 #include "shader.h"
-
-static const char vertex[] = "#version 330 core\n"
-                             "out vec2 at;\n"
-                             "void main() {\n" /* one triangle over all of the picture */
-                             "    at = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
-                             "    gl_Position = vec4(2.0 * at - 1.0, 0.0, 1.0);\n"
-                             "}\n";
-static const char *const fragment =
-    "#version 330 core\n"
-    "in vec2 at;\n"
-    "out vec4 colour;\n"
-    "uniform sampler2D light;\n"
-    "uniform float aspect, barrel, spread;\n"
-    "void main() {\n"
-    "    vec2 p = 2.0 * at - 1.0;\n"
-    "    vec2 round = vec2(p.x * aspect, p.y);\n" /* 1 at the upper edge */
-    "    float r2 = dot(round, round);\n"
-    "    vec2 bent = p * (1.0 + barrel * r2) / spread;\n"
-    "    vec3 c = texture(light, 0.5 * bent + 0.5).rgb;\n"
-    "    c *= 1.0 - 0.42 * smoothstep(0.1, 1.3, r2);\n"                 /* less light aside */
-    "    c *= 1.0 - smoothstep(1.08, 1.13, sqrt(r2));\n"                /* the round field */
-    "    c = c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);\n" /* tone: Narkowicz 2015 */
-    "    colour = vec4(pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0);\n"
-    "}\n";
 
 static GLuint texture_of(GLint format, int width, int height)
 {
@@ -76,7 +54,7 @@ bool lens_begin(lens *l, int width, int height)
 {
     l->width = width;
     l->height = height;
-    l->program = shader_program("lens", vertex, &fragment, 1);
+    l->program = shader_program("lens", lens_vertex, &lens_fragment, 1);
     glGenVertexArrays(1, &l->empty);
     return begin_many(l) && begin_single(GL_RGBA16F, l, &l->one, &l->light) &&
            begin_single(GL_RGBA8, l, &l->out, &l->picture) && l->program != 0;
@@ -114,26 +92,11 @@ void lens_close(const lens *l)
     glBindTexture(GL_TEXTURE_2D, l->light);
     glUniform1i(glGetUniformLocation(l->program, "light"), 0);
     glUniform1f(glGetUniformLocation(l->program, "aspect"), (float)l->width / (float)l->height);
-    glUniform1f(glGetUniformLocation(l->program, "barrel"), LENS_BARREL);
-    glUniform1f(glGetUniformLocation(l->program, "spread"), LENS_SPREAD);
+    glUniform1f(glGetUniformLocation(l->program, "barrel"), BARREL);
+    glUniform1f(glGetUniformLocation(l->program, "spread"), BARREL_SPREAD);
+    glUniform1f(glGetUniformLocation(l->program, "field"), 1.0F);
     glBindVertexArray(l->empty);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-/* The cubic is solved by repetition: it is nearly 1. */
-void lens_bend(const lens *l, float place[2])
-{
-    enum { ROUNDS = 12 };
-    const float aspect = (float)l->width / (float)l->height;
-    const float x = place[0] * LENS_SPREAD, y = place[1] * LENS_SPREAD;
-    place[0] = x;
-    place[1] = y;
-    for (int i = 0; i < ROUNDS; i++) {
-        float across = place[0] * aspect, r2 = across * across + place[1] * place[1];
-        float share = 1.0F / (1.0F + LENS_BARREL * r2);
-        place[0] = x * share;
-        place[1] = y * share;
-    }
 }
 
 /* OpenGL's rows begin at the bottom. */

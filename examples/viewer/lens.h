@@ -9,10 +9,6 @@
 
 enum { LENS_SAMPLES = 4 };
 
-/* Of the barrel: what is seen at p is at p (1 + LENS_BARREL |p|^2) / LENS_SPREAD without it; 1 at the upper edge. */
-#define LENS_BARREL 0.07F
-#define LENS_SPREAD 1.12F
-
 typedef struct lens {
     int width, height;
     GLuint program, empty;      /* a vertex array without vertices */
@@ -27,8 +23,6 @@ void lens_end(lens *l);
 void lens_open(const lens *l);
 /* It becomes the picture, which may be drawn on from here on. */
 void lens_close(const lens *l);
-/* Where in the picture something is that is drawn at a place without a lens; both -1 to 1, right and up. */
-void lens_bend(const lens *l, float place[2]);
 /* Rows from the top, red, green and blue. */
 void lens_read(const lens *l, uint8_t *pixels);
 /* Into a window of that size, as large as it can be. */

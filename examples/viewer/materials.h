@@ -1,7 +1,10 @@
 /* The program that lights what is seen, as text: one lamp at the tip of the laparoscope, with shadows that are soft at their
- * edges; what things are made of, by the kind of their part. Only renderer.c has it. */
+ * edges; what things are made of, by the kind of their part. Only renderer.c has it, and the page of examples/web. */
 #ifndef VBSS_EXAMPLES_VIEWER_MATERIALS_H
 #define VBSS_EXAMPLES_VIEWER_MATERIALS_H
+
+/* Of the lamp at a metre, so that what is 70 mm away is bright. */
+#define MATERIAL_BRIGHTNESS 0.0165F
 
 static const char material_vertex[] =
     "#version 330 core\n"

@@ -7,8 +7,6 @@
 #include "shader.h"
 
 enum { FLOATS = 12, MAX_DECALS = 32, PART_WORDS = 8, DECAL_FLOATS = 6 };
-/* Of the lamp at a metre, so that what is 70 mm away is bright. */
-#define BRIGHTNESS 0.0165F
 
 /* ---- what stays */
 
@@ -159,7 +157,7 @@ static void draw_seen(const renderer *r, const meshes *m, const camera_view *vie
     glUniformMatrix4fv(named(r, "light"), 1, GL_FALSE, view->light.m);
     glUniform3f(named(r, "eye"), view->eye.x, view->eye.y, view->eye.z);
     glUniform3f(named(r, "lamp"), view->lamp.x, view->lamp.y, view->lamp.z);
-    glUniform1f(named(r, "brightness"), BRIGHTNESS * c->gain);
+    glUniform1f(named(r, "brightness"), MATERIAL_BRIGHTNESS * c->gain);
     glUniform1f(named(r, "most_tension"), r->max_tension);
     glUniform1f(named(r, "gone"), CAMERA_GONE);
     glActiveTexture(GL_TEXTURE0);

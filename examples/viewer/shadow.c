@@ -1,22 +1,11 @@
 #include "shadow.h"
 
+#include "programs.h"
 #include "shader.h"
-
-static const char vertex[] = "#version 330 core\n"
-                             "layout(location = 0) in vec3 position;\n"
-                             "uniform mat4 light;\n"
-                             "out vec3 at;\n"
-                             "void main() { at = position; gl_Position = light * vec4(position, "
-                             "1.0); }\n";
-static const char *const fragment = "#version 330 core\n"
-                                    "in vec3 at;\n"
-                                    "uniform vec3 lamp;\n"
-                                    "uniform float clear;\n"
-                                    "void main() { if (distance(at, lamp) < clear) discard; }\n";
 
 bool shadow_begin(shadow *s)
 {
-    s->program = shader_program("shadow", vertex, &fragment, 1);
+    s->program = shader_program("shadow", shadow_vertex, &shadow_fragment, 1);
     glGenTextures(1, &s->depth);
     glBindTexture(GL_TEXTURE_2D, s->depth);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, SHADOW_SIZE, SHADOW_SIZE, 0,

@@ -4,6 +4,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "barrel.h"
+
 #define USUAL_HEIGHT 720.0F /* pixels, with a point each */
 #define SMALLEST 0.5F
 #define LARGEST 3.0F
@@ -67,15 +69,11 @@ void show_time(show *s, float microseconds)
 bool show_place(const show *s, const double at[3], float place[2])
 {
     const lens *l = &s->renderer.lens;
-    const camera_view view = camera_get_view(&s->camera, (float)l->width / (float)l->height);
-    const float *m = view.seen.m, x = (float)at[0], y = (float)at[1], z = (float)at[2];
-    const float w = m[3] * x + m[7] * y + m[11] * z + m[15];
-    if (w <= 0.0F) {
+    const float aspect = (float)l->width / (float)l->height;
+    const camera_view view = camera_get_view(&s->camera, aspect);
+    if (!barrel_place(&view.seen, aspect, at, place)) {
         return false;
     }
-    place[0] = (m[0] * x + m[4] * y + m[8] * z + m[12]) / w;
-    place[1] = (m[1] * x + m[5] * y + m[9] * z + m[13]) / w;
-    lens_bend(l, place);
     place[0] = 0.5F * (1.0F + place[0]) * s->wide;
     place[1] = 0.5F * (1.0F - place[1]) * s->tall;
     return true;

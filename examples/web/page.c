@@ -1,0 +1,147 @@
+#include "page.h"
+
+#include <string.h>
+
+#include "session.h"
+
+#define LOG "log.vbss"
+
+static page_session session;
+
+page_session *page_get(void)
+{
+    return &session;
+}
+
+/* ---- made */
+
+static vbss_result begin_picture(page_session *p)
+{
+    vbss_visual_config c;
+    TRY(vbss_visual_config_init(&c, sizeof c));
+    TRY(vbss_visual_create(p->live.stage.context, &c, &p->visual));
+    return vbss_visual_add_scene(p->visual, p->live.stage.scene, NULL);
+}
+
+static vbss_result begin(page_session *p, const live_scene *scene, uint32_t seed)
+{
+    TRY(live_create(&p->live, scene, seed, tracked_arms(), LOG));
+    TRY(begin_picture(p));
+    p->there = true;
+    return VBSS_OK;
+}
+
+int32_t page_begin(int32_t scene, uint32_t seed)
+{
+    page_session *p = &session;
+    const live_scene *known = scene >= 0 ? live_at((size_t)scene) : NULL;
+    if (known == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    if (p->there) {
+        live_destroy(&p->live);
+    }
+    tracked_reset();
+    memset(p, 0, sizeof *p);
+    p->aspect = 1.0F;
+    const vbss_result result = begin(p, known, seed);
+    if (result != VBSS_OK) {
+        live_destroy(&p->live);
+        memset(p, 0, sizeof *p);
+        return result;
+    }
+    page_set_camera((double)known->aside, (double)CAMERA_DOWN, (double)known->away, 1.0);
+    return VBSS_OK;
+}
+
+int32_t page_end(void)
+{
+    return session.there ? live_end(&session.live) : VBSS_ERROR_WRONG_STATE;
+}
+
+int32_t page_step(int32_t count)
+{
+    if (!session.there) {
+        return VBSS_ERROR_WRONG_STATE;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        TRY(live_step(&session.live));
+    }
+    return VBSS_OK;
+}
+
+const char *page_problem(void)
+{
+    const char *text = "";
+    if (session.live.stage.context != NULL) {
+        (void)vbss_context_get_last_error(session.live.stage.context, NULL, &text);
+    }
+    return text;
+}
+
+uint64_t page_scene_hash(void)
+{
+    uint64_t hash = 0;
+    if (session.there) {
+        (void)vbss_scene_get_hash(session.live.stage.scene, &hash);
+    }
+    return hash;
+}
+
+uint64_t page_session_hash(void)
+{
+    uint64_t hash = 0;
+    if (session.there && session.live.stage.task.session != NULL) {
+        (void)vbss_session_get_hash(session.live.stage.task.session, &hash);
+    }
+    return hash;
+}
+
+/* ---- mouse and keys */
+
+static bool has_side(int32_t side)
+{
+    return session.there && side >= 0 && side < SIDES;
+}
+
+void page_move(int32_t side, int32_t turns, double right, double up, double away)
+{
+    if (has_side(side)) {
+        mouse_hand_move(&session.live.hands[side], turns != 0, right, up, away);
+    }
+}
+
+void page_close(int32_t side, int32_t closes)
+{
+    if (has_side(side)) {
+        session.live.hands[side].closes = closes != 0;
+    }
+}
+
+int32_t page_clutch(int32_t side, int32_t held)
+{
+    return has_side(side) ? mouse_hand_clutch(&session.live.hands[side], held != 0)
+                          : VBSS_ERROR_OUT_OF_RANGE;
+}
+
+int32_t page_exchange(int32_t side)
+{
+    vbss_grasper_state tool;
+    if (!has_side(side)) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    vbss_grasper *grasper = session.live.stage.graspers[side];
+    TRY(vbss_grasper_get_state(grasper, &tool, sizeof tool));
+    return vbss_grasper_exchange(grasper, tool.kind == VBSS_GRASPER_KIND_SHEARS
+                                              ? VBSS_GRASPER_KIND_NEEDLE_DRIVER
+                                              : VBSS_GRASPER_KIND_SHEARS);
+}
+
+vbss_result page_take_mouse(page_session *p, int side)
+{
+    mouse_hand *m = &p->live.hands[side];
+    TRY(vbss_device_destroy(m->device));
+    TRY(mouse_hand_create(m, p->live.stage.context, p->live.stage.graspers[side]));
+    mouse_hand_set_camera(m, &p->camera);
+    return VBSS_OK;
+}

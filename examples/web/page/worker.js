@@ -1,0 +1,116 @@
+// Runs the session: steps of a millisecond against the clock, in slices, between which messages are heard. The page asks for
+// each picture; its buffers go to and fro.
+import packed from 'suturing-module';
+import { StepClock } from './step_clock.js';
+import { Simulation, unpack } from './simulation.js';
+
+const SLICE = 6; // ms of steps between messages
+const PROBE = 50; // steps whose time is taken together
+
+const channel = new MessageChannel(); // to come again at once; a timer waits for 4 ms
+let clock = new StepClock();
+let simulation = null, paused = true, ended = false, asked = false, stepTime = null;
+
+function again() {
+  if (asked || paused || ended) return;
+  asked = true;
+  if (clock.next !== null && clock.next <= performance.now()) channel.port2.postMessage(0);
+  else setTimeout(() => guard(run), 1);
+}
+
+function note(time, steps) {
+  const each = time / steps;
+  stepTime = stepTime === null ? each : stepTime + Math.min(1, steps / PROBE) * (each - stepTime);
+}
+
+function run() {
+  asked = false;
+  if (paused || ended) return;
+  const begin = performance.now();
+  let now = begin, steps = 0;
+  while (now - begin < SLICE && clock.take(now)) {
+    simulation.step(1);
+    steps++;
+    now = performance.now();
+  }
+  if (steps > 0) note(now - begin, steps);
+  again();
+}
+channel.port1.onmessage = () => guard(run);
+
+function pause(wanted) {
+  paused = wanted;
+  if (wanted) clock.stop();
+  else clock.start(performance.now());
+  again();
+}
+
+const heard = {
+  begin({ scene, seed }) {
+    simulation.begin(scene, seed);
+    ended = false;
+    clock = new StepClock();
+    postMessage({ begun: { look: simulation.firstLook(), programs: simulation.programs() } });
+    pause(paused);
+  },
+  pause({ wanted }) {
+    pause(wanted);
+  },
+  // For tests: so many steps at once, whatever the clock says.
+  steps({ count }) {
+    simulation.step(count);
+    postMessage({ stepped: simulation.hashes() });
+  },
+  frame({ look, buffers }) {
+    simulation.calls.page_set_camera(look.aside, look.down, look.away, look.aspect);
+    const arrays = simulation.draw(buffers);
+    const { steps, late, givenUp } = clock;
+    const frame = { arrays, view: simulation.view(), state: simulation.state(),
+      clock: { steps, late, givenUp, factor: clock.measure(performance.now()), stepTime, paused } };
+    postMessage({ frame }, Object.values(arrays).map(array => array.buffer));
+  },
+  move({ side, turns, right, up, away }) {
+    simulation.calls.page_move(side, turns ? 1 : 0, right, up, away);
+  },
+  close({ side, closes }) {
+    simulation.calls.page_close(side, closes ? 1 : 0);
+  },
+  clutch({ side, held }) {
+    simulation.check(simulation.calls.page_clutch(side, held ? 1 : 0), 'clutch');
+  },
+  exchange({ side }) {
+    simulation.check(simulation.calls.page_exchange(side), 'exchange');
+  },
+  track({ side, tracked }) {
+    simulation.check(simulation.calls.page_track(side, tracked ? 1 : 0), 'controller');
+  },
+  pose({ side, position, orientation, jaw, clutched, seconds }) {
+    simulation.calls.page_pose(side, ...position, ...orientation, jaw, clutched ? 1 : 0, seconds);
+  },
+  // The log as it is; `end` makes it whole, and no step follows.
+  log({ end }) {
+    if (end && !ended) {
+      simulation.end();
+      ended = true;
+    }
+    postMessage({ log: { blob: simulation.log(), hashes: simulation.hashes() } });
+  },
+};
+
+function guard(work) {
+  try {
+    work();
+  } catch (error) {
+    paused = ended = true;
+    postMessage({ problem: error.message });
+  }
+}
+
+async function load() {
+  const begin = performance.now();
+  simulation = await Simulation.load(await unpack(packed), text => console.log(text));
+  postMessage({ ready: { milliseconds: performance.now() - begin } });
+}
+
+onmessage = ({ data }) => guard(() => heard[data.name](data));
+load().catch(error => postMessage({ problem: error.message }));

@@ -1,0 +1,27 @@
+/* What the files of the page's module share. */
+#ifndef VBSS_EXAMPLES_WEB_SESSION_H
+#define VBSS_EXAMPLES_WEB_SESSION_H
+
+#include "viewer/camera.h"
+#include "viewer/live.h"
+
+typedef struct page_session {
+    bool there;
+    live live;
+    vbss_visual *visual;
+    camera camera;
+    float aspect;
+    uint64_t reported; /* events of the session */
+} page_session;
+
+page_session *page_get(void);
+/* Gives a hand back to the mouse, which begins where the tool is. (page.c) */
+vbss_result page_take_mouse(page_session *p, int side);
+/* The arms of live.h. (tracked.c) */
+arms *tracked_arms(void);
+/* The next session has no controllers yet. (tracked.c) */
+void tracked_reset(void);
+/* What a controller of that hand shall make felt, N; 0: none has it. (tracked.c) */
+double tracked_force(int side);
+
+#endif

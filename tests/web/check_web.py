@@ -1,0 +1,97 @@
+"""The page of examples/web: its module, its clock of steps, and the page itself in a browser.
+
+    check_web.py step_clock <esbuild> <modules> <folder>                 steps against made-up clocks, in Node.js
+    check_web.py module <esbuild> <modules> <folder> <calls> <wasm> <replay-page>   in Node.js, the same calls as natively
+    check_web.py page <page> <folder> <calls> <replay-page>              in Chromium, from the disk: mouse and keys
+    check_web.py headset <page> <folder> <calls> <replay-page>           controllers of a stand-in for a headset take the needle
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import hands
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def run(*command, **options):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+    assert done.returncode == 0, (command, done.returncode, done.stdout[-2000:], done.stderr[-2000:])
+    return done.stdout
+
+
+def node():
+    found = shutil.which("node") or shutil.which("nodejs")
+    assert found, "no Node.js: .ci/install-packages thorough installs it"
+    return found
+
+
+def bundle(esbuild, source, folder):
+    """A module for any Node.js: what a page's script is called makes it no module there."""
+    out = folder / f"{source.stem}.mjs"
+    run(esbuild, source, "--bundle", "--format=esm", "--target=es2022", "--log-level=warning", f"--outfile={out}")
+    return out
+
+
+def check_step_clock(esbuild, modules, folder):
+    print(run(node(), HERE / "check_step_clock.mjs", bundle(esbuild, modules / "step_clock.js", folder)).strip())
+
+
+def check_replay(tool, log, folder):
+    """The log is whole, and its steps are the same bits natively."""
+    print(run(tool, log, "-o", folder / f"{log.stem}.html", "--rate", "5").strip())
+
+
+def call_natively(calls, script, folder):
+    return run(calls, input=script, cwd=folder).splitlines()
+
+
+def check_module(esbuild, modules, folder, calls, wasm, replay_page):
+    simulation = bundle(esbuild, modules / "simulation.js", folder)
+    for name, scene in (("needle", hands.NEEDLE), ("stitch", hands.STITCH)):
+        script = "\n".join(hands.controllers(scene)) + "\n"
+        log = folder / f"{name}.vbss"
+        wanted = call_natively(calls, script, folder)
+        found = run(node(), HERE / "run_module.mjs", simulation, wasm, log, input=script).splitlines()
+        assert len(wanted) == len(found) > 8, (len(wanted), len(found))
+        for i, (a, b) in enumerate(zip(wanted, found)):
+            same = json.loads(a) == json.loads(b) if a.startswith("{") else a == b
+            assert same, f"{name}, answer {i}: natively {a}, in the module {b}"
+        states = [json.loads(line) for line in wanted if line.startswith("{")]
+        assert states[0]["tools"][hands.RIGHT]["holds"] == "the needle", states[0]["tools"]
+        assert states[0]["tools"][hands.RIGHT]["position"][2] > 10e-3
+        before, after = (s["tools"][hands.RIGHT]["target"] for s in states[:2])
+        assert max(abs(p - q) for p, q in zip(before, after)) < 1e-5, f"the clutch does not hold: {before}, {after}"
+        print(f"{name}: {states[-1]['steps']} steps, {len(wanted) - len(states)} hashes of scene and session are the same")
+        check_replay(replay_page, log, folder)
+        assert (folder / "log.vbss").read_bytes()[64:] and log.stat().st_size > 1000
+
+
+def check_browser(part, page, folder, calls, replay_page):
+    import drive_page  # noqa: PLC0415  of what needs a browser
+    assert drive_page.browser.find(), "no Chromium: .ci/install-packages thorough installs it"
+
+    def replay(log):
+        check_replay(replay_page, log, folder)
+
+    if part == "page":
+        complaints = drive_page.check_desk(page, folder, lambda script: call_natively(calls, script, folder), replay)
+    else:
+        complaints = drive_page.check_headset(page, folder, replay)
+    print("\n".join(complaints))
+    return 1 if complaints else 0
+
+
+def main():
+    part, rest = sys.argv[1], [pathlib.Path(word) for word in sys.argv[2:]]
+    if part in ("step_clock", "module"):
+        rest[2].mkdir(parents=True, exist_ok=True)
+        {"step_clock": check_step_clock, "module": check_module}[part](*rest)
+        return 0
+    rest[1].mkdir(parents=True, exist_ok=True)
+    return check_browser(part, *(path.resolve() for path in rest))
+
+
+sys.exit(main())

@@ -1,0 +1,320 @@
+"""The page in Chromium, from the disk: a mouse and keys that a script moves, controllers that a stand-in has (stand_in_xr.js)."""
+import json
+import math
+import pathlib
+import sys
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "replay_page"))
+sys.path.insert(0, str(HERE.parent / "viewer"))
+import blocks  # noqa: E402
+import browser  # noqa: E402
+import hands  # noqa: E402
+
+SIZE = (480, 360)
+EYES = (480, 240)  # both: they are drawn by the processor
+PATIENCE = 120.0  # s
+COUNT = 1e-4  # m
+STRIDE = 15e-3  # m, of a tool that a controller leads, before its script looks again
+REACTION = 250  # steps until it does: the tool has come there
+
+
+class Page:
+    """The page, by its elements and by what its pictures say."""
+
+    def __init__(self, chromium, page, before=None):
+        self.browser = chromium
+        if before:
+            chromium.ask("Page.addScriptToEvaluateOnNewDocument", source=before)
+        chromium.open(page.as_uri())
+        self.until("!document.getElementById('scenes').hidden && suturing.frames > 1")
+
+    def run(self, script):
+        return self.browser.run(script)
+
+    def until(self, condition, seconds=PATIENCE):
+        end = time.monotonic() + seconds
+        while not self.run(f"Boolean({condition})"):
+            problem = self.run("document.getElementById('problem').textContent")
+            assert not problem, problem
+            assert time.monotonic() < end, (condition, self.run("suturing.shown"))
+            time.sleep(0.05)
+
+    def state(self):
+        """Of a picture that was asked for after this call."""
+        self.run("suturing.seen = suturing.frames")
+        self.until("suturing.frames > suturing.seen + 1")
+        return self.run("suturing.shown.state")
+
+    def tool(self, side=hands.RIGHT):
+        return self.state()["tools"][side]
+
+    def click(self, selector):
+        self.run(f"document.querySelector('{selector}').scrollIntoView({{ block: 'nearest' }})")
+        x, y, width, height = self.browser.box(selector)
+        for kind in ("mousePressed", "mouseReleased"):
+            self.browser.mouse(kind, x + width / 2, y + height / 2)
+
+    def key(self, kind, key):
+        self.browser.ask("Input.dispatchKeyEvent", type=kind, key=key, code=key)
+
+    def start(self, scene):
+        self.click(f'[data-scene="{scene}"]')
+        self.until("suturing.shown.state.steps > 10")
+
+    def pass_time(self, steps):
+        """Of the session, whatever the machine makes of it."""
+        begin = self.state()["steps"]
+        self.until(f"suturing.shown.state.steps >= {begin + steps}")
+
+    def picture(self, path):
+        self.browser.picture(path)
+        return blocks.read_png(path)
+
+
+def distance(a, b):
+    return math.sqrt(sum((p - q) ** 2 for p, q in zip(a, b)))
+
+
+def lit(rows):
+    """Share of the picture that is no black."""
+    bright = [max(row[i:i + 3]) > 40 for row in rows for i in range(0, len(row), 3)]
+    return sum(bright) / len(bright)
+
+
+# ---- mouse and keys
+
+
+def check_mouse(page):
+    middle = (SIZE[0] / 2, SIZE[1] / 2)
+    page.browser.mouse("mouseMoved", *middle, button="none")
+    start = page.tool()
+    page.browser.mouse("mousePressed", *middle)  # takes it
+    page.browser.mouse("mouseReleased", *middle)
+    page.until("suturing.desk.taken")
+    assert page.tool()["closes"] == start["closes"], "the click that takes the mouse closes the jaws"
+    page.browser.mouse("mouseMoved", middle[0] - 60, middle[1] + 40, button="none")
+    page.pass_time(400)
+    moved = page.tool()["target"]
+    along = (moved[0] - start["target"][0], distance(moved, start["target"]))
+    assert abs(along[0] + 60 * COUNT) < 1e-4, along
+    assert abs(along[1] - math.hypot(60, 40) * COUNT) < 1e-4, along
+    page.browser.mouse("mouseWheel", middle[0] - 60, middle[1] + 40, button="none", deltaX=0, deltaY=-200)  # two notches of 2 mm
+    page.pass_time(400)
+    assert abs(distance(page.tool()["target"], moved) - 4e-3) < 1e-4
+    return moved
+
+
+def check_jaws_and_sides(page):
+    middle = (SIZE[0] / 2 - 60, SIZE[1] / 2 + 40)
+    closes = page.tool()["closes"]
+    for wanted in (not closes, closes):
+        for kind in ("mousePressed", "mouseReleased"):
+            page.browser.mouse(kind, *middle)
+        page.pass_time(500)
+        assert page.tool()["closes"] == wanted and (page.tool()["opening"] < 0.1) == wanted
+    right, left = page.tool(1)["target"], page.tool(0)["target"]
+    page.key("keyDown", "Tab")
+    page.key("keyUp", "Tab")
+    page.key("keyDown", "d")
+    begin = page.state()["steps"]
+    page.pass_time(300)
+    page.key("keyUp", "d")
+    page.pass_time(400)
+    went = page.tool(0)["target"][0] - left[0]
+    print(f"held for {page.state()['steps'] - begin - 400} steps or more, a key moved the left tool by {1e3 * went:.1f} mm")
+    assert went > 2e-3 and distance(page.tool(1)["target"], right) < 1e-6
+    page.key("keyDown", " ")  # the clutch
+    here = page.tool(0)["target"]
+    page.browser.mouse("mouseMoved", middle[0] + 50, middle[1], button="none")
+    page.pass_time(300)
+    assert distance(page.tool(0)["target"], here) < 1e-6 and page.tool(0)["clutched"]
+    page.key("keyUp", " ")
+    page.pass_time(100)
+    assert not page.tool(0)["clutched"]
+
+
+def check_camera_and_pause(page, folder):
+    before = page.picture(folder / "before.png")
+    page.key("keyDown", "ArrowRight")
+    page.until("suturing.desk.look.aside > 0.3")
+    page.key("keyUp", "ArrowRight")
+    page.state()
+    assert blocks.apart(blocks.blocks(before), blocks.blocks(page.picture(folder / "turned.png"))) > 5.0
+    page.key("keyDown", "p")
+    page.key("keyUp", "p")
+    steps = page.state()["steps"]
+    page.state()
+    assert page.state()["steps"] == steps and page.run("document.getElementById('tool').textContent").endswith("paused")
+    return steps
+
+
+def check_same_bits(page, calls_natively):
+    """In the browser the session goes the same way as natively, when it is given the same hands at the same steps."""
+    script = hands.controllers(hands.STITCH)
+    wanted = [line for line in calls_natively("\n".join(script) + "\n") if not line.startswith("{")]
+    messages = []
+    for line in script:
+        word, *numbers = line.split()
+        v = [float(n) for n in numbers]
+        if word == "begin":
+            messages.append({"name": "begin", "scene": int(v[0]), "seed": int(v[1])})
+        elif word == "step":
+            messages.append({"name": "steps", "count": int(v[0])})
+        elif word == "pose":
+            messages.append({"name": "pose", "side": int(v[0]), "position": v[1:4], "orientation": v[4:8], "jaw": v[8],
+                             "clutched": v[9] != 0, "seconds": v[10]})
+        elif word == "track":
+            messages.append({"name": "track", "side": int(v[0]), "tracked": v[1] != 0})
+        elif word == "hash":
+            messages.append({"name": "steps", "count": 0})
+        elif word == "state":
+            break
+    page.run(f"suturing.answers = []; suturing.messages = {json.dumps(messages)}")
+    page.run("(async () => { for (const m of suturing.messages) { suturing.send(m); if (m.name === 'steps') {"
+             " const hashes = await new Promise(done => { suturing.hearStepped = done; });"
+             " if (m.count === 0) suturing.answers.push(hashes.join(' ')); } } suturing.finished = true; })()")
+    page.until("suturing.finished")
+    found = page.run("suturing.answers")
+    assert len(found) > 5 and found == wanted[:len(found)], (found, wanted)
+    print(f"{len(found)} hashes of scene and session in the browser are those of the native library")
+
+
+def save(page, folder, name):
+    """By the button, as a person saves it."""
+    page.browser.ask("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+    target = folder / "suturing.vbss"
+    target.unlink(missing_ok=True)
+    page.key("keyDown", "Escape")  # the mouse is the page's again
+    page.key("keyUp", "Escape")
+    page.until("!suturing.desk.taken")
+    page.click("#save")
+    end = time.monotonic() + PATIENCE
+    while not target.exists() or list(folder.glob("*.crdownload")):
+        assert time.monotonic() < end, "nothing was saved"
+        time.sleep(0.1)
+    return target.rename(folder / f"{name}.vbss")
+
+
+def complaints_of(chromium, page):
+    """What it said, and what it asked for beside itself and its own worker."""
+    asked = [url for url in chromium.requests if url != page.as_uri() and not url.startswith("blob:")]
+    return chromium.complaints + [f"it asked for {url}" for url in asked]
+
+
+def check_desk(page_file, folder, calls_natively, replay):
+    with browser.Browser(SIZE) as chromium:
+        page = Page(chromium, page_file)
+        loaded = page.run("suturing.loaded")
+        page.start(hands.NEEDLE)
+        check_mouse(page)
+        check_jaws_and_sides(page)
+        steps = check_camera_and_pause(page, folder)
+        rows = page.picture(folder / "desk.png")
+        assert 0.3 < lit(rows) < 0.95, f"{lit(rows)} of the picture is lit"
+        clock = page.run("suturing.shown.clock")
+        print(f"unpacked in {loaded:.0f} ms; {steps} steps, {clock['stepTime']:.2f} ms each, late {clock['late']}, "
+              f"{clock['givenUp'] / 1e3:.2f} s given up, {page.run('suturing.frames')} pictures")
+        replay(save(page, folder, "mouse"))
+        check_same_bits(page, calls_natively)
+        replay(save(page, folder, "same"))
+        return complaints_of(chromium, page_file)
+
+
+# ---- controllers
+
+
+class Controllers:
+    """Of the stand-in. A tool goes where it is wanted as a hand does that sees it: what is missing is made good each time."""
+
+    def __init__(self, page):
+        self.page = page
+        self.at = [0.15, 1.2, -0.35]
+        self.turned = 0.0
+
+    def put(self, trigger):
+        half = math.sqrt(0.5)  # it points down, and is turned about the vertical
+        c, s = math.cos(0.5 * self.turned), math.sin(0.5 * self.turned)
+        q = [c * half, -c * half, s * half, s * half]
+        self.page.run(f"Object.assign(standIn.hands.right, {{ position: {self.at}, orientation: {q}, trigger: {trigger} }})")
+
+    def go(self, to, trigger, near=0.4e-3):
+        scale = self.page.run("suturing.headset.scale")
+        for _ in range(100):
+            off = [a - b for a, b in zip(to, self.page.tool()["target"])]
+            if distance(off, (0, 0, 0)) < near:
+                return
+            share = min(1.0, STRIDE / distance(off, (0, 0, 0)))
+            for i, v in enumerate((off[0], off[2], -off[1])):  # to the right, up, away
+                self.at[i] += scale * share * v
+            self.put(trigger)
+            self.page.pass_time(REACTION)
+        raise AssertionError(f"the tool does not come to {to}")
+
+
+def stop_tools(page):
+    """The left controller is not seen: its tool stays where it is."""
+    page.run("standIn.hands.left.seen = false")
+
+
+def take_needle(page):
+    c = Controllers(page)
+    c.turned = 0.0
+    c.put(0)
+    c.go((*hands.PLACE, 5e-3), 0)
+    for i in range(1, 11):
+        c.turned = 0.1 * i * hands.TURN
+        c.put(0)
+        page.pass_time(80)
+    c.go((*hands.PLACE, -14.2e-3), 0)
+    for trigger in (0.3, 0.6, 1.0):
+        c.put(trigger)
+        page.pass_time(120)
+    c.go((*hands.PLACE, 15e-3), 1.0)
+    return c
+
+
+def check_clutch(page, c):
+    """While the grip button is held the tool stays; afterwards it goes on from there, and does not jump."""
+    page.run("standIn.hands.right.grip = true")
+    page.state()
+    page.pass_time(100)
+    here = page.tool()["target"]
+    c.at[0] -= 0.1
+    c.put(1.0)
+    page.state()
+    page.pass_time(200)
+    assert distance(page.tool()["target"], here) < 1e-4, (page.tool()["target"], here)
+    page.run("standIn.hands.right.grip = false")
+    page.state()
+    page.pass_time(200)
+    assert distance(page.tool()["target"], here) < 1e-3, (page.tool()["target"], here)
+
+
+def check_headset(page_file, folder, replay):
+    with browser.Browser(EYES) as chromium:
+        page = Page(chromium, page_file, (HERE / "stand_in_xr.js").read_text())
+        page.until("!document.getElementById('headset').hidden")
+        page.start(hands.STITCH)
+        stop_tools(page)
+        page.click("#headset")
+        page.until("suturing.headset.tracked[1]")
+        c = take_needle(page)
+        rows = page.picture(folder / "eyes.png")
+        half = [row[:len(row) // 2] for row in rows], [row[len(row) // 2:] for row in rows]
+        assert all(lit(eye) > 0.1 for eye in half), [lit(eye) for eye in half]
+        assert blocks.apart(blocks.blocks(half[0]), blocks.blocks(half[1])) > 1.0, "both eyes see the same"
+        state = page.state()
+        tool = state["tools"][hands.RIGHT]
+        assert tool["holds"] == "the needle" and tool["position"][2] > 10e-3 and tool["tracked"], tool
+        assert state["task"]["phase"] == "to the first mark" and not state["tools"][0]["tracked"], state["task"]
+        check_clutch(page, c)
+        frames, pulses, strongest = page.run("[standIn.frames, standIn.pulses, standIn.strongest]")
+        print(f"controllers: {state['steps']} steps, {frames} frames, {pulses} pulses, the strongest {strongest:.2f}")
+        assert pulses > 0
+        page.run("standIn.session.end()")
+        page.until("!suturing.shown.state.tools[1].tracked")
+        page.click("#pause")
+        replay(save(page, folder, "controllers"))
+        return complaints_of(chromium, page_file)
