@@ -13,7 +13,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 FOLDER = ROOT / "build/against"
 OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DVBSS_BUILD_TESTS=OFF", "-DVBSS_BUILD_EXAMPLES=OFF", "-DVBSS_BUILD_BENCH=OFF",
-           "-DVBSS_BUILD_SHARED=OFF", "-DVBSS_INSTALL=OFF", f"-DCMAKE_PROJECT_vblast_ss_INCLUDE={HERE / 'inject.cmake'}"]
+           "-DVBSS_BUILD_SHARED=OFF", "-DVBSS_INSTALL=OFF",
+           # A function of the hands that no subject calls may need what an old library lacks: the linker drops it.
+           "-DCMAKE_C_FLAGS=-ffunction-sections", "-DCMAKE_EXE_LINKER_FLAGS=-Wl,--gc-sections"]
+# Public names changed here. What is older is measured with the subjects and hands of the commit before.
+RENAMED = "2dc5eebac2c2"
 LOG_LINES = 20  # of a build that fails
 
 
@@ -59,11 +63,19 @@ def check_out(commit):
     return source
 
 
-def build(source, folder, name):
-    """The program with the subjects, built with the library in `source`."""
+def subjects_for(commit):
+    """The sources whose bench/against compiles against the public headers of a commit."""
+    renamed = resolve(RENAMED)
+    has_new_names = git("merge-base", "--is-ancestor", renamed, commit).returncode == 0
+    return ROOT if has_new_names else check_out(resolve(renamed + "^"))
+
+
+def build(source, folder, name, subjects):
+    """The program with the subjects of one source tree, built with the library of another."""
     tree, log = folder / "build", folder / "build.log"
     folder.mkdir(parents=True, exist_ok=True)
-    configure = ["cmake", "-S", source, "-B", tree, *OPTIONS]
+    inject = subjects / "bench/against/inject.cmake"
+    configure = ["cmake", "-S", source, "-B", tree, *OPTIONS, f"-DCMAKE_PROJECT_vblast_ss_INCLUDE={inject}"]
     if shutil.which("ninja") and not (tree / "CMakeCache.txt").is_file():
         configure += ["-G", "Ninja"]
     if shutil.which("ccache"):
@@ -82,9 +94,9 @@ def refusal(name, log):
 
 
 def build_this():
-    return build(ROOT, FOLDER / "this", "the working tree")
+    return build(ROOT, FOLDER / "this", "the working tree", ROOT)
 
 
 def build_other(commit, name):
     source = check_out(commit)
-    return build(source, source.parent, name)
+    return build(source, source.parent, name, subjects_for(commit))

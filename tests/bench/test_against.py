@@ -100,7 +100,7 @@ class Refusals(unittest.TestCase):
             (source / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(older NONE)\n"
                                                    "message(FATAL_ERROR \"no such library\")\n")
             with self.assertRaisesRegex(revision.BuildFailed, "(?s)^v0 does not build .*no such library"):
-                revision.build(source, pathlib.Path(folder) / "out", "v0")
+                revision.build(source, pathlib.Path(folder) / "out", "v0", revision.ROOT)
 
     def test_a_name_that_git_does_not_know(self):
         self.assertEqual(against.main(["no-such-revision"]), 2)
