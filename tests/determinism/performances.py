@@ -6,8 +6,9 @@ processor, on it with features masked (tests/masked.sh), and built for another m
 
 --seeds     seeds 0 to N - 1
 --hashes    hashes of a native performance: one after each second, and one at its end; 600 is always the whole
---emulated  hashes of an emulated one, which are the first of these; 0: nothing is emulated
---machine   a row of matrix.py's table for another machine
+--emulated  hashes of one on the other machine, which are the first of these; 0: none
+--machine   a row of matrix.py's table for another machine. i686 and wasm32-simd take minutes for a whole performance,
+            those that QEMU emulates take an hour
 --python    an interpreter with numpy; default: this one or, if it has none, the system's
 --root      the root of a system of the other machine with Python and numpy, which make-root.sh makes: throws are emulated
             too, each as a whole
@@ -22,7 +23,7 @@ import subprocess
 import sys
 import time
 
-from matrix import BUILDS, Broken, build, run
+from matrix import BUILDS, MACHINES, Broken, build, run
 
 HERE = pathlib.Path(__file__).resolve().parent
 MASKED = HERE.parent / "masked.sh"
@@ -61,14 +62,14 @@ def throw(arguments, seed, before=()):
     return run([*before, arguments.python, "-B", "-c", THROW, seed], env=python_environment(arguments)).split()
 
 
-def emulated_throw(arguments, emulator, library, seed):
+def emulated_throw(arguments, library, seed):
     # Debian keeps BLAS and LAPACK in folders of their own.
     libraries = [str(path.parent) for name in ("libblas", "liblapack") for path in arguments.root.rglob(name + ".so.3")]
     variables = {"PYTHONPATH": f"{BINDING}:{arguments.root / 'usr/lib/python3/dist-packages'}",
                  "LD_LIBRARY_PATH": ":".join(libraries), "VBLAST_SS_LIBRARY": library}
     settings = [word for name, value in variables.items() for word in ("-E", f"{name}={value}")]
-    return run([*emulator, "-L", arguments.root, *settings, arguments.root / "usr/bin/python3", "-B", "-c", THROW,
-                seed]).split()
+    emulator = MACHINES[BUILDS[arguments.machine][2]].emulator
+    return run([emulator, "-L", arguments.root, *settings, arguments.root / "usr/bin/python3", "-B", "-c", THROW, seed]).split()
 
 
 def python_environment(arguments):
@@ -130,12 +131,11 @@ def main():
     arguments = parser.parse_args()
     arguments.python = arguments.python or with_numpy()
     bad = masks_something(arguments)
-    emulated = None
+    compiler, flags, machine = BUILDS[arguments.machine]
     if arguments.emulated or arguments.root:
-        compiler, flags, machine = BUILDS[arguments.machine]
         folder = build(arguments.work, arguments.machine, compiler, flags, machine,
-                       targets=["vbss_performance", "vblast_ss_shared"])
-        emulated = [f"qemu-{machine}"], folder / "vbss_performance"
+                       targets=["vbss_performance"] + ["vblast_ss_shared"] * (arguments.root is not None))
+    how = f"emulated {arguments.machine}" if MACHINES[machine].emulator else arguments.machine
     print_row("who", "seed", "how", "hashes", "digest", "verdict", "s")
     for seed in range(arguments.seeds):
         plain, wrong = compare("surgeon", seed, "native",
@@ -144,16 +144,16 @@ def main():
         bad += compare("surgeon", seed, "native, masked",
                        lambda: surgeon(arguments.program, seed, arguments.hashes, [MASKED]), plain)[1]
         if arguments.emulated:
-            bad += compare("surgeon", seed, f"emulated {arguments.machine}",
-                           lambda: surgeon(emulated[1], seed, arguments.emulated, emulated[0]), plain)[1]
+            program = MACHINES[machine].command(folder / "vbss_performance")
+            bad += compare("surgeon", seed, how,
+                           lambda: surgeon(program[-1], seed, arguments.emulated, program[:-1]), plain)[1]
     for seed in range(arguments.seeds):
         plain, wrong = compare("throw", seed, "native", lambda: throw(arguments, seed), None)
         bad += wrong
         bad += compare("throw", seed, "native, masked", lambda: throw(arguments, seed, [MASKED]), plain)[1]
         if arguments.root:
-            bad += compare("throw", seed, f"emulated {arguments.machine}",
-                           lambda: emulated_throw(arguments, emulated[0], folder / "vblast_ss/lib/libvblast_ss.so", seed),
-                           plain)[1]
+            bad += compare("throw", seed, how,
+                           lambda: emulated_throw(arguments, folder / "vblast_ss/lib/libvblast_ss.so", seed), plain)[1]
     for problem in bad:
         print("  " + problem)
     print(f"performances: {'FAIL, ' + str(len(bad)) + ' complaint(s)' if bad else 'pass'}")
