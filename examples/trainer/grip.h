@@ -9,7 +9,7 @@
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/scene.h>
 
-typedef struct grasper_thread_clamp {
+typedef struct grip {
     vbss_device_input in;         /* as read last */
     double reported[3];           /* to the tool, m */
     double jaw;                   /* the same */
