@@ -2,7 +2,6 @@
 
 #include <stdbool.h>
 
-#define THREAD_LENGTH 0.15
 #define GRAVITY (-9.81)
 
 enum { CUTS = 4 }; /* of the thread: both tails, and two more */

@@ -5,6 +5,8 @@
 
 #include "needle/pose.h"
 
+#define THREAD_LENGTH 0.15 /* m */
+
 enum { SITE_LEFT = 0, SITE_RIGHT = 1 };
 
 typedef struct site {

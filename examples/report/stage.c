@@ -10,7 +10,8 @@
 
 enum { MAX_WORDS = 96 };
 
-/* "vbss throw surgeons seed 2" and nothing else, or "vbss surgeon seed 2", whose kind is empty. */
+/* "vbss throw surgeons seed 2" and nothing else; "vbss surgeon seed 2", whose kind is empty, or "vbss surgeon 120 seed 2", whose
+ * thread has so many segments. */
 typedef struct words {
     char program[16], kind[16];
     unsigned long seed;
@@ -44,9 +45,15 @@ static bool is_stitch(const words *w)
     return strcmp(w->program, "needle") == 0 && strcmp(w->kind, "pass") == 0;
 }
 
+/* Of a surgeon's thread; 0: as the surgeon has it. */
+static uint32_t segments_of(const words *w)
+{
+    return strcmp(w->kind, "120") == 0 ? 120 : strcmp(w->kind, "60") == 0 ? 60 : 0;
+}
+
 static bool is_surgeon(const words *w)
 {
-    return strcmp(w->program, "surgeon") == 0 && w->kind[0] == '\0';
+    return strcmp(w->program, "surgeon") == 0 && (w->kind[0] == '\0' || segments_of(w) > 0);
 }
 
 bool stage_knows(const void *note, size_t count)
@@ -85,7 +92,7 @@ static const char surgeon_name[] = "a scripted surgeon (examples/surgeon)";
 static vbss_result make_stitch(stage *s, const words *w)
 {
     static stitch t;
-    const surgeon_options usual = {.seed = w->seed};
+    const surgeon_options usual = {.seed = w->seed, .segments = segments_of(w)};
     stitch_plan plan;
     memset(&t, 0, sizeof t);
     s->rig = &t.site.rig;
@@ -99,6 +106,7 @@ static vbss_result make_stitch(stage *s, const words *w)
     }
     vbss_result result = stitch_create(&t, w->seed, &plan);
     show_stitch(s, &t);
+    s->spacing = THREAD_LENGTH / plan.site.segments;
     return result;
 }
 
@@ -112,6 +120,7 @@ void stage_watch(stage *s, stitch *t, const task *k)
     s->tasked = t;
     s->task = *k;
     show_stitch(s, t);
+    s->spacing = SEGMENT;
 }
 
 vbss_result stage_create(stage *s, const void *note, size_t count)
@@ -175,8 +184,8 @@ static void show_laid(const stage *s, vbss_knot_input *in)
     in->away[2] = -1.0;
 }
 
-/* The piece of thread that goes through two holes, the tail's first; 0: there is none. From the needle on its nodes are SEGMENT
- * apart. */
+/* The piece of thread that goes through two holes, the tail's first; 0: there is none. Its nodes are equally far
+ * apart from the needle on. */
 static uint32_t show_holes(const stage *s, vbss_knot_input *in)
 {
     vbss_scene_hole all[2];
@@ -191,7 +200,7 @@ static uint32_t show_holes(const stage *s, vbss_knot_input *in)
     for (int i = 0; i < 2; i++) {
         const vbss_scene_hole *hole = &all[i == 0 ? tail : 1 - tail];
         memcpy(in->holes[i], hole->position, sizeof hole->position);
-        in->hole_places[i] = hole->arc_length / SEGMENT;
+        in->hole_places[i] = hole->arc_length / s->spacing;
     }
     in->hole_count = 2;
     in->away[2] = -1.0;

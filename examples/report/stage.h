@@ -14,6 +14,7 @@ typedef struct stage {
     vbss_grasper *graspers[SIDES];
     vbss_drain *drain; /* may be NULL */
     double tube;       /* its middle radius, m */
+    double spacing;    /* of the thread's nodes, from the needle on, m */
     uint32_t needle;   /* body; 0: none */
     vbss_knot_detector *detector;
     const stitch *tasked; /* of which there is a session; may be NULL */

@@ -8,7 +8,9 @@ enum { SEGMENTS = 300 }; /* of the thread: SEGMENT each */
 void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
 {
     *plan = (stitch_plan){
-        .site = {.segments = SEGMENTS, .solver = o->solver}, .free_left = true, .skill = o->skill};
+        .site = {.segments = o->segments > 0 ? o->segments : SEGMENTS, .solver = o->solver},
+        .free_left = true,
+        .skill = o->skill};
 }
 
 double surgeon_time_limit(const surgeon_options *o)

@@ -48,6 +48,7 @@ typedef struct surgeon {
 
 typedef struct surgeon_options {
     uint64_t seed;
+    uint32_t segments; /* of the thread; 0: 300, the only number that the scripted hands can tie */
     surgeon_stage until;               /* ends before this one */
     const vbss_solver_options *solver; /* NULL: the defaults */
     const hand_skill *skill;           /* NULL: an expert's */

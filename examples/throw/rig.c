@@ -238,6 +238,11 @@ vbss_result throw_rig_follow(throw_rig *s)
 
 vbss_result throw_rig_step(throw_rig *s, double dt)
 {
+    return s->host != NULL ? s->host->step(s->host->user, dt) : throw_rig_advance(s, dt);
+}
+
+vbss_result throw_rig_advance(throw_rig *s, double dt)
+{
     const double begin = cpu_clock(NULL);
     TRY(s->session != NULL ? vbss_session_step(s->session, s->time, dt)
                            : vbss_scene_step(s->scene, dt));

@@ -28,7 +28,14 @@ enum { MAX_THREAD_NODES = 1024 };
         }                             \
     } while (0)
 
+/* Who makes the steps and moves the tools, where scripted hands only tell where they want them. */
+typedef struct throw_rig_host {
+    vbss_result (*step)(void *user, double dt);
+    void *user;
+} throw_rig_host;
+
 typedef struct throw_rig {
+    const throw_rig_host *host; /* NULL: hands move their tools themselves */
     vbss_context *context;
     vbss_scene *scene;
     vbss_thread *thread;
@@ -65,7 +72,9 @@ vbss_result throw_rig_begin(throw_rig *s, const char *log, const char *note);
 /* Holds the limb up beside a node, until a hand has it; lets it go. */
 vbss_result throw_rig_hold_limb(throw_rig *s, uint32_t node);
 vbss_result throw_rig_release_limb(throw_rig *s);
+/* The host's step, or else throw_rig_advance: scene, session, log, and what came of it. */
 vbss_result throw_rig_step(throw_rig *s, double dt);
+vbss_result throw_rig_advance(throw_rig *s, double dt);
 /* After a step that was made otherwise: takes the events; where its nodes are; `thread` is what is left of it on the drain, if it was cut. */
 vbss_result throw_rig_follow(throw_rig *s);
 /* Ends the log. */

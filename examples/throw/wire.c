@@ -50,6 +50,9 @@ vbss_result wire_create(hand *h)
 vbss_result wire_report(hand *h)
 {
     vbss_device_input in;
+    if (h->rig->host != NULL) {
+        return VBSS_OK;
+    }
     TRY(vbss_device_read(h->device, h->time, &in, sizeof in));
     TRY(vbss_grasper_set_target(h->grasper, in.position, in.orientation));
     TRY(vbss_grasper_set_opening(h->grasper, in.jaw));
@@ -65,6 +68,9 @@ vbss_result wire_report(hand *h)
 vbss_result wire_feel(hand *h, const vbss_grasper_state *state)
 {
     vbss_output_command command;
+    if (h->rig->host != NULL) {
+        return VBSS_OK;
+    }
     TRY(vbss_output_command_init(&command, sizeof command));
     memcpy(command.force, state->hand_force, sizeof command.force);
     return vbss_device_write(h->device, h->time, &command, NULL, 0);

@@ -26,6 +26,18 @@ static const live_scene scenes[] = {
      {0.012F, 0.0F, 0.0F},
      0.0F,
      0.10F},
+    {"stitch-120",
+     "the same with a thread of 120 segments, for a slow machine",
+     "vbss surgeon 120 seed",
+     {0.012F, 0.0F, 0.0F},
+     0.0F,
+     0.10F},
+    {"stitch-60",
+     "the same with 60 segments",
+     "vbss surgeon 60 seed",
+     {0.012F, 0.0F, 0.0F},
+     0.0F,
+     0.10F},
 };
 
 const live_scene *live_at(size_t number)
@@ -70,14 +82,27 @@ static vbss_result begin_hand(live *l, int side)
     return mouse_hand_create(&l->hands[side], l->stage.context, l->stage.graspers[side]);
 }
 
-vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, arms *a,
-                        const char *log)
+static void begin(live *l, const live_scene *scene, arms *a)
 {
-    char note[NOTE];
     memset(l, 0, sizeof *l);
     l->scene = scene;
     l->arms = a;
     l->active = live_by_device(l, RIGHT) && !live_by_device(l, LEFT) ? LEFT : RIGHT;
+}
+
+vbss_result live_take_over(live *l, const live_scene *scene, arms *a, stitch *t, const task *k)
+{
+    begin(l, scene, a);
+    stage_watch(&l->stage, t, k);
+    TRY(begin_hand(l, LEFT));
+    return begin_hand(l, RIGHT);
+}
+
+vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, arms *a,
+                        const char *log)
+{
+    char note[NOTE];
+    begin(l, scene, a);
     snprintf(note, sizeof note, "%s %lu", scene->note, seed);
     TRY(stage_create(&l->stage, note, strlen(note)));
     TRY(throw_rig_begin(l->stage.rig, log, note));
@@ -141,7 +166,7 @@ vbss_result live_step(live *l)
     l->time = STEP * (double)(l->steps + 1);
     TRY(lead(l, LEFT));
     TRY(lead(l, RIGHT));
-    TRY(throw_rig_step(l->stage.rig, STEP));
+    TRY(throw_rig_advance(l->stage.rig, STEP));
     TRY(feel(l, LEFT));
     TRY(feel(l, RIGHT));
     l->steps++;

@@ -32,6 +32,8 @@ const live_scene *live_at(size_t number);
 /* Arms, which are open, and log may be NULL. */
 vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, arms *a,
                         const char *log);
+/* With a stitch that is there already, its log begun. */
+vbss_result live_take_over(live *l, const live_scene *scene, arms *a, stitch *t, const task *k);
 /* A device leads that hand. */
 bool live_by_device(const live *l, int side);
 /* Hands, scene, knots of the session; a limb that stood by itself is let go when a hand has it. */

@@ -4,8 +4,6 @@
 
 #include "session.h"
 
-#define LOG "log.vbss"
-
 static page_session session;
 
 page_session *page_get(void)
@@ -15,6 +13,16 @@ page_session *page_get(void)
 
 /* ---- made */
 
+void page_clear(page_session *p)
+{
+    if (p->there) {
+        live_destroy(&p->live);
+    }
+    tracked_reset();
+    memset(p, 0, sizeof *p);
+    p->aspect = 1.0F;
+}
+
 static vbss_result begin_picture(page_session *p)
 {
     vbss_visual_config c;
@@ -23,11 +31,16 @@ static vbss_result begin_picture(page_session *p)
     return vbss_visual_add_scene(p->visual, p->live.stage.scene, NULL);
 }
 
-static vbss_result begin(page_session *p, const live_scene *scene, uint32_t seed)
+vbss_result page_complete(page_session *p, vbss_result made)
 {
-    TRY(live_create(&p->live, scene, seed, tracked_arms(), LOG));
-    TRY(begin_picture(p));
+    const vbss_result result = made == VBSS_OK ? begin_picture(p) : made;
     p->there = true;
+    if (result != VBSS_OK) {
+        page_clear(p);
+        return result;
+    }
+    const live_scene *scene = p->live.scene;
+    page_set_camera((double)scene->aside, (double)CAMERA_DOWN, (double)scene->away, 1.0);
     return VBSS_OK;
 }
 
@@ -38,20 +51,8 @@ int32_t page_begin(int32_t scene, uint32_t seed)
     if (known == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
-    if (p->there) {
-        live_destroy(&p->live);
-    }
-    tracked_reset();
-    memset(p, 0, sizeof *p);
-    p->aspect = 1.0F;
-    const vbss_result result = begin(p, known, seed);
-    if (result != VBSS_OK) {
-        live_destroy(&p->live);
-        memset(p, 0, sizeof *p);
-        return result;
-    }
-    page_set_camera((double)known->aside, (double)CAMERA_DOWN, (double)known->away, 1.0);
-    return VBSS_OK;
+    page_clear(p);
+    return page_complete(p, live_create(&p->live, known, seed, tracked_arms(), PAGE_LOG));
 }
 
 int32_t page_end(void)
@@ -65,7 +66,7 @@ int32_t page_step(int32_t count)
         return VBSS_ERROR_WRONG_STATE;
     }
     for (int32_t i = 0; i < count; i++) {
-        TRY(live_step(&session.live));
+        TRY(session.script != NULL ? session.script() : live_step(&session.live));
     }
     return VBSS_OK;
 }
@@ -115,6 +116,15 @@ void page_close(int32_t side, int32_t closes)
 {
     if (has_side(side)) {
         session.live.hands[side].closes = closes != 0;
+    }
+}
+
+void page_pull(int32_t side, double right, double up, double away, double nod, double turn,
+               double roll, double grain)
+{
+    const double axes[6] = {right, up, away, nod, turn, roll};
+    if (has_side(side)) {
+        mouse_hand_pull(&session.live.hands[side], axes, grain);
     }
 }
 

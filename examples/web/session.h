@@ -5,9 +5,13 @@
 #include "viewer/camera.h"
 #include "viewer/live.h"
 
+#define PAGE_LOG "log.vbss"
+
 typedef struct page_session {
     bool there;
     live live;
+    vbss_result (*script)(
+        void); /* makes a step by live_step, and what else it wants; NULL: nobody does */
     vbss_visual *visual;
     camera camera;
     float aspect;
@@ -15,6 +19,10 @@ typedef struct page_session {
 } page_session;
 
 page_session *page_get(void);
+/* Ends the session, if there is one. (page.c) */
+void page_clear(page_session *p);
+/* After p->live was made, with what came of that: its picture. If anything failed, nothing is there. (page.c) */
+vbss_result page_complete(page_session *p, vbss_result made);
 /* Gives a hand back to the mouse, which begins where the tool is. (page.c) */
 vbss_result page_take_mouse(page_session *p, int side);
 /* The arms of live.h. (tracked.c) */

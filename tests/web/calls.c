@@ -37,6 +37,8 @@ static int call(const char *word, const double v[NUMBERS])
         page_pose(first, v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], (int32_t)v[9], v[10]);
     } else if (strcmp(word, "move") == 0) {
         page_move(first, second, v[2], v[3], v[4]);
+    } else if (strcmp(word, "pull") == 0) {
+        page_pull(first, v[1], v[2], v[3], v[4], v[5], v[6], v[7]);
     } else if (strcmp(word, "close") == 0) {
         page_close(first, second);
     } else if (strcmp(word, "camera") == 0) {

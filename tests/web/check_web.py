@@ -1,9 +1,10 @@
 """The page of examples/web: its module, its clock of steps, and the page itself in a browser.
 
-    check_web.py step_clock <esbuild> <modules> <folder>                 steps against made-up clocks, in Node.js
+    check_web.py parts <esbuild> <modules> <folder>      clock of steps, choice of the resolution: on made-up machines, in Node.js
     check_web.py module <esbuild> <modules> <folder> <calls> <wasm> <replay-page>   in Node.js, the same calls as natively
     check_web.py page <page> <folder> <calls> <replay-page>              in Chromium, from the disk: mouse and keys
     check_web.py headset <page> <folder> <calls> <replay-page>           controllers of a stand-in for a headset take the needle
+    check_web.py task <page> <folder> <seeds> <replay-page>              they perform the whole task, as a scripted surgeon moves them
 """
 import json
 import pathlib
@@ -35,8 +36,9 @@ def bundle(esbuild, source, folder):
     return out
 
 
-def check_step_clock(esbuild, modules, folder):
-    print(run(node(), HERE / "check_step_clock.mjs", bundle(esbuild, modules / "step_clock.js", folder)).strip())
+def check_parts(esbuild, modules, folder):
+    for part in ("step_clock", "resolution"):
+        print(run(node(), HERE / f"check_{part}.mjs", bundle(esbuild, modules / f"{part}.js", folder)).strip())
 
 
 def check_replay(tool, log, folder):
@@ -50,7 +52,7 @@ def call_natively(calls, script, folder):
 
 def check_module(esbuild, modules, folder, calls, wasm, replay_page):
     simulation = bundle(esbuild, modules / "simulation.js", folder)
-    for name, scene in (("needle", hands.NEEDLE), ("stitch", hands.STITCH)):
+    for name, scene in (("needle", hands.NEEDLE), ("stitch", hands.STITCH), ("coarse", hands.COARSE)):
         script = "\n".join(hands.controllers(scene)) + "\n"
         log = folder / f"{name}.vbss"
         wanted = call_natively(calls, script, folder)
@@ -78,17 +80,19 @@ def check_browser(part, page, folder, calls, replay_page):
 
     if part == "page":
         complaints = drive_page.check_desk(page, folder, lambda script: call_natively(calls, script, folder), replay)
-    else:
+    elif part == "headset":
         complaints = drive_page.check_headset(page, folder, replay)
+    else:
+        complaints = drive_page.check_task(page, folder, range(int(calls.name)), replay)
     print("\n".join(complaints))
     return 1 if complaints else 0
 
 
 def main():
     part, rest = sys.argv[1], [pathlib.Path(word) for word in sys.argv[2:]]
-    if part in ("step_clock", "module"):
+    if part in ("parts", "module"):
         rest[2].mkdir(parents=True, exist_ok=True)
-        {"step_clock": check_step_clock, "module": check_module}[part](*rest)
+        {"parts": check_parts, "module": check_module}[part](*rest)
         return 0
     rest[1].mkdir(parents=True, exist_ok=True)
     return check_browser(part, *(path.resolve() for path in rest))

@@ -1,4 +1,5 @@
 """The page in Chromium, from the disk: a mouse and keys that a script moves, controllers that a stand-in has (stand_in_xr.js)."""
+import base64
 import json
 import math
 import pathlib
@@ -135,6 +136,41 @@ def check_jaws_and_sides(page):
     assert not page.tool(0)["clutched"]
 
 
+def check_gamepad(page):
+    """Of the standard mapping, which a test puts there: the left tool goes to the right, its jaws close and open, the right one
+    is next, and a stick that is let go moves nothing."""
+    page.run("suturing.buttons = Array.from({ length: 17 }, () => ({ pressed: false, value: 0 })); suturing.axes = [0, 0, 0, 0];"
+             "navigator.getGamepads = () => [{ mapping: 'standard', axes: suturing.axes, buttons: suturing.buttons }]")
+
+    def press(button, value):
+        page.run(f"suturing.buttons[{button}] = {{ pressed: {'true' if value else 'false'}, value: {value} }}")
+        page.state()
+        page.state()
+
+    before = page.tool(0)
+    page.run("suturing.axes = [1, 0, 0, 0]")
+    page.pass_time(300)
+    page.run("suturing.axes = [0.1, 0, 0, 0]")  # worn sticks do not rest in the middle
+    page.state()
+    page.pass_time(400)
+    after = page.tool(0)
+    went = after["target"][0] - before["target"][0]
+    assert went > 2e-3, went
+    page.pass_time(200)
+    assert distance(page.tool(0)["target"], after["target"]) < 1e-6, "a stick that was let go moves the tool"
+    press(7, 1)
+    press(7, 0)
+    assert page.tool(0)["closes"] != before["closes"]
+    press(0, 1)
+    press(0, 0)
+    assert page.tool(0)["closes"] == before["closes"]
+    press(5, 1)
+    press(5, 0)
+    assert page.run("suturing.desk.side") == 1
+    print(f"a gamepad moved the left tool by {1e3 * went:.1f} mm")
+    page.run("navigator.getGamepads = () => []")
+
+
 def check_camera_and_pause(page, folder):
     before = page.picture(folder / "before.png")
     page.key("keyDown", "ArrowRight")
@@ -210,6 +246,7 @@ def check_desk(page_file, folder, calls_natively, replay):
         page.start(hands.NEEDLE)
         check_mouse(page)
         check_jaws_and_sides(page)
+        check_gamepad(page)
         steps = check_camera_and_pause(page, folder)
         rows = page.picture(folder / "desk.png")
         assert 0.3 < lit(rows) < 0.95, f"{lit(rows)} of the picture is lit"
@@ -318,3 +355,53 @@ def check_headset(page_file, folder, replay):
         page.click("#pause")
         replay(save(page, folder, "controllers"))
         return complaints_of(chromium, page_file)
+
+
+# ---- the whole task
+
+TASK = 3600.0  # s of wall time: the processor draws both eyes
+STILL_EVERY = 8.0  # s of the session
+
+
+def perform(page, seed, folder):
+    """The surgeon's hands move the controllers until it has ended; the state then."""
+    page.run(f"performer.begin({seed})")
+    end, still = time.monotonic() + TASK, 0.0
+    while not page.run("performer.ended"):
+        problem = page.run("document.getElementById('problem').textContent")
+        assert not problem, problem
+        assert time.monotonic() < end, page.run("performer.doing")
+        seconds = 1e-3 * page.run("suturing.shown.state.steps")
+        if seconds >= still:
+            page.run("standIn.asked = true")
+            page.until("!standIn.asked")
+            picture = page.run("standIn.picture").partition(",")[2]
+            (folder / f"task-{seed}-{int(still):03d}.png").write_bytes(base64.b64decode(picture))
+            still += STILL_EVERY
+        time.sleep(0.5)
+    return page.state()
+
+
+def check_task(page_file, folder, seeds, replay):
+    scripts = "\n".join((HERE / name).read_text() for name in ("stand_in_xr.js", "perform_hands.js"))
+    for seed in seeds:
+        with browser.Browser(EYES) as chromium:
+            page = Page(chromium, page_file, scripts)
+            page.until("!document.getElementById('headset').hidden")
+            page.start(hands.STITCH)
+            page.click("#headset")
+            page.until("suturing.headset.tracked[1]")
+            begin = time.monotonic()
+            state = perform(page, seed, folder)
+            task = state["task"]
+            print(f"seed {seed}: {task['phase']}, {task['time']:.1f} s in {time.monotonic() - begin:.0f} s; score {task['score']:.0f}, "
+                  f"slit {task['gap']:.2f} mm; the surgeon: {page.run('performer.doing')}; {page.run('performer.frames')} frames of the "
+                  f"controllers", flush=True)
+            assert task["number"] == hands.DONE and not task["failure"], task
+            page.run("standIn.session.end()")
+            page.until("!suturing.shown.state.tools[1].tracked")
+            replay(save(page, folder, f"task-{seed}"))
+            complaints = complaints_of(chromium, page_file)
+            if complaints:
+                return complaints
+    return []

@@ -9,8 +9,9 @@ START = (0.05, -0.05, 0.03)  # of the right tool
 FRAME = 16  # steps
 # Where the tool is to be, how far its jaws are open, in so many frames.
 PATH = [((*PLACE, 0.0), 1.0, 60), ((*PLACE, -14.2e-3), 1.0, 25), ((*PLACE, -14.2e-3), 0.0, 20), ((*PLACE, 15e-3), 0.0, 40)]
-NEEDLE, STITCH = 1, 2  # scenes
+NEEDLE, STITCH, COARSE = 1, 2, 4  # scenes
 RIGHT = 1
+DONE = 11  # the phase
 
 
 def quaternion(angle):
@@ -48,5 +49,5 @@ def controllers(scene, hash_every=20):
         if i % hash_every == 0:
             lines.append("hash")
     lines += ["state", *clutch(), "state", f"track {RIGHT} 0", "camera 0.2 0.9 0.1 1.5", f"move {RIGHT} 0 40 -10 1", f"step {FRAME}", f"clutch {RIGHT} 1",
-              f"move {RIGHT} 0 100 0 0", "move 0 1 30 0 2", f"step {FRAME}", f"clutch {RIGHT} 0", "close 0 1", "step 200", "hash", "state"]
+              f"move {RIGHT} 0 100 0 0", "move 0 1 30 0 2", f"step {FRAME}", f"clutch {RIGHT} 0", "close 0 1", "pull 0 0.5 0 -1 0 0.2 0.3 0.25", "step 200", "pull 0 0 0 0 0 0 0 1", "hash", "state"]
     return lines

@@ -1,5 +1,7 @@
 // A stand-in for navigator.xr: a headset whose two eyes are the halves of the canvas, and two controllers that a test moves:
 // standIn.hands.right = { position, orientation (w, x, y, z), trigger, grip, button, axes }. Metres, y up, the head looks along -z.
+// With standIn.before, which makes a promise, a frame waits for that; standIn.asked: what both eyes see in the next frame becomes
+// standIn.picture.
 (() => {
   const EYES = 0.064;
   const matrixOf = (position, [w, x, y, z]) => new Float32Array([
@@ -20,7 +22,7 @@
 
   const standIn = window.standIn = {
     head: { position: [0, 1.5, 0], orientation: [Math.cos(-0.27), Math.sin(-0.27), 0, 0] }, // looks 31 degrees down
-    hands: { left: hand(-0.2), right: hand(0.2) }, pulses: 0, strongest: 0, frames: 0, session: null };
+    hands: { left: hand(-0.2), right: hand(0.2) }, pulses: 0, strongest: 0, frames: 0, session: null, before: null, asked: false, picture: null };
 
   class Layer {
     constructor(session, gl) {
@@ -62,11 +64,15 @@
     }
 
     requestAnimationFrame(work) {
-      requestAnimationFrame(now => {
+      const frame = now => {
         if (this.ended) return;
         standIn.frames++;
         work(now, this.frame());
-      });
+        if (standIn.asked) standIn.picture = this.baseLayer.gl.canvas.toDataURL('image/png');
+        standIn.asked = false;
+      };
+      if (standIn.before) standIn.before().then(frame);
+      else requestAnimationFrame(frame);
     }
 
     frame() {

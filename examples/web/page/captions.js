@@ -49,12 +49,22 @@ export class Captions {
     for (const id of ['measures', 'counts', 'score']) set(id, '');
   }
 
+  // Null: the scene has one resolution only.
+  putResolution(resolution) {
+    this.resolution = resolution;
+    if (!resolution || resolution.tried.length === 1) return;
+    const [first] = resolution.tried;
+    this.say(`thread of ${resolution.segments} segments instead of ${first.segments}, with which this machine takes ` +
+      `${first.milliseconds.toFixed(2)} ms a step`, performance.now());
+  }
+
   report(task) {
     this.reported = true;
     set('result', task.failure ? `Failed: ${task.failure}` : 'Done');
     const rows = [['time', `${task.time.toFixed(1)} s`], ['score', task.score.toFixed(0)], ['penalties', task.penalties.toFixed(0)],
       ['off the marks', task.marks.map(m => `${millimetres(m)} mm`).join(', ')], ['slit', `${task.gap.toFixed(2)} mm`],
       ['tail', `${task.tail.toFixed(1)} mm`], ['throws seated', `${task.seated} of 3`], ['needle dropped', `${task.drops} times`]];
+    if (this.resolution) rows.push(['segments of the thread', String(this.resolution.segments)]);
     if (task.lost > 0) rows.push(['time that was left out', `${task.lost.toFixed(2)} s`]);
     $('facts').replaceChildren(...rows.flatMap(([name, value]) => {
       const [dt, dd] = [document.createElement('dt'), document.createElement('dd')];

@@ -1,4 +1,6 @@
-// Mouse and keyboard: one mouse moves both tools in turn, as in the desktop viewer (person.c).
+// Mouse, keyboard and gamepad: one mouse moves both tools in turn, as in the desktop viewer (person.c).
+import { Pad } from './pad.js';
+
 const FINE = 0.25; // of a movement, with shift
 const KEY_COUNTS = 300, KEY_NOTCHES = 15; // a second, of 0.1 mm and 2 mm: 30 mm/s
 const NOTCH = 100; // of a wheel's pixels
@@ -17,6 +19,8 @@ export class Desk {
     this.side = 1;
     this.closes = [false, false];
     this.held = new Set();
+    this.pad = new Pad();
+    this.pulled = '';
     this.turning = this.clutching = this.clutched = this.taken = false;
     this.look = this.firstLook = null;
     this.listen();
@@ -27,6 +31,7 @@ export class Desk {
     this.look = { ...look };
     this.side = 1;
     this.closes = tools.map(tool => tool.closes);
+    this.pulled = '';
     this.clutched = false;
   }
 
@@ -135,6 +140,22 @@ export class Desk {
 
   pull(more, less) {
     return (this.held.has(more) ? 1 : 0) - (this.held.has(less) ? 1 : 0);
+  }
+
+  // The first gamepad that is there.
+  takePad() {
+    const pads = navigator.getGamepads ? navigator.getGamepads() : [];
+    const { axes, isFine, pressed } = this.pad.read([...pads].find(pad => pad && pad.mapping === 'standard'));
+    if (pressed.jaws) this.toggle();
+    if (pressed.other) this.other();
+    if (pressed.help) this.act.help();
+    const pulled = JSON.stringify([this.side, axes, isFine]);
+    if (pulled !== this.pulled) {
+      [0, 1].forEach(side => this.send({ name: 'pull', side, axes: side === this.side ? axes : [0, 0, 0, 0, 0, 0],
+        grain: isFine ? FINE : 1 }));
+    }
+    this.pulled = pulled;
+    return pressed.pause;
   }
 
   // What held keys do in so many seconds.

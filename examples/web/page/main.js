@@ -7,7 +7,6 @@ import { Renderer, readView } from './renderer.js';
 
 const $ = id => document.getElementById(id);
 const MAX_PIXELS = 2; // a unit of the screen
-const HEARD = { ready: 'hearReady', begun: 'hearBegun', frame: 'hearFrame', log: 'hearLog', stepped: 'hearStepped', problem: 'fail' };
 
 class Page {
   constructor() {
@@ -44,11 +43,15 @@ class Page {
 
   hear(data) {
     try {
-      for (const [name, value] of Object.entries(data)) this[HEARD[name]](value);
+      for (const [name, value] of Object.entries(data)) this[`hear${name[0].toUpperCase()}${name.slice(1)}`](value);
     } catch (error) {
       this.fail(error.message);
       throw error;
     }
+  }
+
+  hearProblem(words) {
+    this.fail(words);
   }
 
   hearReady(ready) {
@@ -58,7 +61,8 @@ class Page {
     this.begin();
   }
 
-  hearBegun({ look, programs }) {
+  hearBegun({ look, programs, resolution }) {
+    this.captions.putResolution(resolution);
     this.renderer = this.renderer || new Renderer($('canvas'), programs);
     this.firstLook = look;
     this.desk.look = this.desk.look || { ...look };
@@ -90,7 +94,7 @@ class Page {
   begin() {
     this.captions.begin();
     this.headset.renew();
-    this.send({ name: 'begin', ...this.scene });
+    this.send({ name: 'begin', fits: true, ...this.scene });
   }
 
   pause(wanted) {
@@ -178,6 +182,7 @@ class Page {
     this.last = now;
     if (!this.renderer || this.failed || this.headset.session) return;
     this.resize();
+    if (this.desk.takePad()) this.pause(!this.paused);
     if (!this.paused) this.desk.pass(seconds);
     const before = this.shown;
     const view = this.exchange(now);

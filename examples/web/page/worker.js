@@ -1,6 +1,7 @@
 // Runs the session: steps of a millisecond against the clock, in slices, between which messages are heard. The page asks for
 // each picture; its buffers go to and fro.
 import packed from 'suturing-module';
+import { FINEST, choose } from './resolution.js';
 import { StepClock } from './step_clock.js';
 import { Simulation, unpack } from './simulation.js';
 
@@ -9,7 +10,9 @@ const PROBE = 50; // steps whose time is taken together
 
 const channel = new MessageChannel(); // to come again at once; a timer waits for 4 ms
 let clock = new StepClock();
-let simulation = null, paused = true, ended = false, asked = false, stepTime = null;
+export let simulation = null; // for the worker of tests
+let resolution = null;
+let paused = true, ended = false, asked = false, stepTime = null;
 
 function again() {
   if (asked || paused || ended) return;
@@ -45,13 +48,23 @@ function pause(wanted) {
   again();
 }
 
-const heard = {
-  begin({ scene, seed }) {
-    simulation.begin(scene, seed);
-    ended = false;
-    clock = new StepClock();
-    postMessage({ begun: { look: simulation.firstLook(), programs: simulation.programs() } });
-    pause(paused);
+// Of a session that was made a moment ago.
+export function begin(resolution = null) {
+  ended = false;
+  clock = new StepClock();
+  postMessage({ begun: { look: simulation.firstLook(), programs: simulation.programs(), resolution } });
+  pause(paused);
+}
+
+export const heard = {
+  // `fits`: the whole stitch is as fine as this machine can have it, which is found once.
+  begin({ scene, seed, fits }) {
+    if (fits && scene === FINEST && resolution === null) {
+      resolution = choose(tried => simulation.begin(tried, seed), () => simulation.step(1), () => performance.now());
+    }
+    const own = fits && scene === FINEST ? resolution : null;
+    simulation.begin(own ? own.scene : scene, seed);
+    begin(own);
   },
   pause({ wanted }) {
     pause(wanted);
@@ -71,6 +84,9 @@ const heard = {
   },
   move({ side, turns, right, up, away }) {
     simulation.calls.page_move(side, turns ? 1 : 0, right, up, away);
+  },
+  pull({ side, axes, grain }) {
+    simulation.calls.page_pull(side, ...axes, grain);
   },
   close({ side, closes }) {
     simulation.calls.page_close(side, closes ? 1 : 0);

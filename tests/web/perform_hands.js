@@ -1,0 +1,69 @@
+// Moves the controllers of the stand-in (stand_in_xr.js) to where the surgeon of perform_worker.js wants its tools: once in each
+// frame of the headset, by the place that the page gave the scene, and by what the controllers have, not by the page's calls.
+// In lockstep: between two frames the session makes the steps of one frame at 90 Hz, however long the picture takes.
+(() => {
+  const TIP = 0.12; // m, from the controller to its tool's tip, as docs/guides/web.md has it
+  const STEPS = 11; // a frame
+  const PRESSED = 4, PATIENCE = 40; // frames: of a press; until the next one
+  const times = ([a, b, c, d], [e, f, g, h]) =>
+    [a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g, a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e];
+  const turn = (q, v) => times(times(q, [0, ...v]), [q[0], -q[1], -q[2], -q[3]]).slice(1);
+  const waiting = [0, 0];
+  let now = 0;
+
+  function place(hand, [x, y, z, qw, qx, qy, qz, opening]) {
+    const { target, place: at, scale, turned } = window.suturing.headset.placement;
+    const orientation = times(turned, [qw, qx, qy, qz]);
+    const tip = turn(turned, [x - target[0], y - target[1], z - target[2]]).map((n, i) => at[i] + scale * n);
+    const ahead = turn(orientation, [0, 0, -TIP]);
+    Object.assign(hand, { orientation, position: tip.map((n, i) => n - ahead[i]), trigger: 1 - opening });
+  }
+
+  // Only pictures that are looked at are drawn: the processor takes 0.1 s for both eyes.
+  function drawSome(renderer) {
+    for (const name of ['drawShadows', 'drawEye']) {
+      const draw = renderer[name].bind(renderer);
+      renderer[name] = (...what) => window.standIn.asked && draw(...what);
+    }
+  }
+
+  // A press, and time for the tool to be exchanged, before the next one.
+  function exchange(hand, side, wantsShears, isShears) {
+    if (waiting[side] > 0) waiting[side]--;
+    else if (wantsShears !== isShears) waiting[side] = PATIENCE;
+    hand.button = waiting[side] > PATIENCE - PRESSED;
+  }
+
+  const performer = window.performer = {
+    ended: false, frames: 0,
+    begin(seed) {
+      const page = window.suturing;
+      page.hearWanted = wanted => this.lead(wanted);
+      page.captions.begin();
+      page.headset.renew();
+      page.pause(true);
+      drawSome(page.renderer);
+      page.send({ name: 'perform', seed });
+      window.standIn.before = () => new Promise(done => {
+        page.hearStepped = hashes => {
+          page.hashes = hashes;
+          now += STEPS;
+          done(now);
+        };
+        page.send({ name: 'steps', count: page.headset.placement && !this.ended ? STEPS : 0 });
+        page.send({ name: 'wanted' });
+      });
+    },
+    lead({ hands, doing }) {
+      const page = window.suturing;
+      Object.assign(this, { doing, ended: hands[0][9] > 0 });
+      if (!page.headset.placement || !page.shown) return;
+      ['left', 'right'].forEach((name, side) => {
+        const hand = window.standIn.hands[name];
+        place(hand, hands[side]);
+        exchange(hand, side, hands[side][8] > 0, page.shown.state.tools[side].shears);
+      });
+      this.frames++;
+    },
+  };
+})();
