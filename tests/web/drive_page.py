@@ -400,6 +400,8 @@ def check_task(page_file, folder, seeds, replay):
             assert task["number"] == hands.DONE and not task["failure"], task
             page.run("standIn.session.end()")
             page.until("!suturing.shown.state.tools[1].tracked")
+            assert page.run("document.getElementById('result').textContent") == "Done"
+            page.click("#close-report")
             replay(save(page, folder, f"task-{seed}"))
             complaints = complaints_of(chromium, page_file)
             if complaints:
