@@ -189,6 +189,76 @@ typedef struct vbss_scene_static_mesh_config {
     double thickness;
 } vbss_scene_static_mesh_config;
 
+/**
+ * Configuration of a height field. Fill it with #vbss_scene_height_field_config_init, then change
+ * fields. In its frame the heights are along y, the columns along x, and the rows along z.
+ */
+typedef struct vbss_scene_height_field_config {
+    uint32_t struct_size;  /**< Size of this struct in bytes, set by the init function. */
+    uint32_t column_count; /**< Number of heights of a row, 2 or more. */
+    uint32_t row_count;    /**< Number of rows, 2 or more. */
+    uint32_t height_count; /**< Number of heights: column_count times row_count, at most 65536. */
+    /** 0: bodies touch it from both sides (default). 1: only from above, as a one-sided mesh. */
+    uint32_t one_sided;
+    uint32_t reserved; /**< Zero. */
+    /** Heights, m, at most 1e3 in magnitude, row by row; the library copies them. */
+    const double *heights;
+    /** Position of the first height of the first row at height 0, m; default 0. */
+    double position[3];
+    /** Orientation of its frame, w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0,
+     * 0. */
+    double orientation[4];
+    double spacing[2]; /**< Spacing of columns and of rows, m, 1e-6 to 1e3; default 1e-3. */
+    /** Friction coefficient, 0 to 10; default 0.15. A contact with a thread has this coefficient, any
+     * other contact the geometric mean of both. */
+    double friction;
+    /** Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The heights are its middle: other bodies
+     * touch it at half the thickness from them. */
+    double thickness;
+} vbss_scene_height_field_config;
+
+/**
+ * Configuration of a distance field. Fill it with #vbss_scene_distance_field_config_init, then change
+ * fields.
+ */
+typedef struct vbss_scene_distance_field_config {
+    uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
+    uint32_t distance_count; /**< Number of distances: the product of the three counts. */
+    uint32_t counts[3];      /**< Numbers of distances along x, y and z, each 2 to 2048. */
+    /** 1: bodies touch it only from outside, as a one-sided mesh (default). 0: from both sides. */
+    uint32_t one_sided;
+    /** Signed distances from the surface at the points of a grid, m: negative inside, positive
+     * outside, x fastest, z slowest. The library copies them not, but the surface. */
+    const double *distances;
+    /** Position of the first point of the grid, m, each coordinate at most 1e3 in magnitude; default
+     * 0. */
+    double position[3];
+    /** Orientation of the grid, w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
+    double orientation[4];
+    double spacing[3]; /**< Spacing of the grid along x, y and z, m, 1e-6 to 1e3; default 1e-3. */
+    /** Friction coefficient, 0 to 10; default 0.15. A contact with a thread has this coefficient, any
+     * other contact the geometric mean of both. */
+    double friction;
+    /** Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. Its outer face is where the distance is
+     * 0, and its middle where it is minus half the thickness. Parts of the solid that are thinner do
+     * not exist. */
+    double thickness;
+} vbss_scene_distance_field_config;
+
+/** Configuration of a plane. Fill it with #vbss_scene_plane_config_init, then change fields. */
+typedef struct vbss_scene_plane_config {
+    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
+    uint32_t reserved;    /**< Zero. */
+    /** Direction out of the half-space that the plane bounds, of any length from 1e-100 to 1e100;
+     * default 0, 1, 0. */
+    double normal[3];
+    /** Height of the plane along its normal, m, at most 1e3 in magnitude; default 0. */
+    double height;
+    /** Coefficient of friction, 0 to 10; default 0.3. A contact with a thread has this coefficient,
+     * any other contact the geometric mean of both. */
+    double friction;
+} vbss_scene_plane_config;
+
 /** Configuration of a rigid body. Fill it with #vbss_scene_rigid_config_init, then change fields. */
 typedef struct vbss_scene_rigid_config {
     uint32_t struct_size;       /**< Size of this struct in bytes, set by the init function. */
@@ -251,7 +321,7 @@ typedef int32_t vbss_scene_field;
 enum {
     /** x 5 uint32_t: #vbss_scene_contact_kind, body a, feature a, body b, feature b. Features are
      * segments or nodes of a thread, capsules of a rigid body (2 times the capsule, plus the end
-     * if an end touches), and nodes, triangles or sides of a drain; the floor has feature 0. Each
+     * if an end touches), and nodes, triangles or sides of a drain; floor and planes have feature 0. Each
      * side of a drain's triangles is numbered once, in the order of its two nodes, the lower node
      * first. */
     VBSS_SCENE_VIEW_CONTACTS = 0,
@@ -273,9 +343,9 @@ enum {
     VBSS_SCENE_CONTACT_SEGMENTS = 0,        /**< Two segments of threads. */
     VBSS_SCENE_CONTACT_NODE_CAPSULE = 1,    /**< A smoothed point of a fine thread and a capsule. */
     VBSS_SCENE_CONTACT_SEGMENT_CAPSULE = 2, /**< A segment of a coarse thread and a capsule. */
-    VBSS_SCENE_CONTACT_NODE_FLOOR = 3,      /**< A node of a thread and the floor. */
+    VBSS_SCENE_CONTACT_NODE_FLOOR = 3,      /**< A node of a thread and the floor, or a plane. */
     VBSS_SCENE_CONTACT_CAPSULES = 4,        /**< Two capsules of different bodies. */
-    VBSS_SCENE_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule and the floor. */
+    VBSS_SCENE_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule and the floor, or a plane. */
     /** A held point and a grasper. The feature of a thread is 3 times the index of the grasp plus
      * the index of one of its three held points. The feature of a needle or a drain is the index
      * of the held point. The feature of the grasper is 0. */
@@ -285,7 +355,7 @@ enum {
     /** A segment of a thread, a capsule or a side of a drain's triangle, with a side of a drain's
      * triangle. */
     VBSS_SCENE_CONTACT_SIDES = 8,
-    VBSS_SCENE_CONTACT_DRAIN_FLOOR = 9, /**< A node of a drain and the floor. */
+    VBSS_SCENE_CONTACT_DRAIN_FLOOR = 9, /**< A node of a drain and the floor, or a plane. */
     /** A needle or a thread in a hole of a drain. The feature of the suture is the index of the
      * hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
      * particles were moved. */
@@ -597,6 +667,151 @@ static inline vbss_scene_static_mesh_config vbss_scene_static_mesh_config_defaul
 VBSS_API vbss_result vbss_scene_add_static_mesh(vbss_scene *scene,
                                                 const vbss_scene_static_mesh_config *config,
                                                 uint32_t *body);
+
+/**
+ * Fills a configuration of a height field with defaults.
+ *
+ * @param[out] config  the struct to fill
+ * @param struct_size  sizeof(*config) in the host's version of the struct
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_height_field_config_init(vbss_scene_height_field_config *config,
+                                                         uint32_t struct_size);
+
+/**
+ * Returns the default configuration that #vbss_scene_height_field_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_scene_height_field_config vbss_scene_height_field_config_default(void)
+{
+    vbss_scene_height_field_config vbss_filled;
+    (void)vbss_scene_height_field_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
+ * Adds a height field that never moves: a static mesh with two triangles for each cell of the grid. All
+ * that #vbss_scene_add_static_mesh says holds for it, and its kind is VBSS_SCENE_BODY_STATIC_MESH. The
+ * triangles of a cell meet on its diagonal from the first corner. Feature 2 n is the triangle of cell n
+ * on the side of the rows, 2 n + 1 that on the side of the columns.
+ *
+ * @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+ * @param config     the configuration; not NULL, because a field needs heights
+ * @param[out] body  its number in the scene, from 1 on, never reused
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: height_count is not the product of
+ *         columns and rows, or an overlap, if the scene refuses it), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_add_height_field(vbss_scene *scene,
+                                                 const vbss_scene_height_field_config *config,
+                                                 uint32_t *body);
+
+/**
+ * Fills a configuration of a distance field with defaults.
+ *
+ * @param[out] config  the struct to fill
+ * @param struct_size  sizeof(*config) in the host's version of the struct
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_distance_field_config_init(vbss_scene_distance_field_config *config,
+                                                           uint32_t struct_size);
+
+/**
+ * Returns the default configuration that #vbss_scene_distance_field_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_scene_distance_field_config vbss_scene_distance_field_config_default(void)
+{
+    vbss_scene_distance_field_config vbss_filled;
+    (void)vbss_scene_distance_field_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
+ * Adds the surface of a solid that is given by signed distances at the points of a grid, and never moves.
+ * The call finds the surface on which the trilinear interpolation of the distances is minus half the
+ * thickness, with one vertex for each cell of the grid that the surface passes, and adds it as a static
+ * mesh. All that #vbss_scene_add_static_mesh says holds for it, and its kind is
+ * VBSS_SCENE_BODY_STATIC_MESH. The surface is open where it leaves the grid. A surface that passes a cell
+ * more than once is refused, because the grid is too coarse for it. Parts that lie between the points of
+ * the grid are not in the distances, and so not in the surface.
+ *
+ * @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+ * @param config     the configuration; not NULL, because a field needs distances
+ * @param[out] body  its number in the scene, from 1 on, never reused
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: distance_count is not the product
+ *         of the counts, no surface, one that passes a cell twice or has more triangles than a static
+ *         mesh, or an overlap, if the scene refuses it), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_add_distance_field(vbss_scene *scene,
+                                                   const vbss_scene_distance_field_config *config,
+                                                   uint32_t *body);
+
+/**
+ * Fills a configuration of a plane with defaults.
+ *
+ * @param[out] config  the struct to fill
+ * @param struct_size  sizeof(*config) in the host's version of the struct
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_plane_config_init(vbss_scene_plane_config *config,
+                                                  uint32_t struct_size);
+
+/**
+ * Returns the default configuration that #vbss_scene_plane_config_init fills.
+ *
+ * @return the struct, with its size
+ * @threads any thread, any time
+ * @since 1.0
+ */
+static inline vbss_scene_plane_config vbss_scene_plane_config_default(void)
+{
+    vbss_scene_plane_config vbss_filled;
+    (void)vbss_scene_plane_config_init(&vbss_filled, (uint32_t)sizeof vbss_filled);
+    return vbss_filled;
+}
+
+/**
+ * Adds a plane that never moves. It bounds a half-space, as the floor does, and has the rules of the
+ * floor: nodes of threads, ends of capsules and nodes of drains touch it. Its contacts have the kinds
+ * of those with the floor, and its number as body b. It counts as one of the scene's rigid bodies
+ * (rigid_capacity) without capsules. No node can be pinned to it. A driven body that is in the
+ * half-space when the plane is added is held back by it. #vbss_scene_get_rigid reports the contact
+ * force on it.
+ *
+ * @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+ * @param config     the configuration
+ * @param[out] body  its number in the scene, from 1 on, never reused
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: an overlap, if the scene refuses
+ *         it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_add_plane(vbss_scene *scene, const vbss_scene_plane_config *config,
+                                          uint32_t *body);
 
 /**
  * Adds a needle as a free body with its current pose and velocity. A thread whose first node is

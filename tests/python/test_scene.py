@@ -275,6 +275,35 @@ def test_a_static_mesh_bears_a_thread(context):
         scene.add_static_mesh([(0, 0, 0), (0, 0, 1), (1, 0, 0)], [(0, 1, 3)])
 
 
+def test_sampled_geometry_is_a_static_mesh(context):
+    scene = vb.Scene(context)
+    ground = scene.add_height_field([[0.0, 1e-3, 0.0], [0.0, 2e-3, 0.0]], spacing=(2e-3, 3e-3), friction=0.2)
+    side = [-3e-3 + 1e-3 * i for i in range(7)]
+    ball = scene.add_distance_field([math.sqrt(x * x + y * y + z * z) - 2e-3 for z in side for y in side for x in side],
+                                    (7, 7, 7), position=(0.05, -3e-3, -3e-3))
+    assert scene.body_info(ground).kind is scene.body_info(ball).kind is vb.SceneBodyKind.STATIC_MESH
+    found = scene.find_nearest((0.053, 5e-3, 0.0), 0.01)
+    assert found.body == ball and found.distance == pytest.approx(3e-3, abs=0.3e-3)
+    with pytest.raises(ValueError):
+        scene.add_height_field([[0.0, 1.0], [0.0]])
+    with pytest.raises(vb.OutOfRangeError):
+        scene.add_distance_field([1.0] * 8, (2, 2, 3))
+
+
+def test_planes_hold_a_thread(context):
+    scene = vb.Scene(context)
+    planes = [scene.add_plane((side, 1, 0), friction=0.0) for side in (-1.0, 1.0)]
+    thread = vb.Thread(context, segment_count=10, start=(0, 2e-3, -5e-3), direction=(0, 0, 1), length=0.01)
+    scene.add(thread)
+    for _ in range(400):
+        scene.step()
+    assert scene.body_info(planes[0]).kind is vb.SceneBodyKind.PLANE
+    forces = [scene.rigid(plane).contact_force for plane in planes]
+    assert forces[0][0] == pytest.approx(-forces[1][0], rel=1e-6) and forces[0][1] < 0
+    with pytest.raises(vb.Error):
+        scene.add_plane((0, 0, 0))
+
+
 def test_only_method_vblast_has_baseline_statistics():
     with vb.Scene(method="vblast") as scene:
         thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)

@@ -8,7 +8,8 @@ from ._api.base import Method
 from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
                          SceneRigidState, SceneField, SceneMode, SceneStatistics, vbss_scene_blocker, vbss_scene_capsule, vbss_scene_grasp, vbss_scene_hole,
-                         vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config, vbss_scene_static_mesh_config,
+                         vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config, vbss_scene_plane_config, vbss_scene_static_mesh_config,
+                         vbss_scene_height_field_config, vbss_scene_distance_field_config,
                          vbss_scene_statistics)
 from ._api.drain import vbss_drain
 from ._api.grasper import vbss_grasper
@@ -159,6 +160,42 @@ class Scene(Configured, Viewed, Saved):
         config.triangle_count, config.triangles = len(corners) // 3, corners
         number = ctypes.c_uint32()
         self._call(lib.vbss_scene_add_static_mesh, ctypes.byref(config), ctypes.byref(number))
+        return number.value
+
+    def add_height_field(self, heights: Any, **settings: Any) -> int:
+        """Adds a static mesh of heights (rows x columns, m) along y; returns its number. Columns are along x, rows along
+        z; keywords as in vbss_scene_height_field_config: spacing, position, orientation, friction."""
+        rows = [doubles(row, "a row of heights") for row in heights]
+        if len({len(row) for row in rows}) != 1:
+            raise ValueError("heights: the rows differ in length, or there are none")
+        values = doubles([value for row in rows for value in row], "heights")
+        config = initialised(vbss_scene_height_field_config, lib.vbss_scene_height_field_config_init, settings, "a height field")
+        config.row_count, config.column_count, config.height_count = len(rows), len(rows[0]), len(values)
+        config.heights = values
+        number = ctypes.c_uint32()
+        self._call(lib.vbss_scene_add_height_field, ctypes.byref(config), ctypes.byref(number))
+        return number.value
+
+    def add_distance_field(self, distances: Any, counts: tuple[int, int, int], **settings: Any) -> int:
+        """Adds the surface of a solid as a static mesh; returns its number. `distances`: from the surface, m, negative
+        inside, at the points of a grid with `counts` points along x, y and z, x fastest; keywords as in
+        vbss_scene_distance_field_config: spacing, position, orientation, friction, thickness."""
+        values = doubles(distances, "distances")
+        config = initialised(vbss_scene_distance_field_config, lib.vbss_scene_distance_field_config_init, settings,
+                             "a distance field")
+        config.counts[:] = [index(count) for count in counts]
+        config.distance_count, config.distances = len(values), values
+        number = ctypes.c_uint32()
+        self._call(lib.vbss_scene_add_distance_field, ctypes.byref(config), ctypes.byref(number))
+        return number.value
+
+    def add_plane(self, normal: Any = (0.0, 1.0, 0.0), height: float = 0.0, friction: float = 0.3) -> int:
+        """Adds a plane that never moves, like the floor; returns its number. `normal`: out of the half-space below it;
+        `height`: along the normal, m."""
+        config = initialised(vbss_scene_plane_config, lib.vbss_scene_plane_config_init,
+                             {"normal": normal, "height": height, "friction": friction}, "a plane")
+        number = ctypes.c_uint32()
+        self._call(lib.vbss_scene_add_plane, ctypes.byref(config), ctypes.byref(number))
         return number.value
 
     def remove(self, body: int) -> None:

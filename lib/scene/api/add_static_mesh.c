@@ -144,26 +144,37 @@ static vbss_result add_mesh(scene_object *s, const vbss_scene_static_mesh_config
     return vbss_scene_place_static_mesh(s, c, b, body);
 }
 
+vbss_result vbss_scene_add_checked_mesh(vbss_scene *scene, scene_object *s,
+                                        const vbss_scene_static_mesh_config *c, uint32_t *body)
+{
+    scene_edit edit;
+    scene_body *entry;
+    VBSS_TRY(vbss_scene_check_static_mesh(s->context, c));
+    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &entry));
+    vbss_warn_if_unlikely(s->context, vbss_max_abs(c->vertices, 3 * (size_t)c->vertex_count),
+                          VBSS_LIKELY_LENGTH, "a coordinate of vertices", "m", "mm");
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, add_mesh(s, c, body));
+}
+
+vbss_result vbss_scene_check_mesh_method(const scene_object *s)
+{
+    return s->config.method == VBSS_METHOD_IMPLICIT
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
+                           "only scenes of method IMPLICIT have static meshes");
+}
+
 vbss_result vbss_scene_add_static_mesh(vbss_scene *scene,
                                        const vbss_scene_static_mesh_config *config, uint32_t *body)
 {
     VBSS_ENTER(scene);
     scene_object *s;
     vbss_scene_static_mesh_config own;
-    scene_edit edit;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
     VBSS_TRY(vbss_config_read(s->context, &mesh_layout, config, &own));
-    if (s->config.method != VBSS_METHOD_IMPLICIT) {
-        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
-                         "only scenes of method IMPLICIT have static meshes");
-    }
-    VBSS_TRY(vbss_scene_check_static_mesh(s->context, &own));
-    scene_body *entry;
-    VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &entry));
-    vbss_warn_if_unlikely(s->context, vbss_max_abs(own.vertices, 3 * (size_t)own.vertex_count),
-                          VBSS_LIKELY_LENGTH, "a coordinate of vertices", "m", "mm");
-    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
-    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
-    return vbss_scene_end_edit(&edit, add_mesh(s, &own, body));
+    VBSS_TRY(vbss_scene_check_mesh_method(s));
+    return vbss_scene_add_checked_mesh(scene, s, &own, body);
 }

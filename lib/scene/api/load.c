@@ -385,6 +385,18 @@ static vbss_result load_static_mesh(scene_loader *l, const scene_body_descriptio
     return result;
 }
 
+static vbss_result load_plane(scene_loader *l, const scene_body_description *d)
+{
+    const scene_plane_description *p = &d->plane;
+    scene_body *b;
+    uint32_t number;
+    if (!vbss_scene_is_plane_valid(p)) {
+        return refuse(l, "no such plane");
+    }
+    VBSS_TRY(claim_place(l, d, SCENE_BODY_RIGID, &b));
+    return vbss_scene_place_plane(l->s, p, b, &number);
+}
+
 /* ---- all bodies */
 
 /* The configurations start with the defaults, which also sets their sizes. */
@@ -434,6 +446,8 @@ static vbss_result load_body(scene_loader *l)
         return load_grasper(l, &d);
     case SCENE_DESCRIBED_STATIC_MESH:
         return load_static_mesh(l, &d);
+    case SCENE_DESCRIBED_PLANE:
+        return load_plane(l, &d);
     default: /* SCENE_DESCRIBED_RIGID */
         return load_rigid(l, &d);
     }

@@ -27,6 +27,8 @@ scene_outline vbss_scene_outline_of(const scene_object *s, const scene_body *b)
     default:
         if (b->rigid.is_static_mesh) {
             o.surface = surface_of_mesh(s, b);
+        } else if (b->rigid.is_plane) {
+            o.plane = &b->rigid.plane;
         } else {
             o.rigid = &b->rigid;
         }
@@ -37,6 +39,9 @@ scene_outline vbss_scene_outline_of(const scene_object *s, const scene_body *b)
 
 uint32_t vbss_scene_outline_segments(const scene_outline *o)
 {
+    if (o->plane != NULL) {
+        return 0;
+    }
     if (o->thread != NULL) {
         return o->thread->node_count - 1;
     }

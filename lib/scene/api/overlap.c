@@ -154,32 +154,34 @@ static double outline_depth(const scene_object *s, const scene_outline *a, const
     return deepest;
 }
 
+static double depth_in_plane(const scene_object *s, scene_plane plane, const scene_outline *o)
+{
+    double deepest = 0.0;
+    for (uint32_t i = 0; i < vbss_scene_outline_segments(o); i++) {
+        const scene_segment g = vbss_scene_outline_segment(s, o, i);
+        for (int k = 0; k < 2; k++) {
+            const double depth = g.radius - scene_height_over(plane, g.ends[k]);
+            const bool is_deep = depth > s->solver.penetration_tolerance * 2.0 * g.radius;
+            deepest = is_deep ? vbss_max(deepest, depth) : deepest;
+        }
+    }
+    return deepest;
+}
+
 /* The order of the bodies decides whose segments are excused and whose triangles are tested. */
 static double pair_depth(const scene_object *s, const scene_outline *a, const scene_outline *b)
 {
     if (a->is_prescribed && b->is_prescribed) {
         return 0.0;
     }
+    if (a->plane != NULL || b->plane != NULL) {
+        return a->plane != NULL ? depth_in_plane(s, *a->plane, b) : depth_in_plane(s, *b->plane, a);
+    }
     const bool is_a_surface = a->surface.triangle_count > 0;
     if (is_a_surface && b->surface.triangle_count > 0) {
         return vbss_max(outline_depth(s, a, b), outline_depth(s, b, a));
     }
     return is_a_surface || b->thread != NULL ? outline_depth(s, b, a) : outline_depth(s, a, b);
-}
-
-static double floor_depth(const scene_object *s, const scene_outline *o)
-{
-    double deepest = 0.0;
-    for (uint32_t i = 0; i < vbss_scene_outline_segments(o); i++) {
-        const scene_segment g = vbss_scene_outline_segment(s, o, i);
-        for (int k = 0; k < 2; k++) {
-            const double height = vec3_dot(s->floor_normal, g.ends[k]) - s->config.floor_height;
-            const double depth = g.radius - height;
-            const bool is_deep = depth > s->solver.penetration_tolerance * 2.0 * g.radius;
-            deepest = is_deep ? vbss_max(deepest, depth) : deepest;
-        }
-    }
-    return deepest;
 }
 
 /* ---- one body and all others */
@@ -190,7 +192,7 @@ static vbss_scene_overlap find_deepest(const scene_object *s, const scene_outlin
     const scene_body *own = vbss_scene_body(s, o->number);
     if (s->config.floor != 0 && !o->is_prescribed &&
         (own == NULL || vbss_scene_do_collide(s, own, NULL))) {
-        found.depth = floor_depth(s, o);
+        found.depth = depth_in_plane(s, scene_plane_of(s, NULL), o);
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];

@@ -19,8 +19,9 @@ typedef struct scene_triangle {
 } scene_triangle;
 
 /* A body as line segments, each with a radius, and a surface as triangles too. Exactly one of the
- * first six members is set. */
+ * first seven members is set. */
 typedef struct scene_outline {
+    const scene_plane *plane; /* it has no segments */
     const thread_object *thread;
     scene_surface surface;
     const needle_object *needle;             /* not yet in the scene */

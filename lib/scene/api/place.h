@@ -4,6 +4,7 @@
 #ifndef VBSS_SCENE_PLACE_H
 #define VBSS_SCENE_PLACE_H
 
+#include "scene/snapshot/describe.h"
 #include "scene/world/scene_data.h"
 
 /* ---- new_body.c */
@@ -53,6 +54,21 @@ vbss_result vbss_scene_place_rigid(scene_object *s, const scene_rigid *rigid, sc
 vbss_result vbss_scene_place_static_mesh(scene_object *s,
                                          const vbss_scene_static_mesh_config *config, scene_body *b,
                                          uint32_t *body);
+
+/* Checks a static mesh and adds it, as an edit of the host. */
+vbss_result vbss_scene_add_checked_mesh(vbss_scene *scene, scene_object *s,
+                                        const vbss_scene_static_mesh_config *config,
+                                        uint32_t *body);
+
+/* VBSS_ERROR_INCOMPATIBLE if the method of the scene has no static meshes. */
+vbss_result vbss_scene_check_mesh_method(const scene_object *s);
+
+/* Places a plane. */
+vbss_result vbss_scene_place_plane(scene_object *s, const scene_plane_description *plane,
+                                   scene_body *b, uint32_t *body);
+
+/* Whether the numbers of a plane are those of one that a host can add. */
+bool vbss_scene_is_plane_valid(const scene_plane_description *plane);
 
 /* Checks the configuration of a static mesh, and sets the error text. */
 vbss_result vbss_scene_check_static_mesh(vbss_context *context,

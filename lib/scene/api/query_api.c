@@ -57,6 +57,11 @@ static place place_on_triangle(const scene_triangle *t, vec3 point)
     return place_at(closest_on_triangle(relative, weights), t->radius, normal_of(t));
 }
 
+static place place_on_plane(scene_plane plane, vec3 point)
+{
+    return (place){scene_height_over(plane, point), plane.normal};
+}
+
 /* ---- rays */
 
 typedef struct ray {
@@ -163,17 +168,31 @@ static entry enter_triangle(const ray *r, const scene_triangle *t)
     return first;
 }
 
+static entry enter_plane(scene_plane plane, const ray *r)
+{
+    const double height = scene_height_over(plane, r->origin);
+    const double fall = -vec3_dot(r->translation, plane.normal);
+    if (height <= 0.0) {
+        return (entry){0.0, plane.normal};
+    }
+    return fall > 0.0 ? (entry){height / fall, plane.normal} : no_entry;
+}
+
 /* ---- features of bodies */
 
 static uint32_t count_features(const scene_outline *o)
 {
-    return o->surface.triangle_count > 0 ? o->surface.triangle_count
-                                         : vbss_scene_outline_segments(o);
+    return o->plane != NULL                ? 1
+           : o->surface.triangle_count > 0 ? o->surface.triangle_count
+                                           : vbss_scene_outline_segments(o);
 }
 
 static place place_on_feature(const scene_object *s, const scene_outline *o, uint32_t feature,
                               vec3 point)
 {
+    if (o->plane != NULL) {
+        return place_on_plane(*o->plane, point);
+    }
     if (o->surface.triangle_count > 0) {
         const scene_triangle t = vbss_scene_outline_triangle(o, feature);
         return place_on_triangle(&t, point);
@@ -185,6 +204,9 @@ static place place_on_feature(const scene_object *s, const scene_outline *o, uin
 static entry enter_feature(const scene_object *s, const scene_outline *o, uint32_t feature,
                            const ray *r)
 {
+    if (o->plane != NULL) {
+        return enter_plane(*o->plane, r);
+    }
     const place start = place_on_feature(s, o, feature, r->origin);
     if (start.distance <= 0.0) {
         return (entry){0.0, start.normal};
@@ -207,28 +229,13 @@ static bool is_floor_queried(const scene_object *s, uint32_t mask)
     return s->config.floor != 0 && (s->settings.floor_filter.category & mask) != 0;
 }
 
-static double height_over_floor(const scene_object *s, vec3 point)
-{
-    return vec3_dot(point, s->floor_normal) - s->config.floor_height;
-}
-
 /* ---- a ray */
-
-static entry enter_floor(const scene_object *s, const ray *r)
-{
-    const double height = height_over_floor(s, r->origin);
-    const double fall = -vec3_dot(r->translation, s->floor_normal);
-    if (height <= 0.0) {
-        return (entry){0.0, s->floor_normal};
-    }
-    return fall > 0.0 ? (entry){height / fall, s->floor_normal} : no_entry;
-}
 
 static entry cast(const scene_object *s, const ray *r, uint32_t mask, vbss_scene_ray_hit *hit)
 {
     entry first = no_entry;
     if (is_floor_queried(s, mask)) {
-        first = enter_floor(s, r);
+        first = enter_plane(scene_plane_of(s, NULL), r);
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (!is_queried(&s->bodies[i], mask)) {
@@ -281,7 +288,7 @@ static place find_nearest(const scene_object *s, vec3 point, uint32_t mask,
 {
     place best = {HUGE_VAL, vec3_zero()};
     if (is_floor_queried(s, mask)) {
-        best = (place){height_over_floor(s, point), s->floor_normal};
+        best = place_on_plane(scene_plane_of(s, NULL), point);
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (!is_queried(&s->bodies[i], mask)) {

@@ -126,12 +126,12 @@ static void find_first_impact(scene_object *s)
     }
 }
 
-/* ---- floor */
+/* ---- planes */
 
-static double time_of_floor_impact(const scene_object *s, vec3 start, vec3 end, double radius)
+static double time_of_plane_impact(scene_plane plane, vec3 start, vec3 end, double radius)
 {
-    double start_height = vec3_dot(start, s->floor_normal) - s->config.floor_height;
-    double end_height = vec3_dot(end, s->floor_normal) - s->config.floor_height;
+    double start_height = scene_height_over(plane, start);
+    double end_height = scene_height_over(plane, end);
     double min_height = SCENE_CCD_FLOOR_RATIO * radius;
     if (start_height < min_height) { /* started too low already */
         min_height = start_height - (1.0 - SCENE_CCD_RATIO_WHEN_NEARER) * fabs(start_height);
@@ -140,35 +140,50 @@ static double time_of_floor_impact(const scene_object *s, vec3 start, vec3 end, 
                                     : (start_height - min_height) / (start_height - end_height);
 }
 
-static void find_first_floor_impact(scene_object *s)
+/* `number`: of the plane's body; 0: the floor. */
+static void find_first_impact_on(scene_object *s, const scene_body *on, uint32_t number)
 {
-    for (uint32_t i = 0; s->config.floor != 0 && i < s->body_count; i++) {
+    const scene_plane plane = scene_plane_of(s, on);
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         const thread_object *t = b->thread.thread;
         const scene_rigid *r = &b->rigid;
         double earliest = 1.0;
-        if (!vbss_scene_do_collide(s, b, NULL)) {
+        if (!vbss_scene_do_collide(s, b, on)) {
             continue;
         }
         for (uint32_t k = 0; scene_active_kind(b) == SCENE_BODY_THREAD && k < t->node_count; k++) {
             double impact_time =
-                time_of_floor_impact(s, t->now.x[k], t->trial[k], t->config.radius);
+                time_of_plane_impact(plane, t->now.x[k], t->trial[k], t->config.radius);
             earliest = vbss_min(impact_time, earliest);
         }
         for (uint32_t k = 0; scene_active_kind(b) == SCENE_BODY_RIGID && k < 2 * r->capsule_count;
              k++) {
             const scene_capsule *c = &s->capsules[r->first_capsule + k / 2];
-            double impact_time = time_of_floor_impact(s, c->now[k % 2], c->trial[k % 2], c->radius);
+            double impact_time =
+                time_of_plane_impact(plane, c->now[k % 2], c->trial[k % 2], c->radius);
             earliest = vbss_min(impact_time, earliest);
         }
         const drain_object *d = b->drain.drain;
         for (uint32_t k = 0; scene_active_kind(b) == SCENE_BODY_DRAIN && k < d->mesh.node_count;
              k++) {
             double impact_time =
-                time_of_floor_impact(s, d->x[k], d->trial[k], 0.5 * d->config.thickness);
+                time_of_plane_impact(plane, d->x[k], d->trial[k], 0.5 * d->config.thickness);
             earliest = vbss_min(impact_time, earliest);
         }
-        record_impact(s, earliest, (scene_touching_pair){b->number, 0});
+        record_impact(s, earliest, (scene_touching_pair){b->number, number});
+    }
+}
+
+static void find_first_impact_on_planes(scene_object *s)
+{
+    if (s->config.floor != 0) {
+        find_first_impact_on(s, NULL, 0);
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (scene_is_plane(&s->bodies[i])) {
+            find_first_impact_on(s, &s->bodies[i], s->bodies[i].number);
+        }
     }
 }
 
@@ -181,6 +196,6 @@ scene_substep_outcome vbss_scene_run_ccd(scene_object *s)
     vbss_scene_find_trial_slides(s);
     s->step.time_of_impact = 1.0;
     find_first_impact(s);
-    find_first_floor_impact(s);
+    find_first_impact_on_planes(s);
     return s->step.time_of_impact < 1.0 ? SCENE_SUBSTEP_CCD_HIT : SCENE_SUBSTEP_ACCEPTED;
 }

@@ -91,7 +91,7 @@ scene_substep_outcome vbss_scene_list_ccd_pairs(scene_object *s)
     s->step.can_skip_slow_pairs = is_expected && do_pairs_start_apart(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_NONE || scene_is_static_mesh(b)) {
+        if (b->kind == SCENE_BODY_NONE || scene_is_static_mesh(b) || scene_is_plane(b)) {
             continue;
         }
         const vertex_motion m = vertex_motion_of(s, b);

@@ -128,10 +128,10 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
 {
     if (is_feature_prescribed(s, m->a, key->kind, false, key->feature_a) &&
         is_feature_prescribed(s, m->b, key->kind, true, key->feature_b)) {
-        /* CCD tests neither the floor, nor features at rest, nor overlaps that the host made. */
+        /* CCD tests features at rest and overlaps that the host made not at all, planes by themselves. */
         s->step.has_unlisted_pairs =
             s->step.has_unlisted_pairs ||
-            (m->b != NULL && largest_relative_motion(m) > 0.0 &&
+            (m->b != NULL && !scene_is_plane(m->b) && largest_relative_motion(m) > 0.0 &&
              !vbss_scene_is_overlap(s, m->a, m->b) &&
              (m->candidate == NULL ||
               !scene_stays_apart(s, m->candidate, s->solver.contact_margin)));
@@ -167,18 +167,19 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
     return !is_needed || has_room;
 }
 
-bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const scene_body *b,
-                                  vec3 x, double radius, vec3 displacement)
+bool vbss_scene_add_plane_contact(scene_object *s, const contact_key *key,
+                                  const scene_sphere *sphere, const scene_body *plane)
 {
-    static const vec3 floor_displacement;
-    /* Only a downward motion can reach the floor. */
-    double down = vbss_min(vec3_dot(displacement, s->floor_normal), 0.0);
-    double gap = vec3_dot(s->floor_normal, x) - s->config.floor_height - radius;
+    static const vec3 plane_displacement;
+    const scene_plane p = scene_plane_of(s, plane);
+    /* Only a downward motion can reach the plane. */
+    double down = vbss_min(vec3_dot(sphere->displacement, p.normal), 0.0);
+    double gap = scene_height_over(p, sphere->x) - sphere->radius;
     if (gap - s->solver.contact_margin >
         -SCENE_FLOOR_REACH_RATIO * SCENE_EXTRAPOLATION_RATIO * down) {
         return true;
     }
-    vec3 downward = vec3_scale(s->floor_normal, down);
-    const scene_contact_pair m = {b, NULL, &downward, &floor_displacement, 1, 1, NULL};
+    vec3 downward = vec3_scale(p.normal, down);
+    const scene_contact_pair m = {sphere->body, plane, &downward, &plane_displacement, 1, 1, NULL};
     return vbss_scene_add_contact(s, key, &m);
 }

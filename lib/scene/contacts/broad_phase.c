@@ -53,7 +53,8 @@ vbss_result vbss_scene_run_broad_phase(scene_object *s)
 vbss_result vbss_scene_find_candidates(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind != SCENE_BODY_NONE && !scene_is_static_mesh(&s->bodies[i])) {
+        if (s->bodies[i].kind != SCENE_BODY_NONE && !scene_is_static_mesh(&s->bodies[i]) &&
+            !scene_is_plane(&s->bodies[i])) {
             VBSS_TRY(sweep_shape(s, &s->bodies[i]));
         }
     }

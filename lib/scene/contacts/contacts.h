@@ -55,6 +55,13 @@ static inline void scene_clip_axis(vec3 axis[2], const double interval[2])
     axis[1] = vec3_lerp(start, axis[1], interval[1]);
 }
 
+/* A sphere that may touch a plane: a node, or the end of a capsule. */
+typedef struct scene_sphere {
+    const scene_body *body;
+    vec3 x, displacement; /* centre, and its expected displacement, m */
+    double radius;        /* m */
+} scene_sphere;
+
 /* Two features that may touch, and how far their vertices may move. b is NULL: the floor. */
 typedef struct scene_contact_pair {
     const scene_body *a, *b;
@@ -104,8 +111,8 @@ bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate 
 /* Normal of a contact with the edge of a static mesh. `separation`: from the point at fraction `at` of the edge to
  * the closest point of the other body. If that body is over a triangle beside the edge, and not below its
  * plane, the triangle's normal, otherwise the direction of the separation; zero if there is none. */
-vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const uint32_t edge[2],
-                            double at, double contact_distance, vec3 separation);
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, uint32_t edge, double at,
+                            double contact_distance, vec3 separation);
 
 /* ---- motion_bounds.c */
 
@@ -183,7 +190,7 @@ void vbss_scene_update_bilateral_constraint(scene_object *s, contact_constraint 
 /* ---- narrow_phase.c */
 
 /* Finds closest points, normal, contact distance and gap of two features at the start of the
- * substep. `b` is NULL for the floor. Returns false if the gap is not below `reach` (m), or if a
+ * substep. `b` is a plane, or NULL for the floor, if the contact is one with a plane. Returns false if the gap is not below `reach` (m), or if a
  * neighbouring feature covers the closest point. */
 bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *constraint,
                                  const scene_body *a, const scene_body *b, double reach);
@@ -209,11 +216,10 @@ void vbss_scene_measure_gaps(scene_object *s);
  * both prescribed get none. False: the contact set is full. */
 bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene_contact_pair *m);
 
-/* Adds a contact constraint of the floor and a sphere of radius `radius` (m) at `x`, if they may
- * touch in the substep. `displacement`: expected displacement of the sphere, m. False: the contact
- * set is full. */
-bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const scene_body *b,
-                                  vec3 x, double radius, vec3 displacement);
+/* Adds a contact constraint of a sphere and a plane (NULL: the floor), if they may touch in the
+ * substep. False: the contact set is full. */
+bool vbss_scene_add_plane_contact(scene_object *s, const contact_key *key,
+                                  const scene_sphere *sphere, const scene_body *plane);
 
 /* ---- surface_contacts.c */
 
@@ -221,8 +227,9 @@ bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const
  * touch. False: the contact set is full. */
 bool vbss_scene_add_surface_contact(scene_object *s, const collision_candidate *q);
 
-/* Adds contacts of a drain's nodes with the floor. False: the contact set is full. */
-bool vbss_scene_add_drain_floor_contacts(scene_object *s, const scene_body *b);
+/* Adds contacts of a drain's nodes with a plane (NULL: the floor). False: the contact set is full. */
+bool vbss_scene_add_drain_plane_contacts(scene_object *s, const scene_body *b,
+                                         const scene_body *plane);
 
 /* ---- duplicate_contacts.c */
 

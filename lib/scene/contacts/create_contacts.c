@@ -152,29 +152,54 @@ static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
     return add_thread_contacts(s, q, &m, first);
 }
 
-/* ---- contacts with the floor */
+/* ---- contacts with planes */
 
-static bool add_floor_contacts(scene_object *s, const scene_body *b)
+static bool add_plane_contacts_of(scene_object *s, const scene_body *b, const scene_body *plane)
 {
     if (b->kind == SCENE_BODY_DRAIN) {
-        return vbss_scene_add_drain_floor_contacts(s, b);
+        return vbss_scene_add_drain_plane_contacts(s, b, plane);
     }
     bool thread = b->kind == SCENE_BODY_THREAD;
     uint32_t count = thread ? b->thread.thread->node_count : 2 * b->rigid.capsule_count;
     for (uint32_t i = 0; i < count; i++) {
         const contact_key key = {thread ? VBSS_SCENE_CONTACT_NODE_FLOOR
                                         : VBSS_SCENE_CONTACT_CAPSULE_FLOOR,
-                                 b->number, i, 0, 0};
+                                 b->number, i, plane != NULL ? plane->number : 0, 0};
         const vec3 *displacement =
             thread ? node_displacements(s, b, i) : capsule_displacements(s, b, i / 2) + i % 2;
         const scene_capsule *c = thread ? NULL : &s->capsules[b->rigid.first_capsule + i / 2];
-        vec3 x = thread ? b->thread.thread->now.x[i] : c->now[i % 2];
-        double radius = thread ? b->thread.thread->config.radius : c->radius;
-        if (!vbss_scene_add_floor_contact(s, &key, b, x, radius, *displacement)) {
+        const scene_sphere sphere = {.body = b,
+                                     .x = thread ? b->thread.thread->now.x[i] : c->now[i % 2],
+                                     .displacement = *displacement,
+                                     .radius =
+                                         thread ? b->thread.thread->config.radius : c->radius};
+        if (!vbss_scene_add_plane_contact(s, &key, &sphere, plane)) {
             return false;
         }
     }
     return true;
+}
+
+/* Contacts of all bodies with a plane (NULL: the floor). */
+static bool add_plane_contacts(scene_object *s, const scene_body *plane)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->kind != SCENE_BODY_NONE && vbss_scene_do_collide(s, b, plane) &&
+            !add_plane_contacts_of(s, b, plane)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool add_contacts_of_all_planes(scene_object *s)
+{
+    bool has_room = s->config.floor == 0 || add_plane_contacts(s, NULL);
+    for (uint32_t i = 0; has_room && i < s->body_count; i++) {
+        has_room = !scene_is_plane(&s->bodies[i]) || add_plane_contacts(s, &s->bodies[i]);
+    }
+    return has_room;
 }
 
 /* ---- all constraints */
@@ -233,13 +258,7 @@ bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep)
             return false;
         }
     }
-    for (uint32_t i = 0; s->config.floor != 0 && i < s->body_count; i++) {
-        if (s->bodies[i].kind != SCENE_BODY_NONE && vbss_scene_do_collide(s, &s->bodies[i], NULL) &&
-            !add_floor_contacts(s, &s->bodies[i])) {
-            return false;
-        }
-    }
-    if (!vbss_scene_add_thread_grasp_constraints(s) ||
+    if (!add_contacts_of_all_planes(s) || !vbss_scene_add_thread_grasp_constraints(s) ||
         !vbss_scene_add_needle_grasp_constraints(s) || !vbss_scene_add_wall_grasp_constraints(s) ||
         !vbss_scene_add_hole_constraints(s)) {
         return false;

@@ -45,14 +45,13 @@ static void use_plane(nearest_plane *nearest, vec3 area, vec3 separation)
     }
 }
 
-static vec3 normal_inside_edge(const mesh_view *v, const uint32_t edge[2], double smallest,
+static vec3 normal_inside_edge(const mesh_view *v, uint32_t number, double smallest,
                                vec3 separation)
 {
+    const uint32_t *edge = v->shape->edges[number], *beside = v->mesh->triangles_of_edge[number];
     const vec3 *x = v->shape->start, along = vec3_sub(x[edge[1]], x[edge[0]]);
     nearest_plane nearest = {separation, (double)INFINITY, smallest};
-    uint32_t beside[2];
-    const uint32_t count = vbss_scene_list_edge_triangles(v->mesh, v->shape, edge, beside, 2);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < 2 && beside[i] != SCENE_NO_FACE; i++) {
         const uint32_t *n = v->shape->triangles[beside[i]];
         const vec3 area = area_normal(v, beside[i]), across = vec3_cross(area, along);
         const vec3 middle = vec3_scale(vec3_add(x[n[0]], vec3_add(x[n[1]], x[n[2]])), 1.0 / 3.0);
@@ -100,14 +99,15 @@ static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, double smalles
                                                : vec3_add_scaled(separation, -ahead, ridge);
 }
 
-vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const uint32_t edge[2],
-                            double at, double contact_distance, vec3 separation)
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, uint32_t edge, double at,
+                            double contact_distance, vec3 separation)
 {
     const double smallest = (1.0 - SCENE_PLANE_TOLERANCE) * contact_distance;
     const mesh_view v = view_of(s, mesh);
-    const vec3 direction = at > 0.0 && at < 1.0
-                               ? normal_inside_edge(&v, edge, smallest, separation)
-                               : normal_at_vertex(&v, edge[at > 0.0 ? 1 : 0], smallest, separation);
+    const vec3 direction =
+        at > 0.0 && at < 1.0
+            ? normal_inside_edge(&v, edge, smallest, separation)
+            : normal_at_vertex(&v, v.shape->edges[edge][at > 0.0 ? 1 : 0], smallest, separation);
     return vec3_unit_or(direction, vec3_unit_or(separation, vec3_zero()));
 }
 
@@ -122,14 +122,16 @@ static double height_over(const mesh_view *v, uint32_t triangle, vec3 point)
 /* One or two triangles at an edge, as a wedge. */
 typedef struct wedge {
     const mesh_view *view;
-    uint32_t triangles[2], count;
+    const uint32_t *triangles;
+    uint32_t count;
     bool is_convex; /* behind it is what is behind both; otherwise what is behind one */
 } wedge;
 
-static wedge wedge_at(const mesh_view *v, const uint32_t edge[2])
+static wedge wedge_at(const mesh_view *v, uint32_t number)
 {
-    wedge w = {.view = v, .is_convex = true};
-    w.count = vbss_scene_list_edge_triangles(v->mesh, v->shape, edge, w.triangles, 2);
+    const uint32_t *edge = v->shape->edges[number];
+    wedge w = {.view = v, .triangles = v->mesh->triangles_of_edge[number], .is_convex = true};
+    w.count = w.triangles[1] != SCENE_NO_FACE ? 2 : 1;
     for (int k = 0; k < 3 && w.count == 2; k++) {
         const uint32_t corner = v->shape->triangles[w.triangles[1]][k];
         if (corner != edge[0] && corner != edge[1]) {
@@ -171,7 +173,7 @@ static bool does_intersect(const mesh_view *v, uint32_t triangle, const vec3 seg
     return weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0;
 }
 
-static bool is_segment_behind(const mesh_view *v, const uint32_t edge[2], const vec3 segment[2])
+static bool is_segment_behind(const mesh_view *v, uint32_t edge, const vec3 segment[2])
 {
     const wedge w = wedge_at(v, edge);
     bool behind = is_behind_wedge(&w, segment);
@@ -213,5 +215,5 @@ bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate 
     }
     const uint32_t *n = other->edges[other_feature];
     const vec3 segment[2] = {other->start[n[0]], other->start[n[1]]};
-    return is_segment_behind(&v, v.shape->edges[feature], segment);
+    return is_segment_behind(&v, feature, segment);
 }

@@ -27,6 +27,9 @@ static void set_capsule_displacements(scene_object *s, const scene_rigid *r,
     const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
                                   substep->end_fraction};
     vbss_rigid_motion next_motion;
+    if (r->capsule_count == 0) { /* a static mesh or a plane */
+        return;
+    }
     if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
         next_motion = vbss_rigid_target_motion(&r->body, &p);
     } else {

@@ -392,6 +392,9 @@ static vec3 update_side(const scene_object *s, contact_constraint *constraint, c
     vertices[2] = start_vertices[2] = vec3_zero(); /* only a triangle has a third vertex */
     compute_weights(d, geometry, which, weights);
     get_vertices(s, d, AT_TRIAL, vertices);
+    if (scene_is_static_mesh(d->body)) { /* the system does not know it, as it never moves */
+        return point_of(d, vertices, weights);
+    }
     vec3 centre = point_of(d, vertices, weights), point = vec3_add(centre, out);
     add_jacobian(s, constraint, d, weights, point, sign);
     if (d->capsule != NULL) {
@@ -417,7 +420,8 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
     constraint->relative_displacement = vec3_zero();
     vec3 out = vec3_scale(n, -d->radius), centre_a = update_side(s, constraint, d, 0, out, 1.0);
     if (e == NULL) {
-        constraint->gap = vec3_dot(n, centre_a) - s->config.floor_height - d->radius;
+        const scene_plane plane = scene_plane_of(s, vbss_scene_body(s, constraint->key.body_b));
+        constraint->gap = vec3_dot(n, centre_a) - plane.height - d->radius;
     } else {
         vec3 centre_b = update_side(s, constraint, e, 1, vec3_scale(n, e->radius), -1.0);
         constraint->gap = vec3_dot(n, vec3_sub(centre_a, centre_b)) - contact_distance_of(d, e) -
@@ -454,9 +458,10 @@ static bool is_inside_face(const scene_contact_geometry *geometry)
 static vec3 normal_along(const scene_object *s, const side *e,
                          const scene_contact_geometry *geometry, vec3 separation, double distance)
 {
-    return is_mesh_edge(e) ? vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
-                                                    geometry->contact_distance, separation)
-                           : vec3_scale(separation, 1.0 / distance);
+    return is_mesh_edge(e)
+               ? vbss_scene_mesh_normal(s, e->body, e->feature, geometry->barycentric[1],
+                                        geometry->contact_distance, separation)
+               : vec3_scale(separation, 1.0 / distance);
 }
 
 /* Normal of features that intersect: any direction across both will do. */
@@ -475,15 +480,15 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
 {
     scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
     const side d = side_of(s, constraint, a, 0);
-    if (b == NULL) {
+    if (b == NULL || scene_is_plane(b)) {
+        const scene_plane plane = scene_plane_of(s, b);
         vec3 one[3];
         get_vertices(s, &d, AT_START, one);
-        constraint->normal = s->floor_normal;
+        constraint->normal = plane.normal;
         geometry->barycentric[0] = geometry->barycentric[1] = 0.0;
         constraint->thickness = 2.0 * d.radius;
         geometry->contact_distance = d.radius;
-        geometry->start_gap =
-            vec3_dot(constraint->normal, one[0]) - s->config.floor_height - d.radius;
+        geometry->start_gap = scene_height_over(plane, one[0]) - d.radius;
         return geometry->start_gap < reach;
     }
     const side e = side_of(s, constraint, b, 1);
@@ -532,7 +537,7 @@ static void refresh_normal(const scene_object *s, contact_constraint *constraint
     vec3 direction =
         separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness);
     if (is_mesh_edge(e)) {
-        direction = vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
+        direction = vbss_scene_mesh_normal(s, e->body, e->feature, geometry->barycentric[1],
                                            geometry->contact_distance, direction);
     }
     constraint->normal = vec3_unit_or(direction, constraint->normal);
@@ -558,7 +563,7 @@ static void measure_gap(const scene_object *s, contact_constraint *constraint, c
                       contact_distance_of(d, e) + geometry->overlap_allowance;
 }
 
-/* `e` is NULL for the floor, whose normal is constant. */
+/* `e` is NULL for a plane, whose normal is constant. */
 static void update_contact(const scene_object *s, contact_constraint *constraint, const side *d,
                            const side *e, geometry_update update)
 {
@@ -599,7 +604,7 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
                     : 0.0;
         }
         const side d = side_of(s, constraint, a, 0);
-        if (b == NULL) {
+        if (b == NULL || scene_is_plane(b)) {
             update_contact(s, constraint, &d, NULL, update);
         } else {
             const side e = side_of(s, constraint, b, 1);

@@ -1,4 +1,4 @@
-/* Contacts with drains and static meshes: a point and a triangle, two edges, a node and the floor.
+/* Contacts with drains and static meshes: a point and a triangle, two edges, a node and a plane.
  *
  * A point touches a triangle only if the closest point is in the triangle's interior. If it is on
  * an edge, the contacts of that edge account for it. */
@@ -61,13 +61,16 @@ bool vbss_scene_add_surface_contact(scene_object *s, const collision_candidate *
     return add_contact(s, &key, swapped ? b : a, swapped ? a : b, q);
 }
 
-bool vbss_scene_add_drain_floor_contacts(scene_object *s, const scene_body *b)
+bool vbss_scene_add_drain_plane_contacts(scene_object *s, const scene_body *b,
+                                         const scene_body *plane)
 {
     const drain_object *d = b->drain.drain;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        const contact_key key = {VBSS_SCENE_CONTACT_DRAIN_FLOOR, b->number, i, 0, 0};
-        if (!vbss_scene_add_floor_contact(s, &key, b, d->x[i], 0.5 * d->config.thickness,
-                                          b->drain.expected_displacements[i])) {
+        const contact_key key = {VBSS_SCENE_CONTACT_DRAIN_FLOOR, b->number, i,
+                                 plane != NULL ? plane->number : 0, 0};
+        const scene_sphere sphere = {b, d->x[i], b->drain.expected_displacements[i],
+                                     0.5 * d->config.thickness};
+        if (!vbss_scene_add_plane_contact(s, &key, &sphere, plane)) {
             return false;
         }
     }

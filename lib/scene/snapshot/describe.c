@@ -37,6 +37,13 @@ static void visit_static_mesh(vbss_stream *stream, scene_body_description *d)
     vbss_stream_u32(stream, 56, &d->static_mesh.one_sided, 1);
 }
 
+static void visit_plane(vbss_stream *stream, scene_plane_description *d)
+{
+    vbss_stream_f64(stream, 57, &d->plane.normal.x, 3);
+    vbss_stream_f64(stream, 58, &d->plane.height, 1);
+    vbss_stream_f64(stream, 59, &d->friction, 1);
+}
+
 void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_description *d)
 {
     vbss_stream_u32(stream, 1, &d->type, 1);
@@ -68,6 +75,9 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
         break;
     case SCENE_DESCRIBED_STATIC_MESH:
         visit_static_mesh(stream, d);
+        break;
+    case SCENE_DESCRIBED_PLANE:
+        visit_plane(stream, &d->plane);
         break;
     default:
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such type of body");
@@ -127,6 +137,9 @@ static scene_body_description describe_rigid(const scene_rigid *r)
     } else if (r->needle != NULL) {
         d.type = SCENE_DESCRIBED_NEEDLE;
         d.needle = r->needle->config;
+    } else if (r->is_plane) {
+        d.type = SCENE_DESCRIBED_PLANE;
+        d.plane = (scene_plane_description){r->plane, r->created_friction};
     } else {
         d.rigid = (scene_rigid_description){.kind = r->kind,
                                             .capsule_count = r->capsule_count,

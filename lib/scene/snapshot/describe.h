@@ -18,7 +18,8 @@ enum {
     SCENE_DESCRIBED_GRASPER = 6,
     SCENE_DESCRIBED_GONE_THREAD = 7, /* a thread that has left the scene, but not its pieces */
     SCENE_DESCRIBED_SURFACE = 8,     /* a drain with a surface */
-    SCENE_DESCRIBED_STATIC_MESH = 9
+    SCENE_DESCRIBED_STATIC_MESH = 9,
+    SCENE_DESCRIBED_PLANE = 11
 };
 
 /* A rigid body that is neither a needle nor a grasper. */
@@ -34,6 +35,11 @@ typedef struct scene_static_mesh_description {
     uint32_t vertex_count, triangle_count, one_sided;
     double friction, thickness; /* the thickness in m */
 } scene_static_mesh_description;
+
+typedef struct scene_plane_description {
+    scene_plane plane;
+    double friction;
+} scene_plane_description;
 
 /* Numbers of entries of a surface's arrays. */
 typedef struct scene_surface_counts {
@@ -55,6 +61,7 @@ typedef struct scene_body_description {
         vbss_grasper_config grasper;
         scene_rigid_description rigid;
         scene_static_mesh_description static_mesh;
+        scene_plane_description plane;
     };
 } scene_body_description;
 

@@ -230,6 +230,13 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
     if (r->is_static_mesh) {
         vbss_stream_expect(stream, 24, r->mesh.geometry_hash);
     }
+    if (r->is_plane) {
+        const double numbers[] = {r->plane.normal.x, r->plane.normal.y, r->plane.normal.z,
+                                  r->plane.height};
+        for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+            vbss_stream_expect_f64(stream, 25, numbers[k]);
+        }
+    }
     if (r->grasper != NULL) {
         visit_grasper(stream, s, r);
     }

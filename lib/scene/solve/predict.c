@@ -60,7 +60,8 @@ static void predict_rigid(scene_object *s, scene_rigid *r, const scene_substep *
     }
 }
 
-/* The trial state of a frozen body is where it is, also that of nodes whose motion is prescribed. */
+/* The trial state of a frozen body is where it is, also that of nodes whose motion is prescribed. The
+ * same holds for bodies that never move. */
 static void hold_body(scene_object *s, scene_body *b)
 {
     if (b->kind == SCENE_BODY_THREAD) {
@@ -84,7 +85,7 @@ void vbss_scene_predict(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->is_frozen) {
+        if (b->is_frozen || scene_is_static_mesh(b) || scene_is_plane(b)) {
             hold_body(s, b);
         } else if (b->kind == SCENE_BODY_THREAD) {
             predict_thread(&b->thread, substep);

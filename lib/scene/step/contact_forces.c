@@ -107,6 +107,10 @@ void vbss_scene_publish_constraints(scene_object *s)
         const scene_contact_record contact = {constraint->key, constraint->normal, force, point,
                                               gap};
         vbss_scene_publish_contact(s, &contact);
+        scene_body *other = vbss_scene_body(s, constraint->key.body_b);
+        if (scene_is_plane(other) || scene_is_static_mesh(other)) { /* no part of the system */
+            vbss_scene_add_force(other, point, vec3_neg(force));
+        }
         for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
             const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
             if (!jacobian_block->is_rotation) {

@@ -128,6 +128,18 @@ static void record_feature(const scene_object *s, const probe *p, const scene_bo
     }
 }
 
+/* `b` is NULL for the floor. */
+static void record_plane(const scene_object *s, const scene_body *b, const probe *p,
+                         surroundings *found)
+{
+    const scene_plane plane = scene_plane_of(s, b);
+    for (int end = 0; end < 2; end++) {
+        double above =
+            scene_height_over(plane, p->axis[end]) - p->body->thread.thread->config.radius;
+        found->floor = vbss_min(above, found->floor);
+    }
+}
+
 /* Finds the gaps below `within`, m. The bounding boxes are those of the last substep and contain
  * the present positions. */
 static surroundings find_surroundings(scene_object *s, const probe *p, double within)
@@ -139,7 +151,8 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
     collision_aabb box = bounding_box(p->axis, radius + within);
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == SCENE_BODY_NONE || !boxes_overlap(&c->shapes[b->shape]->root, &box)) {
+        if (b->kind == SCENE_BODY_NONE || scene_is_plane(b) ||
+            !boxes_overlap(&c->shapes[b->shape]->root, &box)) {
             continue;
         }
         collision_shape *shape = c->shapes[b->shape];
@@ -164,9 +177,13 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
             }
         }
     }
-    for (int end = 0; s->config.floor != 0 && end < 2; end++) {
-        double above = vec3_dot(p->axis[end], s->floor_normal) - s->config.floor_height - radius;
-        found.floor = vbss_min(above, found.floor);
+    if (s->config.floor != 0) {
+        record_plane(s, NULL, p, &found);
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (scene_is_plane(&s->bodies[i])) {
+            record_plane(s, &s->bodies[i], p, &found);
+        }
     }
     return found;
 }

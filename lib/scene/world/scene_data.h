@@ -148,8 +148,16 @@ typedef struct scene_static_mesh {
     uint64_t geometry_hash; /* of vertices, triangles, thickness and is_one_sided */
     /* vertex -> its first entry of triangles_of, one extra at the end; the triangles at each vertex */
     uint32_t *first_triangle, *triangles_of;
+    /* edge -> its first two triangles in ascending order; SCENE_NO_FACE: it has fewer */
+    uint32_t (*triangles_of_edge)[2];
     uint32_t *near_features; /* scratch of remeshing.c: as in scene_drain */
 } scene_static_mesh;
+
+/* A plane, which bounds a half-space. Persistent. */
+typedef struct scene_plane {
+    vec3 normal;   /* unit, out of the half-space */
+    double height; /* along the normal, m */
+} scene_plane;
 
 /* A rigid body, grasper or needle as a body of a scene. Its principal frame has the centre of
  * mass as its origin and the principal axes as its axes. */
@@ -180,6 +188,8 @@ typedef struct scene_rigid {
     /* Persistent. */
     bool is_static_mesh;    /* the body has no capsules, and never moves */
     scene_static_mesh mesh; /* for static meshes only */
+    bool is_plane;          /* the body has no capsules, and never moves */
+    scene_plane plane;      /* for planes only */
     /* Persistent; for graspers only. */
     grasper_object *grasper; /* NULL unless the body is a grasper */
     scene_needle_grasp needle_grasp;

@@ -1,9 +1,9 @@
-/* What a scene keeps of a static mesh: the triangles at each vertex. */
+/* What a scene keeps of a static mesh: the triangles at each vertex and at each edge. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "scene/world/world.h"
 
-enum { MESH_ARRAYS = 3 };
+enum { MESH_ARRAYS = 4 };
 
 static void list_arrays(scene_static_mesh *m, const collision_shape *shape,
                         vbss_array arrays[MESH_ARRAYS])
@@ -14,6 +14,8 @@ static void list_arrays(scene_static_mesh *m, const collision_shape *shape,
         (vbss_array){&m->triangles_of, 3 * (size_t)shape->triangle_count, sizeof *m->triangles_of};
     arrays[2] =
         (vbss_array){&m->near_features, collision_max_features(shape), sizeof *m->near_features};
+    arrays[3] =
+        (vbss_array){&m->triangles_of_edge, shape->edge_count, sizeof *m->triangles_of_edge};
 }
 
 static void list_triangles_at_vertices(scene_static_mesh *m, const collision_shape *shape)
@@ -50,8 +52,10 @@ static bool has_directed_edge(const uint32_t *t, uint32_t from, uint32_t to)
            (t[2] == from && t[0] == to);
 }
 
-uint32_t vbss_scene_list_edge_triangles(const scene_static_mesh *m, const collision_shape *shape,
-                                        const uint32_t edge[2], uint32_t *list, uint32_t room)
+/* Lists the triangles that have both vertices of an edge, in ascending order, at most `room` of them.
+ * Returns their number. */
+static uint32_t list_edge_triangles(const scene_static_mesh *m, const collision_shape *shape,
+                                    const uint32_t edge[2], uint32_t *list, uint32_t room)
 {
     const uint32_t *first = m->first_triangle;
     const bool is_second_smaller =
@@ -71,10 +75,19 @@ static bool is_wound_alike(const scene_static_mesh *m, const collision_shape *sh
                            const uint32_t edge[2])
 {
     uint32_t beside[3];
-    const uint32_t count = vbss_scene_list_edge_triangles(m, shape, edge, beside, 3);
+    const uint32_t count = list_edge_triangles(m, shape, edge, beside, 3);
     return count == 1 ||
            (count == 2 && has_directed_edge(shape->triangles[beside[0]], edge[0], edge[1]) !=
                               has_directed_edge(shape->triangles[beside[1]], edge[0], edge[1]));
+}
+
+static void list_triangles_at_edges(scene_static_mesh *m, const collision_shape *shape)
+{
+    for (uint32_t i = 0; i < shape->edge_count; i++) {
+        uint32_t *list = m->triangles_of_edge[i];
+        list[0] = list[1] = SCENE_NO_FACE;
+        (void)list_edge_triangles(m, shape, shape->edges[i], list, 2);
+    }
 }
 
 static vbss_result check_winding(vbss_context *context, const scene_static_mesh *m,
@@ -98,6 +111,7 @@ vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
     list_arrays(m, shape, arrays);
     VBSS_TRY(vbss_allocate_arrays(s->context, arrays, MESH_ARRAYS, "static mesh in a scene"));
     list_triangles_at_vertices(m, shape);
+    list_triangles_at_edges(m, shape);
     const vbss_result result = check_winding(s->context, m, shape);
     if (result != VBSS_OK) {
         vbss_release_arrays(s->context, arrays, MESH_ARRAYS);

@@ -66,7 +66,8 @@ void vbss_scene_limit_rigid_targets(scene_object *s, double h)
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind != SCENE_BODY_RIGID || r->kind == VBSS_SCENE_RIGID_FREE ||
-            r->grasper != NULL) {
+            r->grasper != NULL || scene_is_static_mesh(&s->bodies[i]) ||
+            scene_is_plane(&s->bodies[i])) {
             continue;
         }
         const pose wanted = r->body.target_end;

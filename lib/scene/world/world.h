@@ -61,6 +61,24 @@ static inline bool scene_is_static_mesh(const scene_body *b)
     return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.is_static_mesh;
 }
 
+/* Whether a body is a plane that the host added. The floor (NULL) is not. */
+static inline bool scene_is_plane(const scene_body *b)
+{
+    return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.is_plane;
+}
+
+/* The plane of a body, or that of the floor (NULL). */
+static inline scene_plane scene_plane_of(const scene_object *s, const scene_body *b)
+{
+    return b != NULL ? b->rigid.plane : (scene_plane){s->floor_normal, s->config.floor_height};
+}
+
+/* Height of a point over a plane, m. */
+static inline double scene_height_over(scene_plane plane, vec3 point)
+{
+    return vec3_dot(plane.normal, point) - plane.height;
+}
+
 /* Whether a body is a surface of triangles: a drain or a static mesh. */
 static inline bool scene_has_triangles(const scene_body *b)
 {
@@ -371,18 +389,13 @@ void vbss_scene_disown_needle(scene_body *b);
 
 /* ---- static_mesh.c */
 
-/* Allocates the arrays of a static mesh, lists the triangles at each vertex, and refuses a one-sided mesh
+/* Allocates the arrays of a static mesh, lists the triangles at each vertex and edge, and refuses a one-sided mesh
  * whose triangles are not wound alike. After an error nothing is allocated. */
 vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
                                           const collision_shape *shape);
 
 /* Releases the scene's memory for a static mesh; for other bodies it does nothing. */
 void vbss_scene_release_static_mesh(scene_object *s, scene_body *b);
-
-/* Lists the triangles that have both vertices of an edge, in ascending order, at most `room` of them.
- * Returns their number. */
-uint32_t vbss_scene_list_edge_triangles(const scene_static_mesh *m, const collision_shape *shape,
-                                        const uint32_t edge[2], uint32_t *list, uint32_t room);
 
 /* Lists the arrays of a scene for a drain with this number of nodes, to allocate or release
  * them. */

@@ -589,6 +589,45 @@ namespace VblastSs
         }
     }
 
+    /// <summary>3 values.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct UInts3
+    {
+        private uint e0, e1, e2;
+
+        /// <summary>Number of values.</summary>
+        public int Length { get { return 3; } }
+
+        /// <summary>A value by its index, from 0 on.</summary>
+        public uint this[int index]
+        {
+            get
+            {
+                Require(index);
+                fixed (uint* first = &e0)
+                {
+                    return first[index];
+                }
+            }
+            set
+            {
+                Require(index);
+                fixed (uint* first = &e0)
+                {
+                    first[index] = value;
+                }
+            }
+        }
+
+        private static void Require(int index)
+        {
+            if (index < 0 || index >= 3)
+            {
+                throw new IndexOutOfRangeException();
+            }
+        }
+    }
+
     /// <summary>4 values.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct UInts4

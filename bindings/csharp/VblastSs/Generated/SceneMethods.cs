@@ -81,6 +81,64 @@ namespace VblastSs
             }
         }
 
+        /// <summary>
+        /// Adds a height field that never moves: a static mesh with two triangles for each cell of
+        /// the grid. All that vbss_scene_add_static_mesh says holds for it, and its kind is
+        /// VBSS_SCENE_BODY_STATIC_MESH. The triangles of a cell meet on its diagonal from the first
+        /// corner. Feature 2 n is the triangle of cell n on the side of the rows, 2 n + 1 that on
+        /// the side of the columns.
+        /// </summary>
+        /// <param name="config">the configuration; not NULL, because a field needs heights</param>
+        public uint AddHeightField(SceneHeightFieldConfig config)
+        {
+            using (Pins pins = Pins.Rent())
+            {
+                uint body;
+                Context.Check(Native.vbss_scene_add_height_field(Handle, config == null ? null : config.Pin(pins), (uint*)&body));
+                return body;
+            }
+        }
+
+        /// <summary>
+        /// Adds the surface of a solid that is given by signed distances at the points of a grid,
+        /// and never moves. The call finds the surface on which the trilinear interpolation of the
+        /// distances is minus half the thickness, with one vertex for each cell of the grid that
+        /// the surface passes, and adds it as a static mesh. All that vbss_scene_add_static_mesh
+        /// says holds for it, and its kind is VBSS_SCENE_BODY_STATIC_MESH. The surface is open
+        /// where it leaves the grid. A surface that passes a cell more than once is refused,
+        /// because the grid is too coarse for it. Parts that lie between the points of the grid are
+        /// not in the distances, and so not in the surface.
+        /// </summary>
+        /// <param name="config">the configuration; not NULL, because a field needs distances</param>
+        public uint AddDistanceField(SceneDistanceFieldConfig config)
+        {
+            using (Pins pins = Pins.Rent())
+            {
+                uint body;
+                Context.Check(Native.vbss_scene_add_distance_field(Handle, config == null ? null : config.Pin(pins), (uint*)&body));
+                return body;
+            }
+        }
+
+        /// <summary>
+        /// Adds a plane that never moves. It bounds a half-space, as the floor does, and has the
+        /// rules of the floor: nodes of threads, ends of capsules and nodes of drains touch it. Its
+        /// contacts have the kinds of those with the floor, and its number as body b. It counts as
+        /// one of the scene's rigid bodies (rigid_capacity) without capsules. No node can be pinned
+        /// to it. A driven body that is in the half-space when the plane is added is held back by
+        /// it. vbss_scene_get_rigid reports the contact force on it.
+        /// </summary>
+        /// <param name="config">the configuration</param>
+        public uint AddPlane(ScenePlaneConfig config)
+        {
+            using (Pins pins = Pins.Rent())
+            {
+                uint body;
+                Context.Check(Native.vbss_scene_add_plane(Handle, config == null ? null : config.Pin(pins), (uint*)&body));
+                return body;
+            }
+        }
+
         /// <summary>Returns one of the places that a grasper holds.</summary>
         /// <param name="tool">number of the grasper in the scene</param>
         /// <param name="index">index of the place, from 0 on</param>

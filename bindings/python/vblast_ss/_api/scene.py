@@ -56,9 +56,9 @@ class SceneField(IntEnum):
     CONTACTS = 0
     """x 5 uint32_t: vbss_scene_contact_kind, body a, feature a, body b, feature b. Features are
     segments or nodes of a thread, capsules of a rigid body (2 times the capsule, plus the end
-    if an end touches), and nodes, triangles or sides of a drain; the floor has feature 0. Each
-    side of a drain's triangles is numbered once, in the order of its two nodes, the lower node
-    first."""
+    if an end touches), and nodes, triangles or sides of a drain; floor and planes have feature
+    0. Each side of a drain's triangles is numbered once, in the order of its two nodes, the
+    lower node first."""
     CONTACT_POINTS = 1
     """x 3: point between the two surfaces, m."""
     CONTACT_NORMALS = 2
@@ -80,11 +80,11 @@ class SceneContactKind(IntEnum):
     SEGMENT_CAPSULE = 2
     """A segment of a coarse thread and a capsule."""
     NODE_FLOOR = 3
-    """A node of a thread and the floor."""
+    """A node of a thread and the floor, or a plane."""
     CAPSULES = 4
     """Two capsules of different bodies."""
     CAPSULE_FLOOR = 5
-    """An end of a capsule and the floor."""
+    """An end of a capsule and the floor, or a plane."""
     GRASP = 6
     """A held point and a grasper. The feature of a thread is 3 times the index of the grasp plus
     the index of one of its three held points. The feature of a needle or a drain is the index
@@ -95,7 +95,7 @@ class SceneContactKind(IntEnum):
     """A segment of a thread, a capsule or a side of a drain's triangle, with a side of a drain's
     triangle."""
     DRAIN_FLOOR = 9
-    """A node of a drain and the floor."""
+    """A node of a drain and the floor, or a plane."""
     HOLE = 10
     """A needle or a thread in a hole of a drain. The feature of the suture is the index of the
     hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
@@ -331,6 +331,141 @@ class vbss_scene_static_mesh_config(ctypes.Structure):
         ("triangles", POINTER(c_uint32)),
         ("friction", c_double),
         ("thickness", c_double),
+    ]
+
+
+class vbss_scene_height_field_config(ctypes.Structure):
+    """Configuration of a height field. Fill it with vbss_scene_height_field_config_init, then
+    change fields. In its frame the heights are along y, the columns along x, and the rows along
+    z.
+
+    column_count: Number of heights of a row, 2 or more.
+
+    row_count: Number of rows, 2 or more.
+
+    height_count: Number of heights: column_count times row_count, at most 65536.
+
+    one_sided: 0: bodies touch it from both sides (default). 1: only from above, as a one-sided
+    mesh.
+
+    heights: Heights, m, at most 1e3 in magnitude, row by row; the library copies them.
+
+    position: Position of the first height of the first row at height 0, m; default 0.
+
+    orientation: Orientation of its frame, w, x, y, z, of any length from 1e-100 to 1e100;
+    default 1, 0, 0, 0.
+
+    spacing: Spacing of columns and of rows, m, 1e-6 to 1e3; default 1e-3.
+
+    friction: Friction coefficient, 0 to 10; default 0.15. A contact with a thread has this
+    coefficient, any other contact the geometric mean of both.
+
+    thickness: Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The heights are its
+    middle: other bodies touch it at half the thickness from them."""
+    struct_size: int
+    column_count: int
+    row_count: int
+    height_count: int
+    one_sided: int
+    reserved: int
+    heights: Any
+    position: Any
+    orientation: Any
+    spacing: Any
+    friction: float
+    thickness: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("column_count", c_uint32),
+        ("row_count", c_uint32),
+        ("height_count", c_uint32),
+        ("one_sided", c_uint32),
+        ("reserved", c_uint32),
+        ("heights", POINTER(c_double)),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("spacing", c_double * 2),
+        ("friction", c_double),
+        ("thickness", c_double),
+    ]
+
+
+class vbss_scene_distance_field_config(ctypes.Structure):
+    """Configuration of a distance field. Fill it with vbss_scene_distance_field_config_init, then
+    change fields.
+
+    distance_count: Number of distances: the product of the three counts.
+
+    counts: Numbers of distances along x, y and z, each 2 to 2048.
+
+    one_sided: 1: bodies touch it only from outside, as a one-sided mesh (default). 0: from both
+    sides.
+
+    distances: Signed distances from the surface at the points of a grid, m: negative inside,
+    positive outside, x fastest, z slowest. The library copies them not, but the surface.
+
+    position: Position of the first point of the grid, m, each coordinate at most 1e3 in
+    magnitude; default 0.
+
+    orientation: Orientation of the grid, w, x, y, z, of any length from 1e-100 to 1e100;
+    default 1, 0, 0, 0.
+
+    spacing: Spacing of the grid along x, y and z, m, 1e-6 to 1e3; default 1e-3.
+
+    friction: Friction coefficient, 0 to 10; default 0.15. A contact with a thread has this
+    coefficient, any other contact the geometric mean of both.
+
+    thickness: Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. Its outer face is where
+    the distance is 0, and its middle where it is minus half the thickness. Parts of the solid
+    that are thinner do not exist."""
+    struct_size: int
+    distance_count: int
+    counts: Any
+    one_sided: int
+    distances: Any
+    position: Any
+    orientation: Any
+    spacing: Any
+    friction: float
+    thickness: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("distance_count", c_uint32),
+        ("counts", c_uint32 * 3),
+        ("one_sided", c_uint32),
+        ("distances", POINTER(c_double)),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("spacing", c_double * 3),
+        ("friction", c_double),
+        ("thickness", c_double),
+    ]
+
+
+class vbss_scene_plane_config(ctypes.Structure):
+    """Configuration of a plane. Fill it with vbss_scene_plane_config_init, then change fields.
+
+    normal: Direction out of the half-space that the plane bounds, of any length from 1e-100 to
+    1e100; default 0, 1, 0.
+
+    height: Height of the plane along its normal, m, at most 1e3 in magnitude; default 0.
+
+    friction: Coefficient of friction, 0 to 10; default 0.3. A contact with a thread has this
+    coefficient, any other contact the geometric mean of both."""
+    struct_size: int
+    reserved: int
+    normal: Any
+    height: float
+    friction: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("normal", c_double * 3),
+        ("height", c_double),
+        ("friction", c_double),
     ]
 
 
@@ -858,6 +993,17 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_uint32)),
     "vbss_scene_add_static_mesh": (c_int32, (POINTER(vbss_scene),
         POINTER(vbss_scene_static_mesh_config), POINTER(c_uint32))),
+    "vbss_scene_height_field_config_init": (c_int32, (POINTER(vbss_scene_height_field_config),
+        c_uint32)),
+    "vbss_scene_add_height_field": (c_int32, (POINTER(vbss_scene),
+        POINTER(vbss_scene_height_field_config), POINTER(c_uint32))),
+    "vbss_scene_distance_field_config_init": (c_int32, (POINTER(vbss_scene_distance_field_config),
+        c_uint32)),
+    "vbss_scene_add_distance_field": (c_int32, (POINTER(vbss_scene),
+        POINTER(vbss_scene_distance_field_config), POINTER(c_uint32))),
+    "vbss_scene_plane_config_init": (c_int32, (POINTER(vbss_scene_plane_config), c_uint32)),
+    "vbss_scene_add_plane": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_plane_config),
+        POINTER(c_uint32))),
     "vbss_scene_add_needle": (c_int32, (POINTER(vbss_scene), POINTER(vbss_needle),
         POINTER(c_uint32))),
     "vbss_scene_add_grasper": (c_int32, (POINTER(vbss_scene), POINTER(vbss_grasper),

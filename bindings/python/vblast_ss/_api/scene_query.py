@@ -28,6 +28,8 @@ class SceneBodyKind(IntEnum):
     """The floor, body 0."""
     STATIC_MESH = 7
     """A static mesh."""
+    PLANE = 9
+    """A plane that the host added."""
 
 
 class vbss_scene_body_info(ctypes.Structure):

@@ -53,7 +53,7 @@ pub const VBSS_SCENE_RIGID_FREE: vbss_scene_rigid_kind = 2;
 // last step, in the order of their features. With method VBLAST they are those with a response.
 /// x 5 uint32_t: vbss_scene_contact_kind, body a, feature a, body b, feature b. Features are
 /// segments or nodes of a thread, capsules of a rigid body (2 times the capsule, plus the end
-/// if an end touches), and nodes, triangles or sides of a drain; the floor has feature 0. Each
+/// if an end touches), and nodes, triangles or sides of a drain; floor and planes have feature 0. Each
 /// side of a drain's triangles is numbered once, in the order of its two nodes, the lower node
 /// first.
 pub const VBSS_SCENE_VIEW_CONTACTS: vbss_scene_field = 0;
@@ -75,11 +75,11 @@ pub const VBSS_SCENE_CONTACT_SEGMENTS: vbss_scene_contact_kind = 0;
 pub const VBSS_SCENE_CONTACT_NODE_CAPSULE: vbss_scene_contact_kind = 1;
 /// A segment of a coarse thread and a capsule.
 pub const VBSS_SCENE_CONTACT_SEGMENT_CAPSULE: vbss_scene_contact_kind = 2;
-/// A node of a thread and the floor.
+/// A node of a thread and the floor, or a plane.
 pub const VBSS_SCENE_CONTACT_NODE_FLOOR: vbss_scene_contact_kind = 3;
 /// Two capsules of different bodies.
 pub const VBSS_SCENE_CONTACT_CAPSULES: vbss_scene_contact_kind = 4;
-/// An end of a capsule and the floor.
+/// An end of a capsule and the floor, or a plane.
 pub const VBSS_SCENE_CONTACT_CAPSULE_FLOOR: vbss_scene_contact_kind = 5;
 /// A held point and a grasper. The feature of a thread is 3 times the index of the grasp plus
 /// the index of one of its three held points. The feature of a needle or a drain is the index
@@ -90,7 +90,7 @@ pub const VBSS_SCENE_CONTACT_POINT_FACE: vbss_scene_contact_kind = 7;
 /// A segment of a thread, a capsule or a side of a drain's triangle, with a side of a drain's
 /// triangle.
 pub const VBSS_SCENE_CONTACT_SIDES: vbss_scene_contact_kind = 8;
-/// A node of a drain and the floor.
+/// A node of a drain and the floor, or a plane.
 pub const VBSS_SCENE_CONTACT_DRAIN_FLOOR: vbss_scene_contact_kind = 9;
 /// A needle or a thread in a hole of a drain. The feature of the suture is the index of the
 /// hole; the feature of the drain is 0. The normal is along the suture. VBLAST: a place where
@@ -243,6 +243,90 @@ pub struct vbss_scene_static_mesh_config {
     /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its middle: other
     /// bodies touch it at half the thickness from them.
     pub thickness: f64,
+}
+
+/// Configuration of a height field. Fill it with vbss_scene_height_field_config_init, then change
+/// fields. In its frame the heights are along y, the columns along x, and the rows along z.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct vbss_scene_height_field_config {
+    /// Size of this struct in bytes, set by the init function.
+    pub struct_size: u32,
+    /// Number of heights of a row, 2 or more.
+    pub column_count: u32,
+    /// Number of rows, 2 or more.
+    pub row_count: u32,
+    /// Number of heights: column_count times row_count, at most 65536.
+    pub height_count: u32,
+    /// 0: bodies touch it from both sides (default). 1: only from above, as a one-sided mesh.
+    pub one_sided: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Heights, m, at most 1e3 in magnitude, row by row; the library copies them.
+    pub heights: *const f64,
+    /// Position of the first height of the first row at height 0, m; default 0.
+    pub position: [f64; 3],
+    /// Orientation of its frame, w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0,
+    /// 0.
+    pub orientation: [f64; 4],
+    /// Spacing of columns and of rows, m, 1e-6 to 1e3; default 1e-3.
+    pub spacing: [f64; 2],
+    /// Friction coefficient, 0 to 10; default 0.15. A contact with a thread has this coefficient, any
+    /// other contact the geometric mean of both.
+    pub friction: f64,
+    /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The heights are its middle: other bodies
+    /// touch it at half the thickness from them.
+    pub thickness: f64,
+}
+
+/// Configuration of a distance field. Fill it with vbss_scene_distance_field_config_init, then change
+/// fields.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct vbss_scene_distance_field_config {
+    /// Size of this struct in bytes, set by the init function.
+    pub struct_size: u32,
+    /// Number of distances: the product of the three counts.
+    pub distance_count: u32,
+    /// Numbers of distances along x, y and z, each 2 to 2048.
+    pub counts: [u32; 3],
+    /// 1: bodies touch it only from outside, as a one-sided mesh (default). 0: from both sides.
+    pub one_sided: u32,
+    /// Signed distances from the surface at the points of a grid, m: negative inside, positive
+    /// outside, x fastest, z slowest. The library copies them not, but the surface.
+    pub distances: *const f64,
+    /// Position of the first point of the grid, m, each coordinate at most 1e3 in magnitude; default
+    /// 0.
+    pub position: [f64; 3],
+    /// Orientation of the grid, w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0.
+    pub orientation: [f64; 4],
+    /// Spacing of the grid along x, y and z, m, 1e-6 to 1e3; default 1e-3.
+    pub spacing: [f64; 3],
+    /// Friction coefficient, 0 to 10; default 0.15. A contact with a thread has this coefficient, any
+    /// other contact the geometric mean of both.
+    pub friction: f64,
+    /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. Its outer face is where the distance is
+    /// 0, and its middle where it is minus half the thickness. Parts of the solid that are thinner do
+    /// not exist.
+    pub thickness: f64,
+}
+
+/// Configuration of a plane. Fill it with vbss_scene_plane_config_init, then change fields.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct vbss_scene_plane_config {
+    /// Size of this struct in bytes, set by the init function.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Direction out of the half-space that the plane bounds, of any length from 1e-100 to 1e100;
+    /// default 0, 1, 0.
+    pub normal: [f64; 3],
+    /// Height of the plane along its normal, m, at most 1e3 in magnitude; default 0.
+    pub height: f64,
+    /// Coefficient of friction, 0 to 10; default 0.3. A contact with a thread has this coefficient,
+    /// any other contact the geometric mean of both.
+    pub friction: f64,
 }
 
 /// Configuration of a rigid body. Fill it with vbss_scene_rigid_config_init, then change fields.
@@ -590,6 +674,83 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_scene_add_static_mesh(scene: *mut vbss_scene, config: *const vbss_scene_static_mesh_config, body: *mut u32) -> vbss_result;
+    /// Fills a configuration of a height field with defaults.
+    ///
+    /// @param config  the struct to fill
+    /// @param struct_size  sizeof(*config) in the host's version of the struct
+    /// @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+    /// @threads any thread, any time
+    /// @since 1.0
+    pub fn vbss_scene_height_field_config_init(config: *mut vbss_scene_height_field_config, struct_size: u32) -> vbss_result;
+    /// Adds a height field that never moves: a static mesh with two triangles for each cell of the grid. All
+    /// that vbss_scene_add_static_mesh says holds for it, and its kind is VBSS_SCENE_BODY_STATIC_MESH. The
+    /// triangles of a cell meet on its diagonal from the first corner. Feature 2 n is the triangle of cell n
+    /// on the side of the rows, 2 n + 1 that on the side of the columns.
+    ///
+    /// @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+    /// @param config     the configuration; not NULL, because a field needs heights
+    /// @param body  its number in the scene, from 1 on, never reused
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+    /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: height_count is not the product of
+    /// columns and rows, or an overlap, if the scene refuses it), VBSS_ERROR_NOT_FINITE,
+    /// VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or
+    /// VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_add_height_field(scene: *mut vbss_scene, config: *const vbss_scene_height_field_config, body: *mut u32) -> vbss_result;
+    /// Fills a configuration of a distance field with defaults.
+    ///
+    /// @param config  the struct to fill
+    /// @param struct_size  sizeof(*config) in the host's version of the struct
+    /// @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+    /// @threads any thread, any time
+    /// @since 1.0
+    pub fn vbss_scene_distance_field_config_init(config: *mut vbss_scene_distance_field_config, struct_size: u32) -> vbss_result;
+    /// Adds the surface of a solid that is given by signed distances at the points of a grid, and never moves.
+    /// The call finds the surface on which the trilinear interpolation of the distances is minus half the
+    /// thickness, with one vertex for each cell of the grid that the surface passes, and adds it as a static
+    /// mesh. All that vbss_scene_add_static_mesh says holds for it, and its kind is
+    /// VBSS_SCENE_BODY_STATIC_MESH. The surface is open where it leaves the grid. A surface that passes a cell
+    /// more than once is refused, because the grid is too coarse for it. Parts that lie between the points of
+    /// the grid are not in the distances, and so not in the surface.
+    ///
+    /// @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+    /// @param config     the configuration; not NULL, because a field needs distances
+    /// @param body  its number in the scene, from 1 on, never reused
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+    /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: distance_count is not the product
+    /// of the counts, no surface, one that passes a cell twice or has more triangles than a static
+    /// mesh, or an overlap, if the scene refuses it), VBSS_ERROR_NOT_FINITE,
+    /// VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or
+    /// VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_add_distance_field(scene: *mut vbss_scene, config: *const vbss_scene_distance_field_config, body: *mut u32) -> vbss_result;
+    /// Fills a configuration of a plane with defaults.
+    ///
+    /// @param config  the struct to fill
+    /// @param struct_size  sizeof(*config) in the host's version of the struct
+    /// @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+    /// @threads any thread, any time
+    /// @since 1.0
+    pub fn vbss_scene_plane_config_init(config: *mut vbss_scene_plane_config, struct_size: u32) -> vbss_result;
+    /// Adds a plane that never moves. It bounds a half-space, as the floor does, and has the rules of the
+    /// floor: nodes of threads, ends of capsules and nodes of drains touch it. Its contacts have the kinds
+    /// of those with the floor, and its number as body b. It counts as one of the scene's rigid bodies
+    /// (rigid_capacity) without capsules. No node can be pinned to it. A driven body that is in the
+    /// half-space when the plane is added is held back by it. vbss_scene_get_rigid reports the contact
+    /// force on it.
+    ///
+    /// @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+    /// @param config     the configuration
+    /// @param body  its number in the scene, from 1 on, never reused
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+    /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: an overlap, if the scene refuses
+    /// it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY,
+    /// VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_add_plane(scene: *mut vbss_scene, config: *const vbss_scene_plane_config, body: *mut u32) -> vbss_result;
     /// Adds a needle as a free body with its current pose and velocity. A thread whose first node is
     /// pinned to it at the swage (vbss_scene_pin_thread) is swaged to it. Until its removal stepping,
     /// placing, restoring or destroying it alone returns VBSS_ERROR_IN_SCENE. With method VBLAST it

@@ -22,6 +22,8 @@ pub const VBSS_SCENE_BODY_GRASPER: vbss_scene_body_kind = 5;
 pub const VBSS_SCENE_BODY_FLOOR: vbss_scene_body_kind = 6;
 /// A static mesh.
 pub const VBSS_SCENE_BODY_STATIC_MESH: vbss_scene_body_kind = 7;
+/// A plane that the host added.
+pub const VBSS_SCENE_BODY_PLANE: vbss_scene_body_kind = 9;
 
 /// Properties of a body in a scene.
 #[repr(C)]
