@@ -31,6 +31,7 @@ void vbss_thread_save_target(thread_attachment *a)
     a->alternate_target = a->target;
     a->alternate_direction = a->target_direction;
     a->alternate_force = a->force;
+    a->alternate_roll = a->target_roll;
 }
 
 /* ---- positions and targets */
@@ -45,6 +46,11 @@ vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fractio
     /* Opposite directions: the old one in the first half of the step, the new one in the second. */
     return vec3_unit_or(vec3_lerp(a->direction, a->target_direction, fraction),
                         fraction < 0.5 ? a->direction : a->target_direction);
+}
+
+double vbss_thread_attachment_roll(const thread_attachment *a, double fraction)
+{
+    return a->roll + fraction * (a->target_roll - a->roll);
 }
 
 static void swap(vec3 *one, vec3 *other)
@@ -68,6 +74,9 @@ void vbss_thread_swap_targets(thread_object *t)
         swap(&a->target, &a->alternate_target);
         swap(&a->target_direction, &a->alternate_direction);
         swap(&a->force, &a->alternate_force);
+        const double roll = a->target_roll;
+        a->target_roll = a->alternate_roll;
+        a->alternate_roll = roll;
     }
 }
 
@@ -78,5 +87,6 @@ void vbss_thread_commit_attachments(thread_object *t, double h)
         a->velocity = vec3_scale(vec3_sub(a->target, a->position), 1.0 / h);
         a->position = a->target;
         a->direction = a->target_direction;
+        a->roll = a->target_roll;
     }
 }

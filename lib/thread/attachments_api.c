@@ -4,7 +4,7 @@
 #include "base/config.h"
 #include "base/edit_hook.h"
 #include "base/error.h"
-#include "thread/thread.h"
+#include "thread/twist.h"
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "published size");
 _Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
@@ -114,6 +114,9 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     a->damping = own.damping;
     a->mass = own.mass;
     vbss_thread_save_target(a);
+    if (thread_has_twist(t) && a->kind == VBSS_THREAD_ATTACHMENT_CLAMP) {
+        vbss_thread_add_twist_clamp(t, free_index);
+    }
     vbss_thread_invalidate(t);
     return vbss_edit_end(thread, &input, VBSS_OK);
 }
@@ -147,6 +150,29 @@ vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
     return vbss_edit_end(thread, &input, VBSS_OK);
 }
 
+vbss_result vbss_thread_set_clamp_roll(vbss_thread *thread, uint32_t id, double roll)
+{
+    VBSS_ENTER(thread);
+    thread_object *t;
+    VBSS_TRY(vbss_thread_edit(thread, &t));
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
+    if (!thread_has_twist(t)) {
+        return vbss_fail(t->context, VBSS_ERROR_INCOMPATIBLE,
+                         "a roll needs a thread with a torsional_stiffness above 0");
+    }
+    if (a->kind != VBSS_THREAD_ATTACHMENT_CLAMP) {
+        return vbss_fail(t->context, VBSS_ERROR_INCOMPATIBLE, "attachment %u is not a clamp", id);
+    }
+    VBSS_TRY(vbss_check_finite(t->context, &roll, 1, "roll"));
+    VBSS_TRY(vbss_check_range(t->context, roll, -1e6, 1e6, "roll"));
+    vbss_edit input = {.kind = VBSS_EDIT_CLAMP_ROLL, .words = {0, id}, .numbers = {roll}};
+    VBSS_TRY(vbss_edit_begin(thread, &input));
+    a->target_roll = roll;
+    t->generation++;
+    return vbss_edit_end(thread, &input, VBSS_OK);
+}
+
 vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
 {
     VBSS_ENTER(thread);
@@ -156,6 +182,9 @@ vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
     VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
     vbss_edit input = {.kind = VBSS_EDIT_DETACH, .words = {0, id}};
     VBSS_TRY(vbss_edit_begin(thread, &input));
+    if (thread_has_twist(t) && a->kind == VBSS_THREAD_ATTACHMENT_CLAMP) {
+        vbss_thread_remove_twist_clamp(t, (uint32_t)(a - t->attachments));
+    }
     *a = (thread_attachment){0};
     vbss_thread_invalidate(t);
     return vbss_edit_end(thread, &input, VBSS_OK);

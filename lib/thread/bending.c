@@ -314,8 +314,9 @@ void vbss_thread_set_clamp_directions(thread_object *t, double fraction)
     uint32_t segments = t->node_count - 1;
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         thread_clamp *clamp = &t->clamps[c];
-        clamp->direction =
-            vbss_thread_attachment_direction(&t->attachments[clamp->attachment_index], fraction);
+        const thread_attachment *a = &t->attachments[clamp->attachment_index];
+        clamp->direction = vbss_thread_attachment_direction(a, fraction);
+        clamp->roll = vbss_thread_attachment_roll(a, fraction);
     }
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         /* Only the two segments on either side of a clamp depend on its direction. */

@@ -1,5 +1,6 @@
 /* Reactions: forces and torques of attachments on the thread, computed at the end of each step. */
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 /* Gradient of the stretching energy with a clamp's direction, on which the length of its
  * arcs depends. */
@@ -44,7 +45,8 @@ static vec3 clamp_torque(const thread_object *t, uint32_t c)
                                        t->now.x[clamp->node + k - THREAD_CLAMP_BANDWIDTH]);
         }
     }
-    return vec3_cross(clamp->direction, gradient);
+    const vec3 torque = vec3_cross(clamp->direction, gradient);
+    return thread_has_twist(t) ? vec3_add(torque, vbss_thread_twist_torque(t, c)) : torque;
 }
 
 vec3 vbss_thread_implicit_reaction_torque(const thread_object *t, uint32_t node)

@@ -3,6 +3,7 @@
 #include "thread/bending_memory.h"
 #include "thread/remesh.h"
 #include "thread/tuning.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -83,6 +84,27 @@ static void visit_memory(vbss_stream *stream, thread_object *t)
     }
     if (!is_valid && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such memory of bends");
+    }
+}
+
+/* Twist only: its configuration and state. */
+static void visit_twist(vbss_stream *stream, thread_object *t)
+{
+    const uint32_t capacity = t->config.attachment_capacity;
+    vbss_stream_expect_f64(stream, 90, t->config.torsional_stiffness);
+    vbss_stream_expect_f64(stream, 90, t->config.rest_twist);
+    bool is_valid = true;
+    for (uint32_t i = 0; i < capacity; i++) {
+        thread_attachment *a = &t->attachments[i];
+        thread_clamp_frame *frame = &t->now.clamp_frames[i];
+        vbss_stream_f64(stream, 91, &a->roll, 1);
+        vbss_stream_f64(stream, 92, &a->target_roll, 1);
+        vbss_stream_f64(stream, 93, &frame->direction.x, sizeof *frame / sizeof(double));
+        const bool is_clamp = a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_CLAMP;
+        is_valid = is_valid && (!is_clamp || (is_unit(frame->direction) && is_unit(frame->director)));
+    }
+    if (!is_valid && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such frame of a clamp");
     }
 }
 
@@ -207,6 +229,9 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     if (thread_has_memory(t)) {
         visit_memory(stream, t);
     }
+    if (thread_has_twist(t)) {
+        visit_twist(stream, t);
+    }
     if (stream->mode == VBSS_STREAM_READ) {
         t->is_acceleration_unknown = is_acceleration_unknown != 0;
         t->is_in_setup = is_in_setup != 0;
@@ -230,5 +255,9 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
     to->dissipated_energy = from->dissipated_energy;
     if (thread_has_memory(t)) {
         memcpy(to->bend, from->bend, 2 * (size_t)t->node_count * sizeof *to->bend);
+    }
+    if (thread_has_twist(t)) {
+        memcpy(to->clamp_frames, from->clamp_frames,
+               t->config.attachment_capacity * sizeof *to->clamp_frames);
     }
 }

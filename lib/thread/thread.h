@@ -36,6 +36,9 @@ typedef struct thread_attachment {
     /* While a step of the scene is suspended, its target, direction and force; while it runs, those
      * of the host. See vbss_thread_swap_targets. */
     vec3 alternate_target, alternate_direction, alternate_force;
+    /* CLAMP of a thread with twist: angle about its direction, rad: current, after the next step, and
+     * alternate as above */
+    double roll, target_roll, alternate_roll;
 } thread_attachment;
 
 /* What one side of a node remembers of its bends; see bending_memory.c. */
@@ -55,6 +58,31 @@ typedef struct thread_bend_response {
     bool before, after;   /* whether the chords on either side take part */
 } thread_bend_response;
 
+/* What a clamp contributes to twist; see twist_spans.c. */
+typedef struct thread_clamp_frame {
+    vec3 direction;     /* of the clamp, unit */
+    vec3 director;      /* unit, across it; moves with it without spin */
+    double shape_twist; /* twist of the span from this clamp to the next, without rolls of clamps, rad */
+} thread_clamp_frame;
+
+/* The thread between two clamps that follow each other, in the trial or in the current state. */
+typedef struct thread_twist_span {
+    uint32_t low, high;             /* nodes of the clamps */
+    vec3 direction[2], director[2]; /* of the clamps */
+    double length;                  /* at rest, m */
+    double roll_difference;         /* roll of the high clamp minus that of the low clamp, rad */
+    double shape_twist, twist;      /* without and with that difference, rad */
+    double torque;                  /* N m */
+    /* angle between the directors, and shape_twist, at the start of the substep, rad */
+    double start_angle, start_twist;
+} thread_twist_span;
+
+/* Stiffness of twist at one side of a node, N/m: second derivatives with the chords before and after it. */
+typedef struct thread_twist_stiffness {
+    mat3 before, mixed, after; /* mixed: rows of the chord before */
+    bool has_before, has_after;
+} thread_twist_stiffness;
+
 /* Motion of a thread: an entry of x, v, a, q for each node, a tension for each segment. */
 typedef struct thread_state {
     vec3 *x, *v;
@@ -65,6 +93,8 @@ typedef struct thread_state {
      * memory (implicit method) */
     thread_bend_memory *bend;
     double dissipated_energy; /* by memory since creation, J */
+    /* an entry for each attachment, used by clamps; no entries without twist (implicit method) */
+    thread_clamp_frame *clamp_frames;
 } thread_state;
 
 /* Part of a clamp in the bending energy:
@@ -79,6 +109,7 @@ typedef struct thread_clamp {
     double coefficient[2 * THREAD_CLAMP_BANDWIDTH + 1];
     double own_coefficient, next_coefficient;
     vec3 direction; /* unit, at the end of the current substep; between steps the current one */
+    double roll;    /* the same, rad */
 } thread_clamp;
 
 /* Arc of a segment. Its length is that of the chord plus length_coefficient |curvature|^2. */
@@ -202,12 +233,21 @@ struct thread_object {
     double *trial_tension;
     vec3 *rest_curvature_forces;          /* N (implicit method) */
     thread_bend_response *bend_responses; /* as thread_state::bend (implicit method) */
+    /* twist (implicit method): an entry for each pair of neighbouring clamps; two for each node, of which
+     * the second belongs to the span that begins there; and one for each node */
+    thread_twist_span *twist_spans;
+    thread_twist_stiffness *twist_stiffness;
+    vec3 *twist_forces;    /* N */
+    vec3 *twist_couplings; /* see twist.c */
+    vec3 *twist_errors;    /* scratch of twist.c */
     thread_strain *strains;
     struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 
     /* views, computed when a host asks */
     double *lengths, *sagittas, *axial_forces; /* axial_forces: implicit method */
     vec3 *curvatures, *memory_curvatures[2];   /* plastic and viscous (implicit method) */
+    double *twists;                            /* implicit method */
+    vec3 *material_directors;                  /* implicit method */
 };
 
 /* ---- handle.c */
@@ -306,6 +346,9 @@ vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction
 
 /* Direction of a clamp at a fraction 0..1 of the step, unit. */
 vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fraction);
+
+/* Roll of a clamp at a fraction 0..1 of the step, rad. */
+double vbss_thread_attachment_roll(const thread_attachment *a, double fraction);
 
 /* Copies the target, direction and force of an attachment to the alternate ones. */
 void vbss_thread_save_target(thread_attachment *a);
