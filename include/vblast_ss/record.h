@@ -87,8 +87,8 @@ enum {
     /** #vbss_drain_set_attachment_target. Words: drain, attachment. Numbers: target (3). */
     VBSS_RECORD_INPUT_DRAIN_TARGET = 15,
     VBSS_RECORD_INPUT_DRAIN_DETACH = 16, /**< #vbss_drain_detach. Words: drain, attachment. */
-    /** #vbss_thread_set_clamp_roll. Words: thread, attachment. Numbers: roll. */
-    VBSS_RECORD_INPUT_CLAMP_ROLL = 17
+    /** #vbss_thread_set_roll. Words: thread, attachment. Numbers: roll. */
+    VBSS_RECORD_INPUT_ROLL = 17
 };
 
 /** Change of a running scene: a VBSS_SCENE_SETTING_ constant. */

@@ -218,7 +218,10 @@ enum {
     VBSS_THREAD_ATTACHMENT_CLAMP = 1,
     VBSS_THREAD_ATTACHMENT_FORCE = 2,  /**< `force` pulls at the node. */
     VBSS_THREAD_ATTACHMENT_SPRING = 3, /**< A spring-damper from `position` to the node. */
-    VBSS_THREAD_ATTACHMENT_MASS = 4 /**< `mass` is fixed to the node; it has inertia and weight. */
+    VBSS_THREAD_ATTACHMENT_MASS = 4, /**< `mass` is fixed to the node; it has inertia and weight. */
+    /** Threads with torsional_stiffness: holds the section at the node, which moves freely;
+     * #vbss_thread_set_roll turns it. A CLAMP does this, too. */
+    VBSS_THREAD_ATTACHMENT_ROLL = 5
 };
 
 /** An attachment acts on one node. Fill it with #vbss_thread_attachment_init. */
@@ -245,7 +248,7 @@ typedef struct vbss_thread_reaction {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t node;        /**< The node, as cuts have renumbered it. */
     double force[3];      /**< Force of the attachment on the thread at the end of the step, N. */
-    double torque[3];     /**< CLAMP: torque of the attachment on the thread, that of twist included, N m; else 0. */
+    double torque[3];     /**< CLAMP, ROLL: torque of the attachment on the thread, N m; else 0. */
 } vbss_thread_reaction;
 
 /** An array of a thread: a VBSS_THREAD_VIEW_ constant. */
@@ -272,7 +275,7 @@ enum {
     VBSS_THREAD_VIEW_PLASTIC_CURVATURES = 8,
     /** The same for the viscous curvature: that at which the viscous branch has no moment. */
     VBSS_THREAD_VIEW_VISCOUS_CURVATURES = 9,
-    /** n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two clamps. No
+    /** n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two holders. No
      * entries in a thread without torsional_stiffness. */
     VBSS_THREAD_VIEW_TWISTS = 10,
     /** n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to the material;
@@ -482,7 +485,7 @@ VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
 /**
  * Sets positions and velocities of the nodes. Nodes held by attachments move to their targets in the next step.
  * Plastic and viscous curvatures stay, in the plane of the new bend at each node and on the same side of it.
- * The twist between two clamps stays.
+ * The twist between two holders of the section stays.
  *
  * @param thread      the thread
  * @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
@@ -523,7 +526,7 @@ static inline vbss_thread_attachment vbss_thread_attachment_default(void)
 }
 
 /**
- * Attaches something to a node. A node takes one PIN or CLAMP, and any number of the others. All fields
+ * Attaches something to a node. A node takes one PIN or CLAMP, one CLAMP or ROLL, and any number of the others. All fields
  * must be in their ranges, also those that the kind does not read.
  *
  * @param thread      the thread
@@ -531,7 +534,8 @@ static inline vbss_thread_attachment vbss_thread_attachment_default(void)
  * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is held
- *         already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ *         already), VBSS_ERROR_INCOMPATIBLE (a ROLL on a thread without twist), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -557,21 +561,22 @@ VBSS_API vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint
                                                        const double *direction);
 
 /**
- * Sets the roll of a clamp for the end of the next step: the angle by which it has turned the thread about the
- * clamp's direction since it was attached. The clamp rolls at constant speed during the step, and then
- * stays. A change of its direction takes the section along without spin. A new clamp has the roll 0 and
- * leaves the twist of the thread as it is; twist between a clamp and a free end is zero.
+ * Sets the roll of a CLAMP or ROLL for the end of the next step: the angle by which it has turned the
+ * section about the thread since it was attached. The section rolls at constant speed during the step, and then
+ * stays. A change of the thread's direction takes the section along without spin. A new holder has the roll 0
+ * and leaves the twist of the thread as it is. The twist between a holder and a free end is zero.
  *
  * @param thread  the thread, with torsional_stiffness above 0
- * @param id      the attachment, a CLAMP
- * @param roll    angle, rad, -1e6 to 1e6, any number of turns; positive by the right-hand rule
+ * @param id      the attachment, a CLAMP or ROLL
+ * @param roll    angle, rad, -1e6 to 1e6, any number of turns; positive by the right-hand rule about the
+ *                direction towards higher nodes
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment),
- *         VBSS_ERROR_INCOMPATIBLE (not a CLAMP, or a thread without twist), VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_INCOMPATIBLE (another kind, or a thread without twist), VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
-VBSS_API vbss_result vbss_thread_set_clamp_roll(vbss_thread *thread, uint32_t id, double roll);
+VBSS_API vbss_result vbss_thread_set_roll(vbss_thread *thread, uint32_t id, double roll);
 
 /**
  * Removes an attachment. The twist between its neighbours is the sum of those on either side, or zero at a

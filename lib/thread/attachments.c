@@ -48,11 +48,6 @@ vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fractio
                         fraction < 0.5 ? a->direction : a->target_direction);
 }
 
-double vbss_thread_attachment_roll(const thread_attachment *a, double fraction)
-{
-    return a->roll + fraction * (a->target_roll - a->roll);
-}
-
 static void swap(vec3 *one, vec3 *other)
 {
     vec3 saved = *one;

@@ -17,6 +17,7 @@
  * VBSS_THREAD_BENDING_LOCAL leaves out the last sum. Both are quadratic in the positions, so coefficients
  * are constant. */
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -314,9 +315,11 @@ void vbss_thread_set_clamp_directions(thread_object *t, double fraction)
     uint32_t segments = t->node_count - 1;
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         thread_clamp *clamp = &t->clamps[c];
-        const thread_attachment *a = &t->attachments[clamp->attachment_index];
-        clamp->direction = vbss_thread_attachment_direction(a, fraction);
-        clamp->roll = vbss_thread_attachment_roll(a, fraction);
+        clamp->direction =
+            vbss_thread_attachment_direction(&t->attachments[clamp->attachment_index], fraction);
+    }
+    if (thread_has_twist(t)) {
+        vbss_thread_set_section_holders(t, fraction);
     }
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         /* Only the two segments on either side of a clamp depend on its direction. */

@@ -87,7 +87,7 @@ static void split_attachments(thread_object *t, thread_object *piece, const thre
             piece->attachments[i] = *a;
             piece->attachments[i].node -= cut->node_shift;
             if (thread_has_twist(t)) {
-                piece->now.clamp_frames[i] = t->now.clamp_frames[i];
+                piece->now.frames[i] = t->now.frames[i];
             }
             *a = (thread_attachment){0};
         }

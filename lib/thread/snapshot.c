@@ -96,15 +96,17 @@ static void visit_twist(vbss_stream *stream, thread_object *t)
     bool is_valid = true;
     for (uint32_t i = 0; i < capacity; i++) {
         thread_attachment *a = &t->attachments[i];
-        thread_clamp_frame *frame = &t->now.clamp_frames[i];
+        thread_section_frame *frame = &t->now.frames[i];
         vbss_stream_f64(stream, 91, &a->roll, 1);
         vbss_stream_f64(stream, 92, &a->target_roll, 1);
         vbss_stream_f64(stream, 93, &frame->direction.x, sizeof *frame / sizeof(double));
-        const bool is_clamp = a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_CLAMP;
-        is_valid = is_valid && (!is_clamp || (is_unit(frame->direction) && is_unit(frame->director)));
+        vbss_stream_u32(stream, 94, &a->owner, 1);
+        vbss_stream_f64(stream, 95, &a->owner_orientation.w, 4);
+        is_valid = is_valid && (a->id == 0 || !thread_holds_section(a) ||
+                                (is_unit(frame->direction) && is_unit(frame->director)));
     }
     if (!is_valid && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such frame of a clamp");
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such frame of a section");
     }
 }
 
@@ -147,7 +149,7 @@ static void visit_attachment(vbss_stream *stream, const thread_object *t, thread
     if (clamp && !(is_unit(a->direction) && is_unit(a->target_direction))) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such direction");
     }
-    if (kind < VBSS_THREAD_ATTACHMENT_PIN || kind > VBSS_THREAD_ATTACHMENT_MASS ||
+    if (kind < VBSS_THREAD_ATTACHMENT_PIN || kind > VBSS_THREAD_ATTACHMENT_ROLL ||
         a->node >= t->node_count || a->id > t->last_id || !(a->stiffness >= 0.0) ||
         !(a->damping >= 0.0) || !(a->mass >= 0.0)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such attachment");
@@ -257,7 +259,6 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
         memcpy(to->bend, from->bend, 2 * (size_t)t->node_count * sizeof *to->bend);
     }
     if (thread_has_twist(t)) {
-        memcpy(to->clamp_frames, from->clamp_frames,
-               t->config.attachment_capacity * sizeof *to->clamp_frames);
+        memcpy(to->frames, from->frames, t->config.attachment_capacity * sizeof *to->frames);
     }
 }

@@ -36,9 +36,11 @@ typedef struct thread_attachment {
     /* While a step of the scene is suspended, its target, direction and force; while it runs, those
      * of the host. See vbss_thread_swap_targets. */
     vec3 alternate_target, alternate_direction, alternate_force;
-    /* CLAMP of a thread with twist: angle about its direction, rad: current, after the next step, and
-     * alternate as above */
+    /* Twist, CLAMP and ROLL: angle about the thread, rad: current, after the next step, and alternate
+     * as above */
     double roll, target_roll, alternate_roll;
+    uint32_t owner;         /* ROLL of a scene: a number of its pin or grasp; 0: a host's */
+    quat owner_orientation; /* of the body that it belongs to, when its roll was set */
 } thread_attachment;
 
 /* What one side of a node remembers of its bends; see bending_memory.c. */
@@ -58,21 +60,33 @@ typedef struct thread_bend_response {
     bool before, after;   /* whether the chords on either side take part */
 } thread_bend_response;
 
-/* What a clamp contributes to twist; see twist_spans.c. */
-typedef struct thread_clamp_frame {
-    vec3 direction;     /* of the clamp, unit */
-    vec3 director;      /* unit, across it; moves with it without spin */
-    double shape_twist; /* twist of the span from this clamp to the next, without rolls of clamps, rad */
-} thread_clamp_frame;
+/* State of an attachment that holds the section of the thread; see twist_spans.c. */
+typedef struct thread_section_frame {
+    vec3 direction; /* unit: of a clamp, or of the chord beside the node */
+    vec3 director;  /* unit, across it; moves with it without spin */
+    double
+        shape_twist; /* twist of the span from this holder to the next, without their rolls, rad */
+} thread_section_frame;
 
-/* The thread between two clamps that follow each other, in the trial or in the current state. */
+/* An attachment that holds the section of the thread. */
+typedef struct thread_section_holder {
+    uint32_t attachment_index, node;
+    bool is_clamp; /* it holds the direction, too */
+    vec3
+        direction; /* of a clamp, unit, at the end of the current substep; between steps the current one */
+    double roll; /* the same, rad */
+} thread_section_holder;
+
+/* The thread between two holders that follow each other, in the trial or in the current state. */
 typedef struct thread_twist_span {
-    uint32_t low, high;             /* nodes of the clamps */
-    vec3 direction[2], director[2]; /* of the clamps */
-    double length;                  /* at rest, m */
-    double roll_difference;         /* roll of the high clamp minus that of the low clamp, rad */
-    double shape_twist, twist;      /* without and with that difference, rad */
-    double torque;                  /* N m */
+    uint32_t low, high; /* nodes of the holders */
+    bool is_clamped[2]; /* an end has the direction of a clamp, or that of its chord */
+    vec3 direction[2],
+        director[2];           /* of the holders; without clamp those at the start of the substep */
+    double length;             /* at rest, m */
+    double roll_difference;    /* roll of the high holder minus that of the low one, rad */
+    double shape_twist, twist; /* without and with that difference, rad */
+    double torque;             /* N m */
     /* angle between the directors, and shape_twist, at the start of the substep, rad */
     double start_angle, start_twist;
 } thread_twist_span;
@@ -93,8 +107,9 @@ typedef struct thread_state {
      * memory (implicit method) */
     thread_bend_memory *bend;
     double dissipated_energy; /* by memory since creation, J */
-    /* an entry for each attachment, used by clamps; no entries without twist (implicit method) */
-    thread_clamp_frame *clamp_frames;
+    /* an entry for each attachment, used by those that hold the section; no entries without twist
+     * (implicit method) */
+    thread_section_frame *frames;
 } thread_state;
 
 /* Part of a clamp in the bending energy:
@@ -109,7 +124,6 @@ typedef struct thread_clamp {
     double coefficient[2 * THREAD_CLAMP_BANDWIDTH + 1];
     double own_coefficient, next_coefficient;
     vec3 direction; /* unit, at the end of the current substep; between steps the current one */
-    double roll;    /* the same, rad */
 } thread_clamp;
 
 /* Arc of a segment. Its length is that of the chord plus length_coefficient |curvature|^2. */
@@ -222,6 +236,8 @@ struct thread_object {
     thread_arc *arcs;                     /* implicit method */
     thread_clamp *clamps;                 /* in the order of their nodes (implicit method) */
     uint32_t clamp_count;
+    thread_section_holder *holders; /* in the order of their nodes; twist (implicit method) */
+    uint32_t holder_count;
     /* coupling of block i with i + 1 .. i + 3 (implicit method) */
     uint32_t (*couplings)[THREAD_BANDWIDTH];
     vbss_system *system; /* system of a thread that is stepped on its own (implicit method) */
@@ -233,13 +249,12 @@ struct thread_object {
     double *trial_tension;
     vec3 *rest_curvature_forces;          /* N (implicit method) */
     thread_bend_response *bend_responses; /* as thread_state::bend (implicit method) */
-    /* twist (implicit method): an entry for each pair of neighbouring clamps; two for each node, of which
+    /* twist (implicit method): an entry for each pair of neighbouring holders; two for each node, of which
      * the second belongs to the span that begins there; and one for each node */
     thread_twist_span *twist_spans;
-    thread_twist_stiffness *twist_stiffness;
-    vec3 *twist_forces;    /* N */
-    vec3 *twist_couplings; /* see twist.c */
-    vec3 *twist_errors;    /* scratch of twist.c */
+    thread_twist_stiffness *twist_stiffness; /* two */
+    vec3 *twist_couplings;                   /* two; see twist.c */
+    vec3 *twist_forces, *twist_scratch;      /* one, N */
     thread_strain *strains;
     struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 
@@ -346,9 +361,6 @@ vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction
 
 /* Direction of a clamp at a fraction 0..1 of the step, unit. */
 vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fraction);
-
-/* Roll of a clamp at a fraction 0..1 of the step, rad. */
-double vbss_thread_attachment_roll(const thread_attachment *a, double fraction);
 
 /* Copies the target, direction and force of an attachment to the alternate ones. */
 void vbss_thread_save_target(thread_attachment *a);

@@ -38,13 +38,12 @@ static mat3 symmetric_product(vec3 a, vec3 b)
 static thread_twist_stiffness stiffness_of(const thread_turn *turn, double torque)
 {
     const double before = turn->inverse_before, after = turn->inverse_after;
-    const mat3 mixed = mat3_add_scaled(
-        mat3_scale(mat3_cross(turn->before), turn->inverse_fold), -1.0,
-        mat3_outer(turn->half_binormal, turn->mean));
+    const mat3 mixed = mat3_add_scaled(mat3_scale(mat3_cross(turn->before), turn->inverse_fold),
+                                       -1.0, mat3_outer(turn->half_binormal, turn->mean));
     return (thread_twist_stiffness){
-        .before = mat3_scale(symmetric_product(turn->half_binormal,
-                                               vec3_add(turn->before, turn->mean)),
-                             -0.5 * torque * before * before),
+        .before =
+            mat3_scale(symmetric_product(turn->half_binormal, vec3_add(turn->before, turn->mean)),
+                       -0.5 * torque * before * before),
         .mixed = mat3_scale(mixed, torque * before * after),
         .after =
             mat3_scale(symmetric_product(turn->half_binormal, vec3_add(turn->after, turn->mean)),
@@ -56,19 +55,19 @@ static thread_twist_stiffness stiffness_of(const thread_turn *turn, double torqu
 
 /* ---- a linearisation */
 
-/* twist_couplings has the gradient of the twist, and gets its multiple w for which w w^T, summed over
- * the nodes, is at least stiffness gradient gradient^T (Cauchy and Schwarz). */
-static void scale_couplings(thread_object *t, const thread_twist_span *span)
+/* Sets the couplings w of a span's nodes from the gradient of its twist. The sum of their w w^T is at least
+ * stiffness gradient gradient^T (Cauchy and Schwarz). */
+static void set_couplings(thread_object *t, const thread_twist_span *span, const vec3 *gradient)
 {
     const double stiffness = t->config.torsional_stiffness / span->length;
     double sum = 0.0;
-    for (uint32_t i = span->low + 1; i < span->high; i++) {
-        sum += vec3_norm(t->twist_couplings[i]);
+    for (uint32_t i = span->low; i <= span->high; i++) {
+        sum += vec3_norm(gradient[i]);
     }
-    for (uint32_t i = span->low + 1; i < span->high; i++) {
-        const double norm = vec3_norm(t->twist_couplings[i]);
+    for (uint32_t i = span->low; i <= span->high; i++) {
+        const double norm = vec3_norm(gradient[i]);
         const double factor = norm > 0.0 ? sqrt(stiffness * sum / norm) : 0.0;
-        t->twist_couplings[i] = vec3_scale(t->twist_couplings[i], factor);
+        t->twist_couplings[2 * (size_t)i + (i == span->low)] = vec3_scale(gradient[i], factor);
     }
 }
 
@@ -78,22 +77,23 @@ void vbss_thread_update_twist(thread_object *t, const thread_substep *substep)
     /* With no compression left in the matrix, the part that is not definite goes too. */
     const bool has_stiffness = substep->min_tension < 0.0;
     memset(t->twist_forces, 0, n * sizeof *t->twist_forces);
-    memset(t->twist_couplings, 0, n * sizeof *t->twist_couplings);
+    memset(t->twist_couplings, 0, 2 * n * sizeof *t->twist_couplings);
     memset(t->twist_stiffness, 0, 2 * n * sizeof *t->twist_stiffness);
-    for (uint32_t k = 0; k + 1 < t->clamp_count; k++) {
+    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
         thread_twist_span *span = &t->twist_spans[k];
+        vec3 *gradient = t->twist_scratch;
         vbss_thread_set_twist(t, t->trial, span);
-        for (uint32_t i = span->low; i <= span->high; i++) {
+        memset(gradient + span->low, 0, (span->high - span->low + 1) * sizeof *gradient);
+        for (uint32_t i = thread_first_turn(span); i <= thread_last_turn(span); i++) {
             const thread_turn turn = vbss_thread_turn(t->trial, span, i);
             add_gradient(t->twist_forces, i, &turn, -span->torque);
-            add_gradient(t->twist_couplings, i, &turn, 1.0);
+            add_gradient(gradient, i, &turn, 1.0);
             if (has_stiffness) {
                 t->twist_stiffness[2 * (size_t)i + (i == span->low)] =
                     stiffness_of(&turn, span->torque);
             }
         }
-        scale_couplings(t, span);
-        t->twist_couplings[span->low] = t->twist_couplings[span->high] = vec3_zero();
+        set_couplings(t, span, gradient);
     }
 }
 
@@ -119,20 +119,19 @@ static void subtract_stiffness(const thread_twist_stiffness *s, uint32_t node, c
 
 double vbss_thread_twist_residual(thread_object *t, const vbss_integration *in, const vec3 *u)
 {
-    vec3 *error = t->twist_errors;
-    for (uint32_t i = 0; i < t->node_count; i++) {
-        const vec3 w = t->twist_couplings[i];
-        error[i] = vec3_add_scaled(t->twist_forces[i], -vec3_dot(w, u[i]), w);
-    }
+    vec3 *error = t->twist_scratch;
+    memcpy(error, t->twist_forces, t->node_count * sizeof *error);
     for (uint32_t i = 0; i < t->node_count; i++) {
         for (size_t side = 0; side < 2; side++) {
+            const vec3 w = t->twist_couplings[2 * (size_t)i + side];
+            error[i] = vec3_add_scaled(error[i], -vec3_dot(w, u[i]), w);
             subtract_stiffness(&t->twist_stiffness[2 * (size_t)i + side], i, u, error);
         }
     }
-    for (uint32_t k = 0; k + 1 < t->clamp_count; k++) {
+    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
         thread_twist_span *span = &t->twist_spans[k];
         vbss_thread_set_twist(t, t->trial, span);
-        for (uint32_t i = span->low; i <= span->high; i++) {
+        for (uint32_t i = thread_first_turn(span); i <= thread_last_turn(span); i++) {
             const thread_turn turn = vbss_thread_turn(t->trial, span, i);
             add_gradient(error, i, &turn, span->torque);
         }
@@ -153,7 +152,7 @@ double vbss_thread_twist_residual(thread_object *t, const vbss_integration *in, 
 double vbss_thread_twist_energy(const thread_object *t)
 {
     double energy = 0.0;
-    for (uint32_t k = 0; k + 1 < t->clamp_count; k++) {
+    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
         const thread_twist_span span = vbss_thread_twist_span(t, k);
         energy += 0.5 * span.length * span.torque * span.torque / t->config.torsional_stiffness;
     }
@@ -163,13 +162,13 @@ double vbss_thread_twist_energy(const thread_object *t)
 vec3 vbss_thread_twist_force(const thread_object *t, uint32_t node)
 {
     vec3 force = vec3_zero();
-    for (uint32_t k = 0; k + 1 < t->clamp_count; k++) {
+    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
         const thread_twist_span span = vbss_thread_twist_span(t, k);
         if (node < span.low || node > span.high) {
             continue;
         }
-        const uint32_t first = node > span.low ? node - 1 : node,
-                       last = node < span.high ? node + 1 : node;
+        const uint32_t low = thread_first_turn(&span), high = thread_last_turn(&span);
+        const uint32_t first = node > low ? node - 1 : low, last = node < high ? node + 1 : high;
         for (uint32_t i = first; i <= last; i++) {
             const thread_turn turn = vbss_thread_turn(t->now.x, &span, i);
             const double before = turn.inverse_before, after = turn.inverse_after;
@@ -180,16 +179,25 @@ vec3 vbss_thread_twist_force(const thread_object *t, uint32_t node)
     return force;
 }
 
-vec3 vbss_thread_twist_torque(const thread_object *t, uint32_t clamp)
+/* Torque of an end of a span on its holder, along the thread there. */
+static vec3 end_torque(const thread_object *t, const thread_twist_span *span, int end)
+{
+    if (!span->is_clamped[end]) {
+        return vec3_scale(span->direction[end], span->torque);
+    }
+    const thread_turn turn = vbss_thread_turn(t->now.x, span, end == 0 ? span->low : span->high);
+    return vec3_scale(turn.mean, span->torque);
+}
+
+vec3 vbss_thread_twist_torque(const thread_object *t, uint32_t node)
 {
     vec3 sum = vec3_zero();
-    for (uint32_t end = 0; end < 2; end++) {
-        /* It is the high end of the span before it, and the low end of the span after it. */
-        const bool exists = end == 0 ? clamp > 0 : clamp + 1 < t->clamp_count;
-        if (exists) {
-            const thread_twist_span span = vbss_thread_twist_span(t, end == 0 ? clamp - 1 : clamp);
-            const thread_turn turn = vbss_thread_turn(t->now.x, &span, t->clamps[clamp].node);
-            sum = vec3_add_scaled(sum, end == 0 ? span.torque : -span.torque, turn.mean);
+    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+        const thread_twist_span span = vbss_thread_twist_span(t, k);
+        if (span.high == node) {
+            sum = vec3_add(sum, end_torque(t, &span, 1));
+        } else if (span.low == node) {
+            sum = vec3_sub(sum, end_torque(t, &span, 0));
         }
     }
     return sum;

@@ -1,7 +1,8 @@
-/* Twist of the implicit method: quasi-static, with one torque between two clamps.
+/* Twist of the implicit method: quasi-static, with one torque between two holders.
  * docs/explanation/twist.md has the model.
  *
- * A span is the thread between two clamps that follow each other. Its twist is the angle by which the
+ * A holder is an attachment that holds the section: a CLAMP or a ROLL. A span is the thread between two
+ * holders that follow each other. Its twist is the angle by which the
  * section turns along it, in excess of parallel transport along the chords.
  *
  * A step:
@@ -21,6 +22,12 @@ static inline bool thread_has_twist(const thread_object *t)
     return t->config.torsional_stiffness > 0.0;
 }
 
+/* Whether an attachment holds the section of a thread with twist. */
+static inline bool thread_holds_section(const thread_attachment *a)
+{
+    return a->kind == VBSS_THREAD_ATTACHMENT_CLAMP || a->kind == VBSS_THREAD_ATTACHMENT_ROLL;
+}
+
 /* ---- twist_spans.c */
 
 /* Place where the thread turns, inside a span or at one of its ends. */
@@ -28,27 +35,40 @@ typedef struct thread_turn {
     vec3 before, after; /* unit: of the chords, or of the clamp at an end */
     /* 1 / length of these chords, 1/m; 0 at a clamp, whose direction no node changes */
     double inverse_before, inverse_after;
-    /* before x after / (1 + their product): half the curvature binormal */
-    vec3 half_binormal;
     double inverse_fold; /* 1 / (1 + their product) */
+    vec3 half_binormal;  /* before x after / (1 + their product): half the curvature binormal */
     vec3 mean; /* (before + after) / (1 + their product): unit if the thread is straight */
 } thread_turn;
 
-/* The turn of a span at a node from span->low to span->high, with the nodes at `x`. */
+/* First and last node at which a span turns. Without a clamp the end is in its chord. */
+static inline uint32_t thread_first_turn(const thread_twist_span *span)
+{
+    return span->low + (span->is_clamped[0] ? 0 : 1);
+}
+
+static inline uint32_t thread_last_turn(const thread_twist_span *span)
+{
+    return span->high - (span->is_clamped[1] ? 0 : 1);
+}
+
+/* The turn of a span at one of these nodes, with the nodes at `x`. */
 thread_turn vbss_thread_turn(const vec3 *x, const thread_twist_span *span, uint32_t node);
 
-/* The span between clamps `index` and `index` + 1, as the state has it. */
+/* Lists the holders of the section in the order of their nodes. */
+void vbss_thread_list_section_holders(thread_object *t);
+
+/* Sets directions and rolls of holders at a fraction 0..1 of the step. */
+void vbss_thread_set_section_holders(thread_object *t, double fraction);
+
+/* The span between holders `index` and `index` + 1 in the current state, without directors. */
 thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index);
 
-/* Moves a director along the whole span by parallel transport, with the nodes at `x`. */
-vec3 vbss_thread_transport(const vec3 *x, const thread_twist_span *span, vec3 director);
+/* Adds a holder to the state, or takes it out: its attachment is in, or still in, the list of attachments.
+ * The twist per length of the thread around it does not change. */
+void vbss_thread_add_section_holder(thread_object *t, uint32_t attachment);
+void vbss_thread_remove_section_holder(thread_object *t, uint32_t attachment);
 
-/* Adds a clamp to the state, or takes it out: its attachment is in, or still in, the list. The twist
- * per length of the thread around it does not change. */
-void vbss_thread_add_twist_clamp(thread_object *t, uint32_t attachment);
-void vbss_thread_remove_twist_clamp(thread_object *t, uint32_t attachment);
-
-/* Prepares a substep: spans with their clamps at its end. A function of the state and of the clamps. */
+/* Prepares a substep: spans with their holders at its end. A function of the state and of the holders. */
 void vbss_thread_begin_twist(thread_object *t);
 
 /* Sets the twist of a span with the nodes at `x`, which is the one nearest to that of the state. */
@@ -75,7 +95,7 @@ double vbss_thread_twist_energy(const thread_object *t);
 /* Force of twist on one node in the current state, N. */
 vec3 vbss_thread_twist_force(const thread_object *t, uint32_t node);
 
-/* Torque with which a clamp balances twist in the current state, N m. */
-vec3 vbss_thread_twist_torque(const thread_object *t, uint32_t clamp);
+/* Torque with which the holder at a node balances twist in the current state, N m. */
+vec3 vbss_thread_twist_torque(const thread_object *t, uint32_t node);
 
 #endif

@@ -1,9 +1,10 @@
-/* Spans of twist: parallel transport along the chords, and the twist between two clamps.
+/* Spans of twist: the holders of the section, parallel transport along the chords between them, and the
+ * twist of a span.
  *
- * Clamps carry a director, which moves without spin as their direction changes, and a roll, the angle by
- * which the host has turned them about it. The twist of a span is the roll of its high clamp minus that
- * of its low clamp, plus a part that depends on the shape alone. This part is known up to full turns
- * from the directors, and the state has the turns. */
+ * A holder has a roll, the angle by which it has turned the section about the thread, and a director, which
+ * moves without spin as the direction there changes. The twist of a span is the roll of its high holder
+ * minus that of its low one, plus a part that depends on the shape alone. This part changes as the angle
+ * between both directors does; the state has it, with its full turns. */
 #include "base/elementary.h"
 #include "base/pi.h"
 #include "thread/tuning.h"
@@ -33,11 +34,17 @@ static vec3 chord_direction(const vec3 *x, uint32_t segment, double *inverse)
     return vec3_scale(chord, *inverse);
 }
 
+static vec3 direction_of_chord(const vec3 *x, uint32_t segment)
+{
+    double ignored;
+    return chord_direction(x, segment, &ignored);
+}
+
 thread_turn vbss_thread_turn(const vec3 *x, const thread_twist_span *span, uint32_t node)
 {
     double inverse_before = 0.0, inverse_after = 0.0;
-    const vec3 before = node == span->low ? span->direction[0]
-                                          : chord_direction(x, node - 1, &inverse_before);
+    const vec3 before =
+        node == span->low ? span->direction[0] : chord_direction(x, node - 1, &inverse_before);
     const vec3 after =
         node == span->high ? span->direction[1] : chord_direction(x, node, &inverse_after);
     thread_turn turn = make_turn(before, after);
@@ -52,17 +59,17 @@ static vec3 transport(vec3 director, const thread_turn *turn)
     return vec3_add_scaled(director, -vec3_dot(director, turn->after), turn->mean);
 }
 
-vec3 vbss_thread_transport(const vec3 *x, const thread_twist_span *span, vec3 director)
+static vec3 transport_along(const vec3 *x, const thread_twist_span *span, vec3 director)
 {
-    for (uint32_t i = span->low; i <= span->high; i++) {
+    for (uint32_t i = thread_first_turn(span); i <= thread_last_turn(span); i++) {
         const thread_turn turn = vbss_thread_turn(x, span, i);
         director = transport(director, &turn);
     }
     return director;
 }
 
-/* Unit, as rounding would add up. */
-static vec3 transport_by_clamp(vec3 director, vec3 before, vec3 after)
+/* From one direction to another; unit, as rounding would add up. */
+static vec3 transport_between(vec3 director, vec3 before, vec3 after)
 {
     const thread_turn turn = make_turn(before, after);
     const vec3 moved = transport(director, &turn);
@@ -77,12 +84,119 @@ static vec3 roll_director(vec3 director, vec3 axis, double angle)
     return vec3_add_scaled(vec3_scale(director, cosine), sine, vec3_cross(axis, director));
 }
 
-/* Angle from the director of the low clamp, moved along the span, to that of the high clamp. */
+/* Direction of the thread at an end of a span, with the nodes at `x`. */
+static vec3 end_direction(const vec3 *x, const thread_twist_span *span, int end)
+{
+    return span->is_clamped[end] ? span->direction[end]
+                                 : direction_of_chord(x, end == 0 ? span->low : span->high - 1);
+}
+
+/* Angle from the director of the low holder, moved along the span, to that of the high one. */
 static double angle_between_directors(const vec3 *x, const thread_twist_span *span)
 {
-    const vec3 moved = vbss_thread_transport(x, span, span->director[0]);
-    return vbss_arc_tangent(vec3_dot(span->direction[1], vec3_cross(moved, span->director[1])),
-                            vec3_dot(moved, span->director[1]));
+    vec3 director[2], direction = vec3_zero();
+    for (int end = 0; end < 2; end++) {
+        direction = end_direction(x, span, end);
+        director[end] = span->is_clamped[end] ? span->director[end]
+                                              : transport_between(span->director[end],
+                                                                  span->direction[end], direction);
+    }
+    const vec3 moved = transport_along(x, span, director[0]);
+    return vbss_arc_tangent(vec3_dot(direction, vec3_cross(moved, director[1])),
+                            vec3_dot(moved, director[1]));
+}
+
+/* ---- holders */
+
+void vbss_thread_list_section_holders(thread_object *t)
+{
+    t->holder_count = 0;
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        if (a->id == 0 || !thread_holds_section(a)) {
+            continue;
+        }
+        uint32_t k = t->holder_count++;
+        for (; k > 0 && t->holders[k - 1].node > a->node; k--) {
+            t->holders[k] = t->holders[k - 1];
+        }
+        t->holders[k] =
+            (thread_section_holder){.attachment_index = i,
+                                    .node = a->node,
+                                    .is_clamp = a->kind == VBSS_THREAD_ATTACHMENT_CLAMP};
+    }
+    vbss_thread_set_section_holders(t, 0.0);
+}
+
+void vbss_thread_set_section_holders(thread_object *t, double fraction)
+{
+    for (uint32_t k = 0; k < t->holder_count; k++) {
+        thread_section_holder *holder = &t->holders[k];
+        const thread_attachment *a = &t->attachments[holder->attachment_index];
+        holder->roll = a->roll + fraction * (a->target_roll - a->roll);
+        if (holder->is_clamp) {
+            holder->direction = vbss_thread_attachment_direction(a, fraction);
+        }
+    }
+}
+
+/* Direction of the thread at a holder: that of its chord towards higher nodes, or of the clamp. */
+static vec3 holder_direction(const vec3 *x, uint32_t node_count,
+                             const thread_section_holder *holder)
+{
+    const uint32_t segment = holder->node + 1 < node_count ? holder->node : holder->node - 1;
+    return holder->is_clamp ? holder->direction : direction_of_chord(x, segment);
+}
+
+/* The nearest holder on either side of a node; NULL: there is none. */
+static const thread_attachment *find_holder_beside(const thread_object *t, uint32_t node,
+                                                   bool after)
+{
+    const thread_attachment *found = NULL;
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        const bool is_beside = after ? a->node > node : a->node < node;
+        if (a->id != 0 && thread_holds_section(a) && is_beside &&
+            (found == NULL || (after ? a->node < found->node : a->node > found->node))) {
+            found = a;
+        }
+    }
+    return found;
+}
+
+void vbss_thread_add_section_holder(thread_object *t, uint32_t attachment)
+{
+    const thread_attachment *new = &t->attachments[attachment];
+    const thread_attachment *low = find_holder_beside(t, new->node, false),
+                            *high = find_holder_beside(t, new->node, true);
+    thread_section_frame *frame = &t->now.frames[attachment],
+                         *low_frame = low != NULL ? &t->now.frames[low - t->attachments] : NULL;
+    double before = 0.0, after = 0.0;
+    if (low != NULL && high != NULL) {
+        const double from = vbss_thread_arc_length(t, low->node),
+                     to = vbss_thread_arc_length(t, high->node);
+        const double whole = low_frame->shape_twist + high->roll - low->roll;
+        before = whole * ((vbss_thread_arc_length(t, new->node) - from) / (to - from));
+        after = whole - before;
+    }
+    const thread_section_holder holder = {.node = new->node,
+                                          .is_clamp = new->kind == VBSS_THREAD_ATTACHMENT_CLAMP,
+                                          .direction = new->direction};
+    frame->direction = holder_direction(t->now.x, t->node_count, &holder);
+    frame->director = vec3_any_normal(frame->direction);
+    frame->shape_twist = high != NULL ? after - (high->roll - new->roll) : 0.0;
+    if (low_frame != NULL) {
+        low_frame->shape_twist = before - (new->roll - low->roll);
+    }
+}
+
+void vbss_thread_remove_section_holder(thread_object *t, uint32_t attachment)
+{
+    const uint32_t node = t->attachments[attachment].node;
+    const thread_attachment *low = find_holder_beside(t, node, false);
+    if (low != NULL && find_holder_beside(t, node, true) != NULL) {
+        t->now.frames[low - t->attachments].shape_twist += t->now.frames[attachment].shape_twist;
+    }
 }
 
 /* ---- spans */
@@ -96,100 +210,43 @@ static void set_torque(const thread_object *t, thread_twist_span *span)
 
 thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index)
 {
-    const thread_clamp *clamps = &t->clamps[index];
-    thread_twist_span span = {.low = clamps[0].node, .high = clamps[1].node};
+    const thread_section_holder *holders = &t->holders[index];
+    const thread_section_frame *low_frame = &t->now.frames[holders[0].attachment_index];
+    thread_twist_span span = {.low = holders[0].node, .high = holders[1].node};
     for (int end = 0; end < 2; end++) {
-        const thread_clamp_frame *frame = &t->now.clamp_frames[clamps[end].attachment_index];
-        span.direction[end] = frame->direction;
-        span.director[end] = frame->director;
+        span.is_clamped[end] = holders[end].is_clamp;
+        span.direction[end] =
+            holders[end].is_clamp
+                ? t->now.frames[holders[end].attachment_index].direction
+                : direction_of_chord(t->now.x, end == 0 ? span.low : span.high - 1);
     }
-    span.length =
-        vbss_thread_arc_length(t, clamps[1].node) - vbss_thread_arc_length(t, clamps[0].node);
-    span.shape_twist = t->now.clamp_frames[clamps[0].attachment_index].shape_twist;
-    span.roll_difference = clamps[1].roll - clamps[0].roll;
+    span.length = vbss_thread_arc_length(t, span.high) - vbss_thread_arc_length(t, span.low);
+    span.roll_difference = holders[1].roll - holders[0].roll;
+    span.shape_twist = low_frame->shape_twist;
     set_torque(t, &span);
     return span;
 }
 
-/* ---- clamps that come and go */
-
-/* The nearest clamp on either side of a node; NULL: there is none. */
-static const thread_attachment *find_clamp_beside(const thread_object *t, uint32_t node, bool after)
-{
-    const thread_attachment *found = NULL;
-    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
-        const thread_attachment *a = &t->attachments[i];
-        const bool is_beside = after ? a->node > node : a->node < node;
-        if (a->id != 0 && a->kind == VBSS_THREAD_ATTACHMENT_CLAMP && is_beside &&
-            (found == NULL || (after ? a->node < found->node : a->node > found->node))) {
-            found = a;
-        }
-    }
-    return found;
-}
-
-void vbss_thread_add_twist_clamp(thread_object *t, uint32_t attachment)
-{
-    const thread_attachment *new = &t->attachments[attachment];
-    const thread_attachment *low = find_clamp_beside(t, new->node, false),
-                            *high = find_clamp_beside(t, new->node, true);
-    thread_clamp_frame *frames = t->now.clamp_frames;
-    thread_clamp_frame *frame = &frames[attachment];
-    *frame = (thread_clamp_frame){.direction = new->direction,
-                                  .director = vec3_any_normal(new->direction)};
-    const double here = vbss_thread_arc_length(t, new->node);
-    thread_clamp_frame *low_frame = low != NULL ? &frames[low - t->attachments] : NULL;
-    double before = 0.0, after = 0.0;
-    if (low != NULL && high != NULL) {
-        const double from = vbss_thread_arc_length(t, low->node),
-                     to = vbss_thread_arc_length(t, high->node);
-        const double whole = low_frame->shape_twist + high->roll - low->roll;
-        before = whole * ((here - from) / (to - from));
-        after = whole - before;
-    }
-    if (low != NULL) {
-        low_frame->shape_twist = before - (new->roll - low->roll);
-        const thread_twist_span span = {.low = low->node,
-                                        .high = new->node,
-                                        .direction = {low_frame->direction, new->direction}};
-        const vec3 moved = vbss_thread_transport(t->now.x, &span, low_frame->director);
-        frame->director = roll_director(vec3_unit_or(moved, frame->director), new->direction,
-                                        low_frame->shape_twist);
-    }
-    if (high != NULL) {
-        frame->shape_twist = after - (high->roll - new->roll);
-    }
-}
-
-void vbss_thread_remove_twist_clamp(thread_object *t, uint32_t attachment)
-{
-    const uint32_t node = t->attachments[attachment].node;
-    const thread_attachment *low = find_clamp_beside(t, node, false);
-    if (low != NULL && find_clamp_beside(t, node, true) != NULL) {
-        t->now.clamp_frames[low - t->attachments].shape_twist +=
-            t->now.clamp_frames[attachment].shape_twist;
-    }
-}
-
 /* ---- a substep */
-
-static vec3 trial_director(const thread_object *t, const thread_clamp *clamp)
-{
-    const thread_clamp_frame *frame = &t->now.clamp_frames[clamp->attachment_index];
-    return transport_by_clamp(frame->director, frame->direction, clamp->direction);
-}
 
 void vbss_thread_begin_twist(thread_object *t)
 {
-    for (uint32_t k = 0; k + 1 < t->clamp_count; k++) {
+    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
         thread_twist_span *span = &t->twist_spans[k];
         *span = vbss_thread_twist_span(t, k);
-        span->start_angle = angle_between_directors(t->now.x, span);
-        for (uint32_t end = 0; end < 2; end++) {
-            span->director[end] = trial_director(t, &t->clamps[k + end]);
-            span->direction[end] = t->clamps[k + end].direction;
+        for (int end = 0; end < 2; end++) {
+            span->director[end] = vec3_any_normal(span->direction[end]);
         }
         span->start_twist = span->shape_twist;
+        span->start_angle = angle_between_directors(t->now.x, span);
+        for (int end = 0; end < 2; end++) {
+            if (span->is_clamped[end]) {
+                const vec3 direction = t->holders[k + (uint32_t)end].direction;
+                span->director[end] =
+                    transport_between(span->director[end], span->direction[end], direction);
+                span->direction[end] = direction;
+            }
+        }
     }
 }
 
@@ -203,38 +260,29 @@ void vbss_thread_set_twist(const thread_object *t, const vec3 *x, thread_twist_s
 
 void vbss_thread_commit_twist(thread_object *t)
 {
-    for (uint32_t k = 0; k < t->clamp_count; k++) {
-        const thread_clamp *clamp = &t->clamps[k];
-        thread_clamp_frame *frame = &t->now.clamp_frames[clamp->attachment_index];
-        if (k + 1 < t->clamp_count) {
+    for (uint32_t k = 0; k < t->holder_count; k++) {
+        const thread_section_holder *holder = &t->holders[k];
+        thread_section_frame *frame = &t->now.frames[holder->attachment_index];
+        if (k + 1 < t->holder_count) {
             vbss_thread_set_twist(t, t->trial, &t->twist_spans[k]);
             frame->shape_twist = t->twist_spans[k].shape_twist;
         }
-        frame->director = trial_director(t, clamp);
-        frame->direction = clamp->direction;
+        const vec3 direction = holder_direction(t->trial, t->node_count, holder);
+        frame->director = transport_between(frame->director, frame->direction, direction);
+        frame->direction = direction;
     }
 }
 
 /* ---- views */
 
-/* Index of the span that has a segment; clamp_count if none has. */
-static uint32_t span_of(const thread_object *t, uint32_t segment)
-{
-    for (uint32_t k = 0; k + 1 < t->clamp_count; k++) {
-        if (t->clamps[k].node <= segment && segment < t->clamps[k + 1].node) {
-            return k;
-        }
-    }
-    return t->clamp_count;
-}
-
 static void fill_twists(thread_object *t)
 {
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        const uint32_t k = span_of(t, i);
         t->twists[i] = 0.0;
-        if (k < t->clamp_count) {
-            const thread_twist_span span = vbss_thread_twist_span(t, k);
+    }
+    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+        const thread_twist_span span = vbss_thread_twist_span(t, k);
+        for (uint32_t i = span.low; i < span.high; i++) {
             t->twists[i] = span.twist / span.length;
         }
     }
@@ -243,30 +291,27 @@ static void fill_twists(thread_object *t)
 /* Moves a director from one segment to a neighbour, and turns it by the twist between their middles. */
 static vec3 next_director(const thread_object *t, uint32_t from, uint32_t to, vec3 director)
 {
-    double ignored;
-    const vec3 before = chord_direction(t->now.x, from, &ignored),
-               after = chord_direction(t->now.x, to, &ignored);
+    const vec3 before = direction_of_chord(t->now.x, from),
+               after = direction_of_chord(t->now.x, to);
     const double twist = 0.5 * (t->twists[from] * t->rest[from] + t->twists[to] * t->rest[to]);
-    return roll_director(transport_by_clamp(director, before, after), after,
+    return roll_director(transport_between(director, before, after), after,
                          to > from ? twist : -twist);
 }
 
-/* From the first clamp on in both directions; without a clamp from an arbitrary director. */
+/* From the first holder on in both directions; without one from an arbitrary director. */
 void vbss_thread_fill_twist_views(thread_object *t)
 {
     fill_twists(t);
     const uint32_t segments = t->node_count - 1;
-    const bool has_clamp = t->clamp_count > 0;
-    const uint32_t node = has_clamp ? t->clamps[0].node : 0;
+    const uint32_t node = t->holder_count > 0 ? t->holders[0].node : 0;
     const uint32_t first = node < segments ? node : segments - 1;
-    double ignored;
-    const vec3 tangent = chord_direction(t->now.x, first, &ignored);
+    const vec3 tangent = direction_of_chord(t->now.x, first);
     vec3 director = vec3_any_normal(vec3_unit_or(tangent, vec3_make(1.0, 0.0, 0.0)));
-    if (has_clamp) {
-        const thread_clamp_frame *frame = &t->now.clamp_frames[t->clamps[0].attachment_index];
+    if (t->holder_count > 0) {
+        const thread_section_frame *frame = &t->now.frames[t->holders[0].attachment_index];
         const double half = 0.5 * t->twists[first] * t->rest[first];
-        director = roll_director(transport_by_clamp(frame->director, frame->direction, tangent),
-                                 tangent, t->clamps[0].roll + half);
+        director = roll_director(transport_between(frame->director, frame->direction, tangent),
+                                 tangent, t->holders[0].roll + half);
     }
     t->material_directors[first] = director;
     for (uint32_t i = first + 1; i < segments; i++) {

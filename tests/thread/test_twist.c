@@ -35,7 +35,7 @@ static void held_begin(held *b, const vbss_thread_config *c)
 
 static void roll(held *b, uint32_t clamp, double angle)
 {
-    expect_ok(vbss_thread_set_clamp_roll(b->r.thread, clamp, angle));
+    expect_ok(vbss_thread_set_roll(b->r.thread, clamp, angle));
     rig_run(&b->r, 1e-3, 1);
 }
 
@@ -69,7 +69,7 @@ static void torque_is_stiffness_times_twist(void **state)
         expect_near(rolls[k] / length, twist_of_segment(&b, 7), 1e-9);
         const double energy = 0.5 * wanted * rolls[k];
         expect_near(energy, rig_energies(&b.r).twisting, 1e-12 * energy);
-        expect_near(0.0, vec3_norm(rig_reaction_force(&b.r, b.high)), 1e-15);
+        expect_near(0.0, vec3_norm(rig_reaction_force(&b.r, b.high)), 1e-11);
     }
     roll(&b, b.low, rolls[3]);
     expect_near(0.0, torque(&b, b.high), 1e-20);
@@ -181,34 +181,35 @@ static void cut_lets_twist_go(void **state)
 
 /* ---- energy */
 
-/* Torque and rolling do the work; without drag all of it is in the thread, which writhes. */
+/* Torque and rolling do the work. Without drag all of it is in the thread, which is slack and coils. */
 static void work_of_rolling_is_stored(void **state)
 {
     (void)state;
+    enum { STEPS = 4000 };
     vbss_thread_config c = twist_config();
-    c.spectral_radius = 0.5;
     held b;
     held_begin(&b, &c);
-    const double critical = 8.98682 * c.bending_stiffness / torsion; /* rad, of Greenhill */
     vec3 x[SEGMENTS + 1];
     for (uint32_t i = 0; i <= SEGMENTS; i++) {
         const double s = (double)i / SEGMENTS;
         x[i] = vec3_make(length * s, 0.0, 1e-4 * s * s * (1.0 - s) * (1.0 - s));
     }
     rig_place(&b.r, x, NULL);
-    rig_run(&b.r, 1e-4, 1);
-    const double start = rig_energies(&b.r).total;
+    for (int k = 1; k <= STEPS; k++) {
+        rig_move(&b.r, b.high, vec3_make(length * (1.0 - 0.3 * k / STEPS), 0.0, 0.0));
+        rig_run(&b.r, 1e-4, 1);
+    }
+    const double start = rig_energies(&b.r).total, turns = 1.2 * VBSS_TWO_PI;
     double work = 0.0, before = torque(&b, b.high);
-    for (int k = 1; k <= 4000; k++) {
-        const double step = 1.3 * critical / 4000.0;
-        expect_ok(vbss_thread_set_clamp_roll(b.r.thread, b.high, k * step));
+    for (int k = 1; k <= STEPS; k++) {
+        expect_ok(vbss_thread_set_roll(b.r.thread, b.high, turns * k / STEPS));
         rig_run(&b.r, 1e-4, 1);
         const double now = torque(&b, b.high);
-        work += 0.5 * (now + before) * step;
+        work += 0.5 * (now + before) * turns / STEPS;
         before = now;
     }
     const vbss_thread_energies e = rig_energies(&b.r);
-    assert_true(e.bending > 0.05 * e.total);
+    assert_true(work < 0.7 * 0.5 * torsion * turns * turns / length);
     expect_near(1.0, (e.total - start) / work, 0.01);
     rig_end(&b.r);
 }
@@ -225,8 +226,8 @@ static void directors_turn_by_the_twist(void **state)
     roll(&b, b.high, 6.3);
     vec3 d[SEGMENTS];
     vbss_view view;
-    expect_ok(vbss_thread_get_view(b.r.thread, VBSS_THREAD_VIEW_MATERIAL_DIRECTORS, &view,
-                                   sizeof view));
+    expect_ok(
+        vbss_thread_get_view(b.r.thread, VBSS_THREAD_VIEW_MATERIAL_DIRECTORS, &view, sizeof view));
     assert_int_equal(SEGMENTS, view.count);
     memcpy(d, view.data, sizeof d);
     for (int i = 0; i < SEGMENTS; i++) {
@@ -249,7 +250,7 @@ static void restored_thread_continues_with_same_bits(void **state)
     for (int k = 0; k < 100; k++) {
         roll(&b, b.high, 0.1 * k);
     }
-    expect_ok(vbss_thread_set_clamp_roll(b.r.thread, b.high, 12.0));
+    expect_ok(vbss_thread_set_roll(b.r.thread, b.high, 12.0));
     uint8_t bytes[65536];
     uint64_t count, hashes[2];
     expect_ok(vbss_thread_save(b.r.thread, bytes, sizeof bytes, &count));
@@ -315,16 +316,14 @@ static void roll_needs_clamp_of_thread_with_twist(void **state)
         const uint32_t clamp = rig_clamp_here(&r, 0, along), pin = rig_pin_here(&r, 3);
         uint64_t hashes[2];
         expect_ok(vbss_thread_get_hash(r.thread, &hashes[0]));
-        expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_thread_set_clamp_roll(r.thread, pin, 1.0));
-        expect_result(VBSS_ERROR_NOT_FOUND, vbss_thread_set_clamp_roll(r.thread, 99, 1.0));
+        expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_thread_set_roll(r.thread, pin, 1.0));
+        expect_result(VBSS_ERROR_NOT_FOUND, vbss_thread_set_roll(r.thread, 99, 1.0));
         if (k == 0) {
-            expect_result(VBSS_ERROR_INCOMPATIBLE,
-                          vbss_thread_set_clamp_roll(r.thread, clamp, 1.0));
+            expect_result(VBSS_ERROR_INCOMPATIBLE, vbss_thread_set_roll(r.thread, clamp, 1.0));
         } else {
             expect_result(VBSS_ERROR_NOT_FINITE,
-                          vbss_thread_set_clamp_roll(r.thread, clamp, (double)NAN));
-            expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                          vbss_thread_set_clamp_roll(r.thread, clamp, 2e6));
+                          vbss_thread_set_roll(r.thread, clamp, (double)NAN));
+            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_set_roll(r.thread, clamp, 2e6));
         }
         expect_ok(vbss_thread_get_hash(r.thread, &hashes[1]));
         assert_true(hashes[0] == hashes[1]);

@@ -39,9 +39,8 @@ static void twisted_begin(twisted *w, harness_source *source, double stiffness, 
         w->clamps[k] = rig_clamp_here(&w->r, clamp_nodes[k], draw_direction(source));
         vec3_store(target, w->x[clamp_nodes[k]]);
         vec3_store(direction, draw_direction(source));
-        expect_ok(
-            vbss_thread_set_attachment_target(w->r.thread, w->clamps[k], target, direction));
-        expect_ok(vbss_thread_set_clamp_roll(w->r.thread, w->clamps[k], roll * (k == 1)));
+        expect_ok(vbss_thread_set_attachment_target(w->r.thread, w->clamps[k], target, direction));
+        expect_ok(vbss_thread_set_roll(w->r.thread, w->clamps[k], roll * (k == 1)));
     }
     expect_ok(vbss_thread_open(w->r.thread, &w->t));
     expect_ok(vbss_thread_update_derived(w->t));
@@ -56,8 +55,8 @@ static double trial_energy(twisted *w)
     for (uint32_t k = 0; k < 2; k++) {
         thread_twist_span *span = &w->t->twist_spans[k];
         vbss_thread_set_twist(w->t, w->t->trial, span);
-        energy += 0.5 * span->length * span->torque * span->torque /
-                  w->t->config.torsional_stiffness;
+        energy +=
+            0.5 * span->length * span->torque * span->torque / w->t->config.torsional_stiffness;
     }
     return energy;
 }
@@ -66,10 +65,8 @@ static const vbss_integration integration = {.h = 1e-3, .inertia = 1e6, .velocit
 
 static thread_substep full_substep(void)
 {
-    return (thread_substep){.integration = &integration,
-                            .step_length = 1e-3,
-                            .end_fraction = 1.0,
-                            .min_tension = -1.0};
+    return (thread_substep){
+        .integration = &integration, .step_length = 1e-3, .end_fraction = 1.0, .min_tension = -1.0};
 }
 
 static void check_forces(harness_source *source, void *user)
@@ -149,7 +146,7 @@ static void check_balance(harness_source *source, void *user)
         moment = vec3_add(moment, vec3_cross(w.x[i], force));
     }
     for (uint32_t k = 0; k < 3; k++) {
-        const vec3 torque = vbss_thread_twist_torque(w.t, k);
+        const vec3 torque = vbss_thread_twist_torque(w.t, clamp_nodes[k]);
         scale = fmax(scale, vec3_norm(torque));
         moment = vec3_sub(moment, torque);
     }

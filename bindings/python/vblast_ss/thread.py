@@ -124,10 +124,10 @@ class Thread(Configured, Body, Viewed, Saved):
         self._call(lib.vbss_thread_set_attachment_target, index(attachment), doubles(target, "target", 3),
                    optional(direction, "direction", 3))
 
-    def set_clamp_roll(self, attachment: int, roll: float) -> None:
+    def set_roll(self, attachment: int, roll: float) -> None:
         """Says by which angle, rad, a clamp shall have turned the thread about its direction at the end of the next
         step. Needs torsional_stiffness."""
-        self._call(lib.vbss_thread_set_clamp_roll, index(attachment), roll)
+        self._call(lib.vbss_thread_set_roll, index(attachment), roll)
 
     def detach(self, attachment: int) -> None:
         self._call(lib.vbss_thread_detach, index(attachment))
