@@ -54,19 +54,8 @@ static inline uint32_t thread_last_turn(const thread_twist_span *span)
 /* The turn of a span at one of these nodes, with the nodes at `x`. */
 thread_turn vbss_thread_turn(const vec3 *x, const thread_twist_span *span, uint32_t node);
 
-/* Lists the holders of the section in the order of their nodes. */
-void vbss_thread_list_section_holders(thread_object *t);
-
-/* Sets directions and rolls of holders at a fraction 0..1 of the step. */
-void vbss_thread_set_section_holders(thread_object *t, double fraction);
-
 /* The span between holders `index` and `index` + 1 in the current state, without directors. */
 thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index);
-
-/* Adds a holder to the state, or takes it out: its attachment is in, or still in, the list of attachments.
- * The twist per length of the thread around it does not change. */
-void vbss_thread_add_section_holder(thread_object *t, uint32_t attachment);
-void vbss_thread_remove_section_holder(thread_object *t, uint32_t attachment);
 
 /* Prepares a substep: spans with their holders at its end. A function of the state and of the holders. */
 void vbss_thread_begin_twist(thread_object *t);
@@ -79,6 +68,42 @@ void vbss_thread_commit_twist(thread_object *t);
 
 /* Twist per length of each segment, 1/m, and a unit vector across it that is fixed to the material. */
 void vbss_thread_fill_twist_views(thread_object *t);
+
+/* Unit vector along a segment; zero if its nodes coincide. */
+vec3 vbss_thread_chord_direction(const vec3 *x, uint32_t segment);
+
+/* Direction of the thread at a holder: that of its chord towards higher nodes, or of the clamp. */
+vec3 vbss_thread_holder_direction(const vec3 *x, uint32_t node_count,
+                                  const thread_section_holder *holder);
+
+/* ---- section_holders.c */
+
+/* Lists the holders of the section in the order of their nodes. */
+void vbss_thread_list_section_holders(thread_object *t);
+
+/* Sets directions and rolls of holders at a fraction 0..1 of the step. */
+void vbss_thread_set_section_holders(thread_object *t, double fraction);
+
+/* Adds a holder to the state, or takes it out: its attachment is in, or still in, the list of attachments.
+ * The twist per length of the thread around it does not change. */
+void vbss_thread_add_section_holder(thread_object *t, uint32_t attachment);
+void vbss_thread_remove_section_holder(thread_object *t, uint32_t attachment);
+
+/* The attachment by which a body of the scene holds the section at a node: it is added, or moved there with
+ * the thread's twist. NULL: another one holds the section there, or there is no room. `owner` is not 0;
+ * `*is_new`: it did not exist. */
+thread_attachment *vbss_thread_hold_section(thread_object *t, uint32_t owner, uint32_t node,
+                                            bool *is_new);
+
+/* That attachment, or NULL. */
+thread_attachment *vbss_thread_find_section_owner(thread_object *t, uint32_t owner);
+
+/* Derivative of a holder's torque with its roll, N m. */
+double vbss_thread_section_stiffness(const thread_object *t, const thread_attachment *a);
+
+/* Removes an attachment that holds the section, by its index; all that belong to bodies of a scene. */
+void vbss_thread_release_section(thread_object *t, uint32_t attachment);
+void vbss_thread_release_owned_sections(thread_object *t);
 
 /* ---- twist.c */
 

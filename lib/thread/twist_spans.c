@@ -1,5 +1,4 @@
-/* Spans of twist: the holders of the section, parallel transport along the chords between them, and the
- * twist of a span.
+/* Spans of twist: parallel transport along the chords between two holders, and the twist of a span.
  *
  * A holder has a roll, the angle by which it has turned the section about the thread, and a director, which
  * moves without spin as the direction there changes. The twist of a span is the roll of its high holder
@@ -34,7 +33,7 @@ static vec3 chord_direction(const vec3 *x, uint32_t segment, double *inverse)
     return vec3_scale(chord, *inverse);
 }
 
-static vec3 direction_of_chord(const vec3 *x, uint32_t segment)
+vec3 vbss_thread_chord_direction(const vec3 *x, uint32_t segment)
 {
     double ignored;
     return chord_direction(x, segment, &ignored);
@@ -87,8 +86,9 @@ static vec3 roll_director(vec3 director, vec3 axis, double angle)
 /* Direction of the thread at an end of a span, with the nodes at `x`. */
 static vec3 end_direction(const vec3 *x, const thread_twist_span *span, int end)
 {
-    return span->is_clamped[end] ? span->direction[end]
-                                 : direction_of_chord(x, end == 0 ? span->low : span->high - 1);
+    return span->is_clamped[end]
+               ? span->direction[end]
+               : vbss_thread_chord_direction(x, end == 0 ? span->low : span->high - 1);
 }
 
 /* Angle from the director of the low holder, moved along the span, to that of the high one. */
@@ -104,99 +104,6 @@ static double angle_between_directors(const vec3 *x, const thread_twist_span *sp
     const vec3 moved = transport_along(x, span, director[0]);
     return vbss_arc_tangent(vec3_dot(direction, vec3_cross(moved, director[1])),
                             vec3_dot(moved, director[1]));
-}
-
-/* ---- holders */
-
-void vbss_thread_list_section_holders(thread_object *t)
-{
-    t->holder_count = 0;
-    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
-        const thread_attachment *a = &t->attachments[i];
-        if (a->id == 0 || !thread_holds_section(a)) {
-            continue;
-        }
-        uint32_t k = t->holder_count++;
-        for (; k > 0 && t->holders[k - 1].node > a->node; k--) {
-            t->holders[k] = t->holders[k - 1];
-        }
-        t->holders[k] =
-            (thread_section_holder){.attachment_index = i,
-                                    .node = a->node,
-                                    .is_clamp = a->kind == VBSS_THREAD_ATTACHMENT_CLAMP};
-    }
-    vbss_thread_set_section_holders(t, 0.0);
-}
-
-void vbss_thread_set_section_holders(thread_object *t, double fraction)
-{
-    for (uint32_t k = 0; k < t->holder_count; k++) {
-        thread_section_holder *holder = &t->holders[k];
-        const thread_attachment *a = &t->attachments[holder->attachment_index];
-        holder->roll = a->roll + fraction * (a->target_roll - a->roll);
-        if (holder->is_clamp) {
-            holder->direction = vbss_thread_attachment_direction(a, fraction);
-        }
-    }
-}
-
-/* Direction of the thread at a holder: that of its chord towards higher nodes, or of the clamp. */
-static vec3 holder_direction(const vec3 *x, uint32_t node_count,
-                             const thread_section_holder *holder)
-{
-    const uint32_t segment = holder->node + 1 < node_count ? holder->node : holder->node - 1;
-    return holder->is_clamp ? holder->direction : direction_of_chord(x, segment);
-}
-
-/* The nearest holder on either side of a node; NULL: there is none. */
-static const thread_attachment *find_holder_beside(const thread_object *t, uint32_t node,
-                                                   bool after)
-{
-    const thread_attachment *found = NULL;
-    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
-        const thread_attachment *a = &t->attachments[i];
-        const bool is_beside = after ? a->node > node : a->node < node;
-        if (a->id != 0 && thread_holds_section(a) && is_beside &&
-            (found == NULL || (after ? a->node < found->node : a->node > found->node))) {
-            found = a;
-        }
-    }
-    return found;
-}
-
-void vbss_thread_add_section_holder(thread_object *t, uint32_t attachment)
-{
-    const thread_attachment *new = &t->attachments[attachment];
-    const thread_attachment *low = find_holder_beside(t, new->node, false),
-                            *high = find_holder_beside(t, new->node, true);
-    thread_section_frame *frame = &t->now.frames[attachment],
-                         *low_frame = low != NULL ? &t->now.frames[low - t->attachments] : NULL;
-    double before = 0.0, after = 0.0;
-    if (low != NULL && high != NULL) {
-        const double from = vbss_thread_arc_length(t, low->node),
-                     to = vbss_thread_arc_length(t, high->node);
-        const double whole = low_frame->shape_twist + high->roll - low->roll;
-        before = whole * ((vbss_thread_arc_length(t, new->node) - from) / (to - from));
-        after = whole - before;
-    }
-    const thread_section_holder holder = {.node = new->node,
-                                          .is_clamp = new->kind == VBSS_THREAD_ATTACHMENT_CLAMP,
-                                          .direction = new->direction};
-    frame->direction = holder_direction(t->now.x, t->node_count, &holder);
-    frame->director = vec3_any_normal(frame->direction);
-    frame->shape_twist = high != NULL ? after - (high->roll - new->roll) : 0.0;
-    if (low_frame != NULL) {
-        low_frame->shape_twist = before - (new->roll - low->roll);
-    }
-}
-
-void vbss_thread_remove_section_holder(thread_object *t, uint32_t attachment)
-{
-    const uint32_t node = t->attachments[attachment].node;
-    const thread_attachment *low = find_holder_beside(t, node, false);
-    if (low != NULL && find_holder_beside(t, node, true) != NULL) {
-        t->now.frames[low - t->attachments].shape_twist += t->now.frames[attachment].shape_twist;
-    }
 }
 
 /* ---- spans */
@@ -218,13 +125,20 @@ thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index)
         span.direction[end] =
             holders[end].is_clamp
                 ? t->now.frames[holders[end].attachment_index].direction
-                : direction_of_chord(t->now.x, end == 0 ? span.low : span.high - 1);
+                : vbss_thread_chord_direction(t->now.x, end == 0 ? span.low : span.high - 1);
     }
     span.length = vbss_thread_arc_length(t, span.high) - vbss_thread_arc_length(t, span.low);
     span.roll_difference = holders[1].roll - holders[0].roll;
     span.shape_twist = low_frame->shape_twist;
     set_torque(t, &span);
     return span;
+}
+
+vec3 vbss_thread_holder_direction(const vec3 *x, uint32_t node_count,
+                                  const thread_section_holder *holder)
+{
+    const uint32_t segment = holder->node + 1 < node_count ? holder->node : holder->node - 1;
+    return holder->is_clamp ? holder->direction : vbss_thread_chord_direction(x, segment);
 }
 
 /* ---- a substep */
@@ -267,7 +181,7 @@ void vbss_thread_commit_twist(thread_object *t)
             vbss_thread_set_twist(t, t->trial, &t->twist_spans[k]);
             frame->shape_twist = t->twist_spans[k].shape_twist;
         }
-        const vec3 direction = holder_direction(t->trial, t->node_count, holder);
+        const vec3 direction = vbss_thread_holder_direction(t->trial, t->node_count, holder);
         frame->director = transport_between(frame->director, frame->direction, direction);
         frame->direction = direction;
     }
@@ -291,8 +205,8 @@ static void fill_twists(thread_object *t)
 /* Moves a director from one segment to a neighbour, and turns it by the twist between their middles. */
 static vec3 next_director(const thread_object *t, uint32_t from, uint32_t to, vec3 director)
 {
-    const vec3 before = direction_of_chord(t->now.x, from),
-               after = direction_of_chord(t->now.x, to);
+    const vec3 before = vbss_thread_chord_direction(t->now.x, from),
+               after = vbss_thread_chord_direction(t->now.x, to);
     const double twist = 0.5 * (t->twists[from] * t->rest[from] + t->twists[to] * t->rest[to]);
     return roll_director(transport_between(director, before, after), after,
                          to > from ? twist : -twist);
@@ -305,7 +219,7 @@ void vbss_thread_fill_twist_views(thread_object *t)
     const uint32_t segments = t->node_count - 1;
     const uint32_t node = t->holder_count > 0 ? t->holders[0].node : 0;
     const uint32_t first = node < segments ? node : segments - 1;
-    const vec3 tangent = direction_of_chord(t->now.x, first);
+    const vec3 tangent = vbss_thread_chord_direction(t->now.x, first);
     vec3 director = vec3_any_normal(vec3_unit_or(tangent, vec3_make(1.0, 0.0, 0.0)));
     if (t->holder_count > 0) {
         const thread_section_frame *frame = &t->now.frames[t->holders[0].attachment_index];
