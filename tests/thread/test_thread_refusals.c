@@ -221,7 +221,7 @@ static void bad_attachments_are_rejected(void **state)
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
     a.node = UINT32_MAX;
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
-    a = plain(5, 1);
+    a = plain(6, 1);
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
     a = plain(-1, 1);
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
